@@ -1,0 +1,470 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * mgdt: exact 3D Delaunay triangulation of any set of points.
+ *
+ * This header is the whole C interface and can be read from top to bottom as a manual.
+ * It is C99, and C++ may include it as it stands.
+ *
+ * Conventions, for every function:
+ *
+ * - A function that can fail returns an mgdt_status: MGDT_OK (0) or one of the errors below.
+ *   mgdt_get_error() gives a message that says what was wrong and where.
+ * - A call that fails on its arguments changes nothing. One that is cancelled or runs out of
+ *   memory leaves a valid Delaunay triangulation of the points that got in.
+ * - The library never prints, exits, throws, installs a signal handler, or writes to an array
+ *   that is not documented as output. It gives the floating-point environment back as it was.
+ * - Coordinates are in any one unit of length; every finite double is accepted.
+ * - Indices start at the handle's index base (0, or 1 for Fortran): the k-th point ever given
+ *   to the handle, k = 0, 1, ..., has index k + base, and tetrahedra are numbered likewise.
+ *   "None" is base - 1. Numbers of tetrahedra hold until the next call that changes the handle.
+ * - Output arrays are the caller's. Their capacity is counted in array elements, not bytes
+ *   and not tetrahedra; one that is too small gets MGDT_ERR_BUFFER_TOO_SMALL and is not touched.
+ * - Functions ending in _i32 are their 64-bit namesakes with 32-bit integers in the arrays; an
+ *   index that does not fit gets MGDT_ERR_INDEX_RANGE.
+ * - Thread rule: calls that take a `const mgdt_triangulation *` may run on one handle from many
+ *   threads at once. A call that takes a non-const handle needs that handle to itself, except
+ *   mgdt_cancel(). Different handles are independent.
+ */
+#ifndef MGDT_MGDT_H
+#define MGDT_MGDT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define MGDT_VERSION_MAJOR 1
+#define MGDT_VERSION_MINOR 0
+#define MGDT_VERSION_PATCH 0
+
+#if defined(_WIN32)
+#  if defined(MGDT_BUILDING)
+#    define MGDT_API __declspec(dllexport)
+#  elif defined(MGDT_STATIC)
+#    define MGDT_API
+#  else
+#    define MGDT_API __declspec(dllimport)
+#  endif
+#elif defined(__GNUC__)
+#  define MGDT_API __attribute__((visibility("default")))
+#else
+#  define MGDT_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---------------------------------------------------------------- types and constants --- */
+
+/** A triangulation that grows as points are inserted. Opaque; made by mgdt_create(). */
+typedef struct mgdt_triangulation mgdt_triangulation;
+
+/** The outcome of a call: one of the MGDT_OK / MGDT_ERR_ values. */
+typedef int32_t mgdt_status;
+
+/** Values of mgdt_status. New ones may be added; existing ones never change. */
+enum {
+    MGDT_OK = 0,                    /**< Success. */
+    MGDT_ERR_NULL_POINTER = 10,     /**< A pointer that must not be NULL is NULL. */
+    MGDT_ERR_INVALID_ARGUMENT = 11, /**< A value out of its documented range. */
+    MGDT_ERR_NOT_FINITE = 12,       /**< A coordinate is NaN or infinite. */
+    MGDT_ERR_UNKNOWN_SCHEME = 13,   /**< Not an MGDT_ORDER_ value or name. */
+    MGDT_ERR_UNKNOWN_KEY = 14,      /**< Not an MGDT_STAT_ or MGDT_PARAMETER_ key. */
+    MGDT_ERR_BUFFER_TOO_SMALL = 20, /**< The capacity is less than what must be written. */
+    MGDT_ERR_INDEX_RANGE = 21,      /**< An index does not fit a 32-bit integer. */
+    MGDT_ERR_OUT_OF_MEMORY = 30,    /**< The allocator or the memory limit refused. */
+    MGDT_ERR_TOO_LARGE = 31,        /**< More points or tetrahedra than the format can number. */
+    MGDT_ERR_CANCELLED = 40,        /**< mgdt_cancel() or the progress callback asked to stop. */
+    MGDT_ERR_DIMENSION = 50,        /**< The points do not span space (see mgdt_dimension()). */
+    MGDT_ERR_CHECK_FAILED = 60,     /**< mgdt_check() found a defect. */
+    MGDT_ERR_INTERNAL = 90          /**< A defect in mgdt itself; please report it. */
+};
+
+/** Order schemes: in which order the points of one call are inserted. The tetrahedra do not
+ *  depend on it, the time does. Scheme names, for mgdt_order_scheme_name(), are the same in
+ *  lower case with hyphens. Section numbers are those of S.H. Lo, Finite Elements in Analysis
+ *  and Design 90 (2014) 113-130. */
+enum {
+    MGDT_ORDER_AUTO = 0,              /**< What measures best; the default. */
+    MGDT_ORDER_INPUT = 10,            /**< As given (2.1). */
+    MGDT_ORDER_RANDOM = 20,           /**< Shuffled (2.1). */
+    MGDT_ORDER_LEXICOGRAPHIC = 30,    /**< By x, then y, then z (2.1). */
+    MGDT_ORDER_BRIO = 40,             /**< Random rounds of growing size, each along a curve (2.2). */
+    MGDT_ORDER_HILBERT = 50,          /**< Along a Hilbert curve (2.3). */
+    MGDT_ORDER_REGULAR_GRID = 60,     /**< Cell by cell of a regular grid (4.1). */
+    MGDT_ORDER_KD_TREE = 70,          /**< Squarish kd-tree, cell-pivot-cell (3). */
+    MGDT_ORDER_ENHANCED_KD_TREE = 80, /**< A kd-tree with a regular grid in each cell (3.4). */
+    MGDT_ORDER_MULTI_GRID = 90        /**< Regular grids within the cells of grids (4.2). */
+};
+
+/** Parameters of the order schemes, for mgdt_set_order_parameter(). Each scheme uses those that
+ *  concern it. */
+enum {
+    /** Mean number of points in a cell. Default 8 (grids), 10 (kd-tree), 1000 (enhanced kd-tree's
+     *  tree cells; its inner grids use 8). Range 1 to 1e6; 0 gives the default back. */
+    MGDT_PARAMETER_POINTS_PER_CELL = 10,
+    /** Multi-grid: a cell with more points than this gets a grid of its own. Default 200,
+     *  range 1 to 1e9; 0 gives the default back. */
+    MGDT_PARAMETER_THRESHOLD = 20,
+    /** Multi-grid: 1 takes one point from a cell at a time (the paper's separation control),
+     *  0 empties a cell before the next. Default 1. */
+    MGDT_PARAMETER_SEPARATION = 30,
+    /** BRIO: each round holds this many times the points of all rounds before it, plus one.
+     *  Default 7.5, range above 1 to 1e6; 0 gives the default back. */
+    MGDT_PARAMETER_ROUND_RATIO = 40
+};
+
+/** Keys of mgdt_get_stat(). Counts are of the whole life of the handle since mgdt_create() or
+ *  mgdt_clear(); seconds are wall-clock time. */
+enum {
+    MGDT_STAT_POINTS_INSERTED = 10,     /**< Points that became vertices. */
+    MGDT_STAT_DUPLICATES = 11,          /**< Points equal to an earlier vertex. */
+    MGDT_STAT_WALK_STEPS = 20,          /**< Tetrahedra visited by walks (the paper's NP, summed). */
+    MGDT_STAT_WALK_TESTS = 21,          /**< Circumspheres evaluated by walks. */
+    MGDT_STAT_CONFLICT_TESTS = 22,      /**< Circumspheres evaluated while cavities grew. */
+    MGDT_STAT_TETRAHEDRA_REMOVED = 30,  /**< Tetrahedra removed by insertions (NR, summed). */
+    MGDT_STAT_TETRAHEDRA_CREATED = 31,  /**< Tetrahedra created by insertions. */
+    MGDT_STAT_EXACT_CALLS = 40,         /**< Decisions that the floating-point filter left open. */
+    MGDT_STAT_ORDER_SECONDS = 50,       /**< Time spent on schedules. */
+    MGDT_STAT_INSERT_SECONDS = 51,      /**< Time spent inserting. */
+    MGDT_STAT_GRID_LEVELS = 60,         /**< Deepest level of grids or trees in the last schedule. */
+    MGDT_STAT_ROUNDS = 61,              /**< Rounds in the last schedule. */
+    MGDT_STAT_MEMORY_BYTES = 70,        /**< Memory held by the handle now. */
+    MGDT_STAT_PEAK_MEMORY_BYTES = 71    /**< The most it held so far. */
+};
+
+/** Levels of mgdt_check(). Each includes those below it. */
+enum {
+    MGDT_CHECK_COMBINATORIAL = 1, /**< Adjacency, shared facets, Euler, every point accounted for. */
+    MGDT_CHECK_GEOMETRIC = 2,     /**< Exact positive orientation, exact local Delaunay. */
+    MGDT_CHECK_CANONICAL = 3      /**< Convex hull, and ties broken by the perturbation. */
+};
+
+/** Gives `size` bytes aligned to `align` (a power of two), or NULL. May be called from any thread
+ *  that the library runs, several at once. */
+typedef void *(*mgdt_alloc_fn)(size_t size, size_t align, void *user);
+/** Takes memory back; `size` and `align` are those of the allocation. */
+typedef void (*mgdt_free_fn)(void *p, size_t size, size_t align, void *user);
+/** Progress of the running call, `fraction` from 0 to 1, on the calling thread. A nonzero return
+ *  value cancels. It must not call the handle, except mgdt_cancel(). */
+typedef int32_t (*mgdt_progress_fn)(double fraction, void *user);
+
+/* ------------------------------------------------------------------------------- life --- */
+
+/** Makes an empty triangulation.
+ *  @param[out] out  the handle; NULL if the call fails
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_create(mgdt_triangulation **out);
+
+/** Makes an empty triangulation all of whose memory comes from `alloc`.
+ *  @param alloc, release  both functions, or both NULL for the default allocator
+ *  @param user  passed to them
+ *  @param[out] out  the handle; NULL if the call fails
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (one function without the
+ *  other), MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release,
+                                                void *user, mgdt_triangulation **out);
+
+/** Frees the handle and all it holds. NULL is fine.
+ *  @since 1.0 */
+MGDT_API void mgdt_destroy(mgdt_triangulation *t);
+
+/** Takes all points out; settings stay, statistics start again at zero.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_clear(mgdt_triangulation *t);
+
+/** Announces how many points will be given in all, so that storage grows once. Optional.
+ *  @param n_points  at least 0
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_TOO_LARGE,
+ *  MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_reserve(mgdt_triangulation *t, int64_t n_points);
+
+/* --------------------------------------------------------------------------- settings --- */
+
+/** Chooses the order scheme of later insertions.
+ *  @param scheme  an MGDT_ORDER_ value; default MGDT_ORDER_AUTO
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_SCHEME
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_set_order_scheme(mgdt_triangulation *t, int32_t scheme);
+
+/** Sets a parameter of the order schemes.
+ *  @param key  an MGDT_PARAMETER_ key, which documents its range and default
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_set_order_parameter(mgdt_triangulation *t, int32_t key, double value);
+
+/** Sets the seed of the schemes that shuffle. The same seed gives the same run; the tetrahedra
+ *  are the same for every seed. Default 0.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_set_seed(mgdt_triangulation *t, uint64_t seed);
+
+/** Sets how many threads a call may use. The tetrahedra do not depend on it.
+ *  @param n  at least 1, or 0 for all cores; default 1
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_set_threads(mgdt_triangulation *t, int32_t n);
+
+/** Sets the number that the first point and the first tetrahedron have in all calls.
+ *  @param base  0 (default) or 1
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_set_index_base(mgdt_triangulation *t, int32_t base);
+
+/** Limits the memory that the handle may hold; what would pass it gets MGDT_ERR_OUT_OF_MEMORY.
+ *  @param bytes  at least 0; 0 (default) for no limit
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_set_memory_limit(mgdt_triangulation *t, int64_t bytes);
+
+/** Sets the callback that hears of progress, about a hundred times a call, and may cancel.
+ *  @param fn  NULL for none (default)
+ *  @param user  passed to it
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_set_progress(mgdt_triangulation *t, mgdt_progress_fn fn, void *user);
+
+/** Asks the call that is running on the handle to stop soon; it returns MGDT_ERR_CANCELLED.
+ *  Without one, the next insertion is stopped. Safe from any thread and from signal handlers.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation *t);
+
+/** Makes the exported arrays a function of the set of points alone, byte for byte: tetrahedra
+ *  sorted, the least vertex index of each first and the next least second.
+ *  Off, they come in the order of storage, which is faster.
+ *  @param on  0 (default) or 1
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_set_canonical_output(mgdt_triangulation *t, int32_t on);
+
+/* ----------------------------------------------------------------------------- points --- */
+
+/** Inserts points. They may be given in any number of calls, with the same result. Points with
+ *  the coordinates of an earlier one (0 equals -0) share its vertex: see mgdt_get_point_map().
+ *  Fewer than four points, or all on a plane, are kept until they span space.
+ *  @param n    number of points, at least 0
+ *  @param xyz  3 n coordinates, x y z of each point in turn; copied; may be NULL if n is 0
+ *  @return MGDT_OK; MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_NOT_FINITE (the
+ *  message names the index) or MGDT_ERR_TOO_LARGE with nothing changed; MGDT_ERR_CANCELLED,
+ *  MGDT_ERR_OUT_OF_MEMORY or MGDT_ERR_TOO_LARGE with a valid triangulation of the points that
+ *  got in (the others have no vertex in the point map, and their indices stay taken)
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_insert_points(mgdt_triangulation *t, int64_t n, const double *xyz);
+
+/** The same for coordinates in separate arrays or inside records.
+ *  @param x, y, z  the first point's coordinates
+ *  @param stride   distance from one point's x (y, z) to the next one's, in doubles, any sign
+ *  @return as mgdt_insert_points()
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_insert_points_strided(mgdt_triangulation *t, int64_t n, const double *x,
+                                                const double *y, const double *z, int64_t stride);
+
+/* ----------------------------------------------------------------------------- counts --- */
+
+/** Number of points ever given to the handle (those refused whole do not count); 0 for NULL.
+ *  @since 1.0 */
+MGDT_API int64_t mgdt_point_count(const mgdt_triangulation *t);
+
+/** Number of vertices: distinct points that are in; 0 for NULL.
+ *  @since 1.0 */
+MGDT_API int64_t mgdt_vertex_count(const mgdt_triangulation *t);
+
+/** Dimension of the points' affine hull: -1 empty (or NULL), 0 one point, 1 a line, 2 a plane,
+ *  3 space. There are tetrahedra only at 3.
+ *  @since 1.0 */
+MGDT_API int32_t mgdt_dimension(const mgdt_triangulation *t);
+
+/** Number of tetrahedra; 0 for NULL.
+ *  @since 1.0 */
+MGDT_API int64_t mgdt_tetrahedron_count(const mgdt_triangulation *t);
+
+/** Number of triangles on the convex hull; 0 for NULL.
+ *  @since 1.0 */
+MGDT_API int64_t mgdt_hull_facet_count(const mgdt_triangulation *t);
+
+/** Number of edges of the tetrahedra; 0 for NULL.
+ *  @since 1.0 */
+MGDT_API int64_t mgdt_edge_count(const mgdt_triangulation *t);
+
+/** Length of the list of mgdt_get_vertex_tetrahedra(): 4 times the tetrahedra; 0 for NULL.
+ *  @since 1.0 */
+MGDT_API int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation *t);
+
+/* ----------------------------------------------------------------------------- export --- */
+
+/** Writes the vertices of each tetrahedron, 4 a tetrahedron, positively oriented:
+ *  (v1 - v0) x (v2 - v0) . (v3 - v0) > 0, exactly. A vertex is the index of the first point
+ *  given at its place.
+ *  @param capacity  elements in v, at least 4 mgdt_tetrahedron_count(t)
+ *  @param[out] v    may be NULL if there are no tetrahedra
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_BUFFER_TOO_SMALL,
+ *  MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_get_tetrahedra(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
+/** @copydoc mgdt_get_tetrahedra */
+MGDT_API mgdt_status mgdt_get_tetrahedra_i32(const mgdt_triangulation *t, int64_t capacity,
+                                             int32_t *v);
+
+/** Writes the neighbours of each tetrahedron, 4 a tetrahedron, in the order of
+ *  mgdt_get_tetrahedra(): neighbour i shares the facet opposite vertex i; none on the hull.
+ *  @param capacity  elements in v, at least 4 mgdt_tetrahedron_count(t)
+ *  @return as mgdt_get_tetrahedra()
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_get_neighbors(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
+/** @copydoc mgdt_get_neighbors */
+MGDT_API mgdt_status mgdt_get_neighbors_i32(const mgdt_triangulation *t, int64_t capacity,
+                                            int32_t *v);
+
+/** Writes the triangles of the convex hull, 3 vertices each, counter-clockwise seen from outside.
+ *  Coplanar parts of the hull come as the triangles of the perturbed triangulation.
+ *  @param capacity  elements in v, at least 3 mgdt_hull_facet_count(t)
+ *  @return as mgdt_get_tetrahedra()
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_get_hull_facets(const mgdt_triangulation *t, int64_t capacity,
+                                          int64_t *v);
+/** @copydoc mgdt_get_hull_facets */
+MGDT_API mgdt_status mgdt_get_hull_facets_i32(const mgdt_triangulation *t, int64_t capacity,
+                                              int32_t *v);
+
+/** Writes the edges, 2 vertices each, the lesser index first; each edge once.
+ *  @param capacity  elements in v, at least 2 mgdt_edge_count(t)
+ *  @return as mgdt_get_tetrahedra()
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_get_edges(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
+/** @copydoc mgdt_get_edges */
+MGDT_API mgdt_status mgdt_get_edges_i32(const mgdt_triangulation *t, int64_t capacity, int32_t *v);
+
+/** Writes for each point ever given the index of the point that stands for it as a vertex: its
+ *  own, or that of the first point given at the same place, or none if it is not in.
+ *  @param capacity  elements in v, at least mgdt_point_count(t)
+ *  @return as mgdt_get_tetrahedra()
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_get_point_map(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
+/** @copydoc mgdt_get_point_map */
+MGDT_API mgdt_status mgdt_get_point_map_i32(const mgdt_triangulation *t, int64_t capacity,
+                                            int32_t *v);
+
+/** Writes the tetrahedra around each vertex as a compressed list. Those of point k (counted from
+ *  0) are list[offsets[k] - base] to list[offsets[k + 1] - base - 1], ascending. A point that is
+ *  no vertex has none.
+ *  @param offset_capacity  elements in offsets, at least mgdt_point_count(t) + 1
+ *  @param[out] offsets     positions in list, in the handle's index base
+ *  @param capacity         elements in list, at least mgdt_vertex_tetrahedra_count(t)
+ *  @param[out] list        numbers of tetrahedra
+ *  @return as mgdt_get_tetrahedra()
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_get_vertex_tetrahedra(const mgdt_triangulation *t,
+                                                int64_t offset_capacity, int64_t *offsets,
+                                                int64_t capacity, int64_t *list);
+/** @copydoc mgdt_get_vertex_tetrahedra */
+MGDT_API mgdt_status mgdt_get_vertex_tetrahedra_i32(const mgdt_triangulation *t,
+                                                    int64_t offset_capacity, int32_t *offsets,
+                                                    int64_t capacity, int32_t *list);
+
+/* ---------------------------------------------------------------------------- queries --- */
+
+/** Finds the tetrahedron that contains a point, its boundary included; none outside the hull. On
+ *  a shared facet, edge or vertex it is one of those that share it.
+ *  @param xyz                3 coordinates
+ *  @param[out] tetrahedron   its number, or none
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_FINITE, MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_locate(const mgdt_triangulation *t, const double *xyz,
+                                 int64_t *tetrahedron);
+
+/** The same for many points, faster when they come in some spatial order.
+ *  @param n                number of points, at least 0
+ *  @param xyz              3 n coordinates
+ *  @param[out] tetrahedra  n numbers
+ *  @param[out] weights     4 n barycentric coordinates, in the order of the tetrahedron's
+ *                          vertices in mgdt_get_tetrahedra(), for interpolation (rounded; they
+ *                          add up to 1 within rounding; zeros where there is no tetrahedron);
+ *                          or NULL
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_NOT_FINITE (the
+ *  message names the point; nothing is written), MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_locate_points(const mgdt_triangulation *t, int64_t n, const double *xyz,
+                                        int64_t *tetrahedra, double *weights);
+/** @copydoc mgdt_locate_points */
+MGDT_API mgdt_status mgdt_locate_points_i32(const mgdt_triangulation *t, int64_t n,
+                                            const double *xyz, int32_t *tetrahedra,
+                                            double *weights);
+
+/** Finds the vertex nearest to a point, exactly; of several as near, the lowest index. Works in
+ *  every dimension.
+ *  @param xyz          3 coordinates
+ *  @param[out] vertex  its index; none if the triangulation is empty
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_FINITE, MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_nearest_vertex(const mgdt_triangulation *t, const double *xyz,
+                                         int64_t *vertex);
+
+/* ------------------------------------------------------------------------------ trust --- */
+
+/** Proves that the triangulation is what it claims to be, by exact arithmetic, in linear time.
+ *  @param level  an MGDT_CHECK_ value
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_CHECK_FAILED (the
+ *  message says what and where), MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_check(const mgdt_triangulation *t, int32_t level);
+
+/* ---------------------------------------------------------------------------- figures --- */
+
+/** Gives one figure about the handle.
+ *  @param key  an MGDT_STAT_ key
+ *  @param[out] value
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_get_stat(const mgdt_triangulation *t, int32_t key, double *value);
+
+/** Name of a statistic ("walk steps"); NULL for an unknown key.
+ *  @since 1.0 */
+MGDT_API const char *mgdt_stat_name(int32_t key);
+
+/* ------------------------------------------------------------------------------- text --- */
+
+/** One line that describes a status; never NULL. The string is static.
+ *  @since 1.0 */
+MGDT_API const char *mgdt_status_string(mgdt_status s);
+
+/** Copies the message of the last call that failed on the handle, NUL-terminated and cut to
+ *  capacity; an empty string if none has failed. With calls from several threads it is the last
+ *  of any of them.
+ *  @param capacity     bytes in buffer, at least 1
+ *  @param[out] buffer  256 bytes hold every message
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_get_error(const mgdt_triangulation *t, int64_t capacity, char *buffer);
+
+/** Name of an order scheme ("multi-grid"); NULL for an unknown one. The string is static.
+ *  @since 1.0 */
+MGDT_API const char *mgdt_order_scheme_name(int32_t scheme);
+
+/** The order scheme of a name.
+ *  @param[out] scheme  an MGDT_ORDER_ value; not touched if the call fails
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_SCHEME
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_order_scheme_from_name(const char *name, int32_t *scheme);
+
+/** Version of the library that is running, "1.0.0". The string is static.
+ *  @since 1.0 */
+MGDT_API const char *mgdt_version_string(void);
+
+/** Version of the binary interface: 1. Programs built for it run with every library that says 1.
+ *  @since 1.0 */
+MGDT_API int32_t mgdt_abi_version(void);
+
+/** Instruction set of the kernel that the handle uses ("baseline"). The string is static; an
+ *  empty one for NULL.
+ *  @since 1.0 */
+MGDT_API const char *mgdt_isa_name(const mgdt_triangulation *t);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* MGDT_MGDT_H */

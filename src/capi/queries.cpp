@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <limits>
+
+#include "capi/handle.hpp"
+#include "core/point_scan.hpp"
+#include "query/check.hpp"
+#include "query/export.hpp"
+#include "query/locate.hpp"
+
+using namespace mgdt;
+
+namespace {
+
+Locator locator(const mgdt_triangulation* t) {
+    return {t->core.mesh(), t->core.kernel(), t->core.scale()};
+}
+
+void require_finite(std::size_t n, const double* xyz, const mgdt_triangulation* t) {
+    const double* const axis[3] = {xyz, xyz + 1, xyz + 2};
+    PointScan(n, axis, 3, t->core.settings().index_base);
+}
+
+template <class Int>
+mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* xyz,
+                          Int* tetrahedra, double* weights) {
+    return guard(t, [&] {
+        if (n < 0)
+            fail(MGDT_ERR_INVALID_ARGUMENT, "the number of points is negative (%lld)",
+                 static_cast<long long>(n));
+        if (n == 0) return;
+        require_pointer(xyz, "xyz");
+        require_pointer(tetrahedra, "the output array");
+        require_finite(static_cast<std::size_t>(n), xyz, t);
+        const std::int64_t base = t->core.settings().index_base;
+        if (mgdt_tetrahedron_count(t) + base > std::numeric_limits<Int>::max())
+            fail(MGDT_ERR_INDEX_RANGE, "tetrahedra do not fit a 32-bit integer");
+        const Locator where = locator(t);
+        const ExportView view{t->core.mesh(), t->core.numbering(), t->core.allocator(),
+                              t->core.settings().index_base};
+        TetId hint = no_tetrahedron;
+        for (std::int64_t i = 0; i < n; ++i) {
+            const TetId found = where.locate(xyz + 3 * i, hint);
+            tetrahedra[i] = static_cast<Int>(
+                found == no_tetrahedron
+                    ? base - 1
+                    : static_cast<std::int64_t>(view.numbering.rank(found)) + base);
+            if (!weights) continue;
+            double* const out = weights + 4 * i;
+            std::fill(out, out + 4, 0.0);
+            if (found == no_tetrahedron) continue;
+            double stored[4];
+            unsigned places[4];
+            where.weights(found, xyz + 3 * i, stored);
+            export_places(view, view.mesh.tetrahedra[found], places);
+            for (int k = 0; k < 4; ++k) out[k] = stored[places[k]];
+        }
+    });
+}
+
+}  // namespace
+
+extern "C" mgdt_status mgdt_locate(const mgdt_triangulation* t, const double* xyz,
+                                   int64_t* tetrahedron) {
+    return locate_points(t, 1, xyz, tetrahedron, nullptr);
+}
+
+extern "C" mgdt_status mgdt_locate_points(const mgdt_triangulation* t, int64_t n,
+                                          const double* xyz, int64_t* tetrahedra,
+                                          double* weights) {
+    return locate_points(t, n, xyz, tetrahedra, weights);
+}
+
+extern "C" mgdt_status mgdt_locate_points_i32(const mgdt_triangulation* t, int64_t n,
+                                              const double* xyz, int32_t* tetrahedra,
+                                              double* weights) {
+    return locate_points(t, n, xyz, tetrahedra, weights);
+}
+
+extern "C" mgdt_status mgdt_nearest_vertex(const mgdt_triangulation* t, const double* xyz,
+                                           int64_t* vertex) {
+    return guard(t, [&] {
+        require_pointer(xyz, "xyz");
+        require_pointer(vertex, "vertex");
+        require_finite(1, xyz, t);
+        const std::int64_t base = t->core.settings().index_base;
+        const VertexId found = locator(t).nearest_vertex(xyz, t->core.allocator());
+        *vertex = found == infinite_vertex
+                      ? base - 1
+                      : static_cast<std::int64_t>(t->core.mesh().vertices[found].index) + base;
+    });
+}
+
+extern "C" mgdt_status mgdt_check(const mgdt_triangulation* t, int32_t level) {
+    return guard(t, [&] {
+        if (level < MGDT_CHECK_COMBINATORIAL || level > MGDT_CHECK_CANONICAL)
+            fail(MGDT_ERR_INVALID_ARGUMENT, "there is no check level %d",
+                 static_cast<int>(level));
+        check_mesh(t->core.mesh(), t->core.point_map(), t->core.allocator(), level,
+                   t->core.settings().index_base);
+    });
+}

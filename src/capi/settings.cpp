@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "capi/handle.hpp"
+
+using namespace mgdt;
+
+namespace {
+
+// A parameter within (least, most], or [least, most]; 0 asks for the default.
+double parameter_or(double value, double by_default, double least, double most, bool open,
+                    const char* name) {
+    if (value == 0) return by_default;
+    if (!(open ? value > least : value >= least) || !(value <= most))
+        fail(MGDT_ERR_INVALID_ARGUMENT, "%s is %g; it must be %s %g and at most %g, or 0", name,
+             value, open ? "above" : "at least", least, most);
+    return value;
+}
+
+bool flag(std::int32_t value, const char* name) {
+    if (value != 0 && value != 1)
+        fail(MGDT_ERR_INVALID_ARGUMENT, "%s is %d; it must be 0 or 1", name,
+             static_cast<int>(value));
+    return value != 0;
+}
+
+}  // namespace
+
+extern "C" mgdt_status mgdt_set_order_scheme(mgdt_triangulation* t, int32_t scheme) {
+    return guard(t, [&] {
+        if (!mgdt_order_scheme_name(scheme))
+            fail(MGDT_ERR_UNKNOWN_SCHEME, "there is no order scheme %d",
+                 static_cast<int>(scheme));
+        t->core.settings().scheme = scheme;
+    });
+}
+
+extern "C" mgdt_status mgdt_set_order_parameter(mgdt_triangulation* t, int32_t key,
+                                                double value) {
+    return guard(t, [&] {
+        const OrderParameters by_default;
+        OrderParameters& order = t->core.settings().order;
+        switch (key) {
+            case MGDT_PARAMETER_POINTS_PER_CELL:
+                order.points_per_cell = parameter_or(value, by_default.points_per_cell, 1, 1e6,
+                                                     false, "points per cell");
+                break;
+            case MGDT_PARAMETER_THRESHOLD:
+                order.threshold =
+                    parameter_or(value, by_default.threshold, 1, 1e9, false, "threshold");
+                break;
+            case MGDT_PARAMETER_SEPARATION:
+                if (value != 0 && value != 1)
+                    fail(MGDT_ERR_INVALID_ARGUMENT, "separation is %g; it must be 0 or 1", value);
+                order.separation = value != 0;
+                break;
+            case MGDT_PARAMETER_ROUND_RATIO:
+                order.round_ratio =
+                    parameter_or(value, by_default.round_ratio, 1, 1e6, true, "round ratio");
+                break;
+            default:
+                fail(MGDT_ERR_UNKNOWN_KEY, "there is no order parameter %d",
+                     static_cast<int>(key));
+        }
+    });
+}
+
+extern "C" mgdt_status mgdt_set_seed(mgdt_triangulation* t, uint64_t seed) {
+    return guard(t, [&] { t->core.settings().order.seed = seed; });
+}
+
+extern "C" mgdt_status mgdt_set_threads(mgdt_triangulation* t, int32_t n) {
+    return guard(t, [&] {
+        if (n < 0)
+            fail(MGDT_ERR_INVALID_ARGUMENT, "the number of threads is negative (%d)",
+                 static_cast<int>(n));
+        t->core.settings().threads = n;
+    });
+}
+
+extern "C" mgdt_status mgdt_set_index_base(mgdt_triangulation* t, int32_t base) {
+    return guard(t, [&] { t->core.settings().index_base = flag(base, "the index base"); });
+}
+
+extern "C" mgdt_status mgdt_set_memory_limit(mgdt_triangulation* t, int64_t bytes) {
+    return guard(t, [&] {
+        if (bytes < 0)
+            fail(MGDT_ERR_INVALID_ARGUMENT, "the memory limit is negative (%lld)",
+                 static_cast<long long>(bytes));
+        t->core.allocator().set_limit(static_cast<std::size_t>(bytes));
+    });
+}
+
+extern "C" mgdt_status mgdt_set_progress(mgdt_triangulation* t, mgdt_progress_fn fn, void* user) {
+    return guard(t, [&] {
+        t->core.settings().progress = fn;
+        t->core.settings().progress_user = user;
+    });
+}
+
+// Only stores a flag: callable from any thread and from signal handlers.
+extern "C" mgdt_status mgdt_cancel(mgdt_triangulation* t) {
+    if (!t) return MGDT_ERR_NULL_POINTER;
+    t->core.cancel();
+    return MGDT_OK;
+}
+
+extern "C" mgdt_status mgdt_set_canonical_output(mgdt_triangulation* t, int32_t on) {
+    return guard(t, [&] {
+        t->core.settings().canonical_output = flag(on, "canonical output");
+        t->core.forget_numbering();
+    });
+}

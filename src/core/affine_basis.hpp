@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Up to four affinely independent points, found one at a time by exact tests.
+#pragma once
+
+namespace mgdt {
+
+class AffineBasis {
+  public:
+    // Takes the point in if it is off the affine hull of those taken so far.
+    bool add(const double* p);
+    // -1 empty, 0 a point, 1 a line, 2 a plane, 3 space.
+    int dimension() const { return size_ - 1; }
+    const double* point(int i) const { return points_[i]; }
+    void clear() { size_ = 0; }
+    // Multiplies the points by 2^change.
+    void scale(int change);
+
+  private:
+    double points_[4][3];
+    int size_ = 0;
+};
+
+}  // namespace mgdt

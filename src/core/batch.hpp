@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The points of one insertion.
+#pragma once
+
+#include "core/point_scan.hpp"
+#include "core/triangulation.hpp"
+
+namespace mgdt {
+
+// Indices are 32 bits inside; the last two values mean none.
+inline constexpr std::size_t max_points = 0xFFFFFFFEu;
+
+// Slots to reserve for a number of points: a Poisson set has 6.77 tetrahedra a point, and ghosts
+// and the slots in passing need a little. Sets that need more grow.
+inline std::size_t expected_tetrahedra(std::size_t points) {
+    const std::size_t expected = points * 7 - points / 8 + 128;
+    return expected < max_tetrahedra ? expected : max_tetrahedra;
+}
+
+struct Triangulation::Batch {
+    explicit Batch(Allocator& allocator) : gathered(allocator), indices(allocator) {}
+
+    void use(const PointScan& scan, std::size_t n, const double* const axis[3],
+             std::ptrdiff_t stride, int scale_exponent, std::size_t first);
+    // Makes the batch that of all points that are in (all held) and the new ones.
+    void gather(const Mesh& mesh, const Buffer<VertexId>& point_map, const PointScan& scan,
+                const double* const axis[3], std::ptrdiff_t stride, int scale_exponent);
+
+    // Point i as the mesh stores it: scaled, -0 made 0.
+    void get(std::size_t i, double p[3]) const {
+        for (int k = 0; k < 3; ++k) {
+            const double x = points.axis[k][static_cast<std::ptrdiff_t>(i) * points.stride];
+            p[k] = (exponent == 0 ? x : scaled(x, exponent)) + 0.0;
+        }
+    }
+
+    // The caller's index of point i, counted from 0.
+    std::uint32_t index(std::size_t i) const {
+        return indices.empty() ? static_cast<std::uint32_t>(first_index + i) : indices[i];
+    }
+
+    PointSet points;
+    int exponent;
+    std::size_t first_index;        // of point 0, where there are no indices
+    Buffer<double> gathered;        // coordinates
+    Buffer<std::uint32_t> indices;  // empty, or of each point
+};
+
+}  // namespace mgdt

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Vertices of a set that does not span space yet. There are no tetrahedra to find repeats with,
+// so a hash table of coordinates does.
+#pragma once
+
+#include "mesh/mesh.hpp"
+
+namespace mgdt {
+
+class HeldPoints {
+  public:
+    explicit HeldPoints(Allocator& allocator) : table_(allocator) {}
+
+    // Makes the next `count` calls of add() infallible.
+    void reserve(Mesh& mesh, std::size_t count);
+    // The vertex at p: one that is there, or a new one with this index.
+    VertexId add(Mesh& mesh, const double* p, std::uint32_t index) noexcept;
+    void clear() noexcept { table_.reset(); }
+
+  private:
+    void enter(const Mesh& mesh, VertexId v) noexcept;
+
+    Buffer<VertexId> table_;  // open-addressed; infinite_vertex where free
+};
+
+}  // namespace mgdt

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// The insertion of one batch of points: schedule, copy, and one point after another.
+#include <algorithm>
+#include <chrono>
+
+#include "core/batch.hpp"
+#include "core/triangulation.hpp"
+#include "kernel/start.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+namespace {
+
+// Below this many points a schedule costs more than it gains.
+constexpr std::size_t smallest_schedule = 16;
+// Points between two looks at the cancel flag.
+constexpr std::size_t poll_interval = 1024;
+constexpr std::uint32_t max_insertions = (1u << 31) - 2;
+
+class Stopwatch {
+  public:
+    explicit Stopwatch(double& seconds) : seconds_(seconds), start_(clock::now()) {}
+    ~Stopwatch() {
+        seconds_ += std::chrono::duration<double>(clock::now() - start_).count();
+    }
+
+  private:
+    using clock = std::chrono::steady_clock;
+    double& seconds_;
+    clock::time_point start_;
+};
+
+// Moves four positions to the front of the schedule; the others keep their order.
+void bring_to_front(Schedule& schedule, const std::size_t positions[4]) {
+    // Positions before the last of the four move back by the number of the four behind them.
+    const auto moved = [&](std::size_t k) {
+        std::size_t behind = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (positions[i] == k) return i;
+            behind += positions[i] > k;
+        }
+        return k + behind;
+    };
+    const std::size_t last = positions[3];
+    for (std::size_t i = 4; i-- > 0;) {
+        // The i-th of the four, counted from the back, is now 3 - i places further back.
+        const std::size_t from = positions[i] + (3 - i);
+        std::rotate(schedule.order.begin(), schedule.order.begin() + from,
+                    schedule.order.begin() + from + 1);
+        if (!schedule.hints.empty())
+            std::rotate(schedule.hints.begin(), schedule.hints.begin() + from,
+                        schedule.hints.begin() + from + 1);
+    }
+    for (std::uint32_t& hint : schedule.hints)
+        if (hint <= last) hint = static_cast<std::uint32_t>(moved(hint));
+    for (std::size_t i = 0; i < 4 && !schedule.hints.empty(); ++i) schedule.hints[i] = no_hint;
+    for (std::uint32_t& start : schedule.rounds) {
+        std::size_t behind = 0;
+        for (std::size_t i = 0; i < 4; ++i) behind += positions[i] >= start;
+        if (start != 0) start += static_cast<std::uint32_t>(behind);
+    }
+}
+
+}  // namespace
+
+void Triangulation::copy_vertices(const Batch& batch, const Schedule& schedule,
+                                  std::size_t base) {
+    mesh_.vertices.resize(base + batch.points.size);
+    for (std::size_t k = 0; k < batch.points.size; ++k) {
+        const std::uint32_t i = schedule.order[k];
+        Vertex& v = mesh_.vertices[base + k];
+        batch.get(i, v.x);
+        v.index = batch.index(i);
+        v.tet = no_tetrahedron;
+        if (!in_normal_range(v.x)) mesh_.has_extremes = true;
+    }
+}
+
+void Triangulation::insert_batch(const Batch& batch, bool fresh) {
+    // All that can fail before the mesh changes.
+    const std::size_t n = batch.points.size;
+    Schedule schedule(allocator_);
+    {
+        Stopwatch watch(statistics_.order_seconds);
+        const std::int32_t scheme = n <= smallest_schedule ? MGDT_ORDER_INPUT : settings_.scheme;
+        make_schedule(batch.points, scheme, settings_.order, schedule);
+        statistics_.levels = schedule.levels;
+        statistics_.rounds = static_cast<double>(schedule.rounds.size());
+    }
+    Stopwatch watch(statistics_.insert_seconds);
+    const std::size_t base = fresh ? 1 : mesh_.vertices.size();
+    mesh_.vertices.grow(base + n);
+    try {
+        mesh_.tetrahedra.grow(expected_tetrahedra(base + n));
+    } catch (const std::bad_alloc&) {
+        // Growing as needed may still fit.
+    }
+    if (n > max_insertions - mesh_.insertion) {
+        // Insertion numbers begin again: forget the marks made with the old ones.
+        for (Tetrahedron& t : mesh_.tetrahedra) t.mark = 0;
+        workspace_.numbering_keys.reset();
+        mesh_.insertion = 0;
+    }
+
+    std::size_t done = 0;
+    if (fresh) {
+        std::size_t positions[4];
+        AffineBasis basis;
+        for (std::size_t k = 0; basis.dimension() < 3; ++k) {
+            double p[3];
+            batch.get(schedule.order[k], p);
+            if (basis.add(p)) positions[basis.dimension()] = k;
+        }
+        bring_to_front(schedule, positions);
+        mesh_.tetrahedra.grow(8);
+
+        mesh_.clear();
+        held_.clear();
+        std::fill(point_map_.begin(), point_map_.end(), infinite_vertex);
+        statistics_.points_inserted = statistics_.duplicates = 0;
+        basis_ = basis;
+        copy_vertices(batch, schedule, base);
+        make_first_tetrahedra();
+        done = 4;
+    } else {
+        copy_vertices(batch, schedule, base);
+    }
+    insert_scheduled(batch, schedule, base, done);
+}
+
+// Vertices 1 to 4 and the vertex at infinity: one tetrahedron and four ghosts, each the
+// neighbour of all the others.
+void Triangulation::make_first_tetrahedra() {
+    VertexId v[4] = {1, 2, 3, 4};
+    if (orientation(mesh_.point(1), mesh_.point(2), mesh_.point(3), mesh_.point(4)) < 0)
+        std::swap(v[0], v[1]);
+    mesh_.tetrahedra.resize(5);
+    Tetrahedron* const all = mesh_.tetrahedra.data();
+    std::copy(v, v + 4, all[0].v);
+    for (unsigned f = 0; f < 4; ++f) {
+        // Ghost f + 1 stands on face f, its vertex at infinity last: (a, b, c, infinite) is
+        // positive where (q, a, b, c) turned is, so the last two of the face are swapped.
+        const unsigned char* face = outer_face[f];
+        const VertexId ghost[4] = {v[face[0]], v[face[2]], v[face[1]], infinite_vertex};
+        std::copy(ghost, ghost + 4, all[f + 1].v);
+    }
+    for (unsigned t = 0; t < 5; ++t) {
+        all[t].mark = 0;
+        // The neighbour opposite a vertex is the one tetrahedron that does not have it.
+        for (unsigned i = 0; i < 4; ++i) {
+            for (unsigned m = 0; m < 5; ++m) {
+                const VertexId* others = all[m].v;
+                if (std::find(others, others + 4, all[t].v[i]) != others + 4) continue;
+                for (unsigned j = 0; j < 4; ++j)
+                    if (std::find(all[t].v, all[t].v + 4, others[j]) == all[t].v + 4)
+                        all[t].n[i] = 4 * m + j;
+            }
+        }
+        set_circumsphere(all[t], mesh_.vertices.data());
+    }
+    mesh_.ghost_count = 4;
+    last_ = 0;
+    for (VertexId i = 1; i <= 4; ++i) {
+        mesh_.vertices[i].tet = 0;
+        point_map_[mesh_.vertices[i].index] = i;
+    }
+    statistics_.points_inserted += 4;
+}
+
+void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedule,
+                                     std::size_t base, std::size_t done) {
+    const std::size_t n = batch.points.size;
+    // Vertices of duplicates are taken out as they turn up: those behind move forward.
+    std::size_t in = done;
+    struct Trim {
+        Mesh& mesh;
+        const std::size_t base;
+        const std::size_t& in;
+        ~Trim() { mesh.vertices.resize(base + in); }
+    } trim{mesh_, base, in};
+
+    const std::size_t report = std::max<std::size_t>(n / 100, poll_interval);
+    std::size_t next_poll = report;
+    for (std::size_t k = done; k < n; ++k) {
+        if (k >= next_poll) {
+            poll(k, n);
+            next_poll = k + report;
+        } else if (k % poll_interval == 0 && cancelled_.load(std::memory_order_relaxed)) {
+            next_poll = k + report;
+            poll(k, n);
+        }
+        const VertexId q = static_cast<VertexId>(base + in);
+        if (in != k) mesh_.vertices[q] = mesh_.vertices[base + k];
+        const std::uint32_t index = mesh_.vertices[q].index;
+
+        TetId start = last_;
+        if (!schedule.hints.empty() && schedule.hints[k] != no_hint)
+            start = mesh_.vertices[point_map_[batch.index(schedule.order[schedule.hints[k]])]].tet;
+        else if (k == 0)
+            start = jump(mesh_, mesh_.point(q), last_);
+        const Insertion result = kernel_.insert(mesh_, workspace_, q, start);
+        last_ = result.tetrahedron;
+        if (result.duplicate == infinite_vertex) {
+            point_map_[index] = q;
+            ++in;
+            ++statistics_.points_inserted;
+        } else {
+            point_map_[index] = result.duplicate;
+            std::uint32_t& least = mesh_.vertices[result.duplicate].index;
+            least = std::min(least, index);
+            ++statistics_.duplicates;
+        }
+    }
+    if (settings_.progress) settings_.progress(1.0, settings_.progress_user);
+}
+
+}  // namespace mgdt

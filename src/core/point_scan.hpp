@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// One pass over the caller's points before anything changes: refuses what is not finite and
+// takes their bounding box and range of exponents.
+#pragma once
+
+#include <cstddef>
+
+#include "core/scale.hpp"
+
+namespace mgdt {
+
+struct PointScan {
+    // Throws MGDT_ERR_NOT_FINITE; `first_index` numbers the first point in the message.
+    PointScan(std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
+              long long first_index);
+
+    double low[3], high[3];
+    ExponentRange exponents;
+};
+
+}  // namespace mgdt

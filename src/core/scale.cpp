@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "core/scale.hpp"
+
+namespace mgdt {
+namespace {
+
+// Coordinates up to 2^40 need no scaling: error bounds are floats, which reach 2^127 and hold
+// squares of such lengths; down to 2^-40 likewise.
+constexpr int ordinary = 40;
+
+bool is_exact(const ExponentRange& range, int k) {
+    return range.highest + k <= 1023 && range.lowest_bit + k >= -1074;
+}
+
+}  // namespace
+
+void ExponentRange::add(double x) {
+    if (x == 0) return;
+    int exponent;
+    std::frexp(x, &exponent);
+    if (exponent - 1 > highest) highest = exponent - 1;
+    // A double has 53 bits at most; subnormals end at 2^-1074.
+    const int last = exponent - 53 < -1074 ? -1074 : exponent - 53;
+    if (last < lowest_bit) lowest_bit = last;
+}
+
+int choose_scale(const ExponentRange& range, int current) {
+    if (range.empty()) return current;
+    const auto is_ordinary = [&](int k) {
+        return range.highest + k <= ordinary && range.highest + k >= -ordinary;
+    };
+    if (is_exact(range, current) && is_ordinary(current)) return current;
+    if (is_ordinary(0)) return 0;
+    const int k = -range.highest;
+    return is_exact(range, k) ? k : 0;
+}
+
+double scaled(double x, int k) {
+    const int half = k / 2;
+    return std::ldexp(std::ldexp(x, half), k - half);
+}
+
+bool scales_exactly(double x, int k) {
+    const double y = scaled(x, k);
+    return std::isfinite(y) && scaled(y, -k) == x;
+}
+
+}  // namespace mgdt

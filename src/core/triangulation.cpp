@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "core/triangulation.hpp"
+
+#include "core/batch.hpp"
+#include "platform/error.hpp"
+
+namespace mgdt {
+
+Triangulation::Triangulation(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
+    : allocator_(alloc, release, user),
+      kernel_(select_kernel()),
+      mesh_(allocator_),
+      workspace_(allocator_),
+      point_map_(allocator_),
+      held_(allocator_) {
+    mesh_.clear();
+}
+
+void Triangulation::clear() noexcept {
+    forget_numbering();
+    mesh_.clear();
+    point_map_.clear();
+    held_.clear();
+    basis_.clear();
+    exponents_ = ExponentRange();
+    scale_ = 0;
+    last_ = no_tetrahedron;
+    statistics_ = Statistics();
+    workspace_.counters = Counters();
+    cancelled_.store(false, std::memory_order_relaxed);
+}
+
+void Triangulation::reserve(std::size_t points) {
+    if (points > max_points)
+        fail(MGDT_ERR_TOO_LARGE, "%zu points; at most %zu can be numbered", points, max_points);
+    point_map_.reserve(points);
+    mesh_.vertices.reserve(points + 1);
+    mesh_.tetrahedra.reserve(expected_tetrahedra(points));
+}
+
+void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrdiff_t stride) {
+    const std::size_t first = point_map_.size();
+    if (n > max_points - first)
+        fail(MGDT_ERR_TOO_LARGE, "%zu points after %zu; at most %zu can be numbered", n, first,
+             max_points);
+    const PointScan scan(n, axis, stride,
+                         static_cast<long long>(first) + settings_.index_base);
+    if (n == 0) return;
+
+    point_map_.grow(first + n);
+    forget_numbering();
+    exponents_.add(scan.exponents);
+    set_scale(exponents_);
+    point_map_.resize(first + n, infinite_vertex);
+    poll(0, n);
+
+    Batch batch(allocator_);
+    batch.use(scan, n, axis, stride, scale_, first);
+    if (dimension() == 3) {
+        insert_batch(batch, false);
+    } else {
+        AffineBasis basis = basis_;
+        if (!spans_space(batch, basis)) {
+            hold(batch, basis);
+        } else {
+            // What was held goes in with the new points, as one batch of all points given.
+            if (first > 0) batch.gather(mesh_, point_map_, scan, axis, stride, scale_);
+            insert_batch(batch, true);
+        }
+    }
+    cancelled_.store(false, std::memory_order_relaxed);
+}
+
+void Triangulation::set_scale(const ExponentRange& range) {
+    const int scale = choose_scale(range, scale_);
+    if (scale == scale_) return;
+    const int change = scale - scale_;
+    scale_ = scale;
+    if (mesh_.vertices.size() == 1) return;
+    mesh_.has_extremes = false;
+    for (std::size_t v = 1; v < mesh_.vertices.size(); ++v) {
+        for (double& x : mesh_.vertices[v].x) x = scaled(x, change);
+        if (!in_normal_range(mesh_.vertices[v].x)) mesh_.has_extremes = true;
+    }
+    for (Tetrahedron& t : mesh_.tetrahedra)
+        if (!t.is_dead()) set_circumsphere(t, mesh_.vertices.data());
+    // What is held is found by its bits, and a basis compares with points to come.
+    held_.clear();
+    basis_.scale(change);
+}
+
+bool Triangulation::spans_space(const Batch& batch, AffineBasis& basis) const {
+    for (std::size_t i = 0; i < batch.points.size && basis.dimension() < 3; ++i) {
+        double p[3];
+        batch.get(i, p);
+        basis.add(p);
+    }
+    return basis.dimension() == 3;
+}
+
+void Triangulation::hold(const Batch& batch, const AffineBasis& basis) {
+    held_.reserve(mesh_, batch.points.size);
+    for (std::size_t i = 0; i < batch.points.size; ++i) {
+        double p[3];
+        batch.get(i, p);
+        const std::size_t before = vertex_count();
+        point_map_[batch.index(i)] =
+            held_.add(mesh_, p, batch.index(i));
+        if (vertex_count() > before)
+            ++statistics_.points_inserted;
+        else
+            ++statistics_.duplicates;
+        if (!in_normal_range(p)) mesh_.has_extremes = true;
+    }
+    basis_ = basis;
+}
+
+void Triangulation::poll(std::size_t done, std::size_t total) {
+    if (settings_.progress) {
+        const double fraction = static_cast<double>(done) / static_cast<double>(total);
+        if (settings_.progress(fraction, settings_.progress_user) != 0) cancel();
+    }
+    if (cancelled_.exchange(false, std::memory_order_relaxed))
+        fail(MGDT_ERR_CANCELLED, "cancelled after %zu of %zu points", done, total);
+}
+
+const Numbering& Triangulation::numbering() const {
+    Numbering* made = numbering_.load(std::memory_order_acquire);
+    if (!made) {
+        // Several threads may make one at the same time; the first to publish wins.
+        Numbering* mine = Numbering::make(allocator_, mesh_, settings_.canonical_output);
+        if (numbering_.compare_exchange_strong(made, mine, std::memory_order_acq_rel))
+            made = mine;
+        else
+            Numbering::destroy(allocator_, mine);
+    }
+    return *made;
+}
+
+void Triangulation::forget_numbering() noexcept {
+    Numbering* made = numbering_.exchange(nullptr, std::memory_order_acq_rel);
+    if (made) Numbering::destroy(allocator_, made);
+}
+
+}  // namespace mgdt

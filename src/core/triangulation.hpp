@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The triangulation object. The way of a point: checked and scaled (point_scan), scheduled
+// (order/), copied into the mesh in that order, then walked to, its cavity dug, its star built
+// (kernel/), and numbered for export (query/).
+#pragma once
+
+#include <atomic>
+
+#include "core/affine_basis.hpp"
+#include "core/held_points.hpp"
+#include "core/point_scan.hpp"
+#include "core/scale.hpp"
+#include "kernel/kernel.hpp"
+#include "order/schedule.hpp"
+#include "query/numbering.hpp"
+
+namespace mgdt {
+
+struct Settings {
+    std::int32_t scheme = MGDT_ORDER_AUTO;
+    OrderParameters order;
+    std::int32_t threads = 1;
+    std::int32_t index_base = 0;
+    bool canonical_output = false;
+    mgdt_progress_fn progress = nullptr;
+    void* progress_user = nullptr;
+};
+
+struct Statistics {
+    std::uint64_t points_inserted = 0;
+    std::uint64_t duplicates = 0;
+    double order_seconds = 0;
+    double insert_seconds = 0;
+    double levels = 0;
+    double rounds = 0;
+};
+
+class Triangulation {
+  public:
+    Triangulation(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user);
+
+    // Inserts n points, coordinate k of point i at axis[k][i * stride]. Throws Error and
+    // std::bad_alloc as mgdt_insert_points() documents.
+    void insert(std::size_t n, const double* const axis[3], std::ptrdiff_t stride);
+    void clear() noexcept;
+    void reserve(std::size_t points);
+    void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+
+    Settings& settings() noexcept { return settings_; }
+    const Settings& settings() const noexcept { return settings_; }
+    Allocator& allocator() const noexcept { return allocator_; }
+    const Mesh& mesh() const noexcept { return mesh_; }
+    const Kernel& kernel() const noexcept { return kernel_; }
+    const Counters& counters() const noexcept { return workspace_.counters; }
+    const Statistics& statistics() const noexcept { return statistics_; }
+    int dimension() const noexcept { return basis_.dimension(); }
+    int scale() const noexcept { return scale_; }
+    // The vertex of each point given; infinite_vertex where it is not in.
+    const Buffer<VertexId>& point_map() const noexcept { return point_map_; }
+    std::size_t vertex_count() const noexcept { return mesh_.vertices.size() - 1; }
+    // Numbers of tetrahedra as the exports count them; made when first asked for.
+    const Numbering& numbering() const;
+    void forget_numbering() noexcept;
+
+    ~Triangulation() { forget_numbering(); }
+
+  private:
+    struct Batch;
+
+    void set_scale(const ExponentRange& range);
+    bool spans_space(const Batch& batch, AffineBasis& basis) const;
+    void hold(const Batch& batch, const AffineBasis& basis);
+    void insert_batch(const Batch& batch, bool fresh);
+    void copy_vertices(const Batch& batch, const Schedule& schedule, std::size_t base);
+    void make_first_tetrahedra();
+    void insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
+                          std::size_t done);
+    void poll(std::size_t done, std::size_t total);
+
+    mutable Allocator allocator_;
+    Settings settings_;
+    const Kernel& kernel_;
+    Mesh mesh_;
+    Workspace workspace_;
+    Buffer<VertexId> point_map_;
+    HeldPoints held_;
+    AffineBasis basis_;
+    ExponentRange exponents_;
+    int scale_ = 0;
+    TetId last_ = no_tetrahedron;  // of the last insertion: where the next walk starts
+    Statistics statistics_;
+    std::atomic<bool> cancelled_{false};
+    mutable std::atomic<Numbering*> numbering_{nullptr};
+};
+
+}  // namespace mgdt

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// The cached circumsphere of a tetrahedron and the filtered power of a point.
+//
+// With base vertex p = v[0], A, B, C the other vertices relative to p, and u = q - p, the power
+// of q with respect to the circumsphere is |u|^2 - w.u, where w = 2 (centre - p) solves
+// w.A = |A|^2, w.B = |B|^2, w.C = |C|^2. A ghost's "power" is -n.u with n the normal of its hull
+// facet, pointing outwards. Either is negative exactly when q is in conflict.
+//
+// The bounds below are derived in docs/theory.md, "The kernel's filter". They hold when every
+// coordinate involved is zero or within the normal range; elsewhere the error is set to infinity,
+// which leaves every decision to the exact predicates.
+#pragma once
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "mesh/tetrahedron.hpp"
+
+namespace mgdt {
+
+// Coefficients of the error bounds, in units of 2^-53. Tests make them smaller to see the filter
+// fail.
+struct FilterBounds {
+    double quadratic = 8;     // of |u|^2 in the power
+    double sphere_sum = 40;   // of the terms of the numerators of w
+    double sphere_det = 128;  // of max|w| times the largest product in the determinant
+    double normal = 20;       // of a ghost's normal
+};
+inline constexpr FilterBounds proved_bounds{};
+inline constexpr double unit_roundoff = 0x1p-53;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Whether a coordinate is in the range in which the filters are proved.
+inline bool in_normal_range(double x) {
+    const double magnitude = std::fabs(x);
+    return magnitude == 0 || (magnitude >= 0x1p-150 && magnitude <= 0x1p150);
+}
+inline bool in_normal_range(const double* x) {
+    return in_normal_range(x[0]) && in_normal_range(x[1]) && in_normal_range(x[2]);
+}
+
+// A double that is at least `bound`, as a float.
+inline float round_up(double bound) {
+    return static_cast<float>(bound * (1 + 0x1p-22)) + std::numeric_limits<float>::denorm_min();
+}
+
+// A point that powers are taken of. `quadratic` is infinite for a point outside the normal range.
+struct Query {
+    explicit Query(const double* point)
+        : x(point[0]),
+          y(point[1]),
+          z(point[2]),
+          quadratic(in_normal_range(point) ? proved_bounds.quadratic * unit_roundoff : infinity),
+          point(point) {}
+    double x, y, z;
+    double quadratic;
+    const double* point;
+};
+
+// The computed power and a bound of its error; any comparison with a NaN in either is false, so
+// write tests such that false means undecided.
+struct Power {
+    double value, error;
+    bool is_conflict() const { return value < -error; }
+    bool is_decided() const { return std::fabs(value) > error; }
+};
+
+inline Power power(const Tetrahedron& t, const Vertex* vertices, const Query& q) {
+    const double* p = vertices[t.v[0]].x;
+    const double ux = q.x - p[0], uy = q.y - p[1], uz = q.z - p[2];
+    double square = ux * ux + uy * uy + uz * uz;
+    square = t.is_ghost() ? 0.0 : square;
+    const double value = square - (t.w[0] * ux + t.w[1] * uy + t.w[2] * uz);
+    const double error =
+        static_cast<double>(std::fabs(t.e)) * (std::fabs(ux) + std::fabs(uy) + std::fabs(uz)) +
+        q.quadratic * square;
+    return {value, error};
+}
+
+// A vertex relative to the base vertex, with what every sphere through it needs.
+struct LocalVertex {
+    double x, y, z;
+    double square;   // |.|^2
+    double largest;  // max of the coordinates' magnitudes
+};
+
+inline LocalVertex relative_to(const double* a, const double* base) {
+    LocalVertex r;
+    r.x = a[0] - base[0];
+    r.y = a[1] - base[1];
+    r.z = a[2] - base[2];
+    r.square = r.x * r.x + r.y * r.y + r.z * r.z;
+    r.largest = std::fmax(std::fabs(r.x), std::fmax(std::fabs(r.y), std::fabs(r.z)));
+    return r;
+}
+
+inline double max_magnitude(double a, double b, double c) {
+    a = std::fabs(a);
+    b = std::fabs(b);
+    c = std::fabs(c);
+    a = a > b ? a : b;
+    return a > c ? a : c;
+}
+
+// w and e of the finite tetrahedron (base, a, b, c).
+inline void set_sphere(const LocalVertex& a, const LocalVertex& b, const LocalVertex& c,
+                       Tetrahedron& t, const FilterBounds& bounds = proved_bounds) {
+    const double bcx = b.y * c.z - b.z * c.y, bcy = b.z * c.x - b.x * c.z,
+                 bcz = b.x * c.y - b.y * c.x;
+    const double cax = c.y * a.z - c.z * a.y, cay = c.z * a.x - c.x * a.z,
+                 caz = c.x * a.y - c.y * a.x;
+    const double abx = a.y * b.z - a.z * b.y, aby = a.z * b.x - a.x * b.z,
+                 abz = a.x * b.y - a.y * b.x;
+    const double det = a.x * bcx + a.y * bcy + a.z * bcz;
+    const double inverse = 1.0 / det;
+    const double wx = a.square * bcx + b.square * cax + c.square * abx;
+    const double wy = a.square * bcy + b.square * cay + c.square * aby;
+    const double wz = a.square * bcz + b.square * caz + c.square * abz;
+    t.w[0] = wx * inverse;
+    t.w[1] = wy * inverse;
+    t.w[2] = wz * inverse;
+    const double lbc = b.largest * c.largest, lca = c.largest * a.largest,
+                 lab = a.largest * b.largest;
+    const double sum = a.square * lbc + b.square * lca + c.square * lab;
+    const double product = a.largest * lbc;
+    const double largest = max_magnitude(t.w[0], t.w[1], t.w[2]);
+    const double bound = unit_roundoff * inverse *
+                         (bounds.sphere_sum * sum + bounds.sphere_det * product * largest);
+    const bool sound = det > bounds.sphere_det * unit_roundoff * product;
+    t.e = round_up(sound ? bound : infinity);
+}
+
+// w and e of the ghost whose hull facet is (base, a, b), the vertex at infinity following b.
+inline void set_normal(const LocalVertex& a, const LocalVertex& b, Tetrahedron& t,
+                       const FilterBounds& bounds = proved_bounds) {
+    t.w[0] = a.y * b.z - a.z * b.y;
+    t.w[1] = a.z * b.x - a.x * b.z;
+    t.w[2] = a.x * b.y - a.y * b.x;
+    t.e = -round_up(bounds.normal * unit_roundoff * a.largest * b.largest);
+}
+
+// w and e of any tetrahedron from its vertices. Where a vertex is outside the normal range the
+// bound is infinite.
+void set_circumsphere(Tetrahedron& t, const Vertex* vertices);
+
+// Whether q is in conflict with t, decided exactly, ties by perturbation. q is none of its
+// vertices.
+struct Mesh;
+bool is_conflict_exact(const Mesh& mesh, const Tetrahedron& t, const double* q);
+
+// The vertex of t that has the coordinates of q, or infinite_vertex.
+VertexId vertex_at(const Mesh& mesh, const Tetrahedron& t, const double* q);
+
+}  // namespace mgdt

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// The walk: from a tetrahedron near q to one in conflict with q.
+//
+// Powers of q with respect to the circumspheres of two tetrahedra that share a facet differ by an
+// affine function that vanishes on the facet and is negative on the far side, so descending the
+// power is a visibility walk without orientation tests. It cannot cycle, since each computed
+// power is a fixed number, and it stops at the first conflict: the cavity grows from there, and
+// the tetrahedron that contains q is never looked for. Where rounding leaves a local minimum
+// without conflict, an exact visibility walk takes over.
+#pragma once
+
+#include "kernel/workspace.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+
+struct WalkResult {
+    TetId tetrahedron;   // in conflict with q, or has the vertex
+    VertexId duplicate;  // the vertex at q's place, or infinite_vertex
+};
+
+// The exact walk. It ends in the closed tetrahedron that contains q, or in a ghost whose facet q
+// is strictly beyond.
+inline TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters) {
+    for (unsigned turn = 0;; ++turn) {
+        const Tetrahedron& tet = mesh.tetrahedra[t];
+        ++counters.walk_steps;
+        if (tet.is_ghost()) {
+            const int slot = tet.infinite_slot();
+            const double* p[4];
+            for (int i = 0; i < 4; ++i) p[i] = i == slot ? q : mesh.point(tet.v[i]);
+            ++counters.exact_calls;
+            if (orientation(p[0], p[1], p[2], p[3]) > 0) return t;
+            t = mesh.neighbor(t, slot);
+            continue;
+        }
+        TetId next = no_tetrahedron;
+        for (unsigned i = 0; i < 4; ++i) {
+            const unsigned face = (i + turn) & 3;
+            const double* p[4];
+            for (unsigned j = 0; j < 4; ++j) p[j] = j == face ? q : mesh.point(tet.v[j]);
+            ++counters.exact_calls;
+            if (orientation(p[0], p[1], p[2], p[3]) < 0) {
+                next = tet.n[face] >> 2;
+                break;
+            }
+        }
+        if (next == no_tetrahedron) return t;
+        t = next;
+    }
+}
+
+inline WalkResult walk(const Mesh& mesh, TetId start, const Query& q, Counters& counters) {
+    const Tetrahedron* tetrahedra = mesh.tetrahedra.data();
+    const Vertex* vertices = mesh.vertices.data();
+    TetId t = start;
+    TetId previous = no_tetrahedron;
+    Power here = power(tetrahedra[t], vertices, q);
+    ++counters.walk_tests;
+    for (;;) {
+        ++counters.walk_steps;
+        const Tetrahedron& tet = tetrahedra[t];
+        if (here.is_conflict()) return {t, infinite_vertex};
+        if (!here.is_decided()) {
+            const VertexId same = vertex_at(mesh, tet, q.point);
+            if (same != infinite_vertex) return {t, same};
+            ++counters.exact_calls;
+            if (is_conflict_exact(mesh, tet, q.point)) return {t, infinite_vertex};
+        }
+        // A ghost is entered only when it is certainly in conflict: its value is no power that
+        // compares with those of spheres.
+        double least = tet.is_ghost() ? infinity : here.value;
+        TetId next = no_tetrahedron;
+        for (const FacetCode code : tet.n) {
+            const TetId m = code >> 2;
+            if (m == previous) continue;
+            const Power there = power(tetrahedra[m], vertices, q);
+            ++counters.walk_tests;
+            if (tetrahedra[m].is_ghost() ? there.is_conflict() : there.value < least) {
+                next = m;
+                here = there;
+                if (tetrahedra[m].is_ghost()) break;
+                least = there.value;
+            }
+        }
+        if (next == no_tetrahedron) break;
+        previous = t;
+        t = next;
+    }
+    t = walk_exact(mesh, t, q.point, counters);
+    return {t, vertex_at(mesh, mesh.tetrahedra[t], q.point)};
+}
+
+}  // namespace mgdt

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The store of vertices and tetrahedra: slots, the free list and counts. It knows no geometry.
+#pragma once
+
+#include "mesh/tetrahedron.hpp"
+#include "platform/memory.hpp"
+
+namespace mgdt {
+
+struct Mesh {
+    explicit Mesh(Allocator& allocator)
+        : vertices(allocator), tetrahedra(allocator), free_slots(allocator) {}
+
+    // Empties the mesh but for the vertex at infinity. The insertion number goes on: scratch
+    // tables know their own entries by it.
+    void clear();
+    // Makes the next `count` calls of take_slot() infallible. Throws std::bad_alloc, or
+    // MGDT_ERR_TOO_LARGE beyond max_tetrahedra, with nothing changed.
+    void reserve_slots(std::size_t count);
+    TetId take_slot() noexcept;
+    void free_slot(TetId t);
+
+    std::size_t live_count() const noexcept { return tetrahedra.size() - free_slots.size(); }
+    std::size_t finite_count() const noexcept { return live_count() - ghost_count; }
+    const double* point(VertexId v) const noexcept { return vertices[v].x; }
+    TetId neighbor(TetId t, int face) const noexcept { return tetrahedra[t].n[face] >> 2; }
+
+    Buffer<Vertex> vertices;  // slot 0: the vertex at infinity
+    Buffer<Tetrahedron> tetrahedra;
+    Buffer<TetId> free_slots;  // slots of dead tetrahedra
+    std::size_t ghost_count = 0;
+    std::uint32_t insertion = 0;  // number of the current insertion, for the marks
+    bool has_extremes = false;    // some vertex is outside the range in which filters are proved
+};
+
+inline TetId Mesh::take_slot() noexcept {
+    if (!free_slots.empty()) {
+        const TetId t = free_slots.back();
+        free_slots.pop_back();
+        return t;
+    }
+    const TetId t = static_cast<TetId>(tetrahedra.size());
+    tetrahedra.resize(t + 1u);
+    tetrahedra[t].mark = 0;
+    return t;
+}
+
+inline void Mesh::free_slot(TetId t) {
+    free_slots.push_back(t);
+    tetrahedra[t].kill();
+}
+
+}  // namespace mgdt

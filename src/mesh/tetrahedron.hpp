@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The two records that a triangulation is made of.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace mgdt {
+
+using VertexId = std::uint32_t;
+using TetId = std::uint32_t;
+// A facet of a tetrahedron seen from it: 4 * tetrahedron + face, where face i is opposite
+// vertex i. A neighbour is stored as the facet code on the neighbour's side.
+using FacetCode = std::uint32_t;
+
+inline constexpr VertexId infinite_vertex = 0;
+inline constexpr TetId no_tetrahedron = 0xFFFFFFFFu;
+inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
+// Facet codes have 32 bits.
+inline constexpr std::uint32_t max_tetrahedra = 1u << 30;
+
+// Half a cache line. Vertex 0 is the vertex at infinity; its coordinates are never used.
+struct alignas(32) Vertex {
+    double x[3];          // scaled, see core/scale.hpp
+    std::uint32_t index;  // least of the caller's points here, counted from 0
+    TetId tet;            // a tetrahedron that has this vertex
+};
+static_assert(sizeof(Vertex) == 32);
+
+// One cache line. Finite: positively oriented, v[0] (the base vertex) the one inserted last, and
+// the power of q with respect to the circumsphere is |u|^2 - w.u with u = q - v[0]. Ghost: one
+// of v[1..3] is the vertex at infinity and stands beyond the hull facet of the other three; the
+// "power" is -w.u. See kernel/circumsphere.hpp for w and e.
+struct alignas(64) Tetrahedron {
+    VertexId v[4];
+    FacetCode n[4];
+    double w[3];
+    float e;             // bound of the error of w; its sign bit is set in a ghost
+    std::uint32_t mark;  // number of the last insertion that decided on it, see kernel/cavity.hpp
+
+    bool is_ghost() const noexcept { return std::signbit(e); }
+    // The base vertex of a live tetrahedron is finite.
+    bool is_dead() const noexcept { return v[0] == infinite_vertex; }
+    void kill() noexcept { v[0] = infinite_vertex; }
+    int infinite_slot() const noexcept {
+        return v[1] == infinite_vertex ? 1 : v[2] == infinite_vertex ? 2 : 3;
+    }
+};
+static_assert(sizeof(Tetrahedron) == 64);
+
+// Face f of a positively oriented tetrahedron, its vertices in the order that makes
+// (q, a, b, c) positive for a point q beyond the face.
+inline constexpr unsigned char outer_face[4][3] = {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
+
+}  // namespace mgdt

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "order/curve_sort.hpp"
+
+#include "order/hilbert_curve.hpp"
+#include "order/lattice.hpp"
+#include "order/radix.hpp"
+
+namespace mgdt {
+namespace {
+
+// A word is a key on top of an index: what is left of 64 bits when the index has its share is 9
+// to 15 levels of the curve, more than points without crowds need. Where points crowd in one of
+// the finest cells, the curve goes on inside it over the least cube that holds them, so
+// its resolution follows the points down to the last bit of their coordinates.
+class CurveSorter {
+  public:
+    CurveSorter(const PointSet& points, CurveOrder& order, Buffer<std::uint64_t>& scratch) noexcept
+        : points_(points), order_(order), words_(order.words.data()), scratch_(scratch.data()) {
+        index_bits_ = bit_width(order.index_mask);
+        steps_ = (64 - index_bits_) / (3 * HilbertCurve::levels_per_step);
+        if (steps_ > most_steps) steps_ = most_steps;
+    }
+
+    // Each call divides the extent by 2^9 at least, so calls nest at most (1024 + 1074) / 9 deep.
+    void sort(std::size_t begin, std::size_t end, const Box& box, unsigned state, unsigned depth) {
+        if (depth > order_.levels) order_.levels = depth;
+        const unsigned levels = HilbertCurve::levels_per_step * steps_;
+        const Lattice lattice = Lattice::cubes(points_, box, 1u << levels);
+        for (std::size_t k = begin; k < end; ++k) {
+            unsigned to = state;
+            const std::uint64_t index = words_[k] & order_.index_mask;
+            words_[k] = key(lattice, index, to) << index_bits_ | index;
+        }
+        radix_sort(words_ + begin, scratch_ + begin, end - begin, index_bits_,
+                   index_bits_ + 3 * levels);
+        for (std::size_t k = begin; k < end;) {
+            std::size_t next = k + 1;
+            while (next < end && words_[next] >> index_bits_ == words_[k] >> index_bits_) ++next;
+            if (next - k > crowd) refine(k, next, lattice, state, depth);
+            k = next;
+        }
+    }
+
+  private:
+    static constexpr unsigned most_steps = 5;
+    // So many points in a finest cell may stay as they are.
+    static constexpr std::size_t crowd = 3;
+
+    std::uint64_t key(const Lattice& lattice, std::uint64_t index, unsigned& state) const noexcept {
+        const auto i = static_cast<std::size_t>(index);
+        return hilbert_curve.key(lattice.step(points_, i, 0), lattice.step(points_, i, 1),
+                                 lattice.step(points_, i, 2), steps_, state);
+    }
+
+    void refine(std::size_t begin, std::size_t end, const Lattice& lattice, unsigned state,
+                unsigned depth) {
+        const Box box =
+            box_of(points_, end - begin, [&](std::size_t j) { return order_.index(begin + j); });
+        if (!(box.longest() > 0)) return;  // one point repeated
+        key(lattice, order_.index(begin), state);
+        sort(begin, end, box, state, depth + 1);
+    }
+
+    const PointSet& points_;
+    CurveOrder& order_;
+    std::uint64_t* words_;
+    std::uint64_t* scratch_;
+    unsigned index_bits_, steps_;
+};
+
+}  // namespace
+
+CurveOrder sort_along_curve(const PointSet& points, Allocator& allocator) {
+    const std::size_t n = points.size;
+    CurveOrder order{Buffer<std::uint64_t>(allocator, n), 0, 0};
+    if (n == 0) return order;
+    Buffer<std::uint64_t> scratch(allocator, n);
+    order.index_mask = (std::uint64_t{1} << bit_width(n - 1)) - 1;
+    for (std::size_t k = 0; k < n; ++k) order.words[k] = k;
+    CurveSorter(points, order, scratch).sort(0, n, box_of(points), HilbertCurve::first_state, 1);
+    return order;
+}
+
+}  // namespace mgdt

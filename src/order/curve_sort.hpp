@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Sorts points along a Hilbert curve that is as fine as the points are close.
+#pragma once
+
+#include "order/schedule.hpp"
+
+namespace mgdt {
+
+// The points of a set along the curve. Word k holds the index of the k-th one in its low bits.
+struct CurveOrder {
+    Buffer<std::uint64_t> words;
+    std::uint64_t index_mask;
+    unsigned levels;  // how deep curves lie within cells of curves, 1 if no cell is crowded
+
+    std::uint32_t index(std::size_t k) const noexcept {
+        return static_cast<std::uint32_t>(words[k] & index_mask);
+    }
+};
+
+CurveOrder sort_along_curve(const PointSet& points, Allocator& allocator);
+
+}  // namespace mgdt

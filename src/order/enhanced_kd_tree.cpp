@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "order/grid.hpp"
+#include "order/kd_partition.hpp"
+#include "order/schemes.hpp"
+
+namespace mgdt {
+namespace {
+
+constexpr double grid_points_per_cell = 8;
+
+// Puts the points of each kd cell in the order of a regular grid over them, which begins at the
+// corner next to the pivot before.
+class CellOrder {
+  public:
+    CellOrder(const PointSet& points, const Buffer<KdPoint>& sorted, Schedule& out)
+        : points_(points),
+          sorted_(sorted),
+          out_(out),
+          path_(out.order.allocator()),
+          next_(out.order.allocator()) {}
+
+    void operator()(std::size_t begin, std::size_t end) {
+        const std::size_t n = end - begin;
+        if (begin > 0) out_.order[begin - 1] = sorted_[begin - 1].index;  // the pivot before
+        if (n == 0) return;
+        const auto index = [&](std::size_t j) { return sorted_[begin + j].index; };
+        Box box;
+        for (int k = 0; k < 3; ++k) box.low[k] = box.high[k] = sorted_[begin].x[k];
+        for (std::size_t j = 1; j < n; ++j) box.add(sorted_[begin + j].x);
+        const Grid grid(points_, box, n, grid_points_per_cell,
+                        begin > 0 ? sorted_[begin - 1].x : nullptr);
+        path_.resize(n);
+        next_.clear();
+        next_.resize(grid.cells() + 1, 0);
+        for (std::size_t j = 0; j < n; ++j) {
+            path_[j] = grid.path(points_, index(j));
+            ++next_[path_[j] + std::size_t{1}];
+        }
+        for (std::size_t c = 1; c < next_.size(); ++c) next_[c] += next_[c - 1];
+        std::uint32_t* order = out_.order.data() + begin;
+        for (std::size_t j = 0; j < n; ++j) order[next_[path_[j]]++] = index(j);
+        // Each counter has moved on to the end of its cell. Inside a cell, the input's order.
+        std::uint32_t from = 0;
+        for (std::size_t c = 0; c < grid.cells(); ++c) {
+            std::sort(order + from, order + next_[c]);
+            from = next_[c];
+        }
+    }
+
+  private:
+    const PointSet& points_;
+    const Buffer<KdPoint>& sorted_;
+    Schedule& out_;
+    Buffer<std::uint32_t> path_, next_;
+};
+
+}  // namespace
+
+// S.H. Lo (2014), section 3.4: over 1000 points a cell, and a regular grid inside each.
+void order_enhanced_kd_tree(const PointSet& points, const OrderParameters& parameters,
+                            Schedule& out) {
+    const double per_cell = parameters.points_per_cell > 0 ? parameters.points_per_cell : 1000;
+    Buffer<KdPoint> sorted = kd_points(points, out.order.allocator());
+    const unsigned levels = kd_levels(points.size, per_cell, true);
+    CellOrder order_cell(points, sorted, out);
+    kd_partition(sorted.data(), 0, points.size, box_of(points), levels,
+                 [&](std::size_t begin, std::size_t end) { order_cell(begin, end); });
+    out.levels = levels + 1;
+}
+
+}  // namespace mgdt

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// A regular grid over a box and the serpentine path through its cells.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "order/lattice.hpp"
+
+namespace mgdt {
+
+// S.H. Lo (2014), section 4.1: N points, n of them a cell, in a box of sides R get
+// alpha = cbrt(N / (n Rx Ry Rz)) and NINT(alpha R) divisions along each axis. An axis along which
+// that is 0 is left undivided, and alpha is found again for the others alone, so that there are
+// about N / n cells in flat and thin boxes too (at most 4 N / n, and 2^31).
+class Grid {
+  public:
+    // `from`: a point next to which the path should begin, at one of the corner cells; without it
+    // the path begins at the low corner.
+    Grid(const PointSet& points, const Box& box, std::size_t n, double points_per_cell,
+         const double* from = nullptr) noexcept;
+
+    std::size_t cells() const noexcept {
+        return static_cast<std::size_t>(count_[0]) * count_[1] * count_[2];
+    }
+    const std::uint32_t* count() const noexcept { return count_; }
+
+    // The cell of a point along each axis.
+    void locate(const PointSet& points, std::size_t i, std::uint32_t cell[3]) const noexcept {
+        for (int k = 0; k < 3; ++k) cell[k] = lattice_.step(points, i, k);
+    }
+
+    // Place of a point's cell on the path, 0..cells-1: along a row in x, back along the next row
+    // of the layer, and so on through the layer above from where the one below ended (Figure 13).
+    // Cells that follow each other share a face.
+    std::uint32_t path(const PointSet& points, std::size_t i) const noexcept {
+        std::uint32_t c[3];
+        locate(points, i, c);
+        for (int k = 0; k < 3; ++k) {
+            if (reversed_[k]) c[k] = count_[k] - 1 - c[k];
+        }
+        const std::uint32_t row = c[2] & 1 ? count_[1] - 1 - c[1] : c[1];
+        const std::uint32_t line = c[2] * count_[1] + row;
+        const std::uint32_t column = line & 1 ? count_[0] - 1 - c[0] : c[0];
+        return line * count_[0] + column;
+    }
+
+  private:
+    std::uint32_t count_[3] = {1, 1, 1};
+    bool reversed_[3] = {false, false, false};
+    Lattice lattice_;
+};
+
+}  // namespace mgdt

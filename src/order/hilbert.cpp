@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#include "order/curve_sort.hpp"
+#include "order/schemes.hpp"
+
+namespace mgdt {
+
+void order_hilbert(const PointSet& points, const OrderParameters&, Schedule& out) {
+    const CurveOrder curve = sort_along_curve(points, out.order.allocator());
+    for (std::size_t k = 0; k < points.size; ++k) out.order[k] = curve.index(k);
+    out.levels = curve.levels;
+}
+
+}  // namespace mgdt

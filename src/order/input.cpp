@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "order/schemes.hpp"
+
+namespace mgdt {
+
+void order_input(const PointSet& points, const OrderParameters&, Schedule& out) {
+    for (std::size_t i = 0; i < points.size; ++i) out.order[i] = static_cast<std::uint32_t>(i);
+}
+
+}  // namespace mgdt

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "order/kd_partition.hpp"
+
+#include <algorithm>
+
+namespace mgdt {
+
+Buffer<KdPoint> kd_points(const PointSet& points, Allocator& allocator) {
+    Buffer<KdPoint> copy(allocator, points.size);
+    for (std::size_t i = 0; i < points.size; ++i) {
+        for (int k = 0; k < 3; ++k) copy[i].x[k] = points.coordinate(i, k);
+        copy[i].index = static_cast<std::uint32_t>(i);
+    }
+    return copy;
+}
+
+unsigned kd_levels(std::size_t n, double points_per_cell, bool round_down) noexcept {
+    // log2(cells) rounds up from sqrt(2) on.
+    const double turn = round_down ? 2 : 1.4142135623730951;
+    double cells = static_cast<double>(n) / points_per_cell;
+    unsigned levels = 0;
+    for (; cells >= turn; cells /= 2) ++levels;
+    return levels;
+}
+
+namespace kd_detail {
+
+int longest_side(const Box& region) noexcept {
+    int longest = 0;
+    double most = -1;
+    for (int k = 0; k < 3; ++k) {
+        const double half = region.high[k] * 0.5 - region.low[k] * 0.5;  // cannot overflow
+        if (half > most) {
+            most = half;
+            longest = k;
+        }
+    }
+    return longest;
+}
+
+void place_median(KdPoint* first, KdPoint* median, KdPoint* last, int axis) noexcept {
+    // Indices break ties, so that the halves are the same whatever nth_element does inside.
+    std::nth_element(first, median, last, [axis](const KdPoint& a, const KdPoint& b) {
+        if (a.x[axis] != b.x[axis]) return a.x[axis] < b.x[axis];
+        return a.index < b.index;
+    });
+}
+
+}  // namespace kd_detail
+}  // namespace mgdt

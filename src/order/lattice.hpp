@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Boxes, and the step from a coordinate to the number of a cell, for every finite double.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "order/schedule.hpp"
+
+namespace mgdt {
+
+struct Box {
+    double low[3], high[3];
+
+    // May be infinite.
+    double extent(int k) const noexcept { return high[k] - low[k]; }
+    double longest() const noexcept {
+        double e = extent(0);
+        for (int k = 1; k < 3; ++k) {
+            if (extent(k) > e) e = extent(k);
+        }
+        return e;
+    }
+    void add(const double* p) noexcept {
+        for (int k = 0; k < 3; ++k) {
+            if (p[k] < low[k]) low[k] = p[k];
+            if (p[k] > high[k]) high[k] = p[k];
+        }
+    }
+};
+
+inline Box box_of(const PointSet& points) noexcept {
+    Box box;
+    for (int k = 0; k < 3; ++k) {
+        box.low[k] = points.low[k];
+        box.high[k] = points.high[k];
+    }
+    return box;
+}
+
+// Of n >= 1 points chosen by `index(j)`, 0 <= j < n.
+template <class Index>
+Box box_of(const PointSet& points, std::size_t n, Index index) noexcept {
+    Box box;
+    for (int k = 0; k < 3; ++k) box.low[k] = box.high[k] = points.coordinate(index(0), k);
+    for (std::size_t j = 1; j < n; ++j) {
+        const std::size_t i = index(j);
+        const double p[3] = {points.coordinate(i, 0), points.coordinate(i, 1),
+                             points.coordinate(i, 2)};
+        box.add(p);
+    }
+    return box;
+}
+
+// Divides a box into count[0] x count[1] x count[2] cells and says in which one a point is. Every
+// count is at most 2^31 - 1.
+class Lattice {
+  public:
+    // Cells with the proportions of the box.
+    static Lattice divide(const PointSet& points, const Box& box,
+                          const std::uint32_t count[3]) noexcept {
+        Lattice lattice;
+        for (int k = 0; k < 3; ++k) {
+            const double unit = working_unit(box.extent(k));
+            lattice.set_axis(k, points, box, unit, box.high[k] * unit - box.low[k] * unit,
+                             count[k]);
+        }
+        return lattice;
+    }
+
+    // Cubes: count^3 of them over the least cube above box.low that holds the box.
+    static Lattice cubes(const PointSet& points, const Box& box, std::uint32_t count) noexcept {
+        Lattice lattice;
+        const double unit = working_unit(box.longest());
+        double side = 0;
+        for (int k = 0; k < 3; ++k) {
+            if (!(box.low[k] < box.high[k])) continue;
+            const double extent = box.high[k] * unit - box.low[k] * unit;
+            if (extent > side) side = extent;
+        }
+        for (int k = 0; k < 3; ++k) lattice.set_axis(k, points, box, unit, side, count);
+        return lattice;
+    }
+
+    // Number of the cell of point i along axis k, 0..count-1. The least and the largest coordinate
+    // of a box that is not flat get the first and the last one.
+    std::uint32_t step(const PointSet& points, std::size_t i, int k) const noexcept {
+        const double x = points.axis[k][static_cast<std::ptrdiff_t>(i) * points.stride];
+        double t = (x * unit_[k] - low_[k]) * factor_[k];
+        t = t > 0 ? t : 0;
+        t = t < last_[k] ? t : last_[k];
+        return static_cast<std::uint32_t>(static_cast<std::int32_t>(t));
+    }
+
+  private:
+    // A power of two that brings an extent to where it is finite and its reciprocal too. Small
+    // extents come with small coordinates (or the extent would be 0), so those do not overflow.
+    static double working_unit(double extent) noexcept {
+        if (extent > 0x1p1023) return 0.5;
+        return extent < 0x1p-600 ? 0x1p500 : 1.0;
+    }
+
+    void set_axis(int k, const PointSet& points, const Box& box, double unit, double side,
+                  std::uint32_t count) noexcept {
+        const bool flat = !(box.low[k] < box.high[k]);
+        unit_[k] = flat ? 0 : points.scale * unit;
+        low_[k] = flat ? 0 : box.low[k] * unit;
+        factor_[k] = flat ? 0 : count / side;
+        last_[k] = count - 1.0;
+    }
+
+    double unit_[3], low_[3], factor_[3], last_[3];
+};
+
+}  // namespace mgdt

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include <cstring>
+
+#include "order/radix.hpp"
+#include "order/schemes.hpp"
+
+namespace mgdt {
+namespace {
+
+// An integer that sorts as the double does: the sign bit flipped on positive numbers, all bits on
+// negative ones. Adding 0 turns -0 into 0.
+std::uint64_t ordered_image(double x) noexcept {
+    x += 0.0;
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return bits >> 63 ? ~bits : bits | std::uint64_t{1} << 63;
+}
+
+// Sorts records by the axis, and those whose coordinate is the same by the axes after it. Equal
+// points keep their order.
+void sort_by_axis(const PointSet& points, KeyedIndex* a, KeyedIndex* scratch, std::size_t n,
+                  int axis) noexcept {
+    for (std::size_t k = 0; k < n; ++k) {
+        const double x = points.axis[axis][static_cast<std::ptrdiff_t>(a[k].index) * points.stride];
+        a[k].key = ordered_image(x);
+    }
+    radix_sort(a, scratch, n, 0, 64);
+    if (axis == 2) return;
+    for (std::size_t begin = 0; begin < n;) {
+        std::size_t end = begin + 1;
+        while (end < n && a[end].key == a[begin].key) ++end;
+        if (end - begin > 1) {
+            sort_by_axis(points, a + begin, scratch + begin, end - begin, axis + 1);
+        }
+        begin = end;
+    }
+}
+
+}  // namespace
+
+void order_lexicographic(const PointSet& points, const OrderParameters&, Schedule& out) {
+    const std::size_t n = points.size;
+    Allocator& allocator = out.order.allocator();
+    Buffer<KeyedIndex> records(allocator, n), scratch(allocator, n);
+    for (std::size_t i = 0; i < n; ++i) records[i].index = static_cast<std::uint32_t>(i);
+    sort_by_axis(points, records.data(), scratch.data(), n, 0);
+    for (std::size_t k = 0; k < n; ++k) out.order[k] = records[k].index;
+}
+
+}  // namespace mgdt

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// A radix sort by 64-bit keys that reads no more of the keys than it takes to tell them apart.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+namespace mgdt {
+
+struct KeyedIndex {
+    std::uint64_t key;
+    std::uint32_t index;
+};
+
+inline std::uint64_t radix_key(std::uint64_t word) noexcept {
+    return word;
+}
+inline std::uint64_t radix_key(const KeyedIndex& record) noexcept {
+    return record.key;
+}
+
+inline unsigned bit_width(std::uint64_t x) noexcept {
+    unsigned bits = 0;
+    for (unsigned step = 32; step; step /= 2) {
+        if (x >> step) {
+            x >>= step;
+            bits += step;
+        }
+    }
+    return bits + (x ? 1 : 0);
+}
+
+template <class Record>
+void insertion_sort(Record* a, std::size_t n) noexcept {
+    for (std::size_t i = 1; i < n; ++i) {
+        const Record r = a[i];
+        std::size_t j = i;
+        for (; j > 0 && radix_key(r) < radix_key(a[j - 1]); --j) a[j] = a[j - 1];
+        a[j] = r;
+    }
+}
+
+namespace radix_detail {
+
+inline constexpr unsigned digit_bits = 11;
+inline constexpr unsigned most_digits = 4;
+
+struct Counters {
+    std::uint32_t of_digit[most_digits][1u << digit_bits];
+};
+
+// Stable passes from the least digit of bits low..low+width-1 to the greatest, between a and b;
+// returns the array where the result is.
+template <class Record>
+Record* least_digit_first(Record* a, Record* b, std::size_t n, unsigned low, unsigned width,
+                          Counters& counters) noexcept {
+    const unsigned digits = (width + digit_bits - 1) / digit_bits;
+    const unsigned bits = (width + digits - 1) / digits;
+    const std::uint64_t mask = (1u << bits) - 1;
+    for (unsigned d = 0; d < digits; ++d) {
+        std::memset(counters.of_digit[d], 0, sizeof(std::uint32_t) << bits);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        std::uint64_t key = radix_key(a[i]) >> low;
+        for (unsigned d = 0; d < digits; ++d, key >>= bits) ++counters.of_digit[d][key & mask];
+    }
+    for (unsigned d = 0; d < digits; ++d) {
+        const unsigned shift = low + d * bits;
+        std::uint32_t* next = counters.of_digit[d];
+        if (next[(radix_key(a[0]) >> shift) & mask] == n) continue;
+        std::uint32_t sum = 0;
+        for (std::size_t v = 0; v <= mask; ++v) {
+            const std::uint32_t here = next[v];
+            next[v] = sum;
+            sum += here;
+        }
+        for (std::size_t i = 0; i < n; ++i) b[next[(radix_key(a[i]) >> shift) & mask]++] = a[i];
+        std::swap(a, b);
+    }
+    return a;
+}
+
+template <class Record>
+void sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high,
+          Counters& counters) noexcept {
+    constexpr std::size_t few = 24;
+    if (n <= few) {
+        insertion_sort(a, n);
+        return;
+    }
+    std::uint64_t differ = 0;
+    for (std::size_t i = 1; i < n; ++i) differ |= radix_key(a[i]) ^ radix_key(a[0]);
+    const unsigned differing = bit_width(differ);
+    if (differing < high) high = differing;
+    if (high <= low) return;
+    const unsigned wanted = bit_width(n) + 2;
+    const unsigned width = wanted < high - low ? wanted : high - low;
+    high -= width;
+    const Record* sorted = least_digit_first(a, scratch, n, high, width, counters);
+    if (sorted != a) std::memcpy(static_cast<void*>(a), sorted, n * sizeof(Record));
+    if (high <= low) return;
+    for (std::size_t begin = 0; begin < n;) {
+        const std::uint64_t top = radix_key(a[begin]) >> high;
+        std::size_t end = begin + 1;
+        while (end < n && radix_key(a[end]) >> high == top) ++end;
+        if (end - begin > 1) sort(a + begin, scratch + begin, end - begin, low, high, counters);
+        begin = end;
+    }
+}
+
+}  // namespace radix_detail
+
+// Sorts n < 2^32 records by bits low..high-1 of their keys; higher bits are the same in all of
+// them. Takes the top bits first, as many as n records need, and then sorts what they leave
+// equal, so a set whose keys differ early costs two or three passes whatever the keys' length.
+// `scratch` has room for n records. With low = 0, records of equal keys keep their order.
+template <class Record>
+void radix_sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high) noexcept {
+    radix_detail::Counters counters;
+    radix_detail::sort(a, scratch, n, low, high, counters);
+}
+
+}  // namespace mgdt

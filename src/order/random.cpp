@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "order/random.hpp"
+
+#include <utility>
+
+#include "order/schemes.hpp"
+
+namespace mgdt {
+
+// Fisher and Yates' shuffle.
+void order_random(const PointSet& points, const OrderParameters& parameters, Schedule& out) {
+    Random random(parameters.seed);
+    for (std::size_t i = 0; i < points.size; ++i) out.order[i] = static_cast<std::uint32_t>(i);
+    for (std::size_t left = points.size; left > 1; --left) {
+        std::swap(out.order[left - 1], out.order[random.below(static_cast<std::uint32_t>(left))]);
+    }
+}
+
+}  // namespace mgdt

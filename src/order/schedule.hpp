@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// A schedule says in which order the points of one insertion go in. Order schemes turn points
+// into schedules and know nothing of tetrahedra.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "platform/memory.hpp"
+
+namespace mgdt {
+
+inline constexpr std::uint32_t no_hint = 0xFFFFFFFFu;
+
+// The caller's points, where they lie. Coordinates are finite; `scale` is a power of two that
+// multiplies them exactly (see core/scale.hpp), so that their extent does not overflow except
+// on sets that mix 1e300 with 1e-300: schemes must survive infinite extents too.
+struct PointSet {
+    const double* axis[3];  // first point's x, y, z
+    std::ptrdiff_t stride;  // in doubles
+    std::size_t size;
+    double scale;
+    double low[3], high[3];  // bounding box, scaled
+
+    double coordinate(std::size_t i, int k) const noexcept {
+        return axis[k][static_cast<std::ptrdiff_t>(i) * stride] * scale;
+    }
+};
+
+// Every field has its default where 0 is said in mgdt.h to give it.
+struct OrderParameters {
+    double points_per_cell = 0;  // 0: the scheme's own default
+    double threshold = 200;
+    bool separation = true;
+    double round_ratio = 7.5;
+    std::uint64_t seed = 0;
+};
+
+struct Schedule {
+    explicit Schedule(Allocator& allocator) noexcept
+        : order(allocator), rounds(allocator), hints(allocator) {}
+
+    Buffer<std::uint32_t> order;   // order[k]: the point that goes in k-th; a permutation
+    Buffer<std::uint32_t> rounds;  // position where each round begins, ascending; rounds[0] is 0
+    // Empty, or for each position an earlier position whose vertex is near and the walk may
+    // start from; no_hint starts from the last insertion.
+    Buffer<std::uint32_t> hints;
+    unsigned levels = 0;  // deepest level of the grids or trees built
+};
+
+// Fills a schedule with one of the MGDT_ORDER_ schemes. At most 2^32 - 2 points. Deterministic:
+// a function of the points, the parameters and nothing else.
+void make_schedule(const PointSet& points, std::int32_t scheme, const OrderParameters& parameters,
+                   Schedule& out);
+
+}  // namespace mgdt

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// How the inside of the library reports what went wrong; the C interface turns it into a status
+// and a message (capi/guard.hpp).
+#pragma once
+
+#include <cstdarg>
+#include <cstdio>
+
+#include "mgdt/mgdt.h"
+
+namespace mgdt {
+
+struct Error {
+    static constexpr int message_size = 256;
+    mgdt_status status;
+    char message[message_size];
+};
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+[[noreturn]] inline void
+fail(mgdt_status status, const char* format, ...) {
+    Error error;
+    error.status = status;
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(error.message, sizeof error.message, format, arguments);
+    va_end(arguments);
+    throw error;
+}
+
+}  // namespace mgdt

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "platform/memory.hpp"
+
+#include <cstdlib>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#define MGDT_HAVE_MREMAP 1
+#endif
+
+namespace mgdt {
+namespace {
+
+// From this size on the default allocator maps pages itself, so that growth moves page tables
+// instead of bytes and memory goes back to the system when it is freed.
+constexpr std::size_t map_threshold = std::size_t{1} << 20;
+
+#if MGDT_HAVE_MREMAP
+constexpr std::size_t page_round(std::size_t bytes) {
+    constexpr std::size_t page = 4096;
+    return (bytes + page - 1) & ~(page - 1);
+}
+constexpr bool is_mapped(std::size_t bytes, std::size_t align) {
+    return bytes >= map_threshold && align <= 4096;
+}
+#else
+constexpr bool is_mapped(std::size_t, std::size_t) {
+    return false;
+}
+#endif
+
+void* default_obtain(std::size_t bytes, std::size_t align) noexcept {
+#if MGDT_HAVE_MREMAP
+    if (is_mapped(bytes, align)) {
+        void* p = mmap(nullptr, page_round(bytes), PROT_READ | PROT_WRITE,
+                       MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        return p == MAP_FAILED ? nullptr : p;
+    }
+#endif
+    // aligned_alloc wants a size that is a multiple of the alignment.
+    return std::aligned_alloc(align, (bytes + align - 1) & ~(align - 1));
+}
+
+void default_give_back(void* p, std::size_t bytes, std::size_t align) noexcept {
+#if MGDT_HAVE_MREMAP
+    if (is_mapped(bytes, align)) {
+        munmap(p, page_round(bytes));
+        return;
+    }
+#endif
+    static_cast<void>(bytes);
+    static_cast<void>(align);
+    std::free(p);
+}
+
+}  // namespace
+
+void* Allocator::obtain(mgdt_alloc_fn alloc, void* user, std::size_t bytes,
+                        std::size_t align) noexcept {
+    return alloc ? alloc(bytes, align, user) : default_obtain(bytes, align);
+}
+
+void Allocator::give_back(mgdt_free_fn release, void* user, void* p, std::size_t bytes,
+                          std::size_t align) noexcept {
+    if (release)
+        release(p, bytes, align, user);
+    else
+        default_give_back(p, bytes, align);
+}
+
+void Allocator::count(std::size_t bytes) {
+    const std::size_t now = bytes_.fetch_add(bytes, std::memory_order_relaxed) + bytes;
+    if (now < bytes || (limit_ != 0 && now > limit_)) {
+        discount(bytes);
+        throw std::bad_alloc();
+    }
+    std::size_t peak = peak_.load(std::memory_order_relaxed);
+    while (peak < now && !peak_.compare_exchange_weak(peak, now, std::memory_order_relaxed)) {
+    }
+}
+
+void Allocator::discount(std::size_t bytes) noexcept {
+    bytes_.fetch_sub(bytes, std::memory_order_relaxed);
+}
+
+void* Allocator::allocate(std::size_t bytes, std::size_t align) {
+    if (bytes == 0) return nullptr;
+    count(bytes);
+    void* p = obtain(alloc_, user_, bytes, align);
+    if (!p) {
+        discount(bytes);
+        throw std::bad_alloc();
+    }
+    return p;
+}
+
+void Allocator::release(void* p, std::size_t bytes, std::size_t align) noexcept {
+    if (!p) return;
+    give_back(release_, user_, p, bytes, align);
+    discount(bytes);
+}
+
+void* Allocator::reallocate(void* p, std::size_t bytes, std::size_t used, std::size_t new_bytes,
+                            std::size_t align) {
+    if (!p) return allocate(new_bytes, align);
+    if (new_bytes == 0) {
+        release(p, bytes, align);
+        return nullptr;
+    }
+#if MGDT_HAVE_MREMAP
+    if (!alloc_ && is_mapped(bytes, align) && is_mapped(new_bytes, align)) {
+        if (new_bytes > bytes) count(new_bytes - bytes);
+        void* moved = mremap(p, page_round(bytes), page_round(new_bytes), MREMAP_MAYMOVE);
+        if (moved == MAP_FAILED) {
+            if (new_bytes > bytes) discount(new_bytes - bytes);
+            throw std::bad_alloc();
+        }
+        if (new_bytes < bytes) discount(bytes - new_bytes);
+        return moved;
+    }
+#endif
+    void* fresh = allocate(new_bytes, align);
+    std::memcpy(fresh, p, used < new_bytes ? used : new_bytes);
+    release(p, bytes, align);
+    return fresh;
+}
+
+}  // namespace mgdt

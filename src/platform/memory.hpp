@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Memory of one handle: an allocator that counts and limits, and a growable array on top of it.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+#include "mgdt/mgdt.h"
+
+namespace mgdt {
+
+// All memory of a handle passes through its Allocator. Allocation throws std::bad_alloc when the
+// source refuses or the limit would be passed. Const calls allocate scratch memory from many
+// threads at once, hence the atomics.
+class Allocator {
+  public:
+    Allocator() noexcept = default;
+    Allocator(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user) noexcept
+        : alloc_(alloc), release_(release), user_(user) {}
+    Allocator(const Allocator&) = delete;
+    Allocator& operator=(const Allocator&) = delete;
+
+    void* allocate(std::size_t bytes, std::size_t align);
+    void release(void* p, std::size_t bytes, std::size_t align) noexcept;
+    // Grows or shrinks a block; the first `used` bytes keep their values. Large blocks of the
+    // default allocator move by remapping pages, without a copy.
+    void* reallocate(void* p, std::size_t bytes, std::size_t used, std::size_t new_bytes,
+                     std::size_t align);
+
+    std::size_t bytes() const noexcept { return bytes_.load(std::memory_order_relaxed); }
+    std::size_t peak() const noexcept { return peak_.load(std::memory_order_relaxed); }
+    void set_limit(std::size_t bytes) noexcept { limit_ = bytes; }
+    // Moves the account of a block that was obtained elsewhere (the handle itself).
+    void count(std::size_t bytes);
+
+    // The source itself, without counting: for the handle, which holds the allocator.
+    static void* obtain(mgdt_alloc_fn alloc, void* user, std::size_t bytes,
+                        std::size_t align) noexcept;
+    static void give_back(mgdt_free_fn release, void* user, void* p, std::size_t bytes,
+                          std::size_t align) noexcept;
+    mgdt_free_fn release_function() const noexcept { return release_; }
+    void* user() const noexcept { return user_; }
+
+  private:
+    void discount(std::size_t bytes) noexcept;
+
+    mgdt_alloc_fn alloc_ = nullptr;
+    mgdt_free_fn release_ = nullptr;
+    void* user_ = nullptr;
+    std::size_t limit_ = 0;
+    std::atomic<std::size_t> bytes_{0};
+    std::atomic<std::size_t> peak_{0};
+};
+
+// A growable array of trivial elements. Growing leaves new elements uninitialised.
+template <class T>
+class Buffer {
+    static_assert(std::is_trivially_copyable_v<T>, "Buffer moves elements as bytes");
+
+  public:
+    explicit Buffer(Allocator& allocator) noexcept : allocator_(&allocator) {}
+    Buffer(Allocator& allocator, std::size_t size) : allocator_(&allocator) { resize(size); }
+    Buffer(Buffer&& other) noexcept
+        : allocator_(other.allocator_),
+          data_(std::exchange(other.data_, nullptr)),
+          size_(std::exchange(other.size_, 0)),
+          capacity_(std::exchange(other.capacity_, 0)) {}
+    Buffer& operator=(Buffer&& other) noexcept {
+        if (this != &other) {
+            reset();
+            allocator_ = other.allocator_;
+            data_ = std::exchange(other.data_, nullptr);
+            size_ = std::exchange(other.size_, 0);
+            capacity_ = std::exchange(other.capacity_, 0);
+        }
+        return *this;
+    }
+    ~Buffer() { reset(); }
+
+    T* data() noexcept { return data_; }
+    const T* data() const noexcept { return data_; }
+    T& operator[](std::size_t i) noexcept { return data_[i]; }
+    const T& operator[](std::size_t i) const noexcept { return data_[i]; }
+    T* begin() noexcept { return data_; }
+    T* end() noexcept { return data_ + size_; }
+    const T* begin() const noexcept { return data_; }
+    const T* end() const noexcept { return data_ + size_; }
+    T& back() noexcept { return data_[size_ - 1]; }
+    const T& back() const noexcept { return data_[size_ - 1]; }
+    std::size_t size() const noexcept { return size_; }
+    std::size_t capacity() const noexcept { return capacity_; }
+    bool empty() const noexcept { return size_ == 0; }
+    Allocator& allocator() const noexcept { return *allocator_; }
+
+    // Exactly this capacity, at least the size.
+    void set_capacity(std::size_t capacity) {
+        if (capacity < size_) capacity = size_;
+        if (capacity == capacity_) return;
+        if (capacity > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_alloc();
+        data_ = static_cast<T*>(allocator_->reallocate(data_, capacity_ * sizeof(T),
+                                                       size_ * sizeof(T), capacity * sizeof(T),
+                                                       alignment));
+        capacity_ = capacity;
+    }
+    void reserve(std::size_t capacity) {
+        if (capacity > capacity_) set_capacity(capacity);
+    }
+    // Room for `capacity` elements, growing by at least half so that repeated calls stay linear.
+    void grow(std::size_t capacity) {
+        if (capacity <= capacity_) return;
+        const std::size_t generous = capacity_ + capacity_ / 2;
+        set_capacity(generous > capacity ? generous : capacity);
+    }
+    void resize(std::size_t size) {
+        reserve(size);
+        size_ = size;
+    }
+    void resize(std::size_t size, const T& value) {
+        const std::size_t old = size_;
+        resize(size);
+        for (std::size_t i = old; i < size; ++i) data_[i] = value;
+    }
+    void push_back(const T& value) {
+        const T copy = value;
+        grow(size_ + 1);
+        data_[size_++] = copy;
+    }
+    void pop_back() noexcept { --size_; }
+    void clear() noexcept { size_ = 0; }
+    void reset() noexcept {
+        if (data_) allocator_->release(data_, capacity_ * sizeof(T), alignment);
+        data_ = nullptr;
+        size_ = capacity_ = 0;
+    }
+
+  private:
+    // Cache-line alignment for everything but tiny elements keeps a 64-byte record on one line.
+    static constexpr std::size_t alignment = alignof(T) > 16 ? alignof(T) : 16;
+
+    Allocator* allocator_;
+    T* data_ = nullptr;
+    std::size_t size_ = 0;
+    std::size_t capacity_ = 0;
+};
+
+}  // namespace mgdt

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// Differences of coordinates, as every predicate starts from them: rounded to doubles for the
+// filters, and exact as integers of a common unit for what the filters leave open.
+#pragma once
+
+#include <cfloat>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include "integer.hpp"
+
+namespace mgdt::exact {
+
+static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0,
+              "the bounds assume IEEE doubles without excess precision");
+
+inline std::uint64_t bits_of(double v) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &v, sizeof bits);
+    return bits;
+}
+
+inline double double_of(std::uint64_t bits) {
+    double v;
+    std::memcpy(&v, &bits, sizeof v);
+    return v;
+}
+
+constexpr std::uint64_t exponent_mask = 0x7ff0000000000000;
+constexpr std::uint64_t fraction_mask = 0x000fffffffffffff;
+
+// A predicate's sign; `undecided` is the answer of a stage that passes the question on.
+constexpr int undecided = 2;
+
+template <std::size_t I>
+using index = std::integral_constant<std::size_t, I>;
+
+template <class F, std::size_t... I>
+MGDT_PREDICATES_INLINE bool all(const F& f, std::index_sequence<I...>) {
+    return (f(index<I>()) && ...);
+}
+
+// f(0) && ... && f(N - 1) with constant indices, so that small arrays become registers.
+template <int N, class F>
+MGDT_PREDICATES_INLINE bool all(const F& f) {
+    return all(f, std::make_index_sequence<static_cast<std::size_t>(N)>());
+}
+
+template <int N, class F>
+MGDT_PREDICATES_INLINE void each(const F& f) {
+    all<N>([&](auto i) { return f(i), true; });
+}
+
+// The differences of N / 3 points and an origin, all finite: x, y, z of the first point first.
+template <int N>
+struct Differences {
+    const double* point[N / 3];
+    const double* origin;
+    double rounded[N];
+    double largest;  // magnitude among `rounded`
+
+    double minuend(std::size_t i) const { return point[i / 3][i % 3]; }
+    double subtrahend(std::size_t i) const { return origin[i % 3]; }
+};
+
+// Largest magnitude of v[From] to v[To - 1], as a tree: maxima one after another would wait for
+// each other.
+template <int From, int To>
+MGDT_PREDICATES_INLINE double largest_of(const double* v) {
+    if constexpr (To - From == 1) {
+        return std::fabs(v[From]);
+    } else {
+        const double a = largest_of<From, (From + To) / 2>(v);
+        const double b = largest_of<(From + To) / 2, To>(v);
+        return a > b ? a : b;
+    }
+}
+
+template <int Points>
+MGDT_PREDICATES_INLINE Differences<3 * Points> differences(const double* const (&p)[Points],
+                                                           const double* origin) {
+    Differences<3 * Points> d;
+    for (int i = 0; i < Points; ++i) d.point[i] = p[i];
+    d.origin = origin;
+    each<3 * Points>([&](auto i) { d.rounded[i] = p[i / 3][i % 3] - origin[i % 3]; });
+    d.largest = largest_of<0, 3 * Points>(d.rounded);
+    return d;
+}
+
+// Points of a lattice: true if the differences are exact and multiples of one power of two that
+// fit Integer<Bits> in its unit, which is chosen from the largest. Adding 1.5 * 2^52 units
+// rounds to whole units and leaves the integer in the low bits of the sum.
+template <int Bits, int N>
+MGDT_PREDICATES_INLINE bool to_lattice(const Differences<N>& d, Integer<Bits> (&out)[N]) {
+    static_assert(Bits <= 52, "the sum's fraction must hold the integer");
+    // Outside this range the shifter below would not be a normal number.
+    if (!(d.largest >= 0x1p-900 && d.largest <= 0x1p900)) return false;
+    const double power = double_of(bits_of(d.largest) & exponent_mask);  // largest < 2 power
+    constexpr double scale = 1.5 * static_cast<double>(std::uint64_t{1} << (54 - Bits));
+    const double shifter = scale * power;
+    const auto zero = static_cast<std::int64_t>(bits_of(shifter));
+    const auto fits = [&](auto i) {
+        const double v = d.rounded[i], a = d.minuend(i), b = d.subtrahend(i);
+        const double sum = v + shifter;
+        out[i].value = static_cast<std::int64_t>(bits_of(sum)) - zero;
+        // v is exact if both operands come back from it (Knuth's two-sum has no error then).
+        return (sum - shifter == v) & (a - v == b) & (v + b == a);
+    };
+    return all<N / 3>([&](auto row) {  // leaves at the first point that does not fit
+        return fits(index<3 * row>()) & fits(index<3 * row + 1>()) & fits(index<3 * row + 2>());
+    });
+}
+
+// Each difference as an exact sum of two doubles, and the bits they span together: all are
+// multiples of 2^low and smaller than 2^high in magnitude.
+template <int N>
+struct ExactDifferences {
+    double first[N];
+    double second[N];
+    int low;
+    int high;
+
+    ExactDifferences(const double* const (&p)[N / 3], const double* origin) {
+        low = 2000;
+        high = -2000;
+        for (std::size_t i = 0; i < N; ++i) split(p[i / 3][i % 3], origin[i % 3], i);
+    }
+
+    // Bits of an Integer<Bits> that holds every difference in units of 2^low.
+    int bits() const { return high - low + 2; }
+
+    template <int Bits>
+    Integer<Bits> get(std::size_t i) const {
+        const Integer<Bits> a = whole<Bits>(first[i]);
+        const Integer<Bits> b = whole<Bits>(second[i]);
+        return narrowed<Bits>(a + b);
+    }
+
+  private:
+    // Knuth's two-sum where nothing overflows; else the coordinates as they are.
+    void split(double a, double b, std::size_t i) {
+        const double rounded = a - b;
+        const double b_virtual = a - rounded;
+        const double a_virtual = rounded + b_virtual;
+        const double error = (a - a_virtual) + (b_virtual - b);
+        const bool finite = (bits_of(rounded) & exponent_mask) != exponent_mask &&
+                            (bits_of(error) & exponent_mask) != exponent_mask;
+        first[i] = finite ? rounded : a;
+        second[i] = finite ? error : -b;
+        cover(first[i]);
+        cover(second[i]);
+    }
+
+    // v is mantissa * 2^exponent.
+    static void take_apart(double v, std::int64_t& mantissa, int& exponent) {
+        const std::uint64_t bits = bits_of(v);
+        const int biased = static_cast<int>((bits & exponent_mask) >> 52);
+        const std::uint64_t size =
+            (bits & fraction_mask) | (biased != 0 ? std::uint64_t{1} << 52 : 0);
+        mantissa = static_cast<std::int64_t>(size);
+        if (bits >> 63) mantissa = -mantissa;
+        exponent = (biased != 0 ? biased : 1) - 1075;
+    }
+
+    void cover(double v) {
+        if (v == 0) return;
+        std::int64_t mantissa;
+        int exponent;
+        take_apart(v, mantissa, exponent);
+        const int top = exponent + 53;
+        const int bottom = exponent + trailing_zeros(static_cast<std::uint64_t>(mantissa));
+        if (top > high) high = top;
+        if (bottom < low) low = bottom;
+    }
+
+    static int trailing_zeros(std::uint64_t v) {
+#if defined(__GNUC__)
+        return __builtin_ctzll(v);
+#else
+        int n = 0;
+        for (; (v & 1U) == 0; v >>= 1) ++n;
+        return n;
+#endif
+    }
+
+    template <int Bits>
+    Integer<Bits> whole(double v) const {
+        if (v == 0) return shifted<Bits>(0, 0);
+        std::int64_t mantissa;
+        int exponent;
+        take_apart(v, mantissa, exponent);
+        return shifted<Bits>(mantissa, exponent - low);
+    }
+};
+
+// Widths of the integers for the general case. One limb less a bit, then doubling: with
+// Bits = 64 k - 1 the products of a degree-5 determinant fill 5 k limbs to the last bits. The
+// last holds every difference of doubles: 1024 + 1074 + 2 = 2100 bits.
+constexpr int widths[] = {63, 127, 255, 511, 1023, 2111};
+
+// Calls polynomial with the differences as integers of the least width that holds them, at least
+// `least`.
+template <int Index = 0, int N, class Polynomial>
+inline int with_integers(const ExactDifferences<N>& d, int least, const Polynomial& polynomial) {
+    constexpr int bits = widths[Index];
+    constexpr bool last = Index + 1 == sizeof widths / sizeof *widths;
+    if constexpr (!last) {
+        if (d.bits() > bits || least > bits) {
+            return with_integers<Index + 1>(d, least, polynomial);
+        }
+    }
+    Integer<bits> v[N];
+    for (std::size_t i = 0; i < N; ++i) v[i] = d.template get<bits>(i);
+    return polynomial(v);
+}
+
+}  // namespace mgdt::exact

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// The predicates of degree 2.
+#include "predicates.hpp"
+#include "stages.hpp"
+
+namespace mgdt {
+namespace {
+
+using exact::Differences;
+
+// Difference of the squared lengths of two vectors.
+struct SquareDifference {
+    template <class T>
+    auto operator()(const T (&v)[6]) const {
+        return ((v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]) -
+               ((v[3] * v[3] + v[4] * v[4]) + v[5] * v[5]);
+    }
+};
+
+// One coordinate of the cross product of two vectors.
+template <int I>
+struct Cross {
+    static constexpr int j = (I + 1) % 3, k = (I + 2) % 3;
+
+    template <class T>
+    auto operator()(const T (&v)[6]) const {
+        return v[j] * v[3 + k] - v[k] * v[3 + j];
+    }
+};
+
+MGDT_PREDICATES_INLINE int square_filter(const Differences<6>& v, const exact::Bound& bound) {
+    return exact::filtered(v, bound, SquareDifference());
+}
+
+MGDT_PREDICATES_INLINE int cross_filter(const Differences<6>& v, const exact::Bound& bound) {
+    const bool nonzero = exact::filtered(v, bound, Cross<0>()) != exact::undecided ||
+                         exact::filtered(v, bound, Cross<1>()) != exact::undecided ||
+                         exact::filtered(v, bound, Cross<2>()) != exact::undecided;
+    return nonzero ? 1 : exact::undecided;
+}
+
+}  // namespace
+
+bool collinear(const double* a, const double* b, const double* c) {
+    const int s = cross_filter(exact::differences({b, c}, a), exact::collinear_bound);
+    return s == exact::undecided && exact::collinear_integer(a, b, c);
+}
+
+int compare_distance(const double* q, const double* a, const double* b) {
+    // Differences from q: their signs do not matter to the squares.
+    const int s = square_filter(exact::differences({a, b}, q), exact::distance_bound);
+    return s != exact::undecided ? s : exact::distance_integer(q, a, b);
+}
+
+namespace exact {
+
+int collinear_filter(const double* a, const double* b, const double* c, const Bound& bound) {
+    return cross_filter(differences({b, c}, a), bound);
+}
+
+bool collinear_integer(const double* a, const double* b, const double* c, int least_width) {
+    const auto is_zero = [](const auto& v) -> int {
+        return sign(Cross<0>()(v)) == 0 && sign(Cross<1>()(v)) == 0 && sign(Cross<2>()(v)) == 0;
+    };
+    return with_integers(ExactDifferences<6>({b, c}, a), least_width, is_zero) != 0;
+}
+
+int distance_filter(const double* q, const double* a, const double* b, const Bound& bound) {
+    return square_filter(differences({a, b}, q), bound);
+}
+
+int distance_integer(const double* q, const double* a, const double* b, int least_width) {
+    return with_integers(ExactDifferences<6>({a, b}, q), least_width,
+                         [](const auto& v) { return sign(SquareDifference()(v)); });
+}
+
+}  // namespace exact
+}  // namespace mgdt

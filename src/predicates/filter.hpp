@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The floating-point filter: a determinant evaluated in doubles, and a bound of its error from
+// the same formula with every term taken positive. docs/theory.md derives the constants.
+#pragma once
+
+#include <cmath>
+
+#include "differences.hpp"
+
+namespace mgdt::exact {
+
+// The error of a determinant D is at most relative * P + underflow * (1 + m^3), where P is its
+// value with all terms positive and m the largest difference.
+struct Bound {
+    double relative;
+    double underflow;
+};
+
+// Far more than underflow can do, but a normal number: arithmetic with subnormals is slow.
+constexpr double underflow_bound = 0x1p-1000;
+
+constexpr double half_ulp = 0x1p-53;
+constexpr Bound collinear_bound{5 * half_ulp, underflow_bound};
+constexpr Bound distance_bound{7 * half_ulp, underflow_bound};
+constexpr Bound orientation_bound{9 * half_ulp, underflow_bound};
+constexpr Bound sphere_bound{17 * half_ulp, underflow_bound};
+
+// Beyond it a determinant of degree 5 might overflow.
+constexpr double filter_limit = 0x1p200;
+
+// A double that only grows: the formula of a determinant over this type gives P.
+struct Magnitude {
+    double value;
+};
+
+MGDT_PREDICATES_INLINE Magnitude operator+(Magnitude a, Magnitude b) {
+    return {a.value + b.value};
+}
+MGDT_PREDICATES_INLINE Magnitude operator-(Magnitude a, Magnitude b) {
+    return {a.value + b.value};
+}
+MGDT_PREDICATES_INLINE Magnitude operator*(Magnitude a, Magnitude b) {
+    return {a.value * b.value};
+}
+
+// Sign of polynomial(d), or `undecided`.
+template <int N, class Polynomial>
+MGDT_PREDICATES_INLINE int filtered(const Differences<N>& d, const Bound& bound,
+                                    const Polynomial& polynomial) {
+    if (!(d.largest <= filter_limit)) return undecided;
+    Magnitude size[N];
+    each<N>([&](auto i) { size[i].value = std::fabs(d.rounded[i]); });
+    const double m = d.largest;
+    const double error =
+        bound.relative * polynomial(size).value + bound.underflow * (1 + m * m * m);
+    const double value = polynomial(d.rounded);
+    if (value > error) return 1;
+    if (value < -error) return -1;
+    return undecided;
+}
+
+}  // namespace mgdt::exact

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Exact geometric predicates: each returns the sign (-1, 0, +1) of a determinant of the
+// coordinates it is given, as if computed with real numbers. Every finite double is accepted,
+// from subnormals to the largest. A point is a pointer to its three coordinates.
+//
+// The kernel asks them only where its own filter left a decision open, so they may be called
+// with ties as often as without.
+#pragma once
+
+namespace mgdt {
+
+// Sign of (b - a) x (c - a) . (d - a): positive for a positively oriented tetrahedron.
+int orientation(const double* a, const double* b, const double* c, const double* d);
+
+// For a positively oriented tetrahedron abcd: +1 if q is inside its circumsphere, 0 on, -1
+// outside.
+int side_of_sphere(const double* a, const double* b, const double* c, const double* d,
+                   const double* q);
+
+// The same with ties broken by symbolic perturbation (Devillers and Teillaud, Computational
+// Geometry 44, 2011): never 0 for q different from a, b, c and d.
+int side_of_sphere_perturbed(const double* a, const double* b, const double* c, const double* d,
+                             const double* q);
+
+// Whether three points are on one line (equal points included).
+bool collinear(const double* a, const double* b, const double* c);
+
+// Order of the coordinates x, then y, then z: the key of the perturbation. 0 equals -0.
+int compare_lexicographic(const double* a, const double* b);
+
+// Sign of |q - a|^2 - |q - b|^2.
+int compare_distance(const double* q, const double* a, const double* b);
+
+}  // namespace mgdt

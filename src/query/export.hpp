@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Arrays of indices for the caller. Int is std::int64_t or std::int32_t; capacities have been
+// checked and indices fit.
+#pragma once
+
+#include "query/numbering.hpp"
+
+namespace mgdt {
+
+struct ExportView {
+    const Mesh& mesh;
+    const Numbering& numbering;
+    Allocator& allocator;
+    std::int32_t base;
+};
+
+template <class Int>
+void export_tetrahedra(const ExportView& view, Int* out);
+template <class Int>
+void export_neighbors(const ExportView& view, Int* out);
+template <class Int>
+void export_hull_facets(const ExportView& view, Int* out);
+template <class Int>
+void export_edges(const ExportView& view, Int* out);
+template <class Int>
+void export_point_map(const ExportView& view, const Buffer<VertexId>& point_map, Int* out);
+template <class Int>
+void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* offsets, Int* list);
+
+// Places of a tetrahedron's vertices in its exported record: as stored, or canonical.
+void export_places(const ExportView& view, const Tetrahedron& t, unsigned places[4]);
+
+}  // namespace mgdt

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "query/locate.hpp"
+
+#include "core/scale.hpp"
+#include "kernel/start.hpp"
+#include "kernel/walk.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+
+bool Locator::scale_exactly(const double* q, double* to) const {
+    for (int k = 0; k < 3; ++k) {
+        if (scale != 0 && !scales_exactly(q[k], scale)) return false;
+        to[k] = scale == 0 ? q[k] : scaled(q[k], scale);
+    }
+    return true;
+}
+
+void Locator::unscaled(VertexId v, double* to) const {
+    for (int k = 0; k < 3; ++k) to[k] = scaled(mesh.vertices[v].x[k], -scale);
+}
+
+// The exact walk on the caller's coordinates, for a point that has no exact scaled place.
+TetId Locator::walk_unscaled(const double* q, TetId t) const {
+    for (unsigned turn = 0;; ++turn) {
+        const Tetrahedron& tet = mesh.tetrahedra[t];
+        double p[4][3];
+        for (unsigned i = 0; i < 4; ++i) unscaled(tet.v[i], p[i]);
+        const auto side = [&](unsigned face) {
+            const double* corner[4] = {p[0], p[1], p[2], p[3]};
+            corner[face] = q;
+            return orientation(corner[0], corner[1], corner[2], corner[3]);
+        };
+        if (tet.is_ghost()) {
+            const int slot = tet.infinite_slot();
+            if (side(static_cast<unsigned>(slot)) > 0) return t;
+            t = mesh.neighbor(t, slot);
+            continue;
+        }
+        TetId next = no_tetrahedron;
+        for (unsigned i = 0; i < 4 && next == no_tetrahedron; ++i) {
+            const unsigned face = (i + turn) & 3;
+            if (side(face) < 0) next = tet.n[face] >> 2;
+        }
+        if (next == no_tetrahedron) return t;
+        t = next;
+    }
+}
+
+TetId Locator::locate(const double* q, TetId& hint) const {
+    if (mesh.live_count() == 0) return no_tetrahedron;
+    double p[3];
+    TetId t;
+    if (scale_exactly(q, p)) {
+        Counters unused;
+        if (hint == no_tetrahedron) hint = jump(mesh, p, no_tetrahedron);
+        t = kernel.approach(mesh, hint, Query(p), unused);
+        t = walk_exact(mesh, t, p, unused);
+    } else {
+        t = walk_unscaled(q, hint == no_tetrahedron ? mesh.vertices[1].tet : hint);
+    }
+    hint = t;
+    return mesh.tetrahedra[t].is_ghost() ? no_tetrahedron : t;
+}
+
+void Locator::weights(TetId t, const double* q, double w[4]) const {
+    // Volumes of the tetrahedra in which q replaces a vertex, relative to a base near q so that
+    // large offsets cancel first. Halves keep differences of huge coordinates finite.
+    double d[4][3];
+    for (int i = 0; i < 4; ++i) {
+        double p[3];
+        unscaled(mesh.tetrahedra[t].v[i], p);
+        for (int k = 0; k < 3; ++k) d[i][k] = p[k] * 0.5 - q[k] * 0.5;
+    }
+    double largest = 0;
+    for (const auto& row : d) largest = std::fmax(largest, max_magnitude(row[0], row[1], row[2]));
+    if (largest > 0) {
+        int exponent;
+        std::frexp(largest, &exponent);
+        for (auto& row : d)
+            for (double& x : row) x = scaled(x, -exponent);
+    }
+    const auto volume = [&](int a, int b, int c) {
+        return d[a][0] * (d[b][1] * d[c][2] - d[b][2] * d[c][1]) +
+               d[a][1] * (d[b][2] * d[c][0] - d[b][0] * d[c][2]) +
+               d[a][2] * (d[b][0] * d[c][1] - d[b][1] * d[c][0]);
+    };
+    w[0] = volume(1, 2, 3);
+    w[1] = volume(0, 3, 2);
+    w[2] = volume(0, 1, 3);
+    w[3] = volume(0, 2, 1);
+    double sum = 0;
+    for (int i = 0; i < 4; ++i) {
+        if (!(w[i] > 0)) w[i] = 0;  // q is in the closed tetrahedron: negatives are rounding
+        sum += w[i];
+    }
+    if (sum > 0) {
+        for (int i = 0; i < 4; ++i) w[i] /= sum;
+    } else {
+        // Too flat for its volume to be a double: the nearest vertex.
+        int nearest = 0;
+        double least = infinity;
+        for (int i = 0; i < 4; ++i) {
+            const double square = d[i][0] * d[i][0] + d[i][1] * d[i][1] + d[i][2] * d[i][2];
+            if (square < least) {
+                least = square;
+                nearest = i;
+            }
+        }
+        w[nearest] = 1;
+    }
+}
+
+namespace {
+
+// A set of numbers that keeps the order in which they came: a queue of what is still to visit.
+class VisitQueue {
+  public:
+    explicit VisitQueue(Allocator& allocator) : items_(allocator), table_(allocator) {}
+    void clear() {
+        items_.clear();
+        table_.clear();
+        table_.resize(64, no_index);
+    }
+    std::size_t size() const { return items_.size(); }
+    std::uint32_t operator[](std::size_t i) const { return items_[i]; }
+    void push(std::uint32_t item) {
+        if (2 * items_.size() >= table_.size()) {
+            const std::size_t larger = 4 * table_.size();
+            table_.clear();
+            table_.resize(larger, no_index);
+            for (const std::uint32_t old : items_) table_[slot(old)] = old;
+        }
+        const std::size_t at = slot(item);
+        if (table_[at] == item) return;
+        table_[at] = item;
+        items_.push_back(item);
+    }
+
+  private:
+    std::size_t slot(std::uint32_t item) const {
+        const std::size_t mask = table_.size() - 1;
+        std::size_t h = (item * 0x9E3779B1u) & mask;
+        while (table_[h] != no_index && table_[h] != item) h = (h + 1) & mask;
+        return h;
+    }
+    Buffer<std::uint32_t> items_;
+    Buffer<std::uint32_t> table_;
+};
+
+// Calls f for the finite neighbours of v, some more than once.
+template <class F>
+void for_each_neighbor(const Mesh& mesh, VertexId v, VisitQueue& star, F f) {
+    star.clear();
+    star.push(mesh.vertices[v].tet);
+    for (std::size_t i = 0; i < star.size(); ++i) {
+        const Tetrahedron& t = mesh.tetrahedra[star[i]];
+        for (int face = 0; face < 4; ++face) {
+            if (t.v[face] == v) continue;
+            if (t.v[face] != infinite_vertex) f(t.v[face]);
+            star.push(t.n[face] >> 2);
+        }
+    }
+}
+
+}  // namespace
+
+int Locator::compare(VertexId a, VertexId b, const double* q) const {
+    double pa[3], pb[3];
+    unscaled(a, pa);
+    unscaled(b, pb);
+    return compare_distance(q, pa, pb);
+}
+
+// In a Delaunay triangulation some neighbour of a vertex is nearer to q unless none is, so
+// descending from neighbour to neighbour ends at a nearest vertex. Several as near lie on an
+// empty sphere about q; their hull is a face of the Delaunay complex, which the triangulation
+// refines, so their edges connect them.
+VertexId Locator::nearest_vertex(const double* q, Allocator& allocator) const {
+    const auto is_better = [&](VertexId a, VertexId b) {
+        const int comparison = compare(a, b, q);
+        return comparison < 0 ||
+               (comparison == 0 && mesh.vertices[a].index < mesh.vertices[b].index);
+    };
+    if (mesh.vertices.size() == 1) return infinite_vertex;
+    VertexId nearest = 1;
+    if (mesh.live_count() == 0) {
+        for (VertexId v = 2; v < mesh.vertices.size(); ++v)
+            if (is_better(v, nearest)) nearest = v;
+        return nearest;
+    }
+    TetId near = no_tetrahedron;
+    locate(q, near);
+    nearest = mesh.tetrahedra[near].v[0];
+    VisitQueue star(allocator), equals(allocator);
+    for (bool descends = true; descends;) {
+        VertexId better = nearest;
+        for_each_neighbor(mesh, nearest, star, [&](VertexId v) {
+            if (v != better && compare(v, better, q) < 0) better = v;
+        });
+        descends = better != nearest;
+        nearest = better;
+    }
+    equals.clear();
+    equals.push(nearest);
+    for (std::size_t i = 0; i < equals.size(); ++i) {
+        if (is_better(equals[i], nearest)) nearest = equals[i];
+        for_each_neighbor(mesh, equals[i], star, [&](VertexId v) {
+            if (compare(v, nearest, q) == 0) equals.push(v);
+        });
+    }
+    return nearest;
+}
+
+}  // namespace mgdt

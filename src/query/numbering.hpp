@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The numbers that finite tetrahedra have outside: 0, 1, ... in the order of storage, or in
+// canonical order, which depends on the points alone.
+#pragma once
+
+#include "mesh/mesh.hpp"
+
+namespace mgdt {
+
+class Numbering {
+  public:
+    static Numbering* make(Allocator& allocator, const Mesh& mesh, bool canonical);
+    static void destroy(Allocator& allocator, Numbering* numbering) noexcept;
+
+    std::size_t size() const noexcept { return size_; }
+    bool is_canonical() const noexcept { return !order_.empty(); }
+    // Number of a finite tetrahedron.
+    std::size_t rank(TetId t) const noexcept {
+        if (is_canonical()) return rank_[t];
+        const std::size_t word = t >> 6;
+        const std::uint64_t below = bits_[word] & ((std::uint64_t{1} << (t & 63)) - 1);
+        return ranks_[word] + static_cast<std::size_t>(popcount(below));
+    }
+    // Calls f(t) for the finite tetrahedra in the order of their numbers.
+    template <class F>
+    void for_each(F f) const {
+        if (is_canonical()) {
+            for (const TetId t : order_) f(t);
+            return;
+        }
+        for (std::size_t word = 0; word < bits_.size(); ++word)
+            for (std::uint64_t bits = bits_[word]; bits != 0; bits &= bits - 1)
+                f(static_cast<TetId>(word * 64 + static_cast<std::size_t>(lowest(bits))));
+    }
+    // The places of a tetrahedron's vertices in its exported record.
+    static void canonical_places(const Mesh& mesh, const Tetrahedron& t, unsigned places[4]);
+
+  private:
+    explicit Numbering(Allocator& allocator)
+        : bits_(allocator), ranks_(allocator), order_(allocator), rank_(allocator) {}
+    void sort(const Mesh& mesh);
+
+    static int popcount(std::uint64_t x) noexcept {
+        x -= (x >> 1) & 0x5555555555555555u;
+        x = (x & 0x3333333333333333u) + ((x >> 2) & 0x3333333333333333u);
+        x = (x + (x >> 4)) & 0x0F0F0F0F0F0F0F0Fu;
+        return static_cast<int>((x * 0x0101010101010101u) >> 56);
+    }
+    static int lowest(std::uint64_t x) noexcept { return popcount((x & (~x + 1)) - 1); }
+
+    Buffer<std::uint64_t> bits_;   // which slots hold finite tetrahedra
+    Buffer<std::uint32_t> ranks_;  // number of the first of each word of bits_
+    Buffer<TetId> order_;          // canonical only: by number
+    Buffer<std::uint32_t> rank_;   // canonical only: by slot
+    std::size_t size_ = 0;
+};
+
+}  // namespace mgdt
