@@ -13,7 +13,7 @@ using namespace mgdt;
 namespace {
 
 Locator locator(const mgdt_triangulation* t) {
-    return {t->core.mesh(), t->core.kernel(), t->core.scale()};
+    return {t->core.mesh(), t->core.kernel()};
 }
 
 void require_finite(std::size_t n, const double* xyz, const mgdt_triangulation* t) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/affine_basis.hpp"
 
-#include "core/scale.hpp"
+#include "mesh/scale.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {

@@ -197,7 +197,7 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
         if (!schedule.hints.empty() && schedule.hints[k] != no_hint)
             start = mesh_.vertices[point_map_[batch.index(schedule.order[schedule.hints[k]])]].tet;
         else if (k == 0)
-            start = jump(mesh_, mesh_.point(q), last_);
+            start = jump(mesh_, base - 1, mesh_.point(q), last_);
         const Insertion result = kernel_.insert(mesh_, workspace_, q, start);
         last_ = result.tetrahedron;
         if (result.duplicate == infinite_vertex) {

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "core/scale.hpp"
+#include "mesh/scale.hpp"
 
 namespace mgdt {
 

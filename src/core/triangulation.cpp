@@ -19,11 +19,11 @@ Triangulation::Triangulation(mgdt_alloc_fn alloc, mgdt_free_fn release, void* us
 void Triangulation::clear() noexcept {
     forget_numbering();
     mesh_.clear();
+    mesh_.scale = 0;
     point_map_.clear();
     held_.clear();
     basis_.clear();
     exponents_ = ExponentRange();
-    scale_ = 0;
     last_ = no_tetrahedron;
     statistics_ = Statistics();
     workspace_.counters = Counters();
@@ -55,7 +55,7 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
     poll(0, n);
 
     Batch batch(allocator_);
-    batch.use(scan, n, axis, stride, scale_, first);
+    batch.use(scan, n, axis, stride, mesh_.scale, first);
     if (dimension() == 3) {
         insert_batch(batch, false);
     } else {
@@ -64,7 +64,7 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
             hold(batch, basis);
         } else {
             // What was held goes in with the new points, as one batch of all points given.
-            if (first > 0) batch.gather(mesh_, point_map_, scan, axis, stride, scale_);
+            if (first > 0) batch.gather(mesh_, point_map_, scan, axis, stride, mesh_.scale);
             insert_batch(batch, true);
         }
     }
@@ -72,10 +72,10 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
 }
 
 void Triangulation::set_scale(const ExponentRange& range) {
-    const int scale = choose_scale(range, scale_);
-    if (scale == scale_) return;
-    const int change = scale - scale_;
-    scale_ = scale;
+    const int scale = choose_scale(range, mesh_.scale);
+    if (scale == mesh_.scale) return;
+    const int change = scale - mesh_.scale;
+    mesh_.scale = scale;
     if (mesh_.vertices.size() == 1) return;
     mesh_.has_extremes = false;
     for (std::size_t v = 1; v < mesh_.vertices.size(); ++v) {

@@ -9,7 +9,7 @@
 #include "core/affine_basis.hpp"
 #include "core/held_points.hpp"
 #include "core/point_scan.hpp"
-#include "core/scale.hpp"
+#include "mesh/scale.hpp"
 #include "kernel/kernel.hpp"
 #include "order/schedule.hpp"
 #include "query/numbering.hpp"
@@ -54,7 +54,6 @@ class Triangulation {
     const Counters& counters() const noexcept { return workspace_.counters; }
     const Statistics& statistics() const noexcept { return statistics_; }
     int dimension() const noexcept { return basis_.dimension(); }
-    int scale() const noexcept { return scale_; }
     // The vertex of each point given; infinite_vertex where it is not in.
     const Buffer<VertexId>& point_map() const noexcept { return point_map_; }
     std::size_t vertex_count() const noexcept { return mesh_.vertices.size() - 1; }
@@ -86,7 +85,6 @@ class Triangulation {
     HeldPoints held_;
     AffineBasis basis_;
     ExponentRange exponents_;
-    int scale_ = 0;
     TetId last_ = no_tetrahedron;  // of the last insertion: where the next walk starts
     Statistics statistics_;
     std::atomic<bool> cancelled_{false};

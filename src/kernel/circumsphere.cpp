@@ -15,7 +15,6 @@ void set_circumsphere(Tetrahedron& t, const Vertex* vertices) {
         normal = normal && (t.v[i] == infinite_vertex || in_normal_range(vertices[t.v[i]].x));
     if (ghost) {
         // (base, ., ., .) with the vertex at infinity turned to the end keeps its orientation.
-        t.e = -0.0f;
         const int slot = t.infinite_slot();
         const VertexId a = t.v[slot % 3 + 1], b = t.v[(slot + 1) % 3 + 1];
         set_normal(relative_to(vertices[a].x, base), relative_to(vertices[b].x, base), t);
@@ -23,7 +22,7 @@ void set_circumsphere(Tetrahedron& t, const Vertex* vertices) {
         set_sphere(relative_to(vertices[t.v[1]].x, base), relative_to(vertices[t.v[2]].x, base),
                    relative_to(vertices[t.v[3]].x, base), t);
     }
-    if (!normal) t.e = std::copysign(std::numeric_limits<float>::infinity(), t.e);
+    if (!normal) t.e = ghost ? -distrusted : distrusted;
 }
 
 bool is_conflict_exact(const Mesh& mesh, const Tetrahedron& t, const double* q) {

@@ -28,6 +28,8 @@ struct FilterBounds {
     double normal = 20;       // of a ghost's normal
 };
 inline constexpr FilterBounds proved_bounds{};
+// As the bound of a sphere: leaves every test to the exact predicates.
+inline constexpr float distrusted = std::numeric_limits<float>::infinity();
 inline constexpr double unit_roundoff = 0x1p-53;
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 

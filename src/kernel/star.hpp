@@ -178,11 +178,12 @@ inline std::size_t write_ghosts(Mesh& mesh, const Workspace& w) {
 inline void distrust_extremes(Mesh& mesh, const Workspace& w, VertexId q) {
     const bool extreme = !in_normal_range(mesh.point(q));
     for (std::size_t i = 0; i < w.boundary.size(); ++i) {
-        bool trusted = !extreme;
-        for (const VertexId v : w.boundary[i].v)
+        bool trusted = !extreme, ghost = false;
+        for (const VertexId v : w.boundary[i].v) {
+            ghost = ghost || v == infinite_vertex;
             trusted = trusted && (v == infinite_vertex || in_normal_range(mesh.point(v)));
-        float& e = mesh.tetrahedra[w.slots[i]].e;
-        if (!trusted) e = std::copysign(std::numeric_limits<float>::infinity(), e);
+        }
+        if (!trusted) mesh.tetrahedra[w.slots[i]].e = ghost ? -distrusted : distrusted;
     }
 }
 

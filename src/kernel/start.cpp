@@ -14,8 +14,7 @@ double square_distance(const double* a, const double* b) {
 
 }  // namespace
 
-TetId jump(const Mesh& mesh, const double* q, TetId last) {
-    const std::size_t vertices = mesh.vertices.size() - 1;
+TetId jump(const Mesh& mesh, std::size_t vertices, const double* q, TetId last) {
     VertexId nearest = last == no_tetrahedron ? 1 : mesh.tetrahedra[last].v[0];
     double least = square_distance(mesh.point(nearest), q);
     std::uint64_t random = vertices;

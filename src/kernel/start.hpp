@@ -7,8 +7,8 @@
 
 namespace mgdt {
 
-// A finite tetrahedron at the nearest to q of about V^(1/4) sampled vertices and of `last`'s base
-// vertex. Deterministic: the sample depends on q and the number of vertices alone.
-TetId jump(const Mesh& mesh, const double* q, TetId last);
+// A tetrahedron at the nearest to q of about V^(1/4) vertices sampled from 1 to V = `vertices`, and
+// of `last`'s base vertex. Deterministic: the sample depends on q and V alone.
+TetId jump(const Mesh& mesh, std::size_t vertices, const double* q, TetId last);
 
 }  // namespace mgdt

@@ -11,8 +11,8 @@ struct Mesh {
     explicit Mesh(Allocator& allocator)
         : vertices(allocator), tetrahedra(allocator), free_slots(allocator) {}
 
-    // Empties the mesh but for the vertex at infinity. The insertion number goes on: scratch
-    // tables know their own entries by it.
+    // Empties the mesh but for the vertex at infinity. The scale stays, and the insertion number
+    // goes on: scratch tables know their own entries by it.
     void clear();
     // Makes the next `count` calls of take_slot() infallible. Throws std::bad_alloc, or
     // MGDT_ERR_TOO_LARGE beyond max_tetrahedra, with nothing changed.
@@ -29,6 +29,7 @@ struct Mesh {
     Buffer<Tetrahedron> tetrahedra;
     Buffer<TetId> free_slots;  // slots of dead tetrahedra
     std::size_t ghost_count = 0;
+    int scale = 0;                // coordinates carry the factor 2^scale, see mesh/scale.hpp
     std::uint32_t insertion = 0;  // number of the current insertion, for the marks
     bool has_extremes = false;    // some vertex is outside the range in which filters are proved
 };

@@ -21,7 +21,7 @@ inline constexpr std::uint32_t max_tetrahedra = 1u << 30;
 
 // Half a cache line. Vertex 0 is the vertex at infinity; its coordinates are never used.
 struct alignas(32) Vertex {
-    double x[3];          // scaled, see core/scale.hpp
+    double x[3];          // scaled, see mesh/scale.hpp
     std::uint32_t index;  // least of the caller's points here, counted from 0
     TetId tet;            // a tetrahedron that has this vertex
 };

@@ -44,7 +44,7 @@ class CurveSorter {
   private:
     static constexpr unsigned most_steps = 5;
     // So many points in a finest cell may stay as they are.
-    static constexpr std::size_t crowd = 3;
+    static constexpr std::size_t crowd = 8;
 
     std::uint64_t key(const Lattice& lattice, std::uint64_t index, unsigned& state) const noexcept {
         const auto i = static_cast<std::size_t>(index);

@@ -23,8 +23,8 @@ struct Box {
     }
     void add(const double* p) noexcept {
         for (int k = 0; k < 3; ++k) {
-            if (p[k] < low[k]) low[k] = p[k];
-            if (p[k] > high[k]) high[k] = p[k];
+            low[k] = p[k] < low[k] ? p[k] : low[k];
+            high[k] = p[k] > high[k] ? p[k] : high[k];
         }
     }
 };

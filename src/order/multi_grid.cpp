@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -173,25 +174,21 @@ class Separation {
     // Called for the positions of the path in turn: remembers the last points of the cell.
     std::uint32_t hint(std::size_t k, std::uint32_t position) noexcept {
         const std::uint32_t rank = rank_[k];
-        Earlier& here = earlier_[rank % candidates];
         Earlier self;
         for (int a = 0; a < 3; ++a) self.x[a] = points_.coordinate(out_.order[k], a);
         self.position = position;
         std::uint32_t best = no_hint;
         double least = 0;
         for (std::uint32_t c = 0; c < candidates && c < rank; ++c) {
-            // Infinite for extents of 1e154 and more: then the first one does.
+            // Sums of absolute differences: squares may leave the range of doubles.
             double d = 0;
-            for (int a = 0; a < 3; ++a) {
-                const double difference = self.x[a] - earlier_[c].x[a];
-                d += difference * difference;
-            }
+            for (int a = 0; a < 3; ++a) d += std::fabs(self.x[a] - earlier_[c].x[a]);
             if (best == no_hint || d < least) {
                 best = earlier_[c].position;
                 least = d;
             }
         }
-        here = self;
+        earlier_[rank % candidates] = self;
         return best;
     }
 

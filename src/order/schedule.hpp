@@ -13,7 +13,7 @@ namespace mgdt {
 inline constexpr std::uint32_t no_hint = 0xFFFFFFFFu;
 
 // The caller's points, where they lie. Coordinates are finite; `scale` is a power of two that
-// multiplies them exactly (see core/scale.hpp), so that their extent does not overflow except
+// multiplies them exactly (see mesh/scale.hpp), so that their extent does not overflow except
 // on sets that mix 1e300 with 1e-300: schemes must survive infinite extents too.
 struct PointSet {
     const double* axis[3];  // first point's x, y, z

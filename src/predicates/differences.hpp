@@ -104,15 +104,17 @@ MGDT_PREDICATES_INLINE bool to_lattice(const Differences<N>& d, Integer<Bits> (&
     constexpr double scale = 1.5 * static_cast<double>(std::uint64_t{1} << (54 - Bits));
     const double shifter = scale * power;
     const auto zero = static_cast<std::int64_t>(bits_of(shifter));
-    const auto fits = [&](auto i) {
+    const auto misfit = [&](auto i) {
         const double v = d.rounded[i], a = d.minuend(i), b = d.subtrahend(i);
         const double sum = v + shifter;
         out[i].value = static_cast<std::int64_t>(bits_of(sum)) - zero;
         // v is exact if both operands come back from it (Knuth's two-sum has no error then).
-        return (sum - shifter == v) & (a - v == b) & (v + b == a);
+        return std::fabs((sum - shifter) - v) + (std::fabs((a - v) - b) + std::fabs((v + b) - a));
     };
     return all<N / 3>([&](auto row) {  // leaves at the first point that does not fit
-        return fits(index<3 * row>()) & fits(index<3 * row + 1>()) & fits(index<3 * row + 2>());
+        return misfit(index<3 * row>()) +
+                   (misfit(index<3 * row + 1>()) + misfit(index<3 * row + 2>())) ==
+               0;
     });
 }
 

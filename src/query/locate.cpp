@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "query/locate.hpp"
 
-#include "core/scale.hpp"
+#include "mesh/scale.hpp"
 #include "kernel/start.hpp"
 #include "kernel/walk.hpp"
 #include "predicates/predicates.hpp"
@@ -10,14 +10,14 @@ namespace mgdt {
 
 bool Locator::scale_exactly(const double* q, double* to) const {
     for (int k = 0; k < 3; ++k) {
-        if (scale != 0 && !scales_exactly(q[k], scale)) return false;
-        to[k] = scale == 0 ? q[k] : scaled(q[k], scale);
+        if (mesh.scale != 0 && !scales_exactly(q[k], mesh.scale)) return false;
+        to[k] = mesh.scale == 0 ? q[k] : scaled(q[k], mesh.scale);
     }
     return true;
 }
 
 void Locator::unscaled(VertexId v, double* to) const {
-    for (int k = 0; k < 3; ++k) to[k] = scaled(mesh.vertices[v].x[k], -scale);
+    for (int k = 0; k < 3; ++k) to[k] = scaled(mesh.vertices[v].x[k], -mesh.scale);
 }
 
 // The exact walk on the caller's coordinates, for a point that has no exact scaled place.
@@ -53,7 +53,7 @@ TetId Locator::locate(const double* q, TetId& hint) const {
     TetId t;
     if (scale_exactly(q, p)) {
         Counters unused;
-        if (hint == no_tetrahedron) hint = jump(mesh, p, no_tetrahedron);
+        if (hint == no_tetrahedron) hint = jump(mesh, mesh.vertices.size() - 1, p, no_tetrahedron);
         t = kernel.approach(mesh, hint, Query(p), unused);
         t = walk_exact(mesh, t, p, unused);
     } else {

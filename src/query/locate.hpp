@@ -9,7 +9,6 @@ namespace mgdt {
 struct Locator {
     const Mesh& mesh;
     const Kernel& kernel;
-    int scale;  // exponent that the mesh's coordinates carry
 
     // The finite tetrahedron whose closure contains q (unscaled), or no_tetrahedron outside the
     // hull. The walk starts at `hint`, or at a jump where there is none; `hint` becomes a

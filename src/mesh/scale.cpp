@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/scale.hpp"
+#include "mesh/scale.hpp"
 
 namespace mgdt {
 namespace {
