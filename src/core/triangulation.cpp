@@ -25,6 +25,7 @@ void Triangulation::clear() noexcept {
     basis_.clear();
     exponents_ = ExponentRange();
     last_ = no_tetrahedron;
+    workspace_.slots.clear();
     statistics_ = Statistics();
     workspace_.counters = Counters();
     cancelled_.store(false, std::memory_order_relaxed);

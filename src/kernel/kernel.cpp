@@ -10,6 +10,8 @@ namespace {
 
 Insertion insert(Mesh& mesh, Workspace& w, VertexId q, TetId start) {
     const Query query(mesh.point(q));
+    if (!w.slots.empty() && start == w.slots[0])
+        start = choose_in_star(mesh, w, query, w.counters);
     const WalkResult found = walk(mesh, start, query, w.counters);
     if (found.duplicate != infinite_vertex) return {found.tetrahedron, found.duplicate};
     dig_cavity(mesh, w, found.tetrahedron, query);

@@ -50,6 +50,27 @@ inline TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& co
     }
 }
 
+// A better start than any tetrahedron of the star built last: that of least power among a few
+// spread over it. They share their base vertex and are still in the cache, and the right side of
+// the star saves a step or more.
+inline TetId choose_in_star(const Mesh& mesh, const Workspace& w, const Query& q,
+                            Counters& counters) {
+    constexpr std::size_t sample = 4;
+    const std::size_t size = w.slots.size(), stride = size / sample + 1;
+    TetId best = w.slots[0];
+    double least = infinity;
+    for (std::size_t i = 0; i < size; i += stride) {
+        const Tetrahedron& t = mesh.tetrahedra[w.slots[i]];
+        const double value = power(t, mesh.vertices.data(), q).value;
+        ++counters.walk_tests;
+        if (!t.is_ghost() && value < least) {
+            least = value;
+            best = w.slots[i];
+        }
+    }
+    return best;
+}
+
 inline WalkResult walk(const Mesh& mesh, TetId start, const Query& q, Counters& counters) {
     const Tetrahedron* tetrahedra = mesh.tetrahedra.data();
     const Vertex* vertices = mesh.vertices.data();
