@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// mgdt check: is what a file holds a Delaunay triangulation?
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "cli/commands.hpp"
+#include "cli/errors.hpp"
+#include "cli/mesh_check.hpp"
+
+namespace mgdt::cli {
+namespace {
+
+// Tetrahedra from a .npy file, points from another file.
+Mesh read_pair(const CheckOptions& options) {
+    InputOptions points = options.input;
+    points.path = options.points;
+    points.from = "";
+    Mesh mesh = read_input(points);
+    const InputFile file(options.input.path);
+    mesh.tetrahedra = read_npy_rows_of_4(file.source(), options.index_base);
+    mesh.has_tetrahedra = true;
+    const auto n = static_cast<std::int64_t>(mesh.point_count());
+    for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+        const std::int64_t v = mesh.tetrahedra[i];
+        if (v < 0 || v >= n) {
+            file.source().fail(fmt::format("row {}: vertex {}, but {} has {} points", i / 4,
+                                           v + options.index_base, options.points, n));
+        }
+    }
+    return mesh;
+}
+
+void print(const char* what, bool good, const std::string& detail) {
+    fmt::print("  {:<12} {:<4} {}\n", what, good ? "ok" : "BAD", detail);
+}
+
+}  // namespace
+
+int check(const CheckOptions& options) {
+    const bool quiet = options.triangulation.quiet;
+    const std::string name = options.input.path == "-" ? "standard input" : options.input.path;
+    const Format* format = nullptr;
+    const bool pair = !options.points.empty();
+    const Mesh mesh = pair ? read_pair(options) : read_input(options.input, &format);
+    if (!quiet) {
+        fmt::print("{}: {}, {}", name, format ? format->name : "npy",
+                   counted(mesh.point_count(), "point", "points"));
+        if (mesh.has_tetrahedra) {
+            fmt::print(", {}", counted(mesh.tetrahedron_count(), "tetrahedron", "tetrahedra"));
+        }
+        if (mesh.other_cells > 0) fmt::print(", {} other cells left out", mesh.other_cells);
+        fmt::print("\n");
+    }
+
+    Triangulation t(options.triangulation);
+    t.insert(mesh.points, name);
+    const std::string defect = t.check(MGDT_CHECK_CANONICAL);
+    if (!quiet) {
+        print("library", defect.empty(),
+              defect.empty()
+                  ? fmt::format("mgdt's own triangulation of the points, {}, passes the "
+                                "library's check at level 3",
+                                counted(static_cast<std::size_t>(mgdt_tetrahedron_count(t.get())),
+                                        "tetrahedron", "tetrahedra"))
+                  : defect);
+    }
+    if (!defect.empty()) {
+        throw Error(exit_check_failed,
+                    fmt::format("{}: mgdt's own triangulation fails its check: {}; please report "
+                                "this",
+                                name, defect));
+    }
+    if (!mesh.has_tetrahedra) {
+        if (!quiet) fmt::print("{}: points only; their Delaunay triangulation is valid\n", name);
+        return exit_ok;
+    }
+
+    const Reference reference{t.tetrahedra(), t.hull_facets(), t.point_map()};
+    const MeshReport report = check_mesh(mesh, reference);
+    const std::size_t canonical = reference.tetrahedra.size() / 4;
+    if (!quiet) {
+        for (const Finding& f : report.findings) print(f.what, f.good, f.detail);
+    }
+    if (!report.valid) {
+        std::string first;
+        for (const Finding& f : report.findings) {
+            if (!f.good && first.empty()) first = fmt::format("{}: {}", f.what, f.detail);
+        }
+        throw Error(exit_check_failed,
+                    fmt::format("{}: not a Delaunay triangulation of its points: {}", name, first));
+    }
+    if (!quiet) {
+        const bool same = report.in_common == canonical && canonical == mesh.tetrahedron_count();
+        fmt::print("{}: a valid Delaunay triangulation, {}\n", name,
+                   same
+                       ? "the canonical one"
+                       : fmt::format("with {} of {} tetrahedra as in the canonical one, the others "
+                                     "from cospherical points split in another way",
+                                     report.in_common, mesh.tetrahedron_count()));
+    }
+    return exit_ok;
+}
+
+}  // namespace mgdt::cli

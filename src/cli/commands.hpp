@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The commands of the program. Each returns an exit code or throws Error.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/distributions.hpp"
+#include "cli/formats/format.hpp"
+#include "cli/triangulation.hpp"
+
+namespace mgdt::cli {
+
+struct InputOptions {
+    std::string path;
+    std::string from;  // format; empty: by extension, then by content
+    ReadOptions read;
+};
+
+struct OutputOptions {
+    std::string path;
+    std::string to;  // format; empty: by extension
+    WriteOptions write;
+};
+
+struct TriangulateOptions {
+    InputOptions input;
+    OutputOptions output;
+    TriangulationOptions triangulation;
+    std::string neighbors;  // .npy file, or empty
+    int check_level = 0;
+    bool statistics = false;
+};
+int triangulate(const TriangulateOptions& options);
+
+struct GenerateCommandOptions {
+    std::string kind;
+    std::string count;
+    OutputOptions output;
+    GenerateOptions generate;
+    bool quiet = false;
+};
+int generate_points(const GenerateCommandOptions& options);
+
+struct CheckOptions {
+    InputOptions input;
+    std::string points;  // file of the points, where `input` is an array of tetrahedra
+    int index_base = 0;  // of that array
+    TriangulationOptions triangulation;
+};
+int check(const CheckOptions& options);
+
+int info(const InputOptions& options);
+
+// Reads an input; `format` receives the format it was read as.
+Mesh read_input(const InputOptions& options, const Format** format = nullptr);
+
+// Refuses to send bytes to a terminal.
+void check_terminal(const OutputOptions& options, const Format& format);
+
+// "1 point", "2 points".
+std::string counted(std::size_t n, const char* singular, const char* plural);
+
+}  // namespace mgdt::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Exit codes of the program and the exceptions that carry them to main().
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace mgdt::cli {
+
+enum ExitCode : int {
+    exit_ok = 0,
+    exit_check_failed = 1,
+    exit_usage = 2,
+    exit_input = 3,
+    exit_output = 4,
+    exit_memory = 5,
+    exit_internal = 6,
+    exit_signal = 128  // plus the signal's number
+};
+
+// A failure with a message for the user: what, where and what to do about it.
+class Error : public std::runtime_error {
+  public:
+    Error(int code, const std::string& message) : std::runtime_error(message), code_(code) {}
+    int code() const noexcept { return code_; }
+
+  private:
+    int code_;
+};
+
+// Text of a file as it may be shown in a message: printable, and short.
+std::string quote(std::string_view text);
+
+// Text of an errno value.
+std::string system_message(int error);
+
+}  // namespace mgdt::cli

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "cli/formats/format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "cli/errors.hpp"
+
+namespace mgdt::cli {
+namespace {
+
+std::string extension(const std::string& path) {
+    const std::size_t dot = path.rfind('.');
+    const std::size_t slash = path.rfind('/');
+    if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return "";
+    std::string e = path.substr(dot);
+    std::transform(e.begin(), e.end(), e.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return e;
+}
+
+std::string names() {
+    std::string list;
+    for (const Format* f : all_formats())
+        list += fmt::format("{}{}", list.empty() ? "" : ", ", f->name);
+    return list;
+}
+
+}  // namespace
+
+const std::vector<const Format*>& all_formats() {
+    static const std::vector<const Format*> formats = {
+        &text_format(),   &csv_format(),  &npy_format(),   &raw_format(), &ply_format(),
+        &tetgen_format(), &gmsh_format(), &gmsh2_format(), &vtu_format()};
+    return formats;
+}
+
+const Format& format_from_name(const std::string& name) {
+    for (const Format* f : all_formats()) {
+        if (name == f->name) return *f;
+    }
+    throw Error(exit_usage,
+                fmt::format("unknown format {}; it is one of {}", quote(name), names()));
+}
+
+const Format* format_from_path(const std::string& path) {
+    const std::string e = extension(path);
+    for (const Format* f : all_formats()) {
+        for (const char* known : f->extensions) {
+            if (e == known) return f;
+        }
+    }
+    return nullptr;
+}
+
+const Format* format_from_content(std::string_view bytes) {
+    for (const Format* f : all_formats()) {
+        if (f->sniff && f->sniff(bytes)) return f;
+    }
+    // Text has no signature: the absence of control characters is one.
+    const std::string_view start = bytes.substr(0, 4096);
+    const bool printable = std::all_of(start.begin(), start.end(), [](char c) {
+        const auto u = static_cast<unsigned char>(c);
+        return u >= 0x20 || u == '\n' || u == '\r' || u == '\t' || u == '\f';
+    });
+    return printable ? &text_format() : nullptr;
+}
+
+const Format& input_format(const Source& source, const std::string& name) {
+    if (!name.empty()) return format_from_name(name);
+    if (const Format* f = format_from_path(source.path)) return *f;
+    if (const Format* f = format_from_content(source.bytes)) return *f;
+    source.fail(fmt::format("cannot tell the format; say it with --from ({})", names()));
+}
+
+const Format& output_format(const std::string& path, const std::string& name) {
+    if (!name.empty()) return format_from_name(name);
+    if (const Format* f = format_from_path(path)) return *f;
+    throw Error(exit_usage,
+                fmt::format("{}: cannot tell the format from the name; say it with --to ({})",
+                            path == "-" ? "standard output" : path, names()));
+}
+
+std::string without_extension(const std::string& path, const Format& format) {
+    const std::string e = extension(path);
+    for (const char* known : format.extensions) {
+        if (e == known) return path.substr(0, path.size() - e.size());
+    }
+    return path;
+}
+
+}  // namespace mgdt::cli

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// The file formats that the program knows, one object each, and how one is chosen.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/formats/mesh.hpp"
+#include "cli/input_file.hpp"
+#include "cli/output_file.hpp"
+
+namespace mgdt::cli {
+
+struct ReadOptions {
+    std::array<int, 3> columns = {1, 2, 3};  // of x, y and z in text, from 1
+};
+
+struct WriteOptions {
+    int index_base = 0;  // of formats that leave it open
+};
+
+struct Format {
+    const char* name;  // for --from and --to
+    std::vector<const char*> extensions;
+    const char* description;
+    bool binary;  // whether what is written would upset a terminal
+
+    // Whether the beginning of a file is this format's for certain; nullptr where none can be.
+    bool (*sniff)(std::string_view bytes);
+    // Every coordinate that comes back is finite and every vertex is a point; else Error.
+    Mesh (*read)(const Source& source, const ReadOptions& options);
+    // nullptr where the format has no place for them.
+    void (*write_points)(const std::vector<double>& points, OutputFile& out,
+                         const WriteOptions& options);
+    void (*write_mesh)(const Mesh& mesh, const std::string& path, OutputSet& outputs,
+                       const WriteOptions& options);
+};
+
+const Format& text_format();
+const Format& csv_format();
+const Format& npy_format();
+const Format& raw_format();
+const Format& ply_format();
+const Format& tetgen_format();
+const Format& gmsh_format();
+const Format& gmsh2_format();
+const Format& vtu_format();
+
+const std::vector<const Format*>& all_formats();
+
+// By name (--from, --to); throws a usage error for an unknown one.
+const Format& format_from_name(const std::string& name);
+// By the name of a file; nullptr where its extension says nothing.
+const Format* format_from_path(const std::string& path);
+// By content; nullptr where that says nothing.
+const Format* format_from_content(std::string_view bytes);
+
+// The format of an input: `name` unless empty, then the extension, then the content.
+const Format& input_format(const Source& source, const std::string& name);
+// The format of an output: `name` unless empty, then the extension; usage error if neither.
+const Format& output_format(const std::string& path, const std::string& name);
+
+// The path without the extension, if it has one of the format's.
+std::string without_extension(const std::string& path, const Format& format);
+
+// Arrays of integers as .npy, n rows of 4: how tetrahedra and neighbours leave for NumPy.
+void write_npy_rows_of_4(const std::vector<std::int64_t>& values, std::int64_t add,
+                         OutputFile& out);
+// The same read back, less `base`.
+std::vector<std::int64_t> read_npy_rows_of_4(const Source& source, int base);
+
+}  // namespace mgdt::cli

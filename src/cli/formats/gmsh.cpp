@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: MIT
+// Gmsh's .msh, versions 2.2 and 4.1, text and binary: the nodes and the tetrahedra. Points keep
+// the order of the file; node tags may be any positive numbers.
+// Written as 4.1 binary, or as 2.2 text, which older programs read.
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+#include <unordered_map>
+
+#include "cli/errors.hpp"
+#include "cli/formats/bytes.hpp"
+#include "cli/formats/format.hpp"
+#include "cli/formats/lines.hpp"
+
+namespace mgdt::cli {
+namespace {
+
+constexpr std::int64_t tetrahedron_type = 4;
+constexpr std::int64_t quadratic_tetrahedron_type = 11;  // its corners come first
+constexpr std::int64_t most = std::int64_t{1} << 62;
+
+// Nodes of each element type, from the Gmsh reference manual, "MSH file format"; 0 unknown.
+int nodes_of(std::int64_t type) {
+    static constexpr std::array<int, 32> nodes = {0,  2,  3,  4,  4, 8, 6,  5,  3,  6, 9,
+                                                  10, 27, 18, 14, 1, 8, 20, 15, 13, 9, 10,
+                                                  12, 15, 15, 21, 4, 5, 6,  20, 35, 56};
+    if (type == 92) return 64;
+    if (type == 93) return 125;
+    return type > 0 && type < 32 ? nodes[static_cast<std::size_t>(type)] : 0;
+}
+
+// The file as one sequence of numbers, whichever way they are stored.
+class Reader {
+  public:
+    explicit Reader(const Source& source)
+        : source_(source), lines_(source), bytes_(source, 0, false) {}
+
+    // Reads $MeshFormat, which says how the rest is stored.
+    void read_format(Mesh& mesh) {
+        if (!lines_.next_with_text(no_comment) || lines_.text() != "$MeshFormat") {
+            source_.fail_at_line(1, "not a Gmsh file: it does not begin with $MeshFormat");
+        }
+        if (!lines_.next()) lines_.fail("the file is cut short");
+        Fields fields(lines_);
+        const std::string_view version = fields.word("the version");
+        if (version == "2.2") {
+            version_ = 2;
+        } else if (version == "4.1") {
+            version_ = 4;
+        } else {
+            lines_.fail(
+                fmt::format("version {}; 2.2 and 4.1 can be read; convert it with gmsh -0 "
+                            "-format msh41",
+                            quote(version)));
+        }
+        binary_ = fields.integer("the file type", 0, 1) == 1;
+        if (fields.integer("the data size") != 8) lines_.fail("the data size must be 8");
+        if (binary_) {
+            bool big = false;
+            ByteReader probe(source_, lines_.offset(), false);
+            const auto one = probe.value<std::int32_t>("byte order mark");
+            if (one == 0x01000000) {
+                big = true;
+            } else if (one != 1) {
+                source_.fail_at_byte(lines_.offset(), "the byte order mark is neither 1 nor 2^24");
+            }
+            bytes_ = ByteReader(source_, probe.offset(), big);
+        }
+        mesh.detail = fmt::format("version {}, {}", version, binary_ ? "binary" : "ascii");
+        leave("MeshFormat");
+    }
+
+    // Goes to the next section; false at the end of the file.
+    bool enter(std::string& name) {
+        if (!lines_.next_with_text(no_comment)) return false;
+        const std::string_view text = lines_.text();
+        if (text[0] != '$')
+            lines_.fail(fmt::format("{} where a section ($...) begins", quote(text)));
+        name = std::string(text.substr(1, text.find_last_not_of(" \t")));
+        bytes_.seek(lines_.offset());
+        row_.reset();
+        return true;
+    }
+
+    // Leaves a section that has been read to its end.
+    void leave(const std::string& name) {
+        row_.reset();
+        const std::string end = "$End" + name;
+        if (binary_) {
+            const std::size_t at = source_.bytes.find_first_not_of("\r\n", bytes_.offset());
+            if (at == std::string_view::npos || source_.bytes.substr(at, end.size()) != end) {
+                bytes_.fail(end + " expected; a count is wrong or the file is cut short");
+            }
+            restart(at);
+        }
+        if (!lines_.next_with_text(no_comment) || lines_.text().substr(0, end.size()) != end) {
+            lines_.fail(end + " expected; a count is wrong or the file is cut short");
+        }
+    }
+
+    // Leaves a section that is of no interest.
+    void skip(const std::string& name) {
+        const std::string end = "$End" + name;
+        const std::size_t at = source_.bytes.find(end, lines_.offset());
+        if (at == std::string_view::npos) lines_.fail(fmt::format("no {} follows", end));
+        restart(at);
+        lines_.next();
+    }
+
+    int version() const { return version_; }
+    bool binary() const { return binary_; }
+    std::size_t bytes_left() const { return binary_ ? bytes_.left() : lines_.bytes_left(); }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        if (binary_) bytes_.fail(what);
+        lines_.fail(what);
+    }
+
+    // Counts come before the things counted, each of which takes `least_binary` bytes, or a digit
+    // and a separator for each of `least_words` words.
+    void check_count(std::int64_t count, const char* what, std::size_t least_binary,
+                     std::size_t least_words) const {
+        const std::size_t least = binary_ ? least_binary : 2 * least_words;
+        if (static_cast<std::uint64_t>(count) <= (bytes_left() + 1) / least) return;
+        fail(
+            fmt::format("{} {} announced, but only {} bytes follow; the file is cut short or the "
+                        "count is wrong",
+                        count, what, bytes_left()));
+    }
+
+    // In text, a row is a line; in binary, rows have no ends.
+    void row() {
+        if (binary_) return;
+        if (!lines_.next_with_text(no_comment)) lines_.fail("the file is cut short");
+        row_.emplace(lines_);
+    }
+    std::int64_t size(const char* what, std::int64_t low = 0) {  // size_t of 4.1, int of 2.2
+        if (!binary_) return row_->integer(what, low, most);
+        return in_range(
+            what,
+            version_ == 4 ? bytes_.value<std::int64_t>(what) : bytes_.value<std::int32_t>(what),
+            low);
+    }
+    std::int64_t integer(const char* what) {  // int
+        return binary_ ? bytes_.value<std::int32_t>(what) : row_->integer(what);
+    }
+    double coordinate() {
+        return binary_ ? bytes_.coordinate<double>() : row_->number("coordinate");
+    }
+    void skip_words(std::int64_t count, std::size_t size, const char* what) {
+        if (binary_) bytes_.skip(static_cast<std::uint64_t>(count), size, what);
+    }
+    // Counts of 2.2 stand on a line of text even in binary files.
+    std::int64_t line_count(const char* what) {
+        if (!lines_.next()) lines_.fail("the file is cut short");
+        const std::int64_t count = Fields(lines_).integer(what, 0, most);
+        bytes_.seek(lines_.offset());
+        return count;
+    }
+
+  private:
+    std::int64_t in_range(const char* what, std::int64_t value, std::int64_t low) const {
+        if (value < low || value > most) fail(fmt::format("{} is {}", what, value));
+        return value;
+    }
+    // Goes on with lines at a byte; their numbers count from where lines were last read.
+    void restart(std::size_t offset) { lines_ = LineReader(source_, offset, lines_.number() + 1); }
+
+    const Source& source_;
+    LineReader lines_;
+    ByteReader bytes_;
+    std::optional<Fields> row_;
+    int version_ = 0;
+    bool binary_ = false;
+};
+
+// Node tags to positions in the file. Tags are mostly 1 to n, and then a plain array serves.
+class Tags {
+  public:
+    explicit Tags(Reader& reader) : reader_(reader) {}
+    void add(std::int64_t tag, std::int64_t index) {
+        if (sparse_.empty() && tag == static_cast<std::int64_t>(dense_) + 1) {
+            ++dense_;
+            return;
+        }
+        if (tag <= static_cast<std::int64_t>(dense_) || !sparse_.emplace(tag, index).second) {
+            reader_.fail(fmt::format("node {} comes twice", tag));
+        }
+    }
+    std::int64_t find(std::int64_t tag) const {
+        if (tag > 0 && tag <= static_cast<std::int64_t>(dense_)) return tag - 1;
+        const auto found = sparse_.find(tag);
+        if (found == sparse_.end()) reader_.fail(fmt::format("there is no node {}", tag));
+        return found->second;
+    }
+
+  private:
+    Reader& reader_;
+    std::size_t dense_ = 0;
+    std::unordered_map<std::int64_t, std::int64_t> sparse_;
+};
+
+void read_point(Reader& reader, Mesh& mesh) {
+    double xyz[3];
+    for (double& x : xyz) x = reader.coordinate();
+    mesh.points.insert(mesh.points.end(), xyz, xyz + 3);
+}
+
+void read_nodes_2(Reader& reader, Mesh& mesh, Tags& tags) {
+    const std::int64_t count = reader.line_count("the number of nodes");
+    reader.check_count(count, "nodes", 28, 4);
+    for (std::int64_t i = 0; i < count; ++i) {
+        reader.row();
+        tags.add(reader.size("node tag", 1), static_cast<std::int64_t>(mesh.point_count()));
+        read_point(reader, mesh);
+    }
+}
+
+void read_nodes_4(Reader& reader, Mesh& mesh, Tags& tags) {
+    reader.row();
+    const std::int64_t blocks = reader.size("the number of blocks");
+    const std::int64_t total = reader.size("the number of nodes");
+    reader.size("the least tag");
+    reader.size("the greatest tag");
+    reader.check_count(blocks, "blocks of nodes", 20, 4);
+    reader.check_count(total, "nodes", 32, 4);
+    std::int64_t seen = 0;
+    for (std::int64_t b = 0; b < blocks; ++b) {
+        reader.row();
+        const std::int64_t dimension = reader.integer("the entity's dimension");
+        reader.integer("the entity's tag");
+        const std::int64_t parametric = reader.integer("parametric");
+        const std::int64_t count = reader.size("the number of nodes in the block");
+        if (dimension < 0 || dimension > 3) reader.fail(fmt::format("dimension {}", dimension));
+        if (count > total - seen) reader.fail("more nodes than announced");
+        reader.check_count(count, "nodes", 32, 4);
+        seen += count;
+        const auto first = static_cast<std::int64_t>(mesh.point_count());
+        for (std::int64_t i = 0; i < count; ++i) {
+            reader.row();
+            tags.add(reader.size("node tag", 1), first + i);
+        }
+        for (std::int64_t i = 0; i < count; ++i) {
+            reader.row();
+            read_point(reader, mesh);
+            if (parametric != 0) reader.skip_words(dimension, 8, "parametric coordinates");
+        }
+    }
+    if (seen != total) reader.fail(fmt::format("{} nodes; {} are announced", seen, total));
+}
+
+// The nodes of one element, after its tag.
+void read_element(Reader& reader, std::int64_t type, int nodes, const Tags& tags, Mesh& mesh) {
+    const bool tetrahedron = type == tetrahedron_type || type == quadratic_tetrahedron_type;
+    if (!tetrahedron) {
+        ++mesh.other_cells;
+        reader.skip_words(nodes, reader.version() == 4 ? 8 : 4, "nodes");
+        return;
+    }
+    std::int64_t v[4];
+    for (std::int64_t& k : v) k = tags.find(reader.size("node tag"));
+    mesh.tetrahedra.insert(mesh.tetrahedra.end(), v, v + 4);
+    reader.skip_words(nodes - 4, reader.version() == 4 ? 8 : 4, "nodes");
+}
+
+int known_nodes(Reader& reader, std::int64_t type) {
+    const int nodes = nodes_of(type);
+    // In text a line ends an element of any type.
+    if (nodes == 0 && reader.binary()) {
+        reader.fail(
+            fmt::format("element type {} is not known; convert the file to text with gmsh", type));
+    }
+    return nodes;
+}
+
+void read_elements_2(Reader& reader, const Tags& tags, Mesh& mesh) {
+    const std::int64_t count = reader.line_count("the number of elements");
+    reader.check_count(count, "elements", 8, 4);
+    std::int64_t seen = 0;
+    while (seen < count) {
+        reader.row();
+        std::int64_t type = 0, follow = 1, attributes = 0;
+        if (reader.binary()) {
+            type = reader.integer("element type");
+            follow = reader.size("the number of elements that follow", 1);
+            attributes = reader.size("the number of tags");
+        } else {
+            reader.size("element number");
+            type = reader.integer("element type");
+            attributes = reader.size("the number of tags");
+        }
+        const int nodes = known_nodes(reader, type);
+        if (follow > count - seen) reader.fail("more elements than announced");
+        for (std::int64_t i = 0; i < follow; ++i) {
+            if (reader.binary()) {
+                reader.skip_words(1 + attributes, 4, "tags");
+            } else {
+                // Each is one more word of the line, which ends the loop if they run out.
+                for (std::int64_t k = 0; k < attributes; ++k) reader.integer("tag");
+            }
+            read_element(reader, type, nodes, tags, mesh);
+        }
+        seen += follow;
+    }
+}
+
+void read_elements_4(Reader& reader, const Tags& tags, Mesh& mesh) {
+    reader.row();
+    const std::int64_t blocks = reader.size("the number of blocks");
+    const std::int64_t total = reader.size("the number of elements");
+    reader.size("the least tag");
+    reader.size("the greatest tag");
+    reader.check_count(blocks, "blocks of elements", 20, 4);
+    reader.check_count(total, "elements", 16, 2);
+    std::int64_t seen = 0;
+    for (std::int64_t b = 0; b < blocks; ++b) {
+        reader.row();
+        reader.integer("the entity's dimension");
+        reader.integer("the entity's tag");
+        const std::int64_t type = reader.integer("element type");
+        const std::int64_t count = reader.size("the number of elements in the block");
+        const int nodes = known_nodes(reader, type);
+        if (count > total - seen) reader.fail("more elements than announced");
+        reader.check_count(count, "elements", 16, 2);
+        seen += count;
+        for (std::int64_t i = 0; i < count; ++i) {
+            reader.row();
+            reader.size("element tag");
+            read_element(reader, type, nodes, tags, mesh);
+        }
+    }
+    if (seen != total) reader.fail(fmt::format("{} elements; {} are announced", seen, total));
+}
+
+bool sniff(std::string_view bytes) {
+    const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
+    return begin != std::string_view::npos && bytes.substr(begin, 11) == "$MeshFormat";
+}
+
+Mesh read_gmsh(const Source& source, const ReadOptions&) {
+    Mesh mesh;
+    Reader reader(source);
+    reader.read_format(mesh);
+    Tags tags(reader);
+    bool nodes = false, elements = false;
+    std::string section;
+    while (reader.enter(section)) {
+        if (section == "Nodes" && !nodes) {
+            nodes = true;
+            reader.version() == 4 ? read_nodes_4(reader, mesh, tags)
+                                  : read_nodes_2(reader, mesh, tags);
+            reader.leave(section);
+        } else if (section == "Elements" && nodes && !elements) {
+            elements = true;
+            reader.version() == 4 ? read_elements_4(reader, tags, mesh)
+                                  : read_elements_2(reader, tags, mesh);
+            reader.leave(section);
+        } else if (section == "Nodes" || section == "Elements") {
+            reader.fail(fmt::format("${} comes twice or out of order", section));
+        } else {
+            reader.skip(section);
+        }
+    }
+    if (!nodes) source.fail("the file has no $Nodes");
+    mesh.has_tetrahedra = !mesh.tetrahedra.empty() || (elements && mesh.other_cells == 0);
+    return mesh;
+}
+
+void write_mesh_4(const Mesh& mesh, const std::string& path, OutputSet& outputs,
+                  const WriteOptions&) {
+    OutputFile& out = outputs.open(path);
+    const std::uint64_t points = mesh.point_count();
+    const std::uint64_t cells = mesh.tetrahedron_count();
+    constexpr std::int32_t volume = 3;  // dimension of the entity, numbered 1, that holds all
+    out.write("$MeshFormat\n4.1 1 8\n");
+    out.write_value<std::int32_t>(1);
+    out.write("\n$EndMeshFormat\n$Nodes\n");
+    const std::uint64_t node_head[4] = {points > 0 ? 1u : 0u, points, points > 0 ? 1u : 0u, points};
+    out.write_values(node_head, 4);
+    if (points > 0) {
+        const std::int32_t block[3] = {volume, 1, 0};
+        out.write_values(block, 3);
+        out.write_value(points);
+        for (std::uint64_t i = 1; i <= points; ++i) out.write_value(i);
+        out.write_values(mesh.points.data(), mesh.points.size());
+    }
+    out.write("\n$EndNodes\n$Elements\n");
+    const std::uint64_t cell_head[4] = {cells > 0 ? 1u : 0u, cells, cells > 0 ? 1u : 0u, cells};
+    out.write_values(cell_head, 4);
+    if (cells > 0) {
+        const std::int32_t block[3] = {volume, 1, static_cast<std::int32_t>(tetrahedron_type)};
+        out.write_values(block, 3);
+        out.write_value(cells);
+        for (std::uint64_t i = 0; i < cells; ++i) {
+            std::uint64_t row[5] = {i + 1};
+            for (std::size_t k = 0; k < 4; ++k) {
+                row[k + 1] = static_cast<std::uint64_t>(mesh.tetrahedra[4 * i + k]) + 1;
+            }
+            out.write_values(row, 5);
+        }
+    }
+    out.write("\n$EndElements\n");
+}
+
+void write_mesh_2(const Mesh& mesh, const std::string& path, OutputSet& outputs,
+                  const WriteOptions&) {
+    OutputFile& out = outputs.open(path);
+    out.write(
+        fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n", mesh.point_count()));
+    for (std::size_t i = 0; i < mesh.point_count(); ++i) {
+        out.write_integer(static_cast<std::int64_t>(i) + 1);
+        for (std::size_t k = 0; k < 3; ++k) {
+            out.write(" ");
+            out.write_number(mesh.points[3 * i + k]);
+        }
+        out.write("\n");
+    }
+    out.write(fmt::format("$EndNodes\n$Elements\n{}\n", mesh.tetrahedron_count()));
+    for (std::size_t i = 0; i < mesh.tetrahedron_count(); ++i) {
+        out.write_integer(static_cast<std::int64_t>(i) + 1);
+        out.write(" 4 2 1 1");
+        for (std::size_t k = 0; k < 4; ++k) {
+            out.write(" ");
+            out.write_integer(mesh.tetrahedra[4 * i + k] + 1);
+        }
+        out.write("\n");
+    }
+    out.write("$EndElements\n");
+}
+
+}  // namespace
+
+const Format& gmsh_format() {
+    static const Format format = {"gmsh",  {".msh"},    "Gmsh 4.1 binary (reads 2.2 and 4.1)",
+                                  true,    sniff,       read_gmsh,
+                                  nullptr, write_mesh_4};
+    return format;
+}
+
+const Format& gmsh2_format() {
+    static const Format format = {"gmsh2", {},        "Gmsh 2.2 text", false,
+                                  nullptr, read_gmsh, nullptr,         write_mesh_2};
+    return format;
+}
+
+}  // namespace mgdt::cli

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Text formats line by line: lines with their numbers, and the fields of a line.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "cli/input_file.hpp"
+
+namespace mgdt::cli {
+
+// A comment character that no line contains.
+inline constexpr char no_comment = '\n';
+
+// Lines end with \n, \r\n or \r.
+class LineReader {
+  public:
+    // Begins at byte `offset`, which is on line `line`.
+    explicit LineReader(const Source& source, std::size_t offset = 0, std::size_t line = 1)
+        : source_(&source), next_(offset), number_(line - 1) {}
+
+    // Goes to the next line; false at the end of the file.
+    bool next();
+    // The same, past lines that are empty but for blanks and comments; text() is cut at `comment`.
+    bool next_with_text(char comment = '#');
+
+    std::string_view text() const { return text_; }
+    std::size_t number() const { return number_; }
+    // Where the next line begins.
+    std::size_t offset() const { return next_; }
+    std::size_t bytes_left() const { return source_->bytes.size() - next_; }
+    const Source& source() const { return *source_; }
+    [[noreturn]] void fail(const std::string& what) const { source_->fail_at_line(number_, what); }
+
+  private:
+    const Source* source_;
+    std::string_view text_;
+    std::size_t next_;
+    std::size_t number_;
+};
+
+// Fields of the current line, separated by blanks and tabs. Missing and malformed ones are
+// errors that name the line and `what` was expected.
+class Fields {
+  public:
+    explicit Fields(const LineReader& lines) : lines_(&lines), rest_(lines.text()) {}
+
+    bool next(std::string_view& field);
+    std::string_view word(const char* what);
+    // A finite number.
+    double number(const char* what);
+    std::int64_t integer(const char* what);
+    // An integer of at least `low` and at most `high`.
+    std::int64_t integer(const char* what, std::int64_t low, std::int64_t high);
+
+  private:
+    const LineReader* lines_;
+    std::string_view rest_;
+};
+
+}  // namespace mgdt::cli

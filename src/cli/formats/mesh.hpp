@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What a file holds: points, and tetrahedra where it has them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mgdt::cli {
+
+struct Mesh {
+    std::vector<double> points;            // x y z of each
+    std::vector<std::int64_t> tetrahedra;  // 4 vertices each, points counted from 0
+    std::vector<std::int64_t> neighbors;   // 4 each, opposite the vertices, -1 for none; or empty
+    bool has_tetrahedra = false;           // the file says so, even if there are none
+    std::size_t other_cells = 0;           // cells of other shapes, left out
+    std::string detail;                    // version and encoding, for people
+
+    std::size_t point_count() const { return points.size() / 3; }
+    std::size_t tetrahedron_count() const { return tetrahedra.size() / 4; }
+};
+
+}  // namespace mgdt::cli

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+// NumPy's .npy, versions 1.0 to 3.0 (numpy.lib.format): a magic string, the length of a header,
+// the header (a Python dictionary that says type, order and shape), the array's bytes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "cli/errors.hpp"
+#include "cli/formats/bytes.hpp"
+#include "cli/formats/format.hpp"
+
+namespace mgdt::cli {
+namespace {
+
+constexpr std::string_view magic = "\x93NUMPY";
+
+struct Header {
+    std::string type;  // "<f8"
+    bool fortran_order = false;
+    std::vector<std::uint64_t> shape;
+    std::size_t data = 0;  // where the array begins
+    int version = 1;
+
+    char order() const { return type[0]; }
+    std::string kind() const { return type.substr(1); }
+};
+
+// The header's grammar is a small part of Python's, and so is this parser's.
+class HeaderParser {
+  public:
+    HeaderParser(const Source& source, std::size_t begin, std::size_t end)
+        : source_(source), at_(begin), end_(end) {}
+
+    Header parse() {
+        Header header;
+        bool type = false, order = false, shape = false;
+        expect('{');
+        while (!accept('}')) {
+            const std::string key = string();
+            expect(':');
+            if (key == "descr") {
+                if (peek() == '[') fail("a structured array; save a plain array of shape (n, 3)");
+                header.type = string();
+                type = true;
+            } else if (key == "fortran_order") {
+                header.fortran_order = boolean();
+                order = true;
+            } else if (key == "shape") {
+                header.shape = tuple();
+                shape = true;
+            } else {
+                fail(fmt::format("unknown key {}", quote(key)));
+            }
+            if (!accept(',')) {
+                expect('}');
+                break;
+            }
+        }
+        if (!type || !order || !shape) fail("descr, fortran_order or shape is missing");
+        return header;
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& what) const {
+        source_.fail_at_byte(at_, "NumPy header: " + what);
+    }
+    char peek() {
+        while (at_ < end_ && (source_.bytes[at_] == ' ' || source_.bytes[at_] == '\n')) ++at_;
+        return at_ < end_ ? source_.bytes[at_] : '\0';
+    }
+    bool accept(char c) {
+        if (peek() != c || at_ >= end_) return false;
+        ++at_;
+        return true;
+    }
+    void expect(char c) {
+        if (!accept(c)) fail(fmt::format("'{}' expected", c));
+    }
+    std::string string() {
+        const char q = peek();
+        if (q != '\'' && q != '"') fail("a string expected");
+        const std::size_t begin = ++at_;
+        while (at_ < end_ && source_.bytes[at_] != q) ++at_;
+        if (at_ >= end_) fail("a string without end");
+        return std::string(source_.bytes.substr(begin, at_++ - begin));
+    }
+    bool boolean() {
+        peek();
+        for (const std::string_view word : {"True", "False"}) {
+            if (source_.bytes.substr(at_, std::min(word.size(), end_ - at_)) == word) {
+                at_ += word.size();
+                return word == "True";
+            }
+        }
+        fail("True or False expected");
+    }
+    std::vector<std::uint64_t> tuple() {
+        std::vector<std::uint64_t> values;
+        expect('(');
+        while (!accept(')')) {
+            char c = peek();
+            if (c < '0' || c > '9') fail("a number expected");
+            std::uint64_t value = 0;
+            for (; at_ < end_; ++at_) {
+                c = source_.bytes[at_];
+                if (c < '0' || c > '9') break;
+                const auto d = static_cast<std::uint64_t>(c - '0');
+                if (value > (std::numeric_limits<std::uint64_t>::max() - d) / 10) {
+                    fail("a dimension beyond 64 bits");
+                }
+                value = value * 10 + d;
+            }
+            values.push_back(value);
+            if (values.size() > 32) fail("more than 32 dimensions");
+            if (!accept(',')) {
+                expect(')');
+                break;
+            }
+        }
+        return values;
+    }
+
+    const Source& source_;
+    std::size_t at_, end_;
+};
+
+bool sniff(std::string_view bytes) {
+    return bytes.substr(0, magic.size()) == magic;
+}
+
+Header read_header(const Source& source) {
+    if (!sniff(source.bytes)) {
+        source.fail_at_byte(0, "not a NumPy file: it does not begin with \\x93NUMPY");
+    }
+    ByteReader bytes(source, magic.size(), false);
+    const int major = bytes.value<std::uint8_t>("version");
+    const int minor = bytes.value<std::uint8_t>("version");
+    if (major < 1 || major > 3 || minor != 0) {
+        source.fail_at_byte(magic.size(),
+                            fmt::format("NumPy format version {}.{}; 1.0 to 3.0 can be read; save "
+                                        "it again with numpy.save",
+                                        major, minor));
+    }
+    const std::uint64_t length = major == 1 ? bytes.value<std::uint16_t>("header length")
+                                            : bytes.value<std::uint32_t>("header length");
+    const std::size_t begin = bytes.offset();
+    bytes.skip(length, 1, "bytes of header");
+    Header header = HeaderParser(source, begin, bytes.offset()).parse();
+    header.data = bytes.offset();
+    header.version = major;
+    if (header.type.size() < 2) source.fail(fmt::format("NumPy type {}", quote(header.type)));
+    return header;
+}
+
+std::string shape_text(const Header& header) {
+    std::string text;
+    for (const std::uint64_t n : header.shape)
+        text += fmt::format("{}{}", text.empty() ? "" : ", ", n);
+    return "(" + text + (header.shape.size() == 1 ? ",)" : ")");
+}
+
+// Number of rows, after the array's size has been compared with the file's.
+std::size_t rows(const Source& source, const Header& header, std::size_t columns,
+                 std::size_t item) {
+    if (header.shape.size() != 2 || header.shape[1] != columns) {
+        source.fail(fmt::format("the array's shape is {}; (n, {}) is needed; reshape it in NumPy",
+                                shape_text(header), columns));
+    }
+    const std::uint64_t n = header.shape[0];
+    const std::size_t bytes = source.bytes.size() - header.data;
+    if (n > bytes / (columns * item) || n * columns * item != bytes) {
+        source.fail_at_byte(
+            header.data,
+            fmt::format("the header announces {} rows of {} bytes, but {} bytes follow; the file "
+                        "is cut short or damaged",
+                        n, columns * item, bytes));
+    }
+    return static_cast<std::size_t>(n);
+}
+
+bool big_endian(const Header& header) {
+    return header.order() == '>';
+}
+
+bool known_order(const Header& header) {
+    return header.order() == '<' || header.order() == '>';
+}
+
+Mesh read_npy(const Source& source, const ReadOptions&) {
+    const Header header = read_header(source);
+    const bool wide = header.kind() == "f8";
+    if (!known_order(header) || (!wide && header.kind() != "f4")) {
+        source.fail(
+            fmt::format("the array's type is {}; save it as float64: "
+                        "numpy.save(name, a.astype('<f8'))",
+                        quote(header.type)));
+    }
+    const std::size_t n = rows(source, header, 3, wide ? 8 : 4);
+    Mesh mesh;
+    mesh.detail = fmt::format("version {}.0, {}{}", header.version, header.type,
+                              header.fortran_order ? ", Fortran order" : "");
+    mesh.points.resize(3 * n);
+    ByteReader bytes(source, header.data, big_endian(header));
+    for (std::size_t i = 0; i < 3 * n; ++i) {
+        const std::size_t at = header.fortran_order ? i % n * 3 + i / n : i;
+        mesh.points[at] = wide ? bytes.coordinate<double>() : bytes.coordinate<float>();
+    }
+    return mesh;
+}
+
+void write_header(const char* type, std::size_t n, int columns, OutputFile& out) {
+    std::string header = fmt::format(
+        "{{'descr': '{}', 'fortran_order': False, 'shape': ({}, {}), }}", type, n, columns);
+    // NumPy aligns the array to 64 bytes for memory maps.
+    const std::size_t before = magic.size() + 4;
+    header.append(64 - (before + header.size() + 1) % 64, ' ');
+    header += '\n';
+    out.write(magic);
+    out.write_value<std::uint8_t>(1);
+    out.write_value<std::uint8_t>(0);
+    out.write_value(static_cast<std::uint16_t>(header.size()));
+    out.write(header);
+}
+
+void write_points(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
+    write_header("<f8", points.size() / 3, 3, out);
+    out.write_values(points.data(), points.size());
+}
+
+void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
+                const WriteOptions& options) {
+    write_npy_rows_of_4(mesh.tetrahedra, options.index_base, outputs.open(path));
+}
+
+}  // namespace
+
+void write_npy_rows_of_4(const std::vector<std::int64_t>& values, std::int64_t add,
+                         OutputFile& out) {
+    write_header("<i8", values.size() / 4, 4, out);
+    for (const std::int64_t v : values) out.write_value(v + add);
+}
+
+std::vector<std::int64_t> read_npy_rows_of_4(const Source& source, int base) {
+    const Header header = read_header(source);
+    const std::string kind = header.kind();
+    if (!known_order(header) || (kind != "i8" && kind != "i4")) {
+        source.fail(
+            fmt::format("the array's type is {}; tetrahedra need int64 or int32: "
+                        "numpy.save(name, a.astype('<i8'))",
+                        quote(header.type)));
+    }
+    const bool wide = kind == "i8";
+    const std::size_t n = rows(source, header, 4, wide ? 8 : 4);
+    std::vector<std::int64_t> values(4 * n);
+    ByteReader bytes(source, header.data, big_endian(header));
+    for (std::size_t i = 0; i < 4 * n; ++i) {
+        const std::size_t at = header.fortran_order ? i % n * 4 + i / n : i;
+        const std::int64_t v =
+            wide ? bytes.value<std::int64_t>("index") : bytes.value<std::int32_t>("index");
+        // The least int64 less 1 would overflow; it is out of every range anyway.
+        values[at] = v < 0 ? -1 : v - base;
+    }
+    return values;
+}
+
+const Format& npy_format() {
+    static const Format format = {"npy", {".npy"}, "NumPy array", true,
+                                  sniff, read_npy, write_points,  write_mesh};
+    return format;
+}
+
+}  // namespace mgdt::cli

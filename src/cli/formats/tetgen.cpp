@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// TetGen's text files: NAME.node (points), NAME.ele (tetrahedra), NAME.neigh (neighbours).
+// Numbers begin with 0 or 1, as the first point's does. '#' begins a comment.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+#include "cli/errors.hpp"
+#include "cli/formats/format.hpp"
+#include "cli/formats/lines.hpp"
+
+namespace mgdt::cli {
+namespace {
+
+constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
+
+std::string with_ending(const std::string& path, const char* ending) {
+    return without_extension(path, tetgen_format()) + ending;
+}
+
+// The first line with text. False for an empty file.
+void first_line(LineReader& lines) {
+    if (!lines.next_with_text()) {
+        lines.source().fail_at_line(1, "the file is empty; a line of counts is needed");
+    }
+}
+
+// `count` lines of at least `columns` numbers each must fit what is left of the file.
+void check_count(const LineReader& lines, std::int64_t count, std::size_t columns) {
+    const std::size_t most = (lines.bytes_left() + 1) / (2 * columns);
+    if (static_cast<std::uint64_t>(count) <= most) return;
+    lines.fail(
+        fmt::format("announces {} lines, but only {} bytes follow; the file is cut short or "
+                    "the count is wrong",
+                    count, lines.bytes_left()));
+}
+
+void next_line(LineReader& lines, std::int64_t i, std::int64_t count) {
+    if (lines.next_with_text()) return;
+    lines.fail(fmt::format("the file ends after {} of {} lines", i, count));
+}
+
+void expect_end(LineReader& lines, std::int64_t count) {
+    if (lines.next_with_text()) {
+        lines.fail(fmt::format("text after the {} lines announced; correct the count", count));
+    }
+}
+
+// Returns the number of the first point.
+std::int64_t read_nodes(const Source& source, std::vector<double>& points) {
+    LineReader lines(source);
+    first_line(lines);
+    Fields head(lines);
+    const std::int64_t count = head.integer("the number of points", 0, any);
+    std::string_view rest;
+    std::int64_t dimension = 3;
+    if (head.next(rest)) {
+        Fields again(lines);
+        again.word("");
+        dimension = again.integer("the dimension");
+    }
+    if (dimension != 3) lines.fail(fmt::format("dimension {}; 3 is needed", dimension));
+    check_count(lines, count, 4);
+    points.reserve(3 * static_cast<std::size_t>(count));
+    std::int64_t base = 0;
+    for (std::int64_t i = 0; i < count; ++i) {
+        next_line(lines, i, count);
+        Fields fields(lines);
+        const std::int64_t number = fields.integer("the point's number");
+        if (i == 0) {
+            if (number != 0 && number != 1) {
+                lines.fail(fmt::format("the first point has number {}; it must be 0 or 1", number));
+            }
+            base = number;
+        } else if (number != i + base) {
+            lines.fail(fmt::format("point number {}; {} is next", number, i + base));
+        }
+        for (int k = 0; k < 3; ++k) points.push_back(fields.number("coordinate"));
+    }
+    expect_end(lines, count);
+    return base;
+}
+
+void read_elements(const Source& source, std::int64_t base, Mesh& mesh) {
+    LineReader lines(source);
+    first_line(lines);
+    Fields head(lines);
+    const std::int64_t count = head.integer("the number of tetrahedra", 0, any);
+    std::string_view rest;
+    std::int64_t nodes = 4;
+    if (head.next(rest)) {
+        Fields again(lines);
+        again.word("");
+        nodes = again.integer("the number of nodes a tetrahedron");
+    }
+    if (nodes != 4 && nodes != 10) {
+        lines.fail(fmt::format("{} nodes a tetrahedron; 4 or 10 are possible", nodes));
+    }
+    check_count(lines, count, 5);
+    mesh.tetrahedra.reserve(4 * static_cast<std::size_t>(count));
+    const auto last = static_cast<std::int64_t>(mesh.point_count()) + base - 1;
+    for (std::int64_t i = 0; i < count; ++i) {
+        next_line(lines, i, count);
+        Fields fields(lines);
+        fields.integer("the tetrahedron's number");
+        for (int k = 0; k < 4; ++k) {
+            mesh.tetrahedra.push_back(fields.integer("vertex", base, last) - base);
+        }
+    }
+    expect_end(lines, count);
+    mesh.has_tetrahedra = true;
+}
+
+void read_neighbors(const Source& source, std::int64_t base, Mesh& mesh) {
+    LineReader lines(source);
+    first_line(lines);
+    const auto expected = static_cast<std::int64_t>(mesh.tetrahedron_count());
+    const std::int64_t count = Fields(lines).integer("the number of tetrahedra", 0, any);
+    if (count != expected) {
+        lines.fail(fmt::format("{} tetrahedra, but the .ele file has {}", count, expected));
+    }
+    check_count(lines, count, 5);
+    mesh.neighbors.reserve(4 * static_cast<std::size_t>(count));
+    for (std::int64_t i = 0; i < count; ++i) {
+        next_line(lines, i, count);
+        Fields fields(lines);
+        fields.integer("the tetrahedron's number");
+        for (int k = 0; k < 4; ++k) {
+            const std::int64_t n = fields.integer("neighbour", -1, count + base - 1);
+            mesh.neighbors.push_back(n < base ? -1 : n - base);
+        }
+    }
+    expect_end(lines, count);
+}
+
+bool ends_with(const std::string& path, std::string_view ending) {
+    return path.size() >= ending.size() &&
+           std::equal(ending.rbegin(), ending.rend(), path.rbegin(), [](char a, char b) {
+               return a == std::tolower(static_cast<unsigned char>(b));
+           });
+}
+
+// A .node file is its points alone; an .ele file brings the .node file beside it, and the .neigh
+// file if there is one.
+Mesh read_tetgen(const Source& source, const ReadOptions&) {
+    Mesh mesh;
+    if (ends_with(source.path, ".neigh")) source.fail("has no points; name the .ele file");
+    if (!ends_with(source.path, ".ele")) {
+        const std::int64_t base = read_nodes(source, mesh.points);
+        mesh.detail = fmt::format("numbered from {}", base);
+        return mesh;
+    }
+    const InputFile nodes(with_ending(source.path, ".node"));
+    const std::int64_t base = read_nodes(nodes.source(), mesh.points);
+    read_elements(source, base, mesh);
+    mesh.detail = fmt::format("with {}, numbered from {}", nodes.source().name, base);
+    const std::string neigh = with_ending(source.path, ".neigh");
+    if (access(neigh.c_str(), F_OK) == 0) {
+        const InputFile file(neigh);
+        read_neighbors(file.source(), base, mesh);
+        mesh.detail += " and " + neigh;
+    }
+    return mesh;
+}
+
+void write_nodes(const std::vector<double>& points, OutputFile& out, const WriteOptions& options) {
+    const auto count = static_cast<std::int64_t>(points.size() / 3);
+    out.write(fmt::format("{} 3 0 0\n", count));
+    for (std::int64_t i = 0; i < count; ++i) {
+        out.write_integer(i + options.index_base);
+        for (std::size_t k = 0; k < 3; ++k) {
+            out.write(" ");
+            out.write_number(points[3 * static_cast<std::size_t>(i) + k]);
+        }
+        out.write("\n");
+    }
+}
+
+// Rows of 4, less those that are -1: TetGen writes -1 for no neighbour in either numbering.
+void write_rows(const std::vector<std::int64_t>& values, const char* head, int base,
+                OutputFile& out) {
+    const auto count = static_cast<std::int64_t>(values.size() / 4);
+    out.write(fmt::format("{} {}\n", count, head));
+    for (std::int64_t i = 0; i < count; ++i) {
+        out.write_integer(i + base);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::int64_t v = values[4 * static_cast<std::size_t>(i) + k];
+            out.write(" ");
+            out.write_integer(v < 0 ? -1 : v + base);
+        }
+        out.write("\n");
+    }
+}
+
+void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
+                const WriteOptions& options) {
+    if (path == "-") {
+        throw Error(exit_usage,
+                    "TetGen's format is three files (.node, .ele, .neigh); give -o a name");
+    }
+    write_nodes(mesh.points, outputs.open(with_ending(path, ".node")), options);
+    write_rows(mesh.tetrahedra, "4 0", options.index_base, outputs.open(with_ending(path, ".ele")));
+    write_rows(mesh.neighbors, "4", options.index_base, outputs.open(with_ending(path, ".neigh")));
+}
+
+}  // namespace
+
+const Format& tetgen_format() {
+    static const Format format = {"tetgen",
+                                  {".node", ".ele", ".neigh"},
+                                  "TetGen .node, .ele and .neigh",
+                                  false,
+                                  nullptr,
+                                  read_tetgen,
+                                  write_nodes,
+                                  write_mesh};
+    return format;
+}
+
+}  // namespace mgdt::cli

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// mgdt info: what is in a file. Also the reading of inputs, which all commands share.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+
+#include "cli/commands.hpp"
+#include "cli/errors.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt::cli {
+
+Mesh read_input(const InputOptions& options, const Format** format) {
+    const InputFile file(options.path);
+    const Source source = file.source();
+    const Format& f = input_format(source, options.from);
+    if (format) *format = &f;
+    return f.read(source, options.read);
+}
+
+void check_terminal(const OutputOptions& options, const Format& format) {
+    if (options.path == "-" && format.binary && isatty(STDOUT_FILENO) == 1) {
+        throw Error(exit_usage,
+                    fmt::format("{} is binary and standard output is a terminal; give -o a file",
+                                format.name));
+    }
+}
+
+std::string counted(std::size_t n, const char* singular, const char* plural) {
+    return fmt::format("{} {}", n, n == 1 ? singular : plural);
+}
+
+namespace {
+
+// Dimension of the affine hull, exactly: the first point off each smaller hull extends it.
+int dimension(const std::vector<double>& points) {
+    const std::size_t n = points.size() / 3;
+    const auto p = [&](std::size_t i) { return points.data() + 3 * i; };
+    std::size_t i = 1;
+    if (n == 0) return -1;
+    while (i < n && compare_lexicographic(p(0), p(i)) == 0) ++i;
+    if (i == n) return 0;
+    const std::size_t b = i;
+    while (i < n && collinear(p(0), p(b), p(i))) ++i;
+    if (i == n) return 1;
+    const std::size_t c = i;
+    while (i < n && orientation(p(0), p(b), p(c), p(i)) == 0) ++i;
+    return i == n ? 2 : 3;
+}
+
+std::size_t duplicates(const std::vector<double>& points) {
+    std::vector<std::size_t> order(points.size() / 3);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto compare = [&](std::size_t a, std::size_t b) {
+        return compare_lexicographic(points.data() + 3 * a, points.data() + 3 * b);
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return compare(a, b) < 0; });
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < order.size(); ++i) {
+        if (compare(order[i - 1], order[i]) == 0) ++count;
+    }
+    return count;
+}
+
+}  // namespace
+
+int info(const InputOptions& options) {
+    const Format* format = nullptr;
+    const Mesh mesh = read_input(options, &format);
+    const auto line = [](const char* name, const std::string& value) {
+        fmt::print("{:<14} {}\n", name, value);
+    };
+    line("file", options.path == "-" ? "standard input" : options.path);
+    line("format", fmt::format("{} ({}{}{})", format->name, format->description,
+                               mesh.detail.empty() ? "" : "; ", mesh.detail));
+    line("points", fmt::format("{}", mesh.point_count()));
+    line("duplicates", fmt::format("{}", duplicates(mesh.points)));
+    line("dimension", fmt::format("{}", dimension(mesh.points)));
+    if (mesh.has_tetrahedra) line("tetrahedra", fmt::format("{}", mesh.tetrahedron_count()));
+    if (mesh.other_cells > 0) line("other cells", fmt::format("{}", mesh.other_cells));
+    for (std::size_t k = 0; k < 3 && mesh.point_count() > 0; ++k) {
+        double low = mesh.points[k], high = low;
+        for (std::size_t i = k; i < mesh.points.size(); i += 3) {
+            low = std::min(low, mesh.points[i]);
+            high = std::max(high, mesh.points[i]);
+        }
+        const char* const names[3] = {"x", "y", "z"};
+        line(names[k], fmt::format("{} to {}", low, high));
+    }
+    return exit_ok;
+}
+
+}  // namespace mgdt::cli

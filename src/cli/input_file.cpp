@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "cli/input_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+#include "cli/errors.hpp"
+#include "cli/interrupt.hpp"
+
+namespace mgdt::cli {
+
+void Source::fail(const std::string& what) const {
+    throw Error(exit_input, fmt::format("{}: {}", name, what));
+}
+
+void Source::fail_at_line(std::size_t line, const std::string& what) const {
+    throw Error(exit_input, fmt::format("{}: line {}: {}", name, line, what));
+}
+
+void Source::fail_at_byte(std::size_t offset, const std::string& what) const {
+    throw Error(exit_input, fmt::format("{}: byte {}: {}", name, offset, what));
+}
+
+void InputFile::Free::operator()(char* p) const noexcept {
+    std::free(p);
+}
+
+namespace {
+
+struct Descriptor {
+    int fd;
+    bool owned;
+    ~Descriptor() {
+        if (owned && fd >= 0) close(fd);
+    }
+};
+
+std::string remedy(int error) {
+    switch (error) {
+        case ENOENT:
+        case ENOTDIR:
+            return "; check the name";
+        case EACCES:
+        case EPERM:
+            return "; check its permissions";
+        case EISDIR:
+            return "; name a file inside it";
+        default:
+            return "";
+    }
+}
+
+[[noreturn]] void fail_reading(const std::string& name, int error) {
+    throw Error(exit_input,
+                fmt::format("{}: cannot read: {}{}", name, system_message(error), remedy(error)));
+}
+
+}  // namespace
+
+InputFile::InputFile(const std::string& path) {
+    const bool standard = path == "-";
+    name_ = standard ? "standard input" : path;
+    if (!standard) path_ = path;
+    Descriptor file{standard ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC), !standard};
+    if (file.fd < 0) fail_reading(name_, errno);
+    struct stat status = {};
+    if (fstat(file.fd, &status) != 0) fail_reading(name_, errno);
+    if (S_ISDIR(status.st_mode)) fail_reading(name_, EISDIR);
+
+    // The size is a hint: pipes have none, and a file may grow while it is read.
+    std::size_t wanted = std::size_t{1} << 16;
+    if (S_ISREG(status.st_mode) && status.st_size > 0) {
+        wanted = static_cast<std::size_t>(status.st_size) + 1;
+    }
+    std::size_t capacity = 0;
+    for (;;) {
+        if (size_ == capacity) {
+            if (capacity > std::numeric_limits<std::size_t>::max() / 2) throw std::bad_alloc();
+            capacity = std::max(wanted, 2 * capacity);
+            char* p = static_cast<char*>(std::realloc(data_.get(), capacity));
+            if (!p) throw std::bad_alloc();
+            static_cast<void>(data_.release());
+            data_.reset(p);
+        }
+        check_interrupt();
+        constexpr std::size_t chunk = std::size_t{1} << 24;
+        const std::size_t room = capacity - size_;
+        const ssize_t got = read(file.fd, data_.get() + size_, room < chunk ? room : chunk);
+        if (got == 0) break;
+        if (got < 0) {
+            if (errno == EINTR) continue;
+            fail_reading(name_, errno);
+        }
+        size_ += static_cast<std::size_t>(got);
+    }
+}
+
+}  // namespace mgdt::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// A whole input file in memory, and the place that error messages speak of. Files are read, not
+// mapped: one that shrinks while it is mapped would kill the program.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace mgdt::cli {
+
+// The bytes of an input with its name. Readers see nothing else.
+struct Source {
+    std::string name;  // as messages say it
+    std::string path;  // empty for standard input
+    std::string_view bytes;
+
+    [[noreturn]] void fail(const std::string& what) const;
+    [[noreturn]] void fail_at_line(std::size_t line, const std::string& what) const;
+    [[noreturn]] void fail_at_byte(std::size_t offset, const std::string& what) const;
+};
+
+class InputFile {
+  public:
+    // "-" is standard input.
+    explicit InputFile(const std::string& path);
+    Source source() const { return {name_, path_, {data_.get(), size_}}; }
+
+  private:
+    struct Free {
+        void operator()(char* p) const noexcept;
+    };
+    std::string name_, path_;
+    std::unique_ptr<char, Free> data_;
+    std::size_t size_ = 0;
+};
+
+}  // namespace mgdt::cli

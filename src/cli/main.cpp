@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// The program mgdt: exact 3D Delaunay triangulation from the command line.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+#include "cli/commands.hpp"
+#include "cli/errors.hpp"
+#include "cli/interrupt.hpp"
+
+namespace mgdt::cli {
+namespace {
+
+const char* const exit_codes =
+    "Exit codes:\n"
+    "  0    success\n"
+    "  1    a check failed: not a valid Delaunay triangulation\n"
+    "  2    wrong usage\n"
+    "  3    an input cannot be read or is malformed\n"
+    "  4    an output cannot be written; no partial file is left\n"
+    "  5    out of memory, or too large\n"
+    "  6    a defect in mgdt\n"
+    "  130  cancelled by Ctrl-C (in general 128 + the signal's number)";
+
+std::string formats_footer() {
+    std::string text = "Formats (chosen by extension, or with --from and --to):\n";
+    for (const Format* f : all_formats()) {
+        std::string extensions;
+        for (const char* e : f->extensions)
+            extensions += std::string(extensions.empty() ? "" : " ") + e;
+        const std::string does =
+            fmt::format("{}{}{}", f->read ? "read" : "", f->write_points ? ", points" : "",
+                        f->write_mesh ? ", tetrahedra" : "");
+        text += fmt::format("  {:<8} {:<25} {} [{}]\n", f->name, extensions, f->description, does);
+    }
+    return text + "  [points, tetrahedra: what can be written]\n";
+}
+
+std::string kinds_footer() {
+    std::string text = "Kinds:\n";
+    for (const Distribution& d : distributions()) {
+        text += fmt::format("  {:<16} {}\n", d.name, d.description);
+    }
+    return text;
+}
+
+std::string schemes() {
+    std::string text;
+    for (const std::string& name : scheme_names()) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+void add_input(CLI::App& app, InputOptions& options, const char* description) {
+    app.add_option("input", options.path, description)->required()->type_name("FILE");
+    app.add_option("--from", options.from, "Format of the input")->type_name("FORMAT");
+    app.add_option_function<std::vector<int>>(
+           "--columns",
+           [&options](const std::vector<int>& c) {
+               for (std::size_t k = 0; k < 3; ++k) options.read.columns[k] = c[k];
+           },
+           "Columns of x, y and z in text, counted from 1 (default 1,2,3)")
+        ->delimiter(',')
+        ->expected(3)
+        ->check(CLI::Range(1, 10000))
+        ->type_name("I,J,K");
+}
+
+void add_output(CLI::App& app, OutputOptions& options, bool required) {
+    app.add_option("-o,--output", options.path, "File to write; - for standard output")
+        ->required(required)
+        ->type_name("FILE");
+    app.add_option("--to", options.to, "Format of the output")->type_name("FORMAT");
+    app.add_option("--index-base", options.write.index_base,
+                   "Number of the first point and tetrahedron in .npy and TetGen files (default 0)")
+        ->check(CLI::IsMember({0, 1}))
+        ->type_name("0|1");
+}
+
+void add_triangulation(CLI::App& app, TriangulationOptions& options) {
+    app.add_option("--scheme", options.scheme, "Order of insertion: " + schemes())
+        ->type_name("NAME");
+    app.add_option("--threads", options.threads, "Threads; 0 for all cores (default 1)")
+        ->check(CLI::Range(0, 1 << 20))
+        ->type_name("N");
+    app.add_option("--memory-limit", options.memory_limit,
+                   "Most memory of the triangulation, such as 500MB or 4GB")
+        ->transform(CLI::AsSizeValue(false))
+        ->type_name("SIZE");
+    app.add_flag("-q,--quiet", options.quiet, "Print nothing but errors and what is asked for");
+}
+
+void add_scheme_parameters(CLI::App& app, TriangulationOptions& options) {
+    app.add_option("--seed", options.seed, "Seed of the schemes that shuffle (default 0)")
+        ->type_name("N");
+    app.add_option("--points-per-cell", options.points_per_cell, "Mean points in a cell")
+        ->type_name("X");
+    app.add_option("--threshold", options.threshold, "Points beyond which a cell gets its own grid")
+        ->type_name("X");
+    app.add_option("--separation", options.separation, "1: one point from a cell at a time; 0: all")
+        ->type_name("0|1");
+    app.add_option("--round-ratio", options.round_ratio, "Growth of the rounds")->type_name("X");
+}
+
+// CLI11 would only say that a command is missing.
+void require_command(const CLI::App& app, const std::string& name) {
+    std::string names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_name() == name) return;
+        names += (names.empty() ? "" : ", ") + command->get_name();
+    }
+    throw Error(exit_usage, fmt::format("unknown command {}; it is one of {}; see mgdt --help",
+                                        quote(name), names));
+}
+
+int run(int argc, char** argv) {
+    CLI::App app("Exact 3D Delaunay triangulation of any set of points.", "mgdt");
+    app.set_version_flag(
+        "--version", fmt::format("mgdt {} (ABI {})", mgdt_version_string(), mgdt_abi_version()));
+    app.require_subcommand(1);
+    app.footer(formats_footer() + "\n" + exit_codes +
+               "\n\nExample:\n  mgdt generate galaxy 1e5 -o points.npy\n"
+               "  mgdt triangulate points.npy -o mesh.vtu --stats\n  mgdt check mesh.vtu");
+    app.get_formatter()->column_width(28);
+
+    TriangulateOptions t;
+    CLI::App* triangulate_app = app.add_subcommand(
+        "triangulate", "Read points, write the tetrahedra of their Delaunay triangulation.");
+    add_input(*triangulate_app, t.input, "Points; - for standard input");
+    add_output(*triangulate_app, t.output, false);
+    add_triangulation(*triangulate_app, t.triangulation);
+    add_scheme_parameters(*triangulate_app, t.triangulation);
+    triangulate_app->add_option("--neighbors", t.neighbors, "Write the neighbours too, as .npy")
+        ->type_name("FILE");
+    triangulate_app->add_flag("--canonical", t.triangulation.canonical,
+                              "Sort the tetrahedra, so that the file depends on the points alone");
+    triangulate_app
+        ->add_option("--check", t.check_level,
+                     "Prove the result before writing: 1 combinatorial, 2 geometric, 3 canonical")
+        ->check(CLI::Range(1, 3))
+        ->type_name("LEVEL");
+    triangulate_app->add_flag("--stats", t.statistics, "Print counts and times");
+    triangulate_app->footer(formats_footer() + "\n" + exit_codes);
+
+    GenerateCommandOptions g;
+#ifdef MGDT_DATA_DIRECTORY
+    g.generate.data_directory = MGDT_DATA_DIRECTORY;
+#endif
+    CLI::App* generate_app = app.add_subcommand("generate", "Write points of a distribution.");
+    generate_app->add_option("kind", g.kind, "Kind of distribution, see below")
+        ->required()
+        ->type_name("KIND");
+    generate_app->add_option("count", g.count, "Number of points, such as 1000 or 1e6")
+        ->required()
+        ->type_name("N");
+    add_output(*generate_app, g.output, true);
+    generate_app->add_option("--seed", g.generate.seed, "Seed (default 1)")->type_name("N");
+    generate_app->add_option("--width", g.generate.width, "Width of the spread about curves")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("W");
+    generate_app->add_option("--power", g.generate.power, "Power of the crowding in clusters")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("P");
+    generate_app->add_option("--scale", g.generate.scale, "Factor of all coordinates")
+        ->type_name("S");
+    generate_app
+        ->add_option("--data", g.generate.data_directory, "Where machine.msh and church.msh are")
+        ->envname("MGDT_DATA")
+        ->type_name("DIR");
+    generate_app->add_flag("-q,--quiet", g.quiet, "Print nothing but errors");
+    generate_app->footer(kinds_footer() + "\n" + exit_codes);
+
+    CheckOptions c;
+    CLI::App* check_app = app.add_subcommand(
+        "check",
+        "Prove that a file holds a Delaunay triangulation of its points, whoever wrote it. Points "
+        "alone are triangulated and the result is checked.");
+    add_input(*check_app, c.input, "Tetrahedra (.vtu, .msh, .ele, .npy) or points");
+    check_app
+        ->add_option("--points", c.points, "File of the points, if FILE is an .npy of tetrahedra")
+        ->type_name("FILE");
+    check_app->add_option("--index-base", c.index_base, "Number of the first point in that .npy")
+        ->check(CLI::IsMember({0, 1}))
+        ->type_name("0|1");
+    add_triangulation(*check_app, c.triangulation);
+    check_app->footer(exit_codes);
+
+    InputOptions i;
+    CLI::App* info_app = app.add_subcommand(
+        "info", "Print what is in a file: format, counts, duplicates, dimension, extent.");
+    add_input(*info_app, i, "Points or tetrahedra");
+    info_app->footer(exit_codes);
+
+    if (argc > 1 && argv[1][0] != '-') require_command(app, argv[1]);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
+        const CLI::App* at = &app;
+        while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
+        const std::string command = at == &app ? "mgdt" : "mgdt " + at->get_name();
+        throw Error(exit_usage, fmt::format("{}; see {} --help", e.what(), command));
+    }
+    if (*triangulate_app) return triangulate(t);
+    if (*generate_app) return generate_points(g);
+    if (*check_app) return check(c);
+    return info(i);
+}
+
+int fail(int code, const char* message) {
+    std::fflush(stdout);
+    fmt::print(stderr, "mgdt: {}\n", message);
+    return code;
+}
+
+}  // namespace
+}  // namespace mgdt::cli
+
+int main(int argc, char** argv) {
+    using namespace mgdt::cli;
+    try {
+        install_signal_handlers();
+        const int code = run(argc, argv);
+        // What went to standard output must have arrived, too.
+        if (std::fflush(stdout) != 0) return fail(exit_output, "standard output: cannot write");
+        return code;
+    } catch (const Error& e) {
+        return fail(e.code(), e.what());
+    } catch (const std::bad_alloc&) {
+        return fail(exit_memory, "out of memory; triangulate fewer points or free some memory");
+    } catch (const std::length_error&) {
+        return fail(exit_memory, "out of memory: more than an array can hold");
+    } catch (const std::exception& e) {
+        return fail(exit_internal, e.what());
+    } catch (...) {
+        return fail(exit_internal, "an unknown exception");
+    }
+}

@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: MIT
+#include "cli/mesh_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "cli/errors.hpp"
+#include "cli/interrupt.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt::cli {
+namespace {
+
+using Index = std::uint32_t;
+using Quad = std::array<Index, 4>;
+using Triple = std::array<Index, 3>;
+
+constexpr Index none = 0xFFFFFFFFu;
+
+// Facet opposite vertex i of a positively oriented tetrahedron, counter-clockwise from outside.
+constexpr int outward[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+// Sorts three indices; true if that took an odd permutation.
+bool sort3(Triple& f) {
+    bool odd = false;
+    const auto order = [&](std::size_t a, std::size_t b) {
+        if (f[a] > f[b]) {
+            std::swap(f[a], f[b]);
+            odd = !odd;
+        }
+    };
+    order(0, 1);
+    order(1, 2);
+    order(0, 1);
+    return odd;
+}
+
+// The integers modulo the Mersenne prime 2^61 - 1, in which every double has an exact value:
+// a power of two is a rotation. A determinant of doubles comes out as its exact value's residue,
+// so equal volumes have equal residues, and others have them with a chance of 2^-61.
+class Residue {
+  public:
+    static constexpr std::uint64_t prime = (std::uint64_t{1} << 61) - 1;
+
+    Residue() = default;
+    explicit Residue(double x) {
+        int exponent = 0;
+        const double fraction = std::frexp(std::fabs(x), &exponent);
+        const auto mantissa = static_cast<std::uint64_t>(std::ldexp(fraction, 53));
+        const int shift = ((exponent - 53) % 61 + 61) % 61;
+        value_ = product(mantissa % prime, std::uint64_t{1} << shift);
+        if (x < 0 && value_ != 0) value_ = prime - value_;
+    }
+    friend Residue operator+(Residue a, Residue b) { return Residue(fold(a.value_ + b.value_), 0); }
+    friend Residue operator-(Residue a, Residue b) {
+        return Residue(fold(a.value_ + prime - b.value_), 0);
+    }
+    friend Residue operator*(Residue a, Residue b) {
+        return Residue(product(a.value_, b.value_), 0);
+    }
+    friend bool operator==(Residue a, Residue b) { return a.value_ == b.value_; }
+
+  private:
+    Residue(std::uint64_t value, int) : value_(value) {}
+    static std::uint64_t fold(std::uint64_t v) {
+        v = (v & prime) + (v >> 61);
+        return v >= prime ? v - prime : v;
+    }
+    static std::uint64_t product(std::uint64_t a, std::uint64_t b) {
+        __extension__ using Wide = unsigned __int128;
+        const Wide p = static_cast<Wide>(a) * b;
+        return fold((static_cast<std::uint64_t>(p) & prime) + static_cast<std::uint64_t>(p >> 61));
+    }
+
+    std::uint64_t value_ = 0;
+};
+
+class MeshChecker {
+  public:
+    MeshChecker(const Mesh& mesh, const Reference& reference) : mesh_(mesh), reference_(reference) {
+        if (mesh.point_count() >= none || mesh.tetrahedron_count() >= (std::size_t{1} << 30)) {
+            throw Error(exit_memory, "too many points or tetrahedra to check; at most 2^30");
+        }
+    }
+
+    MeshReport run() {
+        load();
+        check_orientation();
+        // The rest speaks of solid tetrahedra.
+        if (report_.valid) {
+            match_facets();
+            check_facets();
+            check_hull();
+            check_volume();
+        }
+        check_vertices();
+        if (!mesh_.neighbors.empty()) check_neighbors();
+        compare();
+        return std::move(report_);
+    }
+
+  private:
+    const double* point(Index v) const { return mesh_.points.data() + 3 * std::size_t{v}; }
+
+    // Vertices with equal coordinates count as one.
+    Quad load_quad(const std::int64_t* v) const {
+        Quad q;
+        for (std::size_t k = 0; k < 4; ++k) {
+            q[k] = static_cast<Index>(reference_.point_map[static_cast<std::size_t>(v[k])]);
+        }
+        return q;
+    }
+
+    void add(const char* what, bool good, std::string detail) {
+        report_.findings.push_back({what, good, std::move(detail)});
+        report_.valid = report_.valid && good;
+    }
+
+    void load() {
+        tetrahedra_.reserve(mesh_.tetrahedron_count());
+        for (std::size_t i = 0; i < mesh_.tetrahedra.size(); i += 4) {
+            tetrahedra_.push_back(load_quad(&mesh_.tetrahedra[i]));
+        }
+    }
+
+    void check_orientation() {
+        std::size_t positive = 0, negative = 0, flat = 0, first_flat = 0, first_negative = 0;
+        for (std::size_t t = 0; t < tetrahedra_.size(); ++t) {
+            if ((t & 0xFFFF) == 0) check_interrupt();
+            const Quad& v = tetrahedra_[t];
+            const int sign = orientation(point(v[0]), point(v[1]), point(v[2]), point(v[3]));
+            if (sign > 0) ++positive;
+            if (sign < 0 && negative++ == 0) first_negative = t;
+            if (sign == 0 && flat++ == 0) first_flat = t;
+        }
+        const char* what = "orientation";
+        if (flat > 0) {
+            add(what, false,
+                fmt::format("{} tetrahedra have no volume, the first is number {} "
+                            "(counted from 0)",
+                            flat, first_flat));
+        } else if (negative > 0 && positive > 0) {
+            add(what, false,
+                fmt::format("{} tetrahedra are positively oriented and {} negatively, the first "
+                            "is number {} (counted from 0)",
+                            positive, negative, first_negative));
+        } else if (negative > 0) {
+            for (Quad& v : tetrahedra_) std::swap(v[2], v[3]);
+            turned_ = true;
+            add(what, true, fmt::format("all {} tetrahedra are negatively oriented", negative));
+        } else {
+            add(what, true, fmt::format("all {} tetrahedra are positively oriented", positive));
+        }
+    }
+
+    Triple facet(std::size_t t, int i) const {
+        const Quad& v = tetrahedra_[t];
+        return {v[static_cast<std::size_t>(outward[i][0])],
+                v[static_cast<std::size_t>(outward[i][1])],
+                v[static_cast<std::size_t>(outward[i][2])]};
+    }
+
+    // Finds who shares each facet: facets are gathered by their least vertex, then sorted.
+    void match_facets() {
+        struct Entry {
+            Index b, c;  // the other two vertices
+            Index code;  // 4 * tetrahedron + face
+        };
+        std::vector<std::size_t> begin(mesh_.point_count() + 1, 0);
+        const std::size_t count = 4 * tetrahedra_.size();
+        for (std::size_t code = 0; code < count; ++code) {
+            Triple f = facet(code / 4, static_cast<int>(code % 4));
+            ++begin[std::min({f[0], f[1], f[2]}) + std::size_t{1}];
+        }
+        for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+        std::vector<Entry> entries(count);
+        std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
+        for (std::size_t code = 0; code < count; ++code) {
+            Triple f = facet(code / 4, static_cast<int>(code % 4));
+            sort3(f);
+            entries[end[f[0]]++] = {f[1], f[2], static_cast<Index>(code)};
+        }
+        check_interrupt();
+        partner_.assign(count, none);
+        for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
+            const auto first = entries.begin() + static_cast<std::ptrdiff_t>(begin[v]);
+            const auto last = entries.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]);
+            std::sort(first, last, [](const Entry& l, const Entry& r) {
+                return std::tie(l.b, l.c, l.code) < std::tie(r.b, r.c, r.code);
+            });
+            for (auto e = first; e != last;) {
+                auto stop = e;
+                while (stop != last && stop->b == e->b && stop->c == e->c) ++stop;
+                if (stop - e == 2) {
+                    pair(e->code, (e + 1)->code);
+                } else if (stop - e > 2 && crowded_++ == 0) {
+                    first_crowded_ = e->code;
+                }
+                e = stop;
+            }
+        }
+    }
+
+    void pair(Index a, Index b) {
+        partner_[a] = b;
+        partner_[b] = a;
+        Triple f = facet(a / 4, static_cast<int>(a % 4));
+        Triple g = facet(b / 4, static_cast<int>(b % 4));
+        if (sort3(f) == sort3(g) && folded_++ == 0) first_folded_ = a;
+    }
+
+    void check_facets() {
+        if (crowded_ > 0) {
+            add("facets", false,
+                fmt::format("{} facets belong to more than two tetrahedra, the first to number {}",
+                            crowded_, first_crowded_ / 4));
+        } else if (folded_ > 0) {
+            add("facets", false,
+                fmt::format("{} facets have both tetrahedra on one side, the first of number {}",
+                            folded_, first_folded_ / 4));
+        } else {
+            add("facets", true, "every facet has one or two tetrahedra, two on opposite sides");
+        }
+
+        std::size_t shared = 0, bad = 0, first = 0, ties = 0;
+        for (std::size_t code = 0; code < partner_.size(); ++code) {
+            if ((code & 0xFFFF) == 0) check_interrupt();
+            const Index other = partner_[code];
+            if (other == none || other < code) continue;
+            ++shared;
+            const Quad& v = tetrahedra_[code / 4];
+            const Index q = tetrahedra_[other / 4][other % 4];
+            const int side =
+                side_of_sphere(point(v[0]), point(v[1]), point(v[2]), point(v[3]), point(q));
+            if (side == 0) ++ties;
+            if (side > 0 && bad++ == 0) first = code;
+        }
+        if (bad > 0) {
+            add("spheres", false,
+                fmt::format("at {} of {} shared facets the opposite vertex is inside the "
+                            "circumsphere, first between numbers {} and {}",
+                            bad, shared, first / 4, partner_[first] / 4));
+        } else {
+            add("spheres", true,
+                fmt::format("no opposite vertex inside a circumsphere at {} shared facets, {} of "
+                            "them cospherical",
+                            shared, ties));
+        }
+    }
+
+    void check_hull() {
+        const std::vector<std::int64_t>& hull = reference_.hull_facets;
+        // The hull's facets around each of its vertices.
+        std::vector<std::size_t> begin(mesh_.point_count() + 1, 0);
+        for (const std::int64_t v : hull) ++begin[static_cast<std::size_t>(v) + 1];
+        for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+        std::vector<std::size_t> around(hull.size());
+        std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
+        for (std::size_t k = 0; k < hull.size(); ++k) {
+            around[end[static_cast<std::size_t>(hull[k])]++] = k / 3;
+        }
+        const auto in_hull = [&](const Triple& f) {
+            for (std::size_t i = begin[f[0]]; i < begin[f[0] + std::size_t{1}]; ++i) {
+                const std::int64_t* h = &hull[3 * around[i]];
+                const auto on_plane = [&](Index v) {
+                    return orientation(point(static_cast<Index>(h[0])),
+                                       point(static_cast<Index>(h[1])),
+                                       point(static_cast<Index>(h[2])), point(v)) == 0;
+                };
+                if (on_plane(f[1]) && on_plane(f[2])) return true;
+            }
+            return false;
+        };
+        std::size_t single = 0, bad = 0, first = 0;
+        for (std::size_t code = 0; code < partner_.size(); ++code) {
+            if (partner_[code] != none) continue;
+            ++single;
+            if (!in_hull(facet(code / 4, static_cast<int>(code % 4))) && bad++ == 0) first = code;
+        }
+        if (bad > 0) {
+            add("hull", false,
+                fmt::format("{} of {} boundary facets are not on the convex hull, the first is "
+                            "opposite vertex {} of number {}",
+                            bad, single, first % 4, first / 4));
+        } else {
+            add("hull", true, fmt::format("all {} boundary facets are on the convex hull", single));
+        }
+    }
+
+    Residue volume(const Quad& v) const {
+        Residue d[3][3];
+        for (std::size_t r = 0; r < 3; ++r) {
+            for (int k = 0; k < 3; ++k) {
+                d[r][k] = Residue(point(v[r + 1])[k]) - Residue(point(v[0])[k]);
+            }
+        }
+        return d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
+               d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
+               d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
+    }
+
+    void check_volume() {
+        Residue sum, hull;
+        for (const Quad& v : tetrahedra_) sum = sum + volume(v);
+        for (std::size_t i = 0; i < reference_.tetrahedra.size(); i += 4) {
+            hull = hull + volume(load_quad(&reference_.tetrahedra[i]));
+        }
+        const bool equal = sum == hull;
+        add("volume", equal,
+            equal ? "the volumes add up to that of the convex hull (modulo 2^61 - 1)"
+                  : "the volumes do not add up to that of the convex hull: gaps or overlaps");
+    }
+
+    void check_vertices() {
+        std::vector<bool> used(mesh_.point_count(), false);
+        for (const Quad& t : tetrahedra_) {
+            for (const Index v : t) used[v] = true;
+        }
+        std::size_t missing = 0, first = 0, vertices = 0;
+        for (std::size_t i = 0; i < used.size(); ++i) {
+            if (static_cast<std::size_t>(reference_.point_map[i]) != i) continue;
+            ++vertices;
+            if (!used[i] && missing++ == 0) first = i;
+        }
+        if (tetrahedra_.empty() && reference_.tetrahedra.empty()) {
+            add("vertices", true, "the points do not span space: no tetrahedra are possible");
+        } else if (missing > 0) {
+            add("vertices", false,
+                fmt::format("{} of {} distinct points are in no tetrahedron, the first is number "
+                            "{} (counted from 0)",
+                            missing, vertices, first));
+        } else {
+            add("vertices", true, fmt::format("all {} distinct points are vertices", vertices));
+        }
+    }
+
+    // The file's own neighbours against those that share facets.
+    void check_neighbors() {
+        if (partner_.empty()) return;
+        std::size_t bad = 0, first = 0;
+        for (std::size_t code = 0; code < partner_.size(); ++code) {
+            // Turning round exchanged the last two vertices, and so their facets.
+            const std::size_t k = code % 4;
+            const std::size_t file = turned_ && k >= 2 ? code - k + (5 - k) : code;
+            const std::int64_t found =
+                partner_[code] == none ? -1 : static_cast<std::int64_t>(partner_[code] / 4);
+            if (mesh_.neighbors[file] != found && bad++ == 0) first = code / 4;
+        }
+        add("neighbours", bad == 0,
+            bad == 0 ? "the file's neighbours are those that share facets"
+                     : fmt::format("{} neighbours in the file are wrong, the first of number {}",
+                                   bad, first));
+    }
+
+    void compare() {
+        std::vector<Quad> ours;
+        ours.reserve(reference_.tetrahedra.size() / 4);
+        for (std::size_t i = 0; i < reference_.tetrahedra.size(); i += 4) {
+            ours.push_back(load_quad(&reference_.tetrahedra[i]));
+        }
+        for (std::vector<Quad>* set : {&ours, &tetrahedra_}) {
+            for (Quad& v : *set) std::sort(v.begin(), v.end());
+            std::sort(set->begin(), set->end());
+            check_interrupt();
+        }
+        auto a = ours.begin();
+        for (const Quad& t : tetrahedra_) {
+            while (a != ours.end() && *a < t) ++a;
+            if (a != ours.end() && *a == t) {
+                ++report_.in_common;
+                ++a;
+            }
+        }
+    }
+
+    const Mesh& mesh_;
+    const Reference& reference_;
+    MeshReport report_;
+    std::vector<Quad> tetrahedra_;
+    std::vector<Index> partner_;  // code of the same facet in the other tetrahedron
+    std::size_t crowded_ = 0, folded_ = 0;
+    Index first_crowded_ = 0, first_folded_ = 0;
+    bool turned_ = false;
+};
+
+}  // namespace
+
+MeshReport check_mesh(const Mesh& mesh, const Reference& reference) {
+    return MeshChecker(mesh, reference).run();
+}
+
+}  // namespace mgdt::cli

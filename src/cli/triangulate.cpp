@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// mgdt triangulate: points in, tetrahedra out.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "cli/commands.hpp"
+#include "cli/errors.hpp"
+
+namespace mgdt::cli {
+namespace {
+
+double statistic(const Triangulation& t, std::int32_t key) {
+    double value = 0;
+    mgdt_get_stat(t.get(), key, &value);
+    return value;
+}
+
+void print_statistics(std::FILE* out, const Triangulation& t, const TriangulateOptions& options) {
+    const auto line = [out](const std::string& name, const std::string& value) {
+        fmt::print(out, "{:<28} {}\n", name, value);
+    };
+    line("order scheme", options.triangulation.scheme);
+    line("instruction set", mgdt_isa_name(t.get()));
+    line("threads", fmt::format("{}", options.triangulation.threads));
+    line("points", fmt::format("{}", mgdt_point_count(t.get())));
+    line("tetrahedra", fmt::format("{}", mgdt_tetrahedron_count(t.get())));
+    line("hull facets", fmt::format("{}", mgdt_hull_facet_count(t.get())));
+    for (std::int32_t key = 0; key < 1000; ++key) {
+        const char* name = mgdt_stat_name(key);
+        double value = 0;
+        if (name && mgdt_get_stat(t.get(), key, &value) == MGDT_OK) {
+            line(name, fmt::format("{}", value));
+        }
+    }
+    const double inserted = statistic(t, MGDT_STAT_POINTS_INSERTED);
+    if (inserted <= 0) return;
+    const auto rate = [&](const char* name, std::int32_t key) {
+        line(name, fmt::format("{:.3f}", statistic(t, key) / inserted));
+    };
+    rate("walk steps a point", MGDT_STAT_WALK_STEPS);
+    rate("conflict tests a point", MGDT_STAT_CONFLICT_TESTS);
+    rate("removed a point", MGDT_STAT_TETRAHEDRA_REMOVED);
+    rate("created a point", MGDT_STAT_TETRAHEDRA_CREATED);
+    const double seconds =
+        statistic(t, MGDT_STAT_ORDER_SECONDS) + statistic(t, MGDT_STAT_INSERT_SECONDS);
+    if (seconds > 0) line("points a second", fmt::format("{:.0f}", inserted / seconds));
+}
+
+const char* shape(std::int32_t dimension) {
+    switch (dimension) {
+        case -1:
+            return "there are no points";
+        case 0:
+            return "all points are equal";
+        case 1:
+            return "all points are on a line";
+        default:
+            return "all points are on a plane";
+    }
+}
+
+}  // namespace
+
+int triangulate(const TriangulateOptions& options) {
+    const OutputOptions& output = options.output;
+    const Format* format = nullptr;
+    if (!output.path.empty()) {
+        format = &output_format(output.path, output.to);
+        if (!format->write_mesh) {
+            throw Error(exit_usage,
+                        fmt::format("{} ({}) has no place for tetrahedra; write .vtu, .msh, .ele "
+                                    "or .npy",
+                                    format->name, format->description));
+        }
+        check_terminal(output, *format);
+        check_writable(output.path);
+    } else if (options.neighbors.empty() && !options.statistics && options.check_level == 0) {
+        throw Error(exit_usage,
+                    "nothing to do; say where to write with -o, or ask for --stats or "
+                    "--check");
+    }
+    if (!options.neighbors.empty()) {
+        check_writable(options.neighbors);
+        if (options.neighbors == output.path) {
+            throw Error(exit_usage, "-o and --neighbors name the same file");
+        }
+    }
+    // Standard output carries the file when it is asked to.
+    std::FILE* text = output.path == "-" || options.neighbors == "-" ? stderr : stdout;
+
+    Mesh mesh = read_input(options.input);
+    const auto begin = std::chrono::steady_clock::now();
+    double seconds = 0;
+    {
+        Triangulation t(options.triangulation);
+        t.insert(mesh.points, options.input.path == "-" ? "standard input" : options.input.path);
+        seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        const std::int32_t dimension = mgdt_dimension(t.get());
+        if (dimension < 3 && !options.triangulation.quiet) {
+            fmt::print(stderr, "mgdt: {}: {}, so there are no tetrahedra\n", options.input.path,
+                       shape(dimension));
+        }
+        if (options.statistics) print_statistics(text, t, options);
+        if (options.check_level > 0) {
+            const std::string defect = t.check(options.check_level);
+            if (!defect.empty()) {
+                throw Error(exit_check_failed,
+                            fmt::format("{}: check at level {} failed: {}; nothing was written",
+                                        options.input.path, options.check_level, defect));
+            }
+            if (!options.triangulation.quiet) {
+                fmt::print(text, "check at level {} passed\n", options.check_level);
+            }
+        }
+        mesh.tetrahedra = t.tetrahedra();
+        mesh.neighbors.clear();
+        if (!options.neighbors.empty() || format == &tetgen_format()) {
+            mesh.neighbors = t.neighbors();
+        }
+    }  // the handle's memory is not needed while the files are written
+
+    OutputSet outputs;
+    if (format) format->write_mesh(mesh, output.path, outputs, output.write);
+    if (!options.neighbors.empty()) {
+        write_npy_rows_of_4(mesh.neighbors, output.write.index_base,
+                            outputs.open(options.neighbors));
+    }
+    outputs.commit();
+    if (!options.triangulation.quiet && text == stdout) {
+        fmt::print("{}, {}, {:.2f} s{}{}\n", counted(mesh.point_count(), "point", "points"),
+                   counted(mesh.tetrahedron_count(), "tetrahedron", "tetrahedra"), seconds,
+                   format ? ": " : "", output.path);
+    }
+    return exit_ok;
+}
+
+}  // namespace mgdt::cli

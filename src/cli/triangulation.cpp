@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "cli/triangulation.hpp"
+
+#include <fmt/format.h>
+
+#include <new>
+
+#include "cli/errors.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/progress.hpp"
+
+namespace mgdt::cli {
+
+std::vector<std::string> scheme_names() {
+    std::vector<std::string> names;
+    // Enumerators have gaps, and a newer library may know more of them than this program.
+    for (std::int32_t scheme = 0; scheme < 1000; ++scheme) {
+        if (const char* name = mgdt_order_scheme_name(scheme)) names.emplace_back(name);
+    }
+    return names;
+}
+
+Triangulation::Triangulation(const TriangulationOptions& options) : quiet_(options.quiet) {
+    std::int32_t scheme = MGDT_ORDER_AUTO;
+    if (mgdt_order_scheme_from_name(options.scheme.c_str(), &scheme) != MGDT_OK) {
+        std::string names;
+        for (const std::string& name : scheme_names()) {
+            names += (names.empty() ? "" : ", ") + name;
+        }
+        throw Error(exit_usage, fmt::format("--scheme: unknown order scheme {}; it is one of {}",
+                                            quote(options.scheme), names));
+    }
+    const mgdt_status status = mgdt_create(&handle_);
+    if (status != MGDT_OK) throw std::bad_alloc();
+    try {
+        const auto set = [this](mgdt_status s, const char* option) {
+            if (s == MGDT_ERR_INVALID_ARGUMENT) {
+                char text[256] = "";
+                mgdt_get_error(handle_, sizeof text, text);
+                throw Error(exit_usage, fmt::format("{}: {}", option, text));
+            }
+            require(s, option);
+        };
+        const auto parameter = [&](const std::optional<double>& value, std::int32_t key,
+                                   const char* option) {
+            if (value) set(mgdt_set_order_parameter(handle_, key, *value), option);
+        };
+        set(mgdt_set_order_scheme(handle_, scheme), "--scheme");
+        set(mgdt_set_threads(handle_, options.threads), "--threads");
+        set(mgdt_set_seed(handle_, options.seed), "--seed");
+        set(mgdt_set_canonical_output(handle_, options.canonical ? 1 : 0), "--canonical");
+        set(mgdt_set_memory_limit(handle_, static_cast<std::int64_t>(options.memory_limit)),
+            "--memory-limit");
+        parameter(options.points_per_cell, MGDT_PARAMETER_POINTS_PER_CELL, "--points-per-cell");
+        parameter(options.threshold, MGDT_PARAMETER_THRESHOLD, "--threshold");
+        parameter(options.separation, MGDT_PARAMETER_SEPARATION, "--separation");
+        parameter(options.round_ratio, MGDT_PARAMETER_ROUND_RATIO, "--round-ratio");
+    } catch (...) {
+        mgdt_destroy(handle_);
+        throw;
+    }
+    set_cancellable(handle_);
+}
+
+Triangulation::~Triangulation() {
+    set_cancellable(nullptr);
+    mgdt_destroy(handle_);
+}
+
+void Triangulation::require(mgdt_status status, const std::string& doing) const {
+    if (status == MGDT_OK) return;
+    char text[256] = "";
+    mgdt_get_error(handle_, sizeof text, text);
+    const std::string what =
+        fmt::format("{}: {}", doing, text[0] != '\0' ? text : mgdt_status_string(status));
+    switch (status) {
+        case MGDT_ERR_CANCELLED:
+            check_interrupt();
+            break;
+        case MGDT_ERR_NOT_FINITE:
+            throw Error(exit_input, what + "; take the point out");
+        case MGDT_ERR_OUT_OF_MEMORY:
+            throw Error(exit_memory, what + "; triangulate fewer points or give it more memory");
+        case MGDT_ERR_TOO_LARGE:
+        case MGDT_ERR_INDEX_RANGE:
+            throw Error(exit_memory, what + "; triangulate fewer points");
+        default:
+            break;
+    }
+    throw Error(exit_internal, what);
+}
+
+void Triangulation::insert(const std::vector<double>& points, const std::string& name) {
+    check_interrupt();
+    Progress progress("triangulating", quiet_);
+    mgdt_set_progress(handle_, Progress::callback, &progress);
+    const mgdt_status status =
+        mgdt_insert_points(handle_, static_cast<std::int64_t>(points.size() / 3), points.data());
+    mgdt_set_progress(handle_, nullptr, nullptr);
+    require(status, name);
+}
+
+namespace {
+
+std::vector<std::int64_t> array(std::int64_t size) {
+    return std::vector<std::int64_t>(static_cast<std::size_t>(size));
+}
+
+}  // namespace
+
+std::vector<std::int64_t> Triangulation::tetrahedra() const {
+    auto v = array(4 * mgdt_tetrahedron_count(handle_));
+    require(mgdt_get_tetrahedra(handle_, static_cast<std::int64_t>(v.size()), v.data()),
+            "tetrahedra");
+    return v;
+}
+
+std::vector<std::int64_t> Triangulation::neighbors() const {
+    auto v = array(4 * mgdt_tetrahedron_count(handle_));
+    require(mgdt_get_neighbors(handle_, static_cast<std::int64_t>(v.size()), v.data()),
+            "neighbours");
+    return v;
+}
+
+std::vector<std::int64_t> Triangulation::hull_facets() const {
+    auto v = array(3 * mgdt_hull_facet_count(handle_));
+    require(mgdt_get_hull_facets(handle_, static_cast<std::int64_t>(v.size()), v.data()),
+            "hull facets");
+    return v;
+}
+
+std::vector<std::int64_t> Triangulation::point_map() const {
+    auto v = array(mgdt_point_count(handle_));
+    require(mgdt_get_point_map(handle_, static_cast<std::int64_t>(v.size()), v.data()),
+            "point map");
+    return v;
+}
+
+std::string Triangulation::check(int level) const {
+    const mgdt_status status = mgdt_check(handle_, level);
+    if (status != MGDT_ERR_CHECK_FAILED) {
+        require(status, "check");
+        return "";
+    }
+    char text[256] = "";
+    mgdt_get_error(handle_, sizeof text, text);
+    return text[0] != '\0' ? text : mgdt_status_string(status);
+}
+
+}  // namespace mgdt::cli

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// An mgdt handle as the program uses it: closed by its scope, its failures thrown as Error, and
+// cancelled by Ctrl-C.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/formats/mesh.hpp"
+#include "mgdt/mgdt.h"
+
+namespace mgdt::cli {
+
+struct TriangulationOptions {
+    std::string scheme = "auto";
+    int threads = 1;
+    std::uint64_t seed = 0;
+    std::uint64_t memory_limit = 0;  // bytes, 0 for none
+    bool canonical = false;
+    bool quiet = false;
+    // Of the order schemes; those left out keep the library's defaults.
+    std::optional<double> points_per_cell, threshold, separation, round_ratio;
+};
+
+// Names of the order schemes that the library knows.
+std::vector<std::string> scheme_names();
+
+class Triangulation {
+  public:
+    explicit Triangulation(const TriangulationOptions& options);
+    ~Triangulation();
+    Triangulation(const Triangulation&) = delete;
+    Triangulation& operator=(const Triangulation&) = delete;
+
+    // Inserts the points, with a progress bar. `name` is the file's, for messages.
+    void insert(const std::vector<double>& points, const std::string& name);
+
+    std::vector<std::int64_t> tetrahedra() const;
+    std::vector<std::int64_t> neighbors() const;
+    std::vector<std::int64_t> hull_facets() const;
+    std::vector<std::int64_t> point_map() const;
+    // Empty if the check passes, else what is wrong.
+    std::string check(int level) const;
+
+    const mgdt_triangulation* get() const { return handle_; }
+
+  private:
+    void require(mgdt_status status, const std::string& doing) const;
+
+    mgdt_triangulation* handle_ = nullptr;
+    bool quiet_;
+};
+
+}  // namespace mgdt::cli
