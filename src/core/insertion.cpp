@@ -179,15 +179,15 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
         ~Trim() { mesh.vertices.resize(base + in); }
     } trim{mesh_, base, in};
 
-    const std::size_t report = std::max<std::size_t>(n / 100, poll_interval);
-    std::size_t next_poll = report;
+    const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
+    std::size_t next_report = report_interval;
     for (std::size_t k = done; k < n; ++k) {
-        if (k >= next_poll) {
-            poll(k, n);
-            next_poll = k + report;
-        } else if (k % poll_interval == 0 && cancelled_.load(std::memory_order_relaxed)) {
-            next_poll = k + report;
-            poll(k, n);
+        if (k >= next_report) {
+            next_report += report_interval;
+            report(k, n);
+            stop_if_cancelled(k, n);
+        } else if (k % poll_interval == 0) {
+            stop_if_cancelled(k, n);
         }
         const VertexId q = static_cast<VertexId>(base + in);
         if (in != k) mesh_.vertices[q] = mesh_.vertices[base + k];
@@ -211,7 +211,7 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
             ++statistics_.duplicates;
         }
     }
-    if (settings_.progress) settings_.progress(1.0, settings_.progress_user);
+    report(n, n);
 }
 
 }  // namespace mgdt

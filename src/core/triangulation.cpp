@@ -53,7 +53,8 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
     exponents_.add(scan.exponents);
     set_scale(exponents_);
     point_map_.resize(first + n, infinite_vertex);
-    poll(0, n);
+    report(0, n);
+    stop_if_cancelled(0, n);
 
     Batch batch(allocator_);
     batch.use(scan, n, axis, stride, mesh_.scale, first);
@@ -116,11 +117,13 @@ void Triangulation::hold(const Batch& batch, const AffineBasis& basis) {
     basis_ = basis;
 }
 
-void Triangulation::poll(std::size_t done, std::size_t total) {
-    if (settings_.progress) {
-        const double fraction = static_cast<double>(done) / static_cast<double>(total);
-        if (settings_.progress(fraction, settings_.progress_user) != 0) cancel();
-    }
+void Triangulation::report(std::size_t done, std::size_t total) {
+    if (!settings_.progress) return;
+    const double fraction = static_cast<double>(done) / static_cast<double>(total);
+    if (settings_.progress(fraction, settings_.progress_user) != 0) cancel();
+}
+
+void Triangulation::stop_if_cancelled(std::size_t done, std::size_t total) {
     if (cancelled_.exchange(false, std::memory_order_relaxed))
         fail(MGDT_ERR_CANCELLED, "cancelled after %zu of %zu points", done, total);
 }

@@ -74,7 +74,8 @@ class Triangulation {
     void make_first_tetrahedra();
     void insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
                           std::size_t done);
-    void poll(std::size_t done, std::size_t total);
+    void report(std::size_t done, std::size_t total);
+    void stop_if_cancelled(std::size_t done, std::size_t total);
 
     mutable Allocator allocator_;
     Settings settings_;

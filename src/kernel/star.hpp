@@ -21,9 +21,10 @@ struct LocalNumbering {
         if (size < 2 * at_most) {
             if (size == 0) size = 512;
             while (size < 2 * at_most) size *= 2;
+            // Keys last: their number tells that both are there.
             w.numbering_keys.clear();
-            w.numbering_keys.resize(size, 0);
             w.numbering_values.resize(size);
+            w.numbering_keys.resize(size, 0);
         }
         w.local_ids.grow(at_most + 1);
         keys = w.numbering_keys.data();
