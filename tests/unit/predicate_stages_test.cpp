@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+// The stages of the predicates one by one: each is right or passes the question on, each is
+// reached, and each filter's constant is needed.
+#include <gtest/gtest.h>
+
+#include "exact_reference.hpp"
+#include "point_families.hpp"
+#include "predicates/predicates.hpp"
+#include "predicates/stages.hpp"
+
+namespace {
+
+using families::Five;
+using families::Random;
+using mgdt::exact::Bound;
+using mgdt::exact::undecided;
+using mgdt::exact::widths;
+
+const families::Family& family(const std::string& name) {
+    for (const auto& f : families::all()) {
+        if (f.name == name) return f;
+    }
+    throw std::invalid_argument(name);
+}
+
+TEST(Stages, AgreeOnEveryFamily) {
+    Random random(3);
+    for (const auto& f : families::all()) {
+        SCOPED_TRACE(f.name);
+        for (int i = 0; i < reference::cases(200); ++i) {
+            const Five p = f.make(random);
+            const double *a = p[0].data(), *b = p[1].data(), *c = p[2].data(), *d = p[3].data(),
+                         *q = p[4].data();
+            const int sphere = reference::side_of_sphere(p[0], p[1], p[2], p[3], p[4]);
+            const int solid = reference::orientation(p[0], p[1], p[2], p[3]);
+            const bool line = reference::collinear(p[0], p[1], p[2]);
+            const int nearer = reference::compare_distance(p[0], p[1], p[2]);
+            const auto right = [](int s, int expected) { return s == expected || s == undecided; };
+            EXPECT_TRUE(right(mgdt::exact::sphere_filter(a, b, c, d, q), sphere));
+            EXPECT_TRUE(right(mgdt::exact::sphere_lattice(a, b, c, d, q), sphere));
+            EXPECT_TRUE(right(mgdt::exact::orientation_filter(a, b, c, d), solid));
+            EXPECT_TRUE(right(mgdt::exact::orientation_lattice(a, b, c, d), solid));
+            EXPECT_TRUE(right(mgdt::exact::collinear_filter(a, b, c), line ? undecided : 1));
+            EXPECT_TRUE(right(mgdt::exact::distance_filter(a, b, c), nearer));
+            for (int width : widths) {
+                EXPECT_EQ(mgdt::exact::sphere_integer(a, b, c, d, q, width), sphere) << width;
+                EXPECT_EQ(mgdt::exact::orientation_integer(a, b, c, d, width), solid) << width;
+                EXPECT_EQ(mgdt::exact::collinear_integer(a, b, c, width), line) << width;
+                EXPECT_EQ(mgdt::exact::distance_integer(a, b, c, width), nearer) << width;
+            }
+        }
+    }
+}
+
+TEST(Stages, FilterDecidesGenericPoints) {
+    Random random(4);
+    int sphere = 0, solid = 0, line = 0, distance = 0;
+    for (int i = 0; i < 500; ++i) {
+        const Five p = family("uniform").make(random);
+        sphere += mgdt::exact::sphere_filter(p[0].data(), p[1].data(), p[2].data(), p[3].data(),
+                                             p[4].data()) == undecided;
+        solid += mgdt::exact::orientation_filter(p[0].data(), p[1].data(), p[2].data(),
+                                                 p[3].data()) == undecided;
+        line += mgdt::exact::collinear_filter(p[0].data(), p[1].data(), p[2].data()) == undecided;
+        distance +=
+            mgdt::exact::distance_filter(p[0].data(), p[1].data(), p[2].data()) == undecided;
+    }
+    EXPECT_EQ(sphere, 0);
+    EXPECT_EQ(solid, 0);
+    EXPECT_EQ(line, 0);
+    EXPECT_EQ(distance, 0);
+}
+
+TEST(Stages, LatticeDecidesItsTies) {
+    Random random(5);
+    int ties = 0;
+    for (const char* name : {"lattice 3", "rounded to 1/1024, far off"}) {
+        for (int i = 0; i < 2000; ++i) {
+            const Five p = family(name).make(random);
+            const double *a = p[0].data(), *b = p[1].data(), *c = p[2].data(), *d = p[3].data(),
+                         *q = p[4].data();
+            if (p[0] == p[1] && p[1] == p[2] && p[2] == p[3] && p[3] == p[4]) continue;
+            EXPECT_NE(mgdt::exact::sphere_lattice(a, b, c, d, q), undecided);
+            if (p[0] != p[1] || p[1] != p[2] || p[2] != p[3]) {
+                EXPECT_NE(mgdt::exact::orientation_lattice(a, b, c, d), undecided);
+            }
+            ties += mgdt::exact::sphere_lattice(a, b, c, d, q) == 0;
+        }
+    }
+    EXPECT_GT(ties, 200);
+}
+
+// The widest differences that the lattice stage takes, and the first beyond.
+TEST(Stages, LatticeEndsWhereItsIntegersEnd) {
+#ifdef __SIZEOF_INT128__
+    const double most = 0x1p24 - 1;
+#else
+    const double most = 0x1p11 - 1;
+#endif
+    for (double unit : {1.0, 0x1p-160, 0x1p180}) {
+        const double m = most * unit, o = 0;
+        const double a[] = {m, -m, m}, b[] = {-m, m, m}, c[] = {m, m, -m}, d[] = {-m, -m, -m};
+        const double q[] = {o, o, o}, odd[] = {unit, o, o};
+        EXPECT_EQ(mgdt::exact::sphere_lattice(a, b, c, d, q),
+                  mgdt::exact::sphere_integer(a, b, c, d, q));
+        EXPECT_EQ(mgdt::exact::sphere_lattice(a, b, c, d, a), 0);
+        const double half[] = {unit / 2, o, o};
+        EXPECT_NE(mgdt::exact::sphere_lattice(odd, b, c, d, q), undecided);
+        EXPECT_EQ(mgdt::exact::sphere_lattice(half, b, c, d, q), undecided);
+    }
+    // Differences that are not exact, although their rounded values are multiples of one unit.
+    const double a[] = {1, 0, 0}, b[] = {0, 1, 0}, c[] = {0, 0, 1}, d[] = {1, 1, 1};
+    const double q[] = {0x1p-60, 0, 0};
+    EXPECT_EQ(mgdt::exact::sphere_lattice(a, b, c, d, q), undecided);
+    EXPECT_EQ(mgdt::exact::orientation_lattice(q, a, b, c), undecided);
+    const double f[] = {1, 1, 0}, g[] = {1, 0, 1};
+    EXPECT_EQ(mgdt::exact::sphere_lattice(a, d, f, g, q), undecided);
+    const double e[] = {0x1p-60, 1, 1};  // the same with the small coordinate in front
+    EXPECT_EQ(mgdt::exact::sphere_lattice(e, b, c, q, d), undecided);
+    EXPECT_EQ(mgdt::exact::orientation_lattice(d, e, b, c), undecided);
+}
+
+TEST(Stages, EveryWidthIsTheLeastForSomePoints) {
+    Random random(6);
+    int used[std::size(widths)] = {};
+    for (const auto& f : families::all()) {
+        for (int i = 0; i < 300; ++i) {
+            const Five p = f.make(random);
+            const mgdt::exact::ExactDifferences<12> d(
+                {p[0].data(), p[1].data(), p[2].data(), p[3].data()}, p[4].data());
+            std::size_t w = 0;
+            while (w < std::size(widths) && d.bits() > widths[w]) ++w;
+            ASSERT_LT(w, std::size(widths));
+            ++used[w];
+        }
+    }
+    for (std::size_t w = 0; w < std::size(widths); ++w) EXPECT_GT(used[w], 0) << widths[w];
+}
+
+// Points in units of 2^-1074 up to the largest number need every bit of the last width.
+TEST(Stages, TheLastWidthHoldsTheWholeRange) {
+    const double big = DBL_MAX, tiny = 0x1p-1074;
+    const double a[] = {big, tiny, -big}, b[] = {-big, big, tiny}, c[] = {tiny, -big, big},
+                 d[] = {big, big, big}, q[] = {-big, -big, -big};
+    const mgdt::exact::ExactDifferences<12> e({a, b, c, d}, q);
+    EXPECT_EQ(e.bits(), 2100);
+    const auto point = [](const double* p) { return reference::Point{p[0], p[1], p[2]}; };
+    EXPECT_EQ(mgdt::side_of_sphere(a, b, c, d, q),
+              reference::side_of_sphere(point(a), point(b), point(c), point(d), point(q)));
+    EXPECT_EQ(mgdt::orientation(a, b, c, q),
+              reference::orientation(point(a), point(b), point(c), point(q)));
+}
+
+// Each filter's constants are tried on points made to be hard for it: with the constants it is
+// never wrong; with either part of the bound too small it is, so that neither the constants nor
+// these points are idle.
+template <class Make, class Filter, class Exact>
+int wrong_answers(const Make& make, const Filter& filter, const Exact& exact) {
+    Random random(8);
+    int wrong = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Five p = make(random);
+        const int s = filter(p);
+        if (s != undecided && s != exact(p)) ++wrong;
+    }
+    return wrong;
+}
+
+Bound with_relative_part_over(double factor, const Bound& b) {
+    return {b.relative / factor, b.underflow};
+}
+
+Bound without_underflow(const Bound& b) {
+    return {b.relative, 0};
+}
+
+Five scaled(Five five, int exponent) {
+    for (auto& p : five) {
+        for (double& v : p) v = std::ldexp(v, exponent);
+    }
+    return five;
+}
+
+// The same points where products of so many of their differences lie among the subnormals.
+template <class Make>
+auto where_products_underflow(int degree, const Make& make) {
+    return
+        [=](Random& r) { return scaled(make(r), r.integer(-1074 / degree - 2, -1000 / degree)); };
+}
+
+Five on_a_plane(Random& r) {
+    return family("rounded onto a plane").make(r);
+}
+Five on_a_sphere(Random& r) {
+    return family("rounded onto a sphere").make(r);
+}
+
+// Both others as far from the first: their coordinates are the same in another order.
+Five equidistant(Random& r) {
+    const auto p = r.in_cube(-1, 1);
+    return {{{0, 0, 0}, p, {p[1], p[2], p[0]}, {}, {}}};
+}
+
+// On one line exactly, though b - a takes more than 53 bits and is rounded: let n be a small
+// integer, a = (2^4 j - n) 2^-53 and b = n; then c = b - 2^53 (b - a) = 2^4 j - 2^53 n.
+Five on_a_line(Random& r) {
+    Five p{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double n = r.integer(1, 15), j = std::floor(r.uniform(-0x1p48, 0x1p48));
+        p[0][k] = (0x1p4 * j - n) * 0x1p-53;
+        p[1][k] = n;
+        p[2][k] = 0x1p4 * j - 0x1p53 * n;
+    }
+    return p;
+}
+
+Five around_the_origin(Random& r) {
+    return {{{0, 0, 0}, r.in_cube(-1, 1), r.in_cube(-1, 1), {}, {}}};
+}
+
+int sphere_exact(const Five& p) {
+    return mgdt::exact::sphere_integer(p[0].data(), p[1].data(), p[2].data(), p[3].data(),
+                                       p[4].data());
+}
+
+int orientation_exact(const Five& p) {
+    return mgdt::exact::orientation_integer(p[0].data(), p[1].data(), p[2].data(), p[3].data());
+}
+
+int distance_exact(const Five& p) {
+    return mgdt::exact::distance_integer(p[0].data(), p[1].data(), p[2].data());
+}
+
+int line_exact(const Five& p) {
+    return mgdt::exact::collinear_integer(p[0].data(), p[1].data(), p[2].data()) ? 0 : 1;
+}
+
+auto sphere_with(Bound bound) {
+    return [bound](const Five& p) {
+        return mgdt::exact::sphere_filter(p[0].data(), p[1].data(), p[2].data(), p[3].data(),
+                                          p[4].data(), bound);
+    };
+}
+
+auto orientation_with(Bound bound) {
+    return [bound](const Five& p) {
+        return mgdt::exact::orientation_filter(p[0].data(), p[1].data(), p[2].data(), p[3].data(),
+                                               bound);
+    };
+}
+
+auto distance_with(Bound bound) {
+    return [bound](const Five& p) {
+        return mgdt::exact::distance_filter(p[0].data(), p[1].data(), p[2].data(), bound);
+    };
+}
+
+auto line_with(Bound bound) {
+    return [bound](const Five& p) {
+        return mgdt::exact::collinear_filter(p[0].data(), p[1].data(), p[2].data(), bound);
+    };
+}
+
+TEST(FilterConstants, Sphere) {
+    const Bound bound = mgdt::exact::sphere_bound;
+    const auto wrong = [](const auto& make, const Bound& b) {
+        return wrong_answers(make, sphere_with(b), sphere_exact);
+    };
+    const auto tiny = where_products_underflow(5, on_a_sphere);
+    EXPECT_EQ(wrong(on_a_sphere, bound), 0);
+    EXPECT_GT(wrong(on_a_sphere, with_relative_part_over(16, bound)), 0);
+    EXPECT_EQ(wrong(tiny, bound), 0);
+    EXPECT_GT(wrong(tiny, without_underflow(bound)), 0);
+}
+
+TEST(FilterConstants, Orientation) {
+    const Bound bound = mgdt::exact::orientation_bound;
+    const auto wrong = [](const auto& make, const Bound& b) {
+        return wrong_answers(make, orientation_with(b), orientation_exact);
+    };
+    const auto tiny = where_products_underflow(3, on_a_plane);
+    EXPECT_EQ(wrong(on_a_plane, bound), 0);
+    EXPECT_GT(wrong(on_a_plane, with_relative_part_over(12, bound)), 0);
+    EXPECT_EQ(wrong(tiny, bound), 0);
+    EXPECT_GT(wrong(tiny, without_underflow(bound)), 0);
+}
+
+TEST(FilterConstants, Distance) {
+    const Bound bound = mgdt::exact::distance_bound;
+    const auto wrong = [](const auto& make, const Bound& b) {
+        return wrong_answers(make, distance_with(b), distance_exact);
+    };
+    const auto tiny = where_products_underflow(2, around_the_origin);
+    EXPECT_EQ(wrong(equidistant, bound), 0);
+    EXPECT_GT(wrong(equidistant, with_relative_part_over(8, bound)), 0);
+    EXPECT_EQ(wrong(tiny, bound), 0);
+    EXPECT_GT(wrong(tiny, without_underflow(bound)), 0);
+}
+
+// Where differences are exact, both products of a collinear triple are the same number and round
+// the same way, so only the relative part is ever needed.
+TEST(FilterConstants, Collinear) {
+    const Bound bound = mgdt::exact::collinear_bound;
+    const auto wrong = [](const auto& make, const Bound& b) {
+        return wrong_answers(make, line_with(b), line_exact);
+    };
+    EXPECT_EQ(wrong(on_a_line, bound), 0);
+    EXPECT_GT(wrong(on_a_line, with_relative_part_over(4, bound)), 0);
+    EXPECT_EQ(wrong(where_products_underflow(2, on_a_line), bound), 0);
+}
+
+}  // namespace
