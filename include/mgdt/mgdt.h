@@ -241,6 +241,15 @@ MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation *t);
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_canonical_output(mgdt_triangulation *t, int32_t on);
 
+/** Chooses the instruction set of the kernel; for tests and measurements. The tetrahedra are the
+ *  same for each. Without this call it is the best that the processor has, or the one that the
+ *  environment variable MGDT_ISA names when the handle is made.
+ *  @param name  "baseline", or on x86-64 "avx2" or "avx512"; NULL for the best
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER (t), MGDT_ERR_INVALID_ARGUMENT (an unknown name, or a
+ *  set that this processor does not have)
+ *  @since 1.0 */
+MGDT_API mgdt_status mgdt_set_isa(mgdt_triangulation *t, const char *name);
+
 /* ----------------------------------------------------------------------------- points --- */
 
 /** Inserts points. They may be given in any number of calls, with the same result. Points with
@@ -458,8 +467,8 @@ MGDT_API const char *mgdt_version_string(void);
  *  @since 1.0 */
 MGDT_API int32_t mgdt_abi_version(void);
 
-/** Instruction set of the kernel that the handle uses ("baseline"). The string is static; an
- *  empty one for NULL.
+/** Instruction set of the kernel that the handle uses ("baseline", see mgdt_set_isa()). The
+ *  string is static; an empty one for NULL.
  *  @since 1.0 */
 MGDT_API const char *mgdt_isa_name(const mgdt_triangulation *t);
 

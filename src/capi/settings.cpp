@@ -27,14 +27,12 @@ bool flag(std::int32_t value, const char* name) {
 extern "C" mgdt_status mgdt_set_order_scheme(mgdt_triangulation* t, int32_t scheme) {
     return guard(t, [&] {
         if (!mgdt_order_scheme_name(scheme))
-            fail(MGDT_ERR_UNKNOWN_SCHEME, "there is no order scheme %d",
-                 static_cast<int>(scheme));
+            fail(MGDT_ERR_UNKNOWN_SCHEME, "there is no order scheme %d", static_cast<int>(scheme));
         t->core.settings().scheme = scheme;
     });
 }
 
-extern "C" mgdt_status mgdt_set_order_parameter(mgdt_triangulation* t, int32_t key,
-                                                double value) {
+extern "C" mgdt_status mgdt_set_order_parameter(mgdt_triangulation* t, int32_t key, double value) {
     return guard(t, [&] {
         const OrderParameters by_default;
         OrderParameters& order = t->core.settings().order;
@@ -57,8 +55,7 @@ extern "C" mgdt_status mgdt_set_order_parameter(mgdt_triangulation* t, int32_t k
                     parameter_or(value, by_default.round_ratio, 1, 1e6, true, "round ratio");
                 break;
             default:
-                fail(MGDT_ERR_UNKNOWN_KEY, "there is no order parameter %d",
-                     static_cast<int>(key));
+                fail(MGDT_ERR_UNKNOWN_KEY, "there is no order parameter %d", static_cast<int>(key));
         }
     });
 }
@@ -101,6 +98,16 @@ extern "C" mgdt_status mgdt_cancel(mgdt_triangulation* t) {
     if (!t) return MGDT_ERR_NULL_POINTER;
     t->core.cancel();
     return MGDT_OK;
+}
+
+extern "C" mgdt_status mgdt_set_isa(mgdt_triangulation* t, const char* name) {
+    return guard(t, [&] {
+        const Kernel* kernel = find_kernel(name);
+        if (!kernel)
+            fail(MGDT_ERR_INVALID_ARGUMENT,
+                 "instruction set \"%.32s\" is unknown or not in this processor", name);
+        t->core.set_kernel(*kernel);
+    });
 }
 
 extern "C" mgdt_status mgdt_set_canonical_output(mgdt_triangulation* t, int32_t on) {

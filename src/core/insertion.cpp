@@ -20,9 +20,7 @@ constexpr std::uint32_t max_insertions = (1u << 31) - 2;
 class Stopwatch {
   public:
     explicit Stopwatch(double& seconds) : seconds_(seconds), start_(clock::now()) {}
-    ~Stopwatch() {
-        seconds_ += std::chrono::duration<double>(clock::now() - start_).count();
-    }
+    ~Stopwatch() { seconds_ += std::chrono::duration<double>(clock::now() - start_).count(); }
 
   private:
     using clock = std::chrono::steady_clock;
@@ -63,8 +61,7 @@ void bring_to_front(Schedule& schedule, const std::size_t positions[4]) {
 
 }  // namespace
 
-void Triangulation::copy_vertices(const Batch& batch, const Schedule& schedule,
-                                  std::size_t base) {
+void Triangulation::copy_vertices(const Batch& batch, const Schedule& schedule, std::size_t base) {
     mesh_.vertices.resize(base + batch.points.size);
     for (std::size_t k = 0; k < batch.points.size; ++k) {
         const std::uint32_t i = schedule.order[k];
@@ -98,7 +95,7 @@ void Triangulation::insert_batch(const Batch& batch, bool fresh) {
     if (n > max_insertions - mesh_.insertion) {
         // Insertion numbers begin again: forget the marks made with the old ones.
         for (Tetrahedron& t : mesh_.tetrahedra) t.mark = 0;
-        workspace_.numbering_keys.reset();
+        workspace_.forget_insertions();
         mesh_.insertion = 0;
     }
 
@@ -167,8 +164,8 @@ void Triangulation::make_first_tetrahedra() {
     statistics_.points_inserted += 4;
 }
 
-void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedule,
-                                     std::size_t base, std::size_t done) {
+void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
+                                     std::size_t done) {
     const std::size_t n = batch.points.size;
     // Vertices of duplicates are taken out as they turn up: those behind move forward.
     std::size_t in = done;
@@ -198,7 +195,7 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
             start = mesh_.vertices[point_map_[batch.index(schedule.order[schedule.hints[k]])]].tet;
         else if (k == 0)
             start = jump(mesh_, base - 1, mesh_.point(q), last_);
-        const Insertion result = kernel_.insert(mesh_, workspace_, q, start);
+        const Insertion result = kernel_->insert(mesh_, workspace_, q, start);
         last_ = result.tetrahedron;
         if (result.duplicate == infinite_vertex) {
             point_map_[index] = q;

@@ -8,7 +8,7 @@ namespace mgdt {
 
 Triangulation::Triangulation(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
     : allocator_(alloc, release, user),
-      kernel_(select_kernel()),
+      kernel_(&default_kernel()),
       mesh_(allocator_),
       workspace_(allocator_),
       point_map_(allocator_),
@@ -25,7 +25,7 @@ void Triangulation::clear() noexcept {
     basis_.clear();
     exponents_ = ExponentRange();
     last_ = no_tetrahedron;
-    workspace_.slots.clear();
+    workspace_.slot_count = 0;
     statistics_ = Statistics();
     workspace_.counters = Counters();
     cancelled_.store(false, std::memory_order_relaxed);
@@ -44,8 +44,7 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
     if (n > max_points - first)
         fail(MGDT_ERR_TOO_LARGE, "%zu points after %zu; at most %zu can be numbered", n, first,
              max_points);
-    const PointScan scan(n, axis, stride,
-                         static_cast<long long>(first) + settings_.index_base);
+    const PointScan scan(n, axis, stride, static_cast<long long>(first) + settings_.index_base);
     if (n == 0) return;
 
     point_map_.grow(first + n);
@@ -106,8 +105,7 @@ void Triangulation::hold(const Batch& batch, const AffineBasis& basis) {
         double p[3];
         batch.get(i, p);
         const std::size_t before = vertex_count();
-        point_map_[batch.index(i)] =
-            held_.add(mesh_, p, batch.index(i));
+        point_map_[batch.index(i)] = held_.add(mesh_, p, batch.index(i));
         if (vertex_count() > before)
             ++statistics_.points_inserted;
         else

@@ -9,8 +9,9 @@
 #include "core/affine_basis.hpp"
 #include "core/held_points.hpp"
 #include "core/point_scan.hpp"
-#include "mesh/scale.hpp"
+#include "kernel/circumsphere.hpp"
 #include "kernel/kernel.hpp"
+#include "mesh/scale.hpp"
 #include "order/schedule.hpp"
 #include "query/numbering.hpp"
 
@@ -50,7 +51,8 @@ class Triangulation {
     const Settings& settings() const noexcept { return settings_; }
     Allocator& allocator() const noexcept { return allocator_; }
     const Mesh& mesh() const noexcept { return mesh_; }
-    const Kernel& kernel() const noexcept { return kernel_; }
+    const Kernel& kernel() const noexcept { return *kernel_; }
+    void set_kernel(const Kernel& kernel) noexcept { kernel_ = &kernel; }
     const Counters& counters() const noexcept { return workspace_.counters; }
     const Statistics& statistics() const noexcept { return statistics_; }
     int dimension() const noexcept { return basis_.dimension(); }
@@ -79,7 +81,7 @@ class Triangulation {
 
     mutable Allocator allocator_;
     Settings settings_;
-    const Kernel& kernel_;
+    const Kernel* kernel_;
     Mesh mesh_;
     Workspace workspace_;
     Buffer<VertexId> point_map_;

@@ -11,17 +11,10 @@
 // The mesh is otherwise unchanged, so that an insertion can be given up until the star is built.
 #pragma once
 
-#include "kernel/workspace.hpp"
+#include "kernel/candidate.hpp"
 
 namespace mgdt {
-
-inline void prefetch(const void* p) {
-#if defined(__GNUC__)
-    __builtin_prefetch(p);
-#else
-    static_cast<void>(p);
-#endif
-}
+inline namespace MGDT_ISA {
 
 // Decides a candidate whose power does not.
 inline bool is_conflict_undecided(const Mesh& mesh, Tetrahedron& t, const Query& q,
@@ -35,60 +28,63 @@ inline bool is_conflict_undecided(const Mesh& mesh, Tetrahedron& t, const Query&
 }
 
 inline void dig_cavity(Mesh& mesh, Workspace& w, TetId start, const Query& q) {
-    Tetrahedron* tetrahedra = mesh.tetrahedra.data();
-    const Vertex* vertices = mesh.vertices.data();
+    Tetrahedron* const tetrahedra = mesh.tetrahedra.data();
+    const Vertex* const vertices = mesh.vertices.data();
     const std::uint32_t inside = 2 * ++mesh.insertion + 1;
+    const CandidateTest test(q);
 
-    w.candidates.grow(64);
-    w.cavity.grow(64);
-    w.boundary.grow(64);
-    // The first tetrahedron is entered through no face; face 0 stands in, its neighbour is a
-    // candidate like the others.
+    if (MGDT_UNLIKELY(w.boundary_capacity == 0)) w.grow_cavity(0, 64, 0, 64, 0, 64);
+    // The first tetrahedron is entered through no face; face 0 stands in.
     tetrahedra[start].mark = inside;
-    w.cavity[0] = 4 * start;
-    for (unsigned i = 0; i < 4; ++i) w.candidates[i] = tetrahedra[start].n[i];
-    std::size_t cavity_end = 1, boundary_end = 0, begin = 0, end = 4;
+    w.cavity.data[0] = 4 * start;
+    for (unsigned i = 0; i < 4; ++i) w.candidates.data[i] = tetrahedra[start].n[i];
+    const FacetCode* next = w.candidates.data;
+    FacetCode* candidates_end = w.candidates.data + 4;
+    FacetCode* cavity_end = w.cavity.data + 1;
+    BoundaryFacet* boundary_end = w.boundary.data;
 
-    while (begin < end) {
-        const std::size_t wave = end - begin;
-        // Room for all that the wave can add; the loop below stores past the ends it keeps.
-        w.candidates.resize(end);
-        w.candidates.grow(end + 3 * wave + 1);
-        w.cavity.resize(cavity_end);
-        w.cavity.grow(cavity_end + wave + 1);
-        w.boundary.resize(boundary_end);
-        w.boundary.grow(boundary_end + wave + 1);
-        FacetCode* const candidates = w.candidates.data();
-        FacetCode* const cavity = w.cavity.data();
-        BoundaryFacet* const boundary = w.boundary.data();
-        for (std::size_t i = begin; i < begin + wave; ++i)
-            prefetch(&tetrahedra[candidates[i] >> 2]);
+    while (next != candidates_end) {
+        const std::size_t wave = static_cast<std::size_t>(candidates_end - next);
+        const std::size_t candidates = static_cast<std::size_t>(candidates_end - w.candidates.data);
+        const std::size_t members = static_cast<std::size_t>(cavity_end - w.cavity.data);
+        const std::size_t facets = static_cast<std::size_t>(boundary_end - w.boundary.data);
+        // Room for all that the wave can add.
+        if (MGDT_UNLIKELY((candidates + 3 * wave > w.candidate_capacity) |
+                          (members + wave > w.cavity_capacity) |
+                          (facets + wave > w.boundary_capacity))) {
+            w.grow_cavity(candidates, candidates + 3 * wave, members, members + wave, facets,
+                          facets + wave);
+            candidates_end = w.candidates.data + candidates;
+            cavity_end = w.cavity.data + members;
+            boundary_end = w.boundary.data + facets;
+            next = candidates_end - wave;
+        }
+        const FacetCode* const wave_end = candidates_end;
+        for (const FacetCode* code = next; code != wave_end; ++code)
+            prefetch(&tetrahedra[*code >> 2]);
 
-        for (const std::size_t stop = begin + wave; begin < stop; ++begin) {
-            const FacetCode code = candidates[begin];
-            const unsigned face = code & 3;
+        for (; next != wave_end; ++next) {
+            const FacetCode code = *next;
             Tetrahedron& t = tetrahedra[code >> 2];
-            const Power s = power(t, vertices, q);
-            bool conflict = s.is_conflict();
-            if (__builtin_expect(!s.is_decided(), 0))
+            const Power s = test(t, vertices);
+            std::uint32_t conflict = s.is_conflict();
+            if (MGDT_UNLIKELY(!s.is_decided()))
                 conflict = is_conflict_undecided(mesh, t, q, inside, w.counters);
-            const bool fresh = conflict & (t.mark != inside);
-            t.mark = fresh ? inside : t.mark;
-
-            const unsigned char* order = outer_face[face];
-            boundary[boundary_end] = {{t.v[order[0]], t.v[order[1]], t.v[order[2]]}, code};
-            boundary_end += !conflict;
-            cavity[cavity_end] = code;
+            conflict = opaque(conflict);
+            const std::uint32_t mark = t.mark;
+            const std::uint32_t fresh = opaque(conflict & (mark != inside));
+            t.mark = mark ^ ((mark ^ inside) & (0 - fresh));
+            test.write(t, code, boundary_end, candidates_end);
+            *cavity_end = code;
+            boundary_end += 1 - conflict;
             cavity_end += fresh;
-            candidates[end] = t.n[order[0]];
-            candidates[end + 1] = t.n[order[1]];
-            candidates[end + 2] = t.n[order[2]];
-            end += fresh ? 3 : 0;
+            candidates_end += 3 * fresh;
         }
     }
-    w.cavity.resize(cavity_end);
-    w.boundary.resize(boundary_end);
-    w.counters.conflict_tests += end;
+    w.cavity_size = static_cast<std::size_t>(cavity_end - w.cavity.data);
+    w.boundary_size = static_cast<std::size_t>(boundary_end - w.boundary.data);
+    w.counters.conflict_tests += static_cast<std::size_t>(candidates_end - w.candidates.data);
 }
 
+}  // namespace MGDT_ISA
 }  // namespace mgdt

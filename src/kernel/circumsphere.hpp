@@ -15,9 +15,14 @@
 #include <cstring>
 #include <limits>
 
+#include "kernel/isa.hpp"
 #include "mesh/tetrahedron.hpp"
 
 namespace mgdt {
+
+struct Mesh;
+
+inline namespace MGDT_ISA {
 
 // Coefficients of the error bounds, in units of 2^-53. Tests make them smaller to see the filter
 // fail.
@@ -87,22 +92,20 @@ struct LocalVertex {
     double largest;  // max of the coordinates' magnitudes
 };
 
-inline LocalVertex relative_to(const double* a, const double* base) {
-    LocalVertex r;
-    r.x = a[0] - base[0];
-    r.y = a[1] - base[1];
-    r.z = a[2] - base[2];
-    r.square = r.x * r.x + r.y * r.y + r.z * r.z;
-    r.largest = std::fmax(std::fabs(r.x), std::fmax(std::fabs(r.y), std::fabs(r.z)));
-    return r;
-}
-
-inline double max_magnitude(double a, double b, double c) {
+MGDT_ALWAYS_INLINE double max_magnitude(double a, double b, double c) {
     a = std::fabs(a);
     b = std::fabs(b);
     c = std::fabs(c);
     a = a > b ? a : b;
     return a > c ? a : c;
+}
+
+MGDT_ALWAYS_INLINE LocalVertex local_vertex(double x, double y, double z) {
+    return {x, y, z, x * x + y * y + z * z, max_magnitude(x, y, z)};
+}
+
+MGDT_ALWAYS_INLINE LocalVertex relative_to(const double* a, const double* base) {
+    return local_vertex(a[0] - base[0], a[1] - base[1], a[2] - base[2]);
 }
 
 // w and e of the finite tetrahedron (base, a, b, c).
@@ -127,8 +130,8 @@ inline void set_sphere(const LocalVertex& a, const LocalVertex& b, const LocalVe
     const double sum = a.square * lbc + b.square * lca + c.square * lab;
     const double product = a.largest * lbc;
     const double largest = max_magnitude(t.w[0], t.w[1], t.w[2]);
-    const double bound = unit_roundoff * inverse *
-                         (bounds.sphere_sum * sum + bounds.sphere_det * product * largest);
+    const double bound =
+        unit_roundoff * inverse * (bounds.sphere_sum * sum + bounds.sphere_det * product * largest);
     const bool sound = det > bounds.sphere_det * unit_roundoff * product;
     t.e = round_up(sound ? bound : infinity);
 }
@@ -142,13 +145,14 @@ inline void set_normal(const LocalVertex& a, const LocalVertex& b, Tetrahedron& 
     t.e = -round_up(bounds.normal * unit_roundoff * a.largest * b.largest);
 }
 
+}  // namespace MGDT_ISA
+
 // w and e of any tetrahedron from its vertices. Where a vertex is outside the normal range the
 // bound is infinite.
 void set_circumsphere(Tetrahedron& t, const Vertex* vertices);
 
 // Whether q is in conflict with t, decided exactly, ties by perturbation. q is none of its
 // vertices.
-struct Mesh;
 bool is_conflict_exact(const Mesh& mesh, const Tetrahedron& t, const double* q);
 
 // The vertex of t that has the coordinates of q, or infinite_vertex.

@@ -17,11 +17,14 @@ struct Kernel {
     // Inserts vertex q, whose record is in the mesh, walking from `start`. Strong guarantee: when
     // it throws (std::bad_alloc, Error with MGDT_ERR_TOO_LARGE) the triangulation is unchanged.
     Insertion (*insert)(Mesh& mesh, Workspace& workspace, VertexId q, TetId start);
-    // A tetrahedron in conflict with q near `start`; see walk.hpp.
-    TetId (*approach)(const Mesh& mesh, TetId start, const Query& q, Counters& counters);
+    // A tetrahedron in conflict with point q near `start`; see walk.hpp.
+    TetId (*approach)(const Mesh& mesh, TetId start, const double* q, Counters& counters);
 };
 
-// The best kernel that this processor runs.
-const Kernel& select_kernel() noexcept;
+// The kernel of that name, or the best for NULL; nullptr if this processor does not run it.
+const Kernel* find_kernel(const char* name) noexcept;
+
+// The kernel that MGDT_ISA in the environment names if the processor runs it, else the best.
+const Kernel& default_kernel() noexcept;
 
 }  // namespace mgdt

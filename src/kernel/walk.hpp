@@ -9,10 +9,12 @@
 // without conflict, an exact visibility walk takes over.
 #pragma once
 
+#include "kernel/circumsphere.hpp"
 #include "kernel/workspace.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
+inline namespace MGDT_ISA {
 
 struct WalkResult {
     TetId tetrahedron;   // in conflict with q, or has the vertex
@@ -56,16 +58,16 @@ inline TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& co
 inline TetId choose_in_star(const Mesh& mesh, const Workspace& w, const Query& q,
                             Counters& counters) {
     constexpr std::size_t sample = 4;
-    const std::size_t size = w.slots.size(), stride = size / sample + 1;
-    TetId best = w.slots[0];
+    const std::size_t size = w.slot_count, stride = size / sample + 1;
+    TetId best = w.slots.data[0];
     double least = infinity;
     for (std::size_t i = 0; i < size; i += stride) {
-        const Tetrahedron& t = mesh.tetrahedra[w.slots[i]];
+        const Tetrahedron& t = mesh.tetrahedra[w.slots.data[i]];
         const double value = power(t, mesh.vertices.data(), q).value;
         ++counters.walk_tests;
         if (!t.is_ghost() && value < least) {
             least = value;
-            best = w.slots[i];
+            best = w.slots.data[i];
         }
     }
     return best;
@@ -112,4 +114,5 @@ inline WalkResult walk(const Mesh& mesh, TetId start, const Query& q, Counters& 
     return {t, vertex_at(mesh, mesh.tetrahedra[t], q.point)};
 }
 
+}  // namespace MGDT_ISA
 }  // namespace mgdt

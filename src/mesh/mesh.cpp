@@ -16,8 +16,9 @@ void Mesh::clear() {
     has_extremes = false;
 }
 
-void Mesh::reserve_slots(std::size_t count) {
-    const std::size_t needed = tetrahedra.size() + count - std::min(count, free_slots.size());
+void Mesh::grow_slots(std::size_t taken, std::size_t freed) {
+    free_slots.grow(free_slots.size() + freed);
+    const std::size_t needed = tetrahedra.size() + taken - std::min(taken, free_slots.size());
     if (needed <= tetrahedra.capacity()) return;
     if (needed > max_tetrahedra)
         fail(MGDT_ERR_TOO_LARGE, "more than 2^30 tetrahedra (%zu vertices are in)",

@@ -14,11 +14,15 @@ struct Mesh {
     // Empties the mesh but for the vertex at infinity. The scale stays, and the insertion number
     // goes on: scratch tables know their own entries by it.
     void clear();
-    // Makes the next `count` calls of take_slot() infallible. Throws std::bad_alloc, or
+    // Makes so many calls of take_slot() and free_slot() possible. Throws std::bad_alloc, or
     // MGDT_ERR_TOO_LARGE beyond max_tetrahedra, with nothing changed.
-    void reserve_slots(std::size_t count);
+    MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) {
+        if (MGDT_UNLIKELY((tetrahedra.size() + taken > tetrahedra.capacity() + free_slots.size()) |
+                          (free_slots.size() + freed > free_slots.capacity())))
+            grow_slots(taken, freed);
+    }
     TetId take_slot() noexcept;
-    void free_slot(TetId t);
+    void free_slot(TetId t) noexcept;
 
     std::size_t live_count() const noexcept { return tetrahedra.size() - free_slots.size(); }
     std::size_t finite_count() const noexcept { return live_count() - ghost_count; }
@@ -32,22 +36,27 @@ struct Mesh {
     int scale = 0;                // coordinates carry the factor 2^scale, see mesh/scale.hpp
     std::uint32_t insertion = 0;  // number of the current insertion, for the marks
     bool has_extremes = false;    // some vertex is outside the range in which filters are proved
+
+  private:
+    void grow_slots(std::size_t taken, std::size_t freed);
 };
 
-inline TetId Mesh::take_slot() noexcept {
+MGDT_ALWAYS_INLINE TetId Mesh::take_slot() noexcept {
     if (!free_slots.empty()) {
         const TetId t = free_slots.back();
         free_slots.pop_back();
         return t;
     }
     const TetId t = static_cast<TetId>(tetrahedra.size());
-    tetrahedra.resize(t + 1u);
+    tetrahedra.resize_within_capacity(t + std::size_t{1});
     tetrahedra[t].mark = 0;
     return t;
 }
 
-inline void Mesh::free_slot(TetId t) {
-    free_slots.push_back(t);
+MGDT_ALWAYS_INLINE void Mesh::free_slot(TetId t) noexcept {
+    const std::size_t size = free_slots.size();
+    free_slots.resize_within_capacity(size + 1);
+    free_slots[size] = t;
     tetrahedra[t].kill();
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "platform/cpu.hpp"
+
 namespace mgdt {
 
 using VertexId = std::uint32_t;
@@ -38,11 +40,11 @@ struct alignas(64) Tetrahedron {
     float e;             // bound of the error of w; its sign bit is set in a ghost
     std::uint32_t mark;  // number of the last insertion that decided on it, see kernel/cavity.hpp
 
-    bool is_ghost() const noexcept { return std::signbit(e); }
+    MGDT_ALWAYS_INLINE bool is_ghost() const noexcept { return std::signbit(e); }
     // The base vertex of a live tetrahedron is finite.
-    bool is_dead() const noexcept { return v[0] == infinite_vertex; }
+    MGDT_ALWAYS_INLINE bool is_dead() const noexcept { return v[0] == infinite_vertex; }
     void kill() noexcept { v[0] = infinite_vertex; }
-    int infinite_slot() const noexcept {
+    MGDT_ALWAYS_INLINE int infinite_slot() const noexcept {
         return v[1] == infinite_vertex ? 1 : v[2] == infinite_vertex ? 2 : 3;
     }
 };

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "mgdt/mgdt.h"
+#include "platform/cpu.hpp"
 
 namespace mgdt {
 
@@ -82,19 +83,19 @@ class Buffer {
     }
     ~Buffer() { reset(); }
 
-    T* data() noexcept { return data_; }
-    const T* data() const noexcept { return data_; }
-    T& operator[](std::size_t i) noexcept { return data_[i]; }
-    const T& operator[](std::size_t i) const noexcept { return data_[i]; }
-    T* begin() noexcept { return data_; }
-    T* end() noexcept { return data_ + size_; }
-    const T* begin() const noexcept { return data_; }
-    const T* end() const noexcept { return data_ + size_; }
-    T& back() noexcept { return data_[size_ - 1]; }
-    const T& back() const noexcept { return data_[size_ - 1]; }
-    std::size_t size() const noexcept { return size_; }
-    std::size_t capacity() const noexcept { return capacity_; }
-    bool empty() const noexcept { return size_ == 0; }
+    MGDT_ALWAYS_INLINE T* data() noexcept { return data_; }
+    MGDT_ALWAYS_INLINE const T* data() const noexcept { return data_; }
+    MGDT_ALWAYS_INLINE T& operator[](std::size_t i) noexcept { return data_[i]; }
+    MGDT_ALWAYS_INLINE const T& operator[](std::size_t i) const noexcept { return data_[i]; }
+    MGDT_ALWAYS_INLINE T* begin() noexcept { return data_; }
+    MGDT_ALWAYS_INLINE T* end() noexcept { return data_ + size_; }
+    MGDT_ALWAYS_INLINE const T* begin() const noexcept { return data_; }
+    MGDT_ALWAYS_INLINE const T* end() const noexcept { return data_ + size_; }
+    MGDT_ALWAYS_INLINE T& back() noexcept { return data_[size_ - 1]; }
+    MGDT_ALWAYS_INLINE const T& back() const noexcept { return data_[size_ - 1]; }
+    MGDT_ALWAYS_INLINE std::size_t size() const noexcept { return size_; }
+    MGDT_ALWAYS_INLINE std::size_t capacity() const noexcept { return capacity_; }
+    MGDT_ALWAYS_INLINE bool empty() const noexcept { return size_ == 0; }
     Allocator& allocator() const noexcept { return *allocator_; }
 
     // Exactly this capacity, at least the size.
@@ -102,9 +103,8 @@ class Buffer {
         if (capacity < size_) capacity = size_;
         if (capacity == capacity_) return;
         if (capacity > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_alloc();
-        data_ = static_cast<T*>(allocator_->reallocate(data_, capacity_ * sizeof(T),
-                                                       size_ * sizeof(T), capacity * sizeof(T),
-                                                       alignment));
+        data_ = static_cast<T*>(allocator_->reallocate(
+            data_, capacity_ * sizeof(T), size_ * sizeof(T), capacity * sizeof(T), alignment));
         capacity_ = capacity;
     }
     void reserve(std::size_t capacity) {
@@ -130,7 +130,9 @@ class Buffer {
         grow(size_ + 1);
         data_[size_++] = copy;
     }
-    void pop_back() noexcept { --size_; }
+    // For code that must not allocate, and is sure that it need not.
+    MGDT_ALWAYS_INLINE void resize_within_capacity(std::size_t size) noexcept { size_ = size; }
+    MGDT_ALWAYS_INLINE void pop_back() noexcept { --size_; }
     void clear() noexcept { size_ = 0; }
     void reset() noexcept {
         if (data_) allocator_->release(data_, capacity_ * sizeof(T), alignment);
@@ -139,8 +141,8 @@ class Buffer {
     }
 
   private:
-    // Cache-line alignment for everything but tiny elements keeps a 64-byte record on one line.
-    static constexpr std::size_t alignment = alignof(T) > 16 ? alignof(T) : 16;
+    // A cache line: records of 64 bytes stay on one, vectors load without crossing.
+    static constexpr std::size_t alignment = 64;
 
     Allocator* allocator_;
     T* data_ = nullptr;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "query/locate.hpp"
 
-#include "mesh/scale.hpp"
 #include "kernel/start.hpp"
 #include "kernel/walk.hpp"
+#include "mesh/scale.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
@@ -54,7 +54,7 @@ TetId Locator::locate(const double* q, TetId& hint) const {
     if (scale_exactly(q, p)) {
         Counters unused;
         if (hint == no_tetrahedron) hint = jump(mesh, mesh.vertices.size() - 1, p, no_tetrahedron);
-        t = kernel.approach(mesh, hint, Query(p), unused);
+        t = kernel.approach(mesh, hint, p, unused);
         t = walk_exact(mesh, t, p, unused);
     } else {
         t = walk_unscaled(q, hint == no_tetrahedron ? mesh.vertices[1].tet : hint);

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Helpers that lean on the compiler, and what the processor can do.
+#pragma once
+
+#if defined(__GNUC__)
+#    define MGDT_ALWAYS_INLINE inline __attribute__((always_inline))
+#    define MGDT_UNLIKELY(condition) __builtin_expect(!!(condition), 0)
+#else
+#    define MGDT_ALWAYS_INLINE inline
+#    define MGDT_UNLIKELY(condition) (condition)
+#endif
+
+namespace mgdt {
+
+struct CpuFeatures {
+    bool avx2 = false;    // and FMA
+    bool avx512 = false;  // F, VL, DQ, BW, and all of avx2
+};
+
+// Asked of the processor itself: Valgrind, which has no AVX-512, hides it there. The compiler's
+// own __builtin_cpu_supports would do the same, but runs code when the library is loaded.
+CpuFeatures cpu_features() noexcept;
+
+}  // namespace mgdt
