@@ -12,9 +12,9 @@ inline constexpr std::size_t max_points = 0xFFFFFFFEu;
 
 // Slots to reserve for a number of points: a Poisson set has 6.77 tetrahedra a point, and ghosts
 // and the slots in passing need a little. Sets that need more grow.
-inline std::size_t expected_tetrahedra(std::size_t points) {
+inline std::size_t expected_tetrahedra(std::size_t points, std::size_t limit) {
     const std::size_t expected = points * 7 - points / 8 + 128;
-    return expected < max_tetrahedra ? expected : max_tetrahedra;
+    return expected < limit ? expected : limit;
 }
 
 struct Triangulation::Batch {

@@ -88,7 +88,7 @@ void Triangulation::insert_batch(const Batch& batch, bool fresh) {
     const std::size_t base = fresh ? 1 : mesh_.vertices.size();
     mesh_.vertices.grow(base + n);
     try {
-        mesh_.tetrahedra.grow(expected_tetrahedra(base + n));
+        mesh_.reserve_tetrahedra(expected_tetrahedra(base + n, mesh_.slot_limit));
     } catch (const std::bad_alloc&) {
         // Growing as needed may still fit.
     }
@@ -109,7 +109,7 @@ void Triangulation::insert_batch(const Batch& batch, bool fresh) {
             if (basis.add(p)) positions[basis.dimension()] = k;
         }
         bring_to_front(schedule, positions);
-        mesh_.tetrahedra.grow(8);
+        mesh_.reserve_tetrahedra(8);
 
         mesh_.clear();
         held_.clear();

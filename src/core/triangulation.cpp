@@ -36,7 +36,7 @@ void Triangulation::reserve(std::size_t points) {
         fail(MGDT_ERR_TOO_LARGE, "%zu points; at most %zu can be numbered", points, max_points);
     point_map_.reserve(points);
     mesh_.vertices.reserve(points + 1);
-    mesh_.tetrahedra.reserve(expected_tetrahedra(points));
+    mesh_.reserve_tetrahedra(expected_tetrahedra(points, mesh_.slot_limit));
 }
 
 void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrdiff_t stride) {

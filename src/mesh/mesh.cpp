@@ -16,21 +16,25 @@ void Mesh::clear() {
     has_extremes = false;
 }
 
-void Mesh::grow_slots(std::size_t taken, std::size_t freed) {
-    free_slots.grow(free_slots.size() + freed);
-    const std::size_t needed = tetrahedra.size() + taken - std::min(taken, free_slots.size());
-    if (needed <= tetrahedra.capacity()) return;
-    if (needed > max_tetrahedra)
-        fail(MGDT_ERR_TOO_LARGE, "more than 2^30 tetrahedra (%zu vertices are in)",
-             vertices.size() - 1);
-    // Grow by a quarter; where a memory limit refuses that, by what is needed and a little.
+void Mesh::reserve_tetrahedra(std::size_t count) {
+    // The capacity never passes the limit, so that a slot within it can be numbered.
+    if (count > slot_limit)
+        fail(MGDT_ERR_TOO_LARGE, "more than %u tetrahedra", static_cast<unsigned>(slot_limit));
+    const std::size_t capacity = tetrahedra.capacity();
+    if (count <= capacity) return;
+    // Where a memory limit refuses the generous growth, what is needed may still fit.
     const std::size_t generous =
-        std::min<std::size_t>(max_tetrahedra, needed + tetrahedra.capacity() / 4);
+        std::min<std::size_t>(slot_limit, std::max(count, capacity + capacity / 4));
     try {
         tetrahedra.reserve(generous);
     } catch (const std::bad_alloc&) {
-        tetrahedra.reserve(needed);
+        tetrahedra.reserve(count);
     }
+}
+
+void Mesh::grow_slots(std::size_t taken, std::size_t freed) {
+    free_slots.grow(free_slots.size() + freed);
+    reserve_tetrahedra(tetrahedra.size() + taken - std::min(taken, free_slots.size()));
 }
 
 }  // namespace mgdt

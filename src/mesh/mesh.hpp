@@ -21,6 +21,8 @@ struct Mesh {
                           (free_slots.size() + freed > free_slots.capacity())))
             grow_slots(taken, freed);
     }
+    // Storage for so many tetrahedra, growing by a quarter at least, never beyond the limit.
+    void reserve_tetrahedra(std::size_t count);
     TetId take_slot() noexcept;
     void free_slot(TetId t) noexcept;
 
@@ -35,6 +37,7 @@ struct Mesh {
     std::size_t ghost_count = 0;
     int scale = 0;                // coordinates carry the factor 2^scale, see mesh/scale.hpp
     std::uint32_t insertion = 0;  // number of the current insertion, for the marks
+    std::uint32_t slot_limit = max_tetrahedra;  // lowered by tests
     bool has_extremes = false;    // some vertex is outside the range in which filters are proved
 
   private:

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// More tetrahedra than facet codes can number: a status, and nothing lost. The limit is lowered,
+// since 2^30 tetrahedra fill 64 GiB.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "core/triangulation.hpp"
+#include "platform/error.hpp"
+#include "query/check.hpp"
+
+namespace mgdt {
+namespace {
+
+void insert(Triangulation& t, const std::vector<double>& xyz) {
+    const double* axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
+    t.insert(xyz.size() / 3, axis, 3);
+}
+
+TEST(Limit, KeepsWhatGotIn) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    std::vector<double> xyz(3 * 3000);
+    for (double& x : xyz) x = uniform(random);
+
+    Triangulation t(nullptr, nullptr, nullptr);
+    Mesh& mesh = const_cast<Mesh&>(t.mesh());
+    // Storage is reserved for a batch at once; small batches make it grow step by step.
+    mesh.slot_limit = 4000;
+    mgdt_status status = MGDT_OK;
+    std::size_t given = 0;
+    for (; given < 3000 && status == MGDT_OK; given += 10) {
+        try {
+            insert(t,
+                   std::vector<double>(xyz.begin() + static_cast<std::ptrdiff_t>(3 * given),
+                                       xyz.begin() + static_cast<std::ptrdiff_t>(3 * given + 30)));
+        } catch (const Error& error) {
+            status = error.status;
+            EXPECT_NE(std::string(error.message).find("4000 tetrahedra"), std::string::npos);
+        }
+    }
+    EXPECT_EQ(status, MGDT_ERR_TOO_LARGE);
+    EXPECT_EQ(t.point_map().size(), given);
+    EXPECT_LE(mesh.tetrahedra.size(), 4000u);
+    EXPECT_GT(t.vertex_count(), 400u);
+    EXPECT_LT(t.vertex_count(), given);
+    EXPECT_NO_THROW(check_mesh(t.mesh(), t.point_map(), t.allocator(), MGDT_CHECK_CANONICAL, 0));
+
+    // With room again insertion goes on, and the points that were left out may be given anew.
+    mesh.slot_limit = max_tetrahedra;
+    insert(t, xyz);
+    EXPECT_EQ(t.vertex_count(), 3000u);
+    EXPECT_NO_THROW(check_mesh(t.mesh(), t.point_map(), t.allocator(), MGDT_CHECK_CANONICAL, 0));
+}
+
+}  // namespace
+}  // namespace mgdt
