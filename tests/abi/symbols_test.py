@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The binary interface: the header, the version script and the library name the same functions,
+the library needs the C++ runtime alone, and the header compiles as C99 and as C++.
+
+  symbols_test.py --library libmgdt.so --header mgdt.h --map mgdt.map --cc CC --cxx CXX
+"""
+import argparse
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+# What the runtime of C and C++ brings; nothing else may be needed at run time.
+RUNTIME = re.compile(r"^(libstdc\+\+|libc\+\+|libc\+\+abi|libm|libgcc_s|libc|libmvec|ld-linux[-\w]*)\.so")
+
+passed = failed = 0
+
+
+def check(what, problem):
+    global passed, failed
+    if problem:
+        failed += 1
+        print(f"failed: {what}: {problem}")
+    else:
+        passed += 1
+        print(f"passed: {what}")
+
+
+def output_of(*command):
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def differences(first, second):
+    parts = []
+    if first - second:
+        parts.append("missing " + " ".join(sorted(first - second)))
+    if second - first:
+        parts.append("unexpected " + " ".join(sorted(second - first)))
+    return "; ".join(parts)
+
+
+def declared(header):
+    text = re.sub(r"/\*.*?\*/", " ", header.read_text(), flags=re.S)
+    text = re.sub(r"^\s*#.*?(?<!\\)$", " ", text, flags=re.M)
+    return set(re.findall(r"MGDT_API\b[^;(]*?\b(mgdt_\w+)\s*\(", text))
+
+
+def mapped(script):
+    """Names by version node; anything that is not a plain name counts as a wildcard."""
+    text = re.sub(r"/\*.*?\*/|#[^\n]*", " ", script.read_text(), flags=re.S)
+    nodes, wildcards = {}, []
+    for node, body in re.findall(r"([\w.]+)\s*\{(.*?)\}", text, flags=re.S):
+        exported = re.split(r"\blocal\s*:", body)[0].replace("global:", " ")
+        names = [n.strip() for n in exported.split(";") if n.strip()]
+        wildcards += [n for n in names if not re.fullmatch(r"\w+", n)]
+        nodes[node] = names
+    return nodes, wildcards
+
+
+def exported(library):
+    found = {}
+    for line in output_of("nm", "-D", "--defined-only", "--with-symbol-versions", str(library)).splitlines():
+        address, kind, name = line.split(maxsplit=2)
+        if kind == "A":  # the version nodes themselves
+            continue
+        name, _, version = name.partition("@")
+        found[name] = version.strip("@")
+    return found
+
+
+def initialisers(library):
+    """Entries of .init_array: the compiler's own frame_dummy is the one that every library has."""
+    match = re.search(r"\.init_array\s+INIT_ARRAY\s+[0-9a-f]+\s+[0-9a-f]+\s+([0-9a-f]+)",
+                      output_of("readelf", "-SW", str(library)))
+    return int(match.group(1), 16) // 8 if match else 0
+
+
+def compiles(command, source, suffix):
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"header{suffix}"
+        path.write_text(source)
+        run = subprocess.run([*command, "-fsyntax-only", str(path)], capture_output=True, text=True)
+        return run.stderr if run.returncode else ""
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for name in ("library", "header", "map"):
+        parser.add_argument(f"--{name}", type=Path, required=True)
+    parser.add_argument("--cc", required=True)
+    parser.add_argument("--cxx", required=True)
+    options = parser.parse_args()
+
+    names = declared(options.header)
+    nodes, wildcards = mapped(options.map)
+    listed = [name for node in nodes.values() for name in node]
+    symbols = exported(options.library)
+    check("the header declares functions", "" if len(names) > 40 else f"only {len(names)} found")
+    check("the version script names each function once", " ".join(sorted(n for n in set(listed) if listed.count(n) > 1)))
+    check("the version script has no wildcards", " ".join(wildcards))
+    check("the version script names what the header declares", differences(names, set(listed)))
+    check("the library exports what the header declares", differences(names, set(symbols)))
+    check("each symbol has the version of its node",
+          " ".join(f"{n}@{symbols.get(n)}" for v, node in nodes.items() for n in node if symbols.get(n) != v))
+
+    dynamic = output_of("readelf", "-dW", str(options.library))
+    needed = re.findall(r"\(NEEDED\).*\[(.*?)\]", dynamic)
+    check("the library needs the C and C++ runtime alone", " ".join(n for n in needed if not RUNTIME.match(n)))
+    check("the soname is libmgdt.so.1", "" if "[libmgdt.so.1]" in dynamic else dynamic)
+    check("no code runs when the library is loaded",
+          "" if initialisers(options.library) <= 1 else f"{initialisers(options.library)} initialisers")
+    check("no executable stack, no text relocations",
+          "TEXTREL" if "TEXTREL" in dynamic else
+          "RWE" if re.search(r"GNU_STACK.*RWE", output_of("readelf", "-lW", str(options.library))) else "")
+
+    include = f"-I{options.header.parent.parent}"
+    strict = [include, "-Wall", "-Wextra", "-pedantic", "-Werror"]
+    use = "#include <mgdt/mgdt.h>\n#include <mgdt/mgdt.h>\nint main(void) { return mgdt_abi_version() != 1; }\n"
+    cc, cxx = shlex.split(options.cc), shlex.split(options.cxx)
+    check("the header is C99", compiles([*cc, "-std=c99", *strict, "-Wstrict-prototypes", "-Wmissing-prototypes"], use, ".c"))
+    check("the header is C11", compiles([*cc, "-std=c11", *strict], use, ".c"))
+    check("the header is C++98 with <stdint.h>", compiles([*cxx, "-std=c++98", include, "-Wall", "-Werror"], use, ".cpp"))
+    check("the header is C++17", compiles([*cxx, "-std=c++17", *strict], use, ".cpp"))
+
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed or not passed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// The same set of tetrahedra as CGAL's Delaunay_triangulation_3 on every distribution, the
+// degenerate and hostile ones included, for every order scheme and in 1, 2 and 7 batches.
+//
+//   cgal_equality_test [--size N] [--default-scheme] [--points FILE] [gtest options]
+//
+// CGAL's filters fall back to rational arithmetic, so it is exact from subnormals to 1e308 too.
+// --points compares on the points of a file, too. Sets of quadratic size stay small.
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_data_structure_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/formats/format.hpp"
+#include "handle.hpp"
+#include "rows.hpp"
+
+namespace {
+
+using property::Keys;
+
+struct Options {
+    std::size_t size = property::small() ? 200 : 4000;
+    bool every_scheme = true;
+    std::string points;
+} options;
+
+// ------------------------------------------------------------------------------- CGAL's side
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>;
+using CellBase = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
+using Structure = CGAL::Triangulation_data_structure_3<VertexBase, CellBase>;
+using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, Structure>;
+
+struct Expected {
+    int dimension = -1;
+    Keys tetrahedra;
+    std::vector<std::int64_t> map;  // first point with the same coordinates
+};
+
+std::vector<std::int64_t> first_of_equal(const std::vector<double>& xyz) {
+    std::vector<std::uint32_t> order(xyz.size() / 3);
+    std::iota(order.begin(), order.end(), 0u);
+    const auto compare = [&](std::uint32_t i, std::uint32_t j) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double a = xyz[3 * std::size_t{i} + k], b = xyz[3 * std::size_t{j} + k];
+            if (a != b) return a < b ? -1 : 1;
+        }
+        return 0;
+    };
+    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+        const int c = compare(i, j);
+        return c != 0 ? c < 0 : i < j;
+    });
+    std::vector<std::int64_t> map(order.size());
+    std::uint32_t first = 0;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        if (k == 0 || compare(order[k], first) != 0) first = order[k];
+        map[order[k]] = first;
+    }
+    return map;
+}
+
+Expected triangulate_with_cgal(const std::vector<double>& xyz) {
+    Expected out;
+    out.map = first_of_equal(xyz);
+    std::vector<std::pair<Delaunay::Point, std::uint32_t>> points;
+    for (std::size_t i = 0; i < out.map.size(); ++i)
+        if (out.map[i] == static_cast<std::int64_t>(i))
+            points.emplace_back(Delaunay::Point(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]),
+                                static_cast<std::uint32_t>(i));
+    const Delaunay delaunay(points.begin(), points.end());
+    out.dimension = delaunay.dimension();
+    EXPECT_EQ(delaunay.number_of_vertices(), points.size());
+    if (out.dimension < 3) return out;
+    for (auto c = delaunay.finite_cells_begin(); c != delaunay.finite_cells_end(); ++c) {
+        property::Key key{};
+        for (int k = 0; k < 4; ++k) key[static_cast<std::size_t>(k)] = c->vertex(k)->info();
+        std::sort(key.begin(), key.end());
+        out.tetrahedra.push_back(key);
+    }
+    std::sort(out.tetrahedra.begin(), out.tetrahedra.end());
+    return out;
+}
+
+// -------------------------------------------------------------------------- the library's side
+
+void compare(const std::vector<double>& xyz, const Expected& expected, std::int32_t scheme,
+             std::size_t batches) {
+    SCOPED_TRACE(std::string(mgdt_order_scheme_name(scheme)) + ", " + std::to_string(batches) +
+                 " batches");
+    const property::Handle t = property::create();
+    ASSERT_EQ(mgdt_set_order_scheme(t.get(), scheme), MGDT_OK);
+    ASSERT_EQ(property::insert(t.get(), xyz, property::equal_batches(xyz.size() / 3, batches)),
+              MGDT_OK)
+        << property::error_of(t.get());
+    ASSERT_EQ(mgdt_dimension(t.get()), expected.dimension);
+    ASSERT_EQ(mgdt_tetrahedron_count(t.get()),
+              static_cast<std::int64_t>(expected.tetrahedra.size()));
+    ASSERT_TRUE(property::point_map(t.get()) == expected.map);
+    ASSERT_TRUE(property::keys(property::tetrahedra(t.get())) == expected.tetrahedra);
+    ASSERT_EQ(mgdt_check(t.get(), MGDT_CHECK_CANONICAL), MGDT_OK) << property::error_of(t.get());
+}
+
+void compare_schemes(const std::vector<double>& xyz, const Expected& expected) {
+    for (std::int32_t scheme : property::schemes) {
+        if (!options.every_scheme && scheme != MGDT_ORDER_AUTO) continue;
+        for (std::size_t batches : {1, 2, 7}) {
+            compare(xyz, expected, scheme, batches);
+            if (testing::Test::HasFatalFailure()) return;
+        }
+    }
+}
+
+class EqualsCgal : public testing::TestWithParam<property::Row> {};
+
+TEST_P(EqualsCgal, SameTetrahedra) {
+    const std::vector<double> xyz = property::points(GetParam(), options.size);
+    compare_schemes(xyz, triangulate_with_cgal(xyz));
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, EqualsCgal, testing::ValuesIn(property::rows),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+// No common scale brings these into the range of a floating-point filter.
+TEST(EqualsCgalMixed, ScalesInOneSet) {
+    std::mt19937_64 random(7);
+    std::vector<double> xyz;
+    for (std::size_t i = 0; i < (property::small() ? 90u : 450u); ++i) {
+        static constexpr double scale[] = {1e-300, 1, 1e300};
+        xyz.push_back(scale[random() % 3] * (static_cast<double>(random() % 2001) - 1000));
+    }
+    const Expected expected = triangulate_with_cgal(xyz);
+    for (std::int32_t scheme : property::schemes) compare(xyz, expected, scheme, 3);
+}
+
+void compare_file() {
+    const mgdt::cli::InputFile file(options.points);
+    const mgdt::cli::Source source = file.source();
+    const std::vector<double> xyz =
+        mgdt::cli::input_format(source, "").read(source, mgdt::cli::ReadOptions()).points;
+    compare_schemes(xyz, triangulate_with_cgal(xyz));
+}
+
+class PointsOfFile : public testing::Test {
+  public:
+    void TestBody() override { compare_file(); }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    testing::InitGoogleTest(&argc, argv);
+    for (int i = 1; i < argc; ++i) {
+        if (std::strcmp(argv[i], "--default-scheme") == 0) {
+            options.every_scheme = false;
+        } else if (std::strcmp(argv[i], "--size") == 0 && i + 1 < argc) {
+            options.size = std::strtoull(argv[++i], nullptr, 10);
+        } else if (std::strcmp(argv[i], "--points") == 0 && i + 1 < argc) {
+            options.points = argv[++i];
+        } else {
+            std::fprintf(stderr, "unknown option %s\n", argv[i]);
+            return 2;
+        }
+    }
+    if (!options.points.empty())
+        testing::RegisterTest("EqualsCgalFile", "SameTetrahedra", nullptr, options.points.c_str(),
+                              __FILE__, __LINE__,
+                              []() -> testing::Test* { return new PointsOfFile; });
+    return RUN_ALL_TESTS();
+}

