@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "query/export.hpp"
+
 #include <limits>
 
 #include "capi/handle.hpp"
-#include "query/export.hpp"
 
 using namespace mgdt;
 
@@ -81,14 +82,14 @@ mgdt_status vertex_tetrahedra(const mgdt_triangulation* t, int64_t offset_capaci
 
 }  // namespace
 
-#define MGDT_EXPORT(name)                                                                        \
-    extern "C" mgdt_status mgdt_get_##name(const mgdt_triangulation* t, int64_t capacity,        \
-                                           int64_t* v) {                                         \
-        return name(t, capacity, v);                                                             \
-    }                                                                                            \
-    extern "C" mgdt_status mgdt_get_##name##_i32(const mgdt_triangulation* t, int64_t capacity,  \
-                                                 int32_t* v) {                                   \
-        return name(t, capacity, v);                                                             \
+#define MGDT_EXPORT(name)                                                                       \
+    extern "C" mgdt_status mgdt_get_##name(const mgdt_triangulation* t, int64_t capacity,       \
+                                           int64_t* v) {                                        \
+        return name(t, capacity, v);                                                            \
+    }                                                                                           \
+    extern "C" mgdt_status mgdt_get_##name##_i32(const mgdt_triangulation* t, int64_t capacity, \
+                                                 int32_t* v) {                                  \
+        return name(t, capacity, v);                                                            \
     }
 MGDT_EXPORT(tetrahedra)
 MGDT_EXPORT(neighbors)

@@ -18,9 +18,9 @@ extern "C" mgdt_status mgdt_insert_points(mgdt_triangulation* t, int64_t n, cons
     });
 }
 
-extern "C" mgdt_status mgdt_insert_points_strided(mgdt_triangulation* t, int64_t n,
-                                                  const double* x, const double* y,
-                                                  const double* z, int64_t stride) {
+extern "C" mgdt_status mgdt_insert_points_strided(mgdt_triangulation* t, int64_t n, const double* x,
+                                                  const double* y, const double* z,
+                                                  int64_t stride) {
     return guard(t, [&] {
         if (n < 0)
             fail(MGDT_ERR_INVALID_ARGUMENT, "the number of points is negative (%lld)",

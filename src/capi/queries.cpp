@@ -65,9 +65,8 @@ extern "C" mgdt_status mgdt_locate(const mgdt_triangulation* t, const double* xy
     return locate_points(t, 1, xyz, tetrahedron, nullptr);
 }
 
-extern "C" mgdt_status mgdt_locate_points(const mgdt_triangulation* t, int64_t n,
-                                          const double* xyz, int64_t* tetrahedra,
-                                          double* weights) {
+extern "C" mgdt_status mgdt_locate_points(const mgdt_triangulation* t, int64_t n, const double* xyz,
+                                          int64_t* tetrahedra, double* weights) {
     return locate_points(t, n, xyz, tetrahedra, weights);
 }
 
@@ -94,8 +93,7 @@ extern "C" mgdt_status mgdt_nearest_vertex(const mgdt_triangulation* t, const do
 extern "C" mgdt_status mgdt_check(const mgdt_triangulation* t, int32_t level) {
     return guard(t, [&] {
         if (level < MGDT_CHECK_COMBINATORIAL || level > MGDT_CHECK_CANONICAL)
-            fail(MGDT_ERR_INVALID_ARGUMENT, "there is no check level %d",
-                 static_cast<int>(level));
+            fail(MGDT_ERR_INVALID_ARGUMENT, "there is no check level %d", static_cast<int>(level));
         check_mesh(t->core.mesh(), t->core.point_map(), t->core.allocator(), level,
                    t->core.settings().index_base);
     });

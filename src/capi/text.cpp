@@ -69,26 +69,40 @@ const NamedStatistic* find_statistic(std::int32_t key) {
 
 extern "C" const char* mgdt_status_string(mgdt_status s) {
     switch (s) {
-        case MGDT_OK: return "success";
-        case MGDT_ERR_NULL_POINTER: return "a pointer that must not be NULL is NULL";
-        case MGDT_ERR_INVALID_ARGUMENT: return "a value is out of its range";
-        case MGDT_ERR_NOT_FINITE: return "a coordinate is NaN or infinite";
-        case MGDT_ERR_UNKNOWN_SCHEME: return "no such order scheme";
-        case MGDT_ERR_UNKNOWN_KEY: return "no such key";
-        case MGDT_ERR_BUFFER_TOO_SMALL: return "an output array is too small";
-        case MGDT_ERR_INDEX_RANGE: return "an index does not fit a 32-bit integer";
-        case MGDT_ERR_OUT_OF_MEMORY: return "out of memory";
-        case MGDT_ERR_TOO_LARGE: return "more points or tetrahedra than can be numbered";
-        case MGDT_ERR_CANCELLED: return "cancelled";
-        case MGDT_ERR_DIMENSION: return "the points do not span space";
-        case MGDT_ERR_CHECK_FAILED: return "the check found a defect";
-        case MGDT_ERR_INTERNAL: return "internal error";
-        default: return "unknown status";
+        case MGDT_OK:
+            return "success";
+        case MGDT_ERR_NULL_POINTER:
+            return "a pointer that must not be NULL is NULL";
+        case MGDT_ERR_INVALID_ARGUMENT:
+            return "a value is out of its range";
+        case MGDT_ERR_NOT_FINITE:
+            return "a coordinate is NaN or infinite";
+        case MGDT_ERR_UNKNOWN_SCHEME:
+            return "no such order scheme";
+        case MGDT_ERR_UNKNOWN_KEY:
+            return "no such key";
+        case MGDT_ERR_BUFFER_TOO_SMALL:
+            return "an output array is too small";
+        case MGDT_ERR_INDEX_RANGE:
+            return "an index does not fit a 32-bit integer";
+        case MGDT_ERR_OUT_OF_MEMORY:
+            return "out of memory";
+        case MGDT_ERR_TOO_LARGE:
+            return "more points or tetrahedra than can be numbered";
+        case MGDT_ERR_CANCELLED:
+            return "cancelled";
+        case MGDT_ERR_DIMENSION:
+            return "the points do not span space";
+        case MGDT_ERR_CHECK_FAILED:
+            return "the check found a defect";
+        case MGDT_ERR_INTERNAL:
+            return "internal error";
+        default:
+            return "unknown status";
     }
 }
 
-extern "C" mgdt_status mgdt_get_error(const mgdt_triangulation* t, int64_t capacity,
-                                      char* buffer) {
+extern "C" mgdt_status mgdt_get_error(const mgdt_triangulation* t, int64_t capacity, char* buffer) {
     if (!t || !buffer) return MGDT_ERR_NULL_POINTER;
     if (capacity < 1) return MGDT_ERR_INVALID_ARGUMENT;
     t->recall(buffer, static_cast<std::size_t>(capacity));

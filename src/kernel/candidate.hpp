@@ -8,7 +8,7 @@
 #include "kernel/workspace.hpp"
 
 #if defined(__AVX2__) && defined(__FMA__)
-#    include <immintrin.h>
+#include <immintrin.h>
 #endif
 
 namespace mgdt {
@@ -73,9 +73,9 @@ class CandidateTest {
         const __m256i pick =
             _mm256_load_si256(reinterpret_cast<const __m256i*>(outer_picks[code & 3]));
         const __m256i picked = _mm256_permutevar8x32_epi32(both, pick);
-        _mm_storeu_si128(
-            reinterpret_cast<__m128i*>(boundary),
-            _mm_insert_epi32(_mm256_castsi256_si128(picked), static_cast<std::int32_t>(code), 3));
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(boundary),
+                         _mm_blend_epi32(_mm256_castsi256_si128(picked),
+                                         _mm_set1_epi32(static_cast<std::int32_t>(code)), 8));
         _mm_storeu_si128(reinterpret_cast<__m128i*>(candidates),
                          _mm256_extracti128_si256(picked, 1));
     }

@@ -49,9 +49,9 @@ inline void dig_cavity(Mesh& mesh, Workspace& w, TetId start, const Query& q) {
         const std::size_t members = static_cast<std::size_t>(cavity_end - w.cavity.data);
         const std::size_t facets = static_cast<std::size_t>(boundary_end - w.boundary.data);
         // Room for all that the wave can add.
-        if (MGDT_UNLIKELY((candidates + 3 * wave > w.candidate_capacity) |
-                          (members + wave > w.cavity_capacity) |
-                          (facets + wave > w.boundary_capacity))) {
+        if (MGDT_UNLIKELY(candidates + 3 * wave > w.candidate_capacity ||
+                          members + wave > w.cavity_capacity ||
+                          facets + wave > w.boundary_capacity)) {
             w.grow_cavity(candidates, candidates + 3 * wave, members, members + wave, facets,
                           facets + wave);
             candidates_end = w.candidates.data + candidates;

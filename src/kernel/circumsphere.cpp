@@ -8,8 +8,8 @@ namespace mgdt {
 
 void set_circumsphere(Tetrahedron& t, const Vertex* vertices) {
     const double* base = vertices[t.v[0]].x;
-    const bool ghost = t.v[1] == infinite_vertex || t.v[2] == infinite_vertex ||
-                       t.v[3] == infinite_vertex;
+    const bool ghost =
+        t.v[1] == infinite_vertex || t.v[2] == infinite_vertex || t.v[3] == infinite_vertex;
     bool normal = in_normal_range(base);
     for (int i = 1; i < 4; ++i)
         normal = normal && (t.v[i] == infinite_vertex || in_normal_range(vertices[t.v[i]].x));

@@ -5,5 +5,5 @@
 #pragma once
 
 #if !defined(MGDT_ISA)
-#    define MGDT_ISA baseline
+#define MGDT_ISA baseline
 #endif

@@ -35,7 +35,7 @@ struct DirectNumbers {
             const std::uint32_t h = hash(v);
             const std::uint32_t there = table[h];
             const bool fresh = there == Workspace::direct_free;
-            clashes += !fresh & (ids[there] != v);
+            clashes += static_cast<unsigned>(!fresh) & static_cast<unsigned>(ids[there] != v);
             table[h] = static_cast<std::uint8_t>(fresh ? added : there);
             ids[added] = v;
             added += fresh;

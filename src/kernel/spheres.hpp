@@ -7,7 +7,7 @@
 #include "kernel/workspace.hpp"
 
 #if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__)
-#    include <immintrin.h>
+#include <immintrin.h>
 #endif
 
 namespace mgdt {

@@ -165,7 +165,7 @@ inline TetId build_star(Mesh& mesh, Workspace& w, VertexId q) {
 
     // All that can fail.
     w.slot_count = 0;
-    if (MGDT_UNLIKELY((removed > w.star_removed) | (created > w.star_created)))
+    if (MGDT_UNLIKELY(removed > w.star_removed || created > w.star_created))
         w.grow_star(removed, created);
     mesh.reserve_slots(created > removed ? created - removed : 0,
                        removed > created ? removed - created : 0);

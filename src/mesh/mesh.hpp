@@ -17,8 +17,8 @@ struct Mesh {
     // Makes so many calls of take_slot() and free_slot() possible. Throws std::bad_alloc, or
     // MGDT_ERR_TOO_LARGE beyond max_tetrahedra, with nothing changed.
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) {
-        if (MGDT_UNLIKELY((tetrahedra.size() + taken > tetrahedra.capacity() + free_slots.size()) |
-                          (free_slots.size() + freed > free_slots.capacity())))
+        if (MGDT_UNLIKELY(tetrahedra.size() + taken > tetrahedra.capacity() + free_slots.size() ||
+                          free_slots.size() + freed > free_slots.capacity()))
             grow_slots(taken, freed);
     }
     // Storage for so many tetrahedra, growing by a quarter at least, never beyond the limit.
@@ -38,7 +38,7 @@ struct Mesh {
     int scale = 0;                // coordinates carry the factor 2^scale, see mesh/scale.hpp
     std::uint32_t insertion = 0;  // number of the current insertion, for the marks
     std::uint32_t slot_limit = max_tetrahedra;  // lowered by tests
-    bool has_extremes = false;    // some vertex is outside the range in which filters are proved
+    bool has_extremes = false;  // some vertex is outside the range in which filters are proved
 
   private:
     void grow_slots(std::size_t taken, std::size_t freed);

@@ -2,7 +2,7 @@
 #include "platform/cpu.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__)
-#    include <cpuid.h>
+#include <cpuid.h>
 #endif
 
 namespace mgdt {

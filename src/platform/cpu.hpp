@@ -3,11 +3,11 @@
 #pragma once
 
 #if defined(__GNUC__)
-#    define MGDT_ALWAYS_INLINE inline __attribute__((always_inline))
-#    define MGDT_UNLIKELY(condition) __builtin_expect(!!(condition), 0)
+#define MGDT_ALWAYS_INLINE inline __attribute__((always_inline))
+#define MGDT_UNLIKELY(condition) __builtin_expect(!!(condition), 0)
 #else
-#    define MGDT_ALWAYS_INLINE inline
-#    define MGDT_UNLIKELY(condition) (condition)
+#define MGDT_ALWAYS_INLINE inline
+#define MGDT_UNLIKELY(condition) (condition)
 #endif
 
 namespace mgdt {

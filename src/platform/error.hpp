@@ -17,10 +17,12 @@ struct Error {
 };
 
 #if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
+#define MGDT_FORMAT_PRINTF __attribute__((format(printf, 2, 3)))
+#else
+#define MGDT_FORMAT_PRINTF
 #endif
-[[noreturn]] inline void
-fail(mgdt_status status, const char* format, ...) {
+
+[[noreturn]] MGDT_FORMAT_PRINTF inline void fail(mgdt_status status, const char* format, ...) {
     Error error;
     error.status = status;
     va_list arguments;

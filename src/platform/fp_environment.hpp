@@ -19,8 +19,12 @@ class FpEnvironment {
   public:
 #if MGDT_FP_MXCSR
     // The x87 unit is not used on x86-64 (no long double in the library).
-    FpEnvironment() noexcept : saved_(_mm_getcsr()) { _mm_setcsr(0x1F80); }
-    ~FpEnvironment() { _mm_setcsr(saved_); }
+    FpEnvironment() noexcept : saved_(_mm_getcsr()) {
+        _mm_setcsr(0x1F80);
+    }
+    ~FpEnvironment() {
+        _mm_setcsr(saved_);
+    }
 #elif defined(__aarch64__)
     FpEnvironment() noexcept {
         std::uint64_t clear = 0;
@@ -37,7 +41,9 @@ class FpEnvironment {
         std::fegetenv(&saved_);
         std::fesetenv(FE_DFL_ENV);
     }
-    ~FpEnvironment() { std::fesetenv(&saved_); }
+    ~FpEnvironment() {
+        std::fesetenv(&saved_);
+    }
 #endif
     FpEnvironment(const FpEnvironment&) = delete;
     FpEnvironment& operator=(const FpEnvironment&) = delete;

@@ -10,11 +10,11 @@
 // The first stages of a predicate are a few hundred instructions that must share registers; what
 // follows them must not cost them any.
 #if defined(__GNUC__)
-#    define MGDT_PREDICATES_INLINE inline __attribute__((always_inline))
-#    define MGDT_PREDICATES_APART __attribute__((noinline))
+#define MGDT_PREDICATES_INLINE inline __attribute__((always_inline))
+#define MGDT_PREDICATES_APART __attribute__((noinline))
 #else
-#    define MGDT_PREDICATES_INLINE inline
-#    define MGDT_PREDICATES_APART
+#define MGDT_PREDICATES_INLINE inline
+#define MGDT_PREDICATES_APART
 #endif
 
 namespace mgdt::exact {

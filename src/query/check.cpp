@@ -26,9 +26,8 @@ class Checker {
   private:
     const Tetrahedron& tet(TetId t) const { return mesh_.tetrahedra[t]; }
     long long index(VertexId v) const {
-        return v == infinite_vertex
-                   ? -1
-                   : static_cast<long long>(mesh_.vertices[v].index) + base_;
+        if (v == infinite_vertex || v >= mesh_.vertices.size()) return -1;
+        return static_cast<long long>(mesh_.vertices[v].index) + base_;
     }
     template <class F>
     void for_each_live(F f) const {
@@ -37,8 +36,9 @@ class Checker {
     }
     [[noreturn]] void reject(TetId t, const char* what) const {
         const VertexId* v = tet(t).v;
-        fail(MGDT_ERR_CHECK_FAILED, "tetrahedron of points %lld %lld %lld %lld (-1: infinity): %s",
-             index(v[0]), index(v[1]), index(v[2]), index(v[3]), what);
+        fail(MGDT_ERR_CHECK_FAILED,
+             "tetrahedron of points %lld %lld %lld %lld (-1: infinity or none): %s", index(v[0]),
+             index(v[1]), index(v[2]), index(v[3]), what);
     }
 
     const Mesh& mesh_;
@@ -85,8 +85,7 @@ void Checker::records() const {
         const bool sound = t < mesh_.tetrahedra.size() && !tet(t).is_dead() &&
                            std::find(tet(t).v, tet(t).v + 4, v) != tet(t).v + 4;
         if (!sound)
-            fail(MGDT_ERR_CHECK_FAILED, "the tetrahedron of point %lld does not have it",
-                 index(v));
+            fail(MGDT_ERR_CHECK_FAILED, "the tetrahedron of point %lld does not have it", index(v));
     }
 }
 

@@ -112,14 +112,13 @@ void export_edges(const ExportView& view, Int* out) {
 template <class Int>
 void export_point_map(const ExportView& view, const Buffer<VertexId>& point_map, Int* out) {
     for (const VertexId v : point_map)
-        *out++ = v == infinite_vertex ? static_cast<Int>(view.base - 1)
-                                      : static_cast<Int>(view.mesh.vertices[v].index) +
-                                            static_cast<Int>(view.base);
+        *out++ = v == infinite_vertex
+                     ? static_cast<Int>(view.base - 1)
+                     : static_cast<Int>(view.mesh.vertices[v].index) + static_cast<Int>(view.base);
 }
 
 template <class Int>
-void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* offsets,
-                              Int* list) {
+void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* offsets, Int* list) {
     const Mesh& mesh = view.mesh;
     const Int base = static_cast<Int>(view.base);
     std::fill(offsets, offsets + points + 1, Int{0});

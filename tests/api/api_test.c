@@ -136,10 +136,14 @@ int main(void) {
     static const struct {
         const char* name;
         void (*run)(void);
-    } groups[] = {{"text", test_text},           {"arguments", test_arguments},
-                  {"insertion", test_insertion}, {"export", test_export},
-                  {"queries", test_queries},     {"memory", test_memory},
-                  {"progress", test_progress},   {"environment", test_environment},
+    } groups[] = {{"text", test_text},
+                  {"arguments", test_arguments},
+                  {"insertion", test_insertion},
+                  {"export", test_export},
+                  {"queries", test_queries},
+                  {"memory", test_memory},
+                  {"progress", test_progress},
+                  {"environment", test_environment},
                   {"isa", test_isa}};
     size_t g;
     for (g = 0; g < sizeof groups / sizeof groups[0]; ++g) {

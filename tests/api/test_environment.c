@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #if defined(__SSE2__)
-#    include <xmmintrin.h>
+#include <xmmintrin.h>
 #endif
 
 #include "check.h"
