@@ -74,7 +74,6 @@ enum {
     MGDT_ERR_OUT_OF_MEMORY = 30,    /**< The allocator or the memory limit refused. */
     MGDT_ERR_TOO_LARGE = 31,        /**< More points or tetrahedra than the format can number. */
     MGDT_ERR_CANCELLED = 40,        /**< mgdt_cancel() or the progress callback asked to stop. */
-    MGDT_ERR_DIMENSION = 50,        /**< The points do not span space (see mgdt_dimension()). */
     MGDT_ERR_CHECK_FAILED = 60,     /**< mgdt_check() found a defect. */
     MGDT_ERR_INTERNAL = 90          /**< A defect in mgdt itself; please report it. */
 };
@@ -202,7 +201,8 @@ MGDT_API mgdt_status mgdt_set_order_parameter(mgdt_triangulation *t, int32_t key
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_seed(mgdt_triangulation *t, uint64_t seed);
 
-/** Sets how many threads a call may use. The tetrahedra do not depend on it.
+/** Sets how many threads a call may use. The tetrahedra do not depend on it. Version 1.0 keeps the
+ *  number and uses one thread whatever it is.
  *  @param n  at least 1, or 0 for all cores; default 1
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
@@ -260,7 +260,10 @@ MGDT_API mgdt_status mgdt_set_isa(mgdt_triangulation *t, const char *name);
  *  @return MGDT_OK; MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_NOT_FINITE (the
  *  message names the index) or MGDT_ERR_TOO_LARGE with nothing changed; MGDT_ERR_CANCELLED,
  *  MGDT_ERR_OUT_OF_MEMORY or MGDT_ERR_TOO_LARGE with a valid triangulation of the points that
- *  got in (the others have no vertex in the point map, and their indices stay taken)
+ *  got in. The others have no vertex in the point map; they may be given again, under new indices.
+ *  mgdt_point_count() tells whether the call's points were counted at all: running out of memory
+ *  before that changes nothing. Points that were held because they did not span space go in with
+ *  the first call that does; cancelling does not lose them, running out of memory then may
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_insert_points(mgdt_triangulation *t, int64_t n, const double *xyz);
 

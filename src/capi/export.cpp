@@ -9,59 +9,56 @@ using namespace mgdt;
 
 namespace {
 
-// Largest value written into an Int array by an export whose values are below `end`.
+// Refuses an export whose values, counted from 0, are below `end` but do not fit Int.
 template <class Int>
 void require_range(std::uint64_t end, const mgdt_triangulation* t) {
-    const std::uint64_t largest = end + static_cast<std::uint64_t>(t->core.settings().index_base);
+    if (end == 0) return;
+    const std::uint64_t largest =
+        end - 1 + static_cast<std::uint64_t>(t->core.settings().index_base);
     if (largest > static_cast<std::uint64_t>(std::numeric_limits<Int>::max()))
         fail(MGDT_ERR_INDEX_RANGE, "indices up to %llu do not fit a 32-bit integer",
              static_cast<unsigned long long>(largest));
 }
 
-ExportView view_of(const mgdt_triangulation* t) {
-    return {t->core.mesh(), t->core.numbering(), t->core.allocator(),
-            t->core.settings().index_base};
-}
-
 // One export: `count` elements with values below `end`, written by `body`.
 template <class Int, class Body>
-mgdt_status run(const mgdt_triangulation* t, std::int64_t capacity, Int* v, int64_t count,
-                int64_t end, Body body) noexcept {
+mgdt_status run(const mgdt_triangulation* t, bool numbers, std::int64_t capacity, Int* v,
+                int64_t count, int64_t end, Body body) noexcept {
     return guard(t, [&] {
         if (count > 0) require_pointer(v, "the output array");
         require_capacity(capacity, static_cast<std::size_t>(count), "the output array");
         require_range<Int>(static_cast<std::uint64_t>(end), t);
-        if (count > 0) body(view_of(t));
+        if (count > 0) body(view_of(t, numbers));
     });
 }
 
 template <class Int>
 mgdt_status tetrahedra(const mgdt_triangulation* t, int64_t capacity, Int* v) {
-    return run(t, capacity, v, 4 * mgdt_tetrahedron_count(t), mgdt_point_count(t),
+    return run(t, true, capacity, v, 4 * mgdt_tetrahedron_count(t), mgdt_point_count(t),
                [&](const ExportView& view) { export_tetrahedra(view, v); });
 }
 
 template <class Int>
 mgdt_status neighbors(const mgdt_triangulation* t, int64_t capacity, Int* v) {
-    return run(t, capacity, v, 4 * mgdt_tetrahedron_count(t), mgdt_tetrahedron_count(t),
+    return run(t, true, capacity, v, 4 * mgdt_tetrahedron_count(t), mgdt_tetrahedron_count(t),
                [&](const ExportView& view) { export_neighbors(view, v); });
 }
 
 template <class Int>
 mgdt_status hull_facets(const mgdt_triangulation* t, int64_t capacity, Int* v) {
-    return run(t, capacity, v, 3 * mgdt_hull_facet_count(t), mgdt_point_count(t),
+    return run(t, false, capacity, v, 3 * mgdt_hull_facet_count(t), mgdt_point_count(t),
                [&](const ExportView& view) { export_hull_facets(view, v); });
 }
 
 template <class Int>
 mgdt_status edges(const mgdt_triangulation* t, int64_t capacity, Int* v) {
-    return run(t, capacity, v, 2 * mgdt_edge_count(t), mgdt_point_count(t),
+    return run(t, false, capacity, v, 2 * mgdt_edge_count(t), mgdt_point_count(t),
                [&](const ExportView& view) { export_edges(view, v); });
 }
 
 template <class Int>
 mgdt_status point_map(const mgdt_triangulation* t, int64_t capacity, Int* v) {
-    return run(t, capacity, v, mgdt_point_count(t), mgdt_point_count(t),
+    return run(t, false, capacity, v, mgdt_point_count(t), mgdt_point_count(t),
                [&](const ExportView& view) { export_point_map(view, t->core.point_map(), v); });
 }
 
@@ -75,8 +72,8 @@ mgdt_status vertex_tetrahedra(const mgdt_triangulation* t, int64_t offset_capaci
         if (count > 0) require_pointer(list, "list");
         require_capacity(offset_capacity, points + 1, "offsets");
         require_capacity(capacity, count, "list");
-        require_range<Int>(count, t);
-        export_vertex_tetrahedra(view_of(t), points, offsets, list);
+        require_range<Int>(count + 1, t);  // the last offset is past the end
+        export_vertex_tetrahedra(view_of(t, true), points, offsets, list);
     });
 }
 

@@ -11,6 +11,7 @@
 #include "mgdt/mgdt.h"
 #include "platform/error.hpp"
 #include "platform/fp_environment.hpp"
+#include "query/export.hpp"
 
 struct mgdt_triangulation {
     mgdt_triangulation(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
@@ -67,6 +68,14 @@ mgdt_status guard(Handle* t, Body body) noexcept {
         t->remember("internal error");
         return MGDT_ERR_INTERNAL;
     }
+}
+
+// What the exports and queries of a handle read. Numbering the tetrahedra takes a pass over them
+// when it is asked for the first time.
+inline ExportView view_of(const mgdt_triangulation* t, bool numbers) {
+    const Triangulation& core = t->core;
+    return {core.mesh(), numbers ? &core.numbering() : nullptr, core.allocator(),
+            core.settings().index_base, core.settings().canonical_output};
 }
 
 inline void require_pointer(const void* p, const char* name) {

@@ -33,18 +33,17 @@ mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* 
         require_pointer(tetrahedra, "the output array");
         require_finite(static_cast<std::size_t>(n), xyz, t);
         const std::int64_t base = t->core.settings().index_base;
-        if (mgdt_tetrahedron_count(t) + base > std::numeric_limits<Int>::max())
+        if (mgdt_tetrahedron_count(t) - 1 + base > std::numeric_limits<Int>::max())
             fail(MGDT_ERR_INDEX_RANGE, "tetrahedra do not fit a 32-bit integer");
         const Locator where = locator(t);
-        const ExportView view{t->core.mesh(), t->core.numbering(), t->core.allocator(),
-                              t->core.settings().index_base};
+        const ExportView view = view_of(t, true);
         TetId hint = no_tetrahedron;
         for (std::int64_t i = 0; i < n; ++i) {
             const TetId found = where.locate(xyz + 3 * i, hint);
             tetrahedra[i] = static_cast<Int>(
                 found == no_tetrahedron
                     ? base - 1
-                    : static_cast<std::int64_t>(view.numbering.rank(found)) + base);
+                    : static_cast<std::int64_t>(view.numbering->rank(found)) + base);
             if (!weights) continue;
             double* const out = weights + 4 * i;
             std::fill(out, out + 4, 0.0);

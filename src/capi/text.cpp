@@ -91,8 +91,6 @@ extern "C" const char* mgdt_status_string(mgdt_status s) {
             return "more points or tetrahedra than can be numbered";
         case MGDT_ERR_CANCELLED:
             return "cancelled";
-        case MGDT_ERR_DIMENSION:
-            return "the points do not span space";
         case MGDT_ERR_CHECK_FAILED:
             return "the check found a defect";
         case MGDT_ERR_INTERNAL:

@@ -21,26 +21,31 @@ void Triangulation::Batch::use(const PointScan& scan, std::size_t n, const doubl
 }
 
 void Triangulation::Batch::gather(const Mesh& mesh, const Buffer<VertexId>& point_map,
-                                  const PointScan& scan, const double* const axis[3],
-                                  std::ptrdiff_t stride, int scale_exponent) {
-    const std::size_t total = point_map.size(), first = first_index;
-    use(scan, total - first, axis, stride, scale_exponent, first);
-    gathered.resize(3 * total);
-    indices.resize(total);
+                                  const Batch& added, std::size_t count) {
+    const std::size_t before = added.first_index;
+    gathered.resize(3 * (before + count));
+    indices.resize(before + count);
     std::size_t size = 0;
-    for (std::size_t i = 0; i < total; ++i) {
+    for (std::size_t i = 0; i < before; ++i) {
         // A point that a cancelled call left out stays out.
-        if (i < first && point_map[i] == infinite_vertex) continue;
-        double* p = &gathered[3 * size];
-        if (i >= first)
-            get(i - first, p);
-        else
-            std::copy_n(mesh.point(point_map[i]), 3, p);
+        if (point_map[i] == infinite_vertex) continue;
+        std::copy_n(mesh.point(point_map[i]), 3, &gathered[3 * size]);
         indices[size++] = static_cast<std::uint32_t>(i);
     }
-    const double* const gathered_axis[3] = {&gathered[0], &gathered[1], &gathered[2]};
-    const PointScan whole(size, gathered_axis, 3, 0);
-    use(whole, size, gathered_axis, 3, 0, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        added.get(i, &gathered[3 * size]);
+        indices[size++] = added.index(i);
+    }
+    const double* const axis[3] = {&gathered[0], &gathered[1], &gathered[2]};
+    const PointScan scan(size, axis, 3, 0);
+    use(scan, size, axis, 3, 0, 0);
+}
+
+void Triangulation::Batch::drop_front(std::size_t count) {
+    for (const double*& axis : points.axis)
+        axis += static_cast<std::ptrdiff_t>(count) * points.stride;
+    points.size -= count;
+    first_index += count;
 }
 
 }  // namespace mgdt

@@ -19,12 +19,18 @@ inline std::size_t expected_tetrahedra(std::size_t points, std::size_t limit) {
 
 struct Triangulation::Batch {
     explicit Batch(Allocator& allocator) : gathered(allocator), indices(allocator) {}
+    // The caller's points; `first` is the index of the first, counted from 0.
+    Batch(Allocator& allocator, const PointScan& scan, std::size_t n, const double* const axis[3],
+          std::ptrdiff_t stride, int scale_exponent, std::size_t first)
+        : Batch(allocator) {
+        use(scan, n, axis, stride, scale_exponent, first);
+    }
 
-    void use(const PointScan& scan, std::size_t n, const double* const axis[3],
-             std::ptrdiff_t stride, int scale_exponent, std::size_t first);
-    // Makes the batch that of all points that are in (all held) and the new ones.
-    void gather(const Mesh& mesh, const Buffer<VertexId>& point_map, const PointScan& scan,
-                const double* const axis[3], std::ptrdiff_t stride, int scale_exponent);
+    // Makes this the batch of all points that are in (all held) and the first `count` of `added`.
+    void gather(const Mesh& mesh, const Buffer<VertexId>& point_map, const Batch& added,
+                std::size_t count);
+    // Leaves out the first points.
+    void drop_front(std::size_t count);
 
     // Point i as the mesh stores it: scaled, -0 made 0.
     void get(std::size_t i, double p[3]) const {
@@ -44,6 +50,10 @@ struct Triangulation::Batch {
     std::size_t first_index;        // of point 0, where there are no indices
     Buffer<double> gathered;        // coordinates
     Buffer<std::uint32_t> indices;  // empty, or of each point
+
+  private:
+    void use(const PointScan& scan, std::size_t n, const double* const axis[3],
+             std::ptrdiff_t stride, int scale_exponent, std::size_t first);
 };
 
 }  // namespace mgdt

@@ -73,7 +73,7 @@ void Triangulation::copy_vertices(const Batch& batch, const Schedule& schedule, 
     }
 }
 
-void Triangulation::insert_batch(const Batch& batch, bool fresh) {
+void Triangulation::insert_batch(const Batch& batch, bool fresh, bool may_stop) {
     // All that can fail before the mesh changes.
     const std::size_t n = batch.points.size;
     Schedule schedule(allocator_);
@@ -84,6 +84,7 @@ void Triangulation::insert_batch(const Batch& batch, bool fresh) {
         statistics_.levels = schedule.levels;
         statistics_.rounds = static_cast<double>(schedule.rounds.size());
     }
+    if (may_stop) stop_if_cancelled(0, n);
     Stopwatch watch(statistics_.insert_seconds);
     const std::size_t base = fresh ? 1 : mesh_.vertices.size();
     mesh_.vertices.grow(base + n);
@@ -122,7 +123,7 @@ void Triangulation::insert_batch(const Batch& batch, bool fresh) {
     } else {
         copy_vertices(batch, schedule, base);
     }
-    insert_scheduled(batch, schedule, base, done);
+    insert_scheduled(batch, schedule, base, done, may_stop);
 }
 
 // Vertices 1 to 4 and the vertex at infinity: one tetrahedron and four ghosts, each the
@@ -165,7 +166,7 @@ void Triangulation::make_first_tetrahedra() {
 }
 
 void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
-                                     std::size_t done) {
+                                     std::size_t done, bool may_stop) {
     const std::size_t n = batch.points.size;
     // Vertices of duplicates are taken out as they turn up: those behind move forward.
     std::size_t in = done;
@@ -181,11 +182,10 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
     for (std::size_t k = done; k < n; ++k) {
         if (k >= next_report) {
             next_report += report_interval;
-            report(k, n);
-            stop_if_cancelled(k, n);
-        } else if (k % poll_interval == 0) {
-            stop_if_cancelled(k, n);
+            if (may_stop) report(k, n);
         }
+        if (may_stop && (k % poll_interval == 0 || k + report_interval == next_report))
+            stop_if_cancelled(k, n);
         const VertexId q = static_cast<VertexId>(base + in);
         if (in != k) mesh_.vertices[q] = mesh_.vertices[base + k];
         const std::uint32_t index = mesh_.vertices[q].index;
@@ -208,7 +208,6 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
             ++statistics_.duplicates;
         }
     }
-    report(n, n);
 }
 
 }  // namespace mgdt

@@ -28,7 +28,6 @@ void Triangulation::clear() noexcept {
     workspace_.slot_count = 0;
     statistics_ = Statistics();
     workspace_.counters = Counters();
-    cancelled_.store(false, std::memory_order_relaxed);
 }
 
 void Triangulation::reserve(std::size_t points) {
@@ -47,29 +46,38 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
     const PointScan scan(n, axis, stride, static_cast<long long>(first) + settings_.index_base);
     if (n == 0) return;
 
+    // A request to stop concerns this call alone, however it ends.
+    struct Forget {
+        std::atomic<bool>& flag;
+        ~Forget() { flag.store(false, std::memory_order_relaxed); }
+    } forget{cancelled_};
+
     point_map_.grow(first + n);
     forget_numbering();
     exponents_.add(scan.exponents);
     set_scale(exponents_);
     point_map_.resize(first + n, infinite_vertex);
+
     report(0, n);
     stop_if_cancelled(0, n);
 
-    Batch batch(allocator_);
-    batch.use(scan, n, axis, stride, mesh_.scale, first);
+    Batch batch(allocator_, scan, n, axis, stride, mesh_.scale, first);
     if (dimension() == 3) {
-        insert_batch(batch, false);
+        insert_batch(batch, false, true);
     } else {
         AffineBasis basis = basis_;
-        if (!spans_space(batch, basis)) {
+        const std::size_t spanning = points_to_span_space(batch, basis);
+        if (basis.dimension() < 3) {
             hold(batch, basis);
+        } else if (first == 0) {
+            insert_batch(batch, true, true);
         } else {
-            // What was held goes in with the new points, as one batch of all points given.
-            if (first > 0) batch.gather(mesh_, point_map_, scan, axis, stride, mesh_.scale);
-            insert_batch(batch, true);
+            release_held(batch, spanning);
+            batch.drop_front(spanning);
+            if (batch.points.size > 0) insert_batch(batch, false, true);
         }
     }
-    cancelled_.store(false, std::memory_order_relaxed);
+    report(n, n);
 }
 
 void Triangulation::set_scale(const ExponentRange& range) {
@@ -90,13 +98,24 @@ void Triangulation::set_scale(const ExponentRange& range) {
     basis_.scale(change);
 }
 
-bool Triangulation::spans_space(const Batch& batch, AffineBasis& basis) const {
-    for (std::size_t i = 0; i < batch.points.size && basis.dimension() < 3; ++i) {
+// How many of the batch's first points it takes, with those held, to span space; all of them if
+// they do not.
+std::size_t Triangulation::points_to_span_space(const Batch& batch, AffineBasis& basis) const {
+    std::size_t i = 0;
+    for (; i < batch.points.size && basis.dimension() < 3; ++i) {
         double p[3];
         batch.get(i, p);
         basis.add(p);
     }
-    return basis.dimension() == 3;
+    return i;
+}
+
+// Inserts all that was held, with as many new points as it takes to span space. These were
+// accepted before, so this part of the call does not stop for a request to cancel.
+void Triangulation::release_held(const Batch& batch, std::size_t spanning) {
+    Batch all(allocator_);
+    all.gather(mesh_, point_map_, batch, spanning);
+    insert_batch(all, true, false);
 }
 
 void Triangulation::hold(const Batch& batch, const AffineBasis& basis) {

@@ -69,13 +69,14 @@ class Triangulation {
     struct Batch;
 
     void set_scale(const ExponentRange& range);
-    bool spans_space(const Batch& batch, AffineBasis& basis) const;
+    std::size_t points_to_span_space(const Batch& batch, AffineBasis& basis) const;
     void hold(const Batch& batch, const AffineBasis& basis);
-    void insert_batch(const Batch& batch, bool fresh);
+    void release_held(const Batch& batch, std::size_t spanning);
+    void insert_batch(const Batch& batch, bool fresh, bool may_stop);
     void copy_vertices(const Batch& batch, const Schedule& schedule, std::size_t base);
     void make_first_tetrahedra();
     void insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
-                          std::size_t done);
+                          std::size_t done, bool may_stop);
     void report(std::size_t done, std::size_t total);
     void stop_if_cancelled(std::size_t done, std::size_t total);
 

@@ -29,9 +29,11 @@ struct EdgeMatrix {
 
 // The same by hashing, for cavities of any size.
 struct EdgeTable {
-    explicit EdgeTable(Workspace& w)
-        : keys(w.edge_keys.data), codes(w.edge_codes.data), mask(w.edge_size - 1) {
-        for (std::size_t i = 0; i <= mask; ++i) keys[i] = free;
+    explicit EdgeTable(Workspace& w) : keys(w.edge_keys.data), codes(w.edge_codes.data) {
+        // As large as this star wants, not as the largest so far had: it is cleared each time.
+        const std::size_t size = Workspace::edge_table_size(w.boundary_size);
+        for (std::size_t i = 0; i < size; ++i) keys[i] = free;
+        mask = size - 1;
     }
     std::size_t slot(std::uint32_t a, std::uint32_t b) const {
         const std::uint64_t key = (static_cast<std::uint64_t>(a) << 32) | b;

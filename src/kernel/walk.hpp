@@ -22,34 +22,39 @@ struct WalkResult {
 };
 
 // The exact walk. It ends in the closed tetrahedron that contains q, or in a ghost whose facet q
-// is strictly beyond.
-inline TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters) {
+// is strictly beyond. point_of(v, room) gives a vertex's coordinates, in `room` if need be.
+template <class PointOf>
+TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters, PointOf point_of) {
     for (unsigned turn = 0;; ++turn) {
         const Tetrahedron& tet = mesh.tetrahedra[t];
         ++counters.walk_steps;
-        if (tet.is_ghost()) {
-            const int slot = tet.infinite_slot();
-            const double* p[4];
-            for (int i = 0; i < 4; ++i) p[i] = i == slot ? q : mesh.point(tet.v[i]);
+        double room[4][3];
+        const double* p[4];
+        for (unsigned i = 0; i < 4; ++i) p[i] = point_of(tet.v[i], room[i]);
+        // Side of q with respect to a face: positive where the vertex opposite is.
+        const auto side = [&](unsigned face) {
+            const double* corner[4] = {p[0], p[1], p[2], p[3]};
+            corner[face] = q;
             ++counters.exact_calls;
-            if (orientation(p[0], p[1], p[2], p[3]) > 0) return t;
-            t = mesh.neighbor(t, slot);
-            continue;
-        }
+            return orientation(corner[0], corner[1], corner[2], corner[3]);
+        };
         TetId next = no_tetrahedron;
-        for (unsigned i = 0; i < 4; ++i) {
-            const unsigned face = (i + turn) & 3;
-            const double* p[4];
-            for (unsigned j = 0; j < 4; ++j) p[j] = j == face ? q : mesh.point(tet.v[j]);
-            ++counters.exact_calls;
-            if (orientation(p[0], p[1], p[2], p[3]) < 0) {
-                next = tet.n[face] >> 2;
-                break;
+        if (tet.is_ghost()) {
+            const unsigned slot = static_cast<unsigned>(tet.infinite_slot());
+            if (side(slot) <= 0) next = tet.n[slot] >> 2;
+        } else {
+            for (unsigned i = 0; i < 4 && next == no_tetrahedron; ++i) {
+                const unsigned face = (i + turn) & 3;
+                if (side(face) < 0) next = tet.n[face] >> 2;
             }
         }
         if (next == no_tetrahedron) return t;
         t = next;
     }
+}
+
+inline TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters) {
+    return walk_exact(mesh, t, q, counters, [&](VertexId v, double*) { return mesh.point(v); });
 }
 
 // A better start than any tetrahedron of the star built last: that of least power among a few

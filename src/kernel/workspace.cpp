@@ -39,8 +39,10 @@ void Workspace::grow_cavity(std::size_t candidates_used, std::size_t candidates_
 
 void Workspace::grow_star(std::size_t removed, std::size_t created) {
     // A cavity of so many tetrahedra, each but the first adding one vertex, has at most 3 more.
-    const std::size_t vertices = std::max<std::size_t>(removed, 64) + 3 + 32;
-    const std::size_t facets = std::max<std::size_t>(created, 128) + 16;
+    constexpr std::size_t past = 32;
+    removed = std::max({removed, star_removed, std::size_t{64}});
+    created = std::max({created, star_created, std::size_t{128}});
+    const std::size_t vertices = removed + 3 + past, facets = created + past;
     star_removed = star_created = 0;
     if (!direct.data) {
         direct.reserve(direct_size, 0);
@@ -69,14 +71,13 @@ void Workspace::grow_star(std::size_t removed, std::size_t created) {
     }
     std::size_t codes = matrix_vertices * matrix_vertices;
     if (vertices > matrix_vertices) {
-        edge_size = 1024;
-        while (edge_size < 6 * facets) edge_size *= 2;
-        edge_keys.reserve(edge_size, 0);
-        codes = std::max(codes, edge_size);
+        const std::size_t size_of_table = edge_table_size(created);
+        edge_keys.reserve(size_of_table, 0);
+        codes = std::max(codes, size_of_table);
     }
     edge_codes.reserve(codes, 0);
-    star_removed = vertices - 3 - 32;
-    star_created = facets - 16;
+    star_removed = removed;
+    star_created = created;
 }
 
 void Workspace::forget_insertions() noexcept {

@@ -89,7 +89,12 @@ struct Workspace {
     static constexpr std::uint32_t matrix_vertices = 128;  // a larger star uses the edge table
     Scratch<FacetCode> edge_codes;
     Scratch<std::uint64_t> edge_keys;
-    std::size_t edge_size = 0;
+    // Half full at most: 3 entries a facet.
+    static constexpr std::size_t edge_table_size(std::size_t facets) {
+        std::size_t size = 1024;
+        while (size < 6 * facets) size *= 2;
+        return size;
+    }
     std::size_t star_removed = 0, star_created = 0;  // what there is room for
 
     alignas(64) Tetrahedron beyond;  // takes what a vector writes past the last facet

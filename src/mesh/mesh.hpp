@@ -28,8 +28,10 @@ struct Mesh {
 
     std::size_t live_count() const noexcept { return tetrahedra.size() - free_slots.size(); }
     std::size_t finite_count() const noexcept { return live_count() - ghost_count; }
-    const double* point(VertexId v) const noexcept { return vertices[v].x; }
-    TetId neighbor(TetId t, int face) const noexcept { return tetrahedra[t].n[face] >> 2; }
+    MGDT_ALWAYS_INLINE const double* point(VertexId v) const noexcept { return vertices[v].x; }
+    MGDT_ALWAYS_INLINE TetId neighbor(TetId t, int face) const noexcept {
+        return tetrahedra[t].n[face] >> 2;
+    }
 
     Buffer<Vertex> vertices;  // slot 0: the vertex at infinity
     Buffer<Tetrahedron> tetrahedra;

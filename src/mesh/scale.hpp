@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The power of two by which coordinates are multiplied inside, so that sets in millimetres of an
-// atom or of a galaxy meet the same floating-point filters at full speed. Multiplying by it is
-// exact, so no decision depends on it.
+// The power of two by which coordinates are multiplied inside, so that atoms in metres
+// and galaxies in millimetres meet the same floating-point filters at full speed. Multiplying by it
+// is exact, so no decision depends on it.
 #pragma once
 
 #include <cmath>

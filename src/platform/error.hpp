@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How the inside of the library reports what went wrong; the C interface turns it into a status
-// and a message (capi/guard.hpp).
+// and a message (capi/handle.hpp).
 #pragma once
 
 #include <cstdarg>

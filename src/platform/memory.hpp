@@ -36,7 +36,7 @@ class Allocator {
     std::size_t bytes() const noexcept { return bytes_.load(std::memory_order_relaxed); }
     std::size_t peak() const noexcept { return peak_.load(std::memory_order_relaxed); }
     void set_limit(std::size_t bytes) noexcept { limit_ = bytes; }
-    // Moves the account of a block that was obtained elsewhere (the handle itself).
+    // Adds a block that was obtained elsewhere (the handle itself) to the account.
     void count(std::size_t bytes);
 
     // The source itself, without counting: for the handle, which holds the allocator.
@@ -110,11 +110,19 @@ class Buffer {
     void reserve(std::size_t capacity) {
         if (capacity > capacity_) set_capacity(capacity);
     }
-    // Room for `capacity` elements, growing by at least half so that repeated calls stay linear.
+    // Room for `capacity` elements, growing by at least half so that repeated calls stay linear;
+    // by no more than that where a memory limit refuses it.
     void grow(std::size_t capacity) {
         if (capacity <= capacity_) return;
         const std::size_t generous = capacity_ + capacity_ / 2;
-        set_capacity(generous > capacity ? generous : capacity);
+        if (generous > capacity) {
+            try {
+                set_capacity(generous);
+                return;
+            } catch (const std::bad_alloc&) {
+            }
+        }
+        set_capacity(capacity);
     }
     void resize(std::size_t size) {
         reserve(size);

@@ -19,7 +19,8 @@ class Checker {
     void points(const Buffer<VertexId>& point_map) const;
     void records() const;
     void adjacency() const;
-    void sphere() const;
+    void connection() const;
+    void links() const;
     void geometry() const;
     void regularity() const;
 
@@ -111,9 +112,8 @@ void Checker::adjacency() const {
     });
 }
 
-// The whole is one closed sphere: connected, every vertex in it, Euler characteristic 0. With V
-// vertices, T tetrahedra and 2 T facets (ghosts included), E = V + T.
-void Checker::sphere() const {
+// The whole is connected.
+void Checker::connection() const {
     Buffer<std::uint64_t> seen(allocator_);
     seen.resize(mesh_.tetrahedra.size() / 64 + 1, 0);
     Buffer<TetId> stack(allocator_);
@@ -133,23 +133,41 @@ void Checker::sphere() const {
     }
     if (reached != mesh_.live_count())
         fail(MGDT_ERR_CHECK_FAILED, "the tetrahedra are not connected");
+}
 
+// The link of every vertex is one triangulated sphere: connected through the facets that have the
+// vertex, with T = 2 V - 4. Over the whole, E = V + T.
+void Checker::links() const {
     const Incidence around(mesh_, allocator_);
-    Buffer<VertexId> seen_from(allocator_);
+    Buffer<VertexId> seen_from(allocator_), reached_from(allocator_);
     seen_from.resize(mesh_.vertices.size(), no_index);
+    reached_from.resize(mesh_.tetrahedra.size(), no_index);
+    Buffer<TetId> stack(allocator_);
     std::size_t ends = 0;
     for (VertexId v = 0; v < mesh_.vertices.size(); ++v) {
-        std::size_t degree = 0;
-        for (const TetId t : around.tetrahedra(v))
-            for (const VertexId end : tet(t).v)
-                if (end != v && seen_from[end] != v) {
-                    seen_from[end] = v;
-                    ++degree;
-                }
-        // The link of a vertex is a triangulated sphere: T = 2 V - 4.
-        if (around.tetrahedra(v).size() + 4 != 2 * degree)
+        const Incidence::Range star = around.tetrahedra(v);
+        std::size_t degree = 0, reached = 0;
+        const auto reach = [&](TetId t) {
+            if (reached_from[t] == v) return;
+            reached_from[t] = v;
+            stack.push_back(t);
+            ++reached;
+        };
+        if (star.size() > 0) reach(*star.begin());
+        while (!stack.empty()) {
+            const Tetrahedron& t = tet(stack.back());
+            stack.pop_back();
+            for (int i = 0; i < 4; ++i) {
+                if (t.v[i] == v) continue;
+                reach(t.n[i] >> 2);
+                if (seen_from[t.v[i]] == v) continue;
+                seen_from[t.v[i]] = v;
+                ++degree;
+            }
+        }
+        if (reached != star.size() || star.size() + 4 != 2 * degree)
             fail(MGDT_ERR_CHECK_FAILED,
-                 "the tetrahedra around point %lld (-1: infinity) do not close", index(v));
+                 "the tetrahedra around point %lld (-1: infinity) are no ball", index(v));
         ends += degree;
     }
     if (ends != 2 * (mesh_.vertices.size() + mesh_.live_count()))
@@ -198,7 +216,8 @@ void check_mesh(const Mesh& mesh, const Buffer<VertexId>& point_map, Allocator& 
     if (mesh.live_count() == 0) return;
     check.records();
     check.adjacency();
-    check.sphere();
+    check.connection();
+    check.links();
     if (level >= MGDT_CHECK_GEOMETRIC) check.geometry();
     if (level >= MGDT_CHECK_CANONICAL) check.regularity();
 }

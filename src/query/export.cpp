@@ -18,7 +18,7 @@ struct HullFacet {
 }  // namespace
 
 void export_places(const ExportView& view, const Tetrahedron& t, unsigned places[4]) {
-    if (view.numbering.is_canonical()) {
+    if (view.canonical) {
         Numbering::canonical_places(view.mesh, t, places);
     } else {
         for (unsigned i = 0; i < 4; ++i) places[i] = i;
@@ -29,7 +29,7 @@ template <class Int>
 void export_tetrahedra(const ExportView& view, Int* out) {
     const Mesh& mesh = view.mesh;
     unsigned places[4];
-    view.numbering.for_each([&](TetId id) {
+    view.numbering->for_each([&](TetId id) {
         const Tetrahedron& t = mesh.tetrahedra[id];
         export_places(view, t, places);
         for (const unsigned i : places)
@@ -42,14 +42,14 @@ void export_neighbors(const ExportView& view, Int* out) {
     const Mesh& mesh = view.mesh;
     const Int none = static_cast<Int>(view.base - 1);
     unsigned places[4];
-    view.numbering.for_each([&](TetId id) {
+    view.numbering->for_each([&](TetId id) {
         const Tetrahedron& t = mesh.tetrahedra[id];
         export_places(view, t, places);
         for (const unsigned i : places) {
             const TetId m = t.n[i] >> 2;
             *out++ = mesh.tetrahedra[m].is_ghost()
                          ? none
-                         : static_cast<Int>(view.numbering.rank(m)) + static_cast<Int>(view.base);
+                         : static_cast<Int>(view.numbering->rank(m)) + static_cast<Int>(view.base);
         }
     });
 }
@@ -70,7 +70,7 @@ void export_hull_facets(const ExportView& view, Int* out) {
         std::rotate(f.v, std::min_element(f.v, f.v + 3), f.v + 3);
         facets.push_back(f);
     }
-    if (view.numbering.is_canonical()) std::sort(facets.begin(), facets.end());
+    if (view.canonical) std::sort(facets.begin(), facets.end());
     for (const HullFacet& f : facets)
         for (const std::uint32_t v : f.v)
             *out++ = static_cast<Int>(v) + static_cast<Int>(view.base);
@@ -83,7 +83,7 @@ void export_edges(const ExportView& view, Int* out) {
     // In canonical output edges go by the caller's indices.
     Buffer<VertexId> vertices(view.allocator, mesh.vertices.size() - 1);
     for (VertexId v = 1; v < mesh.vertices.size(); ++v) vertices[v - 1] = v;
-    const bool sorted = view.numbering.is_canonical();
+    const bool sorted = view.canonical;
     const auto by_index = [&](VertexId a, VertexId b) {
         return mesh.vertices[a].index < mesh.vertices[b].index;
     };
@@ -122,7 +122,7 @@ void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* o
     const Mesh& mesh = view.mesh;
     const Int base = static_cast<Int>(view.base);
     std::fill(offsets, offsets + points + 1, Int{0});
-    view.numbering.for_each([&](TetId id) {
+    view.numbering->for_each([&](TetId id) {
         for (const VertexId v : mesh.tetrahedra[id].v) ++offsets[mesh.vertices[v].index + 1u];
     });
     // Positions of the lists' beginnings; filling moves each to its end, the next one's beginning.
@@ -130,7 +130,7 @@ void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* o
     for (std::size_t k = 1; k <= points; ++k) offsets[k] += offsets[k - 1];
     std::copy(offsets, offsets + points + 1, next.begin());
     std::size_t number = 0;
-    view.numbering.for_each([&](TetId id) {
+    view.numbering->for_each([&](TetId id) {
         for (const VertexId v : mesh.tetrahedra[id].v)
             list[next[mesh.vertices[v].index]++] = static_cast<Int>(number) + base;
         ++number;

@@ -9,9 +9,10 @@ namespace mgdt {
 
 struct ExportView {
     const Mesh& mesh;
-    const Numbering& numbering;
+    const Numbering* numbering;  // may be missing where no tetrahedra are numbered
     Allocator& allocator;
     std::int32_t base;
+    bool canonical;
 };
 
 template <class Int>

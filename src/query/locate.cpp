@@ -20,33 +20,6 @@ void Locator::unscaled(VertexId v, double* to) const {
     for (int k = 0; k < 3; ++k) to[k] = scaled(mesh.vertices[v].x[k], -mesh.scale);
 }
 
-// The exact walk on the caller's coordinates, for a point that has no exact scaled place.
-TetId Locator::walk_unscaled(const double* q, TetId t) const {
-    for (unsigned turn = 0;; ++turn) {
-        const Tetrahedron& tet = mesh.tetrahedra[t];
-        double p[4][3];
-        for (unsigned i = 0; i < 4; ++i) unscaled(tet.v[i], p[i]);
-        const auto side = [&](unsigned face) {
-            const double* corner[4] = {p[0], p[1], p[2], p[3]};
-            corner[face] = q;
-            return orientation(corner[0], corner[1], corner[2], corner[3]);
-        };
-        if (tet.is_ghost()) {
-            const int slot = tet.infinite_slot();
-            if (side(static_cast<unsigned>(slot)) > 0) return t;
-            t = mesh.neighbor(t, slot);
-            continue;
-        }
-        TetId next = no_tetrahedron;
-        for (unsigned i = 0; i < 4 && next == no_tetrahedron; ++i) {
-            const unsigned face = (i + turn) & 3;
-            if (side(face) < 0) next = tet.n[face] >> 2;
-        }
-        if (next == no_tetrahedron) return t;
-        t = next;
-    }
-}
-
 TetId Locator::locate(const double* q, TetId& hint) const {
     if (mesh.live_count() == 0) return no_tetrahedron;
     double p[3];
@@ -57,7 +30,13 @@ TetId Locator::locate(const double* q, TetId& hint) const {
         t = kernel.approach(mesh, hint, p, unused);
         t = walk_exact(mesh, t, p, unused);
     } else {
-        t = walk_unscaled(q, hint == no_tetrahedron ? mesh.vertices[1].tet : hint);
+        // No exact scaled place: walk on the caller's coordinates.
+        Counters unused;
+        t = walk_exact(mesh, hint == no_tetrahedron ? mesh.vertices[1].tet : hint, q, unused,
+                       [&](VertexId v, double* room) {
+                           unscaled(v, room);
+                           return static_cast<const double*>(room);
+                       });
     }
     hint = t;
     return mesh.tetrahedra[t].is_ghost() ? no_tetrahedron : t;

@@ -22,7 +22,6 @@ struct Locator {
   private:
     int compare(VertexId a, VertexId b, const double* q) const;
     bool scale_exactly(const double* q, double* to) const;
-    TetId walk_unscaled(const double* q, TetId t) const;
     void unscaled(VertexId v, double* to) const;
 };
 

@@ -217,8 +217,14 @@ static void exports(const double* xyz) {
         mgdt_status status;
         CHECK_EQUAL(mgdt_set_canonical_output(t, on), MGDT_OK);
         for (nth = 1;; ++nth) {
+            /* One refusal: an array that wanted to grow generously may do with less. */
             before = s.calls;
             fail(&s, before + nth, before + nth + 1);
+            status = export_all(t, v, list);
+            CHECK(status == MGDT_ERR_OUT_OF_MEMORY || status == MGDT_OK);
+            /* From there on nothing but refusals. */
+            before = s.calls;
+            fail(&s, before + nth, INT64_MAX);
             status = export_all(t, v, list);
             fail(&s, 0, 0);
             if (s.calls < before + nth) break;
@@ -313,6 +319,20 @@ static void accounting(const double* xyz) {
     mgdt_destroy(t);
 }
 
+/* Storage grows generously where it may, and by what is needed where a limit is near. */
+static void near_the_limit(void) {
+    const int64_t n = small() ? 20000 : 100000;
+    double* xyz = random_points(n + 1, 0, 11);
+    mgdt_triangulation* t = make(n, xyz);
+    double bytes = 0;
+    CHECK_EQUAL(mgdt_get_stat(t, MGDT_STAT_MEMORY_BYTES, &bytes), MGDT_OK);
+    CHECK_EQUAL(mgdt_set_memory_limit(t, (int64_t)bytes + 1500000), MGDT_OK);
+    CHECK_EQUAL(mgdt_insert_points(t, 1, xyz + 3 * n), MGDT_OK);
+    CHECK_EQUAL(mgdt_vertex_count(t), n + 1);
+    mgdt_destroy(t);
+    free(xyz);
+}
+
 void test_memory(void) {
     static const int32_t schemes[] = {MGDT_ORDER_AUTO,       MGDT_ORDER_REGULAR_GRID,
                                       MGDT_ORDER_KD_TREE,    MGDT_ORDER_ENHANCED_KD_TREE,
@@ -327,4 +347,5 @@ void test_memory(void) {
     accounting(xyz);
     mgdt_destroy(expected);
     free(xyz);
+    near_the_limit();
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The progress callback, and stopping by it or by mgdt_cancel(). */
+#define _POSIX_C_SOURCE 200112L
 #include <stdlib.h>
 
 #include "check.h"
@@ -102,6 +103,70 @@ static void before_a_call(int64_t n, const double* xyz, const mgdt_triangulation
     mgdt_destroy(t);
 }
 
+/* Points that were accepted while they did not span space are not lost to a stop later on. */
+static void held_points_stay(void) {
+    const int64_t n = small() ? 300 : 3000;
+    double* flat = random_points(n, 0, 7);
+    double* more = random_points(n, 0, 8);
+    mgdt_triangulation* t = NULL;
+    watch w;
+    int64_t i, *map;
+    for (i = 0; i < n; ++i) flat[3 * i + 2] = 0;
+    CHECK_EQUAL(mgdt_create(&t), MGDT_OK);
+    w = start(t, -1, 0);
+    CHECK_EQUAL(mgdt_set_progress(t, observe, &w), MGDT_OK);
+    CHECK_EQUAL(mgdt_insert_points(t, n, flat), MGDT_OK);
+    CHECK_EQUAL(mgdt_dimension(t), 2);
+    CHECK(w.last == 1);
+    w = start(t, 10, 0);
+    CHECK_EQUAL(mgdt_insert_points(t, n, more), MGDT_ERR_CANCELLED);
+    CHECK_EQUAL(mgdt_dimension(t), 3);
+    CHECK_EQUAL(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_OK);
+    map = get_array(mgdt_get_point_map, t, 2 * n);
+    for (i = 0; i < n; ++i) CHECK_EQUAL(map[i], i);
+    CHECK_EQUAL(map[2 * n - 1] >= 0 && mgdt_vertex_count(t) == 2 * n, 0);
+    free(map);
+    mgdt_destroy(t);
+    free(flat);
+    free(more);
+}
+
+/* A request to stop ends with the call that it reached, also when that fails for another reason. */
+static void* cancel_and_refuse(size_t size, size_t align, void* user) {
+    watch* w = user;
+    void* p = NULL;
+    if (w->stop_at != 0 && size >= 4096) {
+        mgdt_cancel(w->t);
+        return NULL;
+    }
+    return posix_memalign(&p, align < sizeof p ? sizeof p : align, size) == 0 ? p : NULL;
+}
+
+static void give(void* p, size_t size, size_t align, void* user) {
+    (void)size;
+    (void)align;
+    (void)user;
+    free(p);
+}
+
+static void requests_end(void) {
+    double* xyz = random_points(2000, 0, 9);
+    mgdt_triangulation* t = NULL;
+    watch w = start(NULL, 0, 0);
+    CHECK_EQUAL(mgdt_create_with_allocator(cancel_and_refuse, give, &w, &t), MGDT_OK);
+    if (t != NULL) {
+        w.t = t;
+        CHECK_EQUAL(mgdt_insert_points(t, 100, xyz), MGDT_OK);
+        w.stop_at = 1;
+        CHECK(mgdt_insert_points(t, 2000, xyz) != MGDT_OK);
+        w.stop_at = 0;
+        CHECK_EQUAL(mgdt_insert_points(t, 2000, xyz), MGDT_OK);
+        CHECK_EQUAL(mgdt_vertex_count(t), 2000);
+    }
+    mgdt_destroy(t);
+    free(xyz);
+}
+
 void test_progress(void) {
     const int64_t n = small() ? 3000 : 60000;
     double* xyz = random_points(n, small() ? 100 : 0, 51);
@@ -111,4 +176,6 @@ void test_progress(void) {
     before_a_call(n, xyz, expected);
     mgdt_destroy(expected);
     free(xyz);
+    held_points_stay();
+    requests_end();
 }
