@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Schemes without cells: input, random, lexicographic, curves and rounds.
+#include "order_sets.hpp"
+
+namespace {
+
+using namespace order_test;
+
+TEST(Random, IsSplitmix64) {
+    Random random(1234567);  // the published test vector
+    EXPECT_EQ(random.next(), 6457827717110365317u);
+    EXPECT_EQ(random.next(), 3203168211198807973u);
+    EXPECT_EQ(Random::at(1234567, 1), 3203168211198807973u);
+}
+
+TEST(Random, DrawsBelowTheBound) {
+    Random random(1);
+    unsigned seen[7] = {};
+    for (int i = 0; i < 7000; ++i) {
+        const std::uint32_t x = random.below(7);
+        ASSERT_LT(x, 7u);
+        ++seen[x];
+    }
+    for (const unsigned count : seen) EXPECT_NEAR(count, 1000, 150);
+    EXPECT_EQ(random.below(1), 0u);
+}
+
+TEST(RadixSort, SortsAsAStableSortDoes) {
+    Random random(5);
+    for (const std::size_t n : {0u, 1u, 2u, 24u, 25u, 100u, 5000u}) {
+        for (const unsigned kept : {0u, 1u, 9u, 33u, 64u}) {  // bits in which keys differ
+            std::vector<KeyedIndex> a(n), scratch(n);
+            const std::uint64_t mask =
+                kept == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << kept) - 1;
+            for (std::size_t i = 0; i < n; ++i) {
+                a[i] = {0xABCD000000000000u ^ (random.next() & mask),
+                        static_cast<std::uint32_t>(i)};
+            }
+            std::vector<KeyedIndex> expected = a;
+            std::stable_sort(expected.begin(), expected.end(),
+                             [](auto& x, auto& y) { return x.key < y.key; });
+            radix_sort(a.data(), scratch.data(), n, 0, 64);
+            for (std::size_t i = 0; i < n; ++i) {
+                ASSERT_EQ(a[i].key, expected[i].key);
+                ASSERT_EQ(a[i].index, expected[i].index);
+            }
+        }
+    }
+}
+
+TEST(Input, KeepsTheOrder) {
+    const Result result = schedule(uniform(50), MGDT_ORDER_INPUT);
+    for (std::uint32_t i = 0; i < 50; ++i) EXPECT_EQ(result.order[i], i);
+}
+
+TEST(RandomOrder, ShufflesByTheSeed) {
+    OrderParameters parameters;
+    std::set<Order> orders;
+    double first = 0;
+    for (parameters.seed = 0; parameters.seed < 200; ++parameters.seed) {
+        const Order order = schedule(uniform(30), MGDT_ORDER_RANDOM, parameters).order;
+        first += order[0];
+        orders.insert(order);
+    }
+    EXPECT_EQ(orders.size(), 200u);
+    EXPECT_NEAR(first / 200, 14.5, 2.5);  // four standard deviations of the mean
+}
+
+TEST(Lexicographic, SortsByXThenYThenZThenIndex) {
+    for (auto& [name, xyz] : all_sets(3000)) {
+        SCOPED_TRACE(name);
+        const Order order = schedule(xyz, MGDT_ORDER_LEXICOGRAPHIC).order;
+        for (std::size_t k = 1; k < order.size(); ++k) {
+            const double* a = &xyz[3 * std::size_t{order[k - 1]}];
+            const double* b = &xyz[3 * std::size_t{order[k]}];
+            const auto key = [](const double* p, std::uint32_t i) {
+                return std::make_tuple(p[0], p[1], p[2], i);
+            };
+            ASSERT_LT(key(a, order[k - 1]), key(b, order[k]));
+        }
+    }
+}
+
+TEST(HilbertCurve, VisitsEveryCellInUnitSteps) {
+    for (const unsigned steps : {1u, 2u}) {
+        const std::uint32_t side = 1u << (3 * steps);
+        std::vector<std::uint32_t> at(std::size_t{side} * side * side, no_hint);
+        for (std::uint32_t cell = 0; cell < at.size(); ++cell) {
+            unsigned state = HilbertCurve::first_state;
+            const std::uint64_t key = hilbert_curve.key(cell / side / side, cell / side % side,
+                                                        cell % side, steps, state);
+            ASSERT_LT(key, at.size());
+            ASSERT_EQ(at[key], no_hint) << "two cells with one key";
+            at[key] = cell;
+        }
+        for (std::size_t k = 1; k < at.size(); ++k) {
+            int distance = 0;
+            for (const std::uint32_t d : {side * side, side, 1u}) {
+                distance += std::abs(static_cast<int>(at[k - 1] / d % side) -
+                                     static_cast<int>(at[k] / d % side));
+            }
+            ASSERT_EQ(distance, 1) << "after key " << k - 1;
+        }
+    }
+}
+
+// Three steps and one step with the state that two steps lead to are the same curve.
+TEST(HilbertCurve, GoesOnInsideACell) {
+    Random random(3);
+    for (int i = 0; i < 1000; ++i) {
+        const std::uint32_t x = random.below(512), y = random.below(512), z = random.below(512);
+        unsigned whole = 0, upper = 0;
+        const std::uint64_t key = hilbert_curve.key(x, y, z, 3, whole);
+        std::uint64_t parts = hilbert_curve.key(x >> 3, y >> 3, z >> 3, 2, upper);
+        parts = parts << 9 | hilbert_curve.key(x & 7, y & 7, z & 7, 1, upper);
+        EXPECT_EQ(parts, key);
+        EXPECT_EQ(upper, whole);
+    }
+}
+
+TEST(Hilbert, FollowsALatticeInUnitSteps) {
+    for (const std::size_t side : {8u, 16u}) {
+        const Coordinates xyz = integer_lattice(side);
+        const Result result = schedule(xyz, MGDT_ORDER_HILBERT);
+        EXPECT_DOUBLE_EQ(path_length(xyz, result.order), static_cast<double>(xyz.size() / 3 - 1));
+        EXPECT_EQ(result.levels, 1u);
+    }
+}
+
+TEST(Hilbert, ResolvesCrowdsHoweverSmall) {
+    // A lattice that is one cell of any curve over the whole set, since a second one is far away.
+    const Coordinates lattice = integer_lattice(8);
+    Coordinates xyz = {1e300, 1e300, 1e300};
+    for (const double x : lattice) xyz.push_back(1e-250 * x);
+    const Result result = schedule(xyz, MGDT_ORDER_HILBERT);
+    EXPECT_GT(result.levels, 1u);
+    Order crowd;
+    for (const std::uint32_t i : result.order) {
+        if (i > 0) crowd.push_back(i - 1);
+    }
+    EXPECT_DOUBLE_EQ(path_length(lattice, crowd), 511);
+}
+
+TEST(Hilbert, KeepsPathsShort) {
+    // A path through n random points of the unit cube cannot be much shorter than 0.7 n^(2/3).
+    const Coordinates xyz = uniform(10000);
+    EXPECT_LT(path_length(xyz, schedule(xyz, MGDT_ORDER_HILBERT).order),
+              1.2 * std::pow(10000, 2.0 / 3));
+}
+
+TEST(Brio, RoundsGrowByTheRatioAndFollowTheCurve) {
+    const Coordinates xyz = uniform(40000);
+    OrderParameters parameters;
+    for (const double ratio : {1.5, 7.5, 30.0}) {
+        parameters.round_ratio = ratio;
+        const Result result = schedule(xyz, MGDT_ORDER_BRIO, parameters);
+        ASSERT_GT(result.rounds.size(), 1u);
+        EXPECT_LE(result.rounds[1], 100u);
+        const double before = result.rounds.back();
+        EXPECT_NEAR((40000 - before) / before, ratio, 0.1 * ratio);
+
+        Order place(40000);
+        const Order curve = schedule(xyz, MGDT_ORDER_HILBERT).order;
+        for (std::uint32_t k = 0; k < 40000; ++k) place[curve[k]] = k;
+        std::size_t turns = 0;
+        for (std::size_t k = 1; k < 40000; ++k) {
+            turns += place[result.order[k]] < place[result.order[k - 1]];
+        }
+        EXPECT_EQ(turns, result.rounds.size() - 1);
+    }
+}
+
+TEST(Brio, RoundsComeFromTheSeed) {
+    OrderParameters parameters;
+    const Coordinates xyz = uniform(2000);
+    const Result zero = schedule(xyz, MGDT_ORDER_BRIO, parameters);
+    parameters.seed = 1;
+    EXPECT_NE(schedule(xyz, MGDT_ORDER_BRIO, parameters).order, zero.order);
+}
+
+TEST(Brio, SmallSetsHaveOneRound) {
+    const Coordinates xyz = uniform(60);
+    const Result result = schedule(xyz, MGDT_ORDER_BRIO);
+    EXPECT_EQ(result.rounds, Order{0});
+    EXPECT_EQ(result.order, schedule(xyz, MGDT_ORDER_HILBERT).order);
+}
+
+TEST(Auto, EarlierRoundsTakeOneOfEightAlongTheCurve) {
+    const std::size_t n = 8 * 8 * 64 * 8;
+    const Coordinates xyz = uniform(n);
+    const Result result = schedule(xyz, MGDT_ORDER_AUTO);
+    EXPECT_EQ(result.rounds, (Order{0, 64, 512, 4096}));
+    Order place(n);
+    const Order curve = schedule(xyz, MGDT_ORDER_HILBERT).order;
+    for (std::uint32_t k = 0; k < n; ++k) place[curve[k]] = k;
+    for (std::uint32_t k = 0; k < 64; ++k) {
+        EXPECT_EQ(place[result.order[k]] / 512, k);
+    }
+    std::vector<int> early(n / 8, 0);
+    for (std::size_t k = 0; k < 4096; ++k) ++early[place[result.order[k]] / 8];
+    EXPECT_EQ(std::count(early.begin(), early.end(), 1), static_cast<long>(n / 8));
+}
+
+}  // namespace
