@@ -63,6 +63,7 @@ void bring_to_front(Schedule& schedule, const std::size_t positions[4]) {
 
 void Triangulation::copy_vertices(const Batch& batch, const Schedule& schedule, std::size_t base) {
     mesh_.vertices.resize(base + batch.points.size);
+    mesh_.vertices.prefault(base, base + batch.points.size);
     for (std::size_t k = 0; k < batch.points.size; ++k) {
         const std::uint32_t i = schedule.order[k];
         Vertex& v = mesh_.vertices[base + k];

@@ -34,7 +34,14 @@ void Mesh::reserve_tetrahedra(std::size_t count) {
 
 void Mesh::grow_slots(std::size_t taken, std::size_t freed) {
     free_slots.grow(free_slots.size() + freed);
-    reserve_tetrahedra(tetrahedra.size() + taken - std::min(taken, free_slots.size()));
+    const std::size_t needed = tetrahedra.size() + taken - std::min(taken, free_slots.size());
+    reserve_tetrahedra(needed);
+    if (needed <= ready) return;
+    // A stretch of storage at a time: 4 MiB, or what there is.
+    constexpr std::size_t stretch = 65536;
+    const std::size_t end = std::min(tetrahedra.capacity(), needed + stretch);
+    tetrahedra.prefault(ready, end);
+    ready = end;
 }
 
 }  // namespace mgdt

@@ -17,7 +17,7 @@ struct Mesh {
     // Makes so many calls of take_slot() and free_slot() possible. Throws std::bad_alloc, or
     // MGDT_ERR_TOO_LARGE beyond max_tetrahedra, with nothing changed.
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) {
-        if (MGDT_UNLIKELY(tetrahedra.size() + taken > tetrahedra.capacity() + free_slots.size() ||
+        if (MGDT_UNLIKELY(tetrahedra.size() + taken > ready + free_slots.size() ||
                           free_slots.size() + freed > free_slots.capacity()))
             grow_slots(taken, freed);
     }
@@ -39,6 +39,8 @@ struct Mesh {
     std::size_t ghost_count = 0;
     int scale = 0;                // coordinates carry the factor 2^scale, see mesh/scale.hpp
     std::uint32_t insertion = 0;  // number of the current insertion, for the marks
+    // Slots that may be taken without another look; the pages of those beyond are not there yet.
+    std::size_t ready = 0;
     std::uint32_t slot_limit = max_tetrahedra;  // lowered by tests
     bool has_extremes = false;  // some vertex is outside the range in which filters are proved
 

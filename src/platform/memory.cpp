@@ -83,6 +83,22 @@ void Allocator::discount(std::size_t bytes) noexcept {
     bytes_.fetch_sub(bytes, std::memory_order_relaxed);
 }
 
+void Allocator::prefault(void* part, std::size_t part_bytes, std::size_t block_bytes,
+                         std::size_t align) const noexcept {
+#if MGDT_HAVE_MREMAP && defined(MADV_POPULATE_WRITE)
+    if (alloc_ || !is_mapped(block_bytes, align)) return;
+    // Whole pages from the one that the part begins in; what is there already stays.
+    const std::size_t begin = reinterpret_cast<std::size_t>(part) & ~std::size_t{4095};
+    const std::size_t end = reinterpret_cast<std::size_t>(part) + part_bytes;
+    madvise(reinterpret_cast<void*>(begin), page_round(end - begin), MADV_POPULATE_WRITE);
+#else
+    static_cast<void>(part);
+    static_cast<void>(part_bytes);
+    static_cast<void>(block_bytes);
+    static_cast<void>(align);
+#endif
+}
+
 void* Allocator::allocate(std::size_t bytes, std::size_t align) {
     if (bytes == 0) return nullptr;
     count(bytes);

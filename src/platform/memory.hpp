@@ -33,6 +33,11 @@ class Allocator {
     void* reallocate(void* p, std::size_t bytes, std::size_t used, std::size_t new_bytes,
                      std::size_t align);
 
+    // Has the system provide the pages of part of a block at once, which costs it a third less
+    // than one fault for each. Only a hint, and only for large blocks of the default allocator.
+    void prefault(void* part, std::size_t part_bytes, std::size_t block_bytes,
+                  std::size_t align) const noexcept;
+
     std::size_t bytes() const noexcept { return bytes_.load(std::memory_order_relaxed); }
     std::size_t peak() const noexcept { return peak_.load(std::memory_order_relaxed); }
     void set_limit(std::size_t bytes) noexcept { limit_ = bytes; }
@@ -65,7 +70,11 @@ class Buffer {
 
   public:
     explicit Buffer(Allocator& allocator) noexcept : allocator_(&allocator) {}
-    Buffer(Allocator& allocator, std::size_t size) : allocator_(&allocator) { resize(size); }
+    // An array that is about to be filled.
+    Buffer(Allocator& allocator, std::size_t size) : allocator_(&allocator) {
+        resize(size);
+        prefault(0, size);
+    }
     Buffer(Buffer&& other) noexcept
         : allocator_(other.allocator_),
           data_(std::exchange(other.data_, nullptr)),
@@ -123,6 +132,12 @@ class Buffer {
             }
         }
         set_capacity(capacity);
+    }
+    // Elements that are about to be written for the first time, within the capacity.
+    void prefault(std::size_t begin, std::size_t end) noexcept {
+        if (begin < end)
+            allocator_->prefault(data_ + begin, (end - begin) * sizeof(T), capacity_ * sizeof(T),
+                                 alignment);
     }
     void resize(std::size_t size) {
         reserve(size);
