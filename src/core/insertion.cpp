@@ -181,12 +181,12 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
     const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
     std::size_t next_report = report_interval;
     for (std::size_t k = done; k < n; ++k) {
-        if (k >= next_report) {
+        const bool is_due = may_stop && k >= next_report;
+        if (is_due) {
             next_report += report_interval;
-            if (may_stop) report(k, n);
+            report(k, n);
         }
-        if (may_stop && (k % poll_interval == 0 || k + report_interval == next_report))
-            stop_if_cancelled(k, n);
+        if (is_due || (may_stop && k % poll_interval == 0)) stop_if_cancelled(k, n);
         const VertexId q = static_cast<VertexId>(base + in);
         if (in != k) mesh_.vertices[q] = mesh_.vertices[base + k];
         const std::uint32_t index = mesh_.vertices[q].index;

@@ -48,10 +48,6 @@ struct LocalVertices {
     __m512d x, y, z, square, largest;
 };
 
-MGDT_ALWAYS_INLINE __m512d magnitude_of(__m512d x) {
-    return _mm512_abs_pd(x);
-}
-
 template <bool few>
 MGDT_ALWAYS_INLINE LocalVertices pick_vertices(const std::uint32_t* numbers, const Picker& x,
                                                const Picker& y, const Picker& z) {
@@ -64,7 +60,7 @@ MGDT_ALWAYS_INLINE LocalVertices pick_vertices(const std::uint32_t* numbers, con
     v.z = z.pick<few>(i, upper);
     v.square = _mm512_fmadd_pd(v.z, v.z, _mm512_fmadd_pd(v.y, v.y, _mm512_mul_pd(v.x, v.x)));
     v.largest =
-        _mm512_max_pd(magnitude_of(v.x), _mm512_max_pd(magnitude_of(v.y), magnitude_of(v.z)));
+        _mm512_max_pd(_mm512_abs_pd(v.x), _mm512_max_pd(_mm512_abs_pd(v.y), _mm512_abs_pd(v.z)));
     return v;
 }
 
@@ -103,7 +99,7 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, Tetrahedron* tetrahedra
         const __m512d sum = dot(a.square, lbc, b.square, lca, c.square, lab);
         const __m512d product = _mm512_mul_pd(of_det, _mm512_mul_pd(a.largest, lbc));
         const __m512d largest =
-            _mm512_max_pd(magnitude_of(wx), _mm512_max_pd(magnitude_of(wy), magnitude_of(wz)));
+            _mm512_max_pd(_mm512_abs_pd(wx), _mm512_max_pd(_mm512_abs_pd(wy), _mm512_abs_pd(wz)));
         const __m512d bound =
             _mm512_mul_pd(inverse, _mm512_fmadd_pd(product, largest, _mm512_mul_pd(of_sum, sum)));
         const __mmask8 sound = _mm512_cmp_pd_mask(det, product, _CMP_GT_OQ);
