@@ -15,7 +15,6 @@ namespace {
 constexpr std::size_t smallest_schedule = 16;
 // Points between two looks at the cancel flag.
 constexpr std::size_t poll_interval = 1024;
-constexpr std::uint32_t max_insertions = (1u << 31) - 2;
 
 class Stopwatch {
   public:
@@ -69,7 +68,7 @@ void Triangulation::copy_vertices(const Batch& batch, const Schedule& schedule, 
         Vertex& v = mesh_.vertices[base + k];
         batch.get(i, v.x);
         v.index = batch.index(i);
-        v.tet = no_tetrahedron;
+        v.near = no_tetrahedron;
         if (!in_normal_range(v.x)) mesh_.has_extremes = true;
     }
 }
@@ -93,12 +92,6 @@ void Triangulation::insert_batch(const Batch& batch, bool fresh, bool may_stop) 
         mesh_.reserve_tetrahedra(expected_tetrahedra(base + n, mesh_.slot_limit));
     } catch (const std::bad_alloc&) {
         // Growing as needed may still fit.
-    }
-    if (n > max_insertions - mesh_.insertion) {
-        // Insertion numbers begin again: forget the marks made with the old ones.
-        for (Tetrahedron& t : mesh_.tetrahedra) t.mark = 0;
-        workspace_.forget_insertions();
-        mesh_.insertion = 0;
     }
 
     std::size_t done = 0;
@@ -144,7 +137,6 @@ void Triangulation::make_first_tetrahedra() {
         std::copy(ghost, ghost + 4, all[f + 1].v);
     }
     for (unsigned t = 0; t < 5; ++t) {
-        all[t].mark = 0;
         // The neighbour opposite a vertex is the one tetrahedron that does not have it.
         for (unsigned i = 0; i < 4; ++i) {
             for (unsigned m = 0; m < 5; ++m) {
@@ -160,7 +152,7 @@ void Triangulation::make_first_tetrahedra() {
     mesh_.ghost_count = 4;
     last_ = 0;
     for (VertexId i = 1; i <= 4; ++i) {
-        mesh_.vertices[i].tet = 0;
+        mesh_.vertices[i].near = 0;
         point_map_[mesh_.vertices[i].index] = i;
     }
     statistics_.points_inserted += 4;
@@ -193,7 +185,8 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
 
         TetId start = last_;
         if (!schedule.hints.empty() && schedule.hints[k] != no_hint)
-            start = mesh_.vertices[point_map_[batch.index(schedule.order[schedule.hints[k]])]].tet;
+            start = mesh_.live_from(
+                mesh_.vertices[point_map_[batch.index(schedule.order[schedule.hints[k]])]].near);
         else if (k == 0)
             start = jump(mesh_, base - 1, mesh_.point(q), last_);
         const Insertion result = kernel_->insert(mesh_, workspace_, q, start);

@@ -1,89 +1,151 @@
 // SPDX-License-Identifier: MIT
 // The cavity: all tetrahedra in conflict with q, grown from one of them, and its boundary.
 //
-// One array holds the candidates, each a tetrahedron and the face it is reached through. Testing
-// one costs a load of its line and of its base vertex and no unpredictable branch: the outcome
-// moves the ends of the arrays by 0 or 1, and only the rare undecided sign branches. A
-// tetrahedron outside may be tested through several faces; each is a facet of the boundary.
-// Candidates go in waves, whose lines are fetched before the first is needed.
+// One array holds the members, each a tetrahedron and the face it is reached through. The
+// neighbours of one are tested together, and no branch is unpredictable: the outcome moves the ends
+// of the arrays by 0 or 1, and only the rare undecided sign branches. A tetrahedron outside may be
+// tested through several faces; each is a facet of the boundary.
 //
-// Marks: 2 k + 1 says in the cavity of insertion k, 2 k says decided exactly not to be in it.
-// The mesh is otherwise unchanged, so that an insertion can be given up until the star is built.
+// Entering the cavity marks a tetrahedron in its second vertex, so that an insertion can be given
+// up until the star is built. The mark is where no test looks, since a load that may meet a store
+// just made waits for it.
 #pragma once
 
-#include "kernel/candidate.hpp"
+#include "kernel/pieces.hpp"
+#include "kernel/powers.hpp"
 
 namespace mgdt {
 inline namespace MGDT_ISA {
 
-// Decides a candidate whose power does not.
-inline bool is_conflict_undecided(const Mesh& mesh, Tetrahedron& t, const Query& q,
-                                  std::uint32_t inside, Counters& counters) {
-    if (t.mark == inside) return true;
-    if (t.mark == inside - 1) return false;
-    ++counters.exact_calls;
-    const bool conflict = is_conflict_exact(mesh, t, q.point);
-    if (!conflict) t.mark = inside - 1;
-    return conflict;
-}
+// Where a cavity begins: the tetrahedra in conflict among one that is in conflict, or among the
+// neighbours of one that is not.
+struct CavityStart {
+    TetId tetrahedron;
+    std::uint32_t faces;  // beyond which the neighbours are in conflict; 0: the tetrahedron itself
+};
 
-inline void dig_cavity(Mesh& mesh, Workspace& w, TetId start, const Query& q) {
-    Tetrahedron* const tetrahedra = mesh.tetrahedra.data();
-    const Vertex* const vertices = mesh.vertices.data();
-    const std::uint32_t inside = 2 * ++mesh.insertion + 1;
-    const CandidateTest test(q);
-
-    if (MGDT_UNLIKELY(w.boundary_capacity == 0)) w.grow_cavity(0, 64, 0, 64, 0, 64);
-    // The first tetrahedron is entered through no face; face 0 stands in.
-    tetrahedra[start].mark = inside;
-    w.cavity.data[0] = 4 * start;
-    for (unsigned i = 0; i < 4; ++i) w.candidates.data[i] = tetrahedra[start].n[i];
-    const FacetCode* next = w.candidates.data;
-    FacetCode* candidates_end = w.candidates.data + 4;
-    FacetCode* cavity_end = w.cavity.data + 1;
-    BoundaryFacet* boundary_end = w.boundary.data;
-
-    while (next != candidates_end) {
-        const std::size_t wave = static_cast<std::size_t>(candidates_end - next);
-        const std::size_t candidates = static_cast<std::size_t>(candidates_end - w.candidates.data);
-        const std::size_t members = static_cast<std::size_t>(cavity_end - w.cavity.data);
-        const std::size_t facets = static_cast<std::size_t>(boundary_end - w.boundary.data);
-        // Room for all that the wave can add.
-        if (MGDT_UNLIKELY(candidates + 3 * wave > w.candidate_capacity ||
-                          members + wave > w.cavity_capacity ||
-                          facets + wave > w.boundary_capacity)) {
-            w.grow_cavity(candidates, candidates + 3 * wave, members, members + wave, facets,
-                          facets + wave);
-            candidates_end = w.candidates.data + candidates;
-            cavity_end = w.cavity.data + members;
-            boundary_end = w.boundary.data + facets;
-            next = candidates_end - wave;
+// The arrays of the workspace and how far they are filled.
+class CavityFront {
+  public:
+    MGDT_ALWAYS_INLINE CavityFront(Mesh& mesh, Workspace& w, CavityStart start)
+        : workspace_(w), tetrahedra_(mesh.tetrahedra.data()) {
+        if (MGDT_UNLIKELY(w.cavity_capacity == 0)) w.grow_cavity(0, 0, 64);
+        point_to_arrays();
+        const Tetrahedron& t = tetrahedra_[start.tetrahedron];
+        if (start.faces == 0) {
+            // It is entered through no face; face 0 stands in.
+            for (unsigned i = 1; i < 4; ++i) w.first_corners[i] = t.v[i];
+            w.first_corners[0] = t.v[1];
+            take(4 * start.tetrahedron, 1);
+            return;
         }
-        const FacetCode* const wave_end = candidates_end;
-        for (const FacetCode* code = next; code != wave_end; ++code)
-            prefetch(&tetrahedra[*code >> 2]);
-
-        for (; next != wave_end; ++next) {
-            const FacetCode code = *next;
-            Tetrahedron& t = tetrahedra[code >> 2];
-            const Power s = test(t, vertices);
-            std::uint32_t conflict = s.is_conflict();
-            if (MGDT_UNLIKELY(!s.is_decided()))
-                conflict = is_conflict_undecided(mesh, t, q, inside, w.counters);
-            conflict = opaque(conflict);
-            const std::uint32_t mark = t.mark;
-            const std::uint32_t fresh = opaque(conflict & (mark != inside));
-            t.mark = mark ^ ((mark ^ inside) & (0 - fresh));
-            test.write(t, code, boundary_end, candidates_end);
-            *cavity_end = code;
-            boundary_end += 1 - conflict;
-            cavity_end += fresh;
-            candidates_end += 3 * fresh;
+        // Seen from its neighbours, t is outside. With two of them all its vertices are corners.
+        const bool is_one = (start.faces & (start.faces - 1)) == 0;
+        for (unsigned i = 0; i < 4; ++i) {
+            w.first_corners[i] = is_one && (start.faces >> i & 1) ? t.v[(i + 1) & 3] : t.v[i];
+            boundary_[facets] = 4 * start.tetrahedron + i;
+            facets += start.faces >> i & 1;
+            take(t.n[i], start.faces >> i & 1);
         }
     }
-    w.cavity_size = static_cast<std::size_t>(cavity_end - w.cavity.data);
-    w.boundary_size = static_cast<std::size_t>(boundary_end - w.boundary.data);
-    w.counters.conflict_tests += static_cast<std::size_t>(candidates_end - w.candidates.data);
+    // Room for one more member's neighbours.
+    MGDT_ALWAYS_INLINE void reserve() {
+        if (MGDT_UNLIKELY(members + 4 > workspace_.cavity_capacity)) grow();
+    }
+    MGDT_ALWAYS_INLINE FacetCode member(std::size_t i) const { return cavity_[i]; }
+    // Takes those of four facets whose bits are set.
+    MGDT_ALWAYS_INLINE void add_boundary(const FacetCode* codes, std::uint32_t outside) {
+#if defined(__AVX512VL__)
+        const __m128i all = _mm_load_si128(reinterpret_cast<const __m128i*>(codes));
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(boundary_ + facets),
+                         _mm_maskz_compress_epi32(static_cast<__mmask8>(outside), all));
+        facets += static_cast<unsigned>(__builtin_popcount(outside));
+#else
+        for (unsigned k = 0; k < 4; ++k) {
+            boundary_[facets] = codes[k];
+            facets += outside >> k & 1;
+        }
+#endif
+    }
+    // Takes a tetrahedron in if `conflict` is 1, unless it is in already; without a branch.
+    MGDT_ALWAYS_INLINE void take(FacetCode code, std::uint32_t conflict) {
+        Tetrahedron& t = tetrahedra_[code >> 2];
+        const VertexId second = t.v[1];
+        const std::uint32_t fresh = opaque(conflict & ~(second >> 31));
+        cavity_[members] = code;
+        corners_[members] = t.v[code & 3];
+        t.v[1] = second | (fresh << 31);
+        members += fresh;
+    }
+    void finish() const {
+        workspace_.cavity_size = members;
+        workspace_.boundary_size = facets;
+        workspace_.counters.conflict_tests += 3 * members + 1;
+    }
+
+    std::size_t members = 0, facets = 0;
+
+  private:
+    MGDT_ALWAYS_INLINE void point_to_arrays() {
+        cavity_ = workspace_.cavity.data;
+        boundary_ = workspace_.boundary.data;
+        corners_ = workspace_.corners.data;
+    }
+    void grow() {
+        try {
+            workspace_.grow_cavity(members, facets, members + 4);
+        } catch (...) {
+            workspace_.restore_cavity(tetrahedra_, members);
+            throw;
+        }
+        point_to_arrays();
+    }
+
+    Workspace& workspace_;
+    Tetrahedron* const tetrahedra_;
+    FacetCode *cavity_, *boundary_;
+    VertexId* corners_;
+};
+
+inline std::uint32_t is_conflict_undecided(const Mesh& mesh, TetId t, const Query& q,
+                                           Counters& counters) {
+    if (mesh.tetrahedra[t].is_in_cavity()) return 1;
+    ++counters.exact_calls;
+    return is_conflict_exact(mesh, mesh.tetrahedra[t], q.point);
+}
+
+inline void dig_cavity(Mesh& mesh, Workspace& w, CavityStart start, const Query& q) {
+    const Tetrahedron* const tetrahedra = mesh.tetrahedra.data();
+    const Vertex* const vertices = mesh.vertices.data();
+    CavityFront front(mesh, w, start);
+    // The first member is entered through no face if it is the start itself.
+    std::uint32_t entered = start.faces != 0;
+    // Each member's code is read one turn ahead: a load right after the stores that this turn
+    // makes would wait for all of them, and the turns would not overlap.
+    FacetCode member = front.member(0);
+    for (std::size_t done = 0; done < front.members; ++done) {
+        front.reserve();
+        const bool is_last = done + 1 == front.members;
+        FacetCode next = front.member(done + 1);
+        const FacetCode* const n = tetrahedra[member >> 2].n;
+        const FourPowers powers(tetrahedra, vertices, n, q);
+        // All but the one that it was reached through.
+        const std::uint32_t active = 0xFu & ~(entered << (member & 3));
+        entered = 1;
+        std::uint32_t conflict = powers.negative() & active;
+        const std::uint32_t undecided = active & ~powers.decided();
+        if (MGDT_UNLIKELY(undecided != 0)) {
+            for (unsigned k = 0; k < 4; ++k)
+                if (undecided >> k & 1)
+                    conflict = (conflict & ~(1u << k)) |
+                               is_conflict_undecided(mesh, n[k] >> 2, q, w.counters) << k;
+        }
+        front.add_boundary(n, active & ~conflict);
+        for (unsigned k = 0; k < 4; ++k) front.take(n[k], conflict >> k & 1);
+        if (MGDT_UNLIKELY(is_last)) next = opaque(front.member(done + 1));
+        member = next;
+    }
+    front.finish();
 }
 
 }  // namespace MGDT_ISA

@@ -22,7 +22,7 @@ void set_circumsphere(Tetrahedron& t, const Vertex* vertices) {
         set_sphere(relative_to(vertices[t.v[1]].x, base), relative_to(vertices[t.v[2]].x, base),
                    relative_to(vertices[t.v[3]].x, base), t);
     }
-    if (!normal) t.e = ghost ? -distrusted : distrusted;
+    if (!normal) t.e = ghost ? -infinity : infinity;
 }
 
 bool is_conflict_exact(const Mesh& mesh, const Tetrahedron& t, const double* q) {
@@ -37,6 +37,7 @@ bool is_conflict_exact(const Mesh& mesh, const Tetrahedron& t, const double* q) 
     const int side = orientation(p[0], p[1], p[2], p[3]);
     if (side != 0) return side > 0;
     const Tetrahedron& behind = mesh.tetrahedra[t.n[slot] >> 2];
+    if (behind.is_in_cavity()) return true;
     return side_of_sphere_perturbed(mesh.point(behind.v[0]), mesh.point(behind.v[1]),
                                     mesh.point(behind.v[2]), mesh.point(behind.v[3]), q) > 0;
 }

@@ -33,9 +33,8 @@ struct FilterBounds {
     double normal = 20;       // of a ghost's normal
 };
 inline constexpr FilterBounds proved_bounds{};
-// As the bound of a sphere: leaves every test to the exact predicates.
-inline constexpr float distrusted = std::numeric_limits<float>::infinity();
 inline constexpr double unit_roundoff = 0x1p-53;
+// As the bound of a sphere: leaves every test to the exact predicates.
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Whether a coordinate is in the range in which the filters are proved.
@@ -45,11 +44,6 @@ inline bool in_normal_range(double x) {
 }
 inline bool in_normal_range(const double* x) {
     return in_normal_range(x[0]) && in_normal_range(x[1]) && in_normal_range(x[2]);
-}
-
-// A double that is at least `bound`, as a float.
-inline float round_up(double bound) {
-    return static_cast<float>(bound * (1 + 0x1p-22)) + std::numeric_limits<float>::denorm_min();
 }
 
 // A point that powers are taken of. `quadratic` is infinite for a point outside the normal range.
@@ -80,8 +74,7 @@ inline Power power(const Tetrahedron& t, const Vertex* vertices, const Query& q)
     square = t.is_ghost() ? 0.0 : square;
     const double value = square - (t.w[0] * ux + t.w[1] * uy + t.w[2] * uz);
     const double error =
-        static_cast<double>(std::fabs(t.e)) * (std::fabs(ux) + std::fabs(uy) + std::fabs(uz)) +
-        q.quadratic * square;
+        std::fabs(t.e) * (std::fabs(ux) + std::fabs(uy) + std::fabs(uz)) + q.quadratic * square;
     return {value, error};
 }
 
@@ -133,7 +126,7 @@ inline void set_sphere(const LocalVertex& a, const LocalVertex& b, const LocalVe
     const double bound =
         unit_roundoff * inverse * (bounds.sphere_sum * sum + bounds.sphere_det * product * largest);
     const bool sound = det > bounds.sphere_det * unit_roundoff * product;
-    t.e = round_up(sound ? bound : infinity);
+    t.e = sound ? bound : infinity;
 }
 
 // w and e of the ghost whose hull facet is (base, a, b), the vertex at infinity following b.
@@ -142,7 +135,7 @@ inline void set_normal(const LocalVertex& a, const LocalVertex& b, Tetrahedron& 
     t.w[0] = a.y * b.z - a.z * b.y;
     t.w[1] = a.z * b.x - a.x * b.z;
     t.w[2] = a.x * b.y - a.y * b.x;
-    t.e = -round_up(bounds.normal * unit_roundoff * a.largest * b.largest);
+    t.e = -(bounds.normal * unit_roundoff * a.largest * b.largest);
 }
 
 }  // namespace MGDT_ISA

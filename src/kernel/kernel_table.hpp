@@ -13,16 +13,23 @@ inline namespace MGDT_ISA {
 
 inline Insertion insert(Mesh& mesh, Workspace& w, VertexId q, TetId start) {
     const Query query(mesh.point(q));
-    if (w.slot_count != 0 && start == w.slots.data[0])
-        start = choose_in_star(mesh, w, query, w.counters);
-    const WalkResult found = walk(mesh, start, query, w.counters);
-    if (found.duplicate != infinite_vertex) return {found.tetrahedron, found.duplicate};
-    dig_cavity(mesh, w, found.tetrahedron, query);
+    const bool is_in_star = w.slot_count != 0 && start == w.slots.data[0];
+    const WalkResult found =
+        walk(mesh,
+             is_in_star ? start_in_star(mesh, w, query, w.counters)
+                        : start_at(mesh, start, query, w.counters),
+             query, w.counters);
+    if (found.duplicate != infinite_vertex) return {found.start.tetrahedron, found.duplicate};
+    dig_cavity(mesh, w, found.start, query);
     return {build_star(mesh, w, q), infinite_vertex};
 }
 
 inline TetId approach(const Mesh& mesh, TetId start, const double* q, Counters& counters) {
-    return walk(mesh, start, Query(q), counters).tetrahedron;
+    const Query query(q);
+    const CavityStart found =
+        walk(mesh, start_at(mesh, start, query, counters), query, counters).start;
+    if (found.faces == 0) return found.tetrahedron;
+    return mesh.tetrahedra[found.tetrahedron].n[lowest_bit(found.faces)] >> 2;
 }
 
 }  // namespace MGDT_ISA

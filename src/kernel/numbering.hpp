@@ -3,88 +3,104 @@
 // vertex records, so that two threads may have one vertex in their cavities.
 #pragma once
 
-#include "kernel/isa.hpp"
+#include "kernel/pieces.hpp"
 #include "kernel/workspace.hpp"
 
 namespace mgdt {
 inline namespace MGDT_ISA {
 
-// Calls add(v) for the vertices of the cavity: all four of its first tetrahedron, and of each
-// other one the vertex opposite the face it was reached through, since its others are there.
-template <class Add>
-MGDT_ALWAYS_INLINE void for_each_vertex(const Mesh& mesh, const Workspace& w, Add add) {
-    const Tetrahedron* const tetrahedra = mesh.tetrahedra.data();
-    for (const VertexId v : tetrahedra[w.cavity.data[0] >> 2].v) add(v);
-    for (std::size_t i = 1; i < w.cavity_size; ++i) {
-        const FacetCode code = w.cavity.data[i];
-        add(tetrahedra[code >> 2].v[code & 3]);
-    }
-}
-
 // One byte a vertex, found by its hash alone: right for nearly all cavities. Two vertices with
 // one hash, or too many, and it gives up.
-struct DirectNumbers {
-    explicit DirectNumbers(Workspace& w) : table(w.direct.data) {}
+class DirectNumbers {
+  public:
+    MGDT_ALWAYS_INLINE explicit DirectNumbers(Workspace& w) : table_(w.direct), ids_(w.ids.data) {}
+    DirectNumbers(const DirectNumbers&) = delete;
+    DirectNumbers& operator=(const DirectNumbers&) = delete;
+    MGDT_ALWAYS_INLINE ~DirectNumbers() {
+        for (std::uint32_t i = 0; i < count_; ++i) table_[hash(ids_[i])] = Workspace::direct_free;
+    }
 
-    static std::uint32_t hash(VertexId v) { return (v ^ (v >> 11)) & (Workspace::direct_size - 1); }
-    MGDT_ALWAYS_INLINE bool add_cavity(const Mesh& mesh, Workspace& w) {
-        VertexId* const ids = w.ids.data;
-        if (w.cavity_size + 3 > Workspace::direct_most) return false;
+    MGDT_ALWAYS_INLINE bool add_cavity(const Workspace& w) {
+        if (MGDT_UNLIKELY(w.cavity_size > Workspace::direct_most)) return false;
         std::uint32_t clashes = 0, added = 0;
-        for_each_vertex(mesh, w, [&](VertexId v) {
+        const auto add = [&](VertexId v) {
             const std::uint32_t h = hash(v);
-            const std::uint32_t there = table[h];
-            const bool fresh = there == Workspace::direct_free;
-            clashes += static_cast<unsigned>(!fresh) & static_cast<unsigned>(ids[there] != v);
-            table[h] = static_cast<std::uint8_t>(fresh ? added : there);
-            ids[added] = v;
+            const std::uint32_t there = table_[h];
+            const std::uint32_t fresh = opaque(there == Workspace::direct_free);
+            clashes |= (fresh - 1) & (ids_[there] ^ v);
+            table_[h] = static_cast<std::uint8_t>(there ^ ((there ^ added) & (0 - fresh)));
+            ids_[added] = v;
             added += fresh;
-        });
-        count = added;
+        };
+        for (const VertexId v : w.first_corners) add(v);
+        for (std::size_t i = 0; i < w.cavity_size; ++i) add(w.corners.data[i]);
+        count_ = added;
         return clashes == 0;
     }
-    MGDT_ALWAYS_INLINE std::uint32_t operator[](VertexId v) const { return table[hash(v)]; }
-    MGDT_ALWAYS_INLINE void reset(const Workspace& w) {
-        for (std::uint32_t i = 0; i < count; ++i)
-            table[hash(w.ids.data[i])] = Workspace::direct_free;
+    MGDT_ALWAYS_INLINE std::uint32_t count() const { return count_; }
+    MGDT_ALWAYS_INLINE std::uint32_t operator[](VertexId v) const { return table_[hash(v)]; }
+    // The number of a vertex, or no_index.
+    MGDT_ALWAYS_INLINE std::uint32_t find(VertexId v) const {
+        const std::uint32_t number = table_[hash(v)];
+        return number != Workspace::direct_free && ids_[number] == v ? number : no_index;
     }
 
-    std::uint8_t* table;
-    std::uint32_t count = 0;
+  private:
+    static std::uint32_t hash(VertexId v) { return v & (Workspace::direct_size - 1); }
+
+    std::uint8_t* const table_;
+    VertexId* const ids_;
+    std::uint32_t count_ = 0;
 };
 
-// Open-addressed, for any cavity; entries expire with the insertion's number.
-struct KeyedNumbers {
-    KeyedNumbers(Workspace& w, std::uint32_t insertion)
-        : stamp(static_cast<std::uint64_t>(insertion) << 32),
-          keys(w.keyed_keys.data),
-          values(w.keyed_values.data),
-          mask(static_cast<std::uint32_t>(w.keyed_size - 1)) {}
-
-    std::uint32_t hash(VertexId v) const { return (v ^ (v >> 9)) & mask; }
-    void add_cavity(const Mesh& mesh, Workspace& w) {
-        for_each_vertex(mesh, w, [&](VertexId v) {
-            const std::uint64_t wanted = stamp | v;
-            std::uint32_t h = hash(v);
-            while ((keys[h] ^ stamp) >> 32 == 0 && keys[h] != wanted) h = (h + 1) & mask;
-            if (keys[h] == wanted) return;
-            keys[h] = wanted;
-            values[h] = count;
-            w.ids.data[count++] = v;
-        });
-    }
-    std::uint32_t operator[](VertexId v) const {
-        const std::uint64_t wanted = stamp | v;
-        std::uint32_t h = hash(v);
-        while (keys[h] != wanted) h = (h + 1) & mask;
-        return values[h];
+// Open-addressed, for any cavity.
+class ProbedNumbers {
+  public:
+    explicit ProbedNumbers(Workspace& w)
+        : table_(w.probed.data),
+          ids_(w.ids.data),
+          mask_(static_cast<std::uint32_t>(w.probed_size - 1)) {}
+    ProbedNumbers(const ProbedNumbers&) = delete;
+    ProbedNumbers& operator=(const ProbedNumbers&) = delete;
+    ~ProbedNumbers() {
+        for (std::uint32_t i = 0; i < count_; ++i) {
+            std::uint32_t h = ids_[i] & mask_;
+            while (table_[h] != i) h = (h + 1) & mask_;
+            table_[h] = no_index;
+        }
     }
 
-    std::uint64_t stamp;
-    std::uint64_t* keys;
-    std::uint32_t* values;
-    std::uint32_t mask;
-    std::uint32_t count = 0;
+    void add_cavity(const Workspace& w) {
+        const auto add = [&](VertexId v) {
+            const std::uint32_t h = place(v);
+            if (table_[h] != no_index) return;
+            table_[h] = count_;
+            ids_[count_++] = v;
+        };
+        for (const VertexId v : w.first_corners) add(v);
+        for (std::size_t i = 0; i < w.cavity_size; ++i) add(w.corners.data[i]);
+    }
+    std::uint32_t count() const { return count_; }
+    // Of a vertex that is there.
+    MGDT_ALWAYS_INLINE std::uint32_t operator[](VertexId v) const {
+        std::uint32_t h = v & mask_;
+        while (MGDT_UNLIKELY(ids_[table_[h]] != v)) h = (h + 1) & mask_;
+        return table_[h];
+    }
+    std::uint32_t find(VertexId v) const { return table_[place(v)]; }
+
+  private:
+    // Where v is, or would be.
+    std::uint32_t place(VertexId v) const {
+        std::uint32_t h = v & mask_;
+        while (table_[h] != no_index && ids_[table_[h]] != v) h = (h + 1) & mask_;
+        return h;
+    }
+
+    std::uint32_t* const table_;
+    VertexId* const ids_;
+    const std::uint32_t mask_;
+    std::uint32_t count_ = 0;
 };
 
 }  // namespace MGDT_ISA

@@ -1,80 +1,120 @@
 // SPDX-License-Identifier: MIT
-// The circumspheres of a star, computed over the local coordinate arrays of the workspace: for
-// each facet (a, b, c) of local numbers, w and e of its new tetrahedron.
+// The circumspheres of a star: for each facet (a, b, c) of local numbers, w and e of its new
+// tetrahedron.
 #pragma once
 
 #include "kernel/circumsphere.hpp"
+#include "kernel/eight_rows.hpp"
 #include "kernel/workspace.hpp"
-
-#if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__)
-#include <immintrin.h>
-#endif
 
 namespace mgdt {
 inline namespace MGDT_ISA {
 
-MGDT_ALWAYS_INLINE LocalVertex local_vertex(const Workspace& w, std::uint32_t i) {
-    return local_vertex(w.x.data[i], w.y.data[i], w.z.data[i]);
+// Coordinates relative to q of the vertices of the cavity, by local number.
+inline void set_coordinates(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count) {
+    const double* const base = vertices[q].x;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double* const x = vertices[w.ids.data[i]].x;
+        w.x.data[i] = x[0] - base[0];
+        w.y.data[i] = x[1] - base[1];
+        w.z.data[i] = x[2] - base[2];
+    }
 }
 
-inline void set_spheres_scalar(const Workspace& w, Tetrahedron* tetrahedra) {
+template <class Number>
+void set_spheres_scalar(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
+                        const Number* a, const Number* b, const Number* c,
+                        Tetrahedron* tetrahedra) {
+    set_coordinates(w, vertices, q, count);
+    const auto vertex = [&](std::size_t i) {
+        return local_vertex(w.x.data[i], w.y.data[i], w.z.data[i]);
+    };
     for (std::size_t i = 0; i < w.boundary_size; ++i)
-        set_sphere(local_vertex(w, w.a.data[i]), local_vertex(w, w.b.data[i]),
-                   local_vertex(w, w.c.data[i]), tetrahedra[w.slots.data[i]]);
+        set_sphere(vertex(a[i]), vertex(b[i]), vertex(c[i]), tetrahedra[w.slots.data[i]]);
 }
 
-#if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__)
+#if defined(MGDT_HAVE_EIGHT_ROWS)
 
-// Up to 32 local coordinates in four registers; picking by number is two permutes and a blend.
-class Picker {
+struct EightVertices {
+    __m512d x, y, z;
+};
+
+// Eight vertices by id, relative to q.
+MGDT_ALWAYS_INLINE EightVertices load_vertices(const Vertex* vertices, const VertexId* ids,
+                                               VertexId q) {
+    const EightRows rows([&](unsigned k) { return vertices[ids[k]].x; });
+    return {_mm512_sub_pd(rows.first(), _mm512_set1_pd(vertices[q].x[0])),
+            _mm512_sub_pd(rows.second(), _mm512_set1_pd(vertices[q].x[1])),
+            _mm512_sub_pd(rows.third(), _mm512_set1_pd(vertices[q].x[2]))};
+}
+
+// Up to 32 vertices in registers; picking by number is two permutations and a blend.
+template <bool few>
+class RegisterVertices {
   public:
-    MGDT_ALWAYS_INLINE explicit Picker(const double* values)
-        : v0_(_mm512_load_pd(values)),
-          v1_(_mm512_load_pd(values + 8)),
-          v2_(_mm512_load_pd(values + 16)),
-          v3_(_mm512_load_pd(values + 24)) {}
-    template <bool few>
-    MGDT_ALWAYS_INLINE __m512d pick(__m512i i, __mmask8 upper) const {
-        const __m512d low = _mm512_permutex2var_pd(v0_, i, v1_);
-        if constexpr (few) return low;
-        return _mm512_mask_blend_pd(upper, low, _mm512_permutex2var_pd(v2_, i, v3_));
+    MGDT_ALWAYS_INLINE RegisterVertices(const Vertex* vertices, const VertexId* ids, VertexId q)
+        : v0_(load_vertices(vertices, ids, q)), v1_(load_vertices(vertices, ids + 8, q)) {
+        if constexpr (!few) {
+            v2_ = load_vertices(vertices, ids + 16, q);
+            v3_ = load_vertices(vertices, ids + 24, q);
+        }
+    }
+    MGDT_ALWAYS_INLINE EightVertices pick(const std::uint8_t* numbers) const {
+        const __m512i i =
+            _mm512_cvtepu8_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(numbers)));
+        if constexpr (few) {
+            return {_mm512_permutex2var_pd(v0_.x, i, v1_.x),
+                    _mm512_permutex2var_pd(v0_.y, i, v1_.y),
+                    _mm512_permutex2var_pd(v0_.z, i, v1_.z)};
+        } else {
+            const __mmask8 upper = _mm512_test_epi64_mask(i, _mm512_set1_epi64(16));
+            const auto one = [&](__m512d a, __m512d b, __m512d c, __m512d d) {
+                return _mm512_mask_blend_pd(upper, _mm512_permutex2var_pd(a, i, b),
+                                            _mm512_permutex2var_pd(c, i, d));
+            };
+            return {one(v0_.x, v1_.x, v2_.x, v3_.x), one(v0_.y, v1_.y, v2_.y, v3_.y),
+                    one(v0_.z, v1_.z, v2_.z, v3_.z)};
+        }
     }
 
   private:
-    __m512d v0_, v1_, v2_, v3_;
+    EightVertices v0_, v1_, v2_, v3_;
 };
 
-struct LocalVertices {
-    __m512d x, y, z, square, largest;
+// Any number of vertices, in memory.
+class MemoryVertices {
+  public:
+    explicit MemoryVertices(const Workspace& w) : x_(w.x.data), y_(w.y.data), z_(w.z.data) {}
+    MGDT_ALWAYS_INLINE EightVertices pick(const std::uint32_t* numbers) const {
+        const __m256i i = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers));
+        return {_mm512_i32gather_pd(i, x_, 8), _mm512_i32gather_pd(i, y_, 8),
+                _mm512_i32gather_pd(i, z_, 8)};
+    }
+
+  private:
+    const double *x_, *y_, *z_;
 };
 
-template <bool few>
-MGDT_ALWAYS_INLINE LocalVertices pick_vertices(const std::uint32_t* numbers, const Picker& x,
-                                               const Picker& y, const Picker& z) {
-    const __m512i i =
-        _mm512_cvtepu32_epi64(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers)));
-    const __mmask8 upper = few ? 0 : _mm512_test_epi64_mask(i, _mm512_set1_epi64(16));
-    LocalVertices v;
-    v.x = x.pick<few>(i, upper);
-    v.y = y.pick<few>(i, upper);
-    v.z = z.pick<few>(i, upper);
-    v.square = _mm512_fmadd_pd(v.z, v.z, _mm512_fmadd_pd(v.y, v.y, _mm512_mul_pd(v.x, v.x)));
-    v.largest =
-        _mm512_max_pd(_mm512_abs_pd(v.x), _mm512_max_pd(_mm512_abs_pd(v.y), _mm512_abs_pd(v.z)));
-    return v;
-}
-
-// set_sphere() for eight facets at a time.
-template <bool few>
-MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, Tetrahedron* tetrahedra) {
-    const Picker px(w.x.data), py(w.y.data), pz(w.z.data);
+// set_sphere() for eight facets at a time. The arrays of numbers may be read past their ends.
+template <class Vertices, class Number>
+MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertices, const Number* as,
+                                           const Number* bs, const Number* cs,
+                                           Tetrahedron* tetrahedra) {
+    struct Local : EightVertices {
+        MGDT_ALWAYS_INLINE explicit Local(const EightVertices& v) : EightVertices(v) {
+            square = _mm512_fmadd_pd(z, z, _mm512_fmadd_pd(y, y, _mm512_mul_pd(x, x)));
+            largest =
+                _mm512_max_pd(_mm512_abs_pd(x), _mm512_max_pd(_mm512_abs_pd(y), _mm512_abs_pd(z)));
+        }
+        __m512d square, largest;
+    };
     const __m512d of_sum = _mm512_set1_pd(proved_bounds.sphere_sum * unit_roundoff);
     const __m512d of_det = _mm512_set1_pd(proved_bounds.sphere_det * unit_roundoff);
     const std::size_t size = w.boundary_size;
     for (std::size_t begin = 0; begin < size; begin += 8) {
-        const LocalVertices a = pick_vertices<few>(w.a.data + begin, px, py, pz);
-        const LocalVertices b = pick_vertices<few>(w.b.data + begin, px, py, pz);
-        const LocalVertices c = pick_vertices<few>(w.c.data + begin, px, py, pz);
+        const Local a(vertices.pick(as + begin));
+        const Local b(vertices.pick(bs + begin));
+        const Local c(vertices.pick(cs + begin));
         const auto minor = [](__m512d p, __m512d q, __m512d r, __m512d s) {
             return _mm512_fmsub_pd(p, q, _mm512_mul_pd(r, s));
         };
@@ -104,15 +144,10 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, Tetrahedron* tetrahedra
             _mm512_mul_pd(inverse, _mm512_fmadd_pd(product, largest, _mm512_mul_pd(of_sum, sum)));
         const __mmask8 sound = _mm512_cmp_pd_mask(det, product, _CMP_GT_OQ);
         const __m512d e = _mm512_mask_blend_pd(sound, _mm512_set1_pd(infinity), bound);
-        const __m256 rounded =
-            _mm256_add_ps(_mm512_cvtpd_ps(_mm512_mul_pd(e, _mm512_set1_pd(1 + 0x1p-22))),
-                          _mm256_set1_ps(std::numeric_limits<float>::denorm_min()));
-        // e in the lower half of each 64 bits, mark 0 in the upper.
-        const __m512d em = _mm512_castsi512_pd(_mm512_cvtepu32_epi64(_mm256_castps_si256(rounded)));
 
         // Transposed, each 256 bits are the second half of a record.
         const __m512d xy_even = _mm512_unpacklo_pd(wx, wy), xy_odd = _mm512_unpackhi_pd(wx, wy);
-        const __m512d ze_even = _mm512_unpacklo_pd(wz, em), ze_odd = _mm512_unpackhi_pd(wz, em);
+        const __m512d ze_even = _mm512_unpacklo_pd(wz, e), ze_odd = _mm512_unpackhi_pd(wz, e);
         const __m512i first = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11);
         const __m512i second = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
         const __m512d out02 = _mm512_permutex2var_pd(xy_even, first, ze_even);
@@ -134,19 +169,33 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, Tetrahedron* tetrahedra
     }
 }
 
-inline void set_spheres(Workspace& w, std::uint32_t vertices, Tetrahedron* tetrahedra) {
-    if (vertices <= 16)
-        set_spheres_vector<true>(w, tetrahedra);
-    else if (vertices <= 32)
-        set_spheres_vector<false>(w, tetrahedra);
+inline void set_spheres_small(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
+                              Tetrahedron* tetrahedra) {
+    const Workspace::SmallStar& s = w.small;
+    if (count <= 16)
+        set_spheres_vector(w, RegisterVertices<true>(vertices, w.ids.data, q), s.a, s.b, s.c,
+                           tetrahedra);
     else
-        set_spheres_scalar(w, tetrahedra);
+        set_spheres_vector(w, RegisterVertices<false>(vertices, w.ids.data, q), s.a, s.b, s.c,
+                           tetrahedra);
+}
+
+inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
+                        Tetrahedron* tetrahedra) {
+    set_coordinates(w, vertices, q, count);
+    set_spheres_vector(w, MemoryVertices(w), w.a.data, w.b.data, w.c.data, tetrahedra);
 }
 
 #else
 
-inline void set_spheres(Workspace& w, std::uint32_t, Tetrahedron* tetrahedra) {
-    set_spheres_scalar(w, tetrahedra);
+inline void set_spheres_small(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
+                              Tetrahedron* tetrahedra) {
+    set_spheres_scalar(w, vertices, q, count, w.small.a, w.small.b, w.small.c, tetrahedra);
+}
+
+inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
+                        Tetrahedron* tetrahedra) {
+    set_spheres_scalar(w, vertices, q, count, w.a.data, w.b.data, w.c.data, tetrahedra);
 }
 
 #endif

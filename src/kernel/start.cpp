@@ -35,7 +35,7 @@ TetId jump(const Mesh& mesh, std::size_t vertices, const double* q, TetId last) 
             nearest = v;
         }
     }
-    return mesh.vertices[nearest].tet;
+    return mesh.live_from(mesh.vertices[nearest].near);
 }
 
 }  // namespace mgdt

@@ -4,12 +4,12 @@
 // Powers of q with respect to the circumspheres of two tetrahedra that share a facet differ by an
 // affine function that vanishes on the facet and is negative on the far side, so descending the
 // power is a visibility walk without orientation tests. It cannot cycle, since each computed
-// power is a fixed number, and it stops at the first conflict: the cavity grows from there, and
-// the tetrahedron that contains q is never looked for. Where rounding leaves a local minimum
-// without conflict, an exact visibility walk takes over.
+// power is a fixed number (after the first step all are computed in one way), and it stops at the
+// first conflict: the cavity grows from there, and the tetrahedron that contains q is never looked
+// for. Where rounding leaves a local minimum without conflict, an exact visibility walk takes over.
 #pragma once
 
-#include "kernel/circumsphere.hpp"
+#include "kernel/cavity.hpp"
 #include "kernel/workspace.hpp"
 #include "predicates/predicates.hpp"
 
@@ -17,7 +17,7 @@ namespace mgdt {
 inline namespace MGDT_ISA {
 
 struct WalkResult {
-    TetId tetrahedron;   // in conflict with q, or has the vertex
+    CavityStart start;   // in conflict with q; or the tetrahedron that has the vertex
     VertexId duplicate;  // the vertex at q's place, or infinite_vertex
 };
 
@@ -57,66 +57,69 @@ inline TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& co
     return walk_exact(mesh, t, q, counters, [&](VertexId v, double*) { return mesh.point(v); });
 }
 
+// A tetrahedron and what is known of its power.
+struct WalkStart {
+    TetId tetrahedron;
+    double value;
+    bool is_negative, is_decided;
+};
+
+inline WalkStart start_at(const Mesh& mesh, TetId t, const Query& q, Counters& counters) {
+    ++counters.walk_tests;
+    const Power p = power(mesh.tetrahedra[t], mesh.vertices.data(), q);
+    return {t, p.value, p.value < 0, p.is_decided()};
+}
+
 // A better start than any tetrahedron of the star built last: that of least power among a few
 // spread over it. They share their base vertex and are still in the cache, and the right side of
 // the star saves a step or more.
-inline TetId choose_in_star(const Mesh& mesh, const Workspace& w, const Query& q,
-                            Counters& counters) {
+inline WalkStart start_in_star(const Mesh& mesh, const Workspace& w, const Query& q,
+                               Counters& counters) {
     constexpr std::size_t sample = 4;
-    const std::size_t size = w.slot_count, stride = size / sample + 1;
-    TetId best = w.slots.data[0];
-    double least = infinity;
-    for (std::size_t i = 0; i < size; i += stride) {
-        const Tetrahedron& t = mesh.tetrahedra[w.slots.data[i]];
-        const double value = power(t, mesh.vertices.data(), q).value;
-        ++counters.walk_tests;
-        if (!t.is_ghost() && value < least) {
-            least = value;
-            best = w.slots.data[i];
-        }
-    }
-    return best;
+    FacetCode codes[sample];
+    for (std::size_t i = 0; i < sample; ++i) codes[i] = 4 * w.slots.data[i * w.slot_count / sample];
+    const FourPowers powers(mesh.tetrahedra.data(), mesh.vertices.data(), codes, q);
+    counters.walk_tests += sample;
+    const unsigned best = powers.least_finite(infinity) & 3;
+    return {codes[best] >> 2, powers.value(best), (powers.negative() >> best & 1) != 0,
+            (powers.decided() >> best & 1) != 0};
 }
 
-inline WalkResult walk(const Mesh& mesh, TetId start, const Query& q, Counters& counters) {
+inline WalkResult walk(const Mesh& mesh, WalkStart here, const Query& q, Counters& counters) {
     const Tetrahedron* tetrahedra = mesh.tetrahedra.data();
     const Vertex* vertices = mesh.vertices.data();
-    TetId t = start;
-    TetId previous = no_tetrahedron;
-    Power here = power(tetrahedra[t], vertices, q);
-    ++counters.walk_tests;
+    ++counters.walk_steps;
+    if (here.is_negative && here.is_decided) return {{here.tetrahedron, 0}, infinite_vertex};
     for (;;) {
-        ++counters.walk_steps;
-        const Tetrahedron& tet = tetrahedra[t];
-        if (here.is_conflict()) return {t, infinite_vertex};
-        if (!here.is_decided()) {
-            const VertexId same = vertex_at(mesh, tet, q.point);
-            if (same != infinite_vertex) return {t, same};
+        const Tetrahedron& t = tetrahedra[here.tetrahedron];
+        if (MGDT_UNLIKELY(!here.is_decided)) {
+            const VertexId same = vertex_at(mesh, t, q.point);
+            if (same != infinite_vertex) return {{here.tetrahedron, 0}, same};
             ++counters.exact_calls;
-            if (is_conflict_exact(mesh, tet, q.point)) return {t, infinite_vertex};
+            if (is_conflict_exact(mesh, t, q.point))
+                return {{here.tetrahedron, 0}, infinite_vertex};
+        }
+        const FourPowers powers(tetrahedra, vertices, t.n, q);
+        const std::uint32_t decided = powers.decided();
+        const std::uint32_t conflict = powers.negative() & decided;
+        counters.walk_tests += 4;
+        ++counters.walk_steps;
+        // Neighbours that are in conflict but not certainly so are found again from the others, or
+        // through t, which must then not be taken for outside without a test of its own.
+        if (conflict != 0) {
+            if (MGDT_UNLIKELY(decided != 0xF || !here.is_decided))
+                return {{t.n[lowest_bit(conflict)] >> 2, 0}, infinite_vertex};
+            return {{here.tetrahedron, conflict}, infinite_vertex};
         }
         // A ghost is entered only when it is certainly in conflict: its value is no power that
         // compares with those of spheres.
-        double least = tet.is_ghost() ? infinity : here.value;
-        TetId next = no_tetrahedron;
-        for (const FacetCode code : tet.n) {
-            const TetId m = code >> 2;
-            if (m == previous) continue;
-            const Power there = power(tetrahedra[m], vertices, q);
-            ++counters.walk_tests;
-            if (tetrahedra[m].is_ghost() ? there.is_conflict() : there.value < least) {
-                next = m;
-                here = there;
-                if (tetrahedra[m].is_ghost()) break;
-                least = there.value;
-            }
-        }
-        if (next == no_tetrahedron) break;
-        previous = t;
-        t = next;
+        const unsigned next = powers.least_finite(t.is_ghost() ? infinity : here.value);
+        if (next == 4) break;
+        here = {t.n[next] >> 2, powers.value(next), (powers.negative() >> next & 1) != 0,
+                (decided >> next & 1) != 0};
     }
-    t = walk_exact(mesh, t, q.point, counters);
-    return {t, vertex_at(mesh, mesh.tetrahedra[t], q.point)};
+    const TetId t = walk_exact(mesh, here.tetrahedron, q.point, counters);
+    return {{t, 0}, vertex_at(mesh, mesh.tetrahedra[t], q.point)};
 }
 
 }  // namespace MGDT_ISA

@@ -6,14 +6,11 @@
 namespace mgdt {
 
 Workspace::Workspace(Allocator& allocator)
-    : candidates(allocator),
-      cavity(allocator),
+    : cavity(allocator),
+      corners(allocator),
       boundary(allocator),
-      direct(allocator),
-      keyed_keys(allocator),
-      keyed_values(allocator),
+      probed(allocator),
       ids(allocator),
-      tets(allocator),
       x(allocator),
       y(allocator),
       z(allocator),
@@ -23,53 +20,53 @@ Workspace::Workspace(Allocator& allocator)
       slots(allocator),
       edge_codes(allocator),
       edge_keys(allocator),
-      beyond() {}
+      beyond() {
+    std::fill_n(direct, direct_size, direct_free);
+}
 
-void Workspace::grow_cavity(std::size_t candidates_used, std::size_t candidates_needed,
-                            std::size_t cavity_used, std::size_t cavity_needed,
-                            std::size_t boundary_used, std::size_t boundary_needed) {
+void Workspace::grow_cavity(std::size_t members, std::size_t facets, std::size_t needed) {
+    // A vector writes past the end.
     constexpr std::size_t least = 256, past = 16;
-    candidates.reserve(std::max(least, candidates_needed + past), candidates_used);
-    candidate_capacity = candidates.buffer.capacity() - past;
-    cavity.reserve(std::max(least, cavity_needed + past), cavity_used);
-    cavity_capacity = cavity.buffer.capacity() - past;
-    boundary.reserve(std::max(least, boundary_needed + past), boundary_used);
-    boundary_capacity = boundary.buffer.capacity() - past;
+    const std::size_t capacity = std::max(least, needed + needed / 2) + past;
+    cavity_capacity = 0;
+    cavity.reserve(capacity, members);
+    corners.reserve(capacity, members);
+    boundary.reserve(2 * capacity, facets);  // each member but the first has 2 at most
+    cavity_capacity = capacity - past;
 }
 
 void Workspace::grow_star(std::size_t removed, std::size_t created) {
-    // A cavity of so many tetrahedra, each but the first adding one vertex, has at most 3 more.
     constexpr std::size_t past = 32;
-    removed = std::max({removed, star_removed, std::size_t{64}});
-    created = std::max({created, star_created, std::size_t{128}});
-    const std::size_t vertices = removed + 3 + past, facets = created + past;
+    // A cavity of so many tetrahedra, each but the first adding one vertex, has at most 3 more.
+    constexpr std::size_t least = medium_vertices - 3;
+    const auto generous = [](std::size_t wanted, std::size_t had) {
+        return wanted > had ? std::max(wanted, had + had / 2) : had;
+    };
+    removed = generous(std::max(removed, least), star_removed);
+    created = generous(std::max(created, 2 * least), star_created);
+    const std::size_t vertices = removed + 3, facets = std::max(removed, created);
     star_removed = star_created = 0;
-    if (!direct.data) {
-        direct.reserve(direct_size, 0);
-        std::fill_n(direct.data, direct_size, direct_free);
-    }
-    ids.reserve(std::max<std::size_t>(vertices, direct_free + 1), 0);
+    ids.reserve(std::max<std::size_t>(vertices + past, direct_free + 1), 0);
     std::fill_n(ids.data, ids.buffer.capacity(), infinite_vertex);
-    tets.reserve(vertices, 0);
     for (Scratch<double>* s : {&x, &y, &z}) {
-        s->reserve(vertices, 0);
+        s->reserve(vertices + past, 0);
         std::fill_n(s->data, s->buffer.capacity(), 0.0);
     }
     for (Scratch<std::uint32_t>* s : {&a, &b, &c, &slots}) {
-        s->reserve(facets, 0);
+        s->reserve(facets + past, 0);
         std::fill_n(s->data, s->buffer.capacity(), 0u);
     }
     slot_count = 0;
     std::size_t size = 512;
-    while (size < 2 * vertices) size *= 2;
-    if (size != keyed_size) {
-        keyed_size = 0;
-        keyed_values.reserve(size, 0);
-        keyed_keys.reserve(size, 0);
-        std::fill_n(keyed_keys.data, size, std::uint64_t{0});
-        keyed_size = size;
+    while (size < 4 * vertices) size *= 2;
+    if (size != probed_size) {
+        probed_size = 0;
+        probed.reserve(size, 0);
+        std::fill_n(probed.data, size, no_index);
+        probed_size = size;
     }
-    std::size_t codes = matrix_vertices * matrix_vertices;
+    std::size_t codes = vertices <= medium_vertices ? medium_vertices * medium_vertices
+                                                    : matrix_vertices * matrix_vertices;
     if (vertices > matrix_vertices) {
         const std::size_t size_of_table = edge_table_size(created);
         edge_keys.reserve(size_of_table, 0);
@@ -80,9 +77,8 @@ void Workspace::grow_star(std::size_t removed, std::size_t created) {
     star_created = created;
 }
 
-void Workspace::forget_insertions() noexcept {
-    if (keyed_size != 0) std::fill_n(keyed_keys.data, keyed_size, std::uint64_t{0});
-    slot_count = 0;
+void Workspace::restore_cavity(Tetrahedron* tetrahedra, std::size_t members) noexcept {
+    for (std::size_t i = 0; i < members; ++i) tetrahedra[cavity.data[i] >> 2].v[1] &= 0x7FFFFFFFu;
 }
 
 }  // namespace mgdt

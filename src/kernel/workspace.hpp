@@ -8,13 +8,6 @@
 
 namespace mgdt {
 
-// A facet of the cavity's boundary: vertices (a, b, c) such that (q, a, b, c) is positive, and
-// the facet code on the side that stays.
-struct BoundaryFacet {
-    VertexId v[3];
-    FacetCode outside;
-};
-
 struct Counters {
     std::uint64_t walk_steps = 0;
     std::uint64_t walk_tests = 0;
@@ -45,39 +38,43 @@ struct Workspace {
     Workspace(const Workspace&) = delete;
     Workspace& operator=(const Workspace&) = delete;
 
-    // Room for cavities with so many candidates, members and boundary facets; what is there so far
-    // is kept.
-    void grow_cavity(std::size_t candidates_used, std::size_t candidates_needed,
-                     std::size_t cavity_used, std::size_t cavity_needed, std::size_t boundary_used,
-                     std::size_t boundary_needed);
+    // Room for cavities with so many members, and so many facets; what is there so far is kept.
+    void grow_cavity(std::size_t members, std::size_t facets, std::size_t needed);
     // Room for the star of a cavity with so many tetrahedra and boundary facets. The arrays have
     // what a vector of 8 stores past their ends.
     void grow_star(std::size_t removed, std::size_t created);
-    // Forgets what is known by insertion numbers, before they begin again.
-    void forget_insertions() noexcept;
+    // Undoes the marks on the first members of a cavity that is given up.
+    void restore_cavity(Tetrahedron* tetrahedra, std::size_t members) noexcept;
 
     // The cavity.
-    Scratch<FacetCode> candidates;  // tetrahedra to test, each as the facet it is reached through
-    Scratch<FacetCode> cavity;      // tetrahedra in conflict, likewise
-    Scratch<BoundaryFacet> boundary;
-    std::size_t candidate_capacity = 0, cavity_capacity = 0, boundary_capacity = 0;
+    Scratch<FacetCode> cavity;    // tetrahedra in conflict, each as the facet it is reached through
+    Scratch<VertexId> corners;    // their vertices opposite those faces
+    VertexId first_corners[4];    // with these, all vertices of the cavity
+    Scratch<FacetCode> boundary;  // facets, on the side that stays
+    std::size_t cavity_capacity = 0;
     std::size_t cavity_size = 0, boundary_size = 0;
 
-    // The star: its vertices numbered locally, and facets over those numbers.
+    // The star: its vertices numbered locally, and facets over those numbers. Nearly all stars are
+    // small, and for those everything lies together at fixed places.
+    struct SmallStar {
+        static constexpr std::uint32_t most_vertices = 32;
+        static constexpr std::uint32_t most_facets = 2 * most_vertices - 4;  // Euler
+        alignas(64) std::uint8_t a[64], b[64], c[64];                        // facets
+        FacetCode edges[most_vertices * most_vertices];
+    } small;
     static constexpr std::uint32_t direct_size = 2048;  // a power of two
-    static constexpr std::uint32_t direct_most = 254;   // vertices
+    static constexpr std::uint32_t direct_most = 96;    // corners; with more, two will clash
     static constexpr std::uint8_t direct_free = 255;
-    Scratch<std::uint8_t> direct;       // local number by hash; all free between insertions
-    Scratch<std::uint64_t> keyed_keys;  // open-addressed: insertion number and vertex
-    Scratch<std::uint32_t> keyed_values;
-    std::size_t keyed_size = 0;
+    alignas(64) std::uint8_t direct[direct_size];  // local number by hash; free between insertions
+    Scratch<std::uint32_t> probed;                 // the same, open-addressed
+    std::size_t probed_size = 0;
     Scratch<VertexId> ids;           // by local number
-    Scratch<TetId> tets;             // a new tetrahedron of each, by local number
     Scratch<double> x, y, z;         // by local number, relative to the new vertex
-    Scratch<std::uint32_t> a, b, c;  // facets
+    Scratch<std::uint32_t> a, b, c;  // facets of a star that is not small
     Scratch<TetId> slots;            // of the new tetrahedra
     std::size_t slot_count = 0;
-    static constexpr std::uint32_t matrix_vertices = 128;  // a larger star uses the edge table
+    static constexpr std::uint32_t medium_vertices = 64;   // two sizes of matrices
+    static constexpr std::uint32_t matrix_vertices = 256;  // a larger star uses the edge table
     Scratch<FacetCode> edge_codes;
     Scratch<std::uint64_t> edge_keys;
     // Half full at most: 3 entries a facet.

@@ -11,19 +11,23 @@ struct Mesh {
     explicit Mesh(Allocator& allocator)
         : vertices(allocator), tetrahedra(allocator), free_slots(allocator) {}
 
-    // Empties the mesh but for the vertex at infinity. The scale stays, and the insertion number
-    // goes on: scratch tables know their own entries by it.
+    // Empties the mesh but for the vertex at infinity. The scale stays.
     void clear();
-    // Makes so many calls of take_slot() and free_slot() possible. Throws std::bad_alloc, or
+    // Makes it possible to take and free so many slots. Throws std::bad_alloc, or
     // MGDT_ERR_TOO_LARGE beyond max_tetrahedra, with nothing changed.
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) {
         if (MGDT_UNLIKELY(tetrahedra.size() + taken > ready + free_slots.size() ||
                           free_slots.size() + freed > free_slots.capacity()))
             grow_slots(taken, freed);
     }
+    // The first live slot at or after t, around the end: what a vertex was near may be gone.
+    TetId live_from(TetId t) const noexcept {
+        while (tetrahedra[t].is_dead()) t = t + 1 < tetrahedra.size() ? t + 1 : 0;
+        return t;
+    }
     // Storage for so many tetrahedra, growing by a quarter at least, never beyond the limit.
     void reserve_tetrahedra(std::size_t count);
-    TetId take_slot() noexcept;
+    void take_slots(TetId* slots, std::size_t count) noexcept;
     void free_slot(TetId t) noexcept;
 
     std::size_t live_count() const noexcept { return tetrahedra.size() - free_slots.size(); }
@@ -37,8 +41,7 @@ struct Mesh {
     Buffer<Tetrahedron> tetrahedra;
     Buffer<TetId> free_slots;  // slots of dead tetrahedra
     std::size_t ghost_count = 0;
-    int scale = 0;                // coordinates carry the factor 2^scale, see mesh/scale.hpp
-    std::uint32_t insertion = 0;  // number of the current insertion, for the marks
+    int scale = 0;  // coordinates carry the factor 2^scale, see mesh/scale.hpp
     // Slots that may be taken without another look; the pages of those beyond are not there yet.
     std::size_t ready = 0;
     std::uint32_t slot_limit = max_tetrahedra;  // lowered by tests
@@ -48,16 +51,15 @@ struct Mesh {
     void grow_slots(std::size_t taken, std::size_t freed);
 };
 
-MGDT_ALWAYS_INLINE TetId Mesh::take_slot() noexcept {
-    if (!free_slots.empty()) {
-        const TetId t = free_slots.back();
+MGDT_ALWAYS_INLINE void Mesh::take_slots(TetId* slots, std::size_t count) noexcept {
+    std::size_t i = 0;
+    while (i < count && !free_slots.empty()) {
+        slots[i++] = free_slots.back();
         free_slots.pop_back();
-        return t;
     }
-    const TetId t = static_cast<TetId>(tetrahedra.size());
-    tetrahedra.resize_within_capacity(t + std::size_t{1});
-    tetrahedra[t].mark = 0;
-    return t;
+    const TetId end = static_cast<TetId>(tetrahedra.size() - i);
+    for (std::size_t k = i; k < count; ++k) slots[k] = end + static_cast<TetId>(k);
+    tetrahedra.resize_within_capacity(tetrahedra.size() + (count - i));
 }
 
 MGDT_ALWAYS_INLINE void Mesh::free_slot(TetId t) noexcept {

@@ -25,7 +25,7 @@ inline constexpr std::uint32_t max_tetrahedra = 1u << 30;
 struct alignas(32) Vertex {
     double x[3];          // scaled, see mesh/scale.hpp
     std::uint32_t index;  // least of the caller's points here, counted from 0
-    TetId tet;            // a tetrahedron that has this vertex
+    TetId near;           // slot of a tetrahedron of its first star; since used again, but nearby
 };
 static_assert(sizeof(Vertex) == 32);
 
@@ -37,13 +37,14 @@ struct alignas(64) Tetrahedron {
     VertexId v[4];
     FacetCode n[4];
     double w[3];
-    float e;             // bound of the error of w; its sign bit is set in a ghost
-    std::uint32_t mark;  // number of the last insertion that decided on it, see kernel/cavity.hpp
+    double e;  // bound of the error of w; its sign bit is set in a ghost
 
     MGDT_ALWAYS_INLINE bool is_ghost() const noexcept { return std::signbit(e); }
     // The base vertex of a live tetrahedron is finite.
     MGDT_ALWAYS_INLINE bool is_dead() const noexcept { return v[0] == infinite_vertex; }
     void kill() noexcept { v[0] = infinite_vertex; }
+    // Only while the cavity is being dug.
+    MGDT_ALWAYS_INLINE bool is_in_cavity() const noexcept { return v[1] >> 31 != 0; }
     MGDT_ALWAYS_INLINE int infinite_slot() const noexcept {
         return v[1] == infinite_vertex ? 1 : v[2] == infinite_vertex ? 2 : 3;
     }

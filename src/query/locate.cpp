@@ -32,7 +32,7 @@ TetId Locator::locate(const double* q, TetId& hint) const {
     } else {
         // No exact scaled place: walk on the caller's coordinates.
         Counters unused;
-        t = walk_exact(mesh, hint == no_tetrahedron ? mesh.vertices[1].tet : hint, q, unused,
+        t = walk_exact(mesh, hint == no_tetrahedron ? mesh.live_from(0) : hint, q, unused,
                        [&](VertexId v, double* room) {
                            unscaled(v, room);
                            return static_cast<const double*>(room);
@@ -127,16 +127,17 @@ class VisitQueue {
     Buffer<std::uint32_t> table_;
 };
 
-// Calls f for the finite neighbours of v, some more than once.
+// Calls f for the finite neighbours of v, some more than once, with a tetrahedron that has both;
+// the first one of v's is given.
 template <class F>
-void for_each_neighbor(const Mesh& mesh, VertexId v, VisitQueue& star, F f) {
+void for_each_neighbor(const Mesh& mesh, VertexId v, TetId first, VisitQueue& star, F f) {
     star.clear();
-    star.push(mesh.vertices[v].tet);
+    star.push(first);
     for (std::size_t i = 0; i < star.size(); ++i) {
         const Tetrahedron& t = mesh.tetrahedra[star[i]];
         for (int face = 0; face < 4; ++face) {
             if (t.v[face] == v) continue;
-            if (t.v[face] != infinite_vertex) f(t.v[face]);
+            if (t.v[face] != infinite_vertex) f(t.v[face], star[i]);
             star.push(t.n[face] >> 2);
         }
     }
@@ -174,18 +175,25 @@ VertexId Locator::nearest_vertex(const double* q, Allocator& allocator) const {
     VisitQueue star(allocator), equals(allocator);
     for (bool descends = true; descends;) {
         VertexId better = nearest;
-        for_each_neighbor(mesh, nearest, star, [&](VertexId v) {
-            if (v != better && compare(v, better, q) < 0) better = v;
+        for_each_neighbor(mesh, nearest, near, star, [&](VertexId v, TetId t) {
+            if (v == better || compare(v, better, q) >= 0) return;
+            better = v;
+            near = t;
         });
         descends = better != nearest;
         nearest = better;
     }
+    Buffer<TetId> tetrahedra(allocator);  // one of each vertex in the queue
+    const auto push = [&](VertexId v, TetId t) {
+        equals.push(v);
+        if (equals.size() > tetrahedra.size()) tetrahedra.push_back(t);
+    };
     equals.clear();
-    equals.push(nearest);
+    push(nearest, near);
     for (std::size_t i = 0; i < equals.size(); ++i) {
         if (is_better(equals[i], nearest)) nearest = equals[i];
-        for_each_neighbor(mesh, equals[i], star, [&](VertexId v) {
-            if (compare(v, nearest, q) == 0) equals.push(v);
+        for_each_neighbor(mesh, equals[i], tetrahedra[i], star, [&](VertexId v, TetId t) {
+            if (compare(v, nearest, q) == 0) push(v, t);
         });
     }
     return nearest;

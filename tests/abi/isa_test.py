@@ -24,7 +24,8 @@ def main():
         own = [line for line in lines if f"mgdt::{isa}::" in line]
         checked += len(own)
         for line in shared:
-            if f"mgdt::{isa}::" not in line:
+            # A pointer to the runtime's handler of exceptions is data, the same for everybody.
+            if f"mgdt::{isa}::" not in line and "DW.ref." not in line:
                 print(f"{os.path.basename(archive)}: {line.split(' ', 2)[2]}")
                 failures += 1
     if checked == 0:

@@ -95,18 +95,11 @@ const std::vector<Damage> damages = {
     {"neighbour beyond the store", 1,
      [](Mesh& m) { m.tetrahedra[first_finite(m)].n[0] = 0xFFFFFFF0u; }},
     {"tetrahedron dead", 1, [](Mesh& m) { m.tetrahedra[first_finite(m)].kill(); }},
-    {"ghost taken for finite", 1, [](Mesh& m) { m.tetrahedra[first_ghost(m)].e = 1e-10f; }},
-    {"finite taken for ghost", 1, [](Mesh& m) { m.tetrahedra[first_finite(m)].e = -1e-10f; }},
+    {"ghost taken for finite", 1, [](Mesh& m) { m.tetrahedra[first_ghost(m)].e = 1e-10; }},
+    {"finite taken for ghost", 1, [](Mesh& m) { m.tetrahedra[first_finite(m)].e = -1e-10; }},
     {"count of ghosts", 1, [](Mesh& m) { ++m.ghost_count; }},
-    {"vertex's tetrahedron", 1,
-     [](Mesh& m) {
-         const VertexId v = 5;
-         TetId t = 0;
-         while (m.tetrahedra[t].is_dead() ||
-                std::count(m.tetrahedra[t].v, m.tetrahedra[t].v + 4, v))
-             ++t;
-         m.vertices[v].tet = t;
-     }},
+    {"slot near a vertex", 1,
+     [](Mesh& m) { m.vertices[5].near = static_cast<TetId>(m.tetrahedra.size()); }},
     {"vertex's index", 1, [](Mesh& m) { ++m.vertices[7].index; }},
     {"inner vertex moved out", 2, [](Mesh& m) { m.vertices[inner_vertex(m)].x[0] += 10; }},
     {"inner vertex moved a little", 2,

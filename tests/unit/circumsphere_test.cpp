@@ -208,11 +208,5 @@ TEST(Filter, LeavesExtremesOpen) {
     EXPECT_FALSE(power(t, s.vertices, Query(s.vertices[5].x)).is_decided());
 }
 
-TEST(Filter, RoundsUp) {
-    EXPECT_GE(static_cast<double>(round_up(1e-60)), 1e-60);
-    EXPECT_GE(static_cast<double>(round_up(1 + 0x1p-30)), 1 + 0x1p-30);
-    EXPECT_EQ(round_up(1e60), std::numeric_limits<float>::infinity());
-}
-
 }  // namespace
 }  // namespace mgdt

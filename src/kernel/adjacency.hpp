@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Which facets of a cavity's boundary share an edge. A facet (a, b, c), seen from the new point,
+// has the directed edges ab, bc and ca; its neighbour across one has it the other way round.
+#pragma once
+
+#include "kernel/isa.hpp"
+#include "kernel/workspace.hpp"
+
+namespace mgdt {
+inline namespace MGDT_ISA {
+
+// A matrix of 2^shift columns: entry (a, b) is the facet code of the edge ab. Entries are written
+// before they are read, so it needs no clearing.
+template <unsigned shift>
+class EdgeMatrix {
+  public:
+    MGDT_ALWAYS_INLINE explicit EdgeMatrix(FacetCode* codes) : codes_(codes) {}
+    MGDT_ALWAYS_INLINE void put(std::uint32_t a, std::uint32_t b, FacetCode code) {
+        codes_[(a << shift) + b] = code;
+    }
+    MGDT_ALWAYS_INLINE FacetCode get(std::uint32_t a, std::uint32_t b) const {
+        return codes_[(a << shift) + b];
+    }
+
+  private:
+    FacetCode* const codes_;
+};
+
+// The same by hashing, for cavities of any size.
+class EdgeTable {
+  public:
+    explicit EdgeTable(Workspace& w) : keys_(w.edge_keys.data), codes_(w.edge_codes.data) {
+        // As large as this star wants, not as the largest so far had: it is cleared each time.
+        const std::size_t size = Workspace::edge_table_size(w.boundary_size);
+        for (std::size_t i = 0; i < size; ++i) keys_[i] = free;
+        mask_ = size - 1;
+    }
+    void put(std::uint32_t a, std::uint32_t b, FacetCode code) {
+        const std::size_t h = slot(a, b);
+        keys_[h] = key(a, b);
+        codes_[h] = code;
+    }
+    FacetCode get(std::uint32_t a, std::uint32_t b) const { return codes_[slot(a, b)]; }
+
+  private:
+    static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
+        return (static_cast<std::uint64_t>(a) << 32) | b;
+    }
+    std::size_t slot(std::uint32_t a, std::uint32_t b) const {
+        std::size_t h = static_cast<std::size_t>((key(a, b) * 0x9E3779B97F4A7C15u) >> 20) & mask_;
+        while (keys_[h] != key(a, b) && keys_[h] != free) h = (h + 1) & mask_;
+        return h;
+    }
+
+    static constexpr std::uint64_t free = ~std::uint64_t{0};
+    std::uint64_t* const keys_;
+    FacetCode* const codes_;
+    std::size_t mask_;
+};
+
+}  // namespace MGDT_ISA
+}  // namespace mgdt

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// The powers of a point with respect to four tetrahedra at once, such as the neighbours of one.
+// Their records and base vertices are transposed in registers, so that a test costs some fifteen
+// instructions and the four lines are waited for together.
+#pragma once
+
+#include "kernel/circumsphere.hpp"
+#include "kernel/pieces.hpp"
+
+#if defined(__AVX2__) && defined(__FMA__)
+#include <immintrin.h>
+#endif
+
+namespace mgdt {
+inline namespace MGDT_ISA {
+
+#if defined(__AVX2__) && defined(__FMA__)
+
+// Four rows of four doubles as columns. row(k) points to row k, aligned to 32 bytes.
+struct FourRows {
+    template <class Row>
+    MGDT_ALWAYS_INLINE explicit FourRows(Row row) {
+        const __m256d r0 = _mm256_load_pd(row(0)), r1 = _mm256_load_pd(row(1)),
+                      r2 = _mm256_load_pd(row(2)), r3 = _mm256_load_pd(row(3));
+        const __m256d odd_low = _mm256_unpacklo_pd(r0, r1), even_low = _mm256_unpackhi_pd(r0, r1);
+        const __m256d odd_high = _mm256_unpacklo_pd(r2, r3), even_high = _mm256_unpackhi_pd(r2, r3);
+        first = _mm256_permute2f128_pd(odd_low, odd_high, 0x20);
+        second = _mm256_permute2f128_pd(even_low, even_high, 0x20);
+        third = _mm256_permute2f128_pd(odd_low, odd_high, 0x31);
+        fourth = _mm256_permute2f128_pd(even_low, even_high, 0x31);
+    }
+    __m256d first, second, third, fourth;
+};
+
+class FourPowers {
+  public:
+    // Each tetrahedron is given as any facet code of it.
+    MGDT_ALWAYS_INLINE FourPowers(const Tetrahedron* tetrahedra, const Vertex* vertices,
+                                  const FacetCode* codes, const Query& q) {
+        const auto tetrahedron = [&](unsigned k) { return tetrahedra + (codes[k] >> 2); };
+        const FourRows spheres([&](unsigned k) { return tetrahedron(k)->w; });
+        const FourRows bases([&](unsigned k) { return vertices[tetrahedron(k)->v[0]].x; });
+        const __m256d ux = _mm256_sub_pd(_mm256_set1_pd(q.x), bases.first);
+        const __m256d uy = _mm256_sub_pd(_mm256_set1_pd(q.y), bases.second);
+        const __m256d uz = _mm256_sub_pd(_mm256_set1_pd(q.z), bases.third);
+        const __m256d magnitude = _mm256_castsi256_pd(_mm256_set1_epi64x(0x7FFFFFFFFFFFFFFF));
+        const __m256d wx = spheres.first, wy = spheres.second, wz = spheres.third;
+        ghost_ = spheres.fourth;
+
+        const __m256d all = _mm256_fmadd_pd(uz, uz, _mm256_fmadd_pd(uy, uy, _mm256_mul_pd(ux, ux)));
+        // A ghost has no quadratic term.
+        const __m256d square =
+            _mm256_andnot_pd(_mm256_castsi256_pd(_mm256_cmpgt_epi64(_mm256_setzero_si256(),
+                                                                    _mm256_castpd_si256(ghost_))),
+                             all);
+        const __m256d linear =
+            _mm256_fmadd_pd(wz, uz, _mm256_fmadd_pd(wy, uy, _mm256_mul_pd(wx, ux)));
+        value_ = _mm256_sub_pd(square, linear);
+        const __m256d length = _mm256_add_pd(
+            _mm256_and_pd(uz, magnitude),
+            _mm256_add_pd(_mm256_and_pd(uy, magnitude), _mm256_and_pd(ux, magnitude)));
+        error_ = _mm256_fmadd_pd(_mm256_and_pd(spheres.fourth, magnitude), length,
+                                 _mm256_mul_pd(_mm256_set1_pd(q.quadratic), square));
+    }
+
+    // As bits, the first tetrahedron in the lowest: where the power is negative, and where it is
+    // certain whether it is.
+    MGDT_ALWAYS_INLINE std::uint32_t negative() const {
+        return static_cast<std::uint32_t>(_mm256_movemask_pd(value_));
+    }
+    MGDT_ALWAYS_INLINE std::uint32_t decided() const {
+        const __m256d magnitude = _mm256_castsi256_pd(_mm256_set1_epi64x(0x7FFFFFFFFFFFFFFF));
+        return static_cast<std::uint32_t>(_mm256_movemask_pd(
+            _mm256_cmp_pd(_mm256_and_pd(value_, magnitude), error_, _CMP_GT_OQ)));
+    }
+    MGDT_ALWAYS_INLINE std::uint32_t ghosts() const {
+        return static_cast<std::uint32_t>(_mm256_movemask_pd(ghost_));
+    }
+    MGDT_ALWAYS_INLINE double value(unsigned k) const {
+        alignas(32) double all[4];
+        _mm256_store_pd(all, value_);
+        return all[k];
+    }
+    // The finite tetrahedron of least power, if it is below the bound; else 4.
+    MGDT_ALWAYS_INLINE unsigned least_finite(double bound) const {
+        const __m256d finite =
+            _mm256_blendv_pd(value_, _mm256_set1_pd(infinity), ghost_);  // by the sign
+        const __m256d pairs = _mm256_min_pd(finite, _mm256_permute_pd(finite, 5));
+        const __m256d least = _mm256_min_pd(pairs, _mm256_permute2f128_pd(pairs, pairs, 1));
+        const int equal = _mm256_movemask_pd(_mm256_cmp_pd(finite, least, _CMP_EQ_OQ));
+        return _mm256_cvtsd_f64(least) < bound ? lowest_bit(static_cast<std::uint32_t>(equal) | 16u)
+                                               : 4;
+    }
+
+  private:
+    __m256d value_, error_, ghost_;
+};
+
+#else
+
+class FourPowers {
+  public:
+    MGDT_ALWAYS_INLINE FourPowers(const Tetrahedron* tetrahedra, const Vertex* vertices,
+                                  const FacetCode* codes, const Query& q) {
+        for (unsigned k = 0; k < 4; ++k) {
+            const Tetrahedron& t = tetrahedra[codes[k] >> 2];
+            const Power s = power(t, vertices, q);
+            value_[k] = s.value;
+            negative_ |= static_cast<std::uint32_t>(s.value < 0) << k;
+            decided_ |= static_cast<std::uint32_t>(s.is_decided()) << k;
+            ghosts_ |= static_cast<std::uint32_t>(t.is_ghost()) << k;
+        }
+    }
+    MGDT_ALWAYS_INLINE std::uint32_t negative() const { return negative_; }
+    MGDT_ALWAYS_INLINE std::uint32_t decided() const { return decided_; }
+    MGDT_ALWAYS_INLINE std::uint32_t ghosts() const { return ghosts_; }
+    MGDT_ALWAYS_INLINE double value(unsigned k) const { return value_[k]; }
+    MGDT_ALWAYS_INLINE unsigned least_finite(double bound) const {
+        unsigned best = 4;
+        for (unsigned k = 0; k < 4; ++k) {
+            if ((ghosts_ >> k & 1) || !(value_[k] < bound)) continue;
+            bound = value_[k];
+            best = k;
+        }
+        return best;
+    }
+
+  private:
+    double value_[4];
+    std::uint32_t negative_ = 0, decided_ = 0, ghosts_ = 0;
+};
+
+#endif
+
+}  // namespace MGDT_ISA
+}  // namespace mgdt
