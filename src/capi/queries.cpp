@@ -4,6 +4,7 @@
 
 #include "capi/handle.hpp"
 #include "core/point_scan.hpp"
+#include "order/curve_sort.hpp"
 #include "query/check.hpp"
 #include "query/export.hpp"
 #include "query/locate.hpp"
@@ -13,12 +14,27 @@ using namespace mgdt;
 namespace {
 
 Locator locator(const mgdt_triangulation* t) {
-    return {t->core.mesh(), t->core.kernel()};
+    return {t->core.mesh(), t->core.kernel(), t->core.location_tree()};
 }
 
-void require_finite(std::size_t n, const double* xyz, const mgdt_triangulation* t) {
+PointScan scan_finite(std::size_t n, const double* xyz, const mgdt_triangulation* t) {
     const double* const axis[3] = {xyz, xyz + 1, xyz + 2};
-    PointScan(n, axis, 3, t->core.settings().index_base);
+    return PointScan(n, axis, 3, t->core.settings().index_base);
+}
+
+// The order in which to locate points: along a curve, so that each is near the one before.
+CurveOrder location_order(const PointScan& scan, std::size_t n, const double* xyz,
+                          Allocator& allocator) {
+    PointSet points;
+    points.size = n;
+    points.stride = 3;
+    points.scale = 1;
+    for (int k = 0; k < 3; ++k) {
+        points.axis[k] = xyz + k;
+        points.low[k] = scan.low[k];
+        points.high[k] = scan.high[k];
+    }
+    return sort_along_curve(points, allocator);
 }
 
 template <class Int>
@@ -31,29 +47,37 @@ mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* 
         if (n == 0) return;
         require_pointer(xyz, "xyz");
         require_pointer(tetrahedra, "the output array");
-        require_finite(static_cast<std::size_t>(n), xyz, t);
+        const PointScan scan = scan_finite(static_cast<std::size_t>(n), xyz, t);
         const std::int64_t base = t->core.settings().index_base;
         if (mgdt_tetrahedron_count(t) - 1 + base > std::numeric_limits<Int>::max())
             fail(MGDT_ERR_INDEX_RANGE, "tetrahedra do not fit a 32-bit integer");
         const Locator where = locator(t);
         const ExportView view = view_of(t, true);
-        TetId hint = no_tetrahedron;
-        for (std::int64_t i = 0; i < n; ++i) {
-            const TetId found = where.locate(xyz + 3 * i, hint);
+        const auto report = [&](std::size_t i, TetId found) {
             tetrahedra[i] = static_cast<Int>(
                 found == no_tetrahedron
                     ? base - 1
                     : static_cast<std::int64_t>(view.numbering->rank(found)) + base);
-            if (!weights) continue;
+            if (!weights) return;
             double* const out = weights + 4 * i;
             std::fill(out, out + 4, 0.0);
-            if (found == no_tetrahedron) continue;
+            if (found == no_tetrahedron) return;
             double stored[4];
             unsigned places[4];
             where.weights(found, xyz + 3 * i, stored);
             export_places(view, view.mesh.tetrahedra[found], places);
             for (int k = 0; k < 4; ++k) out[k] = stored[places[k]];
+        };
+        const std::size_t count = static_cast<std::size_t>(n);
+        if (count == 1) {
+            TetId hint = no_tetrahedron;
+            report(0, where.locate(xyz, hint));
+            return;
         }
+        const CurveOrder order = location_order(scan, count, xyz, t->core.allocator());
+        where.locate_sequence(
+            count, [&](std::size_t k) { return xyz + std::size_t{3} * order.index(k); },
+            [&](std::size_t k, TetId found) { report(order.index(k), found); });
     });
 }
 
@@ -80,7 +104,7 @@ extern "C" mgdt_status mgdt_nearest_vertex(const mgdt_triangulation* t, const do
     return guard(t, [&] {
         require_pointer(xyz, "xyz");
         require_pointer(vertex, "vertex");
-        require_finite(1, xyz, t);
+        scan_finite(1, xyz, t);
         const std::int64_t base = t->core.settings().index_base;
         const VertexId found = locator(t).nearest_vertex(xyz, t->core.allocator());
         *vertex = found == infinite_vertex

@@ -5,7 +5,6 @@
 
 #include "core/batch.hpp"
 #include "core/triangulation.hpp"
-#include "kernel/start.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
@@ -63,7 +62,10 @@ void bring_to_front(Schedule& schedule, const std::size_t positions[4]) {
 void Triangulation::copy_vertices(const Batch& batch, const Schedule& schedule, std::size_t base) {
     mesh_.vertices.resize(base + batch.points.size);
     mesh_.vertices.prefault(base, base + batch.points.size);
-    for (std::size_t k = 0; k < batch.points.size; ++k) {
+    constexpr std::size_t ahead = 24;
+    const std::size_t size = batch.points.size;
+    for (std::size_t k = 0; k < size; ++k) {
+        if (k + ahead < size) batch.prefetch(schedule.order[k + ahead]);
         const std::uint32_t i = schedule.order[k];
         Vertex& v = mesh_.vertices[base + k];
         batch.get(i, v.x);
@@ -106,6 +108,7 @@ void Triangulation::insert_batch(const Batch& batch, bool fresh, bool may_stop) 
         bring_to_front(schedule, positions);
         mesh_.reserve_tetrahedra(8);
 
+        location_tree_.forget();
         mesh_.clear();
         held_.clear();
         std::fill(point_map_.begin(), point_map_.end(), infinite_vertex);
@@ -150,12 +153,32 @@ void Triangulation::make_first_tetrahedra() {
         set_circumsphere(all[t], mesh_.vertices.data());
     }
     mesh_.ghost_count = 4;
+    mesh_.a_ghost = 4;
     last_ = 0;
     for (VertexId i = 1; i <= 4; ++i) {
         mesh_.vertices[i].near = 0;
         point_map_[mesh_.vertices[i].index] = i;
     }
     statistics_.points_inserted += 4;
+}
+
+// The tree that finds a batch's first point, over the vertices before `end`.
+const LocationTree* Triangulation::tree_for_insertion(std::size_t end) noexcept {
+    try {
+        return location_tree(end);
+    } catch (const std::bad_alloc&) {
+        return nullptr;  // the walk is longer then
+    }
+}
+
+// After vertices from `begin` on have come in.
+void Triangulation::extend_location_tree(std::size_t begin) noexcept {
+    LocationTree* const tree = location_tree_.peek();
+    if (!tree) return;
+    const std::size_t end = mesh_.vertices.size();
+    // Many at a time are better taken together, when somebody asks.
+    const bool are_few = end - begin < begin / 16;
+    if (!are_few || !tree->add(mesh_, begin, end)) location_tree_.forget();
 }
 
 void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
@@ -167,9 +190,14 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
         Mesh& mesh;
         const std::size_t base;
         const std::size_t& in;
-        ~Trim() { mesh.vertices.resize(base + in); }
-    } trim{mesh_, base, in};
+        Triangulation& triangulation;
+        ~Trim() {
+            mesh.vertices.resize(base + in);
+            triangulation.extend_location_tree(base);
+        }
+    } trim{mesh_, base, in, *this};
 
+    const LocationTree* const tree = done == 0 ? tree_for_insertion(base) : nullptr;
     const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
     std::size_t next_report = report_interval;
     for (std::size_t k = done; k < n; ++k) {
@@ -188,7 +216,7 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
             start = mesh_.live_from(
                 mesh_.vertices[point_map_[batch.index(schedule.order[schedule.hints[k]])]].near);
         else if (k == 0)
-            start = jump(mesh_, base - 1, mesh_.point(q), last_);
+            start = start_of_walk(mesh_, tree, last_, mesh_.point(q));
         const Insertion result = kernel_->insert(mesh_, workspace_, q, start);
         last_ = result.tetrahedron;
         if (result.duplicate == infinite_vertex) {

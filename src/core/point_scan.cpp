@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "platform/cpu.hpp"
 #include "platform/error.hpp"
 
 namespace mgdt {
@@ -16,35 +17,71 @@ bool is_finite(double x) {
     return (bits & 0x7FF0000000000000u) != 0x7FF0000000000000u;
 }
 
-double magnitude_or(double x, double if_zero) {
-    const double magnitude = std::fabs(x);
-    return magnitude == 0 ? if_zero : magnitude;
-}
+constexpr double largest = 1.7976931348623157e308;
+
+// Extremes of a stream of coordinates, of which every third belongs to one axis. The three arrays
+// of six are three registers of two each, and no operation waits for the one before it.
+struct Extremes {
+    static constexpr std::size_t width = 6;
+    double low[width], high[width];
+    double least[width];   // magnitude that is not zero
+    double poison[width];  // NaN once something was not finite
+
+    Extremes() {
+        for (std::size_t j = 0; j < width; ++j) {
+            low[j] = least[j] = largest;
+            high[j] = -largest;
+            poison[j] = 0;
+        }
+    }
+    MGDT_ALWAYS_INLINE void add(const double* x) {
+        for (std::size_t j = 0; j < width; ++j) {
+            low[j] = x[j] < low[j] ? x[j] : low[j];
+            high[j] = x[j] > high[j] ? x[j] : high[j];
+            const double magnitude = x[j] == 0 ? largest : std::fabs(x[j]);
+            least[j] = magnitude < least[j] ? magnitude : least[j];
+            poison[j] += x[j] - x[j];
+        }
+    }
+};
 
 }  // namespace
 
 PointScan::PointScan(std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
                      long long first_index) {
-    constexpr double largest = 1.7976931348623157e308;
-    double least = largest, greatest = 0;
-    for (int k = 0; k < 3; ++k) {
-        double lo = largest, hi = -largest;
-        const double* p = axis[k];
-        for (std::size_t i = 0; i < n; ++i) {
-            const double x = p[static_cast<std::ptrdiff_t>(i) * stride];
-            if (!is_finite(x))
-                fail(MGDT_ERR_NOT_FINITE, "coordinate %c of point %lld is %s", "xyz"[k],
-                     first_index + static_cast<long long>(i), x != x ? "NaN" : "infinite");
-            lo = x < lo ? x : lo;
-            hi = x > hi ? x : hi;
-            const double small = magnitude_or(x, largest);
-            least = small < least ? small : least;
-        }
-        low[k] = lo;
-        high[k] = hi;
-        greatest = std::fmax(greatest, std::fmax(std::fabs(lo), std::fabs(hi)));
+    // Two points at a time.
+    Extremes extremes;
+    const auto coordinate = [&](std::size_t i, std::size_t k) {
+        return axis[k][static_cast<std::ptrdiff_t>(i) * stride];
+    };
+    const bool is_packed = stride == 3 && axis[1] == axis[0] + 1 && axis[2] == axis[0] + 2;
+    for (std::size_t i = 0; i < n; i += 2) {
+        double x[Extremes::width];
+        const double* source = x;
+        if (is_packed && i + 1 < n)
+            source = axis[0] + 3 * i;
+        else
+            for (std::size_t j = 0; j < Extremes::width; ++j)
+                x[j] = coordinate(i + 1 < n ? i + j / 3 : i, j % 3);
+        extremes.add(source);
     }
-    if (greatest > 0) {
+    double least = largest, greatest = 0, poison = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = std::fmin(extremes.low[k], extremes.low[k + 3]);
+        high[k] = std::fmax(extremes.high[k], extremes.high[k + 3]);
+        greatest = std::fmax(greatest, std::fmax(std::fabs(low[k]), std::fabs(high[k])));
+        least = std::fmin(least, std::fmin(extremes.least[k], extremes.least[k + 3]));
+        poison += extremes.poison[k] + extremes.poison[k + 3];
+    }
+    if (!is_finite(poison)) {
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                if (!is_finite(coordinate(i, k)))
+                    fail(MGDT_ERR_NOT_FINITE, "coordinate %c of point %lld is %s", "xyz"[k],
+                         first_index + static_cast<long long>(i),
+                         coordinate(i, k) != coordinate(i, k) ? "NaN" : "infinite");
+    }
+    if (n > 0 && greatest > 0) {
         exponents.add(greatest);
         exponents.add(least);
     }

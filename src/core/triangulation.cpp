@@ -12,12 +12,15 @@ Triangulation::Triangulation(mgdt_alloc_fn alloc, mgdt_free_fn release, void* us
       mesh_(allocator_),
       workspace_(allocator_),
       point_map_(allocator_),
-      held_(allocator_) {
+      held_(allocator_),
+      numbering_(allocator_),
+      location_tree_(allocator_) {
     mesh_.clear();
 }
 
 void Triangulation::clear() noexcept {
     forget_numbering();
+    location_tree_.forget();
     mesh_.clear();
     mesh_.scale = 0;
     point_map_.clear();
@@ -85,6 +88,7 @@ void Triangulation::set_scale(const ExponentRange& range) {
     if (scale == mesh_.scale) return;
     const int change = scale - mesh_.scale;
     mesh_.scale = scale;
+    location_tree_.forget();
     if (mesh_.vertices.size() == 1) return;
     mesh_.has_extremes = false;
     for (std::size_t v = 1; v < mesh_.vertices.size(); ++v) {
@@ -145,22 +149,8 @@ void Triangulation::stop_if_cancelled(std::size_t done, std::size_t total) {
         fail(MGDT_ERR_CANCELLED, "cancelled after %zu of %zu points", done, total);
 }
 
-const Numbering& Triangulation::numbering() const {
-    Numbering* made = numbering_.load(std::memory_order_acquire);
-    if (!made) {
-        // Several threads may make one at the same time; the first to publish wins.
-        Numbering* mine = Numbering::make(allocator_, mesh_, settings_.canonical_output);
-        if (numbering_.compare_exchange_strong(made, mine, std::memory_order_acq_rel))
-            made = mine;
-        else
-            Numbering::destroy(allocator_, mine);
-    }
-    return *made;
-}
-
-void Triangulation::forget_numbering() noexcept {
-    Numbering* made = numbering_.exchange(nullptr, std::memory_order_acq_rel);
-    if (made) Numbering::destroy(allocator_, made);
+const LocationTree* Triangulation::location_tree(std::size_t end) const {
+    return end < LocationTree::smallest ? nullptr : &location_tree_.get(mesh_, end);
 }
 
 }  // namespace mgdt

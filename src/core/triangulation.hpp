@@ -11,8 +11,10 @@
 #include "core/point_scan.hpp"
 #include "kernel/circumsphere.hpp"
 #include "kernel/kernel.hpp"
+#include "kernel/location_tree.hpp"
 #include "mesh/scale.hpp"
 #include "order/schedule.hpp"
+#include "platform/cached.hpp"
 #include "query/numbering.hpp"
 
 namespace mgdt {
@@ -60,10 +62,10 @@ class Triangulation {
     const Buffer<VertexId>& point_map() const noexcept { return point_map_; }
     std::size_t vertex_count() const noexcept { return mesh_.vertices.size() - 1; }
     // Numbers of tetrahedra as the exports count them; made when first asked for.
-    const Numbering& numbering() const;
-    void forget_numbering() noexcept;
-
-    ~Triangulation() { forget_numbering(); }
+    const Numbering& numbering() const { return numbering_.get(mesh_, settings_.canonical_output); }
+    void forget_numbering() noexcept { numbering_.forget(); }
+    // Where walks start; nullptr for a small mesh. Made when first asked for.
+    const LocationTree* location_tree() const { return location_tree(mesh_.vertices.size()); }
 
   private:
     struct Batch;
@@ -75,6 +77,9 @@ class Triangulation {
     void insert_batch(const Batch& batch, bool fresh, bool may_stop);
     void copy_vertices(const Batch& batch, const Schedule& schedule, std::size_t base);
     void make_first_tetrahedra();
+    const LocationTree* location_tree(std::size_t end) const;
+    const LocationTree* tree_for_insertion(std::size_t end) noexcept;
+    void extend_location_tree(std::size_t begin) noexcept;
     void insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
                           std::size_t done, bool may_stop);
     void report(std::size_t done, std::size_t total);
@@ -92,7 +97,8 @@ class Triangulation {
     TetId last_ = no_tetrahedron;  // of the last insertion: where the next walk starts
     Statistics statistics_;
     std::atomic<bool> cancelled_{false};
-    mutable std::atomic<Numbering*> numbering_{nullptr};
+    mutable Cached<Numbering> numbering_;
+    mutable Cached<LocationTree> location_tree_;
 };
 
 }  // namespace mgdt

@@ -12,13 +12,23 @@ struct Insertion {
     VertexId duplicate;  // the vertex that was there before, or infinite_vertex
 };
 
+// A walk to the finite tetrahedron that contains q, which can be taken step by step together with
+// others, so that they wait for memory together.
+struct LocationWalk {
+    double q[3];
+    TetId tetrahedron;  // before the first step: any
+    double value, error;
+    bool is_certain;  // after the last step: whether it is certain that this one contains q
+};
+
 struct Kernel {
     const char* isa;
     // Inserts vertex q, whose record is in the mesh, walking from `start`. Strong guarantee: when
     // it throws (std::bad_alloc, Error with MGDT_ERR_TOO_LARGE) the triangulation is unchanged.
     Insertion (*insert)(Mesh& mesh, Workspace& workspace, VertexId q, TetId start);
-    // A tetrahedron in conflict with point q near `start`; see walk.hpp.
-    TetId (*approach)(const Mesh& mesh, TetId start, const double* q, Counters& counters);
+    // A location's first power, and its next step; false where it ends. See walk.hpp.
+    void (*locate_begin)(const Mesh& mesh, LocationWalk& walk);
+    bool (*locate_step)(const Mesh& mesh, LocationWalk& walk);
 };
 
 // The kernel of that name, or the best for NULL; nullptr if this processor does not run it.

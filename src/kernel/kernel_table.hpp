@@ -14,22 +14,13 @@ inline namespace MGDT_ISA {
 inline Insertion insert(Mesh& mesh, Workspace& w, VertexId q, TetId start) {
     const Query query(mesh.point(q));
     const bool is_in_star = w.slot_count != 0 && start == w.slots.data[0];
-    const WalkResult found =
-        walk(mesh,
-             is_in_star ? start_in_star(mesh, w, query, w.counters)
-                        : start_at(mesh, start, query, w.counters),
-             query, w.counters);
+    const WalkResult found = walk(mesh,
+                                  is_in_star ? start_in_star(mesh, w, query, w.counters)
+                                             : start_at(mesh, start, query, w.counters),
+                                  query, w.counters);
     if (found.duplicate != infinite_vertex) return {found.start.tetrahedron, found.duplicate};
     dig_cavity(mesh, w, found.start, query);
     return {build_star(mesh, w, q), infinite_vertex};
-}
-
-inline TetId approach(const Mesh& mesh, TetId start, const double* q, Counters& counters) {
-    const Query query(q);
-    const CavityStart found =
-        walk(mesh, start_at(mesh, start, query, counters), query, counters).start;
-    if (found.faces == 0) return found.tetrahedron;
-    return mesh.tetrahedra[found.tetrahedron].n[lowest_bit(found.faces)] >> 2;
 }
 
 }  // namespace MGDT_ISA
@@ -38,4 +29,4 @@ inline TetId approach(const Mesh& mesh, TetId start, const double* q, Counters& 
 #define MGDT_TEXT_OF(name) #name
 #define MGDT_TEXT(name) MGDT_TEXT_OF(name)
 #define MGDT_KERNEL_TABLE \
-    { MGDT_TEXT(MGDT_ISA), mgdt::insert, mgdt::approach }
+    { MGDT_TEXT(MGDT_ISA), mgdt::insert, mgdt::locate_begin, mgdt::locate_step }

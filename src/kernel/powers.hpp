@@ -76,10 +76,14 @@ class FourPowers {
     MGDT_ALWAYS_INLINE std::uint32_t ghosts() const {
         return static_cast<std::uint32_t>(_mm256_movemask_pd(ghost_));
     }
-    MGDT_ALWAYS_INLINE double value(unsigned k) const {
-        alignas(32) double all[4];
-        _mm256_store_pd(all, value_);
-        return all[k];
+    MGDT_ALWAYS_INLINE double value(unsigned k) const { return element(value_, k); }
+    MGDT_ALWAYS_INLINE double error(unsigned k) const { return element(error_, k); }
+    // Where the power, or that of a ghost, is certainly above that of a tetrahedron, or of none.
+    MGDT_ALWAYS_INLINE std::uint32_t above(Power other) const {
+        const __m256d floor = _mm256_blendv_pd(_mm256_set1_pd(other.value + other.error),
+                                               _mm256_setzero_pd(), ghost_);
+        return static_cast<std::uint32_t>(
+            _mm256_movemask_pd(_mm256_cmp_pd(_mm256_sub_pd(value_, floor), error_, _CMP_GT_OQ)));
     }
     // The finite tetrahedron of least power, if it is below the bound; else 4.
     MGDT_ALWAYS_INLINE unsigned least_finite(double bound) const {
@@ -93,6 +97,12 @@ class FourPowers {
     }
 
   private:
+    MGDT_ALWAYS_INLINE static double element(__m256d of, unsigned k) {
+        alignas(32) double all[4];
+        _mm256_store_pd(all, of);
+        return all[k];
+    }
+
     __m256d value_, error_, ghost_;
 };
 
@@ -106,6 +116,7 @@ class FourPowers {
             const Tetrahedron& t = tetrahedra[codes[k] >> 2];
             const Power s = power(t, vertices, q);
             value_[k] = s.value;
+            error_[k] = s.error;
             negative_ |= static_cast<std::uint32_t>(s.value < 0) << k;
             decided_ |= static_cast<std::uint32_t>(s.is_decided()) << k;
             ghosts_ |= static_cast<std::uint32_t>(t.is_ghost()) << k;
@@ -115,6 +126,15 @@ class FourPowers {
     MGDT_ALWAYS_INLINE std::uint32_t decided() const { return decided_; }
     MGDT_ALWAYS_INLINE std::uint32_t ghosts() const { return ghosts_; }
     MGDT_ALWAYS_INLINE double value(unsigned k) const { return value_[k]; }
+    MGDT_ALWAYS_INLINE double error(unsigned k) const { return error_[k]; }
+    MGDT_ALWAYS_INLINE std::uint32_t above(Power other) const {
+        std::uint32_t bits = 0;
+        for (unsigned k = 0; k < 4; ++k) {
+            const double floor = ghosts_ >> k & 1 ? 0.0 : other.value + other.error;
+            bits |= static_cast<std::uint32_t>(value_[k] - floor > error_[k]) << k;
+        }
+        return bits;
+    }
     MGDT_ALWAYS_INLINE unsigned least_finite(double bound) const {
         unsigned best = 4;
         for (unsigned k = 0; k < 4; ++k) {
@@ -126,7 +146,7 @@ class FourPowers {
     }
 
   private:
-    double value_[4];
+    double value_[4], error_[4];
     std::uint32_t negative_ = 0, decided_ = 0, ghosts_ = 0;
 };
 

@@ -57,6 +57,7 @@ inline std::size_t write_ghosts(Mesh& mesh, const Workspace& w, VertexId q) {
         const int slot = t.infinite_slot();
         set_normal(relative_to(mesh.point(t.v[slot % 3 + 1]), mesh.point(q)),
                    relative_to(mesh.point(t.v[(slot + 1) % 3 + 1]), mesh.point(q)), t);
+        mesh.a_ghost = w.slots.data[i];
         ++ghosts;
     }
     return ghosts;
@@ -154,7 +155,10 @@ inline TetId build_star(Mesh& mesh, Workspace& w, VertexId q) {
     }
     if (MGDT_UNLIKELY(mesh.has_extremes)) distrust_extremes(mesh, w, q);
 
-    mesh.vertices[q].near = w.slots.data[0];
+    // With the new vertex a few of its neighbours learn where they are now; every vertex has its
+    // turn often enough to stay near its slot.
+    for (const VertexId v : mesh.tetrahedra[w.slots.data[0]].v)
+        mesh.vertices[v].near = w.slots.data[0];
     w.counters.removed += removed;
     w.counters.created += created;
     return w.slots.data[0];

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "kernel/cavity.hpp"
+#include "kernel/kernel.hpp"
 #include "kernel/workspace.hpp"
 #include "predicates/predicates.hpp"
 
@@ -120,6 +121,34 @@ inline WalkResult walk(const Mesh& mesh, WalkStart here, const Query& q, Counter
     }
     const TetId t = walk_exact(mesh, here.tetrahedron, q.point, counters);
     return {{t, 0}, vertex_at(mesh, mesh.tetrahedra[t], q.point)};
+}
+
+// One step of a location: to the neighbour of least power, if that is less. Returns whether there
+// was one. If not, the tetrahedron contains q if that is certain, since the difference of two
+// neighbours' powers changes sign on their facet.
+inline bool locate_step(const Mesh& mesh, LocationWalk& w) {
+    const Tetrahedron* const tetrahedra = mesh.tetrahedra.data();
+    const FacetCode* const n = tetrahedra[w.tetrahedron].n;
+    const FourPowers powers(tetrahedra, mesh.vertices.data(), n, Query(w.q));
+    const unsigned next = powers.least_finite(w.value);
+    if (next == 4) {
+        // Of the finite ones none is less, so only the certainty is missing, and the ghosts.
+        w.is_certain = powers.above({w.value, w.error}) == 0xF;
+        return false;
+    }
+    w.tetrahedron = n[next] >> 2;
+    w.value = powers.value(next);
+    w.error = powers.error(next);
+    for (const FacetCode code : tetrahedra[w.tetrahedron].n) prefetch(&tetrahedra[code >> 2]);
+    return true;
+}
+
+inline void locate_begin(const Mesh& mesh, LocationWalk& w) {
+    const Tetrahedron& t = mesh.tetrahedra[w.tetrahedron];
+    if (t.is_ghost()) w.tetrahedron = t.n[t.infinite_slot()] >> 2;
+    const Power here = power(mesh.tetrahedra[w.tetrahedron], mesh.vertices.data(), Query(w.q));
+    w.value = here.value;
+    w.error = here.error;
 }
 
 }  // namespace MGDT_ISA

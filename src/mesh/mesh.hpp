@@ -41,7 +41,8 @@ struct Mesh {
     Buffer<Tetrahedron> tetrahedra;
     Buffer<TetId> free_slots;  // slots of dead tetrahedra
     std::size_t ghost_count = 0;
-    int scale = 0;  // coordinates carry the factor 2^scale, see mesh/scale.hpp
+    TetId a_ghost = no_tetrahedron;  // the last one made: who removes it makes others
+    int scale = 0;                   // coordinates carry the factor 2^scale, see mesh/scale.hpp
     // Slots that may be taken without another look; the pages of those beyond are not there yet.
     std::size_t ready = 0;
     std::uint32_t slot_limit = max_tetrahedra;  // lowered by tests

@@ -25,7 +25,7 @@ inline constexpr std::uint32_t max_tetrahedra = 1u << 30;
 struct alignas(32) Vertex {
     double x[3];          // scaled, see mesh/scale.hpp
     std::uint32_t index;  // least of the caller's points here, counted from 0
-    TetId near;           // slot of a tetrahedron of its first star; since used again, but nearby
+    TetId near;           // slot of a tetrahedron that had it once, and of one nearby since
 };
 static_assert(sizeof(Vertex) == 32);
 

@@ -13,7 +13,7 @@
 namespace mgdt {
 
 struct CpuFeatures {
-    bool avx2 = false;    // and FMA
+    bool avx2 = false;    // and FMA, BMI 1 and 2, LZCNT, POPCNT
     bool avx512 = false;  // F, VL, DQ, BW, and all of avx2
 };
 

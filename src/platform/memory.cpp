@@ -86,7 +86,9 @@ void Allocator::discount(std::size_t bytes) noexcept {
 void Allocator::prefault(void* part, std::size_t part_bytes, std::size_t block_bytes,
                          std::size_t align) const noexcept {
 #if MGDT_HAVE_MREMAP && defined(MADV_POPULATE_WRITE)
-    if (alloc_ || !is_mapped(block_bytes, align)) return;
+    // For a few pages the call costs more than the faults.
+    constexpr std::size_t least = 65536;
+    if (alloc_ || part_bytes < least || !is_mapped(block_bytes, align)) return;
     // Whole pages from the one that the part begins in; what is there already stays.
     const std::size_t begin = reinterpret_cast<std::size_t>(part) & ~std::size_t{4095};
     const std::size_t end = reinterpret_cast<std::size_t>(part) + part_bytes;

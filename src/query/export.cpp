@@ -2,7 +2,13 @@
 #include "query/export.hpp"
 
 #include <algorithm>
+#include <cstring>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+#include "kernel/pieces.hpp"
 #include "query/incidence.hpp"
 
 namespace mgdt {
@@ -25,15 +31,63 @@ void export_places(const ExportView& view, const Tetrahedron& t, unsigned places
     }
 }
 
+// Four values at a time, past the cache where that can be: what is written is not read here, and
+// fetching the lines first would cost as much again.
+template <class Int>
+class Rows {
+  public:
+    explicit Rows(Int* out)
+        : out_(out), streams_(reinterpret_cast<std::uintptr_t>(out) % sizeof(Wide) == 0) {}
+#if defined(__SSE2__)
+    ~Rows() {
+        _mm_sfence();
+    }
+#endif
+
+    void add(Int a, Int b, Int c, Int d) {
+        const Int row[4] = {a, b, c, d};
+#if defined(__SSE2__)
+        if (streams_) {
+            for (unsigned i = 0; i < 4; i += 16 / sizeof(Int)) {
+                Wide wide;
+                std::memcpy(&wide, row + i, sizeof wide);
+                _mm_stream_si128(reinterpret_cast<Wide*>(out_ + i), wide);
+            }
+            out_ += 4;
+            return;
+        }
+#endif
+        std::copy(row, row + 4, out_);
+        out_ += 4;
+    }
+
+  private:
+#if defined(__SSE2__)
+    using Wide = __m128i;
+#else
+    using Wide = Int;
+#endif
+    Int* out_;
+    const bool streams_;
+};
+
+// Records between one that is read and one that is asked for.
+constexpr std::size_t ahead = 32;
+
 template <class Int>
 void export_tetrahedra(const ExportView& view, Int* out) {
     const Mesh& mesh = view.mesh;
-    unsigned places[4];
+    // The indices by themselves fit the cache where the vertices' records do not.
+    Buffer<Int> index(view.allocator, mesh.vertices.size());
+    for (std::size_t v = 0; v < index.size(); ++v)
+        index[v] = static_cast<Int>(mesh.vertices[v].index) + static_cast<Int>(view.base);
+    Rows<Int> rows(out);
     view.numbering->for_each([&](TetId id) {
         const Tetrahedron& t = mesh.tetrahedra[id];
-        export_places(view, t, places);
-        for (const unsigned i : places)
-            *out++ = static_cast<Int>(mesh.vertices[t.v[i]].index) + static_cast<Int>(view.base);
+        prefetch(&t + ahead);
+        unsigned p[4];
+        export_places(view, t, p);
+        rows.add(index[t.v[p[0]]], index[t.v[p[1]]], index[t.v[p[2]]], index[t.v[p[3]]]);
     });
 }
 
@@ -41,16 +95,19 @@ template <class Int>
 void export_neighbors(const ExportView& view, Int* out) {
     const Mesh& mesh = view.mesh;
     const Int none = static_cast<Int>(view.base - 1);
-    unsigned places[4];
-    view.numbering->for_each([&](TetId id) {
+    const Numbering& numbering = *view.numbering;
+    const auto number = [&](FacetCode code) {
+        return numbering.is_finite(code >> 2)
+                   ? static_cast<Int>(numbering.rank(code >> 2)) + static_cast<Int>(view.base)
+                   : none;
+    };
+    Rows<Int> rows(out);
+    numbering.for_each([&](TetId id) {
         const Tetrahedron& t = mesh.tetrahedra[id];
-        export_places(view, t, places);
-        for (const unsigned i : places) {
-            const TetId m = t.n[i] >> 2;
-            *out++ = mesh.tetrahedra[m].is_ghost()
-                         ? none
-                         : static_cast<Int>(view.numbering->rank(m)) + static_cast<Int>(view.base);
-        }
+        prefetch(&t + ahead);
+        unsigned p[4];
+        export_places(view, t, p);
+        rows.add(number(t.n[p[0]]), number(t.n[p[1]]), number(t.n[p[2]]), number(t.n[p[3]]));
     });
 }
 

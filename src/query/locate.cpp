@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "query/locate.hpp"
 
-#include "kernel/start.hpp"
 #include "kernel/walk.hpp"
 #include "mesh/scale.hpp"
 #include "predicates/predicates.hpp"
@@ -22,24 +21,39 @@ void Locator::unscaled(VertexId v, double* to) const {
 
 TetId Locator::locate(const double* q, TetId& hint) const {
     if (mesh.live_count() == 0) return no_tetrahedron;
-    double p[3];
-    TetId t;
-    if (scale_exactly(q, p)) {
-        Counters unused;
-        if (hint == no_tetrahedron) hint = jump(mesh, mesh.vertices.size() - 1, p, no_tetrahedron);
-        t = kernel.approach(mesh, hint, p, unused);
-        t = walk_exact(mesh, t, p, unused);
-    } else {
-        // No exact scaled place: walk on the caller's coordinates.
-        Counters unused;
-        t = walk_exact(mesh, hint == no_tetrahedron ? mesh.live_from(0) : hint, q, unused,
-                       [&](VertexId v, double* room) {
-                           unscaled(v, room);
-                           return static_cast<const double*>(room);
-                       });
+    LocationWalk walk;
+    if (begin(q, hint, walk))
+        while (kernel.locate_step(mesh, walk)) {
+        }
+    return end(q, walk, hint);
+}
+
+bool Locator::begin(const double* q, TetId hint, LocationWalk& walk) const {
+    walk.is_certain = false;
+    walk.tetrahedron = hint;
+    if (!scale_exactly(q, walk.q)) {
+        walk.q[0] = infinity;
+        if (hint == no_tetrahedron) walk.tetrahedron = mesh.live_from(0);
+        return false;
     }
-    hint = t;
-    return mesh.tetrahedra[t].is_ghost() ? no_tetrahedron : t;
+    if (hint == no_tetrahedron)
+        walk.tetrahedron = start_of_walk(mesh, tree, no_tetrahedron, walk.q);
+    kernel.locate_begin(mesh, walk);
+    return true;
+}
+
+TetId Locator::end(const double* q, const LocationWalk& walk, TetId& hint) const {
+    Counters unused;
+    hint = walk.tetrahedron;
+    if (walk.is_certain) return hint;
+    if (walk.q[0] != infinity)
+        hint = walk_exact(mesh, hint, walk.q, unused);
+    else  // it has no exact scaled place: walk on the caller's coordinates
+        hint = walk_exact(mesh, hint, q, unused, [&](VertexId v, double* room) {
+            unscaled(v, room);
+            return static_cast<const double*>(room);
+        });
+    return mesh.tetrahedra[hint].is_ghost() ? no_tetrahedron : hint;
 }
 
 void Locator::weights(TetId t, const double* q, double w[4]) const {
@@ -146,6 +160,18 @@ void for_each_neighbor(const Mesh& mesh, VertexId v, TetId first, VisitQueue& st
 }  // namespace
 
 int Locator::compare(VertexId a, VertexId b, const double* q) const {
+    // On scaled places first. A square has five roundings and the two of its difference, their
+    // comparison two more: relative errors below 8 units.
+    double p[3];
+    if (!mesh.has_extremes && scale_exactly(q, p) && in_normal_range(p)) {
+        const auto square = [&](VertexId v) {
+            const double* x = mesh.point(v);
+            const double d[3] = {x[0] - p[0], x[1] - p[1], x[2] - p[2]};
+            return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        };
+        const double to_a = square(a), to_b = square(b);
+        if (std::fabs(to_a - to_b) > 8 * unit_roundoff * (to_a + to_b)) return to_a < to_b ? -1 : 1;
+    }
     double pa[3], pb[3];
     unscaled(a, pa);
     unscaled(b, pb);
@@ -171,7 +197,11 @@ VertexId Locator::nearest_vertex(const double* q, Allocator& allocator) const {
     }
     TetId near = no_tetrahedron;
     locate(q, near);
-    nearest = mesh.tetrahedra[near].v[0];
+    // Among the vertices of where q is first: that is often the nearest already.
+    const Tetrahedron& around = mesh.tetrahedra[near];
+    nearest = around.v[0];
+    for (const VertexId v : around.v)
+        if (v != infinite_vertex && compare(v, nearest, q) < 0) nearest = v;
     VisitQueue star(allocator), equals(allocator);
     for (bool descends = true; descends;) {
         VertexId better = nearest;

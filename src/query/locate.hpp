@@ -3,26 +3,74 @@
 #pragma once
 
 #include "kernel/kernel.hpp"
+#include "kernel/location_tree.hpp"
+#include "kernel/pieces.hpp"
 
 namespace mgdt {
 
 struct Locator {
     const Mesh& mesh;
     const Kernel& kernel;
+    const LocationTree* tree;  // nullptr for a small mesh
 
     // The finite tetrahedron whose closure contains q (unscaled), or no_tetrahedron outside the
-    // hull. The walk starts at `hint`, or at a jump where there is none; `hint` becomes a
+    // hull. The walk starts at `hint`, or where the tree says if there is none; `hint` becomes a
     // tetrahedron near q.
     TetId locate(const double* q, TetId& hint) const;
+    // Locates n points, the k-th of them point_of(k), and calls found(k, tetrahedron) for each, in
+    // any order. Several are on their way at a time, each stretch of the sequence from its own last
+    // place.
+    template <class PointOf, class Found>
+    void locate_sequence(std::size_t n, PointOf point_of, Found found) const;
     // Barycentric coordinates of q in the order of the tetrahedron's stored vertices.
     void weights(TetId t, const double* q, double w[4]) const;
     // The vertex nearest to q, the lowest index of several; infinite_vertex if there is none.
     VertexId nearest_vertex(const double* q, Allocator& allocator) const;
 
   private:
+    // False if there are no steps to take.
+    bool begin(const double* q, TetId hint, LocationWalk& walk) const;
+    TetId end(const double* q, const LocationWalk& walk, TetId& hint) const;
     int compare(VertexId a, VertexId b, const double* q) const;
     bool scale_exactly(const double* q, double* to) const;
     void unscaled(VertexId v, double* to) const;
 };
+
+template <class PointOf, class Found>
+void Locator::locate_sequence(std::size_t n, PointOf point_of, Found found) const {
+    constexpr std::size_t most_streams = 16;
+    struct Stream {
+        LocationWalk walk;
+        std::size_t next, end;
+        TetId hint = no_tetrahedron;
+        bool walks = false;
+    };
+    Stream streams[most_streams];
+    const std::size_t count = n < most_streams ? n : most_streams;
+    for (std::size_t s = 0; s < count; ++s) {
+        streams[s].next = n * s / count;
+        streams[s].end = n * (s + 1) / count;
+    }
+    std::size_t left = n;
+    while (left > 0) {
+        for (std::size_t s = 0; s < count; ++s) {
+            Stream& stream = streams[s];
+            if (stream.next == stream.end) continue;
+            if (!stream.walks) {
+                if (stream.next + 2 < stream.end) prefetch(point_of(stream.next + 2));
+                stream.walks = mesh.live_count() != 0 &&
+                               begin(point_of(stream.next), stream.hint, stream.walk);
+                if (stream.walks) continue;
+            } else if (kernel.locate_step(mesh, stream.walk)) {
+                continue;
+            }
+            stream.walks = false;
+            const std::size_t k = stream.next++;
+            found(k, mesh.live_count() == 0 ? no_tetrahedron
+                                            : end(point_of(k), stream.walk, stream.hint));
+            --left;
+        }
+    }
+}
 
 }  // namespace mgdt

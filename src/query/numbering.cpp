@@ -5,36 +5,41 @@
 
 namespace mgdt {
 
-Numbering* Numbering::make(Allocator& allocator, const Mesh& mesh, bool canonical) {
-    void* memory = allocator.allocate(sizeof(Numbering), alignof(Numbering));
-    Numbering* made = new (memory) Numbering(allocator);
-    try {
-        const std::size_t slots = mesh.tetrahedra.size(), words = (slots + 63) / 64;
-        made->bits_.resize(words, 0);
-        made->ranks_.resize(words);
-        for (std::size_t word = 0; word < words; ++word) {
-            made->ranks_[word] = static_cast<std::uint32_t>(made->size_);
-            std::uint64_t bits = 0;
-            const std::size_t end = std::min(slots, word * 64 + 64);
-            for (std::size_t t = word * 64; t < end; ++t) {
-                const Tetrahedron& tet = mesh.tetrahedra[t];
-                const bool finite = !tet.is_dead() && !tet.is_ghost();
-                bits |= static_cast<std::uint64_t>(finite) << (t & 63);
-            }
-            made->bits_[word] = bits;
-            made->size_ += static_cast<std::size_t>(popcount(bits));
+// All slots but the free ones and the ghosts, which are reached from one another: no pass over the
+// records.
+Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical)
+    : bits_(allocator), ranks_(allocator), order_(allocator), rank_(allocator) {
+    const std::size_t slots = mesh.tetrahedra.size(), words = (slots + 63) / 64;
+    bits_.resize(words, ~std::uint64_t{0});
+    if (slots % 64 != 0) bits_[words - 1] = (std::uint64_t{1} << slots % 64) - 1;
+    const auto take_out = [&](TetId t) {
+        std::uint64_t& word = bits_[t >> 6];
+        const std::uint64_t bit = std::uint64_t{1} << (t & 63);
+        const bool was_in = (word & bit) != 0;
+        word &= ~bit;
+        return was_in;
+    };
+    for (const TetId t : mesh.free_slots) take_out(t);
+    if (mesh.live_count() != 0) {
+        Buffer<TetId> ghosts(allocator);
+        ghosts.reserve(mesh.ghost_count);
+        const auto push = [&](TetId t) {
+            if (take_out(t)) ghosts.push_back(t);
+        };
+        push(mesh.a_ghost);
+        for (std::size_t i = 0; i < ghosts.size(); ++i) {
+            const Tetrahedron& t = mesh.tetrahedra[ghosts[i]];
+            const int slot = t.infinite_slot();
+            for (int f = 0; f < 4; ++f)
+                if (f != slot) push(t.n[f] >> 2);
         }
-        if (canonical && made->size_ != 0) made->sort(mesh);
-    } catch (...) {
-        destroy(allocator, made);
-        throw;
     }
-    return made;
-}
-
-void Numbering::destroy(Allocator& allocator, Numbering* numbering) noexcept {
-    numbering->~Numbering();
-    allocator.release(numbering, sizeof(Numbering), alignof(Numbering));
+    ranks_.resize(words);
+    for (std::size_t word = 0; word < words; ++word) {
+        ranks_[word] = static_cast<std::uint32_t>(size_);
+        size_ += static_cast<std::size_t>(popcount(bits_[word]));
+    }
+    if (canonical && size_ != 0) sort(mesh);
 }
 
 void Numbering::canonical_places(const Mesh& mesh, const Tetrahedron& t, unsigned places[4]) {

@@ -9,17 +9,20 @@ namespace mgdt {
 
 class Numbering {
   public:
-    static Numbering* make(Allocator& allocator, const Mesh& mesh, bool canonical);
-    static void destroy(Allocator& allocator, Numbering* numbering) noexcept;
+    Numbering(Allocator& allocator, const Mesh& mesh, bool canonical);
 
     std::size_t size() const noexcept { return size_; }
     bool is_canonical() const noexcept { return !order_.empty(); }
+    bool is_finite(TetId t) const noexcept { return (bits_[t >> 6] >> (t & 63) & 1) != 0; }
     // Number of a finite tetrahedron.
     std::size_t rank(TetId t) const noexcept {
         if (is_canonical()) return rank_[t];
         const std::size_t word = t >> 6;
-        const std::uint64_t below = bits_[word] & ((std::uint64_t{1} << (t & 63)) - 1);
-        return ranks_[word] + static_cast<std::size_t>(popcount(below));
+        // Nearly all words are full: what is missing below is counted instead of what is there.
+        const std::uint64_t missing = ~bits_[word] & ((std::uint64_t{1} << (t & 63)) - 1);
+        const std::size_t rank = ranks_[word] + std::size_t{t & 63};
+        return MGDT_UNLIKELY(missing != 0) ? rank - static_cast<std::size_t>(popcount(missing))
+                                           : rank;
     }
     // Calls f(t) for the finite tetrahedra in the order of their numbers.
     template <class F>
@@ -28,16 +31,19 @@ class Numbering {
             for (const TetId t : order_) f(t);
             return;
         }
-        for (std::size_t word = 0; word < bits_.size(); ++word)
-            for (std::uint64_t bits = bits_[word]; bits != 0; bits &= bits - 1)
-                f(static_cast<TetId>(word * 64 + static_cast<std::size_t>(lowest(bits))));
+        for (std::size_t word = 0; word < bits_.size(); ++word) {
+            const TetId first = static_cast<TetId>(word * 64);
+            if (bits_[word] == ~std::uint64_t{0})
+                for (TetId t = first; t < first + 64; ++t) f(t);
+            else
+                for (std::uint64_t bits = bits_[word]; bits != 0; bits &= bits - 1)
+                    f(first + static_cast<TetId>(lowest(bits)));
+        }
     }
     // The places of a tetrahedron's vertices in its exported record.
     static void canonical_places(const Mesh& mesh, const Tetrahedron& t, unsigned places[4]);
 
   private:
-    explicit Numbering(Allocator& allocator)
-        : bits_(allocator), ranks_(allocator), order_(allocator), rank_(allocator) {}
     void sort(const Mesh& mesh);
 
     static int popcount(std::uint64_t x) noexcept {

@@ -3,48 +3,58 @@
 // same noise, and prints medians, their ratio and the counts that explain them.
 //
 //   versus_cgal [points [runs [distribution...]]]
+//
+// Timed is the way from points in memory to the triangulation; taking it down is not. "order s"
+// and "insert s" are mgdt's seconds for the schedule and for the insertions, and "order" the
+// schedule's share; what is left of "mgdt s" is the scan of the points. NP, NR and NC are the
+// tetrahedra visited by walks, removed and created, "bytes" the peak memory beyond the caller's
+// array, "cycles" the processor's, all a point.
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/distributions.hpp"
+#include "cycles.hpp"
+#include "measure.hpp"
 #include "mgdt/mgdt.h"
 
 namespace {
 
+using bench::median;
 using Triangulation =
     CGAL::Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
 using Point = Triangulation::Point;
 
-template <class Body>
-double seconds(Body body) {
-    const auto start = std::chrono::steady_clock::now();
-    body();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+/// What was measured of one library, an entry a run.
+struct Costs {
+    std::vector<double> seconds, cycles;
 
-double median(std::vector<double> v) {
-    std::sort(v.begin(), v.end());
-    const std::size_t half = v.size() / 2;
-    return v.size() % 2 == 1 ? v[half] : (v[half - 1] + v[half]) / 2;
-}
-
-struct Figures {
-    double seconds, walk_steps, removed, created, order_share;
-    long long tetrahedra;
+    template <class Body>
+    void add(const bench::CycleCounter& counter, Body body) {
+        cycles.push_back(counter.count([&] { seconds.push_back(bench::seconds(body)); }));
+    }
 };
 
-bool run_mgdt(const std::vector<double>& xyz, Figures& figures) {
+struct Figures {
+    Costs ours, theirs;
+    std::vector<double> order_seconds, insert_seconds;
+    // The same in every run.
+    double walk_steps, removed, created, bytes;
+    long long our_tetrahedra, their_tetrahedra;
+};
+
+mgdt_status run_mgdt(const std::vector<double>& xyz, const bench::CycleCounter& counter,
+                     Figures& f) {
     mgdt_triangulation* t = nullptr;
     mgdt_status status = MGDT_OK;
-    figures.seconds = seconds([&] {
+    f.ours.add(counter, [&] {
         status = mgdt_create(&t);
         if (status == MGDT_OK)
             status = mgdt_insert_points(t, static_cast<int64_t>(xyz.size() / 3), xyz.data());
@@ -55,59 +65,88 @@ bool run_mgdt(const std::vector<double>& xyz, Figures& figures) {
         return value;
     };
     const double points = std::max(1.0, stat(MGDT_STAT_POINTS_INSERTED));
-    figures.walk_steps = stat(MGDT_STAT_WALK_STEPS) / points;
-    figures.removed = stat(MGDT_STAT_TETRAHEDRA_REMOVED) / points;
-    figures.created = stat(MGDT_STAT_TETRAHEDRA_CREATED) / points;
-    figures.order_share = stat(MGDT_STAT_ORDER_SECONDS) / figures.seconds;
-    figures.tetrahedra = mgdt_tetrahedron_count(t);
+    f.order_seconds.push_back(stat(MGDT_STAT_ORDER_SECONDS));
+    f.insert_seconds.push_back(stat(MGDT_STAT_INSERT_SECONDS));
+    f.walk_steps = stat(MGDT_STAT_WALK_STEPS) / points;
+    f.removed = stat(MGDT_STAT_TETRAHEDRA_REMOVED) / points;
+    f.created = stat(MGDT_STAT_TETRAHEDRA_CREATED) / points;
+    f.bytes = stat(MGDT_STAT_PEAK_MEMORY_BYTES) / static_cast<double>(xyz.size() / 3);
+    f.our_tetrahedra = mgdt_tetrahedron_count(t);
     mgdt_destroy(t);
-    return status == MGDT_OK;
+    return status;
+}
+
+void run_cgal(const std::vector<Point>& points, const bench::CycleCounter& counter, Figures& f) {
+    std::optional<Triangulation> t;
+    f.theirs.add(counter, [&] { t.emplace(points.begin(), points.end()); });
+    f.their_tetrahedra = static_cast<long long>(t->number_of_finite_cells());
+}
+
+/// False, with a message, if something went wrong.
+bool measure(const std::string& kind, std::size_t points, int runs,
+             const bench::CycleCounter& counter, Figures& f) {
+    const std::vector<double> xyz = mgdt::cli::generate(kind, points, {});
+    std::vector<Point> cgal_points;
+    for (std::size_t i = 0; i < xyz.size(); i += 3)
+        cgal_points.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
+    for (int run = 0; run < runs; ++run) {
+        const mgdt_status status = run_mgdt(xyz, counter, f);
+        if (status != MGDT_OK) {
+            std::printf("%s: mgdt: %s\n", kind.c_str(), mgdt_status_string(status));
+            return false;
+        }
+        run_cgal(cgal_points, counter, f);
+        if (f.our_tetrahedra != f.their_tetrahedra) {
+            std::printf("%s: mgdt has %lld tetrahedra, CGAL %lld\n", kind.c_str(), f.our_tetrahedra,
+                        f.their_tetrahedra);
+            return false;
+        }
+    }
+    return true;
+}
+
+std::string cycles_a_point(const Costs& costs, std::size_t points) {
+    const double cycles = median(costs.cycles) / static_cast<double>(points);
+    return cycles > 0 ? std::to_string(std::llround(cycles)) : "-";
+}
+
+void print_heading() {
+    std::printf("%-9s %7s %7s %6s %6s %6s %6s %6s %8s %8s %6s %7s %11s\n", "set", "mgdt s",
+                "CGAL s", "ratio", "NP", "NR", "NC", "order", "order s", "insert s", "bytes",
+                "cycles", "CGAL cycles");
+}
+
+void print_row(const std::string& kind, std::size_t points, const Figures& f) {
+    const double ours = median(f.ours.seconds), theirs = median(f.theirs.seconds);
+    const double order = median(f.order_seconds);
+    std::printf("%-9s %7.3f %7.3f %6.2f %6.2f %6.2f %6.2f %5.1f%% %8.4f %8.4f %6.0f %7s %11s\n",
+                kind.c_str(), ours, theirs, theirs / ours, f.walk_steps, f.removed, f.created,
+                100 * order / ours, order, median(f.insert_seconds), f.bytes,
+                cycles_a_point(f.ours, points).c_str(), cycles_a_point(f.theirs, points).c_str());
+    std::fflush(stdout);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     const std::size_t points = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 1000000;
-    const int runs = argc > 2 ? std::atoi(argv[2]) : 3;
+    const int runs = std::max(1, argc > 2 ? std::atoi(argv[2]) : 3);
     std::vector<std::string> kinds(argv + std::min(argc, 3), argv + argc);
     if (kinds.empty())
         kinds = {"uniform", "line", "diagonal", "ellipse", "spiral", "cluster", "galaxy"};
 
-    std::printf("%zu points, medians of %d interleaved runs, one thread\n", points, runs);
-    std::printf("%-10s %9s %9s %6s %6s %6s %6s %6s\n", "set", "mgdt s", "CGAL s", "ratio", "NP",
-                "NR", "NC", "order");
+    const bench::CycleCounter counter;
+    std::printf("%zu points, medians of %d interleaved runs, one thread; cycles %s\n", points, runs,
+                counter.scope());
+    print_heading();
     double log_sum = 0, least = 1e300;
     for (const std::string& kind : kinds) {
-        const std::vector<double> xyz = mgdt::cli::generate(kind, points, {});
-        std::vector<Point> cgal_points;
-        for (std::size_t i = 0; i < xyz.size(); i += 3)
-            cgal_points.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
-        std::vector<double> ours, theirs;
         Figures figures{};
-        for (int run = 0; run < runs; ++run) {
-            if (!run_mgdt(xyz, figures)) {
-                std::printf("%s: mgdt failed\n", kind.c_str());
-                return 1;
-            }
-            ours.push_back(figures.seconds);
-            std::size_t cells = 0;
-            theirs.push_back(seconds([&] {
-                const Triangulation t(cgal_points.begin(), cgal_points.end());
-                cells = t.number_of_finite_cells();
-            }));
-            if (static_cast<long long>(cells) != figures.tetrahedra) {
-                std::printf("%s: mgdt has %lld tetrahedra, CGAL %zu\n", kind.c_str(),
-                            figures.tetrahedra, cells);
-                return 1;
-            }
-        }
-        const double ratio = median(theirs) / median(ours);
+        if (!measure(kind, points, runs, counter, figures)) return 1;
+        print_row(kind, points, figures);
+        const double ratio = median(figures.theirs.seconds) / median(figures.ours.seconds);
         log_sum += std::log(ratio);
         least = std::min(least, ratio);
-        std::printf("%-10s %9.3f %9.3f %6.2f %6.2f %6.2f %6.2f %5.1f%%\n", kind.c_str(),
-                    median(ours), median(theirs), ratio, figures.walk_steps, figures.removed,
-                    figures.created, 100 * figures.order_share);
-        std::fflush(stdout);
     }
     std::printf("ratio: geometric mean %.2f, least %.2f\n",
                 std::exp(log_sum / static_cast<double>(kinds.size())), least);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Something that const calls make when it is first asked for, perhaps several at the same time.
+#pragma once
+
+#include <atomic>
+
+#include "platform/memory.hpp"
+
+namespace mgdt {
+
+template <class T>
+class Cached {
+  public:
+    explicit Cached(Allocator& allocator) noexcept : allocator_(allocator) {}
+    Cached(const Cached&) = delete;
+    Cached& operator=(const Cached&) = delete;
+    ~Cached() { forget(); }
+
+    // T is made from (allocator, arguments...). The first to publish its own wins.
+    template <class... Arguments>
+    const T& get(const Arguments&... arguments) {
+        T* made = value_.load(std::memory_order_acquire);
+        if (made) return *made;
+        void* memory = allocator_.allocate(sizeof(T), alignof(T));
+        T* mine;
+        try {
+            mine = new (memory) T(allocator_, arguments...);
+        } catch (...) {
+            allocator_.release(memory, sizeof(T), alignof(T));
+            throw;
+        }
+        if (value_.compare_exchange_strong(made, mine, std::memory_order_acq_rel)) return *mine;
+        destroy(mine);
+        return *made;
+    }
+    // Not while others use it.
+    void forget() noexcept {
+        T* made = value_.exchange(nullptr, std::memory_order_acq_rel);
+        if (made) destroy(made);
+    }
+    // What there is, or nullptr.
+    T* peek() noexcept { return value_.load(std::memory_order_acquire); }
+
+  private:
+    void destroy(T* value) noexcept {
+        value->~T();
+        allocator_.release(value, sizeof(T), alignof(T));
+    }
+
+    Allocator& allocator_;
+    std::atomic<T*> value_{nullptr};
+};
+
+}  // namespace mgdt
