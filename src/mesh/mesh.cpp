@@ -23,8 +23,11 @@ void Mesh::reserve_tetrahedra(std::size_t count) {
     const std::size_t capacity = tetrahedra.capacity();
     if (count <= capacity) return;
     // Where a memory limit refuses the generous growth, what is needed may still fit.
+    // A large store grows by remapping pages, which is no reason to take many at a time.
+    constexpr std::size_t large = std::size_t{1} << 18;
+    const std::size_t step = capacity < large ? capacity / 4 : capacity / 16;
     const std::size_t generous =
-        std::min<std::size_t>(slot_limit, std::max(count, capacity + capacity / 4));
+        std::min<std::size_t>(slot_limit, std::max(count, capacity + step));
     try {
         tetrahedra.reserve(generous);
     } catch (const std::bad_alloc&) {

@@ -25,7 +25,7 @@ struct Mesh {
         while (tetrahedra[t].is_dead()) t = t + 1 < tetrahedra.size() ? t + 1 : 0;
         return t;
     }
-    // Storage for so many tetrahedra, growing by a quarter at least, never beyond the limit.
+    // Storage for so many tetrahedra, growing by a sixteenth at least, never beyond the limit.
     void reserve_tetrahedra(std::size_t count);
     void take_slots(TetId* slots, std::size_t count) noexcept;
     void free_slot(TetId t) noexcept;
