@@ -26,7 +26,7 @@ Workspace::Workspace(Allocator& allocator)
 
 void Workspace::grow_cavity(std::size_t members, std::size_t facets, std::size_t needed) {
     // A vector writes past the end.
-    constexpr std::size_t least = 256, past = 16;
+    constexpr std::size_t least = 256, past = 32;
     const std::size_t capacity = std::max(least, needed + needed / 2) + past;
     cavity_capacity = 0;
     cavity.reserve(capacity, members);
@@ -36,7 +36,7 @@ void Workspace::grow_cavity(std::size_t members, std::size_t facets, std::size_t
 }
 
 void Workspace::grow_star(std::size_t removed, std::size_t created) {
-    constexpr std::size_t past = 32;
+    constexpr std::size_t past = 64;
     // A cavity of so many tetrahedra, each but the first adding one vertex, has at most 3 more.
     constexpr std::size_t least = medium_vertices - 3;
     const auto generous = [](std::size_t wanted, std::size_t had) {

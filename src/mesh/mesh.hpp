@@ -27,6 +27,7 @@ struct Mesh {
     }
     // Storage for so many tetrahedra, growing by a sixteenth at least, never beyond the limit.
     void reserve_tetrahedra(std::size_t count);
+    // The array has room for 16 more than count.
     void take_slots(TetId* slots, std::size_t count) noexcept;
     void free_slot(TetId t) noexcept;
 
@@ -53,14 +54,18 @@ struct Mesh {
 };
 
 MGDT_ALWAYS_INLINE void Mesh::take_slots(TetId* slots, std::size_t count) noexcept {
-    std::size_t i = 0;
-    while (i < count && !free_slots.empty()) {
-        slots[i++] = free_slots.back();
-        free_slots.pop_back();
+    if (MGDT_UNLIKELY(!free_slots.empty())) {
+        while (count > 0 && !free_slots.empty()) {
+            *slots++ = free_slots.back();
+            free_slots.pop_back();
+            --count;
+        }
     }
-    const TetId end = static_cast<TetId>(tetrahedra.size() - i);
-    for (std::size_t k = i; k < count; ++k) slots[k] = end + static_cast<TetId>(k);
-    tetrahedra.resize_within_capacity(tetrahedra.size() + (count - i));
+    const TetId end = static_cast<TetId>(tetrahedra.size());
+    constexpr std::size_t block = 16;
+    for (std::size_t i = 0; i < count; i += block)
+        for (std::size_t k = i; k < i + block; ++k) slots[k] = end + static_cast<TetId>(k);
+    tetrahedra.resize_within_capacity(tetrahedra.size() + count);
 }
 
 MGDT_ALWAYS_INLINE void Mesh::free_slot(TetId t) noexcept {

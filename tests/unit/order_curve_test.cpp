@@ -185,20 +185,20 @@ TEST(Brio, SmallSetsHaveOneRound) {
     EXPECT_EQ(result.order, schedule(xyz, MGDT_ORDER_HILBERT).order);
 }
 
-TEST(Auto, EarlierRoundsTakeOneOfEightAlongTheCurve) {
-    const std::size_t n = 8 * 8 * 64 * 8;
+TEST(Auto, EarlierRoundsTakeOneOfSixteenAlongTheCurve) {
+    const std::size_t n = 16 * 16 * 16 * 8;
     const Coordinates xyz = uniform(n);
     const Result result = schedule(xyz, MGDT_ORDER_AUTO);
-    EXPECT_EQ(result.rounds, (Order{0, 64, 512, 4096}));
+    EXPECT_EQ(result.rounds, (Order{0, 8, 128, 2048}));
     Order place(n);
     const Order curve = schedule(xyz, MGDT_ORDER_HILBERT).order;
     for (std::uint32_t k = 0; k < n; ++k) place[curve[k]] = k;
-    for (std::uint32_t k = 0; k < 64; ++k) {
-        EXPECT_EQ(place[result.order[k]] / 512, k);
+    for (std::uint32_t k = 0; k < 8; ++k) {
+        EXPECT_EQ(place[result.order[k]] / 4096, k);
     }
-    std::vector<int> early(n / 8, 0);
-    for (std::size_t k = 0; k < 4096; ++k) ++early[place[result.order[k]] / 8];
-    EXPECT_EQ(std::count(early.begin(), early.end(), 1), static_cast<long>(n / 8));
+    std::vector<int> early(n / 16, 0);
+    for (std::size_t k = 0; k < 2048; ++k) ++early[place[result.order[k]] / 16];
+    EXPECT_EQ(std::count(early.begin(), early.end(), 1), static_cast<long>(n / 16));
 }
 
 }  // namespace
