@@ -388,7 +388,7 @@ MGDT_API mgdt_status mgdt_get_vertex_tetrahedra_i32(const mgdt_triangulation *t,
 MGDT_API mgdt_status mgdt_locate(const mgdt_triangulation *t, const double *xyz,
                                  int64_t *tetrahedron);
 
-/** The same for many points, faster when they come in some spatial order.
+/** The same for many points, in any order: much faster than one by one.
  *  @param n                number of points, at least 0
  *  @param xyz              3 n coordinates
  *  @param[out] tetrahedra  n numbers

@@ -70,8 +70,8 @@ mgdt_status guard(Handle* t, Body body) noexcept {
     }
 }
 
-// What the exports and queries of a handle read. Numbering the tetrahedra takes a pass over them
-// when it is asked for the first time.
+// What the exports and queries of a handle read. Tetrahedra are numbered when that is asked for the
+// first time.
 inline ExportView view_of(const mgdt_triangulation* t, bool numbers) {
     const Triangulation& core = t->core;
     return {core.mesh(), numbers ? &core.numbering() : nullptr, core.allocator(),

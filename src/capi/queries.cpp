@@ -74,10 +74,16 @@ mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* 
             report(0, where.locate(xyz, hint));
             return;
         }
-        const CurveOrder order = location_order(scan, count, xyz, t->core.allocator());
-        where.locate_sequence(
-            count, [&](std::size_t k) { return xyz + std::size_t{3} * order.index(k); },
-            [&](std::size_t k, TetId found) { report(order.index(k), found); });
+        // Blocks bound the memory that sorting takes; within one it hardly matters how many.
+        constexpr std::size_t block = std::size_t{1} << 20;
+        for (std::size_t begin = 0; begin < count; begin += block) {
+            const std::size_t size = std::min(block, count - begin);
+            const double* const points = xyz + 3 * begin;
+            const CurveOrder order = location_order(scan, size, points, t->core.allocator());
+            where.locate_sequence(
+                size, [&](std::size_t k) { return points + std::size_t{3} * order.index(k); },
+                [&](std::size_t k, TetId found) { report(begin + order.index(k), found); });
+        }
     });
 }
 

@@ -162,13 +162,12 @@ void Triangulation::make_first_tetrahedra() {
     statistics_.points_inserted += 4;
 }
 
-// The tree that finds a batch's first point, over the vertices before `end`.
+// The tree that finds a batch's first point, over the vertices before `end`. It is made when walks
+// without it have cost as much as making it does.
 const LocationTree* Triangulation::tree_for_insertion(std::size_t end) noexcept {
-    try {
-        return location_tree(end);
-    } catch (const std::bad_alloc&) {
-        return nullptr;  // the walk is longer then
-    }
+    if (!location_tree_.peek() && lone_steps_ < end / 8) return nullptr;
+    lone_steps_ = 0;
+    return location_tree(end);
 }
 
 // After vertices from `begin` on have come in.
@@ -177,8 +176,10 @@ void Triangulation::extend_location_tree(std::size_t begin) noexcept {
     if (!tree) return;
     const std::size_t end = mesh_.vertices.size();
     // Many at a time are better taken together, when somebody asks.
-    const bool are_few = end - begin < begin / 16;
-    if (!are_few || !tree->add(mesh_, begin, end)) location_tree_.forget();
+    if (end - begin < begin / 16)
+        tree->add(mesh_, begin, end);
+    else
+        location_tree_.forget();
 }
 
 void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
@@ -217,7 +218,9 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
                 mesh_.vertices[point_map_[batch.index(schedule.order[schedule.hints[k]])]].near);
         else if (k == 0)
             start = start_of_walk(mesh_, tree, last_, mesh_.point(q));
+        const std::uint64_t steps_before = workspace_.counters.walk_steps;
         const Insertion result = kernel_->insert(mesh_, workspace_, q, start);
+        if (k == 0) lone_steps_ += workspace_.counters.walk_steps - steps_before;
         last_ = result.tetrahedron;
         if (result.duplicate == infinite_vertex) {
             point_map_[index] = q;

@@ -149,8 +149,13 @@ void Triangulation::stop_if_cancelled(std::size_t done, std::size_t total) {
         fail(MGDT_ERR_CANCELLED, "cancelled after %zu of %zu points", done, total);
 }
 
-const LocationTree* Triangulation::location_tree(std::size_t end) const {
-    return end < LocationTree::smallest ? nullptr : &location_tree_.get(mesh_, end);
+const LocationTree* Triangulation::location_tree(std::size_t end) const noexcept {
+    if (end < LocationTree::smallest || mesh_.live_count() == 0) return nullptr;
+    try {
+        return &location_tree_.get(mesh_, end);
+    } catch (const std::bad_alloc&) {
+        return nullptr;  // walks are longer then
+    }
 }
 
 }  // namespace mgdt

@@ -77,7 +77,7 @@ class Triangulation {
     void insert_batch(const Batch& batch, bool fresh, bool may_stop);
     void copy_vertices(const Batch& batch, const Schedule& schedule, std::size_t base);
     void make_first_tetrahedra();
-    const LocationTree* location_tree(std::size_t end) const;
+    const LocationTree* location_tree(std::size_t end) const noexcept;
     const LocationTree* tree_for_insertion(std::size_t end) noexcept;
     void extend_location_tree(std::size_t begin) noexcept;
     void insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
@@ -94,7 +94,8 @@ class Triangulation {
     HeldPoints held_;
     AffineBasis basis_;
     ExponentRange exponents_;
-    TetId last_ = no_tetrahedron;  // of the last insertion: where the next walk starts
+    TetId last_ = no_tetrahedron;   // of the last insertion: where the next walk starts
+    std::uint64_t lone_steps_ = 0;  // of batches' first walks since there was no tree
     Statistics statistics_;
     std::atomic<bool> cancelled_{false};
     mutable Cached<Numbering> numbering_;

@@ -11,6 +11,7 @@
 // just made waits for it.
 #pragma once
 
+#include "kernel/eight_rows.hpp"
 #include "kernel/pieces.hpp"
 #include "kernel/powers.hpp"
 
@@ -32,6 +33,7 @@ class CavityFront {
         if (MGDT_UNLIKELY(w.cavity_capacity == 0)) w.grow_cavity(0, 0, 64);
         point_to_arrays();
         const Tetrahedron& t = tetrahedra_[start.tetrahedron];
+        is_start_member_ = start.faces == 0;
         if (start.faces == 0) {
             // It is entered through no face; face 0 stands in.
             for (unsigned i = 1; i < 4; ++i) w.first_corners[i] = t.v[i];
@@ -55,7 +57,7 @@ class CavityFront {
     MGDT_ALWAYS_INLINE FacetCode member(std::size_t i) const { return cavity_[i]; }
     // Takes those of four facets whose bits are set.
     MGDT_ALWAYS_INLINE void add_boundary(const FacetCode* codes, std::uint32_t outside) {
-#if defined(__AVX512VL__)
+#if defined(MGDT_HAVE_EIGHT_ROWS)
         const __m128i all = _mm_load_si128(reinterpret_cast<const __m128i*>(codes));
         _mm_storeu_si128(reinterpret_cast<__m128i*>(boundary_ + facets),
                          _mm_maskz_compress_epi32(static_cast<__mmask8>(outside), all));
@@ -80,7 +82,7 @@ class CavityFront {
     void finish() const {
         workspace_.cavity_size = members;
         workspace_.boundary_size = facets;
-        workspace_.counters.conflict_tests += 3 * members + 1;
+        workspace_.counters.conflict_tests += 3 * members + is_start_member_;
     }
 
     std::size_t members = 0, facets = 0;
@@ -105,6 +107,7 @@ class CavityFront {
     Tetrahedron* const tetrahedra_;
     FacetCode *cavity_, *boundary_;
     VertexId* corners_;
+    bool is_start_member_ = false;  // its four neighbours are tested, of others three
 };
 
 inline std::uint32_t is_conflict_undecided(const Mesh& mesh, TetId t, const Query& q,

@@ -52,13 +52,13 @@ std::uint32_t LocationTree::build(const Mesh& mesh, std::uint32_t begin, std::ui
     return middle;
 }
 
-bool LocationTree::add(const Mesh& mesh, std::size_t begin, std::size_t end) noexcept {
+void LocationTree::add(const Mesh& mesh, std::size_t begin, std::size_t end) noexcept {
     for (std::size_t v = (begin + stride - 1) / stride * stride; v < end; v += stride) {
         const VertexId vertex = static_cast<VertexId>(v);
         const double* const p = mesh.point(vertex);
         std::uint32_t at = root_;
         for (unsigned depth = 0;; ++depth) {
-            if (depth > deepest) return false;
+            if (depth == deepest) break;  // it serves without this vertex
             const Node& node = nodes_[at];
             const unsigned side = p[node.axis] < node.split ? 0 : 1;
             if (node.child[side] == none) {
@@ -67,7 +67,7 @@ bool LocationTree::add(const Mesh& mesh, std::size_t begin, std::size_t end) noe
                 try {
                     nodes_.push_back({p[axis], vertex, axis, {none, none}});
                 } catch (const std::bad_alloc&) {
-                    return false;
+                    return;
                 }
                 nodes_[at].child[side] = leaf;
                 break;
@@ -75,7 +75,6 @@ bool LocationTree::add(const Mesh& mesh, std::size_t begin, std::size_t end) noe
             at = node.child[side];
         }
     }
-    return true;
 }
 
 VertexId LocationTree::near(const double* q) const noexcept {

@@ -16,9 +16,9 @@ class LocationTree {
     // Linear but for a logarithm.
     LocationTree(Allocator& allocator, const Mesh& mesh, std::size_t end);
 
-    // Takes in one of every `stride` of the vertices from `begin` to `end`. False if it should be
-    // made anew instead: it is too deep, or memory is short.
-    bool add(const Mesh& mesh, std::size_t begin, std::size_t end) noexcept;
+    // Takes in one of every `stride` of the vertices from `begin` to `end`, as far as memory and
+    // depth allow.
+    void add(const Mesh& mesh, std::size_t begin, std::size_t end) noexcept;
     // A vertex near q.
     VertexId near(const double* q) const noexcept;
 

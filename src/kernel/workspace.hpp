@@ -78,7 +78,7 @@ struct Workspace {
     Scratch<FacetCode> edge_codes;
     Scratch<std::uint64_t> edge_keys;
     // Half full at most: 3 entries a facet.
-    static constexpr std::size_t edge_table_size(std::size_t facets) {
+    MGDT_ALWAYS_INLINE static constexpr std::size_t edge_table_size(std::size_t facets) {
         std::size_t size = 1024;
         while (size < 6 * facets) size *= 2;
         return size;

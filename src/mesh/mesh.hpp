@@ -20,12 +20,15 @@ struct Mesh {
                           free_slots.size() + freed > free_slots.capacity()))
             grow_slots(taken, freed);
     }
-    // The first live slot at or after t, around the end: what a vertex was near may be gone.
+    // A live slot soon after t, around the end: what a vertex was near may be gone.
     TetId live_from(TetId t) const noexcept {
-        while (tetrahedra[t].is_dead()) t = t + 1 < tetrahedra.size() ? t + 1 : 0;
-        return t;
+        for (unsigned tries = 0; tries < 1000; ++tries) {
+            if (!tetrahedra[t].is_dead()) return t;
+            t = t + 1 < tetrahedra.size() ? t + 1 : 0;
+        }
+        return a_ghost;
     }
-    // Storage for so many tetrahedra, growing by a sixteenth at least, never beyond the limit.
+    // Storage for so many tetrahedra, growing by more than asked for, never beyond the limit.
     void reserve_tetrahedra(std::size_t count);
     // The array has room for 16 more than count.
     void take_slots(TetId* slots, std::size_t count) noexcept;

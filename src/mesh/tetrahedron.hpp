@@ -42,7 +42,7 @@ struct alignas(64) Tetrahedron {
     MGDT_ALWAYS_INLINE bool is_ghost() const noexcept { return std::signbit(e); }
     // The base vertex of a live tetrahedron is finite.
     MGDT_ALWAYS_INLINE bool is_dead() const noexcept { return v[0] == infinite_vertex; }
-    void kill() noexcept { v[0] = infinite_vertex; }
+    MGDT_ALWAYS_INLINE void kill() noexcept { v[0] = infinite_vertex; }
     // Only while the cavity is being dug.
     MGDT_ALWAYS_INLINE bool is_in_cavity() const noexcept { return v[1] >> 31 != 0; }
     MGDT_ALWAYS_INLINE int infinite_slot() const noexcept {

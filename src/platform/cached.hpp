@@ -21,12 +21,13 @@ class Cached {
     const T& get(const Arguments&... arguments) {
         T* made = value_.load(std::memory_order_acquire);
         if (made) return *made;
-        void* memory = allocator_.allocate(sizeof(T), alignof(T));
-        T* mine;
+        T* mine = nullptr;
         try {
-            mine = new (memory) T(allocator_, arguments...);
-        } catch (...) {
-            allocator_.release(memory, sizeof(T), alignof(T));
+            mine = make(arguments...);
+        } catch (const std::bad_alloc&) {
+            // Two at the same time may be more than there is room for.
+            made = value_.load(std::memory_order_acquire);
+            if (made) return *made;
             throw;
         }
         if (value_.compare_exchange_strong(made, mine, std::memory_order_acq_rel)) return *mine;
@@ -42,6 +43,16 @@ class Cached {
     T* peek() noexcept { return value_.load(std::memory_order_acquire); }
 
   private:
+    template <class... Arguments>
+    T* make(const Arguments&... arguments) {
+        void* memory = allocator_.allocate(sizeof(T), alignof(T));
+        try {
+            return new (memory) T(allocator_, arguments...);
+        } catch (...) {
+            allocator_.release(memory, sizeof(T), alignof(T));
+            throw;
+        }
+    }
     void destroy(T* value) noexcept {
         value->~T();
         allocator_.release(value, sizeof(T), alignof(T));

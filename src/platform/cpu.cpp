@@ -20,7 +20,7 @@ static CpuFeatures ask() noexcept {
     const bool bits = popcnt && lzcnt && (ebx & bit_BMI) && (ebx & bit_BMI2);
     // The system must save the registers too: bits 1, 2 for AVX, 5 to 7 for AVX-512.
     unsigned low, high;
-    __asm__("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
+    __asm__ volatile("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
     features.avx2 = (low & 0x06) == 0x06 && fma && bits && (ebx & bit_AVX2);
     constexpr unsigned needed = bit_AVX512F | bit_AVX512VL | bit_AVX512DQ | bit_AVX512BW;
     features.avx512 = features.avx2 && (low & 0xE0) == 0xE0 && (ebx & needed) == needed;

@@ -81,6 +81,18 @@ void Checker::records() const {
     });
     if (live != mesh_.live_count() || ghosts != mesh_.ghost_count)
         fail(MGDT_ERR_CHECK_FAILED, "counts of tetrahedra are wrong");
+    if (live != 0 && (mesh_.a_ghost >= mesh_.tetrahedra.size() || tet(mesh_.a_ghost).is_dead() ||
+                      !tet(mesh_.a_ghost).is_ghost()))
+        fail(MGDT_ERR_CHECK_FAILED, "what is kept as a ghost is none");
+    // As many free slots as dead tetrahedra, so it is enough that each is dead and there once.
+    Buffer<std::uint64_t> seen(allocator_);
+    seen.resize(mesh_.tetrahedra.size() / 64 + 1, 0);
+    for (const TetId t : mesh_.free_slots) {
+        if (t >= mesh_.tetrahedra.size() || !tet(t).is_dead() || (seen[t >> 6] >> (t & 63) & 1))
+            fail(MGDT_ERR_CHECK_FAILED, "slot %u is wrongly in the list of free ones",
+                 static_cast<unsigned>(t));
+        seen[t >> 6] |= std::uint64_t{1} << (t & 63);
+    }
     for (VertexId v = 1; v < mesh_.vertices.size(); ++v) {
         if (mesh_.vertices[v].near >= mesh_.tetrahedra.size())
             fail(MGDT_ERR_CHECK_FAILED, "the tetrahedron near point %lld does not exist", index(v));

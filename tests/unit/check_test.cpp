@@ -98,6 +98,14 @@ const std::vector<Damage> damages = {
     {"ghost taken for finite", 1, [](Mesh& m) { m.tetrahedra[first_ghost(m)].e = 1e-10; }},
     {"finite taken for ghost", 1, [](Mesh& m) { m.tetrahedra[first_finite(m)].e = -1e-10; }},
     {"count of ghosts", 1, [](Mesh& m) { ++m.ghost_count; }},
+    {"a ghost that is none", 1, [](Mesh& m) { m.a_ghost = first_finite(m); }},
+    {"free slot in use", 1,
+     [](Mesh& m) {
+         // The counts agree: one slot is dead and not in the list.
+         const TetId t = first_finite(m);
+         m.free_slots.push_back(t == 0 ? 1 : 0);
+         m.tetrahedra[t].kill();
+     }},
     {"slot near a vertex", 1,
      [](Mesh& m) { m.vertices[5].near = static_cast<TetId>(m.tetrahedra.size()); }},
     {"vertex's index", 1, [](Mesh& m) { ++m.vertices[7].index; }},
