@@ -22,21 +22,6 @@ PointScan scan_finite(std::size_t n, const double* xyz, const mgdt_triangulation
     return PointScan(n, axis, 3, t->core.settings().index_base);
 }
 
-// The order in which to locate points: along a curve, so that each is near the one before.
-CurveOrder location_order(const PointScan& scan, std::size_t n, const double* xyz,
-                          Allocator& allocator) {
-    PointSet points;
-    points.size = n;
-    points.stride = 3;
-    points.scale = 1;
-    for (int k = 0; k < 3; ++k) {
-        points.axis[k] = xyz + k;
-        points.low[k] = scan.low[k];
-        points.high[k] = scan.high[k];
-    }
-    return sort_along_curve(points, allocator);
-}
-
 template <class Int>
 mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* xyz,
                           Int* tetrahedra, double* weights) {
@@ -74,12 +59,14 @@ mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* 
             report(0, where.locate(xyz, hint));
             return;
         }
-        // Blocks bound the memory that sorting takes; within one it hardly matters how many.
+        // Along a curve each is near the one before. Blocks bound the memory that sorting takes.
         constexpr std::size_t block = std::size_t{1} << 20;
         for (std::size_t begin = 0; begin < count; begin += block) {
             const std::size_t size = std::min(block, count - begin);
             const double* const points = xyz + 3 * begin;
-            const CurveOrder order = location_order(scan, size, points, t->core.allocator());
+            const double* const axis[3] = {points, points + 1, points + 2};
+            const CurveOrder order =
+                sort_along_curve(scan.point_set(size, axis, 3, 1), t->core.allocator());
             where.locate_sequence(
                 size, [&](std::size_t k) { return points + std::size_t{3} * order.index(k); },
                 [&](std::size_t k, TetId found) { report(begin + order.index(k), found); });

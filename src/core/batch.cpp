@@ -9,15 +9,9 @@ void Triangulation::Batch::use(const PointScan& scan, std::size_t n, const doubl
                                std::ptrdiff_t stride, int scale_exponent, std::size_t first) {
     exponent = scale_exponent;
     first_index = first;
-    points.size = n;
-    points.stride = stride;
     // Schedules need no exactness: a scale that is no double itself is cut.
-    points.scale = std::ldexp(1.0, std::min(std::max(scale_exponent, -1022), 1023));
-    for (int k = 0; k < 3; ++k) {
-        points.axis[k] = axis[k];
-        points.low[k] = scan.low[k] * points.scale;
-        points.high[k] = scan.high[k] * points.scale;
-    }
+    points = scan.point_set(n, axis, stride,
+                            std::ldexp(1.0, std::min(std::max(scale_exponent, -1022), 1023)));
 }
 
 void Triangulation::Batch::gather(const Mesh& mesh, const Buffer<VertexId>& point_map,

@@ -42,12 +42,8 @@ struct Triangulation::Batch {
 
     // Asks for the lines of point i ahead of get(i).
     void prefetch(std::size_t i) const {
-#if defined(__GNUC__)
         for (const double* axis : points.axis)
-            __builtin_prefetch(axis + static_cast<std::ptrdiff_t>(i) * points.stride);
-#else
-        static_cast<void>(i);
-#endif
+            mgdt::prefetch(axis + static_cast<std::ptrdiff_t>(i) * points.stride);
     }
 
     // The caller's index of point i, counted from 0.

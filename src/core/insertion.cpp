@@ -188,15 +188,14 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
     // Vertices of duplicates are taken out as they turn up: those behind move forward.
     std::size_t in = done;
     struct Trim {
-        Mesh& mesh;
+        Triangulation& t;
         const std::size_t base;
         const std::size_t& in;
-        Triangulation& triangulation;
         ~Trim() {
-            mesh.vertices.resize(base + in);
-            triangulation.extend_location_tree(base);
+            t.mesh_.vertices.resize(base + in);
+            t.extend_location_tree(base);
         }
-    } trim{mesh_, base, in, *this};
+    } trim{*this, base, in};
 
     const LocationTree* const tree = done == 0 ? tree_for_insertion(base) : nullptr;
     const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);

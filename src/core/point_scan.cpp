@@ -87,4 +87,18 @@ PointScan::PointScan(std::size_t n, const double* const axis[3], std::ptrdiff_t 
     }
 }
 
+PointSet PointScan::point_set(std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
+                              double scale) const {
+    PointSet points;
+    points.size = n;
+    points.stride = stride;
+    points.scale = scale;
+    for (int k = 0; k < 3; ++k) {
+        points.axis[k] = axis[k];
+        points.low[k] = low[k] * scale;
+        points.high[k] = high[k] * scale;
+    }
+    return points;
+}
+
 }  // namespace mgdt

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "mesh/scale.hpp"
+#include "order/schedule.hpp"
 
 namespace mgdt {
 
@@ -13,6 +14,10 @@ struct PointScan {
     // Throws MGDT_ERR_NOT_FINITE; `first_index` numbers the first point in the message.
     PointScan(std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
               long long first_index);
+
+    // Those points, or some of them, for a schedule, multiplied by `scale`.
+    PointSet point_set(std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
+                       double scale) const;
 
     double low[3], high[3];
     ExponentRange exponents;

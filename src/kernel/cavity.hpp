@@ -33,7 +33,6 @@ class CavityFront {
         if (MGDT_UNLIKELY(w.cavity_capacity == 0)) w.grow_cavity(0, 0, 64);
         point_to_arrays();
         const Tetrahedron& t = tetrahedra_[start.tetrahedron];
-        is_start_member_ = start.faces == 0;
         if (start.faces == 0) {
             // It is entered through no face; face 0 stands in.
             for (unsigned i = 1; i < 4; ++i) w.first_corners[i] = t.v[i];
@@ -79,10 +78,11 @@ class CavityFront {
         t.v[1] = second | (fresh << 31);
         members += fresh;
     }
-    void finish() const {
+    // `whole`: members of which all four neighbours were tested, and not three.
+    void finish(std::size_t whole) const {
         workspace_.cavity_size = members;
         workspace_.boundary_size = facets;
-        workspace_.counters.conflict_tests += 3 * members + is_start_member_;
+        workspace_.counters.conflict_tests += 3 * members + whole;
     }
 
     std::size_t members = 0, facets = 0;
@@ -107,7 +107,6 @@ class CavityFront {
     Tetrahedron* const tetrahedra_;
     FacetCode *cavity_, *boundary_;
     VertexId* corners_;
-    bool is_start_member_ = false;  // its four neighbours are tested, of others three
 };
 
 inline std::uint32_t is_conflict_undecided(const Mesh& mesh, TetId t, const Query& q,
@@ -148,7 +147,7 @@ inline void dig_cavity(Mesh& mesh, Workspace& w, CavityStart start, const Query&
         if (MGDT_UNLIKELY(is_last)) next = opaque(front.member(done + 1));
         member = next;
     }
-    front.finish();
+    front.finish(start.faces == 0 ? 1 : 0);
 }
 
 }  // namespace MGDT_ISA

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Eight rows of four doubles, aligned to 32 bytes, as columns of eight: for AVX-512.
+// Eight rows of four doubles, aligned to 32 bytes, as columns of eight, of which the first three
+// are wanted: for AVX-512.
 #pragma once
 
 #include "kernel/isa.hpp"
@@ -37,9 +38,6 @@ class EightRows {
     }
     MGDT_ALWAYS_INLINE __m512d third() const {
         return _mm512_shuffle_f64x2(odd_low_, odd_high_, 0xDD);
-    }
-    MGDT_ALWAYS_INLINE __m512d fourth() const {
-        return _mm512_shuffle_f64x2(even_low_, even_high_, 0xDD);
     }
 
   private:

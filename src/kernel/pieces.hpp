@@ -20,14 +20,6 @@ MGDT_ALWAYS_INLINE std::uint32_t opaque(std::uint32_t x) {
     return x;
 }
 
-MGDT_ALWAYS_INLINE void prefetch(const void* p) {
-#if defined(__GNUC__)
-    __builtin_prefetch(p);
-#else
-    static_cast<void>(p);
-#endif
-}
-
 inline unsigned lowest_bit(std::uint32_t bits) {
 #if defined(__GNUC__)
     return static_cast<unsigned>(__builtin_ctz(bits));

@@ -73,11 +73,9 @@ class FourPowers {
         return static_cast<std::uint32_t>(_mm256_movemask_pd(
             _mm256_cmp_pd(_mm256_and_pd(value_, magnitude), error_, _CMP_GT_OQ)));
     }
-    MGDT_ALWAYS_INLINE std::uint32_t ghosts() const {
-        return static_cast<std::uint32_t>(_mm256_movemask_pd(ghost_));
+    MGDT_ALWAYS_INLINE Power operator[](unsigned k) const {
+        return {element(value_, k), element(error_, k)};
     }
-    MGDT_ALWAYS_INLINE double value(unsigned k) const { return element(value_, k); }
-    MGDT_ALWAYS_INLINE double error(unsigned k) const { return element(error_, k); }
     // Where the power, or that of a ghost, is certainly above that of a tetrahedron, or of none.
     MGDT_ALWAYS_INLINE std::uint32_t above(Power other) const {
         const __m256d floor = _mm256_blendv_pd(_mm256_set1_pd(other.value + other.error),
@@ -124,9 +122,7 @@ class FourPowers {
     }
     MGDT_ALWAYS_INLINE std::uint32_t negative() const { return negative_; }
     MGDT_ALWAYS_INLINE std::uint32_t decided() const { return decided_; }
-    MGDT_ALWAYS_INLINE std::uint32_t ghosts() const { return ghosts_; }
-    MGDT_ALWAYS_INLINE double value(unsigned k) const { return value_[k]; }
-    MGDT_ALWAYS_INLINE double error(unsigned k) const { return error_[k]; }
+    MGDT_ALWAYS_INLINE Power operator[](unsigned k) const { return {value_[k], error_[k]}; }
     MGDT_ALWAYS_INLINE std::uint32_t above(Power other) const {
         std::uint32_t bits = 0;
         for (unsigned k = 0; k < 4; ++k) {

@@ -116,14 +116,15 @@ MGDT_ALWAYS_INLINE void replace_cavity(Mesh& mesh, Workspace& w, VertexId q,
         link_star(tetrahedra, w, q, numbers, EdgeMatrix<5>(s.edges), s.a, s.b, s.c);
         set_spheres_small(w, vertices, q, numbers.count(), tetrahedra);
     } else {
+        const auto link = [&](auto edges) {
+            link_star(tetrahedra, w, q, numbers, edges, w.a.data, w.b.data, w.c.data);
+        };
         if (numbers.count() <= Workspace::medium_vertices)
-            link_star(tetrahedra, w, q, numbers, EdgeMatrix<6>(w.edge_codes.data), w.a.data,
-                      w.b.data, w.c.data);
+            link(EdgeMatrix<6>(w.edge_codes.data));
         else if (numbers.count() <= Workspace::matrix_vertices)
-            link_star(tetrahedra, w, q, numbers, EdgeMatrix<8>(w.edge_codes.data), w.a.data,
-                      w.b.data, w.c.data);
+            link(EdgeMatrix<8>(w.edge_codes.data));
         else
-            link_star(tetrahedra, w, q, numbers, EdgeTable(w), w.a.data, w.b.data, w.c.data);
+            link(EdgeTable(w));
         set_spheres(w, vertices, q, numbers.count(), tetrahedra);
     }
     if (at_hull) mesh.ghost_count = mesh.ghost_count + write_ghosts(mesh, w, q) - ghosts_gone;

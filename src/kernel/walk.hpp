@@ -58,17 +58,14 @@ inline TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& co
     return walk_exact(mesh, t, q, counters, [&](VertexId v, double*) { return mesh.point(v); });
 }
 
-// A tetrahedron and what is known of its power.
 struct WalkStart {
     TetId tetrahedron;
-    double value;
-    bool is_negative, is_decided;
+    Power power;
 };
 
 inline WalkStart start_at(const Mesh& mesh, TetId t, const Query& q, Counters& counters) {
     ++counters.walk_tests;
-    const Power p = power(mesh.tetrahedra[t], mesh.vertices.data(), q);
-    return {t, p.value, p.value < 0, p.is_decided()};
+    return {t, power(mesh.tetrahedra[t], mesh.vertices.data(), q)};
 }
 
 // A better start than any tetrahedron of the star built last: that of least power among a few
@@ -82,18 +79,17 @@ inline WalkStart start_in_star(const Mesh& mesh, const Workspace& w, const Query
     const FourPowers powers(mesh.tetrahedra.data(), mesh.vertices.data(), codes, q);
     counters.walk_tests += sample;
     const unsigned best = powers.least_finite(infinity) & 3;
-    return {codes[best] >> 2, powers.value(best), (powers.negative() >> best & 1) != 0,
-            (powers.decided() >> best & 1) != 0};
+    return {codes[best] >> 2, powers[best]};
 }
 
 inline WalkResult walk(const Mesh& mesh, WalkStart here, const Query& q, Counters& counters) {
     const Tetrahedron* tetrahedra = mesh.tetrahedra.data();
     const Vertex* vertices = mesh.vertices.data();
     ++counters.walk_steps;
-    if (here.is_negative && here.is_decided) return {{here.tetrahedron, 0}, infinite_vertex};
+    if (here.power.is_conflict()) return {{here.tetrahedron, 0}, infinite_vertex};
     for (;;) {
         const Tetrahedron& t = tetrahedra[here.tetrahedron];
-        if (MGDT_UNLIKELY(!here.is_decided)) {
+        if (MGDT_UNLIKELY(!here.power.is_decided())) {
             const VertexId same = vertex_at(mesh, t, q.point);
             if (same != infinite_vertex) return {{here.tetrahedron, 0}, same};
             ++counters.exact_calls;
@@ -108,16 +104,15 @@ inline WalkResult walk(const Mesh& mesh, WalkStart here, const Query& q, Counter
         // Neighbours that are in conflict but not certainly so are found again from the others, or
         // through t, which must then not be taken for outside without a test of its own.
         if (conflict != 0) {
-            if (MGDT_UNLIKELY(decided != 0xF || !here.is_decided))
+            if (MGDT_UNLIKELY(decided != 0xF || !here.power.is_decided()))
                 return {{t.n[lowest_bit(conflict)] >> 2, 0}, infinite_vertex};
             return {{here.tetrahedron, conflict}, infinite_vertex};
         }
         // A ghost is entered only when it is certainly in conflict: its value is no power that
         // compares with those of spheres.
-        const unsigned next = powers.least_finite(t.is_ghost() ? infinity : here.value);
+        const unsigned next = powers.least_finite(t.is_ghost() ? infinity : here.power.value);
         if (next == 4) break;
-        here = {t.n[next] >> 2, powers.value(next), (powers.negative() >> next & 1) != 0,
-                (decided >> next & 1) != 0};
+        here = {t.n[next] >> 2, powers[next]};
     }
     const TetId t = walk_exact(mesh, here.tetrahedron, q.point, counters);
     return {{t, 0}, vertex_at(mesh, mesh.tetrahedra[t], q.point)};
@@ -136,9 +131,10 @@ inline bool locate_step(const Mesh& mesh, LocationWalk& w) {
         w.is_certain = powers.above({w.value, w.error}) == 0xF;
         return false;
     }
+    const Power there = powers[next];
     w.tetrahedron = n[next] >> 2;
-    w.value = powers.value(next);
-    w.error = powers.error(next);
+    w.value = there.value;
+    w.error = there.error;
     for (const FacetCode code : tetrahedra[w.tetrahedron].n) prefetch(&tetrahedra[code >> 2]);
     return true;
 }

@@ -58,8 +58,8 @@ struct Workspace {
     // small, and for those everything lies together at fixed places.
     struct SmallStar {
         static constexpr std::uint32_t most_vertices = 32;
-        static constexpr std::uint32_t most_facets = 2 * most_vertices - 4;  // Euler
-        alignas(64) std::uint8_t a[64], b[64], c[64];                        // facets
+        // Facets: 60 at most, by Euler, and what a vector reads past them.
+        alignas(64) std::uint8_t a[64], b[64], c[64];
         FacetCode edges[most_vertices * most_vertices];
     } small;
     static constexpr std::uint32_t direct_size = 2048;  // a power of two

@@ -12,6 +12,14 @@
 
 namespace mgdt {
 
+MGDT_ALWAYS_INLINE void prefetch(const void* p) {
+#if defined(__GNUC__)
+    __builtin_prefetch(p);
+#else
+    static_cast<void>(p);
+#endif
+}
+
 struct CpuFeatures {
     bool avx2 = false;    // and FMA, BMI 1 and 2, LZCNT, POPCNT
     bool avx512 = false;  // F, VL, DQ, BW, and all of avx2

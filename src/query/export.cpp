@@ -8,7 +8,6 @@
 #include <emmintrin.h>
 #endif
 
-#include "kernel/pieces.hpp"
 #include "query/incidence.hpp"
 
 namespace mgdt {

@@ -32,7 +32,6 @@ bool Locator::begin(const double* q, TetId hint, LocationWalk& walk) const {
     walk.is_certain = false;
     walk.tetrahedron = hint;
     if (!scale_exactly(q, walk.q)) {
-        walk.q[0] = infinity;
         if (hint == no_tetrahedron) walk.tetrahedron = mesh.live_from(0);
         return false;
     }
@@ -43,11 +42,12 @@ bool Locator::begin(const double* q, TetId hint, LocationWalk& walk) const {
 }
 
 TetId Locator::end(const double* q, const LocationWalk& walk, TetId& hint) const {
-    Counters unused;
     hint = walk.tetrahedron;
     if (walk.is_certain) return hint;
-    if (walk.q[0] != infinity)
-        hint = walk_exact(mesh, hint, walk.q, unused);
+    Counters unused;
+    double p[3];
+    if (scale_exactly(q, p))
+        hint = walk_exact(mesh, hint, p, unused);
     else  // it has no exact scaled place: walk on the caller's coordinates
         hint = walk_exact(mesh, hint, q, unused, [&](VertexId v, double* room) {
             unscaled(v, room);
@@ -160,18 +160,9 @@ void for_each_neighbor(const Mesh& mesh, VertexId v, TetId first, VisitQueue& st
 }  // namespace
 
 int Locator::compare(VertexId a, VertexId b, const double* q) const {
-    // On scaled places first. A square has five roundings and the two of its difference, their
-    // comparison two more: relative errors below 8 units.
+    // Scaling by a power of two changes no comparison, where it is exact.
     double p[3];
-    if (!mesh.has_extremes && scale_exactly(q, p) && in_normal_range(p)) {
-        const auto square = [&](VertexId v) {
-            const double* x = mesh.point(v);
-            const double d[3] = {x[0] - p[0], x[1] - p[1], x[2] - p[2]};
-            return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-        };
-        const double to_a = square(a), to_b = square(b);
-        if (std::fabs(to_a - to_b) > 8 * unit_roundoff * (to_a + to_b)) return to_a < to_b ? -1 : 1;
-    }
+    if (scale_exactly(q, p)) return compare_distance(p, mesh.point(a), mesh.point(b));
     double pa[3], pb[3];
     unscaled(a, pa);
     unscaled(b, pb);

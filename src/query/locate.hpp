@@ -4,7 +4,6 @@
 
 #include "kernel/kernel.hpp"
 #include "kernel/location_tree.hpp"
-#include "kernel/pieces.hpp"
 
 namespace mgdt {
 
