@@ -123,10 +123,13 @@ enum {
     MGDT_STAT_TETRAHEDRA_REMOVED = 30,  /**< Tetrahedra removed by insertions (NR, summed). */
     MGDT_STAT_TETRAHEDRA_CREATED = 31,  /**< Tetrahedra created by insertions. */
     MGDT_STAT_EXACT_CALLS = 40,         /**< Decisions that the floating-point filter left open. */
+    MGDT_STAT_PUT_OFF = 45,             /**< Insertions that met another thread; tried again. */
+    MGDT_STAT_INSERTED_ALONE = 46,      /**< Points inserted while other threads had no work. */
     MGDT_STAT_ORDER_SECONDS = 50,       /**< Time spent on schedules. */
     MGDT_STAT_INSERT_SECONDS = 51,      /**< Time spent inserting. */
     MGDT_STAT_GRID_LEVELS = 60,         /**< Deepest level of grids or trees in the last schedule. */
     MGDT_STAT_ROUNDS = 61,              /**< Rounds in the last schedule. */
+    MGDT_STAT_THREADS = 62,             /**< Threads of the last insertion. */
     MGDT_STAT_MEMORY_BYTES = 70,        /**< Memory held by the handle now. */
     MGDT_STAT_PEAK_MEMORY_BYTES = 71    /**< The most it held so far. */
 };
@@ -201,9 +204,12 @@ MGDT_API mgdt_status mgdt_set_order_parameter(mgdt_triangulation *t, int32_t key
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_seed(mgdt_triangulation *t, uint64_t seed);
 
-/** Sets how many threads a call may use. The tetrahedra do not depend on it. Version 1.0 keeps the
- *  number and uses one thread whatever it is.
- *  @param n  at least 1, or 0 for all cores; default 1
+/** Sets how many threads a call may use: insertions, exports, checks and the location of many
+ *  points. The tetrahedra do not depend on it; the order of storage, in which tetrahedra are
+ *  exported unless output is canonical, may differ from run to run when it is not 1. Threads are
+ *  started by a call that has work for them and joined before it returns; the calling thread is one
+ *  of them. Where the system refuses threads, a call does with those it has.
+ *  @param n  at least 1, or 0 for all cores; default 1. More than 254 count as 254
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_threads(mgdt_triangulation *t, int32_t n);

@@ -19,7 +19,8 @@ Locator locator(const mgdt_triangulation* t) {
 
 PointScan scan_finite(std::size_t n, const double* xyz, const mgdt_triangulation* t) {
     const double* const axis[3] = {xyz, xyz + 1, xyz + 2};
-    return PointScan(n, axis, 3, t->core.settings().index_base);
+    Team alone;
+    return PointScan(alone, n, axis, 3, t->core.settings().index_base);
 }
 
 template <class Int>
@@ -65,8 +66,9 @@ mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* 
             const std::size_t size = std::min(block, count - begin);
             const double* const points = xyz + 3 * begin;
             const double* const axis[3] = {points, points + 1, points + 2};
+            Team team;
             const CurveOrder order =
-                sort_along_curve(scan.point_set(size, axis, 3, 1), t->core.allocator());
+                sort_along_curve(team, scan.point_set(size, axis, 3, 1), t->core.allocator());
             where.locate_sequence(
                 size, [&](std::size_t k) { return points + std::size_t{3} * order.index(k); },
                 [&](std::size_t k, TetId found) { report(begin + order.index(k), found); });

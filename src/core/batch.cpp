@@ -31,7 +31,8 @@ void Triangulation::Batch::gather(const Mesh& mesh, const Buffer<VertexId>& poin
         indices[size++] = added.index(i);
     }
     const double* const axis[3] = {&gathered[0], &gathered[1], &gathered[2]};
-    const PointScan scan(size, axis, 3, 0);
+    Team alone;
+    const PointScan scan(alone, size, axis, 3, 0);
     use(scan, size, axis, 3, 0, 0);
 }
 

@@ -5,6 +5,8 @@
 
 #include "core/batch.hpp"
 #include "core/triangulation.hpp"
+#include "core/zonal_insertion.hpp"
+#include "order/deal.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
@@ -59,32 +61,43 @@ void bring_to_front(Schedule& schedule, const std::size_t positions[4]) {
 
 }  // namespace
 
-void Triangulation::copy_vertices(const Batch& batch, const Schedule& schedule, std::size_t base) {
-    mesh_.vertices.resize(base + batch.points.size);
-    mesh_.vertices.prefault(base, base + batch.points.size);
-    constexpr std::size_t ahead = 24;
+void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule& schedule,
+                                  std::size_t base) {
     const std::size_t size = batch.points.size;
-    for (std::size_t k = 0; k < size; ++k) {
-        if (k + ahead < size) batch.prefetch(schedule.order[k + ahead]);
-        const std::uint32_t i = schedule.order[k];
-        Vertex& v = mesh_.vertices[base + k];
-        batch.get(i, v.x);
-        v.index = batch.index(i);
-        v.near = no_tetrahedron;
-        if (!in_normal_range(v.x)) mesh_.has_extremes = true;
-    }
+    mesh_.vertices.resize(base + size);
+    std::atomic<bool> has_extremes{false};
+    team.split(size, 8192, [&](std::size_t begin, std::size_t end, unsigned) {
+        mesh_.vertices.prefault(base + begin, base + end);
+        constexpr std::size_t ahead = 24;
+        bool found = false;
+        for (std::size_t k = begin; k < end; ++k) {
+            if (k + ahead < end) batch.prefetch(schedule.order[k + ahead]);
+            const std::uint32_t i = schedule.order[k];
+            Vertex& v = mesh_.vertices[base + k];
+            batch.get(i, v.x);
+            v.index = batch.index(i);
+            v.near = no_tetrahedron;
+            if (!in_normal_range(v.x)) found = true;
+        }
+        if (found) has_extremes = true;
+    });
+    if (has_extremes) mesh_.has_extremes = true;
 }
 
-void Triangulation::insert_batch(const Batch& batch, bool fresh, bool may_stop) {
+void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, bool may_stop) {
     // All that can fail before the mesh changes.
     const std::size_t n = batch.points.size;
     Schedule schedule(allocator_);
     {
         Stopwatch watch(statistics_.order_seconds);
         const std::int32_t scheme = n <= smallest_schedule ? MGDT_ORDER_INPUT : settings_.scheme;
-        make_schedule(batch.points, scheme, settings_.order, schedule);
+        make_schedule(team, batch.points, scheme, settings_.order, schedule);
+        // Several threads need rounds, so that the space is divided before they start.
+        if (team.size() > 1 && schedule.rounds.size() == 1 && scheme != MGDT_ORDER_RANDOM)
+            deal_rounds(team, settings_.order.seed, schedule);
         statistics_.levels = schedule.levels;
         statistics_.rounds = static_cast<double>(schedule.rounds.size());
+        statistics_.threads = team.size();
     }
     if (may_stop) stop_if_cancelled(0, n);
     Stopwatch watch(statistics_.insert_seconds);
@@ -114,29 +127,46 @@ void Triangulation::insert_batch(const Batch& batch, bool fresh, bool may_stop) 
         std::fill(point_map_.begin(), point_map_.end(), infinite_vertex);
         statistics_.points_inserted = statistics_.duplicates = 0;
         basis_ = basis;
-        copy_vertices(batch, schedule, base);
+        copy_vertices(team, batch, schedule, base);
         make_first_tetrahedra();
         done = 4;
     } else {
-        copy_vertices(batch, schedule, base);
+        copy_vertices(team, batch, schedule, base);
     }
-    insert_scheduled(batch, schedule, base, done, may_stop);
+    if (team.size() == 1 || schedule.rounds.size() == 1) {
+        insert_scheduled(batch, schedule, base, done, may_stop);
+        return;
+    }
+    struct Close {
+        Triangulation& t;
+        const std::size_t base;
+        ~Close() {
+            t.close_gaps(base);
+            t.extend_location_tree(base);
+            // What threads left behind may be gone.
+            t.last_ = t.mesh_.live_from(t.last_);
+            t.workspace_.slot_count = 0;
+        }
+    } close{*this, base};
+    ZonalInsertion(*this, team, batch, schedule, base, may_stop).run(done);
 }
 
 // Vertices 1 to 4 and the vertex at infinity: one tetrahedron and four ghosts, each the
 // neighbour of all the others.
 void Triangulation::make_first_tetrahedra() {
-    VertexId v[4] = {1, 2, 3, 4};
-    if (orientation(mesh_.point(1), mesh_.point(2), mesh_.point(3), mesh_.point(4)) < 0)
-        std::swap(v[0], v[1]);
+    // As if 4 had been inserted last, before it 3, then 2.
+    VertexId v[4] = {4, 3, 2, 1};
+    if (orientation(mesh_.point(4), mesh_.point(3), mesh_.point(2), mesh_.point(1)) < 0)
+        std::swap(v[2], v[3]);
     mesh_.tetrahedra.resize(5);
     Tetrahedron* const all = mesh_.tetrahedra.data();
     std::copy(v, v + 4, all[0].v);
     for (unsigned f = 0; f < 4; ++f) {
-        // Ghost f + 1 stands on face f, its vertex at infinity last: (a, b, c, infinite) is
-        // positive where (q, a, b, c) turned is, so the last two of the face are swapped.
+        // Ghost f + 1 stands on face f. (q, a, b, c) is positive for q beyond it, so these are:
         const unsigned char* face = outer_face[f];
-        const VertexId ghost[4] = {v[face[0]], v[face[2]], v[face[1]], infinite_vertex};
+        const VertexId a = v[face[0]], b = v[face[1]], c = v[face[2]];
+        const VertexId ghost[4] = {a, b > c ? b : c, b > c ? infinite_vertex : b,
+                                   b > c ? c : infinite_vertex};
         std::copy(ghost, ghost + 4, all[f + 1].v);
     }
     for (unsigned t = 0; t < 5; ++t) {
@@ -182,6 +212,39 @@ void Triangulation::extend_location_tree(std::size_t begin) noexcept {
         location_tree_.forget();
 }
 
+// Vertices from `begin` on of duplicates, and of points that are not in, are gaps with no
+// tetrahedron near: those behind move forward.
+void Triangulation::close_gaps(std::size_t begin) noexcept {
+    const std::size_t end = mesh_.vertices.size();
+    VertexId next = static_cast<VertexId>(begin);
+    while (next < end && mesh_.vertices[next].near != no_tetrahedron) ++next;
+    if (next == end) return;
+    const VertexId first_gap = next;
+    // No memory is taken: the new number lies in the old record, where the tetrahedron nearby was,
+    // and that is found anew at the end.
+    for (VertexId v = first_gap; v < end; ++v) {
+        TetId& near = mesh_.vertices[v].near;
+        if (near != no_tetrahedron) near = next++;
+    }
+    for (Tetrahedron& t : mesh_.tetrahedra) {
+        if (t.is_dead()) continue;
+        for (VertexId& v : t.v)
+            if (v >= first_gap) v = mesh_.vertices[v].near;
+    }
+    for (VertexId& v : point_map_)
+        if (v >= first_gap) v = mesh_.vertices[v].near;
+    for (VertexId v = first_gap; v < end; ++v) {
+        const Vertex vertex = mesh_.vertices[v];
+        if (vertex.near != no_tetrahedron) mesh_.vertices[vertex.near] = vertex;
+    }
+    mesh_.vertices.resize(next);
+    for (TetId t = 0; t < mesh_.tetrahedra.size(); ++t) {
+        if (mesh_.tetrahedra[t].is_dead()) continue;
+        for (const VertexId v : mesh_.tetrahedra[t].v)
+            if (v >= first_gap) mesh_.vertices[v].near = t;
+    }
+}
+
 void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
                                      std::size_t done, bool may_stop) {
     const std::size_t n = batch.points.size;
@@ -209,8 +272,6 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
         if (is_due || (may_stop && k % poll_interval == 0)) stop_if_cancelled(k, n);
         const VertexId q = static_cast<VertexId>(base + in);
         if (in != k) mesh_.vertices[q] = mesh_.vertices[base + k];
-        const std::uint32_t index = mesh_.vertices[q].index;
-
         TetId start = last_;
         if (!schedule.hints.empty() && schedule.hints[k] != no_hint)
             start = mesh_.live_from(
@@ -221,17 +282,26 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
         const Insertion result = kernel_->insert(mesh_, workspace_, q, start);
         if (k == 0) lone_steps_ += workspace_.counters.walk_steps - steps_before;
         last_ = result.tetrahedron;
-        if (result.duplicate == infinite_vertex) {
-            point_map_[index] = q;
+        if (note_insertion(q, result)) {
             ++in;
             ++statistics_.points_inserted;
         } else {
-            point_map_[index] = result.duplicate;
-            std::uint32_t& least = mesh_.vertices[result.duplicate].index;
-            least = std::min(least, index);
             ++statistics_.duplicates;
         }
     }
+}
+
+// Enters the outcome in the point map: whether q is a vertex, or a duplicate of one.
+bool Triangulation::note_insertion(VertexId q, const Insertion& result) {
+    const std::uint32_t index = mesh_.vertices[q].index;
+    if (result.duplicate == infinite_vertex) {
+        point_map_[index] = q;
+        return true;
+    }
+    point_map_[index] = result.duplicate;
+    std::uint32_t& least = mesh_.vertices[result.duplicate].index;
+    least = std::min(least, index);
+    return false;
 }
 
 }  // namespace mgdt

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <mutex>
 
 #include "platform/cpu.hpp"
 #include "platform/error.hpp"
@@ -43,28 +44,42 @@ struct Extremes {
             poison[j] += x[j] - x[j];
         }
     }
+    void add(const Extremes& other) {
+        for (std::size_t j = 0; j < width; ++j) {
+            low[j] = std::fmin(low[j], other.low[j]);
+            high[j] = std::fmax(high[j], other.high[j]);
+            least[j] = std::fmin(least[j], other.least[j]);
+            poison[j] += other.poison[j];
+        }
+    }
 };
 
 }  // namespace
 
-PointScan::PointScan(std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
+PointScan::PointScan(Team& team, std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
                      long long first_index) {
-    // Two points at a time.
-    Extremes extremes;
     const auto coordinate = [&](std::size_t i, std::size_t k) {
         return axis[k][static_cast<std::ptrdiff_t>(i) * stride];
     };
     const bool is_packed = stride == 3 && axis[1] == axis[0] + 1 && axis[2] == axis[0] + 2;
-    for (std::size_t i = 0; i < n; i += 2) {
-        double x[Extremes::width];
-        const double* source = x;
-        if (is_packed && i + 1 < n)
-            source = axis[0] + 3 * i;
-        else
-            for (std::size_t j = 0; j < Extremes::width; ++j)
-                x[j] = coordinate(i + 1 < n ? i + j / 3 : i, j % 3);
-        extremes.add(source);
-    }
+    Extremes extremes;
+    std::mutex mutex;
+    team.split(n, 65536, [&](std::size_t begin, std::size_t end, unsigned) {
+        // Two points at a time.
+        Extremes part;
+        for (std::size_t i = begin; i < end; i += 2) {
+            double x[Extremes::width];
+            const double* source = x;
+            if (is_packed && i + 1 < end)
+                source = axis[0] + 3 * i;
+            else
+                for (std::size_t j = 0; j < Extremes::width; ++j)
+                    x[j] = coordinate(i + 1 < end ? i + j / 3 : i, j % 3);
+            part.add(source);
+        }
+        const std::lock_guard<std::mutex> lock(mutex);
+        extremes.add(part);
+    });
     double least = largest, greatest = 0, poison = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         low[k] = std::fmin(extremes.low[k], extremes.low[k + 3]);

@@ -12,7 +12,7 @@ namespace mgdt {
 
 struct PointScan {
     // Throws MGDT_ERR_NOT_FINITE; `first_index` numbers the first point in the message.
-    PointScan(std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
+    PointScan(Team& team, std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
               long long first_index);
 
     // Those points, or some of them, for a schedule, multiplied by `scale`.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/triangulation.hpp"
 
+#include <algorithm>
+#include <thread>
+
 #include "core/batch.hpp"
 #include "platform/error.hpp"
 
@@ -46,7 +49,9 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
     if (n > max_points - first)
         fail(MGDT_ERR_TOO_LARGE, "%zu points after %zu; at most %zu can be numbered", n, first,
              max_points);
-    const PointScan scan(n, axis, stride, static_cast<long long>(first) + settings_.index_base);
+    Team team(threads_for(n, settings_.points_a_thread));
+    const PointScan scan(team, n, axis, stride,
+                         static_cast<long long>(first) + settings_.index_base);
     if (n == 0) return;
 
     // A request to stop concerns this call alone, however it ends.
@@ -66,18 +71,18 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
 
     Batch batch(allocator_, scan, n, axis, stride, mesh_.scale, first);
     if (dimension() == 3) {
-        insert_batch(batch, false, true);
+        insert_batch(team, batch, false, true);
     } else {
         AffineBasis basis = basis_;
         const std::size_t spanning = points_to_span_space(batch, basis);
         if (basis.dimension() < 3) {
             hold(batch, basis);
         } else if (first == 0) {
-            insert_batch(batch, true, true);
+            insert_batch(team, batch, true, true);
         } else {
-            release_held(batch, spanning);
+            release_held(team, batch, spanning);
             batch.drop_front(spanning);
-            if (batch.points.size > 0) insert_batch(batch, false, true);
+            if (batch.points.size > 0) insert_batch(team, batch, false, true);
         }
     }
     report(n, n);
@@ -116,10 +121,10 @@ std::size_t Triangulation::points_to_span_space(const Batch& batch, AffineBasis&
 
 // Inserts all that was held, with as many new points as it takes to span space. These were
 // accepted before, so this part of the call does not stop for a request to cancel.
-void Triangulation::release_held(const Batch& batch, std::size_t spanning) {
+void Triangulation::release_held(Team& team, const Batch& batch, std::size_t spanning) {
     Batch all(allocator_);
     all.gather(mesh_, point_map_, batch, spanning);
-    insert_batch(all, true, false);
+    insert_batch(team, all, true, false);
 }
 
 void Triangulation::hold(const Batch& batch, const AffineBasis& basis) {
@@ -136,6 +141,13 @@ void Triangulation::hold(const Batch& batch, const AffineBasis& basis) {
         if (!in_normal_range(p)) mesh_.has_extremes = true;
     }
     basis_ = basis;
+}
+
+unsigned Triangulation::threads_for(std::size_t work, std::size_t share) const noexcept {
+    std::size_t threads = static_cast<std::size_t>(settings_.threads);
+    if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+    threads = std::min<std::size_t>(threads, Team::most);
+    return static_cast<unsigned>(std::max<std::size_t>(1, std::min(threads, work / share)));
 }
 
 void Triangulation::report(std::size_t done, std::size_t total) {

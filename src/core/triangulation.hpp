@@ -14,6 +14,7 @@
 #include "kernel/location_tree.hpp"
 #include "mesh/scale.hpp"
 #include "order/schedule.hpp"
+#include "parallel/team.hpp"
 #include "platform/cached.hpp"
 #include "query/numbering.hpp"
 
@@ -22,7 +23,9 @@ namespace mgdt {
 struct Settings {
     std::int32_t scheme = MGDT_ORDER_AUTO;
     OrderParameters order;
-    std::int32_t threads = 1;
+    std::int32_t threads = 1;            // 0: as many as the machine has
+    std::size_t points_a_thread = 8192;  // with fewer a thread does not pay; lowered by tests
+    void (*pause)() = nullptr;  // for tests: called where threads take and give back blocks
     std::int32_t index_base = 0;
     bool canonical_output = false;
     mgdt_progress_fn progress = nullptr;
@@ -32,10 +35,13 @@ struct Settings {
 struct Statistics {
     std::uint64_t points_inserted = 0;
     std::uint64_t duplicates = 0;
+    std::uint64_t put_off = 0;         // insertions given up at another thread's, and tried again
+    std::uint64_t inserted_alone = 0;  // while the other threads had nothing to do
     double order_seconds = 0;
     double insert_seconds = 0;
     double levels = 0;
     double rounds = 0;
+    double threads = 0;
 };
 
 class Triangulation {
@@ -48,6 +54,9 @@ class Triangulation {
     void clear() noexcept;
     void reserve(std::size_t points);
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+
+    // How many threads a call may use that has so much work in units of `share`.
+    unsigned threads_for(std::size_t work, std::size_t share) const noexcept;
 
     Settings& settings() noexcept { return settings_; }
     const Settings& settings() const noexcept { return settings_; }
@@ -69,19 +78,22 @@ class Triangulation {
 
   private:
     struct Batch;
+    class ZonalInsertion;
 
     void set_scale(const ExponentRange& range);
     std::size_t points_to_span_space(const Batch& batch, AffineBasis& basis) const;
     void hold(const Batch& batch, const AffineBasis& basis);
-    void release_held(const Batch& batch, std::size_t spanning);
-    void insert_batch(const Batch& batch, bool fresh, bool may_stop);
-    void copy_vertices(const Batch& batch, const Schedule& schedule, std::size_t base);
+    void release_held(Team& team, const Batch& batch, std::size_t spanning);
+    void insert_batch(Team& team, const Batch& batch, bool fresh, bool may_stop);
+    void copy_vertices(Team& team, const Batch& batch, const Schedule& schedule, std::size_t base);
     void make_first_tetrahedra();
     const LocationTree* location_tree(std::size_t end) const noexcept;
     const LocationTree* tree_for_insertion(std::size_t end) noexcept;
     void extend_location_tree(std::size_t begin) noexcept;
     void insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
                           std::size_t done, bool may_stop);
+    void close_gaps(std::size_t begin) noexcept;
+    bool note_insertion(VertexId q, const Insertion& result);
     void report(std::size_t done, std::size_t total);
     void stop_if_cancelled(std::size_t done, std::size_t total);
 

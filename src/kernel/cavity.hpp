@@ -8,9 +8,10 @@
 //
 // Entering the cavity marks a tetrahedron in its second vertex, so that an insertion can be given
 // up until the star is built. The mark is where no test looks, since a load that may meet a store
-// just made waits for it.
+// just made waits for it. Among other threads only a tetrahedron that is mine is marked.
 #pragma once
 
+#include "kernel/access.hpp"
 #include "kernel/eight_rows.hpp"
 #include "kernel/pieces.hpp"
 #include "kernel/powers.hpp"
@@ -54,6 +55,8 @@ class CavityFront {
         if (MGDT_UNLIKELY(members + 4 > workspace_.cavity_capacity)) grow();
     }
     MGDT_ALWAYS_INLINE FacetCode member(std::size_t i) const { return cavity_[i]; }
+    // Gives the cavity up.
+    void abandon() const { workspace_.restore_cavity(tetrahedra_, members); }
     // Takes those of four facets whose bits are set.
     MGDT_ALWAYS_INLINE void add_boundary(const FacetCode* codes, std::uint32_t outside) {
 #if defined(MGDT_HAVE_EIGHT_ROWS)
@@ -97,7 +100,7 @@ class CavityFront {
         try {
             workspace_.grow_cavity(members, facets, members + 4);
         } catch (...) {
-            workspace_.restore_cavity(tetrahedra_, members);
+            abandon();
             throw;
         }
         point_to_arrays();
@@ -116,9 +119,15 @@ inline std::uint32_t is_conflict_undecided(const Mesh& mesh, TetId t, const Quer
     return is_conflict_exact(mesh, mesh.tetrahedra[t], q.point);
 }
 
-inline void dig_cavity(Mesh& mesh, Workspace& w, CavityStart start, const Query& q) {
+// Whether the cavity was dug: not if a tetrahedron of it may not be entered.
+template <class Access>
+inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart start, const Query& q) {
     const Tetrahedron* const tetrahedra = mesh.tetrahedra.data();
     const Vertex* const vertices = mesh.vertices.data();
+    const Tetrahedron& first = tetrahedra[start.tetrahedron];
+    if (MGDT_UNLIKELY(start.faces == 0 ? !access.enter(first)
+                                       : !access.enter(first.n, start.faces)))
+        return false;
     CavityFront front(mesh, w, start);
     // The first member is entered through no face if it is the start itself.
     std::uint32_t entered = start.faces != 0;
@@ -142,12 +151,17 @@ inline void dig_cavity(Mesh& mesh, Workspace& w, CavityStart start, const Query&
                     conflict = (conflict & ~(1u << k)) |
                                is_conflict_undecided(mesh, n[k] >> 2, q, w.counters) << k;
         }
+        if (MGDT_UNLIKELY(!access.enter(n, conflict))) {
+            front.abandon();
+            return false;
+        }
         front.add_boundary(n, active & ~conflict);
         for (unsigned k = 0; k < 4; ++k) front.take(n[k], conflict >> k & 1);
         if (MGDT_UNLIKELY(is_last)) next = opaque(front.member(done + 1));
         member = next;
     }
     front.finish(start.faces == 0 ? 1 : 0);
+    return true;
 }
 
 }  // namespace MGDT_ISA

@@ -11,16 +11,29 @@
 namespace mgdt {
 inline namespace MGDT_ISA {
 
-inline Insertion insert(Mesh& mesh, Workspace& w, VertexId q, TetId start) {
+template <class Access>
+MGDT_ALWAYS_INLINE Insertion insert_with(Access access, Mesh& mesh, Workspace& w, VertexId q,
+                                         TetId start) {
     const Query query(mesh.point(q));
     const bool is_in_star = w.slot_count != 0 && start == w.slots.data[0];
-    const WalkResult found = walk(mesh,
+    const WalkResult found = walk(access, mesh,
                                   is_in_star ? start_in_star(mesh, w, query, w.counters)
                                              : start_at(mesh, start, query, w.counters),
                                   query, w.counters);
     if (found.duplicate != infinite_vertex) return {found.start.tetrahedron, found.duplicate};
-    dig_cavity(mesh, w, found.start, query);
-    return {build_star(mesh, w, q), infinite_vertex};
+    if (found.start.tetrahedron == no_tetrahedron ||
+        !dig_cavity(access, mesh, w, found.start, query))
+        return {no_tetrahedron, infinite_vertex};
+    return {build_star(access, mesh, w, q), infinite_vertex};
+}
+
+inline Insertion insert(Mesh& mesh, Workspace& w, VertexId q, TetId start) {
+    return insert_with(Alone{mesh}, mesh, w, q, start);
+}
+
+inline Insertion insert_among_others(Mesh& mesh, Workspace& w, Territory& territory, VertexId q,
+                                     TetId start) {
+    return insert_with(Shared{mesh, territory}, mesh, w, q, start);
 }
 
 }  // namespace MGDT_ISA
@@ -28,5 +41,8 @@ inline Insertion insert(Mesh& mesh, Workspace& w, VertexId q, TetId start) {
 
 #define MGDT_TEXT_OF(name) #name
 #define MGDT_TEXT(name) MGDT_TEXT_OF(name)
-#define MGDT_KERNEL_TABLE \
-    { MGDT_TEXT(MGDT_ISA), mgdt::insert, mgdt::locate_begin, mgdt::locate_step }
+#define MGDT_KERNEL_TABLE                                                                 \
+    {                                                                                     \
+        MGDT_TEXT(MGDT_ISA), mgdt::insert, mgdt::insert_among_others, mgdt::locate_begin, \
+            mgdt::locate_step                                                             \
+    }

@@ -47,7 +47,8 @@ MGDT_ALWAYS_INLINE void link_star(Tetrahedron* const tetrahedra, const Workspace
 }
 
 // Facets with the vertex at infinity got the sphere of nonsense; they are ghosts. Returns how many.
-inline std::size_t write_ghosts(Mesh& mesh, const Workspace& w, VertexId q) {
+template <class Access>
+std::size_t write_ghosts(Access access, Mesh& mesh, const Workspace& w, VertexId q) {
     std::size_t ghosts = 0;
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
         Tetrahedron& t = mesh.tetrahedra[w.slots.data[i]];
@@ -57,7 +58,7 @@ inline std::size_t write_ghosts(Mesh& mesh, const Workspace& w, VertexId q) {
         const int slot = t.infinite_slot();
         set_normal(relative_to(mesh.point(t.v[slot % 3 + 1]), mesh.point(q)),
                    relative_to(mesh.point(t.v[(slot + 1) % 3 + 1]), mesh.point(q)), t);
-        mesh.a_ghost = w.slots.data[i];
+        access.made_ghost(w.slots.data[i]);
         ++ghosts;
     }
     return ghosts;
@@ -78,7 +79,8 @@ inline void distrust_extremes(Mesh& mesh, const Workspace& w, VertexId q) {
 }
 
 // Slots of the cavity serve again: their lines are at hand.
-MGDT_ALWAYS_INLINE void choose_slots(Mesh& mesh, Workspace& w) {
+template <class Access>
+MGDT_ALWAYS_INLINE void choose_slots(Access access, Workspace& w) {
     const std::size_t removed = w.cavity_size, created = w.boundary_size;
     TetId* const slots = w.slots.data;
     // In blocks that are nearly always enough: past the end they do no harm, and the number of
@@ -88,9 +90,9 @@ MGDT_ALWAYS_INLINE void choose_slots(Mesh& mesh, Workspace& w) {
     for (std::size_t i = 0; i < removed; i += block)
         for (std::size_t k = i; k < i + block; ++k) slots[k] = cavity[k] >> 2;
     if (MGDT_UNLIKELY(created < removed)) {
-        for (std::size_t i = created; i < removed; ++i) mesh.free_slot(slots[i]);
+        for (std::size_t i = created; i < removed; ++i) access.free_slot(slots[i]);
     } else {
-        mesh.take_slots(slots + removed, created - removed);
+        access.take_slots(slots + removed, created - removed);
     }
     w.slot_count = created;
 }
@@ -103,12 +105,12 @@ inline std::size_t count_ghosts(const Mesh& mesh, const Workspace& w) {
 }
 
 // Replaces the cavity, whose vertices are numbered, by the star of q.
-template <class Numbers>
-MGDT_ALWAYS_INLINE void replace_cavity(Mesh& mesh, Workspace& w, VertexId q,
+template <class Access, class Numbers>
+MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, VertexId q,
                                        const Numbers& numbers) {
     const bool at_hull = numbers.find(infinite_vertex) != no_index;
     const std::size_t ghosts_gone = at_hull ? count_ghosts(mesh, w) : 0;
-    choose_slots(mesh, w);
+    choose_slots(access, w);
     Tetrahedron* const tetrahedra = mesh.tetrahedra.data();
     const Vertex* const vertices = mesh.vertices.data();
     Workspace::SmallStar& s = w.small;
@@ -127,11 +129,12 @@ MGDT_ALWAYS_INLINE void replace_cavity(Mesh& mesh, Workspace& w, VertexId q,
             link(EdgeTable(w));
         set_spheres(w, vertices, q, numbers.count(), tetrahedra);
     }
-    if (at_hull) mesh.ghost_count = mesh.ghost_count + write_ghosts(mesh, w, q) - ghosts_gone;
+    if (at_hull) access.count_ghosts(write_ghosts(access, mesh, w, q), ghosts_gone);
 }
 
 // Replaces the cavity by the star of vertex q; returns one of its tetrahedra.
-inline TetId build_star(Mesh& mesh, Workspace& w, VertexId q) {
+template <class Access>
+TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
     const std::size_t removed = w.cavity_size, created = w.boundary_size;
 
     // All that can fail.
@@ -139,8 +142,8 @@ inline TetId build_star(Mesh& mesh, Workspace& w, VertexId q) {
     try {
         if (MGDT_UNLIKELY(removed > w.star_removed || created > w.star_created))
             w.grow_star(removed, created);
-        mesh.reserve_slots(created > removed ? created - removed : 0,
-                           removed > created ? removed - created : 0);
+        access.reserve_slots(created > removed ? created - removed : 0,
+                             removed > created ? removed - created : 0);
     } catch (...) {
         w.restore_cavity(mesh.tetrahedra.data(), removed);
         throw;
@@ -150,19 +153,18 @@ inline TetId build_star(Mesh& mesh, Workspace& w, VertexId q) {
     {
         DirectNumbers numbers(w);
         is_direct = numbers.add_cavity(w);
-        if (is_direct) replace_cavity(mesh, w, q, numbers);
+        if (is_direct) replace_cavity(access, mesh, w, q, numbers);
     }
     if (MGDT_UNLIKELY(!is_direct)) {
         ProbedNumbers numbers(w);
         numbers.add_cavity(w);
-        replace_cavity(mesh, w, q, numbers);
+        replace_cavity(access, mesh, w, q, numbers);
     }
     if (MGDT_UNLIKELY(mesh.has_extremes)) distrust_extremes(mesh, w, q);
 
     // With the new vertex a few of its neighbours learn where they are now; every vertex has its
     // turn often enough to stay near its slot.
-    for (const VertexId v : mesh.tetrahedra[w.slots.data[0]].v)
-        mesh.vertices[v].near = w.slots.data[0];
+    for (const VertexId v : mesh.tetrahedra[w.slots.data[0]].v) access.set_near(v, w.slots.data[0]);
     w.counters.removed += removed;
     w.counters.created += created;
     return w.slots.data[0];

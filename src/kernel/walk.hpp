@@ -18,14 +18,20 @@ namespace mgdt {
 inline namespace MGDT_ISA {
 
 struct WalkResult {
-    CavityStart start;   // in conflict with q; or the tetrahedron that has the vertex
+    // In conflict with q; or the tetrahedron that has the vertex; or no_tetrahedron where the way
+    // leads to one that may not be entered.
+    CavityStart start;
     VertexId duplicate;  // the vertex at q's place, or infinite_vertex
 };
 
+inline constexpr WalkResult no_way = {{no_tetrahedron, 0}, infinite_vertex};
+
 // The exact walk. It ends in the closed tetrahedron that contains q, or in a ghost whose facet q
-// is strictly beyond. point_of(v, room) gives a vertex's coordinates, in `room` if need be.
-template <class PointOf>
-TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters, PointOf point_of) {
+// is strictly beyond; or before one that may not be entered, and gives no_tetrahedron.
+// point_of(v, room) gives a vertex's coordinates, in `room` if need be.
+template <class Enter, class PointOf>
+TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters, Enter enter,
+                 PointOf point_of) {
     for (unsigned turn = 0;; ++turn) {
         const Tetrahedron& tet = mesh.tetrahedra[t];
         ++counters.walk_steps;
@@ -39,23 +45,20 @@ TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters,
             ++counters.exact_calls;
             return orientation(corner[0], corner[1], corner[2], corner[3]);
         };
-        TetId next = no_tetrahedron;
+        unsigned through = 4;
         if (tet.is_ghost()) {
             const unsigned slot = static_cast<unsigned>(tet.infinite_slot());
-            if (side(slot) <= 0) next = tet.n[slot] >> 2;
+            if (side(slot) <= 0) through = slot;
         } else {
-            for (unsigned i = 0; i < 4 && next == no_tetrahedron; ++i) {
+            for (unsigned i = 0; i < 4 && through == 4; ++i) {
                 const unsigned face = (i + turn) & 3;
-                if (side(face) < 0) next = tet.n[face] >> 2;
+                if (side(face) < 0) through = face;
             }
         }
-        if (next == no_tetrahedron) return t;
-        t = next;
+        if (through == 4) return t;
+        t = tet.n[through] >> 2;
+        if (!enter(mesh.tetrahedra[t])) return no_tetrahedron;
     }
-}
-
-inline TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters) {
-    return walk_exact(mesh, t, q, counters, [&](VertexId v, double*) { return mesh.point(v); });
 }
 
 struct WalkStart {
@@ -82,7 +85,9 @@ inline WalkStart start_in_star(const Mesh& mesh, const Workspace& w, const Query
     return {codes[best] >> 2, powers[best]};
 }
 
-inline WalkResult walk(const Mesh& mesh, WalkStart here, const Query& q, Counters& counters) {
+template <class Access>
+inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Query& q,
+                       Counters& counters) {
     const Tetrahedron* tetrahedra = mesh.tetrahedra.data();
     const Vertex* vertices = mesh.vertices.data();
     ++counters.walk_steps;
@@ -113,8 +118,13 @@ inline WalkResult walk(const Mesh& mesh, WalkStart here, const Query& q, Counter
         const unsigned next = powers.least_finite(t.is_ghost() ? infinity : here.power.value);
         if (next == 4) break;
         here = {t.n[next] >> 2, powers[next]};
+        if (MGDT_UNLIKELY(!access.enter(tetrahedra[here.tetrahedron]))) return no_way;
     }
-    const TetId t = walk_exact(mesh, here.tetrahedron, q.point, counters);
+    const TetId t = walk_exact(
+        mesh, here.tetrahedron, q.point, counters,
+        [&](const Tetrahedron& t) { return access.enter(t); },
+        [&](VertexId v, double*) { return mesh.point(v); });
+    if (t == no_tetrahedron) return no_way;
     return {{t, 0}, vertex_at(mesh, mesh.tetrahedra[t], q.point)};
 }
 

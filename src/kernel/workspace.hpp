@@ -15,6 +15,15 @@ struct Counters {
     std::uint64_t removed = 0;
     std::uint64_t created = 0;
     std::uint64_t exact_calls = 0;
+
+    void operator+=(const Counters& other) noexcept {
+        walk_steps += other.walk_steps;
+        walk_tests += other.walk_tests;
+        conflict_tests += other.conflict_tests;
+        removed += other.removed;
+        created += other.created;
+        exact_calls += other.exact_calls;
+    }
 };
 
 // An array with a known capacity; what its elements mean is its user's affair.

@@ -7,6 +7,14 @@
 
 namespace mgdt {
 
+// Writes `count` consecutive numbers, in blocks whose turns can be foretold: the array has room for
+// 16 more.
+MGDT_ALWAYS_INLINE void write_run(TetId* slots, TetId first, std::size_t count) noexcept {
+    constexpr std::size_t block = 16;
+    for (std::size_t i = 0; i < count; i += block)
+        for (std::size_t k = i; k < i + block; ++k) slots[k] = first + static_cast<TetId>(k);
+}
+
 struct Mesh {
     explicit Mesh(Allocator& allocator)
         : vertices(allocator), tetrahedra(allocator), free_slots(allocator) {}
@@ -65,9 +73,7 @@ MGDT_ALWAYS_INLINE void Mesh::take_slots(TetId* slots, std::size_t count) noexce
         }
     }
     const TetId end = static_cast<TetId>(tetrahedra.size());
-    constexpr std::size_t block = 16;
-    for (std::size_t i = 0; i < count; i += block)
-        for (std::size_t k = i; k < i + block; ++k) slots[k] = end + static_cast<TetId>(k);
+    write_run(slots, end, count);
     tetrahedra.resize_within_capacity(tetrahedra.size() + count);
 }
 

@@ -21,6 +21,9 @@ inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
 // Facet codes have 32 bits.
 inline constexpr std::uint32_t max_tetrahedra = 1u << 30;
 
+// Marks a tetrahedron of the cavity that is being dug, in its second vertex.
+inline constexpr VertexId in_cavity = 0x80000000u;
+
 // Half a cache line. Vertex 0 is the vertex at infinity; its coordinates are never used.
 struct alignas(32) Vertex {
     double x[3];          // scaled, see mesh/scale.hpp
@@ -29,7 +32,8 @@ struct alignas(32) Vertex {
 };
 static_assert(sizeof(Vertex) == 32);
 
-// One cache line. Finite: positively oriented, v[0] (the base vertex) the one inserted last, and
+// One cache line. v[0], the base vertex, was inserted last of the four, and v[1] before it: so the
+// newest vertex of face 0 is v[1], that of any other face v[0]. Finite: positively oriented, and
 // the power of q with respect to the circumsphere is |u|^2 - w.u with u = q - v[0]. Ghost: one
 // of v[1..3] is the vertex at infinity and stands beyond the hull facet of the other three; the
 // "power" is -w.u. See kernel/circumsphere.hpp for w and e.
@@ -44,7 +48,7 @@ struct alignas(64) Tetrahedron {
     MGDT_ALWAYS_INLINE bool is_dead() const noexcept { return v[0] == infinite_vertex; }
     MGDT_ALWAYS_INLINE void kill() noexcept { v[0] = infinite_vertex; }
     // Only while the cavity is being dug.
-    MGDT_ALWAYS_INLINE bool is_in_cavity() const noexcept { return v[1] >> 31 != 0; }
+    MGDT_ALWAYS_INLINE bool is_in_cavity() const noexcept { return (v[1] & in_cavity) != 0; }
     MGDT_ALWAYS_INLINE int infinite_slot() const noexcept {
         return v[1] == infinite_vertex ? 1 : v[2] == infinite_vertex ? 2 : 3;
     }

@@ -7,7 +7,8 @@ namespace mgdt {
 
 // All points are sorted along one curve, then dealt into the rounds from there, so that each
 // round follows the curve too.
-void order_brio(const PointSet& points, const OrderParameters& parameters, Schedule& out) {
+void order_brio(Team& team, const PointSet& points, const OrderParameters& parameters,
+                Schedule& out) {
     const std::size_t n = points.size;
     const RandomRounds rounds(n, parameters.round_ratio, parameters.seed);
     const unsigned count = rounds.count();
@@ -21,7 +22,7 @@ void order_brio(const PointSet& points, const OrderParameters& parameters, Sched
         next[r] = begin;
         begin += size;
     }
-    const CurveOrder curve = sort_along_curve(points, out.order.allocator());
+    const CurveOrder curve = sort_along_curve(team, points, out.order.allocator());
     for (std::size_t k = 0; k < n; ++k) {
         const std::uint32_t i = curve.index(k);
         out.order[next[rounds.of(i)]++] = i;

@@ -3,7 +3,7 @@
 
 #include "order/hilbert_curve.hpp"
 #include "order/lattice.hpp"
-#include "order/radix.hpp"
+#include "order/team_radix.hpp"
 
 namespace mgdt {
 namespace {
@@ -15,36 +15,52 @@ namespace {
 class CurveSorter {
   public:
     CurveSorter(const PointSet& points, CurveOrder& order, Buffer<std::uint64_t>& scratch) noexcept
-        : points_(points), order_(order), words_(order.words.data()), scratch_(scratch.data()) {
+        : points_(points),
+          order_(order),
+          allocator_(order.words.allocator()),
+          words_(order.words.data()),
+          scratch_(scratch.data()) {
         index_bits_ = bit_width(order.index_mask);
         steps_ = (64 - index_bits_) / (3 * HilbertCurve::levels_per_step);
         if (steps_ > most_steps) steps_ = most_steps;
     }
 
     // Each call divides the extent by 2^9 at least, so calls nest at most (1024 + 1074) / 9 deep.
-    void sort(std::size_t begin, std::size_t end, const Box& box, unsigned state, unsigned depth) {
-        if (depth > order_.levels) order_.levels = depth;
+    void sort(Team& team, std::size_t begin, std::size_t end, const Box& box, unsigned state,
+              unsigned depth) {
+        unsigned deepest = levels_;
+        while (depth > deepest && !levels_.compare_exchange_weak(deepest, depth)) {
+        }
         const unsigned levels = HilbertCurve::levels_per_step * steps_;
         const Lattice lattice = Lattice::cubes(points_, box, 1u << levels);
-        for (std::size_t k = begin; k < end; ++k) {
-            unsigned to = state;
-            const std::uint64_t index = words_[k] & order_.index_mask;
-            words_[k] = key(lattice, index, to) << index_bits_ | index;
-        }
-        radix_sort(words_ + begin, scratch_ + begin, end - begin, index_bits_,
+        std::uint64_t* const words = words_ + begin;
+        team.split(end - begin, share, [&](std::size_t first, std::size_t last, unsigned) {
+            for (std::size_t k = first; k < last; ++k) {
+                unsigned to = state;
+                const std::uint64_t index = words[k] & order_.index_mask;
+                words[k] = key(lattice, index, to) << index_bits_ | index;
+            }
+        });
+        radix_sort(team, allocator_, words, scratch_ + begin, end - begin, index_bits_,
                    index_bits_ + 3 * levels);
-        for (std::size_t k = begin; k < end;) {
-            std::size_t next = k + 1;
-            while (next < end && words_[next] >> index_bits_ == words_[k] >> index_bits_) ++next;
-            if (next - k > crowd) refine(k, next, lattice, state, depth);
-            k = next;
-        }
+        Runs(allocator_)
+            .for_each(
+                team, end - begin, crowd + 1,
+                [&](std::size_t i, std::size_t j) {
+                    return words[i] >> index_bits_ == words[j] >> index_bits_;
+                },
+                [&](Team& t, std::size_t first, std::size_t last) {
+                    refine(t, begin + first, begin + last, lattice, state, depth);
+                });
     }
+
+    unsigned levels() const noexcept { return levels_; }
 
   private:
     static constexpr unsigned most_steps = 5;
     // So many points in a finest cell may stay as they are.
     static constexpr std::size_t crowd = 8;
+    static constexpr std::size_t share = 32768;
 
     std::uint64_t key(const Lattice& lattice, std::uint64_t index, unsigned& state) const noexcept {
         const auto i = static_cast<std::size_t>(index);
@@ -52,32 +68,38 @@ class CurveSorter {
                                  lattice.step(points_, i, 2), steps_, state);
     }
 
-    void refine(std::size_t begin, std::size_t end, const Lattice& lattice, unsigned state,
-                unsigned depth) {
+    void refine(Team& team, std::size_t begin, std::size_t end, const Lattice& lattice,
+                unsigned state, unsigned depth) {
         const Box box =
             box_of(points_, end - begin, [&](std::size_t j) { return order_.index(begin + j); });
         if (!(box.longest() > 0)) return;  // one point repeated
         key(lattice, order_.index(begin), state);
-        sort(begin, end, box, state, depth + 1);
+        sort(team, begin, end, box, state, depth + 1);
     }
 
     const PointSet& points_;
-    CurveOrder& order_;
+    const CurveOrder& order_;
+    Allocator& allocator_;
     std::uint64_t* words_;
     std::uint64_t* scratch_;
     unsigned index_bits_, steps_;
+    std::atomic<unsigned> levels_{0};
 };
 
 }  // namespace
 
-CurveOrder sort_along_curve(const PointSet& points, Allocator& allocator) {
+CurveOrder sort_along_curve(Team& team, const PointSet& points, Allocator& allocator) {
     const std::size_t n = points.size;
     CurveOrder order{Buffer<std::uint64_t>(allocator, n), 0, 0};
     if (n == 0) return order;
     Buffer<std::uint64_t> scratch(allocator, n);
     order.index_mask = (std::uint64_t{1} << bit_width(n - 1)) - 1;
-    for (std::size_t k = 0; k < n; ++k) order.words[k] = k;
-    CurveSorter(points, order, scratch).sort(0, n, box_of(points), HilbertCurve::first_state, 1);
+    team.split(n, 65536, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t k = begin; k < end; ++k) order.words[k] = k;
+    });
+    CurveSorter sorter(points, order, scratch);
+    sorter.sort(team, 0, n, box_of(points), HilbertCurve::first_state, 1);
+    order.levels = sorter.levels();
     return order;
 }
 

@@ -17,6 +17,6 @@ struct CurveOrder {
     }
 };
 
-CurveOrder sort_along_curve(const PointSet& points, Allocator& allocator);
+CurveOrder sort_along_curve(Team& team, const PointSet& points, Allocator& allocator);
 
 }  // namespace mgdt

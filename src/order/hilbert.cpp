@@ -4,8 +4,8 @@
 
 namespace mgdt {
 
-void order_hilbert(const PointSet& points, const OrderParameters&, Schedule& out) {
-    const CurveOrder curve = sort_along_curve(points, out.order.allocator());
+void order_hilbert(Team& team, const PointSet& points, const OrderParameters&, Schedule& out) {
+    const CurveOrder curve = sort_along_curve(team, points, out.order.allocator());
     for (std::size_t k = 0; k < points.size; ++k) out.order[k] = curve.index(k);
     out.levels = curve.levels;
 }

@@ -3,7 +3,7 @@
 
 namespace mgdt {
 
-void order_input(const PointSet& points, const OrderParameters&, Schedule& out) {
+void order_input(Team&, const PointSet& points, const OrderParameters&, Schedule& out) {
     for (std::size_t i = 0; i < points.size; ++i) out.order[i] = static_cast<std::uint32_t>(i);
 }
 

@@ -38,7 +38,7 @@ void sort_by_axis(const PointSet& points, KeyedIndex* a, KeyedIndex* scratch, st
 
 }  // namespace
 
-void order_lexicographic(const PointSet& points, const OrderParameters&, Schedule& out) {
+void order_lexicographic(Team&, const PointSet& points, const OrderParameters&, Schedule& out) {
     const std::size_t n = points.size;
     Allocator& allocator = out.order.allocator();
     Buffer<KeyedIndex> records(allocator, n), scratch(allocator, n);

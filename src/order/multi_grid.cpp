@@ -201,7 +201,8 @@ class Separation {
 
 }  // namespace
 
-void order_multi_grid(const PointSet& points, const OrderParameters& parameters, Schedule& out) {
+void order_multi_grid(Team&, const PointSet& points, const OrderParameters& parameters,
+                      Schedule& out) {
     MultiGrid grids(points, parameters, out);
     const Buffer<std::uint32_t>& rank = grids.sort();
     if (parameters.separation) Separation(points, parameters, out, rank).apply();

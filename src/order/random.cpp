@@ -8,7 +8,7 @@
 namespace mgdt {
 
 // Fisher and Yates' shuffle.
-void order_random(const PointSet& points, const OrderParameters& parameters, Schedule& out) {
+void order_random(Team&, const PointSet& points, const OrderParameters& parameters, Schedule& out) {
     Random random(parameters.seed);
     for (std::size_t i = 0; i < points.size; ++i) out.order[i] = static_cast<std::uint32_t>(i);
     for (std::size_t left = points.size; left > 1; --left) {

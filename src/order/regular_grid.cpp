@@ -5,7 +5,8 @@
 namespace mgdt {
 
 // A counting sort by cell; points of one cell keep their order.
-void order_regular_grid(const PointSet& points, const OrderParameters& parameters, Schedule& out) {
+void order_regular_grid(Team&, const PointSet& points, const OrderParameters& parameters,
+                        Schedule& out) {
     const std::size_t n = points.size;
     if (n == 0) return;
     const double per_cell = parameters.points_per_cell > 0 ? parameters.points_per_cell : 8;

@@ -35,13 +35,13 @@ OrderScheme* find(std::int32_t scheme) noexcept {
 
 }  // namespace
 
-void make_schedule(const PointSet& points, std::int32_t scheme, const OrderParameters& parameters,
-                   Schedule& out) {
+void make_schedule(Team& team, const PointSet& points, std::int32_t scheme,
+                   const OrderParameters& parameters, Schedule& out) {
     out.rounds.clear();
     out.hints.clear();
     out.levels = 0;
     out.order.resize(points.size);
-    find(scheme)(points, parameters, out);
+    find(scheme)(team, points, parameters, out);
     if (out.rounds.empty()) out.rounds.push_back(0);
 }
 

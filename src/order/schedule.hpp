@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "parallel/team.hpp"
 #include "platform/memory.hpp"
 
 namespace mgdt {
@@ -50,7 +51,7 @@ struct Schedule {
 
 // Fills a schedule with one of the MGDT_ORDER_ schemes. At most 2^32 - 2 points. Deterministic:
 // a function of the points, the parameters and nothing else.
-void make_schedule(const PointSet& points, std::int32_t scheme, const OrderParameters& parameters,
-                   Schedule& out);
+void make_schedule(Team& team, const PointSet& points, std::int32_t scheme,
+                   const OrderParameters& parameters, Schedule& out);
 
 }  // namespace mgdt

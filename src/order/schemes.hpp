@@ -7,7 +7,8 @@
 
 namespace mgdt {
 
-using OrderScheme = void(const PointSet& points, const OrderParameters& parameters, Schedule& out);
+using OrderScheme = void(Team& team, const PointSet& points, const OrderParameters& parameters,
+                         Schedule& out);
 
 OrderScheme order_auto;
 OrderScheme order_input;

@@ -4,9 +4,11 @@
 
 #if defined(__GNUC__)
 #define MGDT_ALWAYS_INLINE inline __attribute__((always_inline))
+#define MGDT_LIKELY(condition) __builtin_expect(!!(condition), 1)
 #define MGDT_UNLIKELY(condition) __builtin_expect(!!(condition), 0)
 #else
 #define MGDT_ALWAYS_INLINE inline
+#define MGDT_LIKELY(condition) (condition)
 #define MGDT_UNLIKELY(condition) (condition)
 #endif
 

@@ -109,6 +109,8 @@ void Checker::adjacency() const {
             if (m >= mesh_.tetrahedra.size() || tet(m).is_dead())
                 reject(id, "a neighbour does not exist");
             if (tet(m).n[g] != 4 * id + f) reject(id, "a neighbour does not return the adjacency");
+            if (t.v[f == 0] != tet(m).v[g == 0])
+                reject(id, "a shared facet has different newest vertices");
             // Seen from m the facet turns the other way.
             VertexId mine[3], theirs[3];
             for (int i = 0; i < 3; ++i) {

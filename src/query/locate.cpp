@@ -45,11 +45,13 @@ TetId Locator::end(const double* q, const LocationWalk& walk, TetId& hint) const
     hint = walk.tetrahedron;
     if (walk.is_certain) return hint;
     Counters unused;
+    const auto anywhere = [](const Tetrahedron&) { return true; };
     double p[3];
     if (scale_exactly(q, p))
-        hint = walk_exact(mesh, hint, p, unused);
+        hint = walk_exact(mesh, hint, p, unused, anywhere,
+                          [&](VertexId v, double*) { return mesh.point(v); });
     else  // it has no exact scaled place: walk on the caller's coordinates
-        hint = walk_exact(mesh, hint, q, unused, [&](VertexId v, double* room) {
+        hint = walk_exact(mesh, hint, q, unused, anywhere, [&](VertexId v, double* room) {
             unscaled(v, room);
             return static_cast<const double*>(room);
         });

@@ -20,12 +20,23 @@ static const mgdt_status statuses[] = {MGDT_OK,
                                        MGDT_ERR_CHECK_FAILED,
                                        MGDT_ERR_INTERNAL};
 
-static const int32_t stats[] = {
-    MGDT_STAT_POINTS_INSERTED,    MGDT_STAT_DUPLICATES,       MGDT_STAT_WALK_STEPS,
-    MGDT_STAT_WALK_TESTS,         MGDT_STAT_CONFLICT_TESTS,   MGDT_STAT_TETRAHEDRA_REMOVED,
-    MGDT_STAT_TETRAHEDRA_CREATED, MGDT_STAT_EXACT_CALLS,      MGDT_STAT_ORDER_SECONDS,
-    MGDT_STAT_INSERT_SECONDS,     MGDT_STAT_GRID_LEVELS,      MGDT_STAT_ROUNDS,
-    MGDT_STAT_MEMORY_BYTES,       MGDT_STAT_PEAK_MEMORY_BYTES};
+static const int32_t stats[] = {MGDT_STAT_POINTS_INSERTED,
+                                MGDT_STAT_DUPLICATES,
+                                MGDT_STAT_WALK_STEPS,
+                                MGDT_STAT_WALK_TESTS,
+                                MGDT_STAT_CONFLICT_TESTS,
+                                MGDT_STAT_TETRAHEDRA_REMOVED,
+                                MGDT_STAT_TETRAHEDRA_CREATED,
+                                MGDT_STAT_EXACT_CALLS,
+                                MGDT_STAT_ORDER_SECONDS,
+                                MGDT_STAT_INSERT_SECONDS,
+                                MGDT_STAT_GRID_LEVELS,
+                                MGDT_STAT_ROUNDS,
+                                MGDT_STAT_MEMORY_BYTES,
+                                MGDT_STAT_PEAK_MEMORY_BYTES,
+                                MGDT_STAT_PUT_OFF,
+                                MGDT_STAT_INSERTED_ALONE,
+                                MGDT_STAT_THREADS};
 
 static void status_strings(void) {
     const char* unknown = mgdt_status_string(12345);

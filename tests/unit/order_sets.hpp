@@ -67,7 +67,8 @@ inline Result schedule(const PointSet& points, std::int32_t scheme,
                        const OrderParameters& parameters = {}, Allocator* allocator = nullptr) {
     Allocator own;
     Schedule out(allocator ? *allocator : own);
-    make_schedule(points, scheme, parameters, out);
+    Team team;
+    make_schedule(team, points, scheme, parameters, out);
     Result result;
     result.order.assign(out.order.begin(), out.order.end());
     result.rounds.assign(out.rounds.begin(), out.rounds.end());

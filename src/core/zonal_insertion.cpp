@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+#include "core/zonal_insertion.hpp"
+
+#include <algorithm>
+
+namespace mgdt {
+namespace {
+
+// Points between two times that a thread gives its blocks back.
+constexpr std::size_t piece_size = 32;
+// Of so many tries a thread looks how many failed: with more than one in eight it leaves the rest
+// of the round to the others.
+constexpr std::size_t trial = 1024;
+// A point further along the schedule than that is not walked to from the last one.
+constexpr std::size_t far_away = 512;
+constexpr std::uint32_t most_slots_at_once = 16384;
+
+#if defined(__GNUC__) && defined(__SANITIZE_THREAD__)
+#define MGDT_UNSANITIZED __attribute__((no_sanitize_thread, noinline))
+#else
+#define MGDT_UNSANITIZED
+#endif
+
+// The vertices of a tetrahedron that another thread may be changing. They are believed only when
+// they are read again, the same, by who owns all of them: then nobody has been changing them.
+MGDT_UNSANITIZED void read_unowned(const Tetrahedron& t, VertexId v[4]) {
+    const volatile VertexId* const from = t.v;
+    for (unsigned i = 0; i < 4; ++i) v[i] = from[i];
+}
+
+}  // namespace
+
+struct Triangulation::ZonalInsertion::Member {
+    Member(Mesh& mesh, BlockOwners& owners, std::uint8_t who, SlotSupply& supply,
+           Workspace* of_handle)
+        : territory(mesh, owners, who, supply),
+          own(mesh.vertices.allocator()),
+          workspace(of_handle ? *of_handle : own),
+          put_off(mesh.vertices.allocator()),
+          left(mesh.vertices.allocator()) {}
+
+    Territory territory;
+    Workspace own;
+    Workspace& workspace;
+    TetId here = no_tetrahedron;  // a tetrahedron that is mine, where walks start
+    std::size_t last = 0;         // position of the point inserted last
+    Buffer<std::uint32_t> put_off, left;
+    std::size_t tries = 0, failures = 0;  // of the trial that goes on
+    std::uint64_t inserted = 0, duplicates = 0, times_put_off = 0;
+};
+
+Triangulation::ZonalInsertion::ZonalInsertion(Triangulation& t, Team& team, const Batch& batch,
+                                              const Schedule& schedule, std::size_t base,
+                                              bool may_stop)
+    : t_(t),
+      team_(team),
+      batch_(batch),
+      schedule_(schedule),
+      base_(base),
+      may_stop_(may_stop),
+      owners_(t.allocator_, base + batch.points.size, t.settings_.pause),
+      supply_(t.mesh_, static_cast<std::uint32_t>(std::min<std::size_t>(
+                           most_slots_at_once, 64 + batch.points.size / (4 * team.size())))),
+      left_(t.allocator_) {
+    const std::size_t bytes = team.size() * sizeof(Member);
+    members_ = static_cast<Member*>(t.allocator_.allocate(bytes, alignof(Member)));
+    for (; member_count_ < team.size(); ++member_count_)
+        new (members_ + member_count_)
+            Member(t.mesh_, owners_, static_cast<std::uint8_t>(member_count_ + 1), supply_,
+                   member_count_ == 0 ? &t.workspace_ : nullptr);
+}
+
+Triangulation::ZonalInsertion::~ZonalInsertion() {
+    for (unsigned m = 0; m < member_count_; ++m) {
+        if (m > 0) t_.workspace_.counters += members_[m].own.counters;
+        t_.statistics_.points_inserted += members_[m].inserted;
+        t_.statistics_.duplicates += members_[m].duplicates;
+        t_.statistics_.put_off += members_[m].times_put_off;
+        members_[m].~Member();
+    }
+    t_.allocator_.release(members_, team_.size() * sizeof(Member), alignof(Member));
+}
+
+void Triangulation::ZonalInsertion::run(std::size_t done) {
+    done_ = done;
+    const std::size_t n = batch_.points.size;
+    for (std::size_t r = 0; r < schedule_.rounds.size(); ++r) {
+        const std::size_t begin = std::max<std::size_t>(schedule_.rounds[r], done);
+        const std::size_t end = r + 1 < schedule_.rounds.size() ? schedule_.rounds[r + 1] : n;
+        if (begin < end) insert_round(begin, end);
+    }
+}
+
+void Triangulation::ZonalInsertion::insert_round(std::size_t begin, std::size_t end) {
+    const std::size_t share = t_.settings_.points_a_thread;
+    unsigned members = team_.members_for(end - begin, share);
+    Items items{begin, end - begin, nullptr};
+    Buffer<std::uint32_t> list(t_.allocator_);
+    while (members > 1) {
+        insert_together(items, members);
+        if (no_slots_) {
+            Mesh& mesh = t_.mesh_;
+            const std::size_t more = members * std::size_t{2} * most_slots_at_once;
+            try {
+                mesh.reserve_tetrahedra(mesh.tetrahedra.capacity() + more);
+            } catch (...) {
+                members = 1;  // with one thread there is no waste, and it tells what is wrong
+            }
+        }
+        // What is left is where threads met: fewer will meet less.
+        if (!no_slots_) members /= 2;
+        list = std::move(left_);
+        left_ = Buffer<std::uint32_t>(t_.allocator_);
+        std::sort(list.begin(), list.end());
+        items = {0, list.size(), list.data()};
+        members = std::min(members, team_.members_for(items.size, share));
+    }
+    for (std::size_t i = 0; i < items.size; ++i) {
+        if (i % 1024 == 0) poll(done_);
+        insert_alone(items[i], i > 0 && items[i] - items[i - 1] < far_away);
+    }
+}
+
+void Triangulation::ZonalInsertion::insert_together(const Items& items, unsigned members) {
+    const std::size_t piece =
+        std::min(piece_size, std::max<std::size_t>(1, items.size / (members * 4)));
+    WorkQueue queue(items.size, piece, members);
+    stop_ = no_slots_ = false;
+    active_ = members;
+    supply_.open();
+    try {
+        team_.run(members, [&](unsigned m) { work(members_[m], queue, items); });
+    } catch (...) {
+        settle(members, queue, items);
+        throw;
+    }
+    settle(members, queue, items);
+    poll(done_);
+}
+
+// When the threads are done: hands to the mesh what was theirs, and lists the points that are left.
+void Triangulation::ZonalInsertion::settle(unsigned members, WorkQueue& queue, const Items& items) {
+    supply_.close();
+    Mesh& mesh = t_.mesh_;
+    for (unsigned m = 0; m < members; ++m) {
+        Territory& territory = members_[m].territory;
+        territory.settle();
+        mesh.ghost_count += static_cast<std::size_t>(territory.ghosts);
+        territory.ghosts = 0;
+        // Of the last ones made by each thread, the last of all is there.
+        const TetId ghost = territory.a_ghost;
+        if (ghost != no_tetrahedron && !mesh.tetrahedra[ghost].is_dead() &&
+            mesh.tetrahedra[ghost].is_ghost())
+            mesh.a_ghost = ghost;
+    }
+    for (unsigned m = 0; m < members; ++m) {
+        for (const std::uint32_t k : members_[m].left) left_.push_back(k);
+        members_[m].left.clear();
+    }
+    unsigned from = 0;
+    for (WorkQueue::Piece piece; queue.next(0, from, piece);)
+        for (std::size_t i = piece.begin; i < piece.end; ++i)
+            left_.push_back(static_cast<std::uint32_t>(items[i]));
+}
+
+void Triangulation::ZonalInsertion::work(Member& member, WorkQueue& queue, const Items& items) {
+    const unsigned number = static_cast<unsigned>(&member - members_);
+    struct GiveBack {
+        ZonalInsertion& z;
+        Member& member;
+        ~GiveBack() {
+            member.here = no_tetrahedron;
+            z.give_back(member);
+        }
+    } at_the_end{*this, member};
+    unsigned from = number;
+    try {
+        for (WorkQueue::Piece piece; !stop_ && queue.next(number, from, piece);) {
+            const std::size_t size = piece.end - piece.begin;
+            for (std::size_t i = 0; i < size; ++i) {
+                const std::size_t k = items[piece.is_stolen ? piece.end - 1 - i : piece.begin + i];
+                if (!try_insert(member, k)) member.put_off.push_back(static_cast<std::uint32_t>(k));
+            }
+            give_back(member);
+            const std::size_t failures = stop_ ? 0 : member.put_off.size();
+            member.times_put_off += failures;
+            std::size_t left = 0;
+            while (!member.put_off.empty()) {
+                const std::uint32_t k = member.put_off.back();
+                member.put_off.pop_back();
+                if (try_insert(member, k)) continue;
+                member.left.push_back(k);
+                ++left;
+            }
+            give_back(member);
+            const std::size_t done = done_.fetch_add(size - left) + size - left;
+            if (number == 0) poll(done);
+            if (is_too_crowded(member, size, failures)) return;
+        }
+    } catch (...) {
+        stop_ = true;
+        throw;
+    }
+}
+
+bool Triangulation::ZonalInsertion::is_too_crowded(Member& member, std::size_t tries,
+                                                   std::size_t failures) {
+    member.tries += tries;
+    member.failures += failures;
+    if (member.tries < trial) return false;
+    const bool is_crowded = member.failures > member.tries / 8;
+    member.tries = member.failures = 0;
+    if (!is_crowded) return false;
+    // The last one stays.
+    unsigned active = active_;
+    while (active > 1)
+        if (active_.compare_exchange_weak(active, active - 1)) return true;
+    return false;
+}
+
+bool Triangulation::ZonalInsertion::try_insert(Member& member, std::size_t k) {
+    if (stop_.load(std::memory_order_relaxed)) return false;
+    const VertexId q = vertex(k);
+    Territory& territory = member.territory;
+    if (!territory.enter(q)) return false;
+    const std::size_t distance = k > member.last ? k - member.last : member.last - k;
+    if ((member.here == no_tetrahedron || distance > far_away) && !arrive(member, k)) return false;
+    Insertion result;
+    try {
+        result =
+            t_.kernel_->insert_among_others(t_.mesh_, member.workspace, territory, q, member.here);
+    } catch (const SlotSupply::NoSlots&) {
+        no_slots_ = true;
+        stop_ = true;
+        return false;
+    }
+    if (result.tetrahedron == no_tetrahedron) return false;
+    if (result.duplicate != infinite_vertex && !territory.enter(result.duplicate)) return false;
+    member.here = result.tetrahedron;
+    member.last = k;
+    const bool is_new = t_.note_insertion(q, result);
+    member.inserted += is_new;
+    member.duplicates += !is_new;
+    return true;
+}
+
+// Calls f with earlier positions that are probably near that of k, until it returns true.
+template <class F>
+bool Triangulation::ZonalInsertion::for_nearby_positions(std::size_t k, F f) const {
+    constexpr std::size_t tries = 16;
+    const Buffer<std::uint32_t>& rounds = schedule_.rounds;
+    const std::size_t r = static_cast<std::size_t>(
+        std::upper_bound(rounds.begin(), rounds.end(), static_cast<std::uint32_t>(k)) -
+        rounds.begin());
+    if (r <= 1) {
+        for (std::size_t i = 1; i <= tries && i <= k; ++i)
+            if (f(k - i)) return true;
+        return false;
+    }
+    // The round before goes along the same way.
+    const std::size_t end = r < rounds.size() ? rounds[r] : batch_.points.size;
+    const std::size_t begin = rounds[r - 1], before = rounds[r - 2];
+    const double share = static_cast<double>(k - begin) / static_cast<double>(end - begin);
+    const std::size_t size = begin - before;
+    const std::size_t there = static_cast<std::size_t>(share * static_cast<double>(size));
+    for (std::size_t i = 0; i < tries; ++i) {
+        const std::size_t at = i % 2 == 0 ? there + i / 2 : there - (i + 1) / 2;
+        if (at < size && f(before + at)) return true;
+    }
+    return false;
+}
+
+// Makes a tetrahedron near point k this thread's, to walk from. Whether that could be.
+bool Triangulation::ZonalInsertion::arrive(Member& member, std::size_t k) {
+    const Mesh& mesh = t_.mesh_;
+    Territory& territory = member.territory;
+    return for_nearby_positions(k, [&](std::size_t position) {
+        const VertexId near = vertex(position);
+        if (!territory.enter(near)) return false;
+        const TetId t = mesh.vertices[near].near;
+        if (t == no_tetrahedron) return false;
+        VertexId first[4], again[4];
+        read_unowned(mesh.tetrahedra[t], first);
+        if (first[0] == infinite_vertex) return false;
+        if (!territory.enter(first)) return false;
+        read_unowned(mesh.tetrahedra[t], again);
+        if (!std::equal(first, first + 4, again)) return false;
+        member.here = t;
+        member.workspace.slot_count = 0;
+        return true;
+    });
+}
+
+// Gives all blocks back but those of the place where the thread is.
+void Triangulation::ZonalInsertion::give_back(Member& member) {
+    member.workspace.slot_count = 0;  // the last star is not wholly mine any more
+    Claim& claim = member.territory.claim;
+    const VertexId* const here =
+        member.here == no_tetrahedron ? nullptr : t_.mesh_.tetrahedra[member.here].v;
+    if (here && member.territory.enter(here)) {
+        claim.give_back(here, 2);
+    } else {
+        member.here = no_tetrahedron;
+        claim.give_back();
+    }
+}
+
+// With no other thread at work. `is_next`: the point inserted last is near.
+void Triangulation::ZonalInsertion::insert_alone(std::size_t k, bool is_next) {
+    const Mesh& mesh = t_.mesh_;
+    TetId start = t_.last_;
+    if (!is_next || k == 0) {
+        const bool is_found = for_nearby_positions(k, [&](std::size_t position) {
+            const TetId near = mesh.vertices[vertex(position)].near;
+            if (near == no_tetrahedron) return false;
+            start = mesh.live_from(near);
+            return true;
+        });
+        if (!is_found) {
+            start = start == no_tetrahedron ? mesh.a_ghost : mesh.live_from(start);
+            if (k == 0)
+                start =
+                    start_of_walk(mesh, t_.tree_for_insertion(base_), start, mesh.point(vertex(k)));
+        }
+        t_.workspace_.slot_count = 0;
+    }
+    const VertexId q = vertex(k);
+    const Insertion result = t_.kernel_->insert(t_.mesh_, t_.workspace_, q, start);
+    t_.last_ = result.tetrahedron;
+    const bool is_new = t_.note_insertion(q, result);
+    members_[0].inserted += is_new;
+    members_[0].duplicates += !is_new;
+    ++t_.statistics_.inserted_alone;
+    ++done_;
+}
+
+// On the calling thread alone.
+void Triangulation::ZonalInsertion::poll(std::size_t done) {
+    if (!may_stop_) return;
+    const std::size_t n = batch_.points.size;
+    if (done >= next_report_) {
+        next_report_ = done + std::max<std::size_t>(n / 100, 1);
+        t_.report(done, n);
+    }
+    t_.stop_if_cancelled(done, n);
+}
+
+}  // namespace mgdt

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Insertion by several threads, each in a zone of its own.
+//
+// A zone is a run of consecutive points of a round: as the schedule follows a curve, it is compact,
+// and zones are equal in points, not in volume. Each thread goes along its zone and keeps the
+// blocks of vertices that it touches for some hundred points (parallel/blocks.hpp). A point that
+// needs a block of another thread is put off, tried again when this thread has given its blocks
+// back, and in the end inserted while nobody else is there. The tetrahedra do not depend on any of
+// this, since the Delaunay triangulation of the points is unique.
+#pragma once
+
+#include "core/batch.hpp"
+#include "kernel/access.hpp"
+#include "parallel/work_queue.hpp"
+
+namespace mgdt {
+
+class Triangulation::ZonalInsertion {
+  public:
+    // Vertices of the batch are in the mesh from `base` on, in the order of the schedule.
+    ZonalInsertion(Triangulation& t, Team& team, const Batch& batch, const Schedule& schedule,
+                   std::size_t base, bool may_stop);
+    ~ZonalInsertion();
+
+    // Inserts all points but the first `done`. Throws as insert_scheduled(); points that are not in
+    // have no tetrahedron near then.
+    void run(std::size_t done);
+
+  private:
+    struct Member;
+    // Positions in the schedule: a range, or those of a list.
+    struct Items {
+        std::size_t begin, size;
+        const std::uint32_t* list;
+        std::size_t operator[](std::size_t i) const { return list ? list[i] : begin + i; }
+    };
+
+    void insert_round(std::size_t begin, std::size_t end);
+    // Inserts items on so many threads and lists those that are left.
+    void insert_together(const Items& items, unsigned members);
+    void work(Member& member, WorkQueue& queue, const Items& items);
+    bool is_too_crowded(Member& member, std::size_t tries, std::size_t failures);
+    bool try_insert(Member& member, std::size_t k);
+    bool arrive(Member& member, std::size_t k);
+    void give_back(Member& member);
+    void settle(unsigned members, WorkQueue& queue, const Items& items);
+    void insert_alone(std::size_t k, bool is_next);
+
+    template <class F>
+    bool for_nearby_positions(std::size_t k, F f) const;
+    VertexId vertex(std::size_t k) const { return static_cast<VertexId>(base_ + k); }
+    void poll(std::size_t done);
+
+    Triangulation& t_;
+    Team& team_;
+    const Batch& batch_;
+    const Schedule& schedule_;
+    const std::size_t base_;
+    const bool may_stop_;
+
+    BlockOwners owners_;
+    SlotSupply supply_;
+    Member* members_ = nullptr;
+    unsigned member_count_ = 0;
+    Buffer<std::uint32_t> left_;
+
+    std::atomic<unsigned> active_{0};    // threads that go on
+    std::atomic<bool> stop_{false};      // all threads end soon
+    std::atomic<bool> no_slots_{false};  // why they do: the storage must grow
+    std::atomic<std::size_t> done_{0};   // positions dealt with
+    std::size_t next_report_ = 0;
+};
+
+}  // namespace mgdt

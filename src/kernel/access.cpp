@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "kernel/access.hpp"
+
+#include <algorithm>
+
+namespace mgdt {
+
+SlotSupply::Stretch SlotSupply::take(std::size_t least) {
+    TetId begin = next_.load(std::memory_order_relaxed);
+    std::size_t size;
+    do {
+        const std::size_t left = mesh_.tetrahedra.capacity() - begin;
+        size = std::min(left, most(least));
+        if (size < least) throw NoSlots();
+    } while (!next_.compare_exchange_weak(begin, begin + static_cast<TetId>(size),
+                                          std::memory_order_relaxed));
+    return {begin, begin + static_cast<TetId>(size)};
+}
+
+void SlotSupply::promise(std::size_t more) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    mesh_.free_slots.grow(mesh_.free_slots.size() + promised_ + more);
+    promised_ += more;
+}
+
+void SlotSupply::take_free(Buffer<TetId>& list, std::size_t most) noexcept {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::size_t count = std::min(most, mesh_.free_slots.size()), size = list.size();
+    list.resize_within_capacity(size + count);
+    for (std::size_t i = 0; i < count; ++i) {
+        list[size + i] = mesh_.free_slots.back();
+        mesh_.free_slots.pop_back();
+    }
+}
+
+void SlotSupply::open() noexcept {
+    next_.store(static_cast<TetId>(mesh_.tetrahedra.size()), std::memory_order_relaxed);
+    promised_ = 0;
+}
+
+void SlotSupply::close() noexcept {
+    const std::size_t size = next_.load(std::memory_order_relaxed);
+    mesh_.tetrahedra.resize_within_capacity(size);
+    mesh_.ready = std::max(mesh_.ready, size);
+}
+
+void Territory::grow_slots(std::size_t taken, std::size_t freed) {
+    const auto make_room = [&](std::size_t free) {
+        if (free <= most_free_) return;
+        const std::size_t more = std::max<std::size_t>(free - most_free_, 1024);
+        free_slots_.grow(most_free_ + more);
+        supply_.promise(more);
+        most_free_ += more;
+    };
+    make_room(slots_left() + freed);
+    if (taken <= slots_left()) return;
+    make_room(slots_left() + 2 * supply_.most(taken) + freed);
+    supply_.take_free(free_slots_, supply_.most(taken));
+    if (taken <= slots_left()) return;
+    const std::size_t needed = taken - slots_left();
+    const SlotSupply::Stretch stretch = supply_.take(needed);
+    // What is left of the last one is listed.
+    while (fresh_ < end_) free_slot(fresh_++);
+    fresh_ = stretch.begin;
+    end_ = stretch.end;
+    mesh_.tetrahedra.prefault(fresh_, end_);
+}
+
+void Territory::settle() noexcept {
+    while (fresh_ < end_) mesh_.free_slot(fresh_++);
+    for (const TetId t : free_slots_) mesh_.free_slot(t);
+    free_slots_.clear();
+    most_free_ = 0;
+}
+
+}  // namespace mgdt

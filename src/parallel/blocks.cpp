@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "parallel/blocks.hpp"
+
+namespace mgdt {
+
+BlockOwners::BlockOwners(Allocator& allocator, std::size_t n, void (*pause)())
+    : allocator_(allocator), pause_(pause) {
+    while (shift_ < most_shift && n >> shift_ > most_blocks) ++shift_;
+    count_ = (n >> shift_) + 1;
+    owners_ = static_cast<Owner*>(allocator_.allocate(count_ * sizeof(Owner), alignof(Owner)));
+    for (std::size_t i = 0; i < count_; ++i) new (owners_ + i) Owner(nobody);
+}
+
+BlockOwners::~BlockOwners() {
+    allocator_.release(owners_, count_ * sizeof(Owner), alignof(Owner));
+}
+
+Claim::Claim(Allocator& allocator, BlockOwners& owners, std::uint8_t who) noexcept
+    : owners_(owners.owners_),
+      shift_(owners.shift_),
+      who_(who),
+      pause_(owners.pause_),
+      held_(allocator) {}
+
+Claim::~Claim() {
+    give_back();
+}
+
+bool Claim::take(std::uint32_t item) noexcept {
+    if (MGDT_UNLIKELY(pause_ != nullptr)) pause_();
+    const std::uint32_t block = item >> shift_;
+    std::uint8_t nobody = BlockOwners::nobody;
+    if (owners_[block].load(std::memory_order_relaxed) != nobody) return false;
+    try {
+        held_.grow(held_.size() + 1);
+    } catch (const std::bad_alloc&) {
+        return false;  // as if it were somebody else's
+    }
+    if (!owners_[block].compare_exchange_strong(nobody, who_, std::memory_order_acquire,
+                                                std::memory_order_relaxed))
+        return false;
+    held_.push_back(block);
+    return true;
+}
+
+void Claim::give_back(const std::uint32_t* kept, std::size_t count) noexcept {
+    std::size_t stay = 0;
+    for (const std::uint32_t block : held_) {
+        bool is_kept = false;
+        for (std::size_t i = 0; i < count; ++i) is_kept = is_kept || kept[i] >> shift_ == block;
+        if (is_kept)
+            held_[stay++] = block;
+        else
+            owners_[block].store(BlockOwners::nobody, std::memory_order_release);
+    }
+    held_.resize_within_capacity(stay);
+    if (MGDT_UNLIKELY(pause_ != nullptr)) pause_();
+}
+
+}  // namespace mgdt

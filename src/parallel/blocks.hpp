@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Who may change what while several threads insert.
+//
+// Every vertex belongs to nobody or to one thread, together with a block of vertices next to it in
+// the order of insertion, which lie near it. A facet is guarded by the newest of its vertices: it
+// belongs to whoever that belongs to. The facets of a tetrahedron have two guards among them, its
+// newest vertex, v[0], and the newest of the other three, which is v[1] (mesh/tetrahedron.hpp). The
+// rule: who changes a tetrahedron owns both, and with them its facets. From that follows what makes
+// plain loads and stores enough:
+//
+// - The neighbour of a tetrahedron that is mine has a facet of mine, hence one of its guards is
+//   mine, and nobody else can change it: it may be tested without owning both. Insertions test no
+//   others. Its link through our facet is mine to write.
+// - A new tetrahedron joins the new vertex, which is mine, to a facet of mine: it is mine.
+// - Giving a block back publishes what was written to whoever takes it next, who must have it
+//   before touching any of that.
+//
+// The vertex at infinity is older than all others and guards nothing. A vertex of early rounds,
+// with tetrahedra far and wide, guards few of them. Blocks are kept for some insertions in one
+// place, so taking them costs little. Nobody waits for a block: a point that needs one of another
+// thread's is put off.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "platform/memory.hpp"
+
+namespace mgdt {
+
+class BlockOwners {
+  public:
+    // Of items 0..n-1, all free. `pause`, if there is one, is called where threads may meet.
+    BlockOwners(Allocator& allocator, std::size_t n, void (*pause)());
+    BlockOwners(const BlockOwners&) = delete;
+    BlockOwners& operator=(const BlockOwners&) = delete;
+    ~BlockOwners();
+
+  private:
+    friend class Claim;
+    using Owner = std::atomic<std::uint8_t>;
+    static_assert(std::is_trivially_destructible_v<Owner>);
+    static constexpr std::uint8_t nobody = 0;
+    // Blocks of 4 items; larger ones where the table would not stay in the cache.
+    static constexpr unsigned least_shift = 2, most_shift = 8;
+    static constexpr std::size_t most_blocks = std::size_t{1} << 20;
+
+    Allocator& allocator_;
+    void (*const pause_)();
+    unsigned shift_ = least_shift;
+    std::size_t count_;
+    Owner* owners_;
+};
+
+// The blocks of one thread.
+class Claim {
+  public:
+    // `who`: 1 to 254, another one for each thread.
+    Claim(Allocator& allocator, BlockOwners& owners, std::uint8_t who) noexcept;
+    Claim(const Claim&) = delete;
+    Claim& operator=(const Claim&) = delete;
+    ~Claim();
+
+    MGDT_ALWAYS_INLINE bool owns(std::uint32_t item) const noexcept {
+        return owners_[item >> shift_].load(std::memory_order_relaxed) == who_;
+    }
+    // Takes the block of an item that is not mine, unless somebody has it.
+    bool take(std::uint32_t item) noexcept;
+    // Gives back all but the blocks of some items.
+    void give_back(const std::uint32_t* kept = nullptr, std::size_t count = 0) noexcept;
+
+  private:
+    BlockOwners::Owner* const owners_;
+    const unsigned shift_;
+    const std::uint8_t who_;
+    void (*const pause_)();
+    Buffer<std::uint32_t> held_;
+};
+
+}  // namespace mgdt

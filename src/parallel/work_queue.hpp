@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Work in a row, dealt to the members of a team so that each goes along its own part, and takes
+// from the end of another's when its own is done.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "parallel/team.hpp"
+
+namespace mgdt {
+
+class WorkQueue {
+  public:
+    struct Piece {
+        std::size_t begin, end;
+        bool is_stolen;  // from the end of another member's part, so the next one lies before it
+    };
+
+    // Items 0..n-1 in pieces of `size`.
+    WorkQueue(std::size_t n, std::size_t size, unsigned members) noexcept
+        : n_(n), size_(size), members_(members) {
+        const std::size_t pieces = (n + size - 1) / size;
+        for (unsigned m = 0; m < members; ++m)
+            parts_[m].ends.store(
+                pack(Team::part(pieces, m, members), Team::part(pieces, m + 1, members)),
+                std::memory_order_relaxed);
+    }
+
+    // The next piece for a member; false if there is none. `from` is the member that it took from
+    // last, itself at first.
+    bool next(unsigned member, unsigned& from, Piece& piece) noexcept {
+        for (;;) {
+            std::size_t k;
+            if (from == member ? take_first(member, k) : take_last(from, k)) {
+                piece = {k * size_, k * size_ + size_ < n_ ? k * size_ + size_ : n_,
+                         from != member};
+                return true;
+            }
+            // The one who has most left.
+            std::size_t most = 0;
+            for (unsigned m = 0; m < members_; ++m) {
+                const std::size_t left = size_of(parts_[m].ends.load(std::memory_order_relaxed));
+                if (left > most) {
+                    most = left;
+                    from = m;
+                }
+            }
+            if (most == 0) return false;
+        }
+    }
+
+  private:
+    // First and past the last, so that both change at once.
+    static std::uint64_t pack(std::size_t first, std::size_t end) noexcept {
+        return static_cast<std::uint64_t>(first) << 32 | end;
+    }
+    static std::size_t first_of(std::uint64_t ends) noexcept { return ends >> 32; }
+    static std::size_t end_of(std::uint64_t ends) noexcept { return ends & 0xFFFFFFFFu; }
+    static std::size_t size_of(std::uint64_t ends) noexcept {
+        return end_of(ends) - first_of(ends);
+    }
+
+    bool take_first(unsigned member, std::size_t& k) noexcept {
+        std::atomic<std::uint64_t>& ends = parts_[member].ends;
+        std::uint64_t now = ends.load(std::memory_order_relaxed);
+        do {
+            if (size_of(now) == 0) return false;
+            k = first_of(now);
+        } while (
+            !ends.compare_exchange_weak(now, pack(k + 1, end_of(now)), std::memory_order_relaxed));
+        return true;
+    }
+    bool take_last(unsigned member, std::size_t& k) noexcept {
+        std::atomic<std::uint64_t>& ends = parts_[member].ends;
+        std::uint64_t now = ends.load(std::memory_order_relaxed);
+        do {
+            if (size_of(now) == 0) return false;
+            k = end_of(now) - 1;
+        } while (
+            !ends.compare_exchange_weak(now, pack(first_of(now), k), std::memory_order_relaxed));
+        return true;
+    }
+
+    // Each on a cache line of its own.
+    struct alignas(64) Part {
+        std::atomic<std::uint64_t> ends{0};
+    };
+    const std::size_t n_, size_;
+    const unsigned members_;
+    Part parts_[Team::most];
+};
+
+}  // namespace mgdt

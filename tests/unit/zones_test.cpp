@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// Insertion by several threads: whatever they meet, the tetrahedra are those of one thread.
+// The sets are tiny and a thread gets a point or two, so that threads meet all the time; yields
+// where blocks are taken and given back move the meetings about.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include "core/triangulation.hpp"
+#include "platform/error.hpp"
+#include "query/check.hpp"
+#include "query/export.hpp"
+
+namespace mgdt {
+namespace {
+
+bool is_small() {
+    const char* value = std::getenv("MGDT_TEST_SMALL");
+    return value != nullptr && *value != '\0' && *value != '0';
+}
+
+constexpr std::int32_t schemes[] = {
+    MGDT_ORDER_AUTO,          MGDT_ORDER_INPUT,   MGDT_ORDER_RANDOM,
+    MGDT_ORDER_LEXICOGRAPHIC, MGDT_ORDER_BRIO,    MGDT_ORDER_HILBERT,
+    MGDT_ORDER_REGULAR_GRID,  MGDT_ORDER_KD_TREE, MGDT_ORDER_ENHANCED_KD_TREE,
+    MGDT_ORDER_MULTI_GRID};
+
+// Each thread yields at one call in so many, not the same ones in any two rounds.
+std::atomic<unsigned> yield_one_in{0};
+std::atomic<unsigned> pauses{0};
+void pause() {
+    const unsigned one_in = yield_one_in;
+    if (one_in != 0 && pauses.fetch_add(1, std::memory_order_relaxed) % one_in == 0)
+        std::this_thread::yield();
+}
+
+using Points = std::vector<double>;
+
+// A few points whose coordinates are drawn from a few values, or from many.
+Points random_points(std::mt19937_64& random, std::size_t n, unsigned values) {
+    Points xyz(3 * n);
+    for (double& x : xyz) x = static_cast<double>(random() % values);
+    return xyz;
+}
+
+void insert(Triangulation& t, const Points& xyz) {
+    const double* axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
+    t.insert(xyz.size() / 3, axis, 3);
+}
+
+// The tetrahedra and the point map, the same for the same set of points.
+std::vector<std::int64_t> outcome(const Triangulation& t) {
+    std::vector<std::int64_t> all(4 * t.mesh().finite_count() + t.point_map().size());
+    Allocator allocator;
+    const Numbering numbering(allocator, t.mesh(), true);
+    const ExportView view{t.mesh(), &numbering, allocator, 0, true};
+    export_tetrahedra(view, all.data());
+    export_point_map(view, t.point_map(), all.data() + 4 * t.mesh().finite_count());
+    return all;
+}
+
+void expect_valid(const Triangulation& t) {
+    try {
+        check_mesh(t.mesh(), t.point_map(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
+    } catch (const Error& error) {
+        FAIL() << error.message;
+    }
+}
+
+TEST(Zones, SameAsOneThread) {
+    std::mt19937_64 random(20);
+    const unsigned rounds = is_small() ? 60 : 4000;
+    std::uint64_t met = 0;
+    for (unsigned round = 0; round < rounds; ++round) {
+        SCOPED_TRACE("round " + std::to_string(round));
+        const std::size_t n = 20 + random() % (round % 16 == 0 ? 1500 : 150);
+        static constexpr unsigned values[] = {3, 5, 17, 1000000};
+        const Points xyz = random_points(random, n, values[random() % 4]);
+        const std::int32_t scheme = schemes[round % 10];
+        Triangulation alone(nullptr, nullptr, nullptr), together(nullptr, nullptr, nullptr);
+        alone.settings().scheme = scheme;
+        insert(alone, xyz);
+        Settings& settings = together.settings();
+        settings.scheme = scheme;
+        settings.threads = static_cast<std::int32_t>(2 + random() % (round % 64 == 0 ? 30 : 7));
+        settings.points_a_thread = 1 + random() % 20;
+        settings.pause = pause;
+        yield_one_in = random() % 3 == 0 ? 0 : 1 + static_cast<unsigned>(random() % 9);
+        // In one batch, or in two.
+        const std::size_t split = round % 3 == 0 ? 3 * (random() % n) : 0;
+        insert(together, Points(xyz.begin(), xyz.begin() + static_cast<std::ptrdiff_t>(split)));
+        insert(together, Points(xyz.begin() + static_cast<std::ptrdiff_t>(split), xyz.end()));
+        ASSERT_EQ(outcome(together), outcome(alone)) << mgdt_order_scheme_name(scheme);
+        ASSERT_EQ(together.vertex_count(), alone.vertex_count());
+        ASSERT_EQ(together.statistics().points_inserted, alone.statistics().points_inserted);
+        ASSERT_EQ(together.statistics().duplicates, alone.statistics().duplicates);
+        if (round % 8 == 0) expect_valid(together);
+        met += together.statistics().put_off;
+    }
+    // The test is about threads that meet.
+    EXPECT_GT(met, rounds);
+}
+
+// The storage has to grow while threads insert, many times.
+TEST(Zones, StorageGrows) {
+    std::mt19937_64 random(21);
+    const std::size_t n = is_small() ? 400 : 3000;
+    // On the moment curve every two neighbours are joined to all others: n^2 / 2 tetrahedra.
+    Points xyz;
+    for (std::size_t i = 0; i < n / 4; ++i) {
+        const double x = static_cast<double>(i);
+        for (const double c : {x, x * x, x * x * x}) xyz.push_back(c);
+    }
+    Triangulation alone(nullptr, nullptr, nullptr), together(nullptr, nullptr, nullptr);
+    insert(alone, xyz);
+    together.settings().threads = 4;
+    together.settings().points_a_thread = 8;
+    insert(together, xyz);
+    EXPECT_EQ(outcome(together), outcome(alone));
+    expect_valid(together);
+}
+
+// Cancelled or out of memory, at any moment: a valid triangulation of the points that got in, and
+// the rest can be given again.
+void expect_rest_can_follow(Triangulation& t, const Points& xyz) {
+    expect_valid(t);
+    std::size_t in = 0;
+    for (const VertexId v : t.point_map()) in += v != infinite_vertex;
+    EXPECT_EQ(in, t.statistics().points_inserted + t.statistics().duplicates);
+    Triangulation alone(nullptr, nullptr, nullptr);
+    insert(alone, xyz);
+    insert(t, xyz);
+    EXPECT_EQ(t.vertex_count(), alone.vertex_count());
+    EXPECT_EQ(t.mesh().finite_count(), alone.mesh().finite_count());
+    expect_valid(t);
+}
+
+void settle_for_threads(Triangulation& t, std::int32_t threads) {
+    t.settings().threads = threads;
+    t.settings().points_a_thread = 16;
+}
+
+TEST(Zones, Cancelled) {
+    std::mt19937_64 random(22);
+    const Points xyz = random_points(random, is_small() ? 600 : 4000, 1000000);
+    for (int stop = 1; stop < 100; stop += is_small() ? 40 : 4) {
+        SCOPED_TRACE(stop);
+        Triangulation t(nullptr, nullptr, nullptr);
+        settle_for_threads(t, 4);
+        struct Count {
+            int left;
+            std::thread::id caller;
+            bool is_elsewhere;
+        } count{stop, std::this_thread::get_id(), false};
+        t.settings().progress_user = &count;
+        t.settings().progress = [](double, void* user) -> std::int32_t {
+            Count& c = *static_cast<Count*>(user);
+            c.is_elsewhere = c.is_elsewhere || std::this_thread::get_id() != c.caller;
+            return --c.left == 0;
+        };
+        mgdt_status status = MGDT_OK;
+        try {
+            insert(t, xyz);
+        } catch (const Error& error) {
+            status = error.status;
+        }
+        // A request that comes with the last report has nothing to stop.
+        EXPECT_TRUE(status == MGDT_ERR_CANCELLED || count.left >= 0);
+        EXPECT_FALSE(count.is_elsewhere);
+        t.settings().progress = nullptr;
+        expect_rest_can_follow(t, xyz);
+    }
+}
+
+// Every allocation after the k-th fails, for k = 1, 2, ... until none is left to fail.
+std::atomic<long> allocations_left{0};
+void* scarce(std::size_t size, std::size_t align, void*) {
+    if (allocations_left.fetch_sub(1) <= 0) return nullptr;
+    return std::aligned_alloc(align, (size + align - 1) / align * align);
+}
+void give_back(void* p, std::size_t, std::size_t, void*) {
+    std::free(p);
+}
+
+TEST(Zones, OutOfMemory) {
+    std::mt19937_64 random(23);
+    const Points first = random_points(random, 40, 1000000),
+                 xyz = random_points(random, is_small() ? 200 : 800, 1000000);
+    bool is_done = false;
+    for (long k = 0; !is_done; k += is_small() ? 9 : 1) {
+        SCOPED_TRACE(k);
+        ASSERT_LT(k, 100000);
+        allocations_left = 1000000;
+        Triangulation t(scarce, give_back, nullptr);
+        settle_for_threads(t, 3);
+        insert(t, first);  // space is spanned before memory is short
+        allocations_left = k;
+        try {
+            insert(t, xyz);
+            is_done = true;
+        } catch (const std::bad_alloc&) {
+        }
+        allocations_left = 1000000;
+        expect_rest_can_follow(t, [&] {
+            Points all = first;
+            all.insert(all.end(), xyz.begin(), xyz.end());
+            return all;
+        }());
+    }
+}
+
+// More threads than the system gives, than there are cores, than there are points.
+TEST(Zones, ManyThreads) {
+    std::mt19937_64 random(24);
+    const Points xyz = random_points(random, 300, 1000);
+    Triangulation alone(nullptr, nullptr, nullptr);
+    insert(alone, xyz);
+    for (const std::int32_t threads : {0, 16, 64, 254, 1000}) {
+        Triangulation t(nullptr, nullptr, nullptr);
+        t.settings().threads = threads;
+        t.settings().points_a_thread = 1;
+        insert(t, xyz);
+        EXPECT_EQ(outcome(t), outcome(alone));
+        EXPECT_LE(t.statistics().threads, 254);
+    }
+}
+
+}  // namespace
+}  // namespace mgdt
