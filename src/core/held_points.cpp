@@ -43,7 +43,7 @@ VertexId HeldPoints::add(Mesh& mesh, const double* p, std::uint32_t index) noexc
         if (there[0] == p[0] && there[1] == p[1] && there[2] == p[2]) return table_[h];
     }
     const VertexId v = static_cast<VertexId>(mesh.vertices.size());
-    mesh.vertices.push_back(Vertex{{p[0], p[1], p[2]}, index, no_tetrahedron});
+    mesh.vertices.push_back(Vertex{{p[0], p[1], p[2]}, index, 0});
     enter(mesh, v);
     return v;
 }

@@ -65,9 +65,11 @@ void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule
                                   std::size_t base) {
     const std::size_t size = batch.points.size;
     mesh_.vertices.resize(base + size);
+    mesh_.near.resize(base + size);
     std::atomic<bool> has_extremes{false};
     team.split(size, 8192, [&](std::size_t begin, std::size_t end, unsigned) {
         mesh_.vertices.prefault(base + begin, base + end);
+        mesh_.near.prefault(base + begin, base + end);
         constexpr std::size_t ahead = 24;
         bool found = false;
         for (std::size_t k = begin; k < end; ++k) {
@@ -76,7 +78,8 @@ void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule
             Vertex& v = mesh_.vertices[base + k];
             batch.get(i, v.x);
             v.index = batch.index(i);
-            v.near = no_tetrahedron;
+            v.unused = 0;
+            mesh_.near[base + k] = no_tetrahedron;
             if (!in_normal_range(v.x)) found = true;
         }
         if (found) has_extremes = true;
@@ -103,6 +106,7 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
     Stopwatch watch(statistics_.insert_seconds);
     const std::size_t base = fresh ? 1 : mesh_.vertices.size();
     mesh_.vertices.grow(base + n);
+    mesh_.near.grow(base + n);
     try {
         mesh_.reserve_tetrahedra(expected_tetrahedra(base + n, mesh_.slot_limit));
     } catch (const std::bad_alloc&) {
@@ -186,7 +190,7 @@ void Triangulation::make_first_tetrahedra() {
     mesh_.a_ghost = 4;
     last_ = 0;
     for (VertexId i = 1; i <= 4; ++i) {
-        mesh_.vertices[i].near = 0;
+        mesh_.near[i] = 0;
         point_map_[mesh_.vertices[i].index] = i;
     }
     statistics_.points_inserted += 4;
@@ -217,31 +221,29 @@ void Triangulation::extend_location_tree(std::size_t begin) noexcept {
 void Triangulation::close_gaps(std::size_t begin) noexcept {
     const std::size_t end = mesh_.vertices.size();
     VertexId next = static_cast<VertexId>(begin);
-    while (next < end && mesh_.vertices[next].near != no_tetrahedron) ++next;
+    while (next < end && mesh_.near[next] != no_tetrahedron) ++next;
     if (next == end) return;
     const VertexId first_gap = next;
-    // No memory is taken: the new number lies in the old record, where the tetrahedron nearby was,
-    // and that is found anew at the end.
-    for (VertexId v = first_gap; v < end; ++v) {
-        TetId& near = mesh_.vertices[v].near;
-        if (near != no_tetrahedron) near = next++;
-    }
+    // No memory is taken: the new number lies where the tetrahedron nearby was, and that is found
+    // anew at the end.
+    for (VertexId v = first_gap; v < end; ++v)
+        if (mesh_.near[v] != no_tetrahedron) mesh_.near[v] = next++;
     for (Tetrahedron& t : mesh_.tetrahedra) {
         if (t.is_dead()) continue;
         for (VertexId& v : t.v)
-            if (v >= first_gap) v = mesh_.vertices[v].near;
+            if (v >= first_gap) v = mesh_.near[v];
     }
     for (VertexId& v : point_map_)
-        if (v >= first_gap) v = mesh_.vertices[v].near;
+        if (v >= first_gap) v = mesh_.near[v];
     for (VertexId v = first_gap; v < end; ++v) {
-        const Vertex vertex = mesh_.vertices[v];
-        if (vertex.near != no_tetrahedron) mesh_.vertices[vertex.near] = vertex;
+        if (mesh_.near[v] != no_tetrahedron) mesh_.vertices[mesh_.near[v]] = mesh_.vertices[v];
     }
     mesh_.vertices.resize(next);
+    mesh_.near.resize(next);
     for (TetId t = 0; t < mesh_.tetrahedra.size(); ++t) {
         if (mesh_.tetrahedra[t].is_dead()) continue;
         for (const VertexId v : mesh_.tetrahedra[t].v)
-            if (v >= first_gap) mesh_.vertices[v].near = t;
+            if (v >= first_gap) mesh_.near[v] = t;
     }
 }
 
@@ -256,6 +258,7 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
         const std::size_t& in;
         ~Trim() {
             t.mesh_.vertices.resize(base + in);
+            t.mesh_.near.resize(base + in);
             t.extend_location_tree(base);
         }
     } trim{*this, base, in};
@@ -275,33 +278,37 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
         TetId start = last_;
         if (!schedule.hints.empty() && schedule.hints[k] != no_hint)
             start = mesh_.live_from(
-                mesh_.vertices[point_map_[batch.index(schedule.order[schedule.hints[k]])]].near);
+                mesh_.near[point_map_[batch.index(schedule.order[schedule.hints[k]])]]);
         else if (k == 0)
             start = start_of_walk(mesh_, tree, last_, mesh_.point(q));
         const std::uint64_t steps_before = workspace_.counters.walk_steps;
         const Insertion result = kernel_->insert(mesh_, workspace_, q, start);
         if (k == 0) lone_steps_ += workspace_.counters.walk_steps - steps_before;
         last_ = result.tetrahedron;
-        if (note_insertion(q, result)) {
-            ++in;
-            ++statistics_.points_inserted;
-        } else {
-            ++statistics_.duplicates;
-        }
+        note(q, result);
+        if (result.duplicate == infinite_vertex) ++in;
     }
 }
 
-// Enters the outcome in the point map: whether q is a vertex, or a duplicate of one.
-bool Triangulation::note_insertion(VertexId q, const Insertion& result) {
-    const std::uint32_t index = mesh_.vertices[q].index;
+void Triangulation::note(VertexId q, const Insertion& result) {
     if (result.duplicate == infinite_vertex) {
-        point_map_[index] = q;
-        return true;
+        note_vertex(q);
+        ++statistics_.points_inserted;
+    } else {
+        note_repeat(q, result.duplicate);
     }
-    point_map_[index] = result.duplicate;
-    std::uint32_t& least = mesh_.vertices[result.duplicate].index;
+}
+
+void Triangulation::note_vertex(VertexId q) {
+    point_map_[mesh_.vertices[q].index] = q;
+}
+
+void Triangulation::note_repeat(VertexId q, VertexId vertex) {
+    const std::uint32_t index = mesh_.vertices[q].index;
+    point_map_[index] = vertex;
+    std::uint32_t& least = mesh_.vertices[vertex].index;
     least = std::min(least, index);
-    return false;
+    ++statistics_.duplicates;
 }
 
 }  // namespace mgdt

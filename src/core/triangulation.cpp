@@ -41,6 +41,7 @@ void Triangulation::reserve(std::size_t points) {
         fail(MGDT_ERR_TOO_LARGE, "%zu points; at most %zu can be numbered", points, max_points);
     point_map_.reserve(points);
     mesh_.vertices.reserve(points + 1);
+    mesh_.near.reserve(points + 1);
     mesh_.reserve_tetrahedra(expected_tetrahedra(points, mesh_.slot_limit));
 }
 

@@ -93,7 +93,11 @@ class Triangulation {
     void insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
                           std::size_t done, bool may_stop);
     void close_gaps(std::size_t begin) noexcept;
-    bool note_insertion(VertexId q, const Insertion& result);
+    // Enter the outcome of an insertion in the point map and the statistics: q is a vertex, or a
+    // repeat of one.
+    void note(VertexId q, const Insertion& result);
+    void note_vertex(VertexId q);
+    void note_repeat(VertexId q, VertexId vertex);
     void report(std::size_t done, std::size_t total);
     void stop_if_cancelled(std::size_t done, std::size_t total);
 

@@ -36,6 +36,7 @@ struct Triangulation::ZonalInsertion::Member {
         : territory(mesh, owners, who, supply),
           own(mesh.vertices.allocator()),
           workspace(of_handle ? *of_handle : own),
+          repeats(mesh.vertices.allocator()),
           put_off(mesh.vertices.allocator()),
           left(mesh.vertices.allocator()) {}
 
@@ -44,9 +45,15 @@ struct Triangulation::ZonalInsertion::Member {
     Workspace& workspace;
     TetId here = no_tetrahedron;  // a tetrahedron that is mine, where walks start
     std::size_t last = 0;         // position of the point inserted last
+    // Points that have a vertex already. Its index is changed at the end, since others may read
+    // its record.
+    struct Repeat {
+        VertexId q, vertex;
+    };
+    Buffer<Repeat> repeats;
     Buffer<std::uint32_t> put_off, left;
     std::size_t tries = 0, failures = 0;  // of the trial that goes on
-    std::uint64_t inserted = 0, duplicates = 0, times_put_off = 0;
+    std::uint64_t inserted = 0, times_put_off = 0;
 };
 
 Triangulation::ZonalInsertion::ZonalInsertion(Triangulation& t, Team& team, const Batch& batch,
@@ -74,7 +81,6 @@ Triangulation::ZonalInsertion::~ZonalInsertion() {
     for (unsigned m = 0; m < member_count_; ++m) {
         if (m > 0) t_.workspace_.counters += members_[m].own.counters;
         t_.statistics_.points_inserted += members_[m].inserted;
-        t_.statistics_.duplicates += members_[m].duplicates;
         t_.statistics_.put_off += members_[m].times_put_off;
         members_[m].~Member();
     }
@@ -154,6 +160,9 @@ void Triangulation::ZonalInsertion::settle(unsigned members, WorkQueue& queue, c
             mesh.a_ghost = ghost;
     }
     for (unsigned m = 0; m < members; ++m) {
+        for (const Member::Repeat& repeat : members_[m].repeats)
+            t_.note_repeat(repeat.q, repeat.vertex);
+        members_[m].repeats.clear();
         for (const std::uint32_t k : members_[m].left) left_.push_back(k);
         members_[m].left.clear();
     }
@@ -235,12 +244,14 @@ bool Triangulation::ZonalInsertion::try_insert(Member& member, std::size_t k) {
         return false;
     }
     if (result.tetrahedron == no_tetrahedron) return false;
-    if (result.duplicate != infinite_vertex && !territory.enter(result.duplicate)) return false;
     member.here = result.tetrahedron;
     member.last = k;
-    const bool is_new = t_.note_insertion(q, result);
-    member.inserted += is_new;
-    member.duplicates += !is_new;
+    if (result.duplicate == infinite_vertex) {
+        t_.note_vertex(q);
+        ++member.inserted;
+    } else {
+        member.repeats.push_back({q, result.duplicate});
+    }
     return true;
 }
 
@@ -277,7 +288,7 @@ bool Triangulation::ZonalInsertion::arrive(Member& member, std::size_t k) {
     return for_nearby_positions(k, [&](std::size_t position) {
         const VertexId near = vertex(position);
         if (!territory.enter(near)) return false;
-        const TetId t = mesh.vertices[near].near;
+        const TetId t = mesh.near[near];
         if (t == no_tetrahedron) return false;
         VertexId first[4], again[4];
         read_unowned(mesh.tetrahedra[t], first);
@@ -311,7 +322,7 @@ void Triangulation::ZonalInsertion::insert_alone(std::size_t k, bool is_next) {
     TetId start = t_.last_;
     if (!is_next || k == 0) {
         const bool is_found = for_nearby_positions(k, [&](std::size_t position) {
-            const TetId near = mesh.vertices[vertex(position)].near;
+            const TetId near = mesh.near[vertex(position)];
             if (near == no_tetrahedron) return false;
             start = mesh.live_from(near);
             return true;
@@ -327,9 +338,7 @@ void Triangulation::ZonalInsertion::insert_alone(std::size_t k, bool is_next) {
     const VertexId q = vertex(k);
     const Insertion result = t_.kernel_->insert(t_.mesh_, t_.workspace_, q, start);
     t_.last_ = result.tetrahedron;
-    const bool is_new = t_.note_insertion(q, result);
-    members_[0].inserted += is_new;
-    members_[0].duplicates += !is_new;
+    t_.note(q, result);
     ++t_.statistics_.inserted_alone;
     ++done_;
 }

@@ -118,6 +118,7 @@ class Territory {
 
 // The whole mesh is mine.
 struct Alone {
+    static constexpr bool is_shared = false;
     MGDT_ALWAYS_INLINE bool enter(const Tetrahedron&) const noexcept { return true; }
     MGDT_ALWAYS_INLINE bool enter(const FacetCode*, std::uint32_t) const noexcept { return true; }
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
@@ -131,14 +132,13 @@ struct Alone {
         mesh.ghost_count = mesh.ghost_count + made - gone;
     }
     MGDT_ALWAYS_INLINE void made_ghost(TetId t) const noexcept { mesh.a_ghost = t; }
-    MGDT_ALWAYS_INLINE void set_near(VertexId v, TetId t) const noexcept {
-        mesh.vertices[v].near = t;
-    }
+    MGDT_ALWAYS_INLINE void set_near(VertexId v, TetId t) const noexcept { mesh.near[v] = t; }
     Mesh& mesh;
 };
 
 // Other threads insert too.
 struct Shared {
+    static constexpr bool is_shared = true;
     MGDT_ALWAYS_INLINE bool enter(const Tetrahedron& t) const noexcept {
         return territory.enter(t.v);
     }
@@ -157,7 +157,7 @@ struct Shared {
     }
     MGDT_ALWAYS_INLINE void made_ghost(TetId t) const noexcept { territory.a_ghost = t; }
     MGDT_ALWAYS_INLINE void set_near(VertexId v, TetId t) const noexcept {
-        if (territory.claim.owns(v)) mesh.vertices[v].near = t;
+        if (territory.claim.owns(v)) mesh.near[v] = t;
     }
     Mesh& mesh;
     Territory& territory;

@@ -27,6 +27,7 @@ struct CavityStart {
 };
 
 // The arrays of the workspace and how far they are filled.
+template <class Access>
 class CavityFront {
   public:
     MGDT_ALWAYS_INLINE CavityFront(Mesh& mesh, Workspace& w, CavityStart start)
@@ -78,7 +79,9 @@ class CavityFront {
         const std::uint32_t fresh = opaque(conflict & ~(second >> 31));
         cavity_[members] = code;
         corners_[members] = t.v[code & 3];
-        t.v[1] = second | (fresh << 31);
+        // What is not mine is not written, not even as it was.
+        VertexId* const to = Access::is_shared && fresh == 0 ? &workspace_.unused : &t.v[1];
+        *to = second | (fresh << 31);
         members += fresh;
     }
     // `whole`: members of which all four neighbours were tested, and not three.
@@ -128,7 +131,7 @@ inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart star
     if (MGDT_UNLIKELY(start.faces == 0 ? !access.enter(first)
                                        : !access.enter(first.n, start.faces)))
         return false;
-    CavityFront front(mesh, w, start);
+    CavityFront<Access> front(mesh, w, start);
     // The first member is entered through no face if it is the start itself.
     std::uint32_t entered = start.faces != 0;
     // Each member's code is read one turn ahead: a load right after the stores that this turn
@@ -146,6 +149,11 @@ inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart star
         std::uint32_t conflict = powers.negative() & active;
         const std::uint32_t undecided = active & ~powers.decided();
         if (MGDT_UNLIKELY(undecided != 0)) {
+            // A ghost's tie is decided by the tetrahedron behind it, which must not change then.
+            if (!access.enter(n, undecided)) {
+                front.abandon();
+                return false;
+            }
             for (unsigned k = 0; k < 4; ++k)
                 if (undecided >> k & 1)
                     conflict = (conflict & ~(1u << k)) |

@@ -9,7 +9,8 @@ namespace mgdt {
 
 void Mesh::clear() {
     vertices.resize(1);
-    vertices[0] = Vertex{{0, 0, 0}, no_index, no_tetrahedron};
+    vertices[0] = Vertex{{0, 0, 0}, no_index, 0};
+    near.clear();
     tetrahedra.clear();
     free_slots.clear();
     ghost_count = 0;

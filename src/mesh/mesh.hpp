@@ -17,7 +17,7 @@ MGDT_ALWAYS_INLINE void write_run(TetId* slots, TetId first, std::size_t count) 
 
 struct Mesh {
     explicit Mesh(Allocator& allocator)
-        : vertices(allocator), tetrahedra(allocator), free_slots(allocator) {}
+        : vertices(allocator), near(allocator), tetrahedra(allocator), free_slots(allocator) {}
 
     // Empties the mesh but for the vertex at infinity. The scale stays.
     void clear();
@@ -50,6 +50,9 @@ struct Mesh {
     }
 
     Buffer<Vertex> vertices;  // slot 0: the vertex at infinity
+    // By vertex, once there are tetrahedra: the slot of one that had it, and of one nearby since.
+    // By themselves, since a thread may write this while others read the coordinates.
+    Buffer<TetId> near;
     Buffer<Tetrahedron> tetrahedra;
     Buffer<TetId> free_slots;  // slots of dead tetrahedra
     std::size_t ghost_count = 0;

@@ -28,7 +28,7 @@ inline constexpr VertexId in_cavity = 0x80000000u;
 struct alignas(32) Vertex {
     double x[3];          // scaled, see mesh/scale.hpp
     std::uint32_t index;  // least of the caller's points here, counted from 0
-    TetId near;           // slot of a tetrahedron that had it once, and of one nearby since
+    std::uint32_t unused;
 };
 static_assert(sizeof(Vertex) == 32);
 

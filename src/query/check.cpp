@@ -93,8 +93,10 @@ void Checker::records() const {
                  static_cast<unsigned>(t));
         seen[t >> 6] |= std::uint64_t{1} << (t & 63);
     }
+    if (mesh_.near.size() != mesh_.vertices.size())
+        fail(MGDT_ERR_CHECK_FAILED, "tetrahedra near vertices are missing");
     for (VertexId v = 1; v < mesh_.vertices.size(); ++v) {
-        if (mesh_.vertices[v].near >= mesh_.tetrahedra.size())
+        if (mesh_.near[v] >= mesh_.tetrahedra.size())
             fail(MGDT_ERR_CHECK_FAILED, "the tetrahedron near point %lld does not exist", index(v));
     }
 }
