@@ -78,7 +78,7 @@ void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule
             Vertex& v = mesh_.vertices[base + k];
             batch.get(i, v.x);
             v.index = batch.index(i);
-            v.unused = 0;
+            v.moved_to = 0;
             mesh_.near[base + k] = no_tetrahedron;
             if (!in_normal_range(v.x)) found = true;
         }
@@ -143,15 +143,16 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
     }
     struct Close {
         Triangulation& t;
+        Team& team;
         const std::size_t base;
         ~Close() {
-            t.close_gaps(base);
+            t.close_gaps(team, base);
             t.extend_location_tree(base);
             // What threads left behind may be gone.
             t.last_ = t.mesh_.live_from(t.last_);
             t.workspace_.slot_count = 0;
         }
-    } close{*this, base};
+    } close{*this, team, base};
     ZonalInsertion(*this, team, batch, schedule, base, may_stop).run(done);
 }
 
@@ -216,35 +217,34 @@ void Triangulation::extend_location_tree(std::size_t begin) noexcept {
         location_tree_.forget();
 }
 
-// Vertices from `begin` on of duplicates, and of points that are not in, are gaps with no
-// tetrahedron near: those behind move forward.
-void Triangulation::close_gaps(std::size_t begin) noexcept {
-    const std::size_t end = mesh_.vertices.size();
-    VertexId next = static_cast<VertexId>(begin);
-    while (next < end && mesh_.near[next] != no_tetrahedron) ++next;
-    if (next == end) return;
-    const VertexId first_gap = next;
-    // No memory is taken: the new number lies where the tetrahedron nearby was, and that is found
-    // anew at the end.
-    for (VertexId v = first_gap; v < end; ++v)
-        if (mesh_.near[v] != no_tetrahedron) mesh_.near[v] = next++;
-    for (Tetrahedron& t : mesh_.tetrahedra) {
-        if (t.is_dead()) continue;
-        for (VertexId& v : t.v)
-            if (v >= first_gap) v = mesh_.near[v];
+// Vertices from `begin` on of repeats, and of points that are not in, are gaps with no tetrahedron
+// near. The last vertices move there.
+void Triangulation::close_gaps(Team& team, std::size_t begin) noexcept {
+    Buffer<TetId>& near = mesh_.near;
+    std::size_t end = mesh_.vertices.size(), moved = 0;
+    for (std::size_t v = begin; v < end; ++v) {
+        if (near[v] != no_tetrahedron) continue;
+        while (end > v + 1 && near[end - 1] == no_tetrahedron) --end;
+        if (--end == v) break;
+        // Where a vertex goes lies in its old record.
+        mesh_.vertices[v] = mesh_.vertices[end];
+        near[v] = near[end];
+        mesh_.vertices[end].moved_to = static_cast<VertexId>(v);
+        ++moved;
     }
-    for (VertexId& v : point_map_)
-        if (v >= first_gap) v = mesh_.near[v];
-    for (VertexId v = first_gap; v < end; ++v) {
-        if (mesh_.near[v] != no_tetrahedron) mesh_.vertices[mesh_.near[v]] = mesh_.vertices[v];
+    if (moved > 0) {
+        const auto renumber = [&](VertexId& v) {
+            if (v >= end) v = mesh_.vertices[v].moved_to;
+        };
+        team.split(mesh_.tetrahedra.size(), 65536, [&](std::size_t from, std::size_t to, unsigned) {
+            for (std::size_t t = from; t < to; ++t)
+                if (!mesh_.tetrahedra[t].is_dead())
+                    for (VertexId& v : mesh_.tetrahedra[t].v) renumber(v);
+        });
+        for (VertexId& v : point_map_) renumber(v);
     }
-    mesh_.vertices.resize(next);
-    mesh_.near.resize(next);
-    for (TetId t = 0; t < mesh_.tetrahedra.size(); ++t) {
-        if (mesh_.tetrahedra[t].is_dead()) continue;
-        for (const VertexId v : mesh_.tetrahedra[t].v)
-            if (v >= first_gap) mesh_.near[v] = t;
-    }
+    mesh_.vertices.resize_within_capacity(end);
+    near.resize_within_capacity(end);
 }
 
 void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,

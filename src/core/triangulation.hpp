@@ -92,7 +92,7 @@ class Triangulation {
     void extend_location_tree(std::size_t begin) noexcept;
     void insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
                           std::size_t done, bool may_stop);
-    void close_gaps(std::size_t begin) noexcept;
+    void close_gaps(Team& team, std::size_t begin) noexcept;
     // Enter the outcome of an insertion in the point map and the statistics: q is a vertex, or a
     // repeat of one.
     void note(VertexId q, const Insertion& result);

@@ -7,7 +7,7 @@ namespace mgdt {
 namespace {
 
 // Points between two times that a thread gives its blocks back.
-constexpr std::size_t piece_size = 32;
+constexpr std::size_t piece_size = 128;
 // Of so many tries a thread looks how many failed: with more than one in eight it leaves the rest
 // of the round to the others.
 constexpr std::size_t trial = 1024;
@@ -21,11 +21,10 @@ constexpr std::uint32_t most_slots_at_once = 16384;
 #define MGDT_UNSANITIZED
 #endif
 
-// The vertices of a tetrahedron that another thread may be changing. They are believed only when
-// they are read again, the same, by who owns all of them: then nobody has been changing them.
-MGDT_UNSANITIZED void read_unowned(const Tetrahedron& t, VertexId v[4]) {
+MGDT_UNSANITIZED void read_unowned(const Tetrahedron& t, VertexId v[2]) {
     const volatile VertexId* const from = t.v;
-    for (unsigned i = 0; i < 4; ++i) v[i] = from[i];
+    v[0] = from[0];
+    v[1] = from[1];
 }
 
 }  // namespace
@@ -230,14 +229,14 @@ bool Triangulation::ZonalInsertion::is_too_crowded(Member& member, std::size_t t
 bool Triangulation::ZonalInsertion::try_insert(Member& member, std::size_t k) {
     if (stop_.load(std::memory_order_relaxed)) return false;
     const VertexId q = vertex(k);
-    Territory& territory = member.territory;
-    if (!territory.enter(q)) return false;
+    const Shared access(t_.mesh_, member.territory);
+    if (!access.enter(q)) return false;
     const std::size_t distance = k > member.last ? k - member.last : member.last - k;
     if ((member.here == no_tetrahedron || distance > far_away) && !arrive(member, k)) return false;
     Insertion result;
     try {
-        result =
-            t_.kernel_->insert_among_others(t_.mesh_, member.workspace, territory, q, member.here);
+        result = t_.kernel_->insert_among_others(t_.mesh_, member.workspace, member.territory, q,
+                                                 member.here);
     } catch (const SlotSupply::NoSlots&) {
         no_slots_ = true;
         stop_ = true;
@@ -284,18 +283,20 @@ bool Triangulation::ZonalInsertion::for_nearby_positions(std::size_t k, F f) con
 // Makes a tetrahedron near point k this thread's, to walk from. Whether that could be.
 bool Triangulation::ZonalInsertion::arrive(Member& member, std::size_t k) {
     const Mesh& mesh = t_.mesh_;
-    Territory& territory = member.territory;
+    const Shared access(t_.mesh_, member.territory);
     return for_nearby_positions(k, [&](std::size_t position) {
         const VertexId near = vertex(position);
-        if (!territory.enter(near)) return false;
+        if (!access.enter(near)) return false;
         const TetId t = mesh.near[near];
         if (t == no_tetrahedron) return false;
-        VertexId first[4], again[4];
+        // The guards of a tetrahedron that another thread may be changing. They are believed when
+        // they are read again, the same, by who owns both: then nobody can be.
+        VertexId first[2], again[2];
         read_unowned(mesh.tetrahedra[t], first);
         if (first[0] == infinite_vertex) return false;
-        if (!territory.enter(first)) return false;
+        if (!access.enter(first[0]) || !access.enter(first[1])) return false;
         read_unowned(mesh.tetrahedra[t], again);
-        if (!std::equal(first, first + 4, again)) return false;
+        if (first[0] != again[0] || first[1] != again[1]) return false;
         member.here = t;
         member.workspace.slot_count = 0;
         return true;
@@ -308,7 +309,7 @@ void Triangulation::ZonalInsertion::give_back(Member& member) {
     Claim& claim = member.territory.claim;
     const VertexId* const here =
         member.here == no_tetrahedron ? nullptr : t_.mesh_.tetrahedra[member.here].v;
-    if (here && member.territory.enter(here)) {
+    if (here && Shared(t_.mesh_, member.territory).enter(t_.mesh_.tetrahedra[member.here])) {
         claim.give_back(here, 2);
     } else {
         member.here = no_tetrahedron;

@@ -8,7 +8,7 @@
 //
 // Entering the cavity marks a tetrahedron in its second vertex, so that an insertion can be given
 // up until the star is built. The mark is where no test looks, since a load that may meet a store
-// just made waits for it. Among other threads only a tetrahedron that is mine is marked.
+// just made waits for it. Among other threads it is in a table of the thread's own.
 #pragma once
 
 #include "kernel/access.hpp"
@@ -30,9 +30,10 @@ struct CavityStart {
 template <class Access>
 class CavityFront {
   public:
-    MGDT_ALWAYS_INLINE CavityFront(Mesh& mesh, Workspace& w, CavityStart start)
-        : workspace_(w), tetrahedra_(mesh.tetrahedra.data()) {
+    MGDT_ALWAYS_INLINE CavityFront(Access access, Mesh& mesh, Workspace& w, CavityStart start)
+        : access_(access), workspace_(w), tetrahedra_(mesh.tetrahedra.data()) {
         if (MGDT_UNLIKELY(w.cavity_capacity == 0)) w.grow_cavity(0, 0, 64);
+        if constexpr (Access::is_shared) access_.marks().begin(w.cavity_capacity);
         point_to_arrays();
         const Tetrahedron& t = tetrahedra_[start.tetrahedron];
         if (start.faces == 0) {
@@ -56,8 +57,14 @@ class CavityFront {
         if (MGDT_UNLIKELY(members + 4 > workspace_.cavity_capacity)) grow();
     }
     MGDT_ALWAYS_INLINE FacetCode member(std::size_t i) const { return cavity_[i]; }
+    bool has(FacetCode code) const {
+        if constexpr (Access::is_shared) return marks_.has(code >> 2);
+        return tetrahedra_[code >> 2].is_in_cavity();
+    }
     // Gives the cavity up.
-    void abandon() const { workspace_.restore_cavity(tetrahedra_, members); }
+    void abandon() const {
+        if constexpr (!Access::is_shared) workspace_.restore_cavity(tetrahedra_, members);
+    }
     // Takes those of four facets whose bits are set.
     MGDT_ALWAYS_INLINE void add_boundary(const FacetCode* codes, std::uint32_t outside) {
 #if defined(MGDT_HAVE_EIGHT_ROWS)
@@ -75,13 +82,16 @@ class CavityFront {
     // Takes a tetrahedron in if `conflict` is 1, unless it is in already; without a branch.
     MGDT_ALWAYS_INLINE void take(FacetCode code, std::uint32_t conflict) {
         Tetrahedron& t = tetrahedra_[code >> 2];
-        const VertexId second = t.v[1];
-        const std::uint32_t fresh = opaque(conflict & ~(second >> 31));
         cavity_[members] = code;
         corners_[members] = t.v[code & 3];
-        // What is not mine is not written, not even as it was.
-        VertexId* const to = Access::is_shared && fresh == 0 ? &workspace_.unused : &t.v[1];
-        *to = second | (fresh << 31);
+        std::uint32_t fresh;
+        if constexpr (Access::is_shared) {
+            fresh = opaque(conflict & marks_.put(code >> 2, conflict));
+        } else {
+            const VertexId second = t.v[1];
+            fresh = opaque(conflict & ~(second >> 31));
+            t.v[1] = second | (fresh << 31);
+        }
         members += fresh;
     }
     // `whole`: members of which all four neighbours were tested, and not three.
@@ -98,10 +108,13 @@ class CavityFront {
         cavity_ = workspace_.cavity.data;
         boundary_ = workspace_.boundary.data;
         corners_ = workspace_.corners.data;
+        if constexpr (Access::is_shared) marks_ = access_.marks().view();
     }
     void grow() {
         try {
             workspace_.grow_cavity(members, facets, members + 4);
+            if constexpr (Access::is_shared)
+                access_.marks().grow(workspace_.cavity_capacity, workspace_.cavity.data, members);
         } catch (...) {
             abandon();
             throw;
@@ -109,35 +122,30 @@ class CavityFront {
         point_to_arrays();
     }
 
+    const Access access_;
     Workspace& workspace_;
     Tetrahedron* const tetrahedra_;
     FacetCode *cavity_, *boundary_;
     VertexId* corners_;
+    MarkTable::View marks_;  // used among other threads
 };
-
-inline std::uint32_t is_conflict_undecided(const Mesh& mesh, TetId t, const Query& q,
-                                           Counters& counters) {
-    if (mesh.tetrahedra[t].is_in_cavity()) return 1;
-    ++counters.exact_calls;
-    return is_conflict_exact(mesh, mesh.tetrahedra[t], q.point);
-}
 
 // Whether the cavity was dug: not if a tetrahedron of it may not be entered.
 template <class Access>
 inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart start, const Query& q) {
     const Tetrahedron* const tetrahedra = mesh.tetrahedra.data();
     const Vertex* const vertices = mesh.vertices.data();
-    const Tetrahedron& first = tetrahedra[start.tetrahedron];
-    if (MGDT_UNLIKELY(start.faces == 0 ? !access.enter(first)
-                                       : !access.enter(first.n, start.faces)))
-        return false;
-    CavityFront<Access> front(mesh, w, start);
+    CavityFront<Access> front(access, mesh, w, start);
     // The first member is entered through no face if it is the start itself.
     std::uint32_t entered = start.faces != 0;
     // Each member's code is read one turn ahead: a load right after the stores that this turn
     // makes would wait for all of them, and the turns would not overlap.
     FacetCode member = front.member(0);
     for (std::size_t done = 0; done < front.members; ++done) {
+        if (MGDT_UNLIKELY(!access.enter(tetrahedra[member >> 2]))) {
+            front.abandon();
+            return false;
+        }
         front.reserve();
         const bool is_last = done + 1 == front.members;
         FacetCode next = front.member(done + 1);
@@ -149,22 +157,26 @@ inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart star
         std::uint32_t conflict = powers.negative() & active;
         const std::uint32_t undecided = active & ~powers.decided();
         if (MGDT_UNLIKELY(undecided != 0)) {
-            // A ghost's tie is decided by the tetrahedron behind it, which must not change then.
-            if (!access.enter(n, undecided)) {
-                front.abandon();
-                return false;
+            for (unsigned k = 0; k < 4; ++k) {
+                if (!(undecided >> k & 1)) continue;
+                const Tetrahedron& t = tetrahedra[n[k] >> 2];
+                conflict |= 1u << k;
+                if (front.has(n[k])) continue;
+                // A ghost's tie is decided by the tetrahedron behind it, which is a neighbour of
+                // mine only if the ghost is mine.
+                if (!access.enter(t)) {
+                    front.abandon();
+                    return false;
+                }
+                ++w.counters.exact_calls;
+                if (!is_conflict_exact(mesh, t, q.point)) conflict &= ~(1u << k);
             }
-            for (unsigned k = 0; k < 4; ++k)
-                if (undecided >> k & 1)
-                    conflict = (conflict & ~(1u << k)) |
-                               is_conflict_undecided(mesh, n[k] >> 2, q, w.counters) << k;
-        }
-        if (MGDT_UNLIKELY(!access.enter(n, conflict))) {
-            front.abandon();
-            return false;
         }
         front.add_boundary(n, active & ~conflict);
-        for (unsigned k = 0; k < 4; ++k) front.take(n[k], conflict >> k & 1);
+        front.take(n[0], conflict & 1);
+        front.take(n[1], conflict >> 1 & 1);
+        front.take(n[2], conflict >> 2 & 1);
+        front.take(n[3], conflict >> 3);
         if (MGDT_UNLIKELY(is_last)) next = opaque(front.member(done + 1));
         member = next;
     }

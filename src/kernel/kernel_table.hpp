@@ -33,7 +33,7 @@ inline Insertion insert(Mesh& mesh, Workspace& w, VertexId q, TetId start) {
 
 inline Insertion insert_among_others(Mesh& mesh, Workspace& w, Territory& territory, VertexId q,
                                      TetId start) {
-    return insert_with(Shared{mesh, territory}, mesh, w, q, start);
+    return insert_with(Shared(mesh, territory), mesh, w, q, start);
 }
 
 }  // namespace MGDT_ISA

@@ -94,7 +94,6 @@ struct Workspace {
     }
     std::size_t star_removed = 0, star_created = 0;  // what there is room for
 
-    VertexId unused;                 // takes marks that are not made
     alignas(64) Tetrahedron beyond;  // takes what a vector writes past the last facet
     Counters counters;
 };

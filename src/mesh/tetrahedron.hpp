@@ -28,7 +28,7 @@ inline constexpr VertexId in_cavity = 0x80000000u;
 struct alignas(32) Vertex {
     double x[3];          // scaled, see mesh/scale.hpp
     std::uint32_t index;  // least of the caller's points here, counted from 0
-    std::uint32_t unused;
+    VertexId moved_to;    // used while vertices are renumbered
 };
 static_assert(sizeof(Vertex) == 32);
 

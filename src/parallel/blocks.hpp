@@ -61,9 +61,16 @@ class Claim {
     Claim& operator=(const Claim&) = delete;
     ~Claim();
 
-    MGDT_ALWAYS_INLINE bool owns(std::uint32_t item) const noexcept {
-        return owners_[item >> shift_].load(std::memory_order_relaxed) == who_;
-    }
+    // To look up what is mine, by value: nothing that is written elsewhere can change it.
+    struct Mine {
+        MGDT_ALWAYS_INLINE bool operator()(std::uint32_t item) const noexcept {
+            return owners[item >> shift].load(std::memory_order_relaxed) == who;
+        }
+        const std::atomic<std::uint8_t>* owners;
+        unsigned shift;
+        std::uint8_t who;
+    };
+    Mine mine() const noexcept { return {owners_, shift_, who_}; }
     // Takes the block of an item that is not mine, unless somebody has it.
     bool take(std::uint32_t item) noexcept;
     // Gives back all but the blocks of some items.

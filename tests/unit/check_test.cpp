@@ -106,8 +106,7 @@ const std::vector<Damage> damages = {
          m.free_slots.push_back(t == 0 ? 1 : 0);
          m.tetrahedra[t].kill();
      }},
-    {"slot near a vertex", 1,
-     [](Mesh& m) { m.near[5] = static_cast<TetId>(m.tetrahedra.size()); }},
+    {"slot near a vertex", 1, [](Mesh& m) { m.near[5] = static_cast<TetId>(m.tetrahedra.size()); }},
     {"vertex's index", 1, [](Mesh& m) { ++m.vertices[7].index; }},
     {"inner vertex moved out", 2, [](Mesh& m) { m.vertices[inner_vertex(m)].x[0] += 10; }},
     {"inner vertex moved a little", 2,

@@ -1,9 +1,34 @@
 // SPDX-License-Identifier: MIT
-#include "kernel/access.hpp"
+#include "kernel/territory.hpp"
 
 #include <algorithm>
 
 namespace mgdt {
+
+std::uint64_t* MarkTable::View::find(TetId t) const noexcept {
+    const std::uint64_t key = stamp | t;
+    std::uint32_t at = t & mask;
+    while ((data[at] ^ key) - 1 < 0xFFFFFFFFu) at = (at + 1) & mask;
+    return data + at;
+}
+
+bool MarkTable::View::has(TetId t) const noexcept {
+    return *find(t) == (stamp | t);
+}
+
+void MarkTable::renew(std::size_t members) {
+    std::size_t size = least;
+    while (size < 4 * members) size *= 2;
+    entries_.clear();
+    entries_.resize(size, 0);
+    view_ = {entries_.data(), static_cast<std::uint32_t>(size - 1), std::uint64_t{1} << 32};
+}
+
+void MarkTable::grow(std::size_t members, const FacetCode* codes, std::size_t marked) {
+    if (4 * members <= entries_.size()) return;
+    renew(members);
+    for (std::size_t i = 0; i < marked; ++i) view_.put(codes[i] >> 2, 1);
+}
 
 SlotSupply::Stretch SlotSupply::take(std::size_t least) {
     TetId begin = next_.load(std::memory_order_relaxed);

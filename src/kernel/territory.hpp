@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// How an insertion has access to the mesh: alone, or as one of several threads. The walk, the
+// cavity and the star are compiled for each.
+#pragma once
+
+#include <mutex>
+
+#include "mesh/mesh.hpp"
+#include "parallel/blocks.hpp"
+
+namespace mgdt {
+
+// The mesh's storage while several threads insert: it stays where it is, and slots are taken from
+// it a stretch at a time.
+class SlotSupply {
+  public:
+    SlotSupply(Mesh& mesh, std::uint32_t slots_at_once)
+        : mesh_(mesh), slots_at_once_(slots_at_once) {}
+    // Before the threads start, and when they are done.
+    void open() noexcept;
+    void close() noexcept;
+
+    struct Stretch {
+        TetId begin, end;
+    };
+    // Of `least` slots or more; throws NoSlots where there are not so many.
+    struct NoSlots {};
+    Stretch take(std::size_t least);
+    // How many that may be.
+    std::size_t most(std::size_t least) const noexcept {
+        return least > slots_at_once_ ? least : slots_at_once_;
+    }
+    // Makes sure that the mesh can list so many more free slots at the end.
+    void promise(std::size_t more);
+    // Moves free slots of the mesh to a list that has room for so many, which were promised.
+    void take_free(Buffer<TetId>& list, std::size_t most) noexcept;
+
+  private:
+    Mesh& mesh_;
+    std::atomic<TetId> next_{0};
+    const std::uint32_t slots_at_once_;
+    std::mutex mutex_;
+    std::size_t promised_ = 0;
+};
+
+// A set of tetrahedra, open-addressed: those of the cavity that is being dug. Marks in the
+// tetrahedra themselves would be seen by other threads, which may test them too. An entry has the
+// number of the insertion that made it above the tetrahedron's, so none need be taken out.
+class MarkTable {
+  public:
+    explicit MarkTable(Allocator& allocator) noexcept : entries_(allocator) {}
+    // Empties the set and makes room for so many.
+    MGDT_ALWAYS_INLINE void begin(std::size_t members) {
+        view_.stamp += std::uint64_t{1} << 32;
+        if (MGDT_UNLIKELY(4 * members > entries_.size() || view_.stamp == 0)) renew(members);
+    }
+    // Room for more; the first `marked` members are in.
+    void grow(std::size_t members, const FacetCode* codes, std::size_t marked);
+    // The set, by value: nothing that is written elsewhere changes where it is.
+    struct View {
+        bool has(TetId t) const noexcept;
+        // Puts t in if `is_in` is 1; returns 1 if it was not in before, whatever `is_in` says.
+        MGDT_ALWAYS_INLINE std::uint32_t put(TetId t, std::uint32_t is_in) const noexcept {
+            const std::uint64_t key = stamp | t;
+            std::uint64_t* entry = data + (t & mask);
+            // Below 2^32 - 1: another one of this insertion.
+            if (MGDT_UNLIKELY((*entry ^ key) - 1 < 0xFFFFFFFFu)) entry = find(t);
+            const std::uint64_t there = *entry;
+            *entry = there ^ ((there ^ key) & (0 - std::uint64_t{is_in}));
+            return there != key;
+        }
+        // Where t is, or would be.
+        std::uint64_t* find(TetId t) const noexcept;
+
+        std::uint64_t* data = nullptr;
+        std::uint32_t mask = 0;
+        std::uint64_t stamp = 0;
+    };
+    View view() const noexcept { return view_; }
+
+  private:
+    void renew(std::size_t members);
+
+    static constexpr std::size_t least = 1024;
+    Buffer<std::uint64_t> entries_;
+    View view_;
+};
+
+// What a thread among others needs of its own: blocks of vertices, and slots that no other takes.
+class Territory {
+  public:
+    Territory(Mesh& mesh, BlockOwners& owners, std::uint8_t who, SlotSupply& supply)
+        : claim(mesh.vertices.allocator(), owners, who),
+          marks(mesh.vertices.allocator()),
+          mesh_(mesh),
+          supply_(supply),
+          free_slots_(mesh.vertices.allocator()) {}
+
+    // As those of Mesh; may throw SlotSupply::NoSlots.
+    MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) {
+        if (MGDT_UNLIKELY(taken > slots_left() || slots_left() + freed > most_free_))
+            grow_slots(taken, freed);
+    }
+    MGDT_ALWAYS_INLINE void take_slots(TetId* slots, std::size_t count) noexcept {
+        while (count > 0 && !free_slots_.empty()) {
+            *slots++ = free_slots_.back();
+            free_slots_.pop_back();
+            --count;
+        }
+        write_run(slots, fresh_, count);
+        fresh_ += static_cast<TetId>(count);
+    }
+    MGDT_ALWAYS_INLINE void free_slot(TetId t) noexcept {
+        const std::size_t size = free_slots_.size();
+        free_slots_.resize_within_capacity(size + 1);
+        free_slots_[size] = t;
+        mesh_.tetrahedra[t].kill();
+    }
+    // Hands the slots that are left to the mesh, when the threads are done and the supply is
+    // closed.
+    void settle() noexcept;
+
+    Claim claim;
+    MarkTable marks;
+    std::int64_t ghosts = 0;         // made, less those removed
+    TetId a_ghost = no_tetrahedron;  // the last one made
+
+  private:
+    std::size_t slots_left() const noexcept { return free_slots_.size() + (end_ - fresh_); }
+    void grow_slots(std::size_t taken, std::size_t freed);
+
+    Mesh& mesh_;
+    SlotSupply& supply_;
+    Buffer<TetId> free_slots_;
+    TetId fresh_ = 0, end_ = 0;  // slots that were never used
+    std::size_t most_free_ = 0;  // slots left that there is room to list
+};
+
+}  // namespace mgdt
