@@ -20,7 +20,13 @@ namespace {
 template <class Int>
 class CxxResults : public ::testing::Test {};
 using Widths = ::testing::Types<std::int64_t, std::int32_t>;
-TYPED_TEST_SUITE(CxxResults, Widths);
+struct WidthNames {
+    template <class Int>
+    static std::string GetName(int) {
+        return sizeof(Int) == 8 ? "Int64" : "Int32";
+    }
+};
+TYPED_TEST_SUITE(CxxResults, Widths, WidthNames);
 
 double squared_distance(const mgdt::Point& a, const mgdt::Point& b) {
     double sum = 0;
