@@ -61,7 +61,8 @@ finish() {
 # ------------------------------------------------------------------------------------ packages
 
 packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 python3-numpy
-    libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev'
+    libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev
+    cmake abigail-tools mandoc groff-base'
 [ $long = no ] || packages="$packages npm gzip"
 
 is_installed() {
@@ -142,7 +143,7 @@ fi
 if build clang clang++ -Dbuildtype=release -Doptimization=1 -Db_ndebug=false; then
     MGDT_TEST_SMALL=1
     export MGDT_TEST_SMALL
-    run clang --suite unit --suite property --suite api --suite cli
+    run clang --suite unit --suite property --suite api --suite cxx --suite cli
     unset MGDT_TEST_SMALL
 fi
 
@@ -169,8 +170,8 @@ if [ $long = yes ]; then
     build asan g++ -Dbuildtype=debugoptimized -Db_sanitize=address,undefined -Db_lundef=false \
         -Dwerror=false &&
         # The program's own test limits the address space, which the sanitizer needs whole.
-        run asan --suite unit --suite property --suite api --suite cli --no-suite script
+        run asan --suite unit --suite property --suite api --suite cxx --suite cli --no-suite script
     build tsan g++ -Dbuildtype=debugoptimized -Db_sanitize=thread -Db_lundef=false \
-        -Dwerror=false && run tsan --suite property --suite api
+        -Dwerror=false && run tsan --suite property --suite api --suite cxx --no-suite script
 fi
 finish

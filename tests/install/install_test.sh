@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Installs into a scratch prefix and uses what is there as a stranger would: a C99 program through
-# pkg-config against the shared library, the same against the static one, and as a Meson subproject.
+# pkg-config against the shared library, the same against the static one, as a Meson subproject,
+# and by pkg-config and CMake after the prefixes were moved.
 #
 #   install_test.sh SOURCE_DIRECTORY SCRATCH_DIRECTORY
 set -eu
@@ -28,7 +29,7 @@ check() { # what, command...
     fi
 }
 
-rm -rf "$scratch/prefix" "$scratch/shared" "$scratch/static" "$scratch/host"
+rm -rf "$scratch/prefix" "$scratch/elsewhere" "$scratch/shared" "$scratch/static" "$scratch/host"
 mkdir -p "$scratch/prefix"
 
 build_and_install() { # folder, prefix, meson options...
@@ -111,6 +112,8 @@ END
     meson setup "$scratch/host/build" "$scratch/host" && meson test -C "$scratch/host/build"
 }
 check "a Meson subproject builds and runs" subproject
+
+. "$here/moved_prefix.sh"
 
 echo "$passed passed, $failed failed"
 test "$failed" -eq 0 && test "$passed" -gt 0

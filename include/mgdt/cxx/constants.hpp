@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT
+ * The constants of mgdt.h as enum classes, and their names. Part of mgdt/mgdt.hpp, which includes
+ * it. */
+#ifndef MGDT_CXX_CONSTANTS_HPP
+#define MGDT_CXX_CONSTANTS_HPP
+
+#include <cstdint>
+
+#include "../mgdt.h"
+
+namespace mgdt {
+inline namespace cxx1 {
+
+/** Order schemes; see MGDT_ORDER_AUTO and its neighbours. */
+enum class Order : std::int32_t {
+    automatic = MGDT_ORDER_AUTO,
+    input = MGDT_ORDER_INPUT,
+    random = MGDT_ORDER_RANDOM,
+    lexicographic = MGDT_ORDER_LEXICOGRAPHIC,
+    brio = MGDT_ORDER_BRIO,
+    hilbert = MGDT_ORDER_HILBERT,
+    regular_grid = MGDT_ORDER_REGULAR_GRID,
+    kd_tree = MGDT_ORDER_KD_TREE,
+    enhanced_kd_tree = MGDT_ORDER_ENHANCED_KD_TREE,
+    multi_grid = MGDT_ORDER_MULTI_GRID
+};
+
+/** Parameters of the order schemes; see MGDT_PARAMETER_POINTS_PER_CELL and its neighbours. */
+enum class Parameter : std::int32_t {
+    points_per_cell = MGDT_PARAMETER_POINTS_PER_CELL,
+    threshold = MGDT_PARAMETER_THRESHOLD,
+    separation = MGDT_PARAMETER_SEPARATION,
+    round_ratio = MGDT_PARAMETER_ROUND_RATIO
+};
+
+/** Statistics; see MGDT_STAT_POINTS_INSERTED and its neighbours. */
+enum class Statistic : std::int32_t {
+    points_inserted = MGDT_STAT_POINTS_INSERTED,
+    duplicates = MGDT_STAT_DUPLICATES,
+    walk_steps = MGDT_STAT_WALK_STEPS,
+    walk_tests = MGDT_STAT_WALK_TESTS,
+    conflict_tests = MGDT_STAT_CONFLICT_TESTS,
+    tetrahedra_removed = MGDT_STAT_TETRAHEDRA_REMOVED,
+    tetrahedra_created = MGDT_STAT_TETRAHEDRA_CREATED,
+    exact_calls = MGDT_STAT_EXACT_CALLS,
+    order_seconds = MGDT_STAT_ORDER_SECONDS,
+    insert_seconds = MGDT_STAT_INSERT_SECONDS,
+    grid_levels = MGDT_STAT_GRID_LEVELS,
+    rounds = MGDT_STAT_ROUNDS,
+    memory_bytes = MGDT_STAT_MEMORY_BYTES,
+    peak_memory_bytes = MGDT_STAT_PEAK_MEMORY_BYTES
+};
+
+/** Levels of check(); see MGDT_CHECK_COMBINATORIAL and its neighbours. */
+enum class Check : std::int32_t {
+    combinatorial = MGDT_CHECK_COMBINATORIAL,
+    geometric = MGDT_CHECK_GEOMETRIC,
+    canonical = MGDT_CHECK_CANONICAL
+};
+
+/** Name of an order scheme ("multi-grid"); NULL for an unknown one. */
+[[nodiscard]] inline const char* name(Order scheme) noexcept {
+    return mgdt_order_scheme_name(static_cast<std::int32_t>(scheme));
+}
+/** Name of a statistic ("walk steps"); NULL for an unknown one. */
+[[nodiscard]] inline const char* name(Statistic key) noexcept {
+    return mgdt_stat_name(static_cast<std::int32_t>(key));
+}
+
+}  // namespace cxx1
+}  // namespace mgdt
+
+#endif /* MGDT_CXX_CONSTANTS_HPP */

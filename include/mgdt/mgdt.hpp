@@ -1,0 +1,505 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * mgdt for C++17 and later: one class over the C interface of mgdt.h, in headers alone.
+ *
+ * mgdt::Triangulation owns a handle. What is said in mgdt.h about meaning, shapes, index base,
+ * "none", batches and threads holds here; each function below names the C function that it calls.
+ *
+ * - Failures are exceptions: mgdt::Error carries the status and the library's message,
+ *   mgdt::Cancelled is the one for MGDT_ERR_CANCELLED, and running out of memory is
+ *   mgdt::OutOfMemory, a std::bad_alloc. The state after each is what mgdt.h promises.
+ * - Points come from any contiguous container without a copy: of doubles (three a point), of
+ *   std::array<double, 3>, of double[3], or of your own type (see mgdt::is_point).
+ * - Results are std::vectors, or go to a buffer of yours, of 64-bit or 32-bit integers.
+ * - Const member functions may run on one object from many threads at once. The others need the
+ *   object to themselves, except cancel().
+ * - An object that was moved from is empty: counts are 0, the dimension is -1, whatever can throw
+ *   throws an Error with MGDT_ERR_NULL_POINTER. It may be destroyed and assigned to.
+ *
+ * Everything here is inline and calls nothing but C functions, so it adds nothing to the binary
+ * interface: a program that includes it runs with every library of ABI version 1.
+ *
+ * @since 1.0
+ */
+#ifndef MGDT_MGDT_HPP
+#define MGDT_MGDT_HPP
+
+#if !(__cplusplus >= 201703L || (defined(_MSVC_LANG) && _MSVC_LANG >= 201703L))
+#error "mgdt.hpp needs C++17 or later; mgdt.h does not"
+#endif
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <initializer_list>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "cxx/constants.hpp"
+#include "cxx/error.hpp"
+#include "cxx/views.hpp"
+#include "mgdt.h"
+
+namespace mgdt {
+// The inner name keeps these classes apart from the library's own when it is linked statically.
+inline namespace cxx1 {
+
+/** A Delaunay triangulation that grows as points are inserted. Moves, does not copy. */
+class Triangulation {
+  public:
+    /** An empty one; mgdt_create(). @throw OutOfMemory */
+    Triangulation() : Triangulation(nullptr, nullptr, nullptr) {}
+
+    /** An empty one all of whose memory comes from `alloc`; mgdt_create_with_allocator(). Neither
+     *  function may throw. @throw OutOfMemory, Error */
+    Triangulation(mgdt_alloc_fn alloc, mgdt_free_fn give_back, void* user) {
+        mgdt_triangulation* made = nullptr;
+        require(mgdt_create_with_allocator(alloc, give_back, user, &made), nullptr);
+        handle_.reset(made);
+    }
+
+    /** An empty one all of whose memory comes from a std::pmr::memory_resource, or anything else
+     *  with its `allocate(bytes, alignment)` and `deallocate(p, bytes, alignment)`. The resource
+     *  must outlive the object, and be safe to use from several threads if const functions are
+     *  called from several. What allocate() throws counts as out of memory. @throw OutOfMemory */
+    template <class Resource,
+              class = decltype(std::declval<Resource&>().allocate(std::size_t{1}, std::size_t{1})),
+              class = decltype(std::declval<Resource&>().deallocate(
+                  static_cast<void*>(nullptr), std::size_t{1}, std::size_t{1}))>
+    explicit Triangulation(Resource& resource)
+        : Triangulation(&take<Resource>, &give<Resource>, std::addressof(resource)) {}
+
+    /** Takes a handle of the C interface over, with its settings and its progress callback. */
+    explicit Triangulation(mgdt_triangulation* owned) noexcept : handle_(owned) {}
+
+    Triangulation(Triangulation&&) noexcept = default;
+    Triangulation& operator=(Triangulation&&) noexcept = default;
+    Triangulation(const Triangulation&) = delete;
+    Triangulation& operator=(const Triangulation&) = delete;
+    ~Triangulation() = default;
+    friend void swap(Triangulation& a, Triangulation& b) noexcept {
+        a.progress_.swap(b.progress_);
+        a.handle_.swap(b.handle_);
+    }
+
+    /** Whether there is a handle: true until it is moved or released. */
+    [[nodiscard]] explicit operator bool() const noexcept { return handle_ != nullptr; }
+    /** The handle, for calls of the C interface; it stays this object's. */
+    [[nodiscard]] mgdt_triangulation* handle() noexcept { return handle_.get(); }
+    [[nodiscard]] const mgdt_triangulation* handle() const noexcept { return handle_.get(); }
+    /** Gives the handle up, to be freed by mgdt_destroy(). A callback set here is taken off. */
+    [[nodiscard]] mgdt_triangulation* release() noexcept {
+        if (progress_) mgdt_set_progress(handle_.get(), nullptr, nullptr);
+        progress_.reset();
+        return handle_.release();
+    }
+
+    /** mgdt_clear(). @throw Error */
+    void clear() { require(mgdt_clear(handle_.get())); }
+    /** mgdt_reserve(). @throw OutOfMemory, Error */
+    void reserve(std::int64_t points) { require(mgdt_reserve(handle_.get(), points)); }
+
+    /* Settings. @throw Error */
+
+    /** mgdt_set_order_scheme(). */
+    void set_order_scheme(Order scheme) {
+        require(mgdt_set_order_scheme(handle_.get(), static_cast<std::int32_t>(scheme)));
+    }
+    /** mgdt_set_order_parameter(). */
+    void set_order_parameter(Parameter key, double value) {
+        require(mgdt_set_order_parameter(handle_.get(), static_cast<std::int32_t>(key), value));
+    }
+    /** mgdt_set_seed(). */
+    void set_seed(std::uint64_t seed) { require(mgdt_set_seed(handle_.get(), seed)); }
+    /** mgdt_set_threads(). */
+    void set_threads(std::int32_t n) { require(mgdt_set_threads(handle_.get(), n)); }
+    /** mgdt_set_index_base(). */
+    void set_index_base(std::int32_t base) { require(mgdt_set_index_base(handle_.get(), base)); }
+    /** mgdt_set_memory_limit(). */
+    void set_memory_limit(std::int64_t bytes) {
+        require(mgdt_set_memory_limit(handle_.get(), bytes));
+    }
+    /** mgdt_set_canonical_output(). */
+    void set_canonical_output(bool on) {
+        require(mgdt_set_canonical_output(handle_.get(), on ? 1 : 0));
+    }
+    /** mgdt_set_isa(). */
+    void set_isa(const char* name) { require(mgdt_set_isa(handle_.get(), name)); }
+
+    /** Sets what hears of progress; mgdt_set_progress().
+     *  @param call  anything callable with a double (the fraction, 0 to 1), kept here. If it gives
+     * a value, one that is true cancels. If it throws, the insertion is cancelled, and throws that
+     *  exception in place of Cancelled.
+     *  @throw Error, std::bad_alloc */
+    template <class F, class = std::enable_if_t<std::is_invocable_v<std::decay_t<F>&, double>>>
+    void set_progress(F&& call) {
+        auto next = std::make_unique<Callback<std::decay_t<F>>>(std::forward<F>(call));
+        require(
+            mgdt_set_progress(handle_.get(), &Progress::hear, static_cast<Progress*>(next.get())));
+        progress_ = std::move(next);
+    }
+    /** Takes the callback off. */
+    void clear_progress() {
+        require(mgdt_set_progress(handle_.get(), nullptr, nullptr));
+        progress_.reset();
+    }
+    /** mgdt_cancel(); from any thread and from signal handlers. */
+    void cancel() noexcept {
+        if (handle_) mgdt_cancel(handle_.get());
+    }
+
+    /* Points. @throw Cancelled, OutOfMemory, Error, and what the progress callback throws */
+
+    /** mgdt_insert_points(). */
+    void insert(Points points) {
+        finish(mgdt_insert_points(handle_.get(), static_cast<std::int64_t>(points.count()),
+                                  points.data()));
+    }
+    /** The same for a list: `t.insert({{0, 0, 0}, {1, 0, 0}})`. */
+    void insert(std::initializer_list<Point> points) { insert(Points(points)); }
+    /** The same for coordinates in three arrays of one length. */
+    void insert(Span<const double> x, Span<const double> y, Span<const double> z) {
+        if (x.size() != y.size() || x.size() != z.size())
+            throw Error(MGDT_ERR_INVALID_ARGUMENT, "the coordinates' arrays have " +
+                                                       std::to_string(x.size()) + ", " +
+                                                       std::to_string(y.size()) + " and " +
+                                                       std::to_string(z.size()) + " elements");
+        insert_strided(x.size(), x.data(), y.data(), z.data(), 1);
+    }
+    /** mgdt_insert_points_strided(): n points, each `stride` doubles after the one before. */
+    void insert_strided(std::size_t n, const double* x, const double* y, const double* z,
+                        std::int64_t stride) {
+        finish(mgdt_insert_points_strided(handle_.get(), static_cast<std::int64_t>(n), x, y, z,
+                                          stride));
+    }
+
+    /* Counts. */
+
+    /** mgdt_point_count(). */
+    [[nodiscard]] std::int64_t point_count() const noexcept {
+        return mgdt_point_count(handle_.get());
+    }
+    /** mgdt_vertex_count(). */
+    [[nodiscard]] std::int64_t vertex_count() const noexcept {
+        return mgdt_vertex_count(handle_.get());
+    }
+    /** mgdt_dimension(). */
+    [[nodiscard]] std::int32_t dimension() const noexcept { return mgdt_dimension(handle_.get()); }
+    /** mgdt_tetrahedron_count(). */
+    [[nodiscard]] std::int64_t tetrahedron_count() const noexcept {
+        return mgdt_tetrahedron_count(handle_.get());
+    }
+    /** mgdt_hull_facet_count(). */
+    [[nodiscard]] std::int64_t hull_facet_count() const noexcept {
+        return mgdt_hull_facet_count(handle_.get());
+    }
+    /** mgdt_edge_count(). */
+    [[nodiscard]] std::int64_t edge_count() const noexcept {
+        return mgdt_edge_count(handle_.get());
+    }
+    /** mgdt_vertex_tetrahedra_count(). */
+    [[nodiscard]] std::int64_t vertex_tetrahedra_count() const noexcept {
+        return mgdt_vertex_tetrahedra_count(handle_.get());
+    }
+
+    /* Export. Without an argument: a vector, of 64-bit integers unless asked for others, as in
+     * `t.tetrahedra<std::int32_t>()`. With one: a contiguous container of std::int64_t or
+     * std::int32_t, or of std::arrays of as many as belong together, that is large enough.
+     * @throw OutOfMemory, Error, std::bad_alloc (the vector's) */
+
+    /** mgdt_get_tetrahedra(). */
+    template <class Int = std::int64_t>
+    [[nodiscard]] std::vector<std::array<Int, 4>> tetrahedra() const {
+        return result<Int, 4>(tetrahedron_count(), mgdt_get_tetrahedra, mgdt_get_tetrahedra_i32);
+    }
+    template <class Buffer>
+    void tetrahedra(Buffer&& out) const {
+        write<4>(out, mgdt_get_tetrahedra, mgdt_get_tetrahedra_i32);
+    }
+    /** mgdt_get_neighbors(). */
+    template <class Int = std::int64_t>
+    [[nodiscard]] std::vector<std::array<Int, 4>> neighbors() const {
+        return result<Int, 4>(tetrahedron_count(), mgdt_get_neighbors, mgdt_get_neighbors_i32);
+    }
+    template <class Buffer>
+    void neighbors(Buffer&& out) const {
+        write<4>(out, mgdt_get_neighbors, mgdt_get_neighbors_i32);
+    }
+    /** mgdt_get_hull_facets(). */
+    template <class Int = std::int64_t>
+    [[nodiscard]] std::vector<std::array<Int, 3>> hull_facets() const {
+        return result<Int, 3>(hull_facet_count(), mgdt_get_hull_facets, mgdt_get_hull_facets_i32);
+    }
+    template <class Buffer>
+    void hull_facets(Buffer&& out) const {
+        write<3>(out, mgdt_get_hull_facets, mgdt_get_hull_facets_i32);
+    }
+    /** mgdt_get_edges(). */
+    template <class Int = std::int64_t>
+    [[nodiscard]] std::vector<std::array<Int, 2>> edges() const {
+        return result<Int, 2>(edge_count(), mgdt_get_edges, mgdt_get_edges_i32);
+    }
+    template <class Buffer>
+    void edges(Buffer&& out) const {
+        write<2>(out, mgdt_get_edges, mgdt_get_edges_i32);
+    }
+    /** mgdt_get_point_map(). */
+    template <class Int = std::int64_t>
+    [[nodiscard]] std::vector<Int> point_map() const {
+        std::vector<Int> map(static_cast<std::size_t>(point_count()));
+        write<1>(map, mgdt_get_point_map, mgdt_get_point_map_i32);
+        return map;
+    }
+    template <class Buffer>
+    void point_map(Buffer&& out) const {
+        write<1>(out, mgdt_get_point_map, mgdt_get_point_map_i32);
+    }
+    /** mgdt_get_vertex_tetrahedra(). */
+    template <class Int = std::int64_t>
+    [[nodiscard]] VertexTetrahedra<Int> vertex_tetrahedra() const {
+        VertexTetrahedra<Int> result;
+        result.offsets.resize(static_cast<std::size_t>(point_count()) + 1);
+        result.list.resize(static_cast<std::size_t>(vertex_tetrahedra_count()));
+        vertex_tetrahedra(result.offsets, result.list);
+        return result;
+    }
+    template <class Offsets, class List>
+    void vertex_tetrahedra(Offsets&& offsets, List&& list) const {
+        const auto first = flat<1>(offsets);
+        const auto second = flat<1>(list);
+        using Int = std::remove_reference_t<decltype(first[0])>;
+        static_assert(std::is_same_v<decltype(first), decltype(second)>,
+                      "offsets and list have the same kind of integers");
+        const auto n = static_cast<std::int64_t>(first.size());
+        const auto m = static_cast<std::int64_t>(second.size());
+        if constexpr (std::is_same_v<Int, std::int64_t>)
+            require(mgdt_get_vertex_tetrahedra(handle_.get(), n, first.data(), m, second.data()));
+        else
+            require(
+                mgdt_get_vertex_tetrahedra_i32(handle_.get(), n, first.data(), m, second.data()));
+    }
+
+    /* Queries. @throw OutOfMemory, Error, std::bad_alloc (the vectors') */
+
+    /** The tetrahedron that contains a point, or none; mgdt_locate(). */
+    [[nodiscard]] std::int64_t locate(const Point& xyz) const {
+        std::int64_t found = 0;
+        require(mgdt_locate(handle_.get(), xyz.data(), &found));
+        return found;
+    }
+    /** The same for many, which is much faster; mgdt_locate_points(). */
+    template <class Int = std::int64_t>
+    [[nodiscard]] std::vector<Int> locate_points(Points points) const {
+        std::vector<Int> found(points.count());
+        locate_points(points, found);
+        return found;
+    }
+    /** The same, with weights for interpolation. */
+    template <class Int = std::int64_t>
+    [[nodiscard]] Located<Int> locate_with_weights(Points points) const {
+        Located<Int> result;
+        result.tetrahedra.resize(points.count());
+        result.weights.resize(points.count());
+        locate_points(points, result.tetrahedra, result.weights);
+        return result;
+    }
+    /** The same into a buffer of a number a point. */
+    template <class Buffer>
+    void locate_points(Points points, Buffer&& out) const {
+        locate_into(points, flat<1>(out), nullptr);
+    }
+    /** The same into buffers of a number, and of four doubles or an std::array of them, a point. */
+    template <class Buffer, class Weights>
+    void locate_points(Points points, Buffer&& out, Weights&& weights) const {
+        using Group = detail::group<detail::element_t<Weights>, 4>;
+        static_assert(std::is_same_v<typename Group::index, double>, "weights are doubles");
+        if (static_cast<std::size_t>(std::size(weights)) * Group::width / 4 < points.count())
+            too_small("weights", points.count());
+        locate_into(points, flat<1>(out), pointer<double>(weights));
+    }
+    /** The vertex nearest to a point, or none; mgdt_nearest_vertex(). */
+    [[nodiscard]] std::int64_t nearest_vertex(const Point& xyz) const {
+        std::int64_t found = 0;
+        require(mgdt_nearest_vertex(handle_.get(), xyz.data(), &found));
+        return found;
+    }
+
+    /* Trust and figures. */
+
+    /** Proves the triangulation; mgdt_check().
+     *  @throw Error MGDT_ERR_CHECK_FAILED says what is wrong and where; OutOfMemory */
+    void check(Check level = Check::canonical) const {
+        require(mgdt_check(handle_.get(), static_cast<std::int32_t>(level)));
+    }
+    /** mgdt_get_stat(). @throw Error */
+    [[nodiscard]] double statistic(Statistic key) const {
+        double value = 0;
+        require(mgdt_get_stat(handle_.get(), static_cast<std::int32_t>(key), &value));
+        return value;
+    }
+    /** Message of the last call that failed on the handle; mgdt_get_error(). @throw std::bad_alloc
+     */
+    [[nodiscard]] std::string last_error() const { return message_of(handle_.get()); }
+    /** mgdt_isa_name(). */
+    [[nodiscard]] const char* isa() const noexcept { return mgdt_isa_name(handle_.get()); }
+
+  private:
+    struct Destroy {
+        void operator()(mgdt_triangulation* t) const noexcept { mgdt_destroy(t); }
+    };
+
+    // The progress callback; what it throws must not pass through the library.
+    struct Progress {
+        Progress() = default;
+        Progress(const Progress&) = delete;
+        Progress& operator=(const Progress&) = delete;
+        virtual ~Progress() = default;
+        virtual bool cancels(double fraction) = 0;
+
+        static std::int32_t hear(double fraction, void* user) noexcept {
+            Progress& self = *static_cast<Progress*>(user);
+            try {
+                return self.cancels(fraction) ? 1 : 0;
+            } catch (...) {
+                self.thrown = std::current_exception();
+                return 1;
+            }
+        }
+
+        std::exception_ptr thrown{};
+    };
+    template <class F>
+    struct Callback final : Progress {
+        template <class G>
+        explicit Callback(G&& g) : call(std::forward<G>(g)) {}
+        bool cancels(double fraction) override {
+            if constexpr (std::is_void_v<std::invoke_result_t<F&, double>>) {
+                std::invoke(call, fraction);
+                return false;
+            } else {
+                return static_cast<bool>(std::invoke(call, fraction));
+            }
+        }
+        F call;
+    };
+
+    template <class Resource>
+    static void* take(std::size_t size, std::size_t align, void* user) noexcept {
+        try {
+            return static_cast<Resource*>(user)->allocate(size, align);
+        } catch (...) {
+            return nullptr;
+        }
+    }
+    template <class Resource>
+    static void give(void* p, std::size_t size, std::size_t align, void* user) noexcept {
+        static_cast<Resource*>(user)->deallocate(p, size, align);
+    }
+
+    static std::string message_of(const mgdt_triangulation* t) {
+        char text[256] = "";
+        return mgdt_get_error(t, sizeof text, text) == MGDT_OK ? text : "";
+    }
+    static void require(mgdt_status status, const mgdt_triangulation* t) {
+        if (status == MGDT_OK) return;
+        if (status == MGDT_ERR_OUT_OF_MEMORY) throw OutOfMemory();
+        std::string text = t ? message_of(t) : std::string(mgdt_status_string(status));
+        if (!t && status == MGDT_ERR_NULL_POINTER) text = "the triangulation was moved from";
+        if (status == MGDT_ERR_CANCELLED) throw Cancelled(status, text);
+        throw Error(status, text);
+    }
+    void require(mgdt_status status) const { require(status, handle_.get()); }
+    // The end of a call that may have called the progress callback.
+    void finish(mgdt_status status) {
+        if (progress_ && progress_->thrown)
+            std::rethrow_exception(std::exchange(progress_->thrown, nullptr));
+        require(status);
+    }
+    [[noreturn]] static void too_small(const char* what, std::size_t points) {
+        throw Error(MGDT_ERR_BUFFER_TOO_SMALL, std::string("the buffer of ") + what +
+                                                   " is too small for " + std::to_string(points) +
+                                                   " points");
+    }
+
+    // The first of the indices (or weights) in a container of them or of arrays of them.
+    template <class T, class C>
+    static T* pointer(C& c) {
+        if constexpr (std::is_same_v<detail::element_t<C>, T>)
+            return std::data(c);
+        else
+            return reinterpret_cast<T*>(std::data(c));
+    }
+    // A buffer, seen as a row of integers.
+    template <std::size_t K, class C>
+    static auto flat(C& c) {
+        using Group = detail::group<detail::element_t<C>, K>;
+        using Int = typename Group::index;
+        static_assert(detail::is_index_v<Int>,
+                      "indices are std::int64_t or std::int32_t, or std::arrays of as many of them "
+                      "as belong together");
+        return Span<Int>(pointer<Int>(c), static_cast<std::size_t>(std::size(c)) * Group::width);
+    }
+    template <class Int>
+    using Export = mgdt_status (*)(const mgdt_triangulation*, std::int64_t, Int*);
+    template <std::size_t K, class C>
+    void write(C& out, Export<std::int64_t> wide, Export<std::int32_t> narrow) const {
+        const auto buffer = flat<K>(out);
+        const auto capacity = static_cast<std::int64_t>(buffer.size());
+        if constexpr (std::is_same_v<decltype(buffer), const Span<std::int64_t>>)
+            require(wide(handle_.get(), capacity, buffer.data()));
+        else
+            require(narrow(handle_.get(), capacity, buffer.data()));
+    }
+    template <class Int, std::size_t K>
+    std::vector<std::array<Int, K>> result(std::int64_t count, Export<std::int64_t> wide,
+                                           Export<std::int32_t> narrow) const {
+        static_assert(detail::is_index_v<Int>, "indices are std::int64_t or std::int32_t");
+        std::vector<std::array<Int, K>> v(static_cast<std::size_t>(count));
+        write<K>(v, wide, narrow);
+        return v;
+    }
+    template <class Int>
+    void locate_into(Points points, Span<Int> out, double* weights) const {
+        if (out.size() < points.count()) too_small("tetrahedra", points.count());
+        const auto n = static_cast<std::int64_t>(points.count());
+        if constexpr (std::is_same_v<Int, std::int64_t>)
+            require(mgdt_locate_points(handle_.get(), n, points.data(), out.data(), weights));
+        else
+            require(mgdt_locate_points_i32(handle_.get(), n, points.data(), out.data(), weights));
+    }
+
+    std::unique_ptr<Progress> progress_{};  // outlives the handle, which may call it
+    std::unique_ptr<mgdt_triangulation, Destroy> handle_{};
+};
+
+/** The order scheme of a name. @throw Error MGDT_ERR_UNKNOWN_SCHEME, MGDT_ERR_NULL_POINTER */
+[[nodiscard]] inline Order order_from_name(const char* text) {
+    std::int32_t scheme = 0;
+    const mgdt_status status = mgdt_order_scheme_from_name(text, &scheme);
+    if (status != MGDT_OK)
+        throw Error(status, std::string(mgdt_status_string(status)) +
+                                (text ? ": " + std::string(text) : std::string()));
+    return static_cast<Order>(scheme);
+}
+[[nodiscard]] inline Order order_from_name(const std::string& text) {
+    return order_from_name(text.c_str());
+}
+/** Version of the library that is running, "1.0.0". */
+[[nodiscard]] inline const char* version() noexcept {
+    return mgdt_version_string();
+}
+/** Version of the binary interface: 1. */
+[[nodiscard]] inline std::int32_t abi_version() noexcept {
+    return mgdt_abi_version();
+}
+
+}  // namespace cxx1
+}  // namespace mgdt
+
+#endif /* MGDT_MGDT_HPP */

@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What version 1.0 declared is still declared, letter by letter; and the client that was compiled
+with it uses all of it.
+
+  frozen_test.py --header mgdt.h --frozen mgdt-1.0.h --client PROGRAM
+"""
+import argparse
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True  # the source tree stays as it is
+import interface
+
+# These count versions, so they grow; MGDT_API and the guard say nothing to a program's text.
+FREE = {("macro", name) for name in ("MGDT_VERSION_MINOR", "MGDT_VERSION_PATCH", "MGDT_API", "MGDT_MGDT_H")}
+
+# Changes that must be noticed: in the header, what becomes of it, what is reported.
+CHANGES = [
+    (r"MGDT_ERR_CANCELLED = 40", "MGDT_ERR_CANCELLED = 41", "enumerator MGDT_ERR_CANCELLED"),
+    (r"MGDT_ORDER_BRIO = 40,", "", "enumerator MGDT_ORDER_BRIO"),
+    (r"MGDT_STAT_ROUNDS\b", "MGDT_STAT_TURNS", "enumerator MGDT_STAT_ROUNDS"),
+    (r"MGDT_CHECK_CANONICAL = 3", "MGDT_CHECK_CANONICAL", "enumerator MGDT_CHECK_CANONICAL"),
+    (r"#define MGDT_VERSION_MAJOR 1", "#define MGDT_VERSION_MAJOR 2", "macro MGDT_VERSION_MAJOR"),
+    (r"typedef int32_t mgdt_status;", "typedef int mgdt_status;", "type mgdt_status"),
+    (r"\(double fraction, void \*user\)", "(double fraction)", "type mgdt_progress_fn"),
+    (r"typedef struct mgdt_triangulation", "typedef union mgdt_triangulation", "type mgdt_triangulation"),
+    (r"(mgdt_reserve\([^;]*)int64_t", r"\1int32_t", "function mgdt_reserve"),
+    (r"(mgdt_insert_points\([^;]*)const double", r"\1double", "function mgdt_insert_points"),
+    (r"MGDT_API mgdt_status mgdt_check\([^;]*;", "", "function mgdt_check"),
+    (r"MGDT_API int32_t mgdt_dimension", "int32_t mgdt_dimension", "function mgdt_dimension"),
+    (r"int32_t mgdt_abi_version\(void\)", "int64_t mgdt_abi_version(void)", "function mgdt_abi_version"),
+]
+# And changes that may be made.
+GROWTH = [
+    (r"(MGDT_ERR_INTERNAL = 90)", r"\1, MGDT_ERR_NEW = 91"),
+    (r"(MGDT_API void mgdt_destroy)", r"MGDT_API int32_t mgdt_new(void);\n\1"),
+    (r"(typedef int32_t mgdt_status;)", r"\1 /* more of it */ typedef int32_t mgdt_other;"),
+    (r"#define MGDT_VERSION_MINOR 0", "#define MGDT_VERSION_MINOR 1\n#define MGDT_NEW 3"),
+    (r"mgdt_status mgdt_clear\(mgdt_triangulation \*t\)", "mgdt_status\n    mgdt_clear( mgdt_triangulation *  t )"),
+]
+
+passed = failed = 0
+
+
+def check(what, problem):
+    global passed, failed
+    if problem:
+        failed += 1
+        print(f"failed: {what}: {problem}")
+    else:
+        passed += 1
+        print(f"passed: {what}")
+
+
+def lost(old, new):
+    """What the old header declared and the new one does not, or otherwise."""
+    return [f"{kind} {name}: '{old[kind, name]}' is now '{new.get((kind, name), 'nothing')}'"
+            for kind, name in sorted(old)
+            if ((kind, name) not in new if (kind, name) in FREE else new.get((kind, name)) != old[kind, name])]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for name in ("header", "frozen", "client"):
+        parser.add_argument(f"--{name}", type=Path, required=True)
+    options = parser.parse_args()
+    header, frozen = options.header.read_text(), options.frozen.read_text()
+    old = interface.declarations(frozen)
+    kinds = {kind: sum(k == kind for k, _ in old) for kind in ("function", "enumerator", "type", "macro")}
+    print(kinds)
+    check("the frozen header is read", "" if all(kinds[k] >= n for k, n in
+          (("function", 50), ("enumerator", 44), ("type", 5), ("macro", 4))) else str(kinds))
+    check("each MGDT_API is a function", "" if len(re.findall(r"^MGDT_API\b", frozen, flags=re.M)) == kinds["function"]
+          else "some declarations were not understood")
+    check("what 1.0 declared is declared", "; ".join(lost(old, interface.declarations(header))))
+
+    for pattern, replacement, report in CHANGES:
+        changed = re.sub(pattern, replacement, frozen)
+        problems = lost(old, interface.declarations(changed))
+        check(f"a change of {report} is noticed", "" if changed != frozen and len(problems) == 1 and
+              problems[0].startswith(report + ":") else f"reported: {problems}")
+    for pattern, replacement in GROWTH:
+        changed = re.sub(pattern, replacement, frozen)
+        check(f"'{replacement.strip()}' is no change", "nothing is like it" if changed == frozen else
+              "; ".join(lost(old, interface.declarations(changed))))
+
+    # The client must ask the library for every function, by the version node that it had.
+    symbols = subprocess.run(["nm", "-D", "--undefined-only", "--with-symbol-versions", str(options.client)],
+                             check=True, capture_output=True, text=True).stdout
+    asked = dict(re.findall(r"\bU (mgdt_\w+)@+(\w[\w.]*)", symbols))
+    functions = {name for kind, name in old if kind == "function"}
+    check("the client calls every function", " ".join(sorted(functions - set(asked))))
+    check("by the version node of 1.0", " ".join(n for n, node in asked.items() if node != "MGDT_1.0"))
+    run = subprocess.run([str(options.client)], capture_output=True, text=True)
+    print(run.stdout, end="")
+    check("the client gets the results of 1.0", run.stdout + run.stderr if run.returncode else "")
+    check("and has compared some", "" if re.search(r"\b[1-9]\d+ checks, 0 failed", run.stdout) else run.stdout)
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed or not passed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+"""What a C header declares, and a library of empty functions that has that interface."""
+import re
+import subprocess
+
+
+def without_comments(text):
+    return re.sub(r"/\*.*?\*/", " ", text, flags=re.S)
+
+
+def normal(text):
+    """One space between words, none around punctuation: layout means nothing."""
+    return re.sub(r"\s*([(),*])\s*", r"\1", " ".join(text.split()))
+
+
+def declarations(text):
+    """Everything in a header that a program may depend on, by kind and name."""
+    text = without_comments(text)
+    found = {}
+    for name, value in re.findall(r"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]*(.*)$", text, flags=re.M):
+        found.setdefault(("macro", name), set()).add(normal(value))
+    found = {key: " | ".join(sorted(values)) for key, values in found.items()}
+    text = re.sub(r"^[ \t]*#.*$", "", text, flags=re.M)
+    for body in re.findall(r"\benum\b[^{;]*\{(.*?)\}", text, flags=re.S):
+        for part in body.split(","):
+            if part.strip():
+                name, _, value = normal(part).partition("=")
+                found["enumerator", name.strip()] = value.strip()
+    for text_ in re.findall(r"\btypedef\b([^;{]*);", text):
+        name = re.search(r"\(\*(\w+)\)|(\w+)$", normal(text_))
+        found["type", name.group(1) or name.group(2)] = normal(text_)
+    for result, name, parameters in functions(text):
+        found["function", name] = normal(f"{result} {name}({parameters})")
+    return found
+
+
+def functions(text):
+    """Result, name and parameters of each exported function."""
+    text = without_comments(text)
+    return [(normal(result), name, normal(parameters)) for result, name, parameters in
+            re.findall(r"^MGDT_API\s+([^;()]*?)(\w+)\s*\(([^;]*?)\)\s*;", text, flags=re.M)]
+
+
+def empty_library(compiler, header_text, script_text, folder):
+    """Compiles a library that has the header's functions and does nothing."""
+    folder.mkdir()
+    (folder / "mgdt.h").write_text(header_text)
+    (folder / "mgdt.map").write_text(script_text)
+    bodies = [f"{result} {name}({parameters}) {{ {'' if result == 'void' else 'return 0;'} }}"
+              for result, name, parameters in functions(header_text)]
+    (folder / "empty.c").write_text('#include "mgdt.h"\n' + "\n".join(bodies) + "\n")
+    # By names without a path: they are written to the debug information.
+    subprocess.run([*compiler, "-std=c99", "-g", "-O0", "-shared", "-fPIC", "-I.", "empty.c", "-o", "libempty.so",
+                    "-Wl,-soname,libmgdt.so.1", "-Wl,--version-script=mgdt.map"],
+                   check=True, cwd=folder)
+    return folder / "libempty.so"
+
+
+def version_script(header_text, nodes=("MGDT_1.0",), added=()):
+    """Every function in the first node, those that were added in the last."""
+    names = [name for _, name, _ in functions(header_text)]
+    text, before = "", ""
+    for node in nodes:
+        new = node == nodes[-1] and len(nodes) > 1
+        listed = [n for n in names if (n in added) == new]
+        text += f"{node} {{ global: {' '.join(n + ';' for n in listed)} " + \
+            ("" if before else "local: *; ") + f"}} {before};\n"
+        before = node
+    return text

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// The progress callback: any callable, exceptions through it, and cancelling.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "random_points.hpp"
+
+using namespace cxx_test;
+using mgdt::Triangulation;
+
+namespace {
+
+struct Observer {
+    bool hear(double fraction) {
+        last = fraction;
+        ++calls;
+        return false;
+    }
+    double last = -1;
+    long calls = 0;
+};
+
+long free_calls = 0;
+void count_call(double) {
+    ++free_calls;
+}
+
+// An exception of no standard class.
+struct Stop {
+    int call;
+};
+
+}  // namespace
+
+TEST(CxxProgress, AnythingThatCanBeCalled) {
+    const auto points = points_in_cube(size(5000));
+    Observer observer;
+    const auto with = [&points](auto&& callable) {
+        Triangulation t;
+        t.set_progress(std::forward<decltype(callable)>(callable));
+        t.insert(points);
+        t.check();
+        EXPECT_EQ(t.vertex_count(), std::int64_t(points.size()));
+    };
+    with([&](double fraction) { observer.hear(fraction); });
+    EXPECT_EQ(observer.last, 1);
+    EXPECT_GE(observer.calls, 5);
+    long before = observer.calls;
+    with(std::bind(&Observer::hear, &observer, std::placeholders::_1));
+    EXPECT_GT(observer.calls, before);
+    before = observer.calls;
+    with(std::function<bool(double)>([&](double f) { return observer.hear(f); }));
+    EXPECT_GT(observer.calls, before);
+    before = observer.calls;
+    // One that cannot be copied, whose result is an integer, with a float for an argument.
+    with([owned = std::make_unique<Observer*>(&observer)](float f) {
+        return (*owned)->hear(f) ? 1 : 0;
+    });
+    EXPECT_GT(observer.calls, before);
+    with(&count_call);
+    with(count_call);
+    EXPECT_GE(free_calls, 10);
+    // It may have state, which is kept between calls.
+    with([calls = 0](double) mutable { return ++calls < 0; });
+}
+
+TEST(CxxProgress, ReplacedAndTakenOff) {
+    const auto points = points_in_cube(size(5000));
+    auto life = std::make_shared<int>(0);
+    Triangulation t;
+    t.set_progress([life](double) { ++*life; });
+    EXPECT_EQ(life.use_count(), 2);
+    t.insert(points);
+    const int heard = *life;
+    EXPECT_GT(heard, 0);
+    long second = 0;
+    t.set_progress([&second](double) { ++second; });
+    EXPECT_EQ(life.use_count(), 1);
+    t.insert(points_in_cube(size(5000), 2));
+    EXPECT_EQ(*life, heard);
+    EXPECT_GT(second, 0);
+    const long before = second;
+    t.clear_progress();
+    t.insert(points_in_cube(size(5000), 3));
+    EXPECT_EQ(second, before);
+    t.clear_progress();
+    {
+        Triangulation u;
+        u.set_progress([life](double) {});
+        EXPECT_EQ(life.use_count(), 2);
+    }
+    EXPECT_EQ(life.use_count(), 1);
+}
+
+TEST(CxxProgress, CancelsByItsResult) {
+    const auto points = points_in_cube(size(20000));
+    Triangulation t;
+    t.set_progress([](double fraction) { return fraction > 0.3; });
+    try {
+        t.insert(points);
+        FAIL() << "no exception";
+    } catch (const mgdt::Cancelled& cancelled) {
+        EXPECT_EQ(cancelled.status(), MGDT_ERR_CANCELLED);
+        EXPECT_STRNE(cancelled.what(), "");
+    }
+    EXPECT_EQ(t.point_count(), std::int64_t(points.size()));
+    EXPECT_LT(t.vertex_count(), t.point_count());
+    t.check();
+    t.clear_progress();
+    t.insert(points);
+    EXPECT_EQ(t.vertex_count(), std::int64_t(points.size()));
+    t.check();
+}
+
+TEST(CxxProgress, ExceptionsPassUnchanged) {
+    const auto points = points_in_cube(size(20000));
+    // The last call of an insertion is among them.
+    long calls = 0;
+    {
+        Triangulation t;
+        t.set_progress([&calls](double) { ++calls; });
+        t.insert(points);
+    }
+    ASSERT_GE(calls, 5);
+    for (const long at : {1l, 2l, calls / 2, calls - 1, calls}) {
+        Triangulation t;
+        long call = 0;
+        t.set_progress([&](double) {
+            if (++call == at) throw Stop{int(call)};
+        });
+        try {
+            t.insert(points);
+            ADD_FAILURE() << "no exception at call " << at;
+        } catch (const Stop& stop) {
+            EXPECT_EQ(stop.call, at);
+        }
+        t.check();
+        // Nothing of it is left: the object works, with the same callback.
+        t.insert(points);
+        EXPECT_EQ(t.vertex_count(), std::int64_t(points.size()));
+        t.check();
+    }
+
+    Triangulation t;
+    t.set_progress([](double) -> bool { throw std::out_of_range("mine"); });
+    for (int k = 0; k < 2; ++k) {
+        try {
+            t.insert(points);
+            ADD_FAILURE() << "no exception";
+        } catch (const std::out_of_range& error) {
+            EXPECT_STREQ(error.what(), "mine");
+        }
+    }
+    t.check();
+}
+
+TEST(CxxProgress, CancelFromElsewhere) {
+    const auto points = points_in_cube(size(20000));
+    Triangulation t;
+    t.cancel();
+    EXPECT_THROW(t.insert(points), mgdt::Cancelled);
+
+    // From within, and from another thread while the call is on its way.
+    t.clear();
+    t.set_progress([&t](double) { t.cancel(); });
+    EXPECT_THROW(t.insert(points), mgdt::Cancelled);
+
+    t.clear();
+    std::atomic<int> state{0};
+    t.set_progress([&state](double) {
+        int expected = 0;
+        if (state.compare_exchange_strong(expected, 1))
+            while (state.load() != 2) std::this_thread::yield();
+    });
+    std::thread other([&] {
+        while (state.load() != 1) std::this_thread::yield();
+        t.cancel();
+        state = 2;
+    });
+    EXPECT_THROW(t.insert(points), mgdt::Cancelled);
+    other.join();
+    t.check();
+    t.clear_progress();
+    t.insert(points);
+    EXPECT_EQ(t.vertex_count(), std::int64_t(points.size()));
+}
+
+TEST(CxxThreads, ConstFunctionsRunAtOnce) {
+    const auto points = points_in_cube(size(5000));
+    const auto asked = points_in_cube(size(2000), 9);
+    const Triangulation t = triangulated(points);
+    const auto expected = t.locate_with_weights(asked);
+    std::atomic<int> different{0};
+    std::vector<std::thread> threads;
+    for (int k = 0; k < 4; ++k)
+        threads.emplace_back([&] {
+            const auto found = t.locate_with_weights(asked);
+            if (found.tetrahedra != expected.tetrahedra || found.weights != expected.weights)
+                ++different;
+            if (t.tetrahedra<std::int32_t>().size() != t.tetrahedra().size()) ++different;
+            if (status_of([&] { (void)t.locate({NAN, 0, 0}); }) != MGDT_ERR_NOT_FINITE) ++different;
+        });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(different.load(), 0);
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// A program that calls every function of the C++ interface once, and needs no RTTI. Compiled by
+// headers_test.py with each compiler and standard; results are the other tests' part.
+#include <mgdt/mgdt.hpp>
+#include <new>
+#include <vector>
+
+namespace {
+
+struct Heap {
+    void* allocate(std::size_t size, std::size_t align) {
+        return ::operator new(size, std::align_val_t(align));
+    }
+    void deallocate(void* p, std::size_t, std::size_t align) {
+        ::operator delete(p, std::align_val_t(align));
+    }
+};
+
+template <class Int>
+std::size_t exports(const mgdt::Triangulation& t, const std::vector<mgdt::Point>& points) {
+    auto tetrahedra = t.tetrahedra<Int>();
+    auto neighbors = t.neighbors<Int>();
+    auto facets = t.hull_facets<Int>();
+    auto edges = t.edges<Int>();
+    auto map = t.point_map<Int>();
+    auto around = t.vertex_tetrahedra<Int>();
+    auto located = t.locate_with_weights<Int>(points);
+    auto found = t.locate_points<Int>(points);
+    t.tetrahedra(tetrahedra);
+    t.neighbors(neighbors);
+    t.hull_facets(facets);
+    t.edges(edges);
+    t.point_map(map);
+    t.vertex_tetrahedra(around.offsets, around.list);
+    t.locate_points(points, found);
+    t.locate_points(points, found, located.weights);
+    return tetrahedra.size() + neighbors.size() + facets.size() + edges.size() + map.size() +
+           around[0].size() + found.size();
+}
+
+}  // namespace
+
+int main() {
+    try {
+        Heap heap;
+        mgdt::Triangulation t(heap), other;
+        t.set_order_scheme(mgdt::order_from_name("brio"));
+        t.set_order_parameter(mgdt::Parameter::round_ratio, 4);
+        t.set_seed(1);
+        t.set_threads(1);
+        t.set_index_base(0);
+        t.set_memory_limit(0);
+        t.set_canonical_output(true);
+        t.set_isa(nullptr);
+        t.set_progress([](double fraction) { return fraction > 2; });
+        t.reserve(8);
+        std::vector<double> x{0, 1, 0, 0}, y{0, 0, 1, 0}, z{0, 0, 0, 1};
+        t.insert(x, y, z);
+        t.insert_strided(4, x.data(), y.data(), z.data(), 1);
+        t.insert({{1, 1, 1}});
+        t.insert(std::vector<double>{2, 2, 3});
+        t.check(mgdt::Check::canonical);
+        const std::vector<mgdt::Point> points{{0.1, 0.1, 0.1}, {5, 5, 5}};
+        const std::size_t n = exports<std::int64_t>(t, points);
+        if (n != exports<std::int32_t>(t, points)) return 1;
+        if (t.locate(points[0]) < 0 || t.locate(points[1]) != -1) return 2;
+        if (t.nearest_vertex(points[0]) != 0) return 3;
+        if (t.point_count() != 10 || t.vertex_count() != 6 || t.dimension() != 3) return 4;
+        if (t.statistic(mgdt::Statistic::duplicates) != 4) return 5;
+        if (t.tetrahedron_count() * 4 != t.vertex_tetrahedra_count()) return 6;
+        if (t.hull_facet_count() < 4 || t.edge_count() < 6) return 7;
+        if (!mgdt::name(mgdt::Order::brio) || !mgdt::name(mgdt::Statistic::rounds)) return 8;
+        if (!mgdt::version() || mgdt::abi_version() != 1 || !mgdt::status_string(0)) return 9;
+        if (!t.isa()[0] || !t.last_error().empty() || !t.handle()) return 10;
+        swap(t, other);
+        t = std::move(other);
+        t.clear_progress();
+        t.clear();
+        mgdt::Triangulation again(t.release());
+        again.cancel();
+        try {
+            again.insert({{0, 0, 0}});
+            return 11;
+        } catch (const mgdt::Cancelled& cancelled) {
+            if (cancelled.status() != MGDT_ERR_CANCELLED) return 12;
+        }
+        again.set_memory_limit(1);
+        try {
+            again.reserve(1000000);
+            return 13;
+        } catch (const std::bad_alloc&) {
+        }
+        again.set_progress([](double) -> bool { throw 42; });
+        again.set_memory_limit(0);
+        try {
+            again.insert({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+            return 14;
+        } catch (int thrown) {
+            if (thrown != 42) return 15;
+        }
+        return 0;
+    } catch (const std::exception&) {
+        return 16;
+    }
+}

@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What documents refer to is there: files that are linked, sections, functions of the C interface;
+and docs/c.md lists each of these.
+
+  references_test.py SOURCE DOCUMENT...
+"""
+import re
+import sys
+from pathlib import Path
+
+passed = failed = 0
+
+
+def check(what, problem):
+    global passed, failed
+    if problem:
+        failed += 1
+        print(f"failed: {what}: {problem}")
+    else:
+        passed += 1
+        print(f"passed: {what}")
+
+
+def headings(text):
+    """The names under which a document's sections can be linked."""
+    found = set()
+    for title in re.findall(r"^#+ +(.*)$", text, flags=re.M):
+        found.add(re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-"))
+    return found
+
+
+def prose(text):
+    return re.sub(r"^ *(`{3,}).*?^ *\1\s*$", "", text, flags=re.M | re.S)
+
+
+def broken_links(document):
+    text = prose(document.read_text(encoding="utf-8"))
+    problems = []
+    for target in re.findall(r"\]\(([^)\s]+)\)", text):
+        if re.match(r"\w+:", target):
+            continue
+        path, _, section = target.partition("#")
+        file = (document.parent / path) if path else document
+        if not file.exists():
+            problems.append(target)
+        elif section and file.suffix == ".md" and section not in headings(file.read_text(encoding="utf-8")):
+            problems.append(f"{target} (no such section)")
+    return problems
+
+
+def main():
+    source, documents = Path(sys.argv[1]), [Path(p) for p in sys.argv[2:]]
+    header = (source / "include" / "mgdt" / "mgdt.h").read_text()
+    functions = set(re.findall(r"^MGDT_API\b[^;(]*?\b(mgdt_\w+)\s*\(", header, flags=re.M))
+    known = set(re.findall(r"\b(?:mgdt|MGDT)_\w+\b", header))
+    check("the header has functions", "" if len(functions) >= 50 else str(len(functions)))
+    for document in documents:
+        name = document.relative_to(source)
+        text = document.read_text(encoding="utf-8")
+        check(f"links of {name}", " ".join(broken_links(document)))
+        # Other languages' documents have names of their own.
+        if document.name in ("README.md", "abi.md", "architecture.md", "c.md", "cxx.md"):
+            named = set(re.findall(r"`(mgdt_\w+)(?:\(\))?`", prose(text)))
+            check(f"functions that {name} names", " ".join(sorted(named - known)))
+        if document.name == "c.md":
+            table = text.split("## Functions")[-1]
+            listed = re.findall(r"`(mgdt_\w+)`", table)
+            check("each function in the table, once", " ".join(sorted(functions ^ set(listed) |
+                  {f for f in listed if listed.count(f) > 1})))
+    check("one of the documents has the table", "" if any(d.name == "c.md" for d in documents) else "none has")
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
