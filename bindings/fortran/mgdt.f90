@@ -518,10 +518,10 @@ module mgdt
 
 contains
 
-    ! Counts are of kind int64 and may be used in specification expressions.
+    ! Counts are of kind int64. They are elemental, and may give the bounds of automatic arrays.
 
     ! Points ever given; those refused whole do not count.
-    pure function point_count(self) result(count)
+    elemental function point_count(self) result(count)
         class(mgdt_triangulation), intent(in) :: self
         integer(int64) :: count
 
@@ -529,7 +529,7 @@ contains
     end function
 
     ! Distinct points that are in.
-    pure function vertex_count(self) result(count)
+    elemental function vertex_count(self) result(count)
         class(mgdt_triangulation), intent(in) :: self
         integer(int64) :: count
 
@@ -537,7 +537,7 @@ contains
     end function
 
     ! Tetrahedra.
-    pure function tetrahedron_count(self) result(count)
+    elemental function tetrahedron_count(self) result(count)
         class(mgdt_triangulation), intent(in) :: self
         integer(int64) :: count
 
@@ -545,7 +545,7 @@ contains
     end function
 
     ! Triangles on the convex hull.
-    pure function hull_facet_count(self) result(count)
+    elemental function hull_facet_count(self) result(count)
         class(mgdt_triangulation), intent(in) :: self
         integer(int64) :: count
 
@@ -553,7 +553,7 @@ contains
     end function
 
     ! Edges of the tetrahedra.
-    pure function edge_count(self) result(count)
+    elemental function edge_count(self) result(count)
         class(mgdt_triangulation), intent(in) :: self
         integer(int64) :: count
 
@@ -561,7 +561,7 @@ contains
     end function
 
     ! Length of the list of get_vertex_tetrahedra: 4 times the tetrahedra.
-    pure function vertex_tetrahedra_count(self) result(count)
+    elemental function vertex_tetrahedra_count(self) result(count)
         class(mgdt_triangulation), intent(in) :: self
         integer(int64) :: count
 
@@ -570,7 +570,7 @@ contains
 
     ! Dimension of the points' affine hull: -1 empty, 0 one point, 1 a line, 2 a plane, 3 space.
     ! There are tetrahedra only at 3.
-    pure function dimension_of(self) result(dimension)
+    elemental function dimension_of(self) result(dimension)
         class(mgdt_triangulation), intent(in) :: self
         integer :: dimension
 

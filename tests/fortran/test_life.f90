@@ -170,6 +170,7 @@ contains
         call t%insert(xyz)
         call expect(t%point_count() == n, 'used again after destroy')
         call fill(many(1))
+        call expect(all(many%point_count() == [n, 0]), 'counts of an array')
         call many%destroy()
         call expect_freed('destroy of an array')
     end subroutine
