@@ -1,0 +1,333 @@
+! SPDX-License-Identifier: MIT
+! The C functions of mgdt as they stand in mgdt/mgdt.h, where they are documented. Module mgdt and
+! mgdt_f77.f90 are built on these; programs rarely need them.
+!
+! c_NAME is mgdt_NAME. Functions with 32-bit and 64-bit arrays are one generic name.
+module mgdt_c
+    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_funptr, c_int32_t, c_int64_t, &
+                                           c_ptr, c_size_t
+    implicit none
+    public
+    interface  ! life
+        function c_create(out) result(status) bind(c, name='mgdt_create')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: status
+        end function
+        function c_create_with_allocator(alloc, release, user, out) result(status) &
+            bind(c, name='mgdt_create_with_allocator')
+            import :: c_funptr, c_int32_t, c_ptr
+            type(c_funptr), value :: alloc, release
+            type(c_ptr), value :: user
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: status
+        end function
+        subroutine c_destroy(t) bind(c, name='mgdt_destroy')
+            import :: c_ptr
+            type(c_ptr), value :: t
+        end subroutine
+        function c_clear(t) result(status) bind(c, name='mgdt_clear')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t) :: status
+        end function
+        function c_reserve(t, n_points) result(status) bind(c, name='mgdt_reserve')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: n_points
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface  ! settings
+        function c_set_order_scheme(t, scheme) result(status) bind(c, name='mgdt_set_order_scheme')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: scheme
+            integer(c_int32_t) :: status
+        end function
+        function c_set_order_parameter(t, key, value) result(status) &
+            bind(c, name='mgdt_set_order_parameter')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: key
+            real(c_double), value :: value
+            integer(c_int32_t) :: status
+        end function
+        function c_set_seed(t, seed) result(status) bind(c, name='mgdt_set_seed')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: seed
+            integer(c_int32_t) :: status
+        end function
+        function c_set_threads(t, n) result(status) bind(c, name='mgdt_set_threads')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: n
+            integer(c_int32_t) :: status
+        end function
+        function c_set_index_base(t, base) result(status) bind(c, name='mgdt_set_index_base')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: base
+            integer(c_int32_t) :: status
+        end function
+        function c_set_memory_limit(t, bytes) result(status) bind(c, name='mgdt_set_memory_limit')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: bytes
+            integer(c_int32_t) :: status
+        end function
+        function c_set_progress(t, fn, user) result(status) bind(c, name='mgdt_set_progress')
+            import :: c_funptr, c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            type(c_funptr), value :: fn
+            type(c_ptr), value :: user
+            integer(c_int32_t) :: status
+        end function
+        function c_cancel(t) result(status) bind(c, name='mgdt_cancel')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t) :: status
+        end function
+        function c_set_canonical_output(t, on) result(status) &
+            bind(c, name='mgdt_set_canonical_output')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: on
+            integer(c_int32_t) :: status
+        end function
+        function c_set_isa(t, name) result(status) bind(c, name='mgdt_set_isa')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            type(c_ptr), value :: name
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface  ! points
+        function c_insert_points(t, n, xyz) result(status) bind(c, name='mgdt_insert_points')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_insert_points_strided(t, n, x, y, z, stride) result(status) &
+            bind(c, name='mgdt_insert_points_strided')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: n
+            type(c_ptr), value :: x, y, z
+            integer(c_int64_t), value :: stride
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    ! Pure, so that they may give the bounds of automatic arrays.
+    interface  ! counts
+        pure function c_point_count(t) result(count) bind(c, name='mgdt_point_count')
+            import :: c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t) :: count
+        end function
+        pure function c_vertex_count(t) result(count) bind(c, name='mgdt_vertex_count')
+            import :: c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t) :: count
+        end function
+        pure function c_dimension(t) result(d) bind(c, name='mgdt_dimension')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t) :: d
+        end function
+        pure function c_tetrahedron_count(t) result(count) bind(c, name='mgdt_tetrahedron_count')
+            import :: c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t) :: count
+        end function
+        pure function c_hull_facet_count(t) result(count) bind(c, name='mgdt_hull_facet_count')
+            import :: c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t) :: count
+        end function
+        pure function c_edge_count(t) result(count) bind(c, name='mgdt_edge_count')
+            import :: c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t) :: count
+        end function
+        pure function c_vertex_tetrahedra_count(t) result(count) &
+            bind(c, name='mgdt_vertex_tetrahedra_count')
+            import :: c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t) :: count
+        end function
+    end interface
+
+    ! What the exports of one array have in common.
+    abstract interface
+        function c_export_i32(t, capacity, v) result(status) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_export_i64(t, capacity, v) result(status) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    procedure(c_export_i32), bind(c, name='mgdt_get_tetrahedra_i32') :: c_get_tetrahedra_i32
+    procedure(c_export_i64), bind(c, name='mgdt_get_tetrahedra') :: c_get_tetrahedra_i64
+    procedure(c_export_i32), bind(c, name='mgdt_get_neighbors_i32') :: c_get_neighbors_i32
+    procedure(c_export_i64), bind(c, name='mgdt_get_neighbors') :: c_get_neighbors_i64
+    procedure(c_export_i32), bind(c, name='mgdt_get_hull_facets_i32') :: c_get_hull_facets_i32
+    procedure(c_export_i64), bind(c, name='mgdt_get_hull_facets') :: c_get_hull_facets_i64
+    procedure(c_export_i32), bind(c, name='mgdt_get_edges_i32') :: c_get_edges_i32
+    procedure(c_export_i64), bind(c, name='mgdt_get_edges') :: c_get_edges_i64
+    procedure(c_export_i32), bind(c, name='mgdt_get_point_map_i32') :: c_get_point_map_i32
+    procedure(c_export_i64), bind(c, name='mgdt_get_point_map') :: c_get_point_map_i64
+
+    interface c_get_tetrahedra
+        procedure :: c_get_tetrahedra_i32, c_get_tetrahedra_i64
+    end interface
+    interface c_get_neighbors
+        procedure :: c_get_neighbors_i32, c_get_neighbors_i64
+    end interface
+    interface c_get_hull_facets
+        procedure :: c_get_hull_facets_i32, c_get_hull_facets_i64
+    end interface
+    interface c_get_edges
+        procedure :: c_get_edges_i32, c_get_edges_i64
+    end interface
+    interface c_get_point_map
+        procedure :: c_get_point_map_i32, c_get_point_map_i64
+    end interface
+
+    interface c_get_vertex_tetrahedra
+        function c_get_vertex_tetrahedra_i32(t, offset_capacity, offsets, capacity, list) &
+            result(status) bind(c, name='mgdt_get_vertex_tetrahedra_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: offset_capacity, capacity
+            integer(c_int32_t), intent(inout) :: offsets(*), list(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_get_vertex_tetrahedra_i64(t, offset_capacity, offsets, capacity, list) &
+            result(status) bind(c, name='mgdt_get_vertex_tetrahedra')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: offset_capacity, capacity
+            integer(c_int64_t), intent(inout) :: offsets(*), list(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface  ! queries, trust, figures
+        function c_locate(t, xyz, tetrahedron) result(status) bind(c, name='mgdt_locate')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            real(c_double), intent(in) :: xyz(3)
+            integer(c_int64_t), intent(inout) :: tetrahedron
+            integer(c_int32_t) :: status
+        end function
+        function c_nearest_vertex(t, xyz, vertex) result(status) bind(c, name='mgdt_nearest_vertex')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            real(c_double), intent(in) :: xyz(3)
+            integer(c_int64_t), intent(inout) :: vertex
+            integer(c_int32_t) :: status
+        end function
+        function c_check(t, level) result(status) bind(c, name='mgdt_check')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: level
+            integer(c_int32_t) :: status
+        end function
+        function c_get_stat(t, key, value) result(status) bind(c, name='mgdt_get_stat')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: key
+            real(c_double), intent(inout) :: value
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_locate_points
+        function c_locate_points_i32(t, n, xyz, tetrahedra, weights) result(status) &
+            bind(c, name='mgdt_locate_points_i32')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int32_t), intent(inout) :: tetrahedra(*)
+            type(c_ptr), value :: weights
+            integer(c_int32_t) :: status
+        end function
+        function c_locate_points_i64(t, n, xyz, tetrahedra, weights) result(status) &
+            bind(c, name='mgdt_locate_points')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int64_t), intent(inout) :: tetrahedra(*)
+            type(c_ptr), value :: weights
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface  ! text: each pointer is to a static NUL-terminated string, or null
+        function c_stat_name(key) result(name) bind(c, name='mgdt_stat_name')
+            import :: c_int32_t, c_ptr
+            integer(c_int32_t), value :: key
+            type(c_ptr) :: name
+        end function
+        function c_status_string(s) result(text) bind(c, name='mgdt_status_string')
+            import :: c_int32_t, c_ptr
+            integer(c_int32_t), value :: s
+            type(c_ptr) :: text
+        end function
+        function c_get_error(t, capacity, buffer) result(status) bind(c, name='mgdt_get_error')
+            import :: c_char, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            character(kind=c_char), intent(inout) :: buffer(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_order_scheme_name(scheme) result(name) bind(c, name='mgdt_order_scheme_name')
+            import :: c_int32_t, c_ptr
+            integer(c_int32_t), value :: scheme
+            type(c_ptr) :: name
+        end function
+        function c_order_scheme_from_name(name, scheme) result(status) &
+            bind(c, name='mgdt_order_scheme_from_name')
+            import :: c_char, c_int32_t
+            character(kind=c_char), intent(in) :: name(*)
+            integer(c_int32_t), intent(inout) :: scheme
+            integer(c_int32_t) :: status
+        end function
+        function c_version_string() result(text) bind(c, name='mgdt_version_string')
+            import :: c_ptr
+            type(c_ptr) :: text
+        end function
+        function c_abi_version() result(version) bind(c, name='mgdt_abi_version')
+            import :: c_int32_t
+            integer(c_int32_t) :: version
+        end function
+        function c_isa_name(t) result(name) bind(c, name='mgdt_isa_name')
+            import :: c_ptr
+            type(c_ptr), value :: t
+            type(c_ptr) :: name
+        end function
+        pure function c_strlen(s) result(length) bind(c, name='strlen')
+            import :: c_ptr, c_size_t
+            type(c_ptr), value :: s
+            integer(c_size_t) :: length
+        end function
+    end interface
+end module mgdt_c

@@ -1,0 +1,267 @@
+! SPDX-License-Identifier: MIT
+! Exported arrays against what must hold of any triangulation: volumes, Euler's formula, mutual
+! neighbours; each kind and rank; larger arrays, sections, index base 0.
+program test_arrays
+    use checks
+    use mgdt
+    implicit none
+
+    integer, parameter :: n = 600
+    type(mgdt_triangulation) :: t
+    real(real64) :: xyz(3, n)
+    integer(int64) :: nt, nf, ne
+    integer(int32), allocatable :: tets(:, :)
+
+    call make_points(xyz)
+    call expect(t%dimension() == -1, 'the dimension of nothing')
+    call t%insert(xyz)
+    call expect(t%point_count() == n, 'points')
+    call expect(t%dimension() == 3, 'dimension')
+    nt = t%tetrahedron_count()
+    nf = t%hull_facet_count()
+    ne = t%edge_count()
+    call expect(t%vertex_count() - ne + (4*nt + nf)/2 - nt == 1, 'Euler')
+    call expect(t%vertex_tetrahedra_count() == 4*nt, 'length of the list')
+    allocate (tets(4, nt))
+    call t%get_tetrahedra(tets)
+
+    call test_point_map()
+    call test_volumes()
+    call test_neighbors()
+    call test_edges()
+    call test_vertex_tetrahedra()
+    call test_kinds_and_ranks()
+    call test_larger_arrays_and_sections()
+    call test_base_0()
+    call test_empty()
+    call conclude()
+
+contains
+
+    subroutine test_point_map()
+        integer(int32) :: map(n)
+        integer(int64) :: map_64(n)
+        integer :: i, j
+        logical :: right
+
+        call t%get_point_map(map)
+        call t%get_point_map(map_64)
+        call expect(all(map == map_64), 'point map of both kinds')
+        right = .true.
+        do i = 1, n
+            do j = 1, i
+                if (all(abs(xyz(:, j) - xyz(:, i)) <= 0)) exit
+            end do
+            right = right .and. map(i) == j
+        end do
+        call expect(right, 'each point is mapped to the first at its place')
+        call expect(count(map == [(i, i=1, n)]) == t%vertex_count(), 'vertices')
+        call expect(count(map /= [(i, i=1, n)]) >= n/10, 'there are duplicates to be found')
+    end subroutine
+
+    subroutine test_volumes()
+        integer(int64) :: facets(3, nf)
+        real(real64) :: volume, sum_of_volumes
+        logical :: positive
+        integer(int64) :: i
+
+        sum_of_volumes = 0
+        positive = .true.
+        do i = 1, nt
+            associate (v => tets(:, i))
+                volume = volume6(xyz(:, v(1)), xyz(:, v(2)), xyz(:, v(3)), xyz(:, v(4)))
+            end associate
+            positive = positive .and. volume > 0
+            sum_of_volumes = sum_of_volumes + volume
+        end do
+        call expect(positive, 'positive orientation')
+        call t%get_hull_facets(facets)
+        volume = 0
+        do i = 1, nf
+            volume = volume + volume6([0._real64, 0._real64, 0._real64], xyz(:, facets(1, i)), &
+                                      xyz(:, facets(2, i)), xyz(:, facets(3, i)))
+        end do
+        call expect(abs(volume - sum_of_volumes) <= 0, 'the hull encloses the tetrahedra exactly')
+    end subroutine
+
+    subroutine test_neighbors()
+        integer(int64) :: neighbors(4, nt)
+        integer(int64) :: i
+        integer :: k
+        logical :: mutual, shared
+
+        call t%get_neighbors(neighbors)
+        call expect(count(neighbors == 0) == nf, 'a missing neighbour for each facet of the hull')
+        mutual = .true.
+        shared = .true.
+        do i = 1, nt
+            do k = 1, 4
+                if (neighbors(k, i) == 0) cycle
+                associate (other => neighbors(k, i))
+                    mutual = mutual .and. any(neighbors(:, other) == i)
+                    shared = shared .and. common(tets(:, i), tets(:, other)) == 3 &
+                             .and. all(tets(:, other) /= tets(k, i))
+                end associate
+            end do
+        end do
+        call expect(mutual, 'neighbours know each other')
+        call expect(shared, 'neighbour k shares the facet opposite vertex k')
+    end subroutine
+
+    pure integer function common(a, b)
+        integer(int32), intent(in) :: a(4), b(4)
+        integer :: i
+
+        common = count([(any(b == a(i)), i=1, 4)])
+    end function
+
+    subroutine test_edges()
+        integer(int32) :: edges(2, ne)
+        logical, allocatable :: wanted(:, :)
+        integer(int64) :: i
+        integer :: j, k
+        logical :: each_once
+
+        allocate (wanted(n, n))
+        wanted = .false.
+        do i = 1, nt
+            do j = 1, 4
+                do k = 1, 4
+                    if (tets(j, i) < tets(k, i)) wanted(tets(j, i), tets(k, i)) = .true.
+                end do
+            end do
+        end do
+        call t%get_edges(edges)
+        call expect(count(wanted) == ne, 'number of edges')
+        each_once = .true.
+        do i = 1, ne
+            each_once = each_once .and. wanted(edges(1, i), edges(2, i))
+            wanted(edges(1, i), edges(2, i)) = .false.
+        end do
+        call expect(each_once .and. .not. any(wanted), 'each edge once, the lesser point first')
+    end subroutine
+
+    subroutine test_vertex_tetrahedra()
+        integer(int32) :: offsets(n + 1), list(4*nt)
+        integer(int64) :: offsets_64(n + 1), list_64(4*nt)
+        integer :: i, k
+        logical :: around, ascending
+
+        call t%get_vertex_tetrahedra(offsets, list)
+        call t%get_vertex_tetrahedra(offsets_64, list_64)
+        call expect(all(offsets == offsets_64) .and. all(list == list_64), 'lists of both kinds')
+        call expect(offsets(1) == 1 .and. offsets(n + 1) == 4*nt + 1, 'ends of the list')
+        around = .true.
+        ascending = .true.
+        do i = 1, n
+            do k = offsets(i), offsets(i + 1) - 1
+                around = around .and. any(tets(:, list(k)) == i)
+                if (k > offsets(i)) ascending = ascending .and. list(k - 1) < list(k)
+            end do
+        end do
+        call expect(around, 'the tetrahedra of a point have it as a vertex')
+        call expect(ascending, 'the list is ascending')
+    end subroutine
+
+    subroutine test_kinds_and_ranks()
+        integer(int32), allocatable :: a2(:, :), a1(:)
+        integer(int64), allocatable :: b2(:, :), b1(:)
+
+        allocate (a2(4, nt), a1(4*nt), b2(4, nt), b1(4*nt))
+        call t%get_tetrahedra(a2)
+        call t%get_tetrahedra(a1)
+        call t%get_tetrahedra(b2)
+        call t%get_tetrahedra(b1)
+        call expect(same(a2, a1, b2, b1), 'tetrahedra of each kind and rank')
+        call t%get_neighbors(a2)
+        call t%get_neighbors(a1)
+        call t%get_neighbors(b2)
+        call t%get_neighbors(b1)
+        call expect(same(a2, a1, b2, b1), 'neighbours of each kind and rank')
+        deallocate (a2, a1, b2, b1)
+        allocate (a2(3, nf), a1(3*nf), b2(3, nf), b1(3*nf))
+        call t%get_hull_facets(a2)
+        call t%get_hull_facets(a1)
+        call t%get_hull_facets(b2)
+        call t%get_hull_facets(b1)
+        call expect(same(a2, a1, b2, b1), 'hull facets of each kind and rank')
+        deallocate (a2, a1, b2, b1)
+        allocate (a2(2, ne), a1(2*ne), b2(2, ne), b1(2*ne))
+        call t%get_edges(a2)
+        call t%get_edges(a1)
+        call t%get_edges(b2)
+        call t%get_edges(b1)
+        call expect(same(a2, a1, b2, b1), 'edges of each kind and rank')
+    end subroutine
+
+    logical function same(a2, a1, b2, b1)
+        integer(int32), intent(in) :: a2(:, :), a1(:)
+        integer(int64), intent(in) :: b2(:, :), b1(:)
+
+        same = minval(a2) >= 0 .and. maxval(a2) > 1 .and. all(reshape(a2, shape(a1)) == a1) &
+               .and. all(a2 == b2) .and. all(a1 == b1)
+    end function
+
+    ! Sections that are not contiguous come back through a copy that the compiler makes.
+    subroutine test_larger_arrays_and_sections()
+        integer(int32), allocatable :: rows(:, :), columns(:, :), one(:)
+        integer(int64), allocatable :: larger(:, :)
+        integer :: stat
+
+        allocate (larger(4, nt + 7), source=-5_int64)
+        call t%get_tetrahedra(larger)
+        call expect(all(larger(:, :nt) == tets), 'a larger array')
+        call expect(all(larger(:, nt + 1:) == -5), 'the rest of a larger array is not touched')
+
+        allocate (rows(6, nt), source=-5_int32)
+        call t%get_tetrahedra(rows(2:5, :))
+        call expect(all(rows(2:5, :) == tets) .and. all(rows([1, 6], :) == -5), 'a section of rows')
+        allocate (columns(4, 2*nt), source=-5_int32)
+        call t%get_tetrahedra(columns(:, 2::2))
+        call expect(all(columns(:, 2::2) == tets) .and. all(columns(:, 1::2) == -5), 'every other column')
+        allocate (one(8*nt), source=-5_int32)
+        call t%get_tetrahedra(one(1::2))
+        call expect(all(one(1::2) == reshape(tets, [4*nt])) .and. all(one(2::2) == -5), &
+                    'every other element')
+        one = -5
+        call t%get_tetrahedra(one(1:8*int(nt) - 8:2), stat=stat)
+        call expect(stat == mgdt_err_buffer_too_small .and. all(one == -5), &
+                    'a section that is too small is not touched')
+    end subroutine
+
+    subroutine test_base_0()
+        integer(int32) :: from_0(4, nt), neighbors(4, nt), map(n)
+
+        call t%set_index_base(0)
+        call t%get_tetrahedra(from_0)
+        call expect(all(from_0 == tets - 1), 'tetrahedra with base 0')
+        call t%get_neighbors(neighbors)
+        call expect(minval(neighbors) == -1 .and. count(neighbors == -1) == nf, 'none with base 0')
+        call t%get_point_map(map)
+        call expect(minval(map) == 0, 'point map with base 0')
+        call t%set_index_base(1)
+    end subroutine
+
+    ! One that was never used exports what an empty one does.
+    subroutine test_empty()
+        type(mgdt_triangulation) :: empty
+        integer(int32) :: none(4, 0), offsets(1), list(0), found
+        integer(int64) :: map(0)
+        integer :: stats(6)
+
+        call empty%get_tetrahedra(none, stat=stats(1))
+        call empty%get_point_map(map, stat=stats(2))
+        offsets = -5
+        call empty%get_vertex_tetrahedra(offsets, list, stat=stats(3))
+        call expect(offsets(1) == 1, 'the empty list')
+        call empty%check(mgdt_check_canonical, stat=stats(4))
+        found = -5
+        call empty%locate(xyz(:, 1), found, stat=stats(5))
+        call expect(found == 0, 'nothing is found in an empty triangulation')
+        found = -5
+        call empty%nearest_vertex(xyz(:, 1), found, stat=stats(6))
+        call expect(found == 0, 'nothing is near in an empty triangulation')
+        call expect(all(stats == mgdt_ok), 'an empty triangulation')
+        call expect(empty%tetrahedron_count() == 0 .and. empty%edge_count() == 0, 'counts of nothing')
+    end subroutine
+end program

@@ -1,0 +1,482 @@
+! SPDX-License-Identifier: MIT
+! Every FORTRAN 77 subroutine from a fixed-form program with an implicit
+! interface. Compiled with several sets of flags.
+      PROGRAM TSTF77
+      IMPLICIT NONE
+      INTEGER NCHK, NBAD
+      COMMON /COUNT/ NCHK, NBAD
+      NCHK = 0
+      NBAD = 0
+      CALL TSTARR
+      CALL TSTQUE
+      CALL TSTSET
+      CALL TSTTXT
+      CALL TSTPRO
+      CALL TSTBAD
+      WRITE (*, '(I6, A, I6, A)') NCHK, ' checks,', NBAD, ' failed'
+      IF (NBAD .GT. 0 .OR. NCHK .EQ. 0) STOP 1
+      END
+
+      SUBROUTINE EXPECT(YES, WHAT)
+      IMPLICIT NONE
+      LOGICAL YES
+      CHARACTER*(*) WHAT
+      INTEGER NCHK, NBAD
+      COMMON /COUNT/ NCHK, NBAD
+      NCHK = NCHK + 1
+      IF (YES) RETURN
+      NBAD = NBAD + 1
+      WRITE (*, '(2A)') 'failed: ', WHAT
+      END
+
+! A call that must have gone well.
+      SUBROUTINE GOOD(H, IERR, WHAT)
+      IMPLICIT NONE
+      INTEGER H(4), IERR, JERR
+      CHARACTER*(*) WHAT
+      CHARACTER*256 TEXT
+      CALL EXPECT(IERR .EQ. 0, WHAT)
+      IF (IERR .EQ. 0) RETURN
+      CALL MGERR(H, TEXT, JERR)
+      WRITE (*, '(I6, 2X, A)') IERR, TEXT(1:100)
+      END
+
+! A call that must have failed, with a message that begins so.
+      SUBROUTINE BAD(H, IERR, IWANT, PART)
+      IMPLICIT NONE
+      INTEGER H(4), IERR, IWANT, JERR
+      CHARACTER*(*) PART
+      CHARACTER*256 TEXT
+      CALL EXPECT(IERR .EQ. IWANT, 'status: '//PART)
+      CALL MGERR(H, TEXT, JERR)
+      CALL EXPECT(INDEX(TEXT, PART) .GT. 0, 'message: '//PART)
+      IF (INDEX(TEXT, PART) .EQ. 0) WRITE (*, '(A)') TEXT(1:100)
+      END
+
+! N points with coordinates that are multiples of 2**-10; point N repeats
+! the first.
+      SUBROUTINE MKPTS(N, XYZ)
+      IMPLICIT NONE
+      INTEGER N, I, K, ISEED
+      DOUBLE PRECISION XYZ(3, N)
+      ISEED = 1
+      DO 20 I = 1, N
+        DO 10 K = 1, 3
+          ISEED = MOD(ISEED*1103 + 12345, 65536)
+          XYZ(K, I) = (ISEED/64)/1024.0D0
+   10   CONTINUE
+   20 CONTINUE
+      DO 30 K = 1, 3
+        XYZ(K, N) = XYZ(K, 1)
+   30 CONTINUE
+      END
+
+      DOUBLE PRECISION FUNCTION VOL6(A, B, C, D)
+      IMPLICIT NONE
+      DOUBLE PRECISION A(3), B(3), C(3), D(3), P(3), Q(3), R(3)
+      INTEGER K
+      DO 10 K = 1, 3
+        P(K) = B(K) - A(K)
+        Q(K) = C(K) - A(K)
+        R(K) = D(K) - A(K)
+   10 CONTINUE
+      VOL6 = R(1)*(P(2)*Q(3) - P(3)*Q(2)) + R(2)*(P(3)*Q(1) -
+     &    P(1)*Q(3)) + R(3)*(P(1)*Q(2) - P(2)*Q(1))
+      END
+
+! Points, counts and arrays.
+      SUBROUTINE TSTARR
+      IMPLICIT NONE
+      INTEGER N, MAXT
+      PARAMETER (N = 200, MAXT = 2500)
+      INTEGER H(4), IERR, NPT, NVT, NT, NF, NE, NL, IDIM, I, K, J, L
+      INTEGER ITET(4, MAXT), INBR(4, MAXT), IFAC(3, MAXT)
+      INTEGER IEDG(2, MAXT), MAP(N), IOFF(N + 1), LIST(4*MAXT)
+      INTEGER ITET0(4, MAXT), NONE
+      DOUBLE PRECISION XYZ(3, N), X(2*N), Y(2*N), Z(2*N), V, VH, VOL6
+      DOUBLE PRECISION O(3)
+      LOGICAL YES
+      SAVE
+      DATA O /3*0.0D0/
+      INCLUDE 'mgdt_f77.inc'
+      CALL MKPTS(N, XYZ)
+      CALL MGNEW(H, IERR)
+      CALL GOOD(H, IERR, 'MGNEW')
+      CALL MGDIM(H, IDIM, IERR)
+      CALL EXPECT(IERR .EQ. MGOK .AND. IDIM .EQ. -1, 'empty')
+      CALL MGRSV(H, N, IERR)
+      CALL GOOD(H, IERR, 'MGRSV')
+      CALL MGINS(H, N/2, XYZ, IERR)
+      CALL GOOD(H, IERR, 'MGINS')
+! The other half from separate arrays, backwards and with gaps.
+      DO 10 I = 1, N/2
+        X(2*(N/2 - I) + 1) = XYZ(1, N/2 + I)
+        Y(2*(N/2 - I) + 1) = XYZ(2, N/2 + I)
+        Z(2*(N/2 - I) + 1) = XYZ(3, N/2 + I)
+   10 CONTINUE
+      CALL MGINSS(H, N/2, X(N - 1), Y(N - 1), Z(N - 1), -2, IERR)
+      CALL GOOD(H, IERR, 'MGINSS')
+      CALL MGCHK(H, MGCCAN, IERR)
+      CALL GOOD(H, IERR, 'MGCHK')
+      CALL MGDIM(H, IDIM, IERR)
+      CALL MGNPT(H, NPT, IERR)
+      CALL GOOD(H, IERR, 'MGNPT')
+      CALL MGNVT(H, NVT, IERR)
+      CALL GOOD(H, IERR, 'MGNVT')
+      CALL MGNTET(H, NT, IERR)
+      CALL GOOD(H, IERR, 'MGNTET')
+      CALL MGNHUL(H, NF, IERR)
+      CALL GOOD(H, IERR, 'MGNHUL')
+      CALL MGNEDG(H, NE, IERR)
+      CALL GOOD(H, IERR, 'MGNEDG')
+      CALL MGNVTT(H, NL, IERR)
+      CALL GOOD(H, IERR, 'MGNVTT')
+      CALL EXPECT(IDIM .EQ. 3 .AND. NPT .EQ. N, 'dimension, points')
+      CALL EXPECT(NVT - NE + (4*NT + NF)/2 - NT .EQ. 1, 'Euler')
+      CALL EXPECT(NL .EQ. 4*NT .AND. NVT .LT. N, 'list, duplicate')
+
+      CALL MGTETS(H, MAXT, ITET, IERR)
+      CALL GOOD(H, IERR, 'MGTETS')
+      CALL MGNBRS(H, NT, INBR, IERR)
+      CALL GOOD(H, IERR, 'MGNBRS')
+      CALL MGHULL(H, NF, IFAC, IERR)
+      CALL GOOD(H, IERR, 'MGHULL')
+      CALL MGEDGS(H, NE, IEDG, IERR)
+      CALL GOOD(H, IERR, 'MGEDGS')
+      CALL MGMAP(H, N, MAP, IERR)
+      CALL GOOD(H, IERR, 'MGMAP')
+      CALL MGVTS(H, N + 1, IOFF, NL, LIST, IERR)
+      CALL GOOD(H, IERR, 'MGVTS')
+
+      V = 0
+      YES = .TRUE.
+      NONE = 0
+      DO 40 I = 1, NT
+        V = V + VOL6(XYZ(1, ITET(1, I)), XYZ(1, ITET(2, I)),
+     &               XYZ(1, ITET(3, I)), XYZ(1, ITET(4, I)))
+        DO 30 K = 1, 4
+          J = INBR(K, I)
+          IF (J .EQ. 0) THEN
+            NONE = NONE + 1
+          ELSE
+            YES = YES .AND. (INBR(1, J) .EQ. I .OR. INBR(2, J) .EQ. I
+     &          .OR. INBR(3, J) .EQ. I .OR. INBR(4, J) .EQ. I)
+          END IF
+   30   CONTINUE
+   40 CONTINUE
+      CALL EXPECT(YES, 'mutual neighbours')
+      CALL EXPECT(NONE .EQ. NF, 'none on the hull')
+      VH = 0
+      DO 50 I = 1, NF
+        VH = VH + VOL6(O, XYZ(1, IFAC(1, I)), XYZ(1, IFAC(2, I)),
+     &                 XYZ(1, IFAC(3, I)))
+   50 CONTINUE
+      CALL EXPECT(V .EQ. VH .AND. V .GT. 0, 'volumes')
+      YES = .TRUE.
+      DO 60 I = 1, NE
+        YES = YES .AND. IEDG(1, I) .LT. IEDG(2, I) .AND.
+     &        IEDG(1, I) .GE. 1 .AND. IEDG(2, I) .LE. N
+   60 CONTINUE
+      CALL EXPECT(YES, 'edges')
+      CALL EXPECT(MAP(N) .EQ. 1 .AND. MAP(1) .EQ. 1, 'point map')
+      YES = IOFF(1) .EQ. 1 .AND. IOFF(N + 1) .EQ. NL + 1
+      DO 80 I = 1, N
+        DO 70 K = IOFF(I), IOFF(I + 1) - 1
+          L = LIST(K)
+          YES = YES .AND. (ITET(1, L) .EQ. I .OR. ITET(2, L) .EQ. I
+     &        .OR. ITET(3, L) .EQ. I .OR. ITET(4, L) .EQ. I)
+   70   CONTINUE
+   80 CONTINUE
+      CALL EXPECT(YES, 'tetrahedra around points')
+
+      CALL MGBASE(H, 0, IERR)
+      CALL GOOD(H, IERR, 'MGBASE')
+      CALL MGTETS(H, NT, ITET0, IERR)
+      YES = .TRUE.
+      DO 90 I = 1, NT
+        YES = YES .AND. ITET0(1, I) .EQ. ITET(1, I) - 1 .AND.
+     &        ITET0(4, I) .EQ. ITET(4, I) - 1
+   90 CONTINUE
+      CALL EXPECT(YES, 'base 0')
+
+      ITET(1, 1) = -5
+      CALL MGTETS(H, NT - 1, ITET, IERR)
+      CALL BAD(H, IERR, MGEBUF, 'are needed')
+      CALL EXPECT(ITET(1, 1) .EQ. -5, 'not touched')
+      CALL MGTETS(H, -1, ITET, IERR)
+      CALL BAD(H, IERR, MGEARG, 'negative')
+      CALL MGVTS(H, N, IOFF, NL, LIST, IERR)
+      CALL BAD(H, IERR, MGEBUF, '201 are needed')
+      CALL MGCLR(H, IERR)
+      CALL GOOD(H, IERR, 'MGCLR')
+      CALL MGNPT(H, NPT, IERR)
+      CALL EXPECT(NPT .EQ. 0, 'cleared')
+      CALL MGFREE(H, IERR)
+      CALL GOOD(H, IERR, 'MGFREE')
+      END
+
+! Location and nearest vertices.
+      SUBROUTINE TSTQUE
+      IMPLICIT NONE
+      INTEGER N, MAXT
+      PARAMETER (N = 200, MAXT = 2500)
+      INTEGER H(4), IERR, ITET(4, MAXT), IN(N), IN2(N), I, K, L, IV
+      DOUBLE PRECISION XYZ(3, N), P(3, N), W(4, N), S
+      LOGICAL YES
+      SAVE
+      INCLUDE 'mgdt_f77.inc'
+      CALL MKPTS(N, XYZ)
+      CALL MGNEW(H, IERR)
+      CALL MGINS(H, N, XYZ, IERR)
+      CALL GOOD(H, IERR, 'MGINS')
+      CALL MGTETS(H, MAXT, ITET, IERR)
+      DO 20 I = 1, N
+        DO 10 K = 1, 3
+          P(K, I) = 0.45D0*(XYZ(K, I) + XYZ(K, N + 1 - I)) + 0.05123D0
+   10   CONTINUE
+   20 CONTINUE
+      P(1, N) = 7
+      CALL MGLOCW(H, N, P, IN, W, IERR)
+      CALL GOOD(H, IERR, 'MGLOCW')
+      CALL MGLOCN(H, N, P, IN2, IERR)
+      CALL GOOD(H, IERR, 'MGLOCN')
+      YES = IN(N) .EQ. 0 .AND. W(1, N) .EQ. 0
+      DO 50 I = 1, N
+        YES = YES .AND. IN2(I) .EQ. IN(I)
+        CALL MGLOC(H, P(1, I), L, IERR)
+        YES = YES .AND. IERR .EQ. 0 .AND. L .EQ. IN(I)
+        IF (I .EQ. N) GO TO 50
+        YES = YES .AND. IN(I) .GT. 0
+        DO 40 K = 1, 3
+          S = -P(K, I)
+          DO 30 L = 1, 4
+            S = S + W(L, I)*XYZ(K, ITET(L, IN(I)))
+   30     CONTINUE
+          YES = YES .AND. ABS(S) .LT. 1D-12
+   40   CONTINUE
+   50 CONTINUE
+      CALL EXPECT(YES, 'location and weights')
+      YES = .TRUE.
+      DO 60 I = 1, N - 1
+        CALL MGNEAR(H, XYZ(1, I), IV, IERR)
+        YES = YES .AND. IERR .EQ. 0 .AND. XYZ(1, IV) .EQ. XYZ(1, I)
+     &        .AND. XYZ(2, IV) .EQ. XYZ(2, I) .AND. IV .LE. I
+   60 CONTINUE
+      CALL EXPECT(YES, 'MGNEAR')
+      CALL MGFREE(H, IERR)
+      END
+
+! Settings do not change the tetrahedra.
+      SUBROUTINE TSTSET
+      IMPLICIT NONE
+      INTEGER N, MAXT
+      PARAMETER (N = 200, MAXT = 2500)
+      INTEGER H(4), IERR, ITET(4, MAXT), IWANT(4, MAXT), NT, I, K, IORD
+      DOUBLE PRECISION XYZ(3, N), V
+      CHARACTER*20 NAME
+      LOGICAL YES
+      SAVE
+      INCLUDE 'mgdt_f77.inc'
+      CALL MKPTS(N, XYZ)
+      CALL MGNEW(H, IERR)
+      CALL MGCANO(H, 1, IERR)
+      CALL GOOD(H, IERR, 'MGCANO')
+      CALL MGINS(H, N, XYZ, IERR)
+      CALL MGNTET(H, NT, IERR)
+      CALL MGTETS(H, MAXT, IWANT, IERR)
+      CALL MGPAR(H, MGPPPC, 4D0, IERR)
+      CALL GOOD(H, IERR, 'MGPAR')
+      CALL MGSEED(H, 7, IERR)
+      CALL GOOD(H, IERR, 'MGSEED')
+      CALL MGTHR(H, 2, IERR)
+      CALL GOOD(H, IERR, 'MGTHR')
+      CALL MGMEM(H, 1D10, IERR)
+      CALL GOOD(H, IERR, 'MGMEM')
+      CALL MGISA(H, 'baseline', IERR)
+      CALL GOOD(H, IERR, 'MGISA')
+      CALL MGISAN(H, NAME, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. NAME .EQ. 'baseline', 'MGISAN')
+      CALL MGISA(H, ' ', IERR)
+      CALL GOOD(H, IERR, 'MGISA of the best')
+      YES = .TRUE.
+      DO 30 IORD = 0, 90, 10
+        CALL MGSNAM(IORD, NAME, IERR)
+        YES = YES .AND. IERR .EQ. 0
+        CALL MGORD(H, NAME, IERR)
+        YES = YES .AND. IERR .EQ. 0
+        CALL MGCLR(H, IERR)
+        CALL MGINS(H, N/2, XYZ, IERR)
+        CALL MGORDN(H, IORD, IERR)
+        YES = YES .AND. IERR .EQ. 0
+        CALL MGINS(H, N - N/2, XYZ(1, N/2 + 1), IERR)
+        CALL MGTETS(H, MAXT, ITET, IERR)
+        DO 20 I = 1, NT
+          DO 10 K = 1, 4
+            YES = YES .AND. ITET(K, I) .EQ. IWANT(K, I)
+   10     CONTINUE
+   20   CONTINUE
+   30 CONTINUE
+      CALL EXPECT(YES, 'order schemes')
+      CALL MGSTAT(H, MGFPTS, V, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. NINT(V) .GT. 190, 'MGSTAT')
+      CALL MGMEM(H, 1D5, IERR)
+      CALL MGINS(H, N, XYZ, IERR)
+      CALL BAD(H, IERR, MGEMEM, 'memory')
+      CALL MGMEM(H, 0D0, IERR)
+      CALL MGCHK(H, MGCCAN, IERR)
+      CALL GOOD(H, IERR, 'valid after running out of memory')
+      CALL MGFREE(H, IERR)
+      END
+
+! Names and texts.
+      SUBROUTINE TSTTXT
+      IMPLICIT NONE
+      INTEGER IERR, IABI, IORD, H(4)
+      CHARACTER*60 TEXT
+      CHARACTER*4 SHORT
+      INCLUDE 'mgdt_f77.inc'
+      CALL MGVERS(TEXT, IABI, IERR)
+      CALL EXPECT(TEXT .EQ. '1.0.0' .AND. IABI .EQ. 1, 'MGVERS')
+      CALL MGSTNM(MGFWST, TEXT, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. TEXT .EQ. 'walk steps', 'MGSTNM')
+      CALL MGSTNM(MGFWST, SHORT, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. SHORT .EQ. 'walk', 'a name cut')
+      CALL MGSTNM(-1, TEXT, IERR)
+      CALL EXPECT(IERR .EQ. MGEKEY, 'the name of no figure')
+      IORD = 77
+      CALL MGSNUM('multi-grid ', IORD, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. IORD .EQ. MGOMUL, 'MGSNUM')
+      CALL MGSNUM('multigrid', IORD, IERR)
+      CALL EXPECT(IERR .EQ. MGESCH .AND. IORD .EQ. MGOMUL, 'no scheme')
+      TEXT = 'as it was'
+      CALL MGSNAM(5, TEXT, IERR)
+      CALL EXPECT(IERR .EQ. MGESCH .AND. TEXT .EQ. 'as it was',
+     &            'the name of no scheme')
+      CALL MGTEXT(MGEFIN, TEXT, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. TEXT .NE. ' ', 'MGTEXT')
+      CALL MGTEXT(9999, TEXT, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. TEXT .NE. ' ', 'unknown status')
+      CALL MGNEW(H, IERR)
+      CALL MGERR(H, TEXT, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. TEXT .EQ. ' ', 'no message yet')
+      CALL MGFREE(H, IERR)
+      END
+
+! Progress and cancelling.
+      SUBROUTINE TSTPRO
+      IMPLICIT NONE
+      INTEGER N
+      PARAMETER (N = 2000)
+      INTEGER H(4), IERR, NCALL, NVT
+      DOUBLE PRECISION XYZ(3, N), STOPAT
+      EXTERNAL HEAR
+      COMMON /HEARD/ STOPAT, NCALL
+      SAVE XYZ
+      INCLUDE 'mgdt_f77.inc'
+      CALL MKPTS(N, XYZ)
+      CALL MGNEW(H, IERR)
+      NCALL = 0
+      STOPAT = 2
+      CALL MGPROG(H, HEAR, IERR)
+      CALL GOOD(H, IERR, 'MGPROG')
+      CALL MGINS(H, N, XYZ, IERR)
+      CALL GOOD(H, IERR, 'MGINS with progress')
+      CALL EXPECT(NCALL .GE. 10, 'progress is heard')
+      CALL MGCLR(H, IERR)
+      STOPAT = 0.5D0
+      CALL MGINS(H, N, XYZ, IERR)
+      CALL BAD(H, IERR, MGECAN, 'cancel')
+      CALL MGNVT(H, NVT, IERR)
+      CALL EXPECT(NVT .GT. 0 .AND. NVT .LT. N - 1, 'some are in')
+      CALL MGCHK(H, MGCCAN, IERR)
+      CALL GOOD(H, IERR, 'valid after cancelling')
+      CALL MGNOPR(H, IERR)
+      CALL GOOD(H, IERR, 'MGNOPR')
+      NCALL = 0
+      CALL MGCANC(H, IERR)
+      CALL GOOD(H, IERR, 'MGCANC')
+      CALL MGINS(H, N, XYZ, IERR)
+      CALL EXPECT(IERR .EQ. MGECAN .AND. NCALL .EQ. 0, 'cancelled')
+      CALL MGFREE(H, IERR)
+      END
+
+      SUBROUTINE HEAR(FRAC, ICANC)
+      IMPLICIT NONE
+      DOUBLE PRECISION FRAC, STOPAT
+      INTEGER ICANC, NCALL
+      COMMON /HEARD/ STOPAT, NCALL
+      IF (ICANC .EQ. 0) NCALL = NCALL + 1
+      IF (FRAC .GE. STOPAT) ICANC = 1
+      END
+
+! Bad handles and bad values.
+      SUBROUTINE TSTBAD
+      IMPLICIT NONE
+      INTEGER H(4), IERR, N, I, K
+      DOUBLE PRECISION XYZ(3, 20), V
+      CHARACTER*40 TEXT
+      INCLUDE 'mgdt_f77.inc'
+      CALL MKPTS(20, XYZ)
+! A handle of zeros, of garbage, of large garbage.
+      DO 20 K = 1, 3
+        DO 10 I = 1, 4
+          H(I) = 0
+          IF (K .EQ. 2) H(I) = 12345 + I
+          IF (K .EQ. 3) H(I) = HUGE(H) - I
+   10   CONTINUE
+        N = 77
+        CALL MGINS(H, 20, XYZ, IERR)
+        CALL EXPECT(IERR .EQ. MGENUL, 'MGINS on a bad handle')
+        CALL MGNTET(H, N, IERR)
+        CALL EXPECT(IERR .EQ. MGENUL .AND. N .EQ. 77, 'count of it')
+        CALL MGDIM(H, N, IERR)
+        CALL EXPECT(IERR .EQ. MGENUL .AND. N .EQ. 77, 'MGDIM of it')
+        CALL MGERR(H, TEXT, IERR)
+        CALL EXPECT(IERR .EQ. MGENUL, 'message of it')
+        CALL MGISAN(H, TEXT, IERR)
+        CALL EXPECT(IERR .EQ. MGENUL, 'instruction set of it')
+        CALL MGNEAR(H, XYZ, N, IERR)
+        CALL EXPECT(IERR .EQ. MGENUL .AND. N .EQ. 77, 'MGNEAR of it')
+        CALL MGLOC(H, XYZ, N, IERR)
+        CALL EXPECT(IERR .EQ. MGENUL .AND. N .EQ. 77, 'MGLOC of it')
+        CALL MGFREE(H, IERR)
+        CALL EXPECT(IERR .EQ. MGENUL, 'MGFREE of it')
+   20 CONTINUE
+      CALL MGNEW(H, IERR)
+      CALL MGINS(H, 20, XYZ, IERR)
+      CALL GOOD(H, IERR, 'MGINS')
+      CALL MGINS(H, -1, XYZ, IERR)
+      CALL BAD(H, IERR, MGEARG, '-1')
+      CALL MGORDN(H, 5, IERR)
+      CALL BAD(H, IERR, MGESCH, 'order scheme 5')
+      CALL MGORD(H, 'nonsense', IERR)
+      CALL EXPECT(IERR .EQ. MGESCH, 'no scheme of that name')
+      CALL MGPAR(H, 11, 1D0, IERR)
+      CALL BAD(H, IERR, MGEKEY, '11')
+      CALL MGTHR(H, -1, IERR)
+      CALL BAD(H, IERR, MGEARG, '-1')
+      CALL MGBASE(H, 2, IERR)
+      CALL BAD(H, IERR, MGEARG, 'is 2')
+      CALL MGMEM(H, -1D0, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'a negative limit')
+      CALL MGMEM(H, 1D300, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'a limit beyond all')
+      CALL MGCANO(H, 2, IERR)
+      CALL BAD(H, IERR, MGEARG, 'is 2')
+      CALL MGISA(H, 'abacus', IERR)
+      CALL BAD(H, IERR, MGEARG, 'abacus')
+      CALL MGCHK(H, 4, IERR)
+      CALL BAD(H, IERR, MGEARG, 'check level 4')
+      V = 77
+      CALL MGSTAT(H, 9, V, IERR)
+      CALL BAD(H, IERR, MGEKEY, '9')
+      CALL EXPECT(V .EQ. 77, 'the figure is not touched')
+      CALL MGRSV(H, -1, IERR)
+      CALL BAD(H, IERR, MGEARG, '-1')
+      CALL MGCHK(H, MGCCAN, IERR)
+      CALL GOOD(H, IERR, 'valid after all that')
+      CALL MGFREE(H, IERR)
+      CALL GOOD(H, IERR, 'MGFREE')
+      CALL MGFREE(H, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'freed twice')
+      END

@@ -1,0 +1,201 @@
+! SPDX-License-Identifier: MIT
+! Location, weights, nearest vertices against plain search; the check; figures; names; settings.
+program test_queries
+    use checks
+    use mgdt
+    implicit none
+
+    integer, parameter :: n = 400, m = 300
+    integer, parameter :: schemes(10) = [ &
+        mgdt_order_auto, mgdt_order_input, mgdt_order_random, mgdt_order_lexicographic, &
+        mgdt_order_brio, mgdt_order_hilbert, mgdt_order_regular_grid, mgdt_order_kd_tree, &
+        mgdt_order_enhanced_kd_tree, mgdt_order_multi_grid]
+    type(mgdt_triangulation) :: t
+    real(real64) :: xyz(3, n), probes(3, m)
+    integer(int32), allocatable :: tets(:, :)
+
+    call make_points(xyz)
+    call t%insert(xyz)
+    allocate (tets(4, t%tetrahedron_count()))
+    call t%get_tetrahedra(tets)
+    call make_points(probes)
+    ! Some are outside, and none on a facet, where several answers are right.
+    probes = 1.25_real64*probes - 0.1250123_real64
+
+    call test_locate_points()
+    call test_sections()
+    call test_nearest()
+    call test_check_and_figures()
+    call test_settings()
+    call test_names()
+    call conclude()
+
+contains
+
+    subroutine test_locate_points()
+        integer(int32) :: found(m), found_1(m), one
+        integer(int64) :: found_64(m), found_64_1(m), one_64
+        real(real64) :: weights(4, m), weights_1(4*m), weights_of_one(4), weights_of_one_64(4)
+        logical :: right, alike
+        integer :: i
+
+        call t%locate_points(probes, found, weights)
+        call t%locate_points(probes, found_64)
+        call expect(all(found == found_64), 'both kinds')
+        call t%locate_points(reshape(probes, [3*m]), found_1, weights_1)
+        call t%locate_points(reshape(probes, [3*m]), found_64_1)
+        call expect(all(found_1 == found) .and. all(found_64_1 == found), 'rank 1')
+        call expect(all(abs(weights_1 - reshape(weights, [4*m])) <= 0), 'weights of rank 1')
+        call expect(any(found == 0) .and. any(found > 0), 'probes inside and outside')
+        right = .true.
+        alike = .true.
+        do i = 1, m
+            if (found(i) > 0) then
+                right = right .and. abs(sum(weights(:, i)) - 1) < 1e-12_real64 &
+                        .and. minval(weights(:, i)) > -1e-12_real64 &
+                        .and. maxval(abs(matmul(xyz(:, tets(:, found(i))), weights(:, i)) &
+                                         - probes(:, i))) < 1e-12_real64
+            else
+                if (is_inside(probes(:, i))) right = .false.
+                right = right .and. all(abs(weights(:, i)) <= 0)
+            end if
+            call t%locate(probes(:, i), one, weights_of_one)
+            call t%locate(probes(:, i), one_64, weights_of_one_64)
+            alike = alike .and. one == found(i) .and. one_64 == one &
+                    .and. all(abs(weights_of_one - weights(:, i)) <= 0) &
+                    .and. all(abs(weights_of_one_64 - weights(:, i)) <= 0)
+            call t%locate(probes(:, i), one)
+            alike = alike .and. one == found(i)
+        end do
+        call expect(right, 'weights give the probe back')
+        call expect(alike, 'one by one')
+    end subroutine
+
+    logical function is_inside(p)
+        real(real64), intent(in) :: p(3)
+        integer(int32), allocatable :: facets(:, :)
+        integer :: i
+
+        allocate (facets(3, t%hull_facet_count()))
+        call t%get_hull_facets(facets)
+        is_inside = .true.
+        do i = 1, size(facets, 2)
+            is_inside = is_inside .and. volume6(xyz(:, facets(1, i)), xyz(:, facets(2, i)), &
+                                                xyz(:, facets(3, i)), p) <= 0
+        end do
+    end function
+
+    subroutine test_sections()
+        real(real64) :: wide(3, 2*m), weights(4, m), spread_weights(4, 2*m)
+        integer(int32) :: found(m), spread_found(2*m)
+
+        call t%locate_points(probes, found, weights)
+        wide = -1
+        wide(:, 1::2) = probes
+        spread_found = -5
+        spread_weights = -5
+        call t%locate_points(wide(:, 1::2), spread_found(1::2), spread_weights(:, 1::2))
+        call expect(all(spread_found(1::2) == found) .and. all(spread_found(2::2) == -5), 'sections')
+        call expect(all(abs(spread_weights(:, 1::2) - weights) <= 0) &
+                    .and. all(spread_weights(:, 2::2) < -4), 'sections of weights')
+        call t%locate_points(probes(:, 1:0), found(1:0))
+    end subroutine
+
+    subroutine test_nearest()
+        integer(int32) :: vertex
+        integer(int64) :: vertex_64
+        integer :: i
+        logical :: right
+
+        right = .true.
+        do i = 1, m
+            call t%nearest_vertex(probes(:, i), vertex)
+            call t%nearest_vertex(probes(:, i), vertex_64)
+            right = right .and. vertex == vertex_64 .and. vertex == &
+                    minloc(sum((xyz - spread(probes(:, i), 2, n))**2, dim=1), dim=1)
+        end do
+        call expect(right, 'nearest vertices')
+    end subroutine
+
+    subroutine test_check_and_figures()
+        real(real64) :: value, inserted, duplicates
+        integer :: level, k
+        integer, parameter :: keys(14) = [ &
+            mgdt_stat_points_inserted, mgdt_stat_duplicates, mgdt_stat_walk_steps, &
+            mgdt_stat_walk_tests, mgdt_stat_conflict_tests, mgdt_stat_tetrahedra_removed, &
+            mgdt_stat_tetrahedra_created, mgdt_stat_exact_calls, mgdt_stat_order_seconds, &
+            mgdt_stat_insert_seconds, mgdt_stat_grid_levels, mgdt_stat_rounds, &
+            mgdt_stat_memory_bytes, mgdt_stat_peak_memory_bytes]
+
+        do level = mgdt_check_combinatorial, mgdt_check_canonical
+            call t%check(level)
+        end do
+        call t%get_stat(mgdt_stat_points_inserted, inserted)
+        call t%get_stat(mgdt_stat_duplicates, duplicates)
+        call expect(nint(inserted, int64) == t%vertex_count(), 'points inserted')
+        call expect(nint(inserted + duplicates) == n, 'points inserted and duplicates')
+        do k = 1, size(keys)
+            value = -1
+            call t%get_stat(keys(k), value)
+            call expect(value >= 0, 'figure '//mgdt_stat_name(keys(k)))
+            call expect(len(mgdt_stat_name(keys(k))) > 0, 'the name of a figure')
+        end do
+        call expect(mgdt_stat_name(mgdt_stat_walk_steps) == 'walk steps', 'the name of walk steps')
+        call expect(mgdt_stat_name(-1) == '', 'the name of no figure')
+    end subroutine
+
+    ! Settings change the time, not the tetrahedra.
+    subroutine test_settings()
+        type(mgdt_triangulation) :: other
+        integer(int32), allocatable :: wanted(:, :), got(:, :)
+        integer :: k
+
+        call t%set_canonical_output(.true.)
+        allocate (wanted(4, t%tetrahedron_count()), got(4, t%tetrahedron_count()))
+        call t%get_tetrahedra(wanted)
+        call other%create()
+        call other%set_canonical_output(.true.)
+        call other%set_seed(7)
+        call other%set_seed(-7_int64)
+        call other%set_threads(0)
+        call other%set_threads(2)
+        call other%set_memory_limit(100000000_int64)
+        call other%set_memory_limit(0)
+        call other%set_order_parameter(mgdt_parameter_points_per_cell, 4._real64)
+        call other%set_order_parameter(mgdt_parameter_threshold, 50._real64)
+        call other%set_order_parameter(mgdt_parameter_separation, 0._real64)
+        call other%set_order_parameter(mgdt_parameter_round_ratio, 3._real64)
+        do k = 1, size(schemes)
+            call other%clear()
+            call other%set_order_scheme(schemes(k))
+            call other%insert(xyz(:, :n/2))
+            call other%set_order_scheme(mgdt_order_scheme_name(schemes(k))//'  ')
+            call other%insert(xyz(:, n/2 + 1:))
+            got = 0
+            call other%get_tetrahedra(got)
+            call expect(all(got == wanted), 'tetrahedra with '//mgdt_order_scheme_name(schemes(k)))
+        end do
+        call other%set_isa('baseline')
+        call expect(other%isa_name() == 'baseline', 'the baseline')
+        call other%set_isa()
+        call expect(other%isa_name() == t%isa_name(), 'the best instruction set')
+        call t%set_canonical_output(.false.)
+    end subroutine
+
+    subroutine test_names()
+        integer :: k, scheme
+
+        do k = 1, size(schemes)
+            scheme = -1
+            call mgdt_order_scheme_from_name(mgdt_order_scheme_name(schemes(k)), scheme)
+            call expect(scheme == schemes(k), 'there and back: '//mgdt_order_scheme_name(schemes(k)))
+        end do
+        call expect(mgdt_order_scheme_name(mgdt_order_multi_grid) == 'multi-grid', 'multi-grid')
+        call expect(mgdt_order_scheme_name(5) == '', 'the name of no scheme')
+        call expect(mgdt_version() == '1.0.0', 'version')
+        call expect(mgdt_abi_version() == 1, 'version of the binary interface')
+        call expect(len(mgdt_status_string(mgdt_ok)) > 0, 'success has a text')
+        call expect(mgdt_status_string(mgdt_err_not_finite) /= mgdt_status_string(9999), 'texts')
+        call expect(len(mgdt_status_string(9999)) > 0, 'an unknown status has a text')
+    end subroutine
+end program
