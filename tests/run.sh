@@ -61,7 +61,8 @@ finish() {
 # ------------------------------------------------------------------------------------ packages
 
 packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 python3-numpy
-    libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev'
+    libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev
+    luajit octave octave-dev ruby ruby-ffi cargo rustc'
 [ $long = no ] || packages="$packages npm gzip"
 
 is_installed() {

@@ -4,8 +4,18 @@
 # The Ruby binding against what the C interface wrote (reference.c), and against geometry.
 #
 #   ruby ruby_test.rb REFERENCE_FOLDER
-require "mgdt"
+require "ffi"
 require "minitest/autorun"
+
+# What the binding attaches, to be compared with the header.
+ATTACHED = {}
+FFI::Library.prepend(Module.new do
+  def attach_function(name, parameters, result, *)
+    ATTACHED[name.to_s] = [result, *parameters]
+    super
+  end
+end)
+require "mgdt"
 
 FOLDER = ARGV.shift or abort "usage: ruby ruby_test.rb REFERENCE_FOLDER"
 
@@ -241,19 +251,35 @@ class MgdtTest < Minitest::Test
   end
 
   def test_cancelling_from_another_thread
-    t = Mgdt::Triangulation.new(order: "random")
-    random = Random.new(1)
-    many = Array.new(3 * 300_000) { random.rand }.pack("d*")
+    t = Mgdt::Triangulation.new
+    started = Queue.new
+    cancelled = Queue.new
     worker = Thread.new do
       Thread.current.report_on_exception = false
-      t.insert(many)
+      t.insert(PACKED) do |fraction|
+        if fraction.zero?
+          started << true
+          cancelled.pop
+        end
+      end
     end
-    # Ruby's other threads run meanwhile; the count waits for the insertion to end.
-    sleep 0.05
+    started.pop
     t.cancel
+    cancelled << true
     assert_raises(Mgdt::Cancelled) { worker.value }
-    assert_equal 300_000, t.point_count
-    assert t.check(:geometric)
+    assert_operator t.vertex_count, :<, 1000
+    assert t.check
+  end
+
+  def test_other_threads_run_during_an_insertion
+    random = Random.new(1)
+    many = Array.new(3 * 200_000) { random.rand }.pack("d*")
+    t = Mgdt::Triangulation.new(order: "random")
+    worker = Thread.new { t.insert(many) }
+    ticks = 0
+    ticks += 1 while worker.join(0.001).nil?
+    assert_operator ticks, :>, 10
+    assert_equal 200_000, t.vertex_count
   end
 
   def test_what_the_block_raises_comes_out
@@ -314,6 +340,26 @@ class MgdtTest < Minitest::Test
       refused(Mgdt::Closed, "closed") { t.public_send(name) }
     end
     refused(Mgdt::Closed) { t.insert(PACKED) }
+  end
+
+  # A C type as ffi names it.
+  def ffi_type(text)
+    return :string if text =~ /\Aconst char ?\*/
+    return :pointer if text.include?("*")
+
+    name = text[/\w+/]
+    { "mgdt_status" => :int32, "mgdt_progress_fn" => :progress, "void" => :void,
+      "double" => :double }.fetch(name) { name.delete_suffix("_t").to_sym }
+  end
+
+  def test_declarations_are_those_of_the_header
+    header = File.read(ENV.fetch("MGDT_HEADER")).gsub(%r{/\*.*?\*/}m, "")
+    prototypes = header.scan(/MGDT_API\s+([^;()]*?)(mgdt_\w+)\(([^()]*)\);/m).to_h do |result, name, list|
+      parameters = list.strip == "void" ? [] : list.split(",").map { |one| ffi_type(one.strip) }
+      [name, [ffi_type(result.strip), *parameters]]
+    end
+    assert_operator ATTACHED.size, :>, 40
+    ATTACHED.each { |name, types| assert_equal prototypes[name], types, name }
   end
 
   def test_version
