@@ -13,8 +13,8 @@ build=$(cd "$3" && pwd)
 rm -rf "$4"
 mkdir -p "$4"
 scratch=$(cd "$4" && pwd)
-reference=$5
-other_abi=$6
+reference=$(realpath "$5")
+other_abi=$(realpath "$6")
 here=$source/tests/languages
 LC_ALL=C.UTF-8
 export LC_ALL
@@ -169,7 +169,8 @@ libmgdt.so" env MGDT_LIB_DIR="$scratch/work" cargo build --offline
     sed -n 's/^MGDT_API .*\(mgdt_[a-z0-9_]*\)(.*/int \1(void) { return 2; }/p' "$header" \
         >"$scratch/other/mgdt.c"
     check "a library of another ABI is made" ${CC:-cc} -shared -fPIC -o \
-        "$scratch/other/libmgdt.so.1" "$scratch/other/mgdt.c"
+        "$scratch/other/libmgdt.so.1" "$scratch/other/mgdt.c" \
+        "-Wl,--version-script=$source/src/mgdt.map"
     refuses "another ABI version is refused" "ABI version 2" env \
         LD_LIBRARY_PATH="$scratch/other" "$scratch/crates/target/debug/examples/cube"
     ;;
