@@ -26,7 +26,8 @@ for k = 0, count - 1 do
     volume = volume + (u[1] * (v[2] * w[3] - v[3] * w[2]) - u[2] * (v[1] * w[3] - v[3] * w[1])
         + u[3] * (v[1] * w[2] - v[2] * w[1])) / 6
 end
-print(("%d tetrahedra, %d triangles on the hull, volume %g"):format(count, t:hull_facet_count(), volume))
+print(("%d tetrahedra, %d triangles on the hull, volume %g")
+    :format(count, t:hull_facet_count(), volume))
 print(("nearest to (0.9, 0.1, 0.8): point %d"):format(t:nearest(0.9, 0.1, 0.8)))
 print(("outside: %s"):format(t:locate(2, 2, 2)))
 

@@ -19,91 +19,7 @@
 -- collected, or by t:close(), which gives large memory back at once.
 
 local ffi = require "ffi"
-
-ffi.cdef [[
-typedef struct mgdt_triangulation mgdt_triangulation;
-typedef int32_t (*mgdt_progress_fn)(double fraction, void *user);
-int32_t mgdt_create(mgdt_triangulation **out);
-void mgdt_destroy(mgdt_triangulation *t);
-int32_t mgdt_clear(mgdt_triangulation *t);
-int32_t mgdt_reserve(mgdt_triangulation *t, int64_t n_points);
-int32_t mgdt_set_order_scheme(mgdt_triangulation *t, int32_t scheme);
-int32_t mgdt_set_order_parameter(mgdt_triangulation *t, int32_t key, double value);
-int32_t mgdt_set_seed(mgdt_triangulation *t, uint64_t seed);
-int32_t mgdt_set_threads(mgdt_triangulation *t, int32_t n);
-int32_t mgdt_set_index_base(mgdt_triangulation *t, int32_t base);
-int32_t mgdt_set_memory_limit(mgdt_triangulation *t, int64_t bytes);
-int32_t mgdt_set_progress(mgdt_triangulation *t, mgdt_progress_fn fn, void *user);
-int32_t mgdt_cancel(mgdt_triangulation *t);
-int32_t mgdt_set_canonical_output(mgdt_triangulation *t, int32_t on);
-int32_t mgdt_set_isa(mgdt_triangulation *t, const char *name);
-int32_t mgdt_insert_points(mgdt_triangulation *t, int64_t n, const double *xyz);
-int32_t mgdt_insert_points_strided(mgdt_triangulation *t, int64_t n, const double *x,
-                                   const double *y, const double *z, int64_t stride);
-int64_t mgdt_point_count(const mgdt_triangulation *t);
-int64_t mgdt_vertex_count(const mgdt_triangulation *t);
-int32_t mgdt_dimension(const mgdt_triangulation *t);
-int64_t mgdt_tetrahedron_count(const mgdt_triangulation *t);
-int64_t mgdt_hull_facet_count(const mgdt_triangulation *t);
-int64_t mgdt_edge_count(const mgdt_triangulation *t);
-int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation *t);
-int32_t mgdt_get_tetrahedra(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
-int32_t mgdt_get_tetrahedra_i32(const mgdt_triangulation *t, int64_t capacity, int32_t *v);
-int32_t mgdt_get_neighbors(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
-int32_t mgdt_get_neighbors_i32(const mgdt_triangulation *t, int64_t capacity, int32_t *v);
-int32_t mgdt_get_hull_facets(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
-int32_t mgdt_get_hull_facets_i32(const mgdt_triangulation *t, int64_t capacity, int32_t *v);
-int32_t mgdt_get_edges(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
-int32_t mgdt_get_edges_i32(const mgdt_triangulation *t, int64_t capacity, int32_t *v);
-int32_t mgdt_get_point_map(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
-int32_t mgdt_get_point_map_i32(const mgdt_triangulation *t, int64_t capacity, int32_t *v);
-int32_t mgdt_get_vertex_tetrahedra_i32(const mgdt_triangulation *t, int64_t offset_capacity,
-                                       int32_t *offsets, int64_t capacity, int32_t *list);
-int32_t mgdt_locate(const mgdt_triangulation *t, const double *xyz, int64_t *tetrahedron);
-int32_t mgdt_locate_points_i32(const mgdt_triangulation *t, int64_t n, const double *xyz,
-                               int32_t *tetrahedra, double *weights);
-int32_t mgdt_nearest_vertex(const mgdt_triangulation *t, const double *xyz, int64_t *vertex);
-int32_t mgdt_check(const mgdt_triangulation *t, int32_t level);
-int32_t mgdt_get_stat(const mgdt_triangulation *t, int32_t key, double *value);
-const char *mgdt_stat_name(int32_t key);
-const char *mgdt_status_string(int32_t s);
-int32_t mgdt_get_error(const mgdt_triangulation *t, int64_t capacity, char *buffer);
-const char *mgdt_order_scheme_name(int32_t scheme);
-int32_t mgdt_order_scheme_from_name(const char *name, int32_t *scheme);
-const char *mgdt_version_string(void);
-int32_t mgdt_abi_version(void);
-const char *mgdt_isa_name(const mgdt_triangulation *t);
-]]
-
--- ------------------------------------------------------------------------------------ loading
-
-local function load_library()
-    local tried = {}
-    local by_system = { Windows = "mgdt-1.dll", OSX = "libmgdt.1.dylib" }
-    local names = { by_system[ffi.os] or "libmgdt.so.1" }
-    local chosen = os.getenv("MGDT_LIBRARY")
-    if chosen and chosen ~= "" then table.insert(names, 1, chosen) end
-    for k, name in ipairs(names) do
-        local found, library = pcall(ffi.load, name)
-        if found then
-            local is_mgdt, version = pcall(function() return library.mgdt_abi_version() end)
-            if not is_mgdt then
-                error(("mgdt: %s is not the mgdt library: it has no mgdt_abi_version"):format(name), 0)
-            elseif version ~= 1 then
-                error(("mgdt: %s has ABI version %d; mgdt.lua needs 1"):format(name, version), 0)
-            end
-            return library
-        end
-        local from = #names == 2 and k == 1 and " (from MGDT_LIBRARY)" or ""
-        tried[k] = ("\n  %s%s: %s"):format(name, from, tostring(library))
-    end
-    error("mgdt: the library was not found; set MGDT_LIBRARY to its file. Tried:"
-        .. table.concat(tried), 0)
-end
-
-local C = load_library()
--- Finalisers may run after the module is gone from package.loaded; the library must not be.
-package.loaded["mgdt.library"] = C
+local C = require "mgdt.library"
 
 -- ------------------------------------------------------------------------------------- errors
 
@@ -169,7 +85,9 @@ end
 -- Coordinates as a `const double *` and the number of points. FFI arrays are passed as they stand.
 local function coordinates(points, n, what)
     if type(points) == "table" then
-        if n ~= nil then bad_argument("%s is a table, which knows its length; give no number", what) end
+        if n ~= nil then
+            bad_argument("%s is a table, which knows its length; give no number", what)
+        end
         local rows = type(points[1]) == "table"
         local count = rows and #points or #points / 3
         if count % 1 ~= 0 then
@@ -199,7 +117,9 @@ local function coordinates(points, n, what)
             type(points) == "cdata" and tostring(ffi.typeof(points)) or type(points))
     end
     if n == nil then
-        if not length then bad_argument("%s is a pointer: give the number of points as well", what) end
+        if not length then
+            bad_argument("%s is a pointer: give the number of points as well", what)
+        end
         n = length / 3
         if n % 1 ~= 0 then
             bad_argument("%s holds %d numbers, which is no multiple of 3", what, length)
@@ -319,7 +239,9 @@ end
 --- Chooses the instruction set ("baseline", "avx2", "avx512"); nil for the best.
 function Triangulation:set_isa(name)
     local handle = handle_of(self)
-    if name ~= nil and type(name) ~= "string" then bad_argument("the instruction set is no string") end
+    if name ~= nil and type(name) ~= "string" then
+        bad_argument("the instruction set is no string")
+    end
     ensure(handle, C.mgdt_set_isa(handle, name))
 end
 
@@ -330,7 +252,9 @@ function Triangulation:isa() return ffi.string(C.mgdt_isa_name(handle_of(self)))
 --- for none. Return true to cancel. An error in it cancels, and insert() raises it.
 function Triangulation:set_progress(fn)
     handle_of(self)
-    if fn ~= nil and type(fn) ~= "function" then bad_argument("the progress function is no function") end
+    if fn ~= nil and type(fn) ~= "function" then
+        bad_argument("the progress function is no function")
+    end
     self.progress = fn
 end
 
@@ -390,8 +314,8 @@ function Triangulation:insert_strided(n, x, y, z, stride)
         end
         -- A pointer is the caller's word; into an array the last point must fall.
         if length and n > 0 and (stride < 0 or (n - 1) * stride >= length) then
-            bad_argument("%s holds %d numbers, too few for %d points at a stride of %d", name, length,
-                n, stride)
+            bad_argument("%s holds %d numbers, too few for %d points at a stride of %d", name,
+                length, n, stride)
         end
         axes[k] = ffi.cast("const double *", axes[k])
     end
@@ -522,7 +446,9 @@ end
 function Triangulation:statistic(name)
     local handle = handle_of(self)
     local key = figures[name]
-    if not key then raise(status.unknown_key, ("there is no statistic %s"):format(tostring(name))) end
+    if not key then
+        raise(status.unknown_key, ("there is no statistic %s"):format(tostring(name)))
+    end
     local value = ffi.new("double[1]")
     ensure(handle, C.mgdt_get_stat(handle, key, value))
     return value[0]

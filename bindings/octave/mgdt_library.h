@@ -17,21 +17,50 @@
 #endif
 
 /* Every function that is used, by the name that it has after "mgdt_". */
-#define MGDT_FUNCTIONS(F)                                                                         \
-    F(create)                                                                                     \
-    F(destroy) F(clear) F(reserve) F(set_order_scheme) F(set_order_parameter) F(set_seed)         \
-        F(set_threads) F(set_index_base) F(set_memory_limit) F(set_progress) F(cancel)            \
-            F(set_canonical_output) F(set_isa) F(insert_points_strided) F(point_count)            \
-                F(vertex_count) F(dimension) F(tetrahedron_count) F(hull_facet_count)             \
-                    F(edge_count) F(vertex_tetrahedra_count) F(get_tetrahedra) F(get_neighbors)   \
-                        F(get_hull_facets) F(get_edges) F(get_point_map) F(get_vertex_tetrahedra) \
-                            F(locate_points) F(nearest_vertex) F(check) F(get_stat) F(stat_name)  \
-                                F(status_string) F(get_error) F(order_scheme_name)                \
-                                    F(order_scheme_from_name) F(version_string) F(isa_name)
+#define MGDT_FUNCTIONS(F)       \
+    F(create);                  \
+    F(destroy);                 \
+    F(clear);                   \
+    F(reserve);                 \
+    F(set_order_scheme);        \
+    F(set_order_parameter);     \
+    F(set_seed);                \
+    F(set_threads);             \
+    F(set_index_base);          \
+    F(set_memory_limit);        \
+    F(set_progress);            \
+    F(cancel);                  \
+    F(set_canonical_output);    \
+    F(set_isa);                 \
+    F(insert_points_strided);   \
+    F(point_count);             \
+    F(vertex_count);            \
+    F(dimension);               \
+    F(tetrahedron_count);       \
+    F(hull_facet_count);        \
+    F(edge_count);              \
+    F(vertex_tetrahedra_count); \
+    F(get_tetrahedra);          \
+    F(get_neighbors);           \
+    F(get_hull_facets);         \
+    F(get_edges);               \
+    F(get_point_map);           \
+    F(get_vertex_tetrahedra);   \
+    F(locate_points);           \
+    F(nearest_vertex);          \
+    F(check);                   \
+    F(get_stat);                \
+    F(stat_name);               \
+    F(status_string);           \
+    F(get_error);               \
+    F(order_scheme_name);       \
+    F(order_scheme_from_name);  \
+    F(version_string);          \
+    F(isa_name);
 
 /* The library's functions: mgdt.create is mgdt_create. */
 static struct {
-#define MGDT_MEMBER(name) __typeof__(&mgdt_##name) name;
+#define MGDT_MEMBER(name) __typeof__(&mgdt_##name) name
     MGDT_FUNCTIONS(MGDT_MEMBER)
 #undef MGDT_MEMBER
 } mgdt;
@@ -73,7 +102,7 @@ static int mgdt_load(char* problem, size_t size) {
     } else {
         const char* missing = NULL;
 #define MGDT_FIND(function) \
-    if (!mgdt_find(library, "mgdt_" #function, &mgdt.function)) missing = "mgdt_" #function;
+    if (!mgdt_find(library, "mgdt_" #function, &mgdt.function)) missing = "mgdt_" #function
         MGDT_FUNCTIONS(MGDT_FIND)
 #undef MGDT_FIND
         if (!missing) return 1;

@@ -2,8 +2,8 @@
 
 % [stop, problem] = mgdt_progress (fn, fraction)
 %
-% Calls a progress function, which may give nothing back, and keeps its error as a struct that rethrow
-% takes. For mgdt_mex alone: no error may pass through the library.
+% Calls a progress function, which may give nothing back, and keeps its error as a struct that
+% rethrow takes. For mgdt_mex alone: no error may pass through the library.
 function [stop, problem] = mgdt_progress (fn, fraction)
   stop = false;
   problem = [];

@@ -23,9 +23,10 @@ classdef mgdt_triangulation < handle
   %   "isa"           instruction set; "" for the best
   %   "progress"      function of the fraction done, 0 to 1; a true result stops the insertion
   %
-  % Errors have the identifiers mgdt:invalid_argument, mgdt:not_finite (the message names the point),
-  % mgdt:unknown_scheme, mgdt:unknown_key, mgdt:out_of_memory, mgdt:too_large, mgdt:cancelled,
-  % mgdt:check_failed, mgdt:null_pointer (closed) and mgdt:library (libmgdt was not found).
+  % Errors have the identifiers mgdt:invalid_argument, mgdt:not_finite (the message names the
+  % point), mgdt:unknown_scheme, mgdt:unknown_key, mgdt:out_of_memory, mgdt:too_large,
+  % mgdt:cancelled, mgdt:check_failed, mgdt:null_pointer (closed) and mgdt:library (libmgdt was not
+  % found).
   %
   % See also: mgdt_delaunay
 

@@ -17,7 +17,8 @@ volume = t.tetrahedra.sum do |tetrahedron|
   ((u[0] * (v[1] * w[2] - v[2] * w[1])) - (u[1] * (v[0] * w[2] - v[2] * w[0])) +
     (u[2] * (v[0] * w[1] - v[1] * w[0]))) / 6.0
 end
-puts "#{t.tetrahedron_count} tetrahedra, #{t.hull_facet_count} triangles on the hull, volume #{volume}"
+puts "#{t.tetrahedron_count} tetrahedra, #{t.hull_facet_count} triangles on the hull, " \
+     "volume #{volume}"
 puts "nearest to (0.9, 0.1, 0.8): point #{t.nearest([0.9, 0.1, 0.8])}"
 puts "outside: #{t.locate([2, 2, 2]).inspect}"
 

@@ -99,7 +99,8 @@ is not the mgdt library" env MGDT_LIBRARY=libm.so.6 "$@"
 example() { # command...
     check "the example runs" "$@"
     cp "$log" "$scratch/example"
-    check "the example's cube is filled" grep -E '^12 tetrahedra, .*volume 1(\.0)?$' "$scratch/example"
+    check "the example's cube is filled" \
+        grep -E '^12 tetrahedra, .*volume 1(\.0)?$' "$scratch/example"
 }
 
 case $language in
@@ -132,7 +133,8 @@ ruby)
     loading ruby -e 'require "mgdt"'
     gem_has_all_files() {
         cp -r "$bindings/ruby" "$scratch/gem" && cd "$scratch/gem" &&
-            HOME=$scratch gem build mgdt.gemspec && tar -xOf mgdt-*.gem data.tar.gz | tar -tz >files &&
+            HOME=$scratch gem build mgdt.gemspec &&
+            tar -xOf mgdt-*.gem data.tar.gz | tar -tz >files &&
             (cd "$bindings/ruby" && find lib -type f) | grep -vxFf files >missing
         cat missing
         test -s files && test ! -s missing

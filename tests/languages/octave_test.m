@@ -115,7 +115,8 @@ function front (folder)
   assert (tetrahedra, read (folder, "tetrahedra", "int64", 4) + 1);
   assert (neighbours, read (folder, "neighbors", "int64", 4) + 1);
   assert (map, read (folder, "point_map", "int64", 1) + 1);
-  assert (mgdt_delaunay (single (points(1:4, :))), mgdt_delaunay (double (single (points(1:4, :)))));
+  four = single (points(1:4, :));
+  assert (mgdt_delaunay (four), mgdt_delaunay (double (four)));
   assert (size (mgdt_delaunay ([])), [0 4]);
   assert (size (mgdt_delaunay (zeros (7, 3))), [0 4]);
   refused ("Octave:invalid-fun-call", {}, @() mgdt_delaunay ());
@@ -369,7 +370,8 @@ function freed (folder)
     before = resident ();
     held = make (points, close);
     grown = resident () - before;
-    printf ("  %d MB in 1000 handles; the process grew by %.1f MB\n", round (held / 1e6), grown / 1e6);
+    printf ("  %d MB in 1000 handles; the process grew by %.1f MB\n", round (held / 1e6), ...
+            grown / 1e6);
     assert (held > 200e6);
     assert (grown < 40e6);
   end

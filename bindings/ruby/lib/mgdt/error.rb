@@ -21,7 +21,7 @@ module Mgdt
   class LoadError < ::LoadError; end
 
   class InvalidArgument < Error; end   # a value out of its range
-  class NotFinite < Error; end         # a coordinate is NaN or infinite; the message names the index
+  class NotFinite < Error; end         # a coordinate is NaN or infinite; which, in the message
   class UnknownName < Error; end       # no such order scheme, parameter or statistic
   class BufferTooSmall < Error; end    # the buffer given holds less than what must be written
   class IndexRange < Error; end        # an index does not fit the buffer's 32-bit integers

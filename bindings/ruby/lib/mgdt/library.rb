@@ -76,7 +76,8 @@ module Mgdt
       attach_function :"mgdt_get_#{what}", %i[pointer int64 pointer], :int32, LONG
       attach_function :"mgdt_get_#{what}_i32", %i[pointer int64 pointer], :int32, LONG
     end
-    attach_function :mgdt_get_vertex_tetrahedra, %i[pointer int64 pointer int64 pointer], :int32, LONG
+    attach_function :mgdt_get_vertex_tetrahedra,
+                    %i[pointer int64 pointer int64 pointer], :int32, LONG
     attach_function :mgdt_locate, %i[pointer pointer pointer], :int32
     attach_function :mgdt_locate_points, %i[pointer int64 pointer pointer pointer], :int32, LONG
     attach_function :mgdt_nearest_vertex, %i[pointer pointer pointer], :int32

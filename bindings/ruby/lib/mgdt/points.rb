@@ -17,8 +17,9 @@ module Mgdt
         # A duplicate shares the bytes and keeps them from other threads.
         when String then [points.frozen? ? points : points.dup.freeze, points.bytesize / 8.0]
         when FFI::Pointer then [points, length_of(points)]
-        else raise argument("points are of class #{points.class}; they must be an Array, a String " \
-                            "of doubles or an FFI::Pointer")
+        else
+          raise argument("points are of class #{points.class}; they must be an Array, a String " \
+                         "of doubles or an FFI::Pointer")
         end
       @count = count ? checked(count, length) : whole(length)
     end

@@ -4,8 +4,8 @@
 module Mgdt
   # A triangulation that grows as points are inserted.
   #
-  # One call at a time works on a triangulation: others, from other threads, wait for it. Only cancel
-  # does not wait. Its memory is freed when it is collected, or by close.
+  # One call at a time works on a triangulation: others, from other threads, wait for it. Only
+  # cancel does not wait. Its memory is freed when it is collected, or by close.
   class Triangulation
     PARAMETERS = { points_per_cell: 10, threshold: 20, separation: 30, round_ratio: 40 }.freeze
     LEVELS = { combinatorial: 1, geometric: 2, canonical: 3 }.freeze
@@ -145,12 +145,12 @@ module Mgdt
         raise argument("#{name} is of class #{value.class}; it must be an FFI::Pointer") unless
           value.is_a?(FFI::Pointer)
       end
-      insert_by(:mgdt_insert_points_strided, progress, integer(count, "the number of points", 63), x, y,
-                z, integer(stride, "the stride", 63))
+      insert_by(:mgdt_insert_points_strided, progress, integer(count, "the number of points", 63),
+                x, y, z, integer(stride, "the stride", 63))
     end
 
-    # Stops the insertion that is running, or else the next one. From any thread, and from the block;
-    # from a trap handler by Thread.new { t.cancel }, since Ruby has no locks there.
+    # Stops the insertion that is running, or else the next one. From any thread, and from the
+    # block; from a trap handler by Thread.new { t.cancel }, since Ruby has no locks there.
     def cancel
       @closing.synchronize do
         raise closed_error unless @handle
@@ -193,7 +193,8 @@ module Mgdt
         length = Library.mgdt_vertex_tetrahedra_count(handle)
         offsets = FFI::MemoryPointer.new(:int64, points + 1)
         list = FFI::MemoryPointer.new(:int64, [length, 1].max)
-        ensure_good(handle, Library.mgdt_get_vertex_tetrahedra(handle, points + 1, offsets, length, list))
+        status = Library.mgdt_get_vertex_tetrahedra(handle, points + 1, offsets, length, list)
+        ensure_good(handle, status)
         all = list.read_array_of_int64(length)
         offsets.read_array_of_int64(points + 1).each_cons(2).map do |from, to|
           all[(from - @index_base)...(to - @index_base)]
@@ -292,7 +293,9 @@ module Mgdt
     end
 
     def call(function, *arguments)
-      with_handle { |handle| ensure_good(handle, Library.public_send(function, handle, *arguments)) }
+      with_handle do |handle|
+        ensure_good(handle, Library.public_send(function, handle, *arguments))
+      end
     end
 
     def ensure_good(handle, status)

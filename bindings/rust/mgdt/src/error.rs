@@ -30,7 +30,8 @@ pub enum ErrorKind {
     Internal,
 }
 
-/// What went wrong in a call.
+/// What went wrong in a call. When calls fail on one triangulation from several threads at once,
+/// the message is that of one of them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
     kind: ErrorKind,

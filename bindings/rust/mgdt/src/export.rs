@@ -79,7 +79,8 @@ impl VertexTetrahedra {
         &self.list[self.offsets[point]..self.offsets[point + 1]]
     }
 
-    /// Where each point's tetrahedra start in the list, and its end: one more than there are points.
+    /// Where each point's tetrahedra start in the list, and its end: one more than there are
+    /// points.
     pub fn offsets(&self) -> &[usize] {
         &self.offsets
     }
@@ -144,7 +145,8 @@ impl Triangulation {
         self.rows_into(out, I::TETRAHEDRA)
     }
 
-    /// Neighbours of each tetrahedron: number i shares the facet opposite vertex i; None on the hull.
+    /// Neighbours of each tetrahedron: number i shares the facet opposite vertex i; None on the
+    /// hull.
     pub fn neighbors(&self) -> Result<Vec<[Option<usize>; 4]>, Error> {
         let rows = self.rows::<4>(self.tetrahedron_count(), i64::NEIGHBORS)?;
         Ok(rows.into_iter().map(|row| row.map(some)).collect())
@@ -175,8 +177,8 @@ impl Triangulation {
         self.rows_into(out, I::EDGES)
     }
 
-    /// For each point ever given the one that stands for it as a vertex: itself, or the first one at
-    /// the same place; None if it is not in.
+    /// For each point ever given the one that stands for it as a vertex: itself, or the first one
+    /// at the same place; None if it is not in.
     pub fn point_map(&self) -> Result<Vec<Option<usize>>, Error> {
         let rows = self.rows::<1>(self.point_count(), i64::POINT_MAP)?;
         Ok(rows.into_iter().map(|[k]| some(k)).collect())

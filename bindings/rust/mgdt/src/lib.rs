@@ -4,7 +4,7 @@
 //! ```
 //! # fn main() -> Result<(), mgdt::Error> {
 //! let mut t = mgdt::Triangulation::new()?;
-//! t.insert(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 1.0]])?;
+//! t.insert(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0; 3]])?;
 //! for tetrahedron in t.tetrahedra()? {
 //!     println!("{:?}", tetrahedron); // four numbers of points, counted from 0
 //! }
@@ -29,8 +29,8 @@ pub use export::{Int, Location, VertexTetrahedra};
 pub use names::{Check, Order, Parameter, Statistic};
 pub use triangulation::{Canceller, Triangulation};
 
-/// What stands for "none" among plain integers: the neighbour of a facet on the hull, the vertex of a
-/// point that is not in, the tetrahedron of a point outside.
+/// What stands for "none" among plain integers: the neighbour of a facet on the hull, the vertex of
+/// a point that is not in, the tetrahedron of a point outside.
 pub const NONE: i64 = -1;
 
 /// Version of the library that is loaded, "1.0.0".

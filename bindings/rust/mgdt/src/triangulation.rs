@@ -14,8 +14,8 @@ use std::sync::{Arc, Mutex, MutexGuard};
 /// The handle, for those who may cancel; None once the triangulation is gone.
 struct Shared(Mutex<Option<ptr::NonNull<sys::mgdt_triangulation>>>);
 
-// Only mgdt_cancel is called through it, which is safe from any thread, and the lock keeps the handle
-// from being destroyed meanwhile.
+// Only mgdt_cancel is called through it, which is safe from any thread, and the lock keeps the
+// handle from being destroyed meanwhile.
 unsafe impl Send for Shared {}
 unsafe impl Sync for Shared {}
 
@@ -205,8 +205,8 @@ impl Triangulation {
 
     /// Inserts points, in any number of calls. An error on the points themselves
     /// ([`ErrorKind::NotFinite`]) changes nothing; after [`ErrorKind::OutOfMemory`],
-    /// [`ErrorKind::TooLarge`] or [`ErrorKind::Cancelled`] this is a valid triangulation of the points
-    /// that got in.
+    /// [`ErrorKind::TooLarge`] or [`ErrorKind::Cancelled`] this is a valid triangulation of the
+    /// points that got in.
     pub fn insert(&mut self, points: &[[f64; 3]]) -> Result<(), Error> {
         let n = as_i64(points.len());
         let status =
@@ -214,8 +214,9 @@ impl Triangulation {
         self.ensure(status)
     }
 
-    /// The same with a closure that hears of progress, the fraction done from 0 to 1, about a hundred
-    /// times, and may stop the insertion. A panic in it stops the insertion and goes on here.
+    /// The same with a closure that hears of progress, the fraction done from 0 to 1, about a
+    /// hundred times, and may stop the insertion. A panic in it stops the insertion and goes on
+    /// here.
     pub fn insert_with_progress<F>(&mut self, points: &[[f64; 3]], progress: F) -> Result<(), Error>
     where
         F: FnMut(f64) -> ControlFlow<()>,
@@ -305,8 +306,8 @@ impl Triangulation {
         unsafe { sys::mgdt_vertex_count(self.raw()) as usize }
     }
 
-    /// Dimension of the points' affine hull, 0 to 3; None if there are no points. There are tetrahedra
-    /// only at 3.
+    /// Dimension of the points' affine hull, 0 to 3; None if there are no points. There are
+    /// tetrahedra only at 3.
     pub fn dimension(&self) -> Option<usize> {
         usize::try_from(unsafe { sys::mgdt_dimension(self.raw()) }).ok()
     }
