@@ -62,7 +62,8 @@ finish() {
 
 packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 python3-numpy
     libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev
-    cmake abigail-tools mandoc groff-base gfortran'
+    cmake abigail-tools mandoc groff-base gfortran
+    luajit octave octave-dev ruby ruby-ffi cargo rustc'
 [ $long = no ] || packages="$packages npm gzip"
 
 is_installed() {

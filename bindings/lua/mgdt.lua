@@ -1,0 +1,507 @@
+-- SPDX-License-Identifier: MIT
+--- mgdt for LuaJIT: exact 3D Delaunay triangulation.
+--
+--     local mgdt = require "mgdt"
+--     local t = mgdt.new{ canonical = true }
+--     t:insert{ {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1} }
+--     local tetrahedra, count = t:tetrahedra()
+--     for k = 0, count - 1 do print(tetrahedra[k][0], tetrahedra[k][1]) end
+--
+-- The library is the one that MGDT_LIBRARY names, or else libmgdt.so.1 as the loader finds it.
+--
+-- Arrays are FFI arrays, which start at 0, so points and tetrahedra are numbered from 0 as well;
+-- mgdt.new{ index_base = 1 } numbers them from 1, the arrays still start at 0. "None" is base - 1
+-- in arrays and nil as a result. Every output array is of int32_t, which holds all numbers there
+-- can be and reads as plain Lua numbers.
+--
+-- A call that fails raises an error object with the fields status (a value of mgdt.status), name
+-- ("not_finite") and message; tostring() gives the message. A handle is freed when it is
+-- collected, or by t:close(), which gives large memory back at once.
+
+local ffi = require "ffi"
+local C = require "mgdt.library"
+
+-- ------------------------------------------------------------------------------------- errors
+
+local status = {
+    null_pointer = 10, invalid_argument = 11, not_finite = 12, unknown_scheme = 13,
+    unknown_key = 14, buffer_too_small = 20, index_range = 21, out_of_memory = 30, too_large = 31,
+    cancelled = 40, check_failed = 60, internal = 90,
+}
+local status_names = {}
+for name, value in pairs(status) do status_names[value] = name end
+
+local Error = { __tostring = function(e) return "mgdt: " .. e.message end }
+
+local function raise(value, message)
+    error(setmetatable({ status = value, name = status_names[value] or "unknown",
+                         message = message }, Error), 0)
+end
+
+local function bad_argument(format, ...) raise(status.invalid_argument, format:format(...)) end
+
+local function message_of(handle, value)
+    local buffer = ffi.new("char[256]")
+    C.mgdt_get_error(handle, 256, buffer)
+    local message = ffi.string(buffer)
+    return message ~= "" and message or ffi.string(C.mgdt_status_string(value))
+end
+
+local function ensure(handle, value)
+    if value ~= 0 then raise(value, message_of(handle, value)) end
+end
+
+-- ---------------------------------------------------------------------------------- arguments
+
+local function whole(value, what)
+    local number = tonumber(value)
+    if not number or number % 1 ~= 0 or math.abs(number) > 2 ^ 53 then
+        bad_argument("%s is %s; it must be a whole number", what, tostring(value))
+    end
+    return number
+end
+
+local function real(value, what)
+    local number = type(value) ~= "string" and tonumber(value)
+    if not number then bad_argument("%s is %s; it must be a number", what, tostring(value)) end
+    return number
+end
+
+-- Element type of an FFI array or pointer ("double", "int", "int64_t"), and how many elements it
+-- holds, which a pointer does not say.
+local function shape_of(array)
+    if type(array) ~= "cdata" then return nil end
+    local element, rest = tostring(ffi.typeof(array)):match("^ctype<([%w_ ]-) ?([%(%[%*&].*)>$")
+    if not element then return nil end
+    element = element:gsub("^const ", "")
+    if rest:match("^%[") or rest:match("^%(&%)%[") then
+        local size = ({ double = 8, int = 4, int64_t = 8 })[element]
+        return element, size and ffi.sizeof(array) / size
+    elseif rest == "*" or rest:match("^%(%*%)%[") then
+        return element, nil
+    end
+end
+
+-- Coordinates as a `const double *` and the number of points. FFI arrays are passed as they stand.
+local function coordinates(points, n, what)
+    if type(points) == "table" then
+        if n ~= nil then
+            bad_argument("%s is a table, which knows its length; give no number", what)
+        end
+        local rows = type(points[1]) == "table"
+        local count = rows and #points or #points / 3
+        if count % 1 ~= 0 then
+            bad_argument("%s holds %d numbers, which is no multiple of 3", what, #points)
+        end
+        local xyz = ffi.new("double[?]", 3 * count)
+        for k = 0, count - 1 do
+            local row = rows and points[k + 1] or points
+            if type(row) ~= "table" or rows and #row ~= 3 then
+                bad_argument("%s[%d] is not three numbers", what, k + 1)
+            end
+            for axis = 0, 2 do
+                local value = row[rows and axis + 1 or 3 * k + axis + 1]
+                if type(value) ~= "number" then
+                    local place = rows and ("[%d][%d]"):format(k + 1, axis + 1)
+                        or ("[%d]"):format(3 * k + axis + 1)
+                    bad_argument("%s%s is %s; it must be a number", what, place, tostring(value))
+                end
+                xyz[3 * k + axis] = value
+            end
+        end
+        return xyz, count
+    end
+    local element, length = shape_of(points)
+    if element ~= "double" then
+        bad_argument("%s is %s; it must be a table, or an FFI array or pointer of double", what,
+            type(points) == "cdata" and tostring(ffi.typeof(points)) or type(points))
+    end
+    if n == nil then
+        if not length then
+            bad_argument("%s is a pointer: give the number of points as well", what)
+        end
+        n = length / 3
+        if n % 1 ~= 0 then
+            bad_argument("%s holds %d numbers, which is no multiple of 3", what, length)
+        end
+    else
+        n = whole(n, "the number of points")
+        if length and 3 * n > length then
+            bad_argument("%s holds %d numbers, too few for %d points", what, length, n)
+        end
+    end
+    return ffi.cast("const double *", points), n
+end
+
+-- ------------------------------------------------------------------------------ triangulation
+
+local Triangulation = {}
+Triangulation.__index = Triangulation
+
+local function handle_of(self)
+    local handle = self.handle
+    if not handle then raise(status.null_pointer, "the triangulation is closed") end
+    if self.busy then
+        raise(status.invalid_argument,
+            "a progress function may not call its triangulation, except t:cancel()")
+    end
+    return handle
+end
+
+--- Frees the memory now. Any later call but close() raises an error.
+function Triangulation:close()
+    if not self.handle then return end
+    local handle = handle_of(self)
+    self.handle = nil
+    C.mgdt_destroy(ffi.gc(handle, nil))
+end
+
+--- Takes all points out; settings stay.
+function Triangulation:clear()
+    local handle = handle_of(self)
+    ensure(handle, C.mgdt_clear(handle))
+end
+
+--- Announces how many points will be given in all. Optional.
+function Triangulation:reserve(n)
+    local handle = handle_of(self)
+    ensure(handle, C.mgdt_reserve(handle, whole(n, "the number of points")))
+end
+
+-- ----------------------------------------------------------------------------------- settings
+
+local parameters = { points_per_cell = 10, threshold = 20, separation = 30, round_ratio = 40 }
+
+--- Chooses the order scheme by its name ("brio", "multi-grid", ...; mgdt.order_schemes lists them).
+function Triangulation:set_order(name)
+    local handle = handle_of(self)
+    local scheme = ffi.new("int32_t[1]")
+    if type(name) ~= "string" or C.mgdt_order_scheme_from_name(name, scheme) ~= 0 then
+        raise(status.unknown_scheme, ("there is no order scheme %s"):format(tostring(name)))
+    end
+    ensure(handle, C.mgdt_set_order_scheme(handle, scheme[0]))
+end
+
+--- Sets a parameter of the order schemes: "points_per_cell", "threshold", "separation" or
+--- "round_ratio".
+function Triangulation:set_parameter(name, value)
+    local handle = handle_of(self)
+    local key = parameters[name]
+    if not key then
+        raise(status.unknown_key, ("there is no order parameter %s"):format(tostring(name)))
+    end
+    ensure(handle, C.mgdt_set_order_parameter(handle, key, real(value, name)))
+end
+
+--- Sets the seed of the schemes that shuffle: a whole number, or a uint64_t.
+function Triangulation:set_seed(seed)
+    local handle = handle_of(self)
+    if type(seed) == "number" then
+        if whole(seed, "the seed") < 0 then bad_argument("the seed is negative (%d)", seed) end
+    elseif not (ffi.istype("uint64_t", seed) or ffi.istype("int64_t", seed)) then
+        bad_argument("the seed is %s; it must be a whole number", tostring(seed))
+    end
+    ensure(handle, C.mgdt_set_seed(handle, ffi.cast("uint64_t", seed)))
+end
+
+local function small(value, what)
+    value = whole(value, what)
+    if math.abs(value) >= 2 ^ 31 then bad_argument("%s is %d, out of range", what, value) end
+    return value
+end
+
+--- Sets how many threads a call may use; 0 for all cores.
+function Triangulation:set_threads(n)
+    local handle = handle_of(self)
+    ensure(handle, C.mgdt_set_threads(handle, small(n, "the number of threads")))
+end
+
+--- Sets the number of the first point and the first tetrahedron: 0 (default) or 1.
+function Triangulation:set_index_base(base)
+    local handle = handle_of(self)
+    base = small(base, "the index base")
+    ensure(handle, C.mgdt_set_index_base(handle, base))
+    self.none = base - 1
+end
+
+--- Limits the memory that the handle may hold, in bytes; 0 for no limit.
+function Triangulation:set_memory_limit(bytes)
+    local handle = handle_of(self)
+    ensure(handle, C.mgdt_set_memory_limit(handle, whole(bytes, "the memory limit")))
+end
+
+--- Makes the output arrays a function of the set of points alone.
+function Triangulation:set_canonical(on)
+    local handle = handle_of(self)
+    ensure(handle, C.mgdt_set_canonical_output(handle, on and 1 or 0))
+end
+
+--- Chooses the instruction set ("baseline", "avx2", "avx512"); nil for the best.
+function Triangulation:set_isa(name)
+    local handle = handle_of(self)
+    if name ~= nil and type(name) ~= "string" then
+        bad_argument("the instruction set is no string")
+    end
+    ensure(handle, C.mgdt_set_isa(handle, name))
+end
+
+--- Name of the instruction set in use.
+function Triangulation:isa() return ffi.string(C.mgdt_isa_name(handle_of(self))) end
+
+--- Sets the function that insertions call about a hundred times with the fraction done, 0 to 1; nil
+--- for none. Return true to cancel. An error in it cancels, and insert() raises it.
+function Triangulation:set_progress(fn)
+    handle_of(self)
+    if fn ~= nil and type(fn) ~= "function" then
+        bad_argument("the progress function is no function")
+    end
+    self.progress = fn
+end
+
+--- Stops the insertion that is running (from a progress function), or else the next one.
+function Triangulation:cancel()
+    if not self.handle then handle_of(self) end
+    C.mgdt_cancel(self.handle)
+end
+
+-- ------------------------------------------------------------------------------------- points
+
+-- A callback may not be called from compiled code, and is a scarce resource: it lives for one call.
+local function with_progress(self, handle, insert, ...)
+    if not self.progress then return ensure(handle, insert(handle, ...)) end
+    local failed, problem = false, nil
+    local callback = ffi.cast("mgdt_progress_fn", function(fraction)
+        -- Nothing may be thrown through the library.
+        local good, stop = pcall(self.progress, fraction)
+        if not good then failed, problem = true, stop end
+        return (not good or stop) and 1 or 0
+    end)
+    C.mgdt_set_progress(handle, callback, nil)
+    self.busy = true
+    local value = insert(handle, ...)
+    self.busy = false
+    C.mgdt_set_progress(handle, nil, nil)
+    callback:free()
+    if failed then error(problem, 0) end
+    ensure(handle, value)
+end
+jit.off(with_progress, true)
+
+-- Compiled code does not hold on to an argument whose address alone is in use any more; the
+-- interpreter does. So what is given as an array is read by functions that are not compiled.
+
+--- Inserts points: a table of {x, y, z}, a flat table of numbers, or an FFI array of double
+--- (double[?], double[n][3]), which is read in place; a pointer needs the number of points n.
+--- May be called any number of times.
+function Triangulation:insert(points, n)
+    local handle = handle_of(self)
+    local xyz, count = coordinates(points, n, "points")
+    with_progress(self, handle, C.mgdt_insert_points, count, xyz)
+end
+jit.off(Triangulation.insert)
+
+--- The same for coordinates in three FFI arrays or pointers, or inside records; `stride` is the
+--- distance from one point to the next in doubles, 1 if it is left out.
+function Triangulation:insert_strided(n, x, y, z, stride)
+    local handle = handle_of(self)
+    n = whole(n, "the number of points")
+    stride = whole(stride or 1, "the stride")
+    local axes = { x, y, z }
+    for k, name in ipairs { "x", "y", "z" } do
+        local element, length = shape_of(axes[k])
+        if element ~= "double" then
+            bad_argument("%s must be an FFI array or pointer of double", name)
+        end
+        -- A pointer is the caller's word; into an array the last point must fall.
+        if length and n > 0 and (stride < 0 or (n - 1) * stride >= length) then
+            bad_argument("%s holds %d numbers, too few for %d points at a stride of %d", name,
+                length, n, stride)
+        end
+        axes[k] = ffi.cast("const double *", axes[k])
+    end
+    with_progress(self, handle, C.mgdt_insert_points_strided, n, axes[1], axes[2], axes[3], stride)
+end
+jit.off(Triangulation.insert_strided)
+
+-- ------------------------------------------------------------------------------ counts, export
+
+local counts = {
+    point_count = C.mgdt_point_count, vertex_count = C.mgdt_vertex_count,
+    dimension = C.mgdt_dimension, tetrahedron_count = C.mgdt_tetrahedron_count,
+    hull_facet_count = C.mgdt_hull_facet_count, edge_count = C.mgdt_edge_count,
+}
+for name, count in pairs(counts) do
+    Triangulation[name] = function(self) return tonumber(count(handle_of(self))) end
+end
+
+-- An export: t:name() gives a new array of rows and their number; t:name(array) fills an FFI array
+-- of int32_t or int64_t, t:name(pointer, capacity) what a pointer points to.
+local function exporter(count, width, get32, get64)
+    local row = ffi.typeof(width == 1 and "int32_t[?]" or ("int32_t[?][%d]"):format(width))
+    return function(self, into, capacity)
+        local handle = handle_of(self)
+        local rows = tonumber(count(handle))
+        local get = get32
+        if into == nil then
+            into, capacity = row(rows), width * rows
+        else
+            local element, length = shape_of(into)
+            if element == "int64_t" then
+                get = get64
+            elseif element ~= "int" then
+                bad_argument("the output must be an FFI array or pointer of int32_t or int64_t")
+            end
+            capacity = whole(capacity or length, "the capacity")
+            if length and capacity > length then
+                bad_argument("the capacity is %d; the array holds %d", capacity, length)
+            end
+        end
+        local pointer = ffi.cast(get == get32 and "int32_t *" or "int64_t *", into)
+        ensure(handle, get(handle, capacity, pointer))
+        return into, rows
+    end
+end
+
+--- Vertices of each tetrahedron, positively oriented: array[k][0] to array[k][3]; and the count.
+Triangulation.tetrahedra = exporter(C.mgdt_tetrahedron_count, 4, C.mgdt_get_tetrahedra_i32,
+    C.mgdt_get_tetrahedra)
+--- Neighbours of each tetrahedron; array[k][i] is opposite vertex i.
+Triangulation.neighbors = exporter(C.mgdt_tetrahedron_count, 4, C.mgdt_get_neighbors_i32,
+    C.mgdt_get_neighbors)
+--- Triangles of the convex hull, counter-clockwise seen from outside.
+Triangulation.hull_facets = exporter(C.mgdt_hull_facet_count, 3, C.mgdt_get_hull_facets_i32,
+    C.mgdt_get_hull_facets)
+--- Edges, the lesser index first.
+Triangulation.edges = exporter(C.mgdt_edge_count, 2, C.mgdt_get_edges_i32, C.mgdt_get_edges)
+--- For each point the vertex that stands for it: array[k].
+Triangulation.point_map = exporter(C.mgdt_point_count, 1, C.mgdt_get_point_map_i32,
+    C.mgdt_get_point_map)
+
+--- Tetrahedra around each vertex: offsets and list. Those of point k (counted from 0) are
+--- list[offsets[k] - base] to list[offsets[k + 1] - base - 1].
+function Triangulation:vertex_tetrahedra()
+    local handle = handle_of(self)
+    local points = tonumber(C.mgdt_point_count(handle))
+    local length = tonumber(C.mgdt_vertex_tetrahedra_count(handle))
+    local offsets = ffi.new("int32_t[?]", points + 1)
+    local list = ffi.new("int32_t[?]", length)
+    ensure(handle, C.mgdt_get_vertex_tetrahedra_i32(handle, points + 1, offsets, length, list))
+    return offsets, list, length
+end
+
+-- ------------------------------------------------------------------------------------ queries
+
+local function one(self, ask, x, y, z)
+    local handle = handle_of(self)
+    local xyz = ffi.new("double[3]", real(x, "x"), real(y, "y"), real(z, "z"))
+    local found = ffi.new("int64_t[1]")
+    ensure(handle, ask(handle, xyz, found))
+    local number = tonumber(found[0])
+    if number == self.none then return nil end
+    return number
+end
+
+--- The tetrahedron that contains a point, its boundary included; nil outside the hull.
+function Triangulation:locate(x, y, z) return one(self, C.mgdt_locate, x, y, z) end
+
+--- The vertex nearest to a point; nil if the triangulation is empty.
+function Triangulation:nearest(x, y, z) return one(self, C.mgdt_nearest_vertex, x, y, z) end
+
+--- Locates many points (given as for insert()) at once: an array of tetrahedra, an array of
+--- barycentric weights, weights[k][0] to weights[k][3], and the number of points.
+function Triangulation:locate_points(points, n)
+    local handle = handle_of(self)
+    local xyz, count = coordinates(points, n, "points")
+    if count < 0 then bad_argument("the number of points is negative (%d)", count) end
+    local found = ffi.new("int32_t[?]", count)
+    local weights = ffi.new("double[?][4]", count)
+    ensure(handle, C.mgdt_locate_points_i32(handle, count, xyz, found,
+        ffi.cast("double *", weights)))
+    return found, weights, count
+end
+jit.off(Triangulation.locate_points)
+
+-- ----------------------------------------------------------------------------- trust, figures
+
+local levels = { combinatorial = 1, geometric = 2, canonical = 3 }
+
+--- Proves the triangulation by exact arithmetic, at a level "combinatorial", "geometric" or
+--- "canonical" (default), or 1 to 3. True, or nil and what is wrong.
+function Triangulation:check(level)
+    local handle = handle_of(self)
+    if level == nil then level = 3 end
+    local value = C.mgdt_check(handle, levels[level] or small(level, "the level"))
+    if value == status.check_failed then return nil, message_of(handle, value) end
+    ensure(handle, value)
+    return true
+end
+
+local figures = {}
+for _, key in ipairs { 10, 11, 20, 21, 22, 30, 31, 40, 50, 51, 60, 61, 70, 71 } do
+    local name = C.mgdt_stat_name(key)
+    if name ~= nil then figures[(ffi.string(name):gsub("[ -]", "_"))] = key end
+end
+
+--- One figure by its name ("walk_steps", "memory_bytes", ...).
+function Triangulation:statistic(name)
+    local handle = handle_of(self)
+    local key = figures[name]
+    if not key then
+        raise(status.unknown_key, ("there is no statistic %s"):format(tostring(name)))
+    end
+    local value = ffi.new("double[1]")
+    ensure(handle, C.mgdt_get_stat(handle, key, value))
+    return value[0]
+end
+
+--- All figures, as a table by name.
+function Triangulation:statistics()
+    local all = {}
+    for name in pairs(figures) do all[name] = self:statistic(name) end
+    return all
+end
+
+function Triangulation:__tostring()
+    if not self.handle then return "mgdt triangulation (closed)" end
+    return ("mgdt triangulation: %d points, %d tetrahedra"):format(
+        tonumber(C.mgdt_point_count(self.handle)), tonumber(C.mgdt_tetrahedron_count(self.handle)))
+end
+
+-- ------------------------------------------------------------------------------------- module
+
+local mgdt = { status = status, order_schemes = {}, Triangulation = Triangulation }
+for scheme = 0, 90, 10 do
+    local name = C.mgdt_order_scheme_name(scheme)
+    if name ~= nil then table.insert(mgdt.order_schemes, ffi.string(name)) end
+end
+
+--- Version of the library that is loaded, "1.0.0".
+function mgdt.version() return ffi.string(C.mgdt_version_string()) end
+
+local setters = {
+    order = "set_order", seed = "set_seed", threads = "set_threads", index_base = "set_index_base",
+    memory_limit = "set_memory_limit", canonical = "set_canonical", isa = "set_isa",
+    progress = "set_progress",
+}
+
+--- Makes an empty triangulation. Settings, all optional: order, seed, threads, index_base,
+--- memory_limit, canonical, isa, progress, and the parameters of the order schemes.
+function mgdt.new(settings)
+    local out = ffi.new("mgdt_triangulation *[1]")
+    local value = C.mgdt_create(out)
+    if value ~= 0 then raise(value, ffi.string(C.mgdt_status_string(value))) end
+    local self = setmetatable({ handle = ffi.gc(out[0], C.mgdt_destroy), none = -1, busy = false },
+        Triangulation)
+    for name, setting in pairs(settings or {}) do
+        if setters[name] then
+            self[setters[name]](self, setting)
+        elseif parameters[name] then
+            self:set_parameter(name, setting)
+        else
+            bad_argument("there is no setting %s", tostring(name))
+        end
+    end
+    return self
+end
+
+return mgdt

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: MIT
+ * The mgdt library, loaded when it is first needed: the one that MGDT_LIBRARY names, or else
+ * libmgdt.so.1 as the loader finds it. So compiling takes the header alone. */
+#ifndef MGDT_OCTAVE_LIBRARY_H
+#define MGDT_OCTAVE_LIBRARY_H
+
+#include <dlfcn.h>
+#include <mgdt/mgdt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#if defined(__APPLE__)
+#define MGDT_LIBRARY_NAME "libmgdt.1.dylib"
+#else
+#define MGDT_LIBRARY_NAME "libmgdt.so.1"
+#endif
+
+/* Every function that is used, by the name that it has after "mgdt_". */
+#define MGDT_FUNCTIONS(F)       \
+    F(create);                  \
+    F(destroy);                 \
+    F(clear);                   \
+    F(reserve);                 \
+    F(set_order_scheme);        \
+    F(set_order_parameter);     \
+    F(set_seed);                \
+    F(set_threads);             \
+    F(set_index_base);          \
+    F(set_memory_limit);        \
+    F(set_progress);            \
+    F(cancel);                  \
+    F(set_canonical_output);    \
+    F(set_isa);                 \
+    F(insert_points_strided);   \
+    F(point_count);             \
+    F(vertex_count);            \
+    F(dimension);               \
+    F(tetrahedron_count);       \
+    F(hull_facet_count);        \
+    F(edge_count);              \
+    F(vertex_tetrahedra_count); \
+    F(get_tetrahedra);          \
+    F(get_neighbors);           \
+    F(get_hull_facets);         \
+    F(get_edges);               \
+    F(get_point_map);           \
+    F(get_vertex_tetrahedra);   \
+    F(locate_points);           \
+    F(nearest_vertex);          \
+    F(check);                   \
+    F(get_stat);                \
+    F(stat_name);               \
+    F(status_string);           \
+    F(get_error);               \
+    F(order_scheme_name);       \
+    F(order_scheme_from_name);  \
+    F(version_string);          \
+    F(isa_name);
+
+/* The library's functions: mgdt.create is mgdt_create. */
+static struct {
+#define MGDT_MEMBER(name) __typeof__(&mgdt_##name) name
+    MGDT_FUNCTIONS(MGDT_MEMBER)
+#undef MGDT_MEMBER
+} mgdt;
+
+/* A function's address as dlsym gives it, stored where a pointer to a function is. */
+static int mgdt_find(void* library, const char* name, void* to) {
+    void* const address = dlsym(library, name);
+    memcpy(to, &address, sizeof address);
+    return address != NULL;
+}
+
+/* Loads the library. Gives 1, or 0 and what was tried in `problem`. */
+static int mgdt_load(char* problem, size_t size) {
+    static void* library;
+    const char* const chosen = getenv("MGDT_LIBRARY");
+    const char* const names[2] = {chosen && *chosen ? chosen : NULL, MGDT_LIBRARY_NAME};
+    __typeof__(&mgdt_abi_version) abi_version;
+    const char* name = NULL;
+    size_t used;
+    int k;
+
+    if (library) return 1;
+    used = (size_t)snprintf(problem, size,
+                            "the mgdt library was not found; set MGDT_LIBRARY to its file. Tried:");
+    for (k = 0; k < 2 && !library; ++k) {
+        if (!names[k]) continue;
+        name = names[k];
+        library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+        if (!library && used < size)
+            used += (size_t)snprintf(problem + used, size - used, "\n  %s%s: %s", name,
+                                     k == 0 ? " (from MGDT_LIBRARY)" : "", dlerror());
+    }
+    if (!library) return 0;
+    if (!mgdt_find(library, "mgdt_abi_version", &abi_version)) {
+        snprintf(problem, size, "%s is not the mgdt library: it has no mgdt_abi_version", name);
+    } else if (abi_version() != 1) {
+        snprintf(problem, size, "%s has ABI version %d; mgdt_mex needs 1", name,
+                 (int)abi_version());
+    } else {
+        const char* missing = NULL;
+#define MGDT_FIND(function) \
+    if (!mgdt_find(library, "mgdt_" #function, &mgdt.function)) missing = "mgdt_" #function
+        MGDT_FUNCTIONS(MGDT_FIND)
+#undef MGDT_FIND
+        if (!missing) return 1;
+        snprintf(problem, size, "%s has no %s", name, missing);
+    }
+    dlclose(library);
+    library = NULL;
+    return 0;
+}
+
+#endif /* MGDT_OCTAVE_LIBRARY_H */

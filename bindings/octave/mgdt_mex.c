@@ -1,0 +1,448 @@
+/* SPDX-License-Identifier: MIT
+ * The gateway between Octave and mgdt, which mgdt_triangulation.m calls:
+ *
+ *   [...] = mgdt_mex (COMMAND, HANDLE, ...)
+ *
+ * To compile it:  mkoctfile --mex $(pkg-config --cflags mgdt) mgdt_mex.c -o mgdt_mex.mex
+ *
+ * A handle is a pair [slot, serial], so that one that is no longer there is recognised. Errors have
+ * an identifier "mgdt:not_finite" and the library's message, before which Octave puts "mgdt_mex: ".
+ * Nothing here is allocated but by mxMalloc, which Octave takes back when an error leaves the
+ * function. */
+#include <mex.h>
+
+#include "mgdt_library.h"
+
+/* ------------------------------------------------------------------------------------- errors */
+
+static const char* identifier(mgdt_status s) {
+    switch (s) {
+        case MGDT_ERR_NULL_POINTER:
+            return "mgdt:null_pointer";
+        case MGDT_ERR_INVALID_ARGUMENT:
+            return "mgdt:invalid_argument";
+        case MGDT_ERR_NOT_FINITE:
+            return "mgdt:not_finite";
+        case MGDT_ERR_UNKNOWN_SCHEME:
+            return "mgdt:unknown_scheme";
+        case MGDT_ERR_UNKNOWN_KEY:
+            return "mgdt:unknown_key";
+        case MGDT_ERR_BUFFER_TOO_SMALL:
+            return "mgdt:buffer_too_small";
+        case MGDT_ERR_INDEX_RANGE:
+            return "mgdt:index_range";
+        case MGDT_ERR_OUT_OF_MEMORY:
+            return "mgdt:out_of_memory";
+        case MGDT_ERR_TOO_LARGE:
+            return "mgdt:too_large";
+        case MGDT_ERR_CANCELLED:
+            return "mgdt:cancelled";
+        case MGDT_ERR_CHECK_FAILED:
+            return "mgdt:check_failed";
+        default:
+            return "mgdt:internal";
+    }
+}
+
+static void ensure(const mgdt_triangulation* t, mgdt_status s) {
+    char message[256] = "";
+    if (s == MGDT_OK) return;
+    if (t) mgdt.get_error(t, (int64_t)sizeof message, message);
+    mexErrMsgIdAndTxt(identifier(s), "%s", *message ? message : mgdt.status_string(s));
+}
+
+static void bad_argument(const char* what) {
+    mexErrMsgIdAndTxt("mgdt:invalid_argument", "%s", what);
+}
+
+/* ------------------------------------------------------------------------------------ handles */
+
+typedef struct {
+    mgdt_triangulation* t; /* NULL where the slot is free */
+    double serial;
+    int busy; /* inserting, so that a progress function may only cancel */
+} slot;
+
+static slot* slots;
+static size_t slot_count, live_count;
+static double last_serial;
+
+static void destroy_all(void) {
+    size_t k;
+    for (k = 0; k < slot_count; ++k)
+        if (slots[k].t) mgdt.destroy(slots[k].t);
+    free(slots);
+    slots = NULL;
+    slot_count = live_count = 0;
+}
+
+static mxArray* create(void) {
+    mgdt_triangulation* t;
+    mxArray* result = mxCreateDoubleMatrix(1, 2, mxREAL);
+    size_t k = 0;
+    while (k < slot_count && slots[k].t) ++k;
+    if (k == slot_count) {
+        const size_t larger = slot_count ? 2 * slot_count : 16;
+        slot* const moved = realloc(slots, larger * sizeof *slots);
+        if (!moved) ensure(NULL, MGDT_ERR_OUT_OF_MEMORY);
+        memset(moved + slot_count, 0, (larger - slot_count) * sizeof *slots);
+        slots = moved;
+        slot_count = larger;
+    }
+    ensure(NULL, mgdt.create(&t));
+    mgdt.set_index_base(t, 1);
+    slots[k].t = t;
+    slots[k].serial = ++last_serial;
+    slots[k].busy = 0;
+    /* "clear all" must not take the code from handles that are in use. */
+    if (live_count++ == 0) mexLock();
+    mxGetPr(result)[0] = (double)k;
+    mxGetPr(result)[1] = last_serial;
+    return result;
+}
+
+static slot* find(const mxArray* handle) {
+    const double* pair;
+    if (!handle || !mxIsDouble(handle) || mxGetNumberOfElements(handle) != 2)
+        bad_argument("not a handle");
+    pair = mxGetPr(handle);
+    if (!(pair[0] >= 0 && pair[0] < (double)slot_count) || !slots[(size_t)pair[0]].t ||
+        slots[(size_t)pair[0]].serial != pair[1])
+        mexErrMsgIdAndTxt("mgdt:null_pointer", "the triangulation is closed");
+    return &slots[(size_t)pair[0]];
+}
+
+static void destroy(slot* s) {
+    mgdt.destroy(s->t);
+    s->t = NULL;
+    if (--live_count == 0) mexUnlock();
+}
+
+/* ---------------------------------------------------------------------------------- arguments */
+
+static double number(const mxArray* a, const char* what) {
+    if (!a || mxGetNumberOfElements(a) != 1 || mxIsComplex(a) ||
+        !(mxIsNumeric(a) || mxIsLogical(a)))
+        mexErrMsgIdAndTxt("mgdt:invalid_argument", "%s must be one real number", what);
+    return mxGetScalar(a);
+}
+
+static int64_t integer(const mxArray* a, const char* what, double limit) {
+    const double x = number(a, what);
+    if (!(x >= -limit && x <= limit) || x != (double)(int64_t)x)
+        mexErrMsgIdAndTxt("mgdt:invalid_argument", "%s is %g; it must be a whole number", what, x);
+    return (int64_t)x;
+}
+
+static int32_t small(const mxArray* a, const char* what) {
+    return (int32_t)integer(a, what, 2147483647.0);
+}
+
+static const char* text(const mxArray* a, const char* what) {
+    char* string;
+    if (!a || !mxIsChar(a)) mexErrMsgIdAndTxt("mgdt:invalid_argument", "%s must be a string", what);
+    string = mxArrayToString(a);
+    if (!string) bad_argument("out of memory");
+    return string;
+}
+
+/* Points as an n x 3 matrix of doubles, which is x, y and z in separate arrays; [] for none. */
+static const double* points(const mxArray* a, int64_t* n) {
+    *n = 0;
+    if (!a || !mxIsDouble(a) || mxIsComplex(a) || mxIsSparse(a))
+        bad_argument("points must be a full real matrix of doubles");
+    if (mxIsEmpty(a)) return NULL;
+    if (mxGetNumberOfDimensions(a) != 2 || mxGetN(a) != 3)
+        mexErrMsgIdAndTxt("mgdt:invalid_argument",
+                          "points are %d x %d; they must have three columns", (int)mxGetM(a),
+                          (int)(mxGetNumberOfElements(a) / mxGetM(a)));
+    *n = (int64_t)mxGetM(a);
+    return mxGetPr(a);
+}
+
+/* ------------------------------------------------------------------------------------ results */
+
+/* A matrix of doubles, one row for each `width` integers of the library's. */
+static mxArray* rows(const int64_t* from, int64_t count, int width) {
+    mxArray* const result = mxCreateDoubleMatrix((mwSize)count, (mwSize)width, mxREAL);
+    double* const to = mxGetPr(result);
+    int64_t k;
+    int i;
+    for (k = 0; k < count; ++k)
+        for (i = 0; i < width; ++i) to[i * count + k] = (double)from[width * k + i];
+    return result;
+}
+
+static void* room(int64_t count, size_t size) {
+    return mxMalloc(((size_t)count + 1) * size);
+}
+
+typedef mgdt_status (*get_function)(const mgdt_triangulation* t, int64_t capacity, int64_t* v);
+
+static mxArray* export_rows(const mgdt_triangulation* t, get_function get, int64_t count,
+                            int width) {
+    int64_t* const v = room(count * width, sizeof *v);
+    mxArray* result;
+    ensure(t, get(t, count * width, v));
+    result = rows(v, count, width);
+    mxFree(v);
+    return result;
+}
+
+/* --------------------------------------------------------------------------------- insertion */
+
+typedef struct {
+    mxArray* function;
+    mxArray* problem; /* a struct for rethrow, or NULL */
+} progress;
+
+static int32_t report(double fraction, void* user) {
+    progress* const p = user;
+    mxArray* arguments[2];
+    mxArray* answer[2] = {NULL, NULL};
+    mxArray* failure;
+    int32_t stop = 1;
+    arguments[0] = p->function;
+    arguments[1] = mxCreateDoubleScalar(fraction);
+    /* An error must not pass through the library: it is kept, and raised again afterwards. */
+    failure = mexCallMATLABWithTrap(2, answer, 2, arguments, "mgdt_progress");
+    mxDestroyArray(arguments[1]);
+    if (failure) {
+        p->problem = failure;
+    } else if (!mxIsEmpty(answer[1])) {
+        p->problem = answer[1];
+    } else {
+        stop = mxGetScalar(answer[0]) != 0;
+        mxDestroyArray(answer[1]);
+    }
+    if (answer[0]) mxDestroyArray(answer[0]);
+    return stop;
+}
+
+static void insert(slot* s, const mxArray* matrix, const mxArray* function) {
+    int64_t n;
+    const double* const xyz = points(matrix, &n);
+    const size_t at = (size_t)(s - slots);
+    mgdt_triangulation* const t = s->t;
+    progress p = {NULL, NULL};
+    mgdt_status status;
+    if (n == 0) return;
+    if (function && !mxIsEmpty(function)) {
+        p.function = mxDuplicateArray(function);
+        mgdt.set_progress(t, report, &p);
+    }
+    s->busy = 1;
+    status = mgdt.insert_points_strided(t, n, xyz, xyz + n, xyz + 2 * n, 1);
+    slots[at].busy = 0; /* the progress function may have made handles, which moves the slots */
+    mgdt.set_progress(t, NULL, NULL);
+    if (p.problem) mexCallMATLAB(0, NULL, 1, &p.problem, "rethrow");
+    ensure(t, status);
+}
+
+/* ------------------------------------------------------------------------------------ queries */
+
+static void locate(const mgdt_triangulation* t, const mxArray* matrix, int nlhs, mxArray** plhs) {
+    int64_t n, k;
+    int i;
+    const double* const columns = points(matrix, &n);
+    double *const xyz = room(3 * n, sizeof *xyz), *const weights = room(4 * n, sizeof *weights);
+    int64_t* const found = room(n, sizeof *found);
+    double *numbers, *w;
+    for (k = 0; k < n; ++k)
+        for (i = 0; i < 3; ++i) xyz[3 * k + i] = columns[i * n + k];
+    ensure(t, mgdt.locate_points(t, n, xyz, found, nlhs > 1 ? weights : NULL));
+    plhs[0] = mxCreateDoubleMatrix((mwSize)n, 1, mxREAL);
+    numbers = mxGetPr(plhs[0]);
+    for (k = 0; k < n; ++k) numbers[k] = found[k] == 0 ? mxGetNaN() : (double)found[k];
+    if (nlhs > 1) {
+        plhs[1] = mxCreateDoubleMatrix((mwSize)n, 4, mxREAL);
+        w = mxGetPr(plhs[1]);
+        for (k = 0; k < n; ++k)
+            for (i = 0; i < 4; ++i) w[i * n + k] = found[k] == 0 ? mxGetNaN() : weights[4 * k + i];
+    }
+}
+
+static mxArray* nearest(const mgdt_triangulation* t, const mxArray* matrix) {
+    int64_t n, k, found;
+    const double* const columns = points(matrix, &n);
+    mxArray* const result = mxCreateDoubleMatrix((mwSize)n, 1, mxREAL);
+    for (k = 0; k < n; ++k) {
+        double xyz[3];
+        int i;
+        for (i = 0; i < 3; ++i) xyz[i] = columns[i * n + k];
+        ensure(t, mgdt.nearest_vertex(t, xyz, &found));
+        mxGetPr(result)[k] = found == 0 ? mxGetNaN() : (double)found;
+    }
+    return result;
+}
+
+static void vertex_tetrahedra(const mgdt_triangulation* t, int nlhs, mxArray** plhs) {
+    const int64_t n = mgdt.point_count(t), length = mgdt.vertex_tetrahedra_count(t);
+    int64_t *const offsets = room(n + 1, sizeof *offsets), *const list = room(length, sizeof *list);
+    ensure(t, mgdt.get_vertex_tetrahedra(t, n + 1, offsets, length, list));
+    plhs[0] = rows(offsets, n + 1, 1);
+    if (nlhs > 1) plhs[1] = rows(list, length, 1);
+}
+
+static mxArray* statistics(const mgdt_triangulation* t) {
+    mxArray* const result = mxCreateStructMatrix(1, 1, 0, NULL);
+    int32_t key;
+    for (key = 0; key < 1000; ++key) {
+        const char* const name = mgdt.stat_name(key);
+        char field[64];
+        double value;
+        int i;
+        if (!name) continue;
+        snprintf(field, sizeof field, "%s", name);
+        for (i = 0; field[i]; ++i)
+            if (field[i] == ' ' || field[i] == '-') field[i] = '_';
+        ensure(t, mgdt.get_stat(t, key, &value));
+        mxSetFieldByNumber(result, 0, mxAddField(result, field), mxCreateDoubleScalar(value));
+    }
+    return result;
+}
+
+static mxArray* scheme_names(void) {
+    const char* names[64];
+    int32_t scheme;
+    int count = 0, k;
+    mxArray* result;
+    for (scheme = 0; scheme < 1000 && count < 64; ++scheme)
+        if (mgdt.order_scheme_name(scheme)) names[count++] = mgdt.order_scheme_name(scheme);
+    result = mxCreateCellMatrix((mwSize)count, 1);
+    for (k = 0; k < count; ++k) mxSetCell(result, (mwIndex)k, mxCreateString(names[k]));
+    return result;
+}
+
+/* ----------------------------------------------------------------------------------- settings */
+
+static void set_order(mgdt_triangulation* t, const mxArray* value) {
+    const char* const name = text(value, "the order scheme");
+    int32_t scheme;
+    if (mgdt.order_scheme_from_name(name, &scheme) != MGDT_OK)
+        mexErrMsgIdAndTxt("mgdt:unknown_scheme", "there is no order scheme %s", name);
+    ensure(t, mgdt.set_order_scheme(t, scheme));
+}
+
+static void set(mgdt_triangulation* t, const char* name, const mxArray* value) {
+    static const struct {
+        const char* name;
+        int32_t key;
+    } parameters[] = {{"points_per_cell", MGDT_PARAMETER_POINTS_PER_CELL},
+                      {"threshold", MGDT_PARAMETER_THRESHOLD},
+                      {"separation", MGDT_PARAMETER_SEPARATION},
+                      {"round_ratio", MGDT_PARAMETER_ROUND_RATIO}};
+    size_t k;
+    for (k = 0; k < sizeof parameters / sizeof *parameters; ++k) {
+        if (strcmp(name, parameters[k].name) != 0) continue;
+        ensure(t, mgdt.set_order_parameter(t, parameters[k].key, number(value, name)));
+        return;
+    }
+    if (strcmp(name, "order") == 0) {
+        set_order(t, value);
+    } else if (strcmp(name, "seed") == 0) {
+        const int64_t seed = integer(value, name, 9007199254740992.0);
+        if (seed < 0) bad_argument("seed is negative");
+        ensure(t, mgdt.set_seed(t, (uint64_t)seed));
+    } else if (strcmp(name, "threads") == 0) {
+        ensure(t, mgdt.set_threads(t, small(value, name)));
+    } else if (strcmp(name, "memory_limit") == 0) {
+        ensure(t, mgdt.set_memory_limit(t, integer(value, name, 9007199254740992.0)));
+    } else if (strcmp(name, "canonical") == 0) {
+        ensure(t, mgdt.set_canonical_output(t, number(value, name) != 0));
+    } else if (strcmp(name, "isa") == 0) {
+        ensure(t, mgdt.set_isa(t, mxIsEmpty(value) ? NULL : text(value, name)));
+    } else {
+        mexErrMsgIdAndTxt("mgdt:unknown_key", "there is no setting %s", name);
+    }
+}
+
+/* ------------------------------------------------------------------------------------ gateway */
+
+static mxArray* count_of(const mgdt_triangulation* t, const char* what) {
+    if (strcmp(what, "points") == 0) return mxCreateDoubleScalar((double)mgdt.point_count(t));
+    if (strcmp(what, "vertices") == 0) return mxCreateDoubleScalar((double)mgdt.vertex_count(t));
+    if (strcmp(what, "dimension") == 0) return mxCreateDoubleScalar((double)mgdt.dimension(t));
+    if (strcmp(what, "tetrahedra") == 0)
+        return mxCreateDoubleScalar((double)mgdt.tetrahedron_count(t));
+    if (strcmp(what, "hull_facets") == 0)
+        return mxCreateDoubleScalar((double)mgdt.hull_facet_count(t));
+    if (strcmp(what, "edges") == 0) return mxCreateDoubleScalar((double)mgdt.edge_count(t));
+    bad_argument("no such count");
+    return NULL;
+}
+
+static mxArray* export_of(const mgdt_triangulation* t, const char* what) {
+    const int64_t tetrahedra = mgdt.tetrahedron_count(t);
+    if (strcmp(what, "tetrahedra") == 0) return export_rows(t, mgdt.get_tetrahedra, tetrahedra, 4);
+    if (strcmp(what, "neighbors") == 0) return export_rows(t, mgdt.get_neighbors, tetrahedra, 4);
+    if (strcmp(what, "hull_facets") == 0)
+        return export_rows(t, mgdt.get_hull_facets, mgdt.hull_facet_count(t), 3);
+    if (strcmp(what, "edges") == 0) return export_rows(t, mgdt.get_edges, mgdt.edge_count(t), 2);
+    if (strcmp(what, "point_map") == 0)
+        return export_rows(t, mgdt.get_point_map, mgdt.point_count(t), 1);
+    bad_argument("no such export");
+    return NULL;
+}
+
+void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
+    char problem[2048];
+    const char* command;
+    const mxArray *first, *second;
+    slot* s;
+
+    if (!mgdt_load(problem, sizeof problem)) mexErrMsgIdAndTxt("mgdt:library", "%s", problem);
+    mexAtExit(destroy_all);
+    command = text(nrhs > 0 ? prhs[0] : NULL, "the command");
+    if (strcmp(command, "create") == 0) {
+        plhs[0] = create();
+        return;
+    }
+    if (strcmp(command, "version") == 0) {
+        plhs[0] = mxCreateString(mgdt.version_string());
+        return;
+    }
+    if (strcmp(command, "schemes") == 0) {
+        plhs[0] = scheme_names();
+        return;
+    }
+
+    s = find(nrhs > 1 ? prhs[1] : NULL);
+    first = nrhs > 2 ? prhs[2] : NULL;
+    second = nrhs > 3 ? prhs[3] : NULL;
+    if (strcmp(command, "cancel") == 0) {
+        mgdt.cancel(s->t);
+        return;
+    }
+    if (s->busy) bad_argument("a progress function may not call its triangulation, except cancel");
+    if (strcmp(command, "destroy") == 0) {
+        destroy(s);
+    } else if (strcmp(command, "clear") == 0) {
+        ensure(s->t, mgdt.clear(s->t));
+    } else if (strcmp(command, "reserve") == 0) {
+        ensure(s->t, mgdt.reserve(s->t, integer(first, "the number of points", 9e15)));
+    } else if (strcmp(command, "set") == 0) {
+        if (!second) bad_argument("a setting without a value");
+        set(s->t, text(first, "the setting"), second);
+    } else if (strcmp(command, "isa") == 0) {
+        plhs[0] = mxCreateString(mgdt.isa_name(s->t));
+    } else if (strcmp(command, "insert") == 0) {
+        insert(s, first, second);
+    } else if (strcmp(command, "count") == 0) {
+        plhs[0] = count_of(s->t, text(first, "the count"));
+    } else if (strcmp(command, "export") == 0) {
+        plhs[0] = export_of(s->t, text(first, "the export"));
+    } else if (strcmp(command, "vertex_tetrahedra") == 0) {
+        vertex_tetrahedra(s->t, nlhs, plhs);
+    } else if (strcmp(command, "locate") == 0) {
+        locate(s->t, first, nlhs, plhs);
+    } else if (strcmp(command, "nearest") == 0) {
+        plhs[0] = nearest(s->t, first);
+    } else if (strcmp(command, "check") == 0) {
+        ensure(s->t, mgdt.check(s->t, small(first, "the level")));
+    } else if (strcmp(command, "statistics") == 0) {
+        plhs[0] = statistics(s->t);
+    } else {
+        bad_argument("no such command");
+    }
+}

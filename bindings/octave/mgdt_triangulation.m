@@ -1,0 +1,219 @@
+% SPDX-License-Identifier: MIT
+classdef mgdt_triangulation < handle
+  % -- t = mgdt_triangulation ()
+  % -- t = mgdt_triangulation (NAME, VALUE, ...)
+  %
+  % A Delaunay triangulation that grows as points are inserted.
+  %
+  %   t = mgdt_triangulation ("canonical", true);
+  %   t.insert (rand (1000, 3));
+  %   tetrahedra = t.tetrahedra ();
+  %   [where, weights] = t.locate ([0.5 0.5 0.5]);
+  %
+  % Points and tetrahedra are numbered from 1 and given in rows. t is a handle: a copy of it is the
+  % same triangulation. Its memory is freed with the last copy, or by t.close ().
+  %
+  % Settings, as NAME and VALUE or by t.set (NAME, VALUE):
+  %   "order"         scheme of insertion, by name: see mgdt_triangulation.schemes ()
+  %   "points_per_cell", "threshold", "separation", "round_ratio"   its parameters
+  %   "seed"          of the schemes that shuffle
+  %   "threads"       0 for all cores
+  %   "memory_limit"  bytes; 0 for none
+  %   "canonical"     true: the output is a function of the set of points alone
+  %   "isa"           instruction set; "" for the best
+  %   "progress"      function of the fraction done, 0 to 1; a true result stops the insertion
+  %
+  % Errors have the identifiers mgdt:invalid_argument, mgdt:not_finite (the message names the
+  % point), mgdt:unknown_scheme, mgdt:unknown_key, mgdt:out_of_memory, mgdt:too_large,
+  % mgdt:cancelled, mgdt:check_failed, mgdt:null_pointer (closed) and mgdt:library (libmgdt was not
+  % found).
+  %
+  % See also: mgdt_delaunay
+
+  properties (Access = private)
+    id = [];
+    progress = [];
+  end
+
+  methods
+    function t = mgdt_triangulation (varargin)
+      t.id = mgdt_mex ("create");
+      if (mod (numel (varargin), 2) != 0)
+        error ("mgdt:invalid_argument", "mgdt: a setting without a value");
+      end
+      for k = 1:2:numel (varargin)
+        t.set (varargin{k}, varargin{k+1});
+      end
+    end
+
+    % Frees the memory now. Every later call but close is an error.
+    function close (t)
+      if (! isempty (t.id))
+        mgdt_mex ("destroy", t.id);
+        t.id = [];
+      end
+    end
+
+    function delete (t)
+      t.close ();
+    end
+
+    function set (t, name, value)
+      if (strcmp (name, "progress"))
+        if (! (isempty (value) || is_function_handle (value)))
+          error ("mgdt:invalid_argument", "mgdt: progress must be a function handle or []");
+        end
+        t.progress = value;
+      else
+        mgdt_mex ("set", t.handle (), name, value);
+      end
+    end
+
+    % Name of the instruction set in use.
+    function name = isa_name (t)
+      name = mgdt_mex ("isa", t.handle ());
+    end
+
+    % Inserts points, n x 3; any number of times.
+    function insert (t, points)
+      if (! isa (points, "double") || issparse (points))
+        if (! (isnumeric (points) || islogical (points)))
+          error ("mgdt:invalid_argument", "mgdt: points are of class %s; they must be numeric", ...
+                 class (points));
+        end
+        points = double (full (points));
+      end
+      mgdt_mex ("insert", t.handle (), points, t.progress);
+    end
+
+    % Takes all points out; settings stay.
+    function clear_points (t)
+      mgdt_mex ("clear", t.handle ());
+    end
+
+    % Announces how many points will be given in all. Optional.
+    function reserve (t, n)
+      mgdt_mex ("reserve", t.handle (), n);
+    end
+
+    % Stops the insertion that is running (from a progress function), or else the next one.
+    function cancel (t)
+      mgdt_mex ("cancel", t.handle ());
+    end
+
+    % Counts. The dimension is -1 (empty), 0, 1, 2 or 3; there are tetrahedra only at 3.
+    function n = point_count (t)
+      n = mgdt_mex ("count", t.handle (), "points");
+    end
+    function n = vertex_count (t)
+      n = mgdt_mex ("count", t.handle (), "vertices");
+    end
+    function n = dimension (t)
+      n = mgdt_mex ("count", t.handle (), "dimension");
+    end
+    function n = tetrahedron_count (t)
+      n = mgdt_mex ("count", t.handle (), "tetrahedra");
+    end
+    function n = hull_facet_count (t)
+      n = mgdt_mex ("count", t.handle (), "hull_facets");
+    end
+    function n = edge_count (t)
+      n = mgdt_mex ("count", t.handle (), "edges");
+    end
+
+    % Vertices of each tetrahedron, m x 4, positively oriented.
+    function v = tetrahedra (t)
+      v = mgdt_mex ("export", t.handle (), "tetrahedra");
+    end
+
+    % Neighbours of each tetrahedron, m x 4: column i is opposite vertex i; 0 on the hull.
+    function v = neighbours (t)
+      v = mgdt_mex ("export", t.handle (), "neighbors");
+    end
+
+    % Triangles of the convex hull, h x 3, counter-clockwise seen from outside.
+    function v = hull_facets (t)
+      v = mgdt_mex ("export", t.handle (), "hull_facets");
+    end
+
+    % Edges, e x 2, the lesser number first.
+    function v = edges (t)
+      v = mgdt_mex ("export", t.handle (), "edges");
+    end
+
+    % For each point the number of the one that stands for it; 0 if it is not in.
+    function v = point_map (t)
+      v = mgdt_mex ("export", t.handle (), "point_map");
+    end
+
+    % Tetrahedra around each vertex: those of point k are list(offsets(k):offsets(k+1)-1).
+    function [offsets, list] = vertex_tetrahedra (t)
+      [offsets, list] = mgdt_mex ("vertex_tetrahedra", t.handle ());
+    end
+
+    % Tetrahedra that contain the points of an n x 3 matrix, n x 1, NaN outside the hull, and the
+    % barycentric weights of their vertices, n x 4: as tsearchn.
+    function [where, weights] = locate (t, points)
+      if (nargout < 2)
+        where = mgdt_mex ("locate", t.handle (), points);
+      else
+        [where, weights] = mgdt_mex ("locate", t.handle (), points);
+      end
+    end
+
+    % Vertices nearest to the points of an n x 3 matrix, n x 1, NaN if there are none: as dsearchn.
+    function v = nearest (t, points)
+      v = mgdt_mex ("nearest", t.handle (), points);
+    end
+
+    % Proves the triangulation by exact arithmetic; mgdt:check_failed says what is wrong. Levels:
+    % "combinatorial", "geometric", "canonical" (default).
+    function check (t, level)
+      if (nargin < 2)
+        level = 3;
+      elseif (ischar (level))
+        names = {"combinatorial", "geometric", "canonical"};
+        if (! any (strcmp (level, names)))
+          error ("mgdt:invalid_argument", "mgdt: there is no level %s of the check", level);
+        end
+        level = find (strcmp (level, names));
+      end
+      mgdt_mex ("check", t.handle (), level);
+    end
+
+    % All figures, as a struct.
+    function s = statistics (t)
+      s = mgdt_mex ("statistics", t.handle ());
+    end
+
+    function disp (t)
+      if (isempty (t.id))
+        printf ("  mgdt triangulation (closed)\n");
+      else
+        printf ("  mgdt triangulation: %d points, %d tetrahedra\n", t.point_count (), ...
+                t.tetrahedron_count ());
+      end
+    end
+  end
+
+  methods (Static)
+    % Names of the order schemes.
+    function names = schemes ()
+      names = mgdt_mex ("schemes");
+    end
+
+    % Version of the library that is loaded.
+    function text = version ()
+      text = mgdt_mex ("version");
+    end
+  end
+
+  methods (Access = private)
+    function id = handle (t)
+      id = t.id;
+      if (isempty (id))
+        error ("mgdt:null_pointer", "mgdt: the triangulation is closed");
+      end
+    end
+  end
+end

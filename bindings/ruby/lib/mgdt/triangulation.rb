@@ -1,0 +1,380 @@
+# SPDX-License-Identifier: MIT
+# frozen_string_literal: true
+
+module Mgdt
+  # A triangulation that grows as points are inserted.
+  #
+  # One call at a time works on a triangulation: others, from other threads, wait for it. Only
+  # cancel does not wait. Its memory is freed when it is collected, or by close.
+  class Triangulation
+    PARAMETERS = { points_per_cell: 10, threshold: 20, separation: 30, round_ratio: 40 }.freeze
+    LEVELS = { combinatorial: 1, geometric: 2, canonical: 3 }.freeze
+    STATISTICS = [10, 11, 20, 21, 22, 30, 31, 40, 50, 51, 60, 61, 70, 71].to_h do |key|
+      [Library.mgdt_stat_name(key).tr(" -", "__").to_sym, key]
+    end.freeze
+    # Names of the order schemes.
+    ORDER_SCHEMES = (0..90).step(10).filter_map { |k| Library.mgdt_order_scheme_name(k) }.freeze
+    SETTINGS = %i[order seed threads index_base memory_limit canonical isa].freeze
+    private_constant :PARAMETERS, :LEVELS, :STATISTICS, :SETTINGS
+
+    # Makes an empty triangulation. Settings: order, seed, threads, index_base, memory_limit,
+    # canonical, isa, and the parameters of the order schemes: points_per_cell, threshold,
+    # separation, round_ratio.
+    def initialize(**settings)
+      out = FFI::MemoryPointer.new(:pointer)
+      status = Library.mgdt_create(out)
+      raise Error.of(status, Library.mgdt_status_string(status)) unless status.zero?
+
+      @handle = Library::Handle.new(out.read_pointer)
+      @mutex = Mutex.new
+      @closing = Mutex.new
+      @index_base = 0
+      settings.each do |name, value|
+        if SETTINGS.include?(name) then public_send(:"#{name}=", value)
+        elsif PARAMETERS.key?(name) then set_parameter(name, value)
+        else raise ArgumentError, "unknown setting: #{name.inspect}"
+        end
+      end
+    end
+
+    # Frees the memory now. Every later call but close and closed? raises Closed.
+    def close
+      exclusively do
+        @closing.synchronize do
+          @handle&.free
+          @handle = nil
+        end
+      end
+    end
+
+    def closed?
+      @handle.nil?
+    end
+
+    # Takes all points out; settings stay.
+    def clear
+      call(:mgdt_clear)
+      self
+    end
+
+    # Announces how many points will be given in all. Optional.
+    def reserve(count)
+      call(:mgdt_reserve, integer(count, "the number of points", 63))
+      self
+    end
+
+    # ---- settings
+
+    # Order scheme by name ("brio", "multi-grid", ...: see ORDER_SCHEMES).
+    def order=(name)
+      out = FFI::MemoryPointer.new(:int32)
+      known = name.respond_to?(:to_s) && !name.to_s.include?("\0") &&
+              Library.mgdt_order_scheme_from_name(name.to_s, out).zero?
+      raise UnknownName.new("there is no order scheme #{name.inspect}", 13) unless known
+
+      call(:mgdt_set_order_scheme, out.read_int32)
+    end
+
+    # A parameter of the order schemes: :points_per_cell, :threshold, :separation, :round_ratio.
+    def set_parameter(name, value)
+      key = PARAMETERS[name.to_sym]
+      raise UnknownName.new("there is no order parameter #{name.inspect}", 14) unless key
+
+      call(:mgdt_set_order_parameter, key, Float(value))
+      self
+    end
+
+    # Seed of the schemes that shuffle, 0 to 2**64 - 1.
+    def seed=(value)
+      raise argument("the seed is #{value.inspect}; it must be an Integer of 64 bits") unless
+        value.is_a?(Integer) && (0...2**64).cover?(value)
+
+      call(:mgdt_set_seed, value)
+    end
+
+    # How many threads a call may use; 0 for all cores.
+    def threads=(count)
+      call(:mgdt_set_threads, integer(count, "the number of threads", 31))
+    end
+
+    # Number of the first point and the first tetrahedron: 0 (default) or 1.
+    attr_reader :index_base
+
+    def index_base=(base)
+      call(:mgdt_set_index_base, integer(base, "the index base", 31))
+      @index_base = base
+    end
+
+    # The most memory that the triangulation may hold, in bytes; nil or 0 for no limit.
+    def memory_limit=(bytes)
+      call(:mgdt_set_memory_limit, integer(bytes || 0, "the memory limit", 63))
+    end
+
+    # Whether the output is a function of the set of points alone.
+    def canonical=(flag)
+      call(:mgdt_set_canonical_output, flag ? 1 : 0)
+    end
+
+    # Instruction set: "baseline", "avx2", "avx512"; nil for the best.
+    def isa=(name)
+      raise argument("the instruction set is #{name.inspect}; it must be a String") unless
+        name.nil? || (name.is_a?(String) && !name.include?("\0"))
+
+      call(:mgdt_set_isa, name)
+    end
+
+    def isa
+      count(:mgdt_isa_name)
+    end
+
+    # ---- points
+
+    # Inserts points: an Array of [x, y, z], a flat Array, a String of native doubles, or an
+    # FFI::Pointer with the number of points. A block hears of progress: the fraction done, 0 to 1,
+    # about a hundred times; it stops the insertion by returning :cancel or by raising (break and
+    # throw count as :cancel).
+    def insert(points, count = nil, &progress)
+      given = Points.new(points, count)
+      insert_by(:mgdt_insert_points, progress, given.count, given.data)
+    end
+
+    # The same for coordinates in three places or inside records: FFI::Pointers to the first point's
+    # x, y and z, and the distance from one point to the next, in doubles.
+    def insert_strided(count, x, y, z, stride = 1, &progress)
+      { x: x, y: y, z: z }.each do |name, value|
+        raise argument("#{name} is of class #{value.class}; it must be an FFI::Pointer") unless
+          value.is_a?(FFI::Pointer)
+      end
+      insert_by(:mgdt_insert_points_strided, progress, integer(count, "the number of points", 63),
+                x, y, z, integer(stride, "the stride", 63))
+    end
+
+    # Stops the insertion that is running, or else the next one. From any thread, and from the
+    # block; from a trap handler by Thread.new { t.cancel }, since Ruby has no locks there.
+    def cancel
+      @closing.synchronize do
+        raise closed_error unless @handle
+
+        Library.mgdt_cancel(@handle)
+      end
+      self
+    end
+
+    # ---- counts
+
+    def point_count = count(:mgdt_point_count)
+    def vertex_count = count(:mgdt_vertex_count)
+    def dimension = count(:mgdt_dimension)
+    def tetrahedron_count = count(:mgdt_tetrahedron_count)
+    def hull_facet_count = count(:mgdt_hull_facet_count)
+    def edge_count = count(:mgdt_edge_count)
+
+    # ---- export: Arrays, or, with `into`, an FFI::MemoryPointer of :int32 or :int64 to fill
+
+    # Vertices of each tetrahedron, positively oriented.
+    def tetrahedra(into: nil) = export(:tetrahedra, :mgdt_tetrahedron_count, 4, into)
+
+    # Neighbours of each tetrahedron: number i is opposite vertex i; index_base - 1 for none.
+    def neighbors(into: nil) = export(:neighbors, :mgdt_tetrahedron_count, 4, into)
+
+    # Triangles of the convex hull, counter-clockwise seen from outside.
+    def hull_facets(into: nil) = export(:hull_facets, :mgdt_hull_facet_count, 3, into)
+
+    # Edges, the lesser index first.
+    def edges(into: nil) = export(:edges, :mgdt_edge_count, 2, into)
+
+    # For each point the vertex that stands for it; index_base - 1 if it is not in.
+    def point_map(into: nil) = export(:point_map, :mgdt_point_count, 1, into)
+
+    # For each point an Array of the tetrahedra around it; empty for what is no vertex.
+    def vertex_tetrahedra
+      with_handle do |handle|
+        points = Library.mgdt_point_count(handle)
+        length = Library.mgdt_vertex_tetrahedra_count(handle)
+        offsets = FFI::MemoryPointer.new(:int64, points + 1)
+        list = FFI::MemoryPointer.new(:int64, [length, 1].max)
+        status = Library.mgdt_get_vertex_tetrahedra(handle, points + 1, offsets, length, list)
+        ensure_good(handle, status)
+        all = list.read_array_of_int64(length)
+        offsets.read_array_of_int64(points + 1).each_cons(2).map do |from, to|
+          all[(from - @index_base)...(to - @index_base)]
+        end
+      end
+    end
+
+    # ---- queries
+
+    # The tetrahedron that contains a point [x, y, z], its boundary included; nil outside the hull.
+    def locate(point) = find(:mgdt_locate, point)
+
+    # The vertex nearest to a point [x, y, z]; nil if the triangulation is empty.
+    def nearest(point) = find(:mgdt_nearest_vertex, point)
+
+    # Locates many points at once, given as for insert: an Array of numbers of tetrahedra, nil
+    # outside, and an Array of the four barycentric weights of each.
+    def locate_points(points, count = nil)
+      given = Points.new(points, count)
+      raise argument("the number of points is negative (#{given.count})") if given.count.negative?
+
+      found = FFI::MemoryPointer.new(:int64, [given.count, 1].max)
+      weights = FFI::MemoryPointer.new(:double, [4 * given.count, 1].max)
+      call(:mgdt_locate_points, given.count, given.data, found, weights)
+      none = @index_base - 1
+      [found.read_array_of_int64(given.count).map { |k| k == none ? nil : k },
+       weights.read_array_of_double(4 * given.count).each_slice(4).to_a]
+    end
+
+    # ---- trust, figures
+
+    # Proves the triangulation by exact arithmetic, at a level :combinatorial, :geometric or
+    # :canonical. True, or CheckFailed is raised, which says what and where.
+    def check(level = :canonical)
+      call(:mgdt_check, LEVELS[level] || integer(level, "the level", 31))
+      true
+    end
+
+    # All figures by name, as a Hash; or one of them.
+    def statistics
+      STATISTICS.keys.to_h { |name| [name, statistic(name)] }
+    end
+
+    def statistic(name)
+      key = STATISTICS[name.to_sym]
+      raise UnknownName.new("there is no statistic #{name.inspect}", 14) unless key
+
+      value = FFI::MemoryPointer.new(:double)
+      call(:mgdt_get_stat, key, value)
+      value.read_double
+    end
+
+    def inspect
+      handle = @handle
+      return "#<Mgdt::Triangulation closed>" unless handle
+
+      "#<Mgdt::Triangulation #{Library.mgdt_point_count(handle)} points, " \
+        "#{Library.mgdt_tetrahedron_count(handle)} tetrahedra>"
+    end
+
+    private
+
+    def argument(message)
+      InvalidArgument.new(message, 11)
+    end
+
+    def closed_error
+      Closed.new("the triangulation is closed", 10)
+    end
+
+    def integer(value, what, bits)
+      return value if value.is_a?(Integer) && value.abs < 2**bits
+
+      raise argument("#{what} is #{value.inspect}; it must be an Integer below 2**#{bits}")
+    end
+
+    # Runs the block with the handle; no other thread has it meanwhile, nor has a progress block.
+    def exclusively
+      if @mutex.owned?
+        raise argument("a progress block may not call its triangulation, except cancel")
+      end
+
+      @mutex.synchronize { yield @handle }
+    end
+
+    def with_handle
+      exclusively do |handle|
+        raise closed_error unless handle
+
+        yield handle
+      end
+    end
+
+    def count(function)
+      with_handle { |handle| Library.public_send(function, handle) }
+    end
+
+    def call(function, *arguments)
+      with_handle do |handle|
+        ensure_good(handle, Library.public_send(function, handle, *arguments))
+      end
+    end
+
+    def ensure_good(handle, status)
+      return if status.zero?
+
+      buffer = FFI::MemoryPointer.new(:char, 256)
+      Library.mgdt_get_error(handle, 256, buffer)
+      message = buffer.read_string
+      message = Library.mgdt_status_string(status) if message.empty?
+      raise Error.of(status, message)
+    end
+
+    def insert_by(function, progress, *arguments)
+      with_handle do |handle|
+        return watched(handle, function, progress, *arguments) if progress
+
+        ensure_good(handle, Library.public_send(function, handle, *arguments))
+      end
+      self
+    end
+
+    def watched(handle, function, progress, *arguments)
+      problem = nil
+      callback = FFI::Function.new(:int32, %i[double pointer]) do |fraction, _|
+        ask(progress, fraction) { |raised| problem = raised }
+      end
+      Library.mgdt_set_progress(handle, callback, nil)
+      begin
+        status = Library.public_send(function, handle, *arguments)
+      ensure
+        Library.mgdt_set_progress(handle, nil, nil)
+        callback.free
+      end
+      raise problem if problem
+
+      ensure_good(handle, status)
+      self
+    end
+
+    # What the library is told: 1 to stop. Nothing may leave through the library's frames, so an
+    # exception is kept for later, and the `return` below ends a break, a throw or Thread#kill.
+    def ask(progress, fraction)
+      answer = 1
+      answer = 0 unless progress.call(fraction) == :cancel
+    rescue Exception => e # rubocop:disable Lint/RescueException
+      yield e
+    ensure
+      return answer # rubocop:disable Lint/EnsureReturn
+    end
+
+    def find(function, point)
+      given = Points.new(point)
+      raise argument("one point is asked for, not #{given.count}") unless given.count == 1
+
+      out = FFI::MemoryPointer.new(:int64)
+      call(function, given.data, out)
+      number = out.read_int64
+      number == @index_base - 1 ? nil : number
+    end
+
+    def export(what, rows, width, into)
+      with_handle do |handle|
+        length = width * Library.public_send(rows, handle)
+        return fill(handle, what, into) if into
+
+        buffer = FFI::MemoryPointer.new(:int64, [length, 1].max)
+        ensure_good(handle, Library.public_send(:"mgdt_get_#{what}", handle, length, buffer))
+        flat = buffer.read_array_of_int64(length)
+        width == 1 ? flat : flat.each_slice(width).to_a
+      end
+    end
+
+    def fill(handle, what, into)
+      raise argument("into must be an FFI::MemoryPointer of :int32 or :int64") unless
+        into.is_a?(FFI::MemoryPointer) && [4, 8].include?(into.type_size)
+
+      function = into.type_size == 4 ? :"mgdt_get_#{what}_i32" : :"mgdt_get_#{what}"
+      ensure_good(handle, Library.public_send(function, handle, into.size / into.type_size, into))
+      into
+    end
+  end
+end

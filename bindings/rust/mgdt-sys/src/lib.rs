@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+//! The C interface of mgdt as it is. Its manual is the header, `mgdt/mgdt.h`; the crate `mgdt` is
+//! the safe interface.
+#![allow(non_camel_case_types)]
+
+use std::marker::{PhantomData, PhantomPinned};
+use std::os::raw::{c_char, c_void};
+
+/// A triangulation; only ever behind a pointer.
+#[repr(C)]
+pub struct mgdt_triangulation {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+pub type mgdt_status = i32;
+
+pub const MGDT_OK: mgdt_status = 0;
+pub const MGDT_ERR_NULL_POINTER: mgdt_status = 10;
+pub const MGDT_ERR_INVALID_ARGUMENT: mgdt_status = 11;
+pub const MGDT_ERR_NOT_FINITE: mgdt_status = 12;
+pub const MGDT_ERR_UNKNOWN_SCHEME: mgdt_status = 13;
+pub const MGDT_ERR_UNKNOWN_KEY: mgdt_status = 14;
+pub const MGDT_ERR_BUFFER_TOO_SMALL: mgdt_status = 20;
+pub const MGDT_ERR_INDEX_RANGE: mgdt_status = 21;
+pub const MGDT_ERR_OUT_OF_MEMORY: mgdt_status = 30;
+pub const MGDT_ERR_TOO_LARGE: mgdt_status = 31;
+pub const MGDT_ERR_CANCELLED: mgdt_status = 40;
+pub const MGDT_ERR_CHECK_FAILED: mgdt_status = 60;
+pub const MGDT_ERR_INTERNAL: mgdt_status = 90;
+
+pub const MGDT_ORDER_AUTO: i32 = 0;
+pub const MGDT_ORDER_INPUT: i32 = 10;
+pub const MGDT_ORDER_RANDOM: i32 = 20;
+pub const MGDT_ORDER_LEXICOGRAPHIC: i32 = 30;
+pub const MGDT_ORDER_BRIO: i32 = 40;
+pub const MGDT_ORDER_HILBERT: i32 = 50;
+pub const MGDT_ORDER_REGULAR_GRID: i32 = 60;
+pub const MGDT_ORDER_KD_TREE: i32 = 70;
+pub const MGDT_ORDER_ENHANCED_KD_TREE: i32 = 80;
+pub const MGDT_ORDER_MULTI_GRID: i32 = 90;
+
+pub const MGDT_PARAMETER_POINTS_PER_CELL: i32 = 10;
+pub const MGDT_PARAMETER_THRESHOLD: i32 = 20;
+pub const MGDT_PARAMETER_SEPARATION: i32 = 30;
+pub const MGDT_PARAMETER_ROUND_RATIO: i32 = 40;
+
+pub const MGDT_STAT_POINTS_INSERTED: i32 = 10;
+pub const MGDT_STAT_DUPLICATES: i32 = 11;
+pub const MGDT_STAT_WALK_STEPS: i32 = 20;
+pub const MGDT_STAT_WALK_TESTS: i32 = 21;
+pub const MGDT_STAT_CONFLICT_TESTS: i32 = 22;
+pub const MGDT_STAT_TETRAHEDRA_REMOVED: i32 = 30;
+pub const MGDT_STAT_TETRAHEDRA_CREATED: i32 = 31;
+pub const MGDT_STAT_EXACT_CALLS: i32 = 40;
+pub const MGDT_STAT_ORDER_SECONDS: i32 = 50;
+pub const MGDT_STAT_INSERT_SECONDS: i32 = 51;
+pub const MGDT_STAT_GRID_LEVELS: i32 = 60;
+pub const MGDT_STAT_ROUNDS: i32 = 61;
+pub const MGDT_STAT_MEMORY_BYTES: i32 = 70;
+pub const MGDT_STAT_PEAK_MEMORY_BYTES: i32 = 71;
+
+pub const MGDT_CHECK_COMBINATORIAL: i32 = 1;
+pub const MGDT_CHECK_GEOMETRIC: i32 = 2;
+pub const MGDT_CHECK_CANONICAL: i32 = 3;
+
+pub type mgdt_alloc_fn =
+    Option<unsafe extern "C" fn(size: usize, align: usize, user: *mut c_void) -> *mut c_void>;
+pub type mgdt_free_fn =
+    Option<unsafe extern "C" fn(p: *mut c_void, size: usize, align: usize, user: *mut c_void)>;
+pub type mgdt_progress_fn = Option<unsafe extern "C" fn(fraction: f64, user: *mut c_void) -> i32>;
+
+extern "C" {
+    pub fn mgdt_create(out: *mut *mut mgdt_triangulation) -> mgdt_status;
+    pub fn mgdt_create_with_allocator(
+        alloc: mgdt_alloc_fn,
+        release: mgdt_free_fn,
+        user: *mut c_void,
+        out: *mut *mut mgdt_triangulation,
+    ) -> mgdt_status;
+    pub fn mgdt_destroy(t: *mut mgdt_triangulation);
+    pub fn mgdt_clear(t: *mut mgdt_triangulation) -> mgdt_status;
+    pub fn mgdt_reserve(t: *mut mgdt_triangulation, n_points: i64) -> mgdt_status;
+
+    pub fn mgdt_set_order_scheme(t: *mut mgdt_triangulation, scheme: i32) -> mgdt_status;
+    pub fn mgdt_set_order_parameter(
+        t: *mut mgdt_triangulation,
+        key: i32,
+        value: f64,
+    ) -> mgdt_status;
+    pub fn mgdt_set_seed(t: *mut mgdt_triangulation, seed: u64) -> mgdt_status;
+    pub fn mgdt_set_threads(t: *mut mgdt_triangulation, n: i32) -> mgdt_status;
+    pub fn mgdt_set_index_base(t: *mut mgdt_triangulation, base: i32) -> mgdt_status;
+    pub fn mgdt_set_memory_limit(t: *mut mgdt_triangulation, bytes: i64) -> mgdt_status;
+    pub fn mgdt_set_progress(
+        t: *mut mgdt_triangulation,
+        callback: mgdt_progress_fn,
+        user: *mut c_void,
+    ) -> mgdt_status;
+    pub fn mgdt_cancel(t: *mut mgdt_triangulation) -> mgdt_status;
+    pub fn mgdt_set_canonical_output(t: *mut mgdt_triangulation, on: i32) -> mgdt_status;
+    pub fn mgdt_set_isa(t: *mut mgdt_triangulation, name: *const c_char) -> mgdt_status;
+
+    pub fn mgdt_insert_points(t: *mut mgdt_triangulation, n: i64, xyz: *const f64) -> mgdt_status;
+    pub fn mgdt_insert_points_strided(
+        t: *mut mgdt_triangulation,
+        n: i64,
+        x: *const f64,
+        y: *const f64,
+        z: *const f64,
+        stride: i64,
+    ) -> mgdt_status;
+
+    pub fn mgdt_point_count(t: *const mgdt_triangulation) -> i64;
+    pub fn mgdt_vertex_count(t: *const mgdt_triangulation) -> i64;
+    pub fn mgdt_dimension(t: *const mgdt_triangulation) -> i32;
+    pub fn mgdt_tetrahedron_count(t: *const mgdt_triangulation) -> i64;
+    pub fn mgdt_hull_facet_count(t: *const mgdt_triangulation) -> i64;
+    pub fn mgdt_edge_count(t: *const mgdt_triangulation) -> i64;
+    pub fn mgdt_vertex_tetrahedra_count(t: *const mgdt_triangulation) -> i64;
+
+    pub fn mgdt_get_tetrahedra(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        v: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_tetrahedra_i32(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        v: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_get_neighbors(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        v: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_neighbors_i32(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        v: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_get_hull_facets(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        v: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_hull_facets_i32(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        v: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_get_edges(t: *const mgdt_triangulation, capacity: i64, v: *mut i64) -> mgdt_status;
+    pub fn mgdt_get_edges_i32(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        v: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_get_point_map(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        v: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_point_map_i32(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        v: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_get_vertex_tetrahedra(
+        t: *const mgdt_triangulation,
+        offset_capacity: i64,
+        offsets: *mut i64,
+        capacity: i64,
+        list: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_vertex_tetrahedra_i32(
+        t: *const mgdt_triangulation,
+        offset_capacity: i64,
+        offsets: *mut i32,
+        capacity: i64,
+        list: *mut i32,
+    ) -> mgdt_status;
+
+    pub fn mgdt_locate(
+        t: *const mgdt_triangulation,
+        xyz: *const f64,
+        tetrahedron: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_locate_points(
+        t: *const mgdt_triangulation,
+        n: i64,
+        xyz: *const f64,
+        tetrahedra: *mut i64,
+        weights: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_locate_points_i32(
+        t: *const mgdt_triangulation,
+        n: i64,
+        xyz: *const f64,
+        tetrahedra: *mut i32,
+        weights: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_nearest_vertex(
+        t: *const mgdt_triangulation,
+        xyz: *const f64,
+        vertex: *mut i64,
+    ) -> mgdt_status;
+
+    pub fn mgdt_check(t: *const mgdt_triangulation, level: i32) -> mgdt_status;
+
+    pub fn mgdt_get_stat(t: *const mgdt_triangulation, key: i32, value: *mut f64) -> mgdt_status;
+    pub fn mgdt_stat_name(key: i32) -> *const c_char;
+
+    pub fn mgdt_status_string(s: mgdt_status) -> *const c_char;
+    pub fn mgdt_get_error(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        buffer: *mut c_char,
+    ) -> mgdt_status;
+    pub fn mgdt_order_scheme_name(scheme: i32) -> *const c_char;
+    pub fn mgdt_order_scheme_from_name(name: *const c_char, scheme: *mut i32) -> mgdt_status;
+    pub fn mgdt_version_string() -> *const c_char;
+    pub fn mgdt_abi_version() -> i32;
+    pub fn mgdt_isa_name(t: *const mgdt_triangulation) -> *const c_char;
+}

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+//! What a triangulation gives: its parts, and answers about places.
+
+use crate::triangulation::as_i64;
+use crate::{Error, ErrorKind, Triangulation};
+use mgdt_sys as sys;
+
+type Get<I> = unsafe extern "C" fn(*const sys::mgdt_triangulation, i64, *mut I) -> sys::mgdt_status;
+type Locate<I> = unsafe extern "C" fn(
+    *const sys::mgdt_triangulation,
+    i64,
+    *const f64,
+    *mut I,
+    *mut f64,
+) -> sys::mgdt_status;
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for i32 {}
+    impl Sealed for i64 {}
+}
+
+/// The integers that the library writes: i32 and i64. A number that does not fit i32 is an error,
+/// [`ErrorKind::IndexRange`].
+pub trait Int: sealed::Sealed + Copy {
+    #[doc(hidden)]
+    const TETRAHEDRA: Get<Self>;
+    #[doc(hidden)]
+    const NEIGHBORS: Get<Self>;
+    #[doc(hidden)]
+    const HULL_FACETS: Get<Self>;
+    #[doc(hidden)]
+    const EDGES: Get<Self>;
+    #[doc(hidden)]
+    const POINT_MAP: Get<Self>;
+    #[doc(hidden)]
+    const LOCATE: Locate<Self>;
+}
+
+impl Int for i32 {
+    const TETRAHEDRA: Get<i32> = sys::mgdt_get_tetrahedra_i32;
+    const NEIGHBORS: Get<i32> = sys::mgdt_get_neighbors_i32;
+    const HULL_FACETS: Get<i32> = sys::mgdt_get_hull_facets_i32;
+    const EDGES: Get<i32> = sys::mgdt_get_edges_i32;
+    const POINT_MAP: Get<i32> = sys::mgdt_get_point_map_i32;
+    const LOCATE: Locate<i32> = sys::mgdt_locate_points_i32;
+}
+
+impl Int for i64 {
+    const TETRAHEDRA: Get<i64> = sys::mgdt_get_tetrahedra;
+    const NEIGHBORS: Get<i64> = sys::mgdt_get_neighbors;
+    const HULL_FACETS: Get<i64> = sys::mgdt_get_hull_facets;
+    const EDGES: Get<i64> = sys::mgdt_get_edges;
+    const POINT_MAP: Get<i64> = sys::mgdt_get_point_map;
+    const LOCATE: Locate<i64> = sys::mgdt_locate_points;
+}
+
+/// Where a point is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Location {
+    /// The tetrahedron that contains it.
+    pub tetrahedron: usize,
+    /// Barycentric coordinates in the order of the tetrahedron's vertices; they add up to 1 within
+    /// rounding.
+    pub weights: [f64; 4],
+}
+
+/// The tetrahedra around each vertex.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct VertexTetrahedra {
+    offsets: Vec<usize>,
+    list: Vec<usize>,
+}
+
+impl VertexTetrahedra {
+    /// Those around a point, ascending; none for one that is no vertex. Panics if there is no such
+    /// point.
+    pub fn of(&self, point: usize) -> &[usize] {
+        &self.list[self.offsets[point]..self.offsets[point + 1]]
+    }
+
+    /// Where each point's tetrahedra start in the list, and its end: one more than there are
+    /// points.
+    pub fn offsets(&self) -> &[usize] {
+        &self.offsets
+    }
+
+    /// The tetrahedra of all points, one after the other.
+    pub fn list(&self) -> &[usize] {
+        &self.list
+    }
+}
+
+fn some(number: i64) -> Option<usize> {
+    usize::try_from(number).ok()
+}
+
+impl Triangulation {
+    fn rows<const W: usize>(&self, count: usize, get: Get<i64>) -> Result<Vec<[i64; W]>, Error> {
+        let mut rows = vec![[0_i64; W]; count];
+        self.ensure(unsafe {
+            get(
+                self.raw(),
+                as_i64(W * count),
+                rows.as_mut_ptr().cast::<i64>(),
+            )
+        })?;
+        Ok(rows)
+    }
+
+    fn numbers<const W: usize>(
+        &self,
+        count: usize,
+        get: Get<i64>,
+    ) -> Result<Vec<[usize; W]>, Error> {
+        let rows = self.rows::<W>(count, get)?;
+        Ok(rows
+            .into_iter()
+            .map(|row| row.map(|k| k as usize))
+            .collect())
+    }
+
+    fn rows_into<I: Int, const W: usize>(
+        &self,
+        out: &mut [[I; W]],
+        get: Get<I>,
+    ) -> Result<(), Error> {
+        self.ensure(unsafe {
+            get(
+                self.raw(),
+                as_i64(W * out.len()),
+                out.as_mut_ptr().cast::<I>(),
+            )
+        })
+    }
+
+    /// Vertices of each tetrahedron, positively oriented: (v1 - v0) x (v2 - v0) . (v3 - v0) > 0.
+    pub fn tetrahedra(&self) -> Result<Vec<[usize; 4]>, Error> {
+        self.numbers(self.tetrahedron_count(), i64::TETRAHEDRA)
+    }
+
+    /// The same into a slice with room for [`tetrahedron_count`](Triangulation::tetrahedron_count)
+    /// rows or more, without a copy.
+    pub fn tetrahedra_into<I: Int>(&self, out: &mut [[I; 4]]) -> Result<(), Error> {
+        self.rows_into(out, I::TETRAHEDRA)
+    }
+
+    /// Neighbours of each tetrahedron: number i shares the facet opposite vertex i; None on the
+    /// hull.
+    pub fn neighbors(&self) -> Result<Vec<[Option<usize>; 4]>, Error> {
+        let rows = self.rows::<4>(self.tetrahedron_count(), i64::NEIGHBORS)?;
+        Ok(rows.into_iter().map(|row| row.map(some)).collect())
+    }
+
+    /// The same into a slice, with [`NONE`](crate::NONE) on the hull.
+    pub fn neighbors_into<I: Int>(&self, out: &mut [[I; 4]]) -> Result<(), Error> {
+        self.rows_into(out, I::NEIGHBORS)
+    }
+
+    /// Triangles of the convex hull, counter-clockwise seen from outside.
+    pub fn hull_facets(&self) -> Result<Vec<[usize; 3]>, Error> {
+        self.numbers(self.hull_facet_count(), i64::HULL_FACETS)
+    }
+
+    /// The same into a slice.
+    pub fn hull_facets_into<I: Int>(&self, out: &mut [[I; 3]]) -> Result<(), Error> {
+        self.rows_into(out, I::HULL_FACETS)
+    }
+
+    /// Edges, the lesser number first.
+    pub fn edges(&self) -> Result<Vec<[usize; 2]>, Error> {
+        self.numbers(self.edge_count(), i64::EDGES)
+    }
+
+    /// The same into a slice.
+    pub fn edges_into<I: Int>(&self, out: &mut [[I; 2]]) -> Result<(), Error> {
+        self.rows_into(out, I::EDGES)
+    }
+
+    /// For each point ever given the one that stands for it as a vertex: itself, or the first one
+    /// at the same place; None if it is not in.
+    pub fn point_map(&self) -> Result<Vec<Option<usize>>, Error> {
+        let rows = self.rows::<1>(self.point_count(), i64::POINT_MAP)?;
+        Ok(rows.into_iter().map(|[k]| some(k)).collect())
+    }
+
+    /// The same into a slice, with [`NONE`](crate::NONE) for what is not in.
+    pub fn point_map_into<I: Int>(&self, out: &mut [I]) -> Result<(), Error> {
+        self.ensure(unsafe { I::POINT_MAP(self.raw(), as_i64(out.len()), out.as_mut_ptr()) })
+    }
+
+    /// The tetrahedra around each vertex.
+    pub fn vertex_tetrahedra(&self) -> Result<VertexTetrahedra, Error> {
+        let length = unsafe { sys::mgdt_vertex_tetrahedra_count(self.raw()) };
+        let mut offsets = vec![0_i64; self.point_count() + 1];
+        let mut list = vec![0_i64; length as usize];
+        self.ensure(unsafe {
+            sys::mgdt_get_vertex_tetrahedra(
+                self.raw(),
+                as_i64(offsets.len()),
+                offsets.as_mut_ptr(),
+                length,
+                list.as_mut_ptr(),
+            )
+        })?;
+        Ok(VertexTetrahedra {
+            offsets: offsets.into_iter().map(|k| k as usize).collect(),
+            list: list.into_iter().map(|k| k as usize).collect(),
+        })
+    }
+
+    /// The tetrahedron that contains a point, its boundary included; None outside the hull.
+    pub fn locate(&self, point: [f64; 3]) -> Result<Option<usize>, Error> {
+        let mut found = crate::NONE;
+        self.ensure(unsafe { sys::mgdt_locate(self.raw(), point.as_ptr(), &mut found) })?;
+        Ok(some(found))
+    }
+
+    /// The same for many points, much faster than one by one, with weights for interpolation.
+    pub fn locate_points(&self, points: &[[f64; 3]]) -> Result<Vec<Option<Location>>, Error> {
+        let mut found = vec![crate::NONE; points.len()];
+        let mut weights = vec![[0.0; 4]; points.len()];
+        self.locate_points_into(points, &mut found, Some(&mut weights))?;
+        Ok(found
+            .into_iter()
+            .zip(weights)
+            .map(|(k, weights)| {
+                some(k).map(|tetrahedron| Location {
+                    tetrahedron,
+                    weights,
+                })
+            })
+            .collect())
+    }
+
+    /// The same into slices of the points' length or more, with [`NONE`](crate::NONE) and zeros
+    /// outside.
+    pub fn locate_points_into<I: Int>(
+        &self,
+        points: &[[f64; 3]],
+        tetrahedra: &mut [I],
+        weights: Option<&mut [[f64; 4]]>,
+    ) -> Result<(), Error> {
+        let room = weights
+            .as_ref()
+            .map_or(usize::MAX, |w| w.len())
+            .min(tetrahedra.len());
+        if room < points.len() {
+            return Err(Error::new(
+                ErrorKind::BufferTooSmall,
+                format!(
+                    "there is room for {} results; {} are needed",
+                    room,
+                    points.len()
+                ),
+            ));
+        }
+        let weights = weights.map_or(std::ptr::null_mut(), |w| w.as_mut_ptr().cast::<f64>());
+        self.ensure(unsafe {
+            I::LOCATE(
+                self.raw(),
+                as_i64(points.len()),
+                points.as_ptr().cast::<f64>(),
+                tetrahedra.as_mut_ptr(),
+                weights,
+            )
+        })
+    }
+
+    /// The vertex nearest to a point, exactly; of several as near, the lowest number. None if the
+    /// triangulation is empty.
+    pub fn nearest_vertex(&self, point: [f64; 3]) -> Result<Option<usize>, Error> {
+        let mut found = crate::NONE;
+        self.ensure(unsafe { sys::mgdt_nearest_vertex(self.raw(), point.as_ptr(), &mut found) })?;
+        Ok(some(found))
+    }
+}

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+use crate::{Error, ErrorKind};
+use mgdt_sys as sys;
+use std::ffi::{CStr, CString};
+use std::fmt;
+use std::os::raw::c_char;
+use std::str::FromStr;
+
+/// A static string of the library's; None for NULL.
+pub(crate) fn text(s: *const c_char) -> Option<&'static str> {
+    if s.is_null() {
+        return None;
+    }
+    // The library's strings are plain ASCII, and static.
+    unsafe { CStr::from_ptr(s) }.to_str().ok()
+}
+
+/// In which order the points of one call are inserted. The tetrahedra do not depend on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+#[repr(i32)]
+pub enum Order {
+    /// What measures best; the default.
+    Auto = sys::MGDT_ORDER_AUTO,
+    /// As given.
+    Input = sys::MGDT_ORDER_INPUT,
+    /// Shuffled.
+    Random = sys::MGDT_ORDER_RANDOM,
+    /// By x, then y, then z.
+    Lexicographic = sys::MGDT_ORDER_LEXICOGRAPHIC,
+    /// Random rounds of growing size, each along a curve.
+    Brio = sys::MGDT_ORDER_BRIO,
+    /// Along a Hilbert curve.
+    Hilbert = sys::MGDT_ORDER_HILBERT,
+    /// Cell by cell of a regular grid.
+    RegularGrid = sys::MGDT_ORDER_REGULAR_GRID,
+    /// Leaves of a squarish kd-tree.
+    KdTree = sys::MGDT_ORDER_KD_TREE,
+    /// A kd-tree with a regular grid in each crowded leaf.
+    EnhancedKdTree = sys::MGDT_ORDER_ENHANCED_KD_TREE,
+    /// Regular grids within the crowded cells of grids.
+    MultiGrid = sys::MGDT_ORDER_MULTI_GRID,
+}
+
+impl Order {
+    /// All order schemes.
+    pub const ALL: [Order; 10] = [
+        Order::Auto,
+        Order::Input,
+        Order::Random,
+        Order::Lexicographic,
+        Order::Brio,
+        Order::Hilbert,
+        Order::RegularGrid,
+        Order::KdTree,
+        Order::EnhancedKdTree,
+        Order::MultiGrid,
+    ];
+
+    /// The scheme's name, "multi-grid".
+    pub fn name(self) -> &'static str {
+        text(unsafe { sys::mgdt_order_scheme_name(self as i32) }).unwrap_or("")
+    }
+}
+
+impl fmt::Display for Order {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Order {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Order, Error> {
+        let mut scheme = -1;
+        let known = CString::new(name).map_or(false, |s| unsafe {
+            sys::mgdt_order_scheme_from_name(s.as_ptr(), &mut scheme) == sys::MGDT_OK
+        });
+        Order::ALL
+            .iter()
+            .copied()
+            .find(|&order| known && order as i32 == scheme)
+            .ok_or_else(|| {
+                Error::new(
+                    ErrorKind::UnknownScheme,
+                    format!("there is no order scheme {:?}", name),
+                )
+            })
+    }
+}
+
+/// Parameters of the order schemes. 0 gives a parameter its default back, except `Separation`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+#[repr(i32)]
+pub enum Parameter {
+    /// Mean number of points in a cell: 1 to 1e6.
+    PointsPerCell = sys::MGDT_PARAMETER_POINTS_PER_CELL,
+    /// Multi-grid: a cell with more points gets a grid of its own; 1 to 1e9, default 200.
+    Threshold = sys::MGDT_PARAMETER_THRESHOLD,
+    /// Multi-grid: 1 (default) takes one point from a cell at a time, 0 empties it first.
+    Separation = sys::MGDT_PARAMETER_SEPARATION,
+    /// BRIO: size of each round against all before it; above 1 to 1e6, default 7.5.
+    RoundRatio = sys::MGDT_PARAMETER_ROUND_RATIO,
+}
+
+/// How far [`check`](crate::Triangulation::check) goes. Each level includes those before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[repr(i32)]
+pub enum Check {
+    /// Adjacency, shared facets, Euler's formula, every point accounted for.
+    Combinatorial = sys::MGDT_CHECK_COMBINATORIAL,
+    /// Exact positive orientation, exact local Delaunay property.
+    Geometric = sys::MGDT_CHECK_GEOMETRIC,
+    /// Convex hull, and ties broken by the perturbation.
+    Canonical = sys::MGDT_CHECK_CANONICAL,
+}
+
+/// Figures about a triangulation, of its whole life.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+#[repr(i32)]
+pub enum Statistic {
+    /// Points that became vertices.
+    PointsInserted = sys::MGDT_STAT_POINTS_INSERTED,
+    /// Points equal to an earlier vertex.
+    Duplicates = sys::MGDT_STAT_DUPLICATES,
+    /// Tetrahedra visited by walks.
+    WalkSteps = sys::MGDT_STAT_WALK_STEPS,
+    /// Circumspheres evaluated by walks.
+    WalkTests = sys::MGDT_STAT_WALK_TESTS,
+    /// Circumspheres evaluated while cavities grew.
+    ConflictTests = sys::MGDT_STAT_CONFLICT_TESTS,
+    /// Tetrahedra removed by insertions.
+    TetrahedraRemoved = sys::MGDT_STAT_TETRAHEDRA_REMOVED,
+    /// Tetrahedra created by insertions.
+    TetrahedraCreated = sys::MGDT_STAT_TETRAHEDRA_CREATED,
+    /// Decisions that the floating-point filter left open.
+    ExactCalls = sys::MGDT_STAT_EXACT_CALLS,
+    /// Wall-clock seconds spent on schedules.
+    OrderSeconds = sys::MGDT_STAT_ORDER_SECONDS,
+    /// Wall-clock seconds spent inserting.
+    InsertSeconds = sys::MGDT_STAT_INSERT_SECONDS,
+    /// Deepest level of grids or trees in the last schedule.
+    GridLevels = sys::MGDT_STAT_GRID_LEVELS,
+    /// Rounds in the last schedule.
+    Rounds = sys::MGDT_STAT_ROUNDS,
+    /// Bytes held now.
+    MemoryBytes = sys::MGDT_STAT_MEMORY_BYTES,
+    /// The most bytes held so far.
+    PeakMemoryBytes = sys::MGDT_STAT_PEAK_MEMORY_BYTES,
+}
+
+impl Statistic {
+    /// All statistics.
+    pub const ALL: [Statistic; 14] = [
+        Statistic::PointsInserted,
+        Statistic::Duplicates,
+        Statistic::WalkSteps,
+        Statistic::WalkTests,
+        Statistic::ConflictTests,
+        Statistic::TetrahedraRemoved,
+        Statistic::TetrahedraCreated,
+        Statistic::ExactCalls,
+        Statistic::OrderSeconds,
+        Statistic::InsertSeconds,
+        Statistic::GridLevels,
+        Statistic::Rounds,
+        Statistic::MemoryBytes,
+        Statistic::PeakMemoryBytes,
+    ];
+
+    /// The statistic's name, "walk steps".
+    pub fn name(self) -> &'static str {
+        text(unsafe { sys::mgdt_stat_name(self as i32) }).unwrap_or("")
+    }
+}
+
+impl fmt::Display for Statistic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+//! What the crate refuses, how it stops, and that it gives memory back.
+
+use mgdt::{Check, ErrorKind, Order, Parameter, Statistic, Triangulation};
+use std::ops::ControlFlow;
+use std::panic::{catch_unwind, AssertUnwindSafe};
+use std::sync::mpsc;
+
+/// Numbers in [0, 1).
+fn random_points(n: usize, mut state: u64) -> Vec<[f64; 3]> {
+    let mut next = || {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / 9007199254740992.0
+    };
+    (0..n).map(|_| [next(), next(), next()]).collect()
+}
+
+fn with(points: &[[f64; 3]]) -> Triangulation {
+    let mut t = Triangulation::new().unwrap();
+    t.insert(points).unwrap();
+    t
+}
+
+#[track_caller]
+fn refused<T: std::fmt::Debug>(result: Result<T, mgdt::Error>, kind: ErrorKind, words: &[&str]) {
+    let e = result.unwrap_err();
+    assert_eq!(e.kind(), kind, "{}", e);
+    assert!(!e.message().is_empty() && e.to_string() == e.message());
+    for word in words {
+        assert!(
+            e.message().contains(word),
+            "'{}' does not say '{}'",
+            e,
+            word
+        );
+    }
+}
+
+#[test]
+fn a_cube_is_filled() {
+    let points: Vec<[f64; 3]> = (0..8)
+        .map(|k| [f64::from(k / 4), f64::from(k / 2 % 2), f64::from(k % 2)])
+        .collect();
+    let t = with(&points);
+    let mut total = 0.0;
+    for v in t.tetrahedra().unwrap() {
+        let [a, b, c, d] = v.map(|k| points[k]);
+        let [u, v, w] = [b, c, d].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+        let six = u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
+            + u[2] * (v[0] * w[1] - v[1] * w[0]);
+        assert!(six > 0.0);
+        total += six;
+    }
+    assert!([5, 6].contains(&t.tetrahedron_count()));
+    assert_eq!(total, 6.0);
+    assert_eq!(t.hull_facet_count(), 12);
+    t.check(Check::Canonical).unwrap();
+}
+
+#[test]
+fn flat_and_small_sets_are_valid_and_wait() {
+    let mut t = Triangulation::new().unwrap();
+    assert_eq!(t.dimension(), None);
+    assert_eq!(t.nearest_vertex([0.0; 3]).unwrap(), None);
+    assert_eq!(t.locate([0.0; 3]).unwrap(), None);
+    t.insert(&[]).unwrap();
+    for k in 0..100 {
+        t.insert(&[[f64::from(k / 10), f64::from(k % 10), 0.0]])
+            .unwrap();
+    }
+    assert_eq!(
+        (t.dimension(), t.tetrahedron_count(), t.vertex_count()),
+        (Some(2), 0, 100)
+    );
+    assert!(t.tetrahedra().unwrap().is_empty() && t.neighbors().unwrap().is_empty());
+    assert!(t.vertex_tetrahedra().unwrap().of(3).is_empty());
+    assert_eq!(t.nearest_vertex([3.2, 4.1, 7.0]).unwrap(), Some(34));
+    t.check(Check::Canonical).unwrap();
+    t.insert(&[[0.0, 0.0, 1.0]]).unwrap();
+    assert_eq!(t.dimension(), Some(3));
+    assert!(t.tetrahedron_count() >= 162);
+    t.check(Check::Canonical).unwrap();
+    t.clear();
+    assert_eq!(t.point_count(), 0);
+    t.insert(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+        .unwrap();
+    assert_eq!(t.tetrahedron_count(), 1);
+}
+
+#[test]
+fn bad_values_are_refused_and_change_nothing() {
+    let points = random_points(100, 1);
+    let mut t = with(&points);
+    let before = t.tetrahedra().unwrap();
+    let nan = [0.0, f64::NAN, 0.0];
+    refused(
+        t.insert(&[[0.0; 3], nan]),
+        ErrorKind::NotFinite,
+        &["point 101", "y"],
+    );
+    let infinite = [f64::NEG_INFINITY, 0.0, 0.0];
+    refused(
+        t.insert(&[infinite]),
+        ErrorKind::NotFinite,
+        &["point 100", "x"],
+    );
+    refused(t.locate(nan), ErrorKind::NotFinite, &[]);
+    refused(t.nearest_vertex(nan), ErrorKind::NotFinite, &[]);
+    refused(
+        t.locate_points(&[[0.0; 3], nan]),
+        ErrorKind::NotFinite,
+        &["1"],
+    );
+    refused(
+        t.insert_columns(&[0.0], &[0.0, 1.0], &[0.0]),
+        ErrorKind::InvalidArgument,
+        &["1, 2"],
+    );
+    let x = [0.0; 7];
+    refused(
+        t.insert_strided(3, &x, &x[1..], &x[2..], 3),
+        ErrorKind::InvalidArgument,
+        &["y has 6 elements"],
+    );
+    refused(
+        t.insert_strided(usize::MAX, &x, &x, &x, 2),
+        ErrorKind::InvalidArgument,
+        &["too few"],
+    );
+    refused(
+        t.set_parameter(Parameter::Threshold, -1.0),
+        ErrorKind::InvalidArgument,
+        &["-1"],
+    );
+    refused(t.set_isa(Some("mmx")), ErrorKind::InvalidArgument, &["mmx"]);
+    refused(t.set_isa(Some("a\0b")), ErrorKind::InvalidArgument, &[]);
+    refused(t.reserve(usize::MAX), ErrorKind::TooLarge, &[]);
+    refused(
+        "spiral".parse::<Order>(),
+        ErrorKind::UnknownScheme,
+        &["spiral"],
+    );
+    refused("a\0".parse::<Order>(), ErrorKind::UnknownScheme, &[]);
+    for order in Order::ALL {
+        assert_eq!(order.name().parse::<Order>().unwrap(), order);
+    }
+    assert_eq!(Order::MultiGrid.to_string(), "multi-grid");
+    assert_eq!(t.point_count(), 100);
+    assert_eq!(t.tetrahedra().unwrap(), before);
+    t.check(Check::Canonical).unwrap();
+    let parts: Vec<_> = mgdt::version()
+        .split('.')
+        .map(|p| p.parse::<u32>())
+        .collect();
+    assert!(parts.len() == 3 && parts.iter().all(|p| p.is_ok()));
+}
+
+#[test]
+fn the_memory_limit() {
+    let points = random_points(1000, 2);
+    let mut t = Triangulation::new().unwrap();
+    t.set_memory_limit(Some(100_000)).unwrap();
+    refused(t.insert(&points), ErrorKind::OutOfMemory, &["memory"]);
+    t.check(Check::Canonical).unwrap();
+    assert!(t.statistic(Statistic::PeakMemoryBytes) <= 100_000.0);
+    t.set_memory_limit(Some(0)).unwrap();
+    refused(t.insert(&points), ErrorKind::OutOfMemory, &[]);
+    t.set_memory_limit(None).unwrap();
+    t.insert(&points).unwrap();
+    assert_eq!(t.vertex_count(), 1000);
+    t.check(Check::Canonical).unwrap();
+}
+
+#[test]
+fn progress_and_stopping() {
+    let points = random_points(1000, 3);
+    let mut seen = Vec::new();
+    let mut t = Triangulation::new().unwrap();
+    t.insert_with_progress(&points, |fraction| {
+        seen.push(fraction);
+        ControlFlow::Continue(())
+    })
+    .unwrap();
+    assert!(seen.len() > 50 && seen.windows(2).all(|w| w[0] <= w[1]));
+    assert_eq!(seen.last(), Some(&1.0));
+
+    for by_token in [false, true] {
+        let mut t = Triangulation::new().unwrap();
+        let canceller = t.canceller();
+        let result = t.insert_with_progress(&points, |fraction| {
+            if fraction > 0.4 && by_token {
+                canceller.cancel();
+            }
+            if fraction > 0.4 && !by_token {
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
+        });
+        refused(result, ErrorKind::Cancelled, &["1000 points"]);
+        assert!(t.vertex_count() > 100 && t.vertex_count() < 1000);
+        t.check(Check::Canonical).unwrap();
+        // The closure is gone: this one hears of nothing and is not stopped.
+        t.insert(&points).unwrap();
+        assert_eq!(t.vertex_count(), 1000);
+        t.check(Check::Canonical).unwrap();
+    }
+}
+
+#[test]
+fn stopping_from_another_thread() {
+    let points = random_points(20_000, 4);
+    let mut t = Triangulation::new().unwrap();
+    t.set_order(Order::Random).unwrap();
+    let canceller = t.canceller();
+    std::thread::scope(|scope| {
+        let (started, is_started) = mpsc::channel();
+        let (cancelled, is_cancelled) = mpsc::channel::<()>();
+        let worker = scope.spawn(|| {
+            let t = &mut t;
+            t.insert_with_progress(&points, move |_| {
+                // The first call waits until the other thread has cancelled.
+                if started.send(()).is_ok() {
+                    let _ = is_cancelled.recv();
+                }
+                ControlFlow::Continue(())
+            })
+        });
+        is_started.recv().unwrap();
+        drop(is_started);
+        canceller.clone().cancel();
+        drop(cancelled);
+        refused(worker.join().unwrap(), ErrorKind::Cancelled, &[]);
+    });
+    assert!(t.vertex_count() < 20_000);
+    t.check(Check::Geometric).unwrap();
+    canceller.cancel();
+    refused(t.insert(&points), ErrorKind::Cancelled, &[]);
+    drop(t);
+    canceller.cancel(); // of what is gone: nothing happens
+}
+
+#[test]
+fn a_panic_in_the_closure_comes_out() {
+    let points = random_points(1000, 5);
+    for at in [0.0, 0.5, 1.0] {
+        let mut t = Triangulation::new().unwrap();
+        let mut calls_after = 0;
+        let mut panicked = false;
+        let caught = catch_unwind(AssertUnwindSafe(|| {
+            t.insert_with_progress(&points, |fraction| {
+                if panicked {
+                    calls_after += 1;
+                }
+                if fraction >= at {
+                    panicked = true;
+                    std::panic::panic_any("what I say");
+                }
+                ControlFlow::Continue(())
+            })
+        }));
+        assert_eq!(
+            caught.unwrap_err().downcast_ref::<&str>(),
+            Some(&"what I say")
+        );
+        assert_eq!(calls_after, 0);
+        t.check(Check::Canonical).unwrap();
+        t.insert(&points).unwrap();
+        assert_eq!(t.vertex_count(), 1000);
+    }
+}

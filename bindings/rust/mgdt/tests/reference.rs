@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+//! The crate against what the C interface wrote: tests/languages/reference.c, into the folder that
+//! MGDT_REFERENCE names.
+
+use mgdt::{Canceller, Check, Order, Parameter, Statistic, Triangulation, NONE};
+use std::path::PathBuf;
+
+fn bytes(name: &str) -> Vec<[u8; 8]> {
+    let folder = std::env::var_os("MGDT_REFERENCE").expect("MGDT_REFERENCE is not set");
+    let path = PathBuf::from(folder).join(name);
+    let all = std::fs::read(&path).unwrap_or_else(|e| panic!("{}: {}", path.display(), e));
+    all.chunks_exact(8).map(|c| c.try_into().unwrap()).collect()
+}
+
+fn integers(name: &str) -> Vec<i64> {
+    bytes(name).into_iter().map(i64::from_ne_bytes).collect()
+}
+
+fn rows<const W: usize>(name: &str) -> Vec<[i64; W]> {
+    integers(name)
+        .chunks_exact(W)
+        .map(|c| c.try_into().unwrap())
+        .collect()
+}
+
+fn places(name: &str) -> Vec<[f64; 3]> {
+    let all: Vec<f64> = bytes(name).into_iter().map(f64::from_ne_bytes).collect();
+    all.chunks_exact(3).map(|c| c.try_into().unwrap()).collect()
+}
+
+fn triangulation() -> Triangulation {
+    let mut t = Triangulation::new().unwrap();
+    t.set_canonical_output(true);
+    t.insert(&places("points")).unwrap();
+    t
+}
+
+fn plain<const W: usize>(rows: Vec<[usize; W]>) -> Vec<[i64; W]> {
+    rows.into_iter().map(|row| row.map(|k| k as i64)).collect()
+}
+
+fn number(k: Option<usize>) -> i64 {
+    k.map_or(NONE, |k| k as i64)
+}
+
+#[test]
+fn every_export() {
+    let t = triangulation();
+    assert_eq!(plain(t.tetrahedra().unwrap()), rows::<4>("tetrahedra"));
+    assert_eq!(plain(t.hull_facets().unwrap()), rows::<3>("hull_facets"));
+    assert_eq!(plain(t.edges().unwrap()), rows::<2>("edges"));
+    let neighbors: Vec<_> = t
+        .neighbors()
+        .unwrap()
+        .into_iter()
+        .map(|n| n.map(number))
+        .collect();
+    assert_eq!(neighbors, rows::<4>("neighbors"));
+    let map: Vec<_> = t.point_map().unwrap().into_iter().map(number).collect();
+    assert_eq!(map, integers("point_map"));
+
+    let around = t.vertex_tetrahedra().unwrap();
+    let offsets: Vec<_> = around.offsets().iter().map(|&k| k as i64).collect();
+    let list: Vec<_> = around.list().iter().map(|&k| k as i64).collect();
+    assert_eq!(offsets, integers("offsets"));
+    assert_eq!(list, integers("list"));
+    let tetrahedra = t.tetrahedra().unwrap();
+    for point in [0, 7, 999, 1009] {
+        let expected: Vec<_> = (0..tetrahedra.len())
+            .filter(|&k| tetrahedra[k].contains(&point))
+            .collect();
+        assert_eq!(around.of(point), expected);
+    }
+    assert!(around.of(1009).is_empty(), "a repeated point is no vertex");
+}
+
+#[test]
+fn every_export_into_slices() {
+    fn check<I: mgdt::Int + Default + Into<i64>>(t: &Triangulation) {
+        fn wide<I: Into<i64>, const W: usize>(rows: Vec<[I; W]>) -> Vec<[i64; W]> {
+            rows.into_iter().map(|row| row.map(Into::into)).collect()
+        }
+        let mut four = vec![[I::default(); 4]; t.tetrahedron_count()];
+        t.tetrahedra_into(&mut four).unwrap();
+        assert_eq!(wide(four.clone()), rows::<4>("tetrahedra"));
+        t.neighbors_into(&mut four).unwrap();
+        assert_eq!(wide(four), rows::<4>("neighbors"));
+        let mut three = vec![[I::default(); 3]; t.hull_facet_count()];
+        t.hull_facets_into(&mut three).unwrap();
+        assert_eq!(wide(three), rows::<3>("hull_facets"));
+        let mut two = vec![[I::default(); 2]; t.edge_count()];
+        t.edges_into(&mut two).unwrap();
+        assert_eq!(wide(two), rows::<2>("edges"));
+        let mut one = vec![I::default(); t.point_count()];
+        t.point_map_into(&mut one).unwrap();
+        assert_eq!(
+            one.into_iter().map(Into::into).collect::<Vec<i64>>(),
+            integers("point_map")
+        );
+    }
+    let t = triangulation();
+    check::<i32>(&t);
+    check::<i64>(&t);
+    let mut short = vec![[0_i64; 4]; t.tetrahedron_count() - 1];
+    let e = t.tetrahedra_into(&mut short).unwrap_err();
+    assert_eq!(e.kind(), mgdt::ErrorKind::BufferTooSmall);
+    assert!(
+        short.iter().all(|row| *row == [0; 4]),
+        "what is too small is not touched"
+    );
+    // More room than needed is fine, and stays as it was.
+    let mut long = vec![[77_i32; 4]; t.tetrahedron_count() + 1];
+    t.tetrahedra_into(&mut long).unwrap();
+    assert_eq!(long.last(), Some(&[77; 4]));
+}
+
+#[test]
+fn counts_and_figures() {
+    let t = triangulation();
+    let (v, e, n) = (
+        t.vertex_count() as i64,
+        t.edge_count() as i64,
+        t.tetrahedron_count() as i64,
+    );
+    let h = t.hull_facet_count() as i64;
+    assert_eq!(v - e + (4 * n + h) / 2 - n, 1, "Euler's formula for a ball");
+    assert_eq!(
+        (t.point_count(), t.vertex_count(), t.dimension()),
+        (1010, 1000, Some(3))
+    );
+    assert_eq!(t.statistic(Statistic::PointsInserted), 1000.0);
+    assert_eq!(t.statistic(Statistic::Duplicates), 10.0);
+    for statistic in Statistic::ALL {
+        assert!(t.statistic(statistic).is_finite() && !statistic.name().is_empty());
+    }
+    assert_eq!(Statistic::PeakMemoryBytes.to_string(), "peak memory bytes");
+    for level in [Check::Combinatorial, Check::Geometric, Check::Canonical] {
+        t.check(level).unwrap();
+    }
+    assert!(format!("{:?}", t).contains("1010"));
+}
+
+#[test]
+fn the_same_tetrahedra_however_the_points_are_given() {
+    let points = places("points");
+    let expected = rows::<4>("tetrahedra");
+    let column = |axis: usize| points.iter().map(|p| p[axis]).collect::<Vec<_>>();
+    let flat: Vec<f64> = points.iter().flatten().copied().collect();
+    for order in Order::ALL {
+        let mut t = Triangulation::new().unwrap();
+        t.set_canonical_output(true);
+        t.set_order(order).unwrap();
+        t.set_seed(u64::MAX);
+        t.set_threads(0).unwrap();
+        t.reserve(points.len()).unwrap();
+        match order {
+            Order::Input => t
+                .insert_columns(&column(0), &column(1), &column(2))
+                .unwrap(),
+            Order::Brio => t
+                .insert_strided(points.len(), &flat, &flat[1..], &flat[2..], 3)
+                .unwrap(),
+            Order::MultiGrid => {
+                t.set_parameter(Parameter::PointsPerCell, 3.0).unwrap();
+                t.set_parameter(Parameter::Threshold, 20.0).unwrap();
+                t.insert(&points).unwrap();
+            }
+            _ => points.chunks(300).for_each(|some| t.insert(some).unwrap()),
+        }
+        assert_eq!(plain(t.tetrahedra().unwrap()), expected, "{}", order);
+        t.set_isa(Some("baseline")).unwrap();
+        assert_eq!(t.isa(), "baseline");
+    }
+}
+
+#[test]
+fn location_and_nearest_vertices() {
+    let t = triangulation();
+    let points = places("points");
+    let queries = places("queries");
+    let located = integers("located");
+    let weights: Vec<f64> = bytes("weights")
+        .into_iter()
+        .map(f64::from_ne_bytes)
+        .collect();
+    let found = t.locate_points(&queries).unwrap();
+    let outside = found.iter().filter(|l| l.is_none()).count();
+    assert!(outside > 10 && outside < queries.len() - 10);
+    let tetrahedra = t.tetrahedra().unwrap();
+    for (k, location) in found.iter().enumerate() {
+        assert_eq!(number(location.map(|l| l.tetrahedron)), located[k]);
+        assert_eq!(
+            t.locate(queries[k]).unwrap(),
+            location.map(|l| l.tetrahedron)
+        );
+        if let Some(l) = location {
+            assert_eq!(l.weights[..], weights[4 * k..4 * k + 4]);
+            // The weights give the place back.
+            for axis in 0..3 {
+                let vertices = tetrahedra[l.tetrahedron];
+                let x: f64 = (0..4)
+                    .map(|i| l.weights[i] * points[vertices[i]][axis])
+                    .sum();
+                assert!((x - queries[k][axis]).abs() < 1e-12);
+            }
+        }
+        // Brute force is the truth.
+        let distance = |p: &[f64; 3]| (0..3).map(|i| (p[i] - queries[k][i]).powi(2)).sum::<f64>();
+        let best = (0..1000).min_by(|&a, &b| {
+            distance(&points[a])
+                .partial_cmp(&distance(&points[b]))
+                .unwrap()
+        });
+        assert_eq!(t.nearest_vertex(queries[k]).unwrap(), best);
+        assert_eq!(number(best), integers("nearest")[k]);
+    }
+    let mut plain = vec![0_i32; queries.len()];
+    t.locate_points_into(&queries, &mut plain, None).unwrap();
+    assert!(plain.iter().zip(&located).all(|(&a, &b)| i64::from(a) == b));
+    let e = t
+        .locate_points_into(&queries, &mut plain[1..], None)
+        .unwrap_err();
+    assert_eq!(e.kind(), mgdt::ErrorKind::BufferTooSmall);
+    let mut few = [[0.0; 4]; 3];
+    assert!(t
+        .locate_points_into(&queries, &mut plain, Some(&mut few))
+        .is_err());
+}
+
+#[test]
+fn queries_from_many_threads_at_once() {
+    fn may_be_shared<T: Send + Sync>() {}
+    may_be_shared::<Triangulation>();
+    may_be_shared::<Canceller>();
+    may_be_shared::<mgdt::Error>();
+
+    let t = triangulation();
+    let queries = places("queries");
+    let expected = t.locate_points(&queries).unwrap();
+    std::thread::scope(|scope| {
+        for _ in 0..4 {
+            scope.spawn(|| {
+                for _ in 0..20 {
+                    assert_eq!(t.locate_points(&queries).unwrap(), expected);
+                    assert_eq!(plain(t.tetrahedra().unwrap()), rows::<4>("tetrahedra"));
+                    t.check(Check::Geometric).unwrap();
+                }
+            });
+        }
+    });
+    // It may go to another thread, and end there.
+    std::thread::spawn(move || drop(t)).join().unwrap();
+}

@@ -1,0 +1,385 @@
+-- SPDX-License-Identifier: MIT
+-- The LuaJIT binding against what the C interface wrote (reference.c), and against geometry.
+--
+--   luajit lua_test.lua REFERENCE_FOLDER
+local ffi = require "ffi"
+local mgdt = require "mgdt"
+local folder = assert(arg[1], "usage: luajit lua_test.lua REFERENCE_FOLDER")
+
+local passed, failed = 0, 0
+local function test(name, body)
+    local good, problem = xpcall(body, function(e)
+        return type(e) == "string" and debug.traceback(e, 2) or tostring(e)
+    end)
+    if good then passed = passed + 1 else failed = failed + 1 end
+    print((good and "passed: " or "failed: ") .. name .. (good and "" or "\n" .. problem))
+end
+
+local function equal(got, expected, what)
+    if got ~= expected then
+        error(("%s is %s; expected %s"):format(what or "value", tostring(got), tostring(expected)), 2)
+    end
+end
+
+-- The error that a call raises; it must be one of mgdt's with that name, and say each of the words.
+local function refused(name, words, call, ...)
+    local good, problem = pcall(call, ...)
+    if good then error("no error was raised", 2) end
+    if type(problem) ~= "table" then error("not an error of mgdt: " .. tostring(problem), 2) end
+    equal(problem.name, name, "the error's name")
+    equal(problem.status, mgdt.status[name], "the error's status")
+    for _, word in ipairs(words) do
+        if not tostring(problem):find(word, 1, true) then
+            error(("'%s' does not say '%s'"):format(tostring(problem), word), 2)
+        end
+    end
+end
+
+local function read(name, element)
+    local file = assert(io.open(folder .. "/" .. name, "rb"))
+    local bytes = file:read("*a")
+    file:close()
+    local array = ffi.new(element .. "[?]", #bytes / 8)
+    ffi.copy(array, bytes, #bytes)
+    return array, #bytes / 8
+end
+
+local function same(array, expected, count, what)
+    local flat = ffi.cast(tostring(ffi.typeof(array)):find("int64_t") and "int64_t *" or "int32_t *", array)
+    for k = 0, count - 1 do
+        if tonumber(flat[k]) ~= tonumber(expected[k]) then
+            error(("%s differs at element %d: %s, expected %s"):format(what, k,
+                tostring(flat[k]), tostring(expected[k])), 2)
+        end
+    end
+end
+
+local points, coordinates = read("points", "double")
+local n = coordinates / 3
+
+local function six_volumes(p, v)
+    local function d(i, axis) return p[3 * v[i] + axis] - p[3 * v[0] + axis] end
+    return d(1, 0) * (d(2, 1) * d(3, 2) - d(2, 2) * d(3, 1))
+        - d(1, 1) * (d(2, 0) * d(3, 2) - d(2, 2) * d(3, 0))
+        + d(1, 2) * (d(2, 0) * d(3, 1) - d(2, 1) * d(3, 0))
+end
+
+local function cube_corners()
+    local corners = {}
+    for k = 0, 7 do table.insert(corners, { k % 2, math.floor(k / 2) % 2, math.floor(k / 4) }) end
+    return corners
+end
+
+test("a cube: tetrahedra of positive volume that fill it", function()
+    local corners = cube_corners()
+    local flat = ffi.new("double[8][3]", corners)
+    local t = mgdt.new()
+    t:insert(corners)
+    local v, count = t:tetrahedra()
+    assert(count == 5 or count == 6, "5 or 6 tetrahedra, not " .. count)
+    local total = 0
+    for k = 0, count - 1 do
+        local volume = six_volumes(ffi.cast("double *", flat), v[k])
+        assert(volume > 0, "a volume is not positive")
+        total = total + volume
+    end
+    equal(total, 6, "six times the volume")
+    equal(t:hull_facet_count(), 12, "triangles on the hull")
+    equal(t:dimension(), 3, "dimension")
+    equal(t:check(), true, "check")
+    assert(tostring(t):find("8 points", 1, true))
+end)
+
+test("random points: every export as the C interface writes it", function()
+    local t = mgdt.new { canonical = true }
+    t:insert(points)
+    local exports = { tetrahedra = 4, neighbors = 4, hull_facets = 3, edges = 2, point_map = 1 }
+    for name, width in pairs(exports) do
+        local expected, length = read(name, "int64_t")
+        local array, count = t[name](t)
+        equal(count * width, length, "length of " .. name)
+        same(array, expected, length, name)
+        local given = ffi.new("int64_t[?]", length)
+        equal(t[name](t, given), given, "the array given")
+        same(given, expected, length, name .. " into an int64_t array")
+        same(t[name](t, ffi.new("int32_t[?]", length)), expected, length, name .. " into int32_t")
+        if length > width then
+            refused("buffer_too_small", { tostring(length), "needed" }, t[name], t,
+                ffi.new("int32_t[?]", length - 1))
+        end
+    end
+    local offsets, list, length = t:vertex_tetrahedra()
+    same(offsets, read("offsets", "int64_t"), n + 1, "offsets")
+    same(list, read("list", "int64_t"), length, "list")
+    equal(length, 4 * t:tetrahedron_count(), "length of list")
+    -- Euler's formula for a ball.
+    equal(t:vertex_count() - t:edge_count() + (4 * t:tetrahedron_count() + t:hull_facet_count()) / 2
+        - t:tetrahedron_count(), 1, "V - E + F - T")
+    equal(t:point_count(), 1010, "points")
+    equal(t:vertex_count(), 1000, "vertices")
+    equal(t:statistic("duplicates"), 10, "duplicates")
+    equal(t:check("canonical"), true)
+    equal(t:check("combinatorial"), true)
+end)
+
+test("the same tetrahedra from tables, pointers, separate arrays and batches", function()
+    local expected, length = read("tetrahedra", "int64_t")
+    local rows, flat = {}, {}
+    local axes = { ffi.new("double[?]", n), ffi.new("double[?]", n), ffi.new("double[?]", n) }
+    for k = 0, n - 1 do
+        rows[k + 1] = { points[3 * k], points[3 * k + 1], points[3 * k + 2] }
+        for axis = 0, 2 do
+            flat[#flat + 1] = points[3 * k + axis]
+            axes[axis + 1][k] = points[3 * k + axis]
+        end
+    end
+    local half = 3 * 500
+    local ways = {
+        table_of_rows = function(t) t:insert(rows) end,
+        flat_table = function(t) t:insert(flat) end,
+        pointer = function(t) t:insert(ffi.cast("double *", points), n) end,
+        constant_pointer = function(t) t:insert(ffi.cast("const double *", points), n) end,
+        rows = function(t) t:insert(ffi.new("double[1010][3]", rows)) end,
+        separate = function(t) t:insert_strided(n, axes[1], axes[2], axes[3]) end,
+        records = function(t) t:insert_strided(n, points, points + 1, points + 2, 3) end,
+        batches = function(t)
+            t:insert(points, 500)
+            t:insert(points + half, n - 500)
+        end,
+    }
+    for name, way in pairs(ways) do
+        for _, scheme in ipairs { "auto", "input", "multi-grid" } do
+            local t = mgdt.new { canonical = true, order = scheme, seed = 5 }
+            t:reserve(n)
+            way(t)
+            equal(4 * t:tetrahedron_count(), length, "length, " .. name)
+            same(t:tetrahedra(), expected, length, name)
+        end
+    end
+    equal(#mgdt.order_schemes, 10, "order schemes")
+    for _, scheme in ipairs(mgdt.order_schemes) do mgdt.new { order = scheme } end
+end)
+
+test("location and nearest vertices", function()
+    local t = mgdt.new { canonical = true }
+    t:insert(points)
+    local queries, length = read("queries", "double")
+    local located, nearest = read("located", "int64_t"), read("nearest", "int64_t")
+    local expected = read("weights", "double")
+    local found, weights, count = t:locate_points(queries)
+    equal(count, length / 3, "queries")
+    local outside = 0
+    for k = 0, count - 1 do
+        local x, y, z = queries[3 * k], queries[3 * k + 1], queries[3 * k + 2]
+        equal(found[k], tonumber(located[k]), "a tetrahedron")
+        for i = 0, 3 do equal(weights[k][i], expected[4 * k + i], "a weight") end
+        if found[k] == -1 then outside = outside + 1 end
+        local alone = t:locate(x, y, z)
+        equal(alone or -1, found[k], "a tetrahedron located alone")
+        -- Brute force is the truth.
+        local best, least
+        for p = 0, 999 do
+            local dx, dy, dz = points[3 * p] - x, points[3 * p + 1] - y, points[3 * p + 2] - z
+            local d = dx * dx + dy * dy + dz * dz
+            if not least or d < least then best, least = p, d end
+        end
+        equal(t:nearest(x, y, z), best, "the nearest vertex")
+        equal(tonumber(nearest[k]), best, "the reference's nearest vertex")
+    end
+    assert(outside > 10 and outside < count - 10, "queries on both sides of the hull")
+    equal(mgdt.new():nearest(0, 0, 0), nil, "nearest in an empty triangulation")
+    equal(mgdt.new():locate(0, 0, 0), nil, "location in an empty triangulation")
+end)
+
+test("index base 1", function()
+    local t = mgdt.new { index_base = 1, canonical = true }
+    t:insert(points)
+    local v = t:tetrahedra()
+    local expected = read("tetrahedra", "int64_t")
+    for k = 0, t:tetrahedron_count() - 1 do
+        for i = 0, 3 do equal(v[k][i], tonumber(expected[4 * k + i]) + 1, "a vertex") end
+    end
+    equal(t:locate(5, 5, 5), nil, "outside")
+    equal(mgdt.new { index_base = 1 }:nearest(0, 0, 0), nil, "nearest in an empty one")
+    equal(t:nearest(points[0], points[1], points[2]), 1, "the first point")
+    refused("not_finite", { "point 1012" }, t.insert, t, { { 0, 0, 0 }, { 0 / 0, 0, 0 } })
+end)
+
+test("flat and small sets are valid, and wait", function()
+    local t = mgdt.new()
+    equal(t:dimension(), -1, "dimension")
+    equal(select(2, t:tetrahedra()), 0, "tetrahedra of none")
+    t:insert {}
+    for x = 0, 9 do
+        for y = 0, 9 do t:insert { { x, y, 0 } } end
+    end
+    equal(t:dimension(), 2, "dimension")
+    equal(t:tetrahedron_count(), 0, "tetrahedra")
+    equal(t:vertex_count(), 100, "vertices")
+    equal(t:nearest(3.2, 4.1, 7), 34, "nearest vertex of a flat set")
+    equal(t:check(), true)
+    t:insert { { 0, 0, 1 } }
+    equal(t:dimension(), 3, "dimension")
+    assert(t:tetrahedron_count() >= 2 * 81)
+    equal(t:check(), true)
+    t:clear()
+    equal(t:point_count(), 0, "points after clear")
+    t:insert { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1 }
+    equal(t:tetrahedron_count(), 1, "tetrahedra after clear")
+end)
+
+test("bad values are refused, with what and where, and change nothing", function()
+    local t = mgdt.new { canonical = true }
+    t:insert(points)
+    local nan = 0 / 0
+    refused("not_finite", { "point 1012", "y" }, t.insert, t, { { 0, 0, 0 }, { 1, 1, 1 }, { 0, nan, 0 } })
+    refused("not_finite", { "point 1010", "x" }, t.insert, t, ffi.new("double[3]", 1 / 0, 0, 0))
+    refused("invalid_argument", { "points[2]" }, t.insert, t, { { 0, 0, 0 }, { 1, 2 } })
+    refused("invalid_argument", { "points[2][3]", "no number" }, t.insert, t,
+        { { 0, 0, 0 }, { 1, 2, "no number" } })
+    refused("invalid_argument", { "points[4]" }, t.insert, t, { 0, 0, 0, false, 0, 0 })
+    refused("invalid_argument", { "multiple of 3" }, t.insert, t, { 0, 0, 0, 1 })
+    refused("invalid_argument", { "multiple of 3" }, t.insert, t, ffi.new("double[4]"))
+    refused("invalid_argument", { "4 numbers" }, t.insert, t, ffi.new("double[4]"), 2)
+    refused("invalid_argument", { "number of points" }, t.insert, t, ffi.cast("double *", points))
+    refused("invalid_argument", { "float" }, t.insert, t, ffi.new("float[3]"))
+    refused("invalid_argument", { "string" }, t.insert, t, "0 0 0")
+    refused("invalid_argument", { "nil" }, t.insert, t)
+    refused("invalid_argument", { "negative", "-1" }, t.insert, t, points, -1)
+    refused("invalid_argument", { "1.5" }, t.insert, t, points, 1.5)
+    refused("invalid_argument", { "y holds 2 numbers" }, t.insert_strided, t, 3, points,
+        ffi.new("double[2]"), points)
+    refused("null_pointer", { "xyz" }, t.insert, t, ffi.cast("double *", nil), 1)
+    refused("unknown_scheme", { "spiral" }, t.set_order, t, "spiral")
+    refused("unknown_key", { "cells" }, t.set_parameter, t, "cells", 3)
+    refused("invalid_argument", { "threshold", "-1" }, t.set_parameter, t, "threshold", -1)
+    refused("unknown_key", { "speed" }, t.statistic, t, "speed")
+    refused("invalid_argument", { "2" }, t.set_index_base, t, 2)
+    refused("invalid_argument", { "negative" }, t.set_memory_limit, t, -1)
+    refused("invalid_argument", { "negative" }, t.set_threads, t, -1)
+    refused("invalid_argument", { "negative" }, t.set_seed, t, -1)
+    refused("invalid_argument", { "level" }, t.check, t, 9)
+    refused("invalid_argument", { "mmx" }, t.set_isa, t, "mmx")
+    refused("invalid_argument", { "colour" }, mgdt.new, { colour = "red" })
+    refused("not_finite", {}, t.locate, t, nan, 0, 0)
+    refused("not_finite", {}, t.nearest, t, nan, 0, 0)
+    refused("not_finite", { "1" }, t.locate_points, t, { { 0, 0, 0 }, { 0, nan, 0 } })
+    refused("invalid_argument", { "x is nil" }, t.locate, t)
+    refused("invalid_argument", { "int32_t" }, t.tetrahedra, t, ffi.new("double[8]"))
+    refused("invalid_argument", { "capacity" }, t.tetrahedra, t, ffi.new("int32_t[8]"), 1e6)
+    equal(t:point_count(), 1010, "points")
+    local expected, length = read("tetrahedra", "int64_t")
+    same(t:tetrahedra(), expected, length, "tetrahedra")
+    equal(t:check(), true)
+    t:set_isa("baseline")
+    equal(t:isa(), "baseline", "instruction set")
+end)
+
+test("the memory limit", function()
+    local t = mgdt.new { memory_limit = 100000 }
+    refused("out_of_memory", { "memory" }, t.insert, t, points)
+    equal(t:check(), true)
+    assert(t:statistics().peak_memory_bytes <= 100000)
+    t:set_memory_limit(0)
+    t:insert(points)
+    equal(t:vertex_count(), 1000, "vertices")
+    equal(t:check(), true)
+end)
+
+test("progress, cancelling, errors in the progress function", function()
+    local seen, last = 0, -1
+    local t = mgdt.new { progress = function(fraction)
+        assert(fraction >= last and fraction <= 1)
+        seen, last = seen + 1, fraction
+    end }
+    t:insert(points)
+    equal(last, 1, "the last fraction")
+    assert(seen > 50)
+    for _, way in ipairs {
+        function() return true end,
+        function(_, u) u:cancel() end,
+    } do
+        local u = mgdt.new()
+        u:set_progress(function(fraction) if fraction > 0.4 then return way(fraction, u) end end)
+        refused("cancelled", { "1010 points" }, u.insert, u, points)
+        equal(u:check(), true)
+        assert(u:vertex_count() > 100 and u:vertex_count() < 1000)
+        u:set_progress(nil)
+        u:insert(points)
+        equal(u:vertex_count(), 1000, "vertices after all")
+        equal(u:check(), true)
+    end
+    local u = mgdt.new()
+    u:cancel()
+    refused("cancelled", {}, u.insert, u, points)
+    -- An error of one's own comes out as it went in; at the very end it does as well.
+    for _, at in ipairs { 0, 0.5, 1 } do
+        local mine = {}
+        u = mgdt.new { progress = function(fraction) if fraction >= at then error(mine) end end }
+        local good, problem = pcall(u.insert, u, points)
+        assert(not good and problem == mine)
+        equal(u:check(), true)
+    end
+    u = mgdt.new()
+    u:set_progress(function() u:insert { { 0, 0, 0 } } end)
+    refused("invalid_argument", { "progress function" }, u.insert, u, points)
+    -- Callbacks are few: a thousand calls must not use them up, whether they fail or not.
+    u = mgdt.new { progress = function() error("no") end }
+    for _ = 1, 3000 do pcall(u.insert, u, { { 0, 0, 0 } }) end
+    local calls = 0
+    u:set_progress(function() calls = calls + 1 end)
+    u:insert(points)
+    assert(calls > 50)
+end)
+
+test("two handles, one table of settings; the module loads twice", function()
+    package.loaded.mgdt = nil
+    local again = require "mgdt"
+    local a, b = mgdt.new(), again.new()
+    a:insert { { 0, 0, 0 } }
+    equal(b:point_count(), 0, "points of the other")
+    equal(again.version(), mgdt.version(), "version")
+    assert(mgdt.version():match("^%d+%.%d+%.%d+$"))
+end)
+
+local function resident() -- bytes
+    local file = assert(io.open("/proc/self/statm"))
+    local pages = file:read("*a"):match("^%d+ (%d+)")
+    file:close()
+    return pages * 4096
+end
+
+test("handles are freed when collected, and when closed", function()
+    local function make(close)
+        local held = 0
+        for k = 1, 1000 do
+            local t = mgdt.new()
+            t:insert(points)
+            held = held + t:statistic("memory_bytes")
+            if close then t:close() end
+            if k % 10 == 0 then collectgarbage() end
+        end
+        return held
+    end
+    for _, close in ipairs { false, true } do
+        make(close)
+        collectgarbage()
+        local before = resident()
+        local held = make(close)
+        collectgarbage()
+        local grown = resident() - before
+        print(("  %d MB in 1000 handles; the process grew by %.1f MB"):format(held / 1e6, grown / 1e6))
+        assert(held > 200e6, "the handles held too little for this test to see a leak")
+        assert(grown < 20e6, "memory was not given back")
+    end
+    local t = mgdt.new()
+    t:close()
+    t:close()
+    refused("null_pointer", { "closed" }, t.point_count, t)
+    refused("null_pointer", { "closed" }, t.insert, t, points)
+    refused("null_pointer", { "closed" }, t.cancel, t)
+    assert(tostring(t):find("closed"))
+end)
+
+print(("%d passed, %d failed"):format(passed, failed))
+os.exit(failed == 0 and passed > 0 and 0 or 1)

@@ -1,0 +1,386 @@
+% SPDX-License-Identifier: MIT
+% The Octave binding against what the C interface wrote (reference.c), Octave's own delaunayn, and
+% geometry.
+%
+%   octave-cli --path BINDING --path TESTS --eval 'octave_test ("REFERENCE_FOLDER")'
+function octave_test (folder)
+  tests = {@cube, @exports, @as_delaunayn, @front, @ways_to_give_points, @location, @flat, ...
+           @bad_values, @memory_limit, @progress, @handles, @freed, @help_texts};
+  passed = failed = 0;
+  for k = 1:numel (tests)
+    try
+      tests{k} (folder);
+      passed++;
+      printf ("passed: %s\n", func2str (tests{k}));
+    catch e
+      failed++;
+      printf ("failed: %s: %s\n", func2str (tests{k}), e.message);
+      for frame = e.stack'
+        printf ("    %s, line %d\n", frame.name, frame.line);
+      end
+    end
+  end
+  printf ("%d passed, %d failed\n", passed, failed);
+  clear e;
+  exit (! (failed == 0 && passed > 0));
+end
+
+function v = read (folder, name, class, width)
+  file = fopen (fullfile (folder, name), "r");
+  v = reshape (fread (file, Inf, [class "=>double"]), width, [])';
+  fclose (file);
+end
+
+function points = read_points (folder)
+  points = read (folder, "points", "double", 3);
+end
+
+function volumes = six_volumes (points, tetrahedra)
+  a = points(tetrahedra(:, 1), :);
+  u = points(tetrahedra(:, 2), :) - a;
+  v = points(tetrahedra(:, 3), :) - a;
+  w = points(tetrahedra(:, 4), :) - a;
+  volumes = dot (cross (u, v, 2), w, 2);
+end
+
+% The call must fail with that identifier, and say each of the words.
+function refused (identifier, words, call)
+  try
+    call ();
+  catch e
+    if (! strcmp (e.identifier, identifier))
+      error ("the identifier is '%s' ('%s'), expected %s", e.identifier, e.message, identifier);
+    end
+    for k = 1:numel (words)
+      if (isempty (strfind (e.message, words{k})))
+        error ("'%s' does not say '%s'", e.message, words{k});
+      end
+    end
+    return
+  end
+  error ("no error: expected %s", identifier);
+end
+
+function cube (folder)
+  [x, y, z] = ndgrid ([0 1]);
+  points = [x(:) y(:) z(:)];
+  t = mgdt_triangulation ();
+  t.insert (points);
+  volumes = six_volumes (points, t.tetrahedra ());
+  assert (any (numel (volumes) == [5 6]));
+  assert (all (volumes > 0));
+  assert (sum (volumes), 6);
+  assert (t.hull_facet_count (), 12);
+  assert (t.dimension (), 3);
+  t.check ();
+  assert (isempty (strfind (evalc ("disp (t)"), "8 points")), false);
+end
+
+function exports (folder)
+  points = read_points (folder);
+  t = mgdt_triangulation ("canonical", true);
+  t.insert (points);
+  assert (t.tetrahedra (), read (folder, "tetrahedra", "int64", 4) + 1);
+  assert (t.neighbours (), read (folder, "neighbors", "int64", 4) + 1);
+  assert (t.hull_facets (), read (folder, "hull_facets", "int64", 3) + 1);
+  assert (t.edges (), read (folder, "edges", "int64", 2) + 1);
+  assert (t.point_map (), read (folder, "point_map", "int64", 1) + 1);
+  [offsets, list] = t.vertex_tetrahedra ();
+  assert (offsets, read (folder, "offsets", "int64", 1) + 1);
+  assert (list, read (folder, "list", "int64", 1) + 1);
+  tetrahedra = t.tetrahedra ();
+  assert (list(offsets(8):offsets(9)-1), find (any (tetrahedra == 8, 2)));
+  % Euler's formula for a ball.
+  facets = (4 * t.tetrahedron_count () + t.hull_facet_count ()) / 2;
+  assert (t.vertex_count () - t.edge_count () + facets - t.tetrahedron_count (), 1);
+  assert ([t.point_count() t.vertex_count()], [1010 1000]);
+  assert (t.statistics ().duplicates, 10);
+  t.check ("combinatorial");
+  t.check ("geometric");
+  t.check ("canonical");
+end
+
+% Random points have one Delaunay triangulation; Octave's is by Qhull.
+function as_delaunayn (folder)
+  rand ("twister", 2014);
+  points = rand (1000, 3);
+  theirs = sortrows (sort (delaunayn (points), 2));
+  ours = sortrows (sort (mgdt_delaunay (points), 2));
+  assert (ours, theirs);
+end
+
+function front (folder)
+  points = read_points (folder);
+  [tetrahedra, neighbours, map] = mgdt_delaunay (points, "canonical", true);
+  assert (tetrahedra, read (folder, "tetrahedra", "int64", 4) + 1);
+  assert (neighbours, read (folder, "neighbors", "int64", 4) + 1);
+  assert (map, read (folder, "point_map", "int64", 1) + 1);
+  four = single (points(1:4, :));
+  assert (mgdt_delaunay (four), mgdt_delaunay (double (four)));
+  assert (size (mgdt_delaunay ([])), [0 4]);
+  assert (size (mgdt_delaunay (zeros (7, 3))), [0 4]);
+  refused ("Octave:invalid-fun-call", {}, @() mgdt_delaunay ());
+  refused ("mgdt:not_finite", {"point 2", "z"}, @() mgdt_delaunay ([0 0 0; 0 0 Inf]));
+end
+
+function ways_to_give_points (folder)
+  points = read_points (folder);
+  expected = read (folder, "tetrahedra", "int64", 4) + 1;
+  schemes = mgdt_triangulation.schemes ();
+  assert (numel (schemes), 10);
+  for k = 1:numel (schemes)
+    t = mgdt_triangulation ("canonical", true, "order", schemes{k}, "seed", 5, "threads", 0);
+    t.reserve (rows (points));
+    t.insert (points(1:400, :));
+    t.insert ([]);
+    t.insert (points(401:end, :));
+    assert (t.tetrahedra (), expected);
+  end
+  t = mgdt_triangulation ("canonical", true, "order", "multi-grid", "points_per_cell", 3);
+  t.set ("threshold", 20);
+  t.insert (points);
+  assert (t.tetrahedra (), expected);
+  % Integers, logicals, ranges and sparse matrices are made doubles.
+  [x, y, z] = ndgrid (int8 ([0 1]));
+  corners = [x(:) y(:) z(:)];
+  given = {corners, logical(corners), sparse(double (corners))};
+  for k = 1:numel (given)
+    t = mgdt_triangulation ();
+    t.insert (given{k});
+    assert (sum (six_volumes (double (corners), t.tetrahedra ())), 6);
+  end
+  t = mgdt_triangulation ();
+  t.insert (1:3);
+  assert (t.point_count (), 1);
+end
+
+function location (folder)
+  points = read_points (folder);
+  t = mgdt_triangulation ("canonical", true);
+  t.insert (points);
+  queries = read (folder, "queries", "double", 3);
+  expected = read (folder, "located", "int64", 1) + 1;
+  expected(expected == 0) = NaN;
+  [where, weights] = t.locate (queries);
+  assert (where, expected);
+  assert (t.locate (queries), expected);
+  outside = isnan (where);
+  assert (sum (outside) > 10 && sum (! outside) > 10);
+  reference = read (folder, "weights", "double", 4);
+  reference(outside, :) = NaN;
+  assert (weights, reference);
+  % Octave's own search, where a point is in the inside of one tetrahedron.
+  tetrahedra = t.tetrahedra ();
+  [theirs, their_weights] = tsearchn (points, tetrahedra, queries);
+  assert (where, theirs);
+  assert (weights, their_weights, 1e-9);
+  nearest = t.nearest (queries);
+  assert (nearest, read (folder, "nearest", "int64", 1) + 1);
+  assert (nearest, dsearchn (points(1:1000, :), queries));
+  assert (mgdt_triangulation ().nearest ([0 0 0]), NaN);
+  assert (mgdt_triangulation ().locate ([0 0 0]), NaN);
+  assert (size (t.locate (zeros (0, 3))), [0 1]);
+end
+
+function flat (folder)
+  t = mgdt_triangulation ();
+  assert (t.dimension (), -1);
+  [x, y] = ndgrid (0:9);
+  t.insert ([x(:) y(:) zeros(100, 1)]);
+  assert ([t.dimension() t.tetrahedron_count() t.vertex_count()], [2 0 100]);
+  assert (size (t.tetrahedra ()), [0 4]);
+  assert (size (t.neighbours ()), [0 4]);
+  assert (t.nearest ([3.2 4.1 7]), 44);
+  t.check ();
+  t.insert ([0 0 1]);
+  assert (t.dimension (), 3);
+  assert (t.tetrahedron_count () >= 162);
+  t.check ();
+  t.clear_points ();
+  assert (t.point_count (), 0);
+  t.insert ([0 0 0; 1 0 0; 0 1 0; 0 0 1]);
+  assert (t.tetrahedron_count (), 1);
+end
+
+function bad_values (folder)
+  points = read_points (folder);
+  t = mgdt_triangulation ("canonical", true);
+  t.insert (points);
+  refused ("mgdt:not_finite", {"point 1012", "y"}, @() t.insert ([0 0 0; 0 NaN 0]));
+  refused ("mgdt:not_finite", {"point 1011", "x"}, @() t.insert ([-Inf 0 0]));
+  refused ("mgdt:invalid_argument", {"2 x 2", "three columns"}, @() t.insert ([1 2; 3 4]));
+  refused ("mgdt:invalid_argument", {"three columns"}, @() t.insert (zeros (2, 3, 2)));
+  refused ("mgdt:invalid_argument", {"real"}, @() t.insert ([i 0 0]));
+  refused ("mgdt:invalid_argument", {"class char"}, @() t.insert ("abc"));
+  refused ("mgdt:invalid_argument", {"class cell"}, @() t.insert ({}));
+  refused ("mgdt:unknown_scheme", {"spiral"}, @() t.set ("order", "spiral"));
+  refused ("mgdt:invalid_argument", {"order"}, @() t.set ("order", 3));
+  refused ("mgdt:unknown_key", {"colour"}, @() t.set ("colour", 1));
+  refused ("mgdt:unknown_key", {"index_base"}, @() t.set ("index_base", 0));
+  refused ("mgdt:invalid_argument", {"threshold", "-1"}, @() t.set ("threshold", -1));
+  refused ("mgdt:invalid_argument", {"threshold"}, @() t.set ("threshold", [1 2]));
+  refused ("mgdt:invalid_argument", {"threads"}, @() t.set ("threads", 1.5));
+  refused ("mgdt:invalid_argument", {"threads"}, @() t.set ("threads", 1e10));
+  refused ("mgdt:invalid_argument", {"negative"}, @() t.set ("memory_limit", -1));
+  refused ("mgdt:invalid_argument", {"seed"}, @() t.set ("seed", -1));
+  refused ("mgdt:invalid_argument", {"mmx"}, @() t.set ("isa", "mmx"));
+  refused ("mgdt:invalid_argument", {"progress"}, @() t.set ("progress", 1));
+  refused ("mgdt:invalid_argument", {"value"}, @() mgdt_triangulation ("seed"));
+  refused ("mgdt:invalid_argument", {"level"}, @() t.check (9));
+  refused ("mgdt:invalid_argument", {"whole"}, @() t.check ("whole"));
+  refused ("mgdt:not_finite", {}, @() t.locate ([NaN 0 0]));
+  refused ("mgdt:not_finite", {}, @() t.nearest ([NaN 0 0]));
+  refused ("mgdt:invalid_argument", {"three columns"}, @() t.locate ([0 0]));
+  refused ("mgdt:invalid_argument", {"double"}, @() t.locate (single ([0 0 0])));
+  assert (t.point_count (), 1010);
+  assert (t.tetrahedra (), read (folder, "tetrahedra", "int64", 4) + 1);
+  t.check ();
+  t.set ("isa", "baseline");
+  assert (t.isa_name (), "baseline");
+  t.set ("isa", "");
+end
+
+function memory_limit (folder)
+  points = read_points (folder);
+  t = mgdt_triangulation ("memory_limit", 1e5);
+  refused ("mgdt:out_of_memory", {"memory"}, @() t.insert (points));
+  t.check ();
+  assert (t.statistics ().peak_memory_bytes <= 1e5);
+  t.set ("memory_limit", 0);
+  t.insert (points);
+  assert (t.vertex_count (), 1000);
+  t.check ();
+end
+
+function stop = remember (fraction)
+  global seen
+  seen(end+1) = fraction;
+  stop = false;
+end
+
+function stop = stop_at (at, fraction)
+  stop = fraction >= at;
+end
+
+function silent (fraction)
+  global seen
+  seen(end+1) = fraction;
+end
+
+function fail_at (at, fraction)
+  if (fraction >= at)
+    error ("mine:own", "what I say");
+  end
+end
+
+function progress (folder)
+  global seen
+  points = read_points (folder);
+  for fn = {@remember, @silent, @(fraction) silent(fraction), @(fraction) remember(fraction)}
+    seen = [];
+    t = mgdt_triangulation ("progress", fn{1});
+    t.insert (points);
+    assert (numel (seen) > 50);
+    assert (issorted (seen) && seen(end) == 1);
+  end
+  t = mgdt_triangulation ("progress", @(fraction) stop_at (0.4, fraction));
+  refused ("mgdt:cancelled", {"1010 points"}, @() t.insert (points));
+  t.check ();
+  assert (t.vertex_count () > 100 && t.vertex_count () < 1000);
+  t.set ("progress", []);
+  t.insert (points);
+  assert (t.vertex_count (), 1000);
+  t.check ();
+  t = mgdt_triangulation ();
+  t.cancel ();
+  refused ("mgdt:cancelled", {}, @() t.insert (points));
+  t.set ("progress", @(fraction) t.cancel ());
+  refused ("mgdt:cancelled", {}, @() t.insert (points));
+  for at = [0 0.5 1]
+    t = mgdt_triangulation ("progress", @(fraction) fail_at (at, fraction));
+    refused ("mine:own", {"what I say"}, @() t.insert (points));
+    t.check ();
+  end
+  t = mgdt_triangulation ();
+  t.set ("progress", @(fraction) t.point_count ());
+  refused ("mgdt:invalid_argument", {"progress function"}, @() t.insert (points));
+  t.set ("progress", @(fraction) t.close ());
+  refused ("mgdt:invalid_argument", {"progress function"}, @() t.insert (points));
+  % Handles that a progress function makes move the table of handles.
+  t.set ("progress", @(fraction) numel (arrayfun (@(k) mgdt_delaunay (rand (9, 3))(1), 1:40)) < 0);
+  t.insert (points);
+  t.check ();
+end
+
+function handles (folder)
+  t = mgdt_triangulation ();
+  u = t;
+  t.insert ([0 0 0]);
+  assert (u.point_count (), 1);
+  v = mgdt_triangulation ();
+  assert (v.point_count (), 0);
+  t.close ();
+  t.close ();
+  refused ("mgdt:null_pointer", {"closed"}, @() u.point_count ());
+  refused ("mgdt:null_pointer", {"closed"}, @() u.insert ([0 0 0]));
+  refused ("mgdt:null_pointer", {"closed"}, @() u.cancel ());
+  refused ("mgdt:null_pointer", {"closed"}, @() mgdt_mex ("count", [0 12345], "points"));
+  refused ("mgdt:null_pointer", {"closed"}, @() mgdt_mex ("count", [1e9 1], "points"));
+  refused ("mgdt:null_pointer", {"closed"}, @() mgdt_mex ("count", [NaN 1], "points"));
+  refused ("mgdt:invalid_argument", {"handle"}, @() mgdt_mex ("count", "x", "points"));
+  refused ("mgdt:invalid_argument", {"handle"}, @() mgdt_mex ("count"));
+  refused ("mgdt:invalid_argument", {"command"}, @() mgdt_mex ());
+  w = mgdt_mex ("create");
+  refused ("mgdt:invalid_argument", {"command"}, @() mgdt_mex ("dance", w));
+  refused ("mgdt:invalid_argument", {"setting"}, @() mgdt_mex ("set", w));
+  refused ("mgdt:invalid_argument", {"matrix"}, @() mgdt_mex ("insert", w));
+  refused ("mgdt:invalid_argument", {"count"}, @() mgdt_mex ("count", w));
+  refused ("mgdt:invalid_argument", {"whole"}, @() mgdt_mex ("check", w, 0.5));
+  mgdt_mex ("destroy", w);
+  % Code that has handles stays loaded.
+  clear ("mgdt_mex");
+  v.insert ([0 0 0]);
+  assert (v.point_count (), 1);
+  assert (! isempty (regexp (mgdt_triangulation.version (), '^\d+\.\d+\.\d+$')));
+end
+
+function bytes = resident ()
+  file = fopen ("/proc/self/statm", "r");
+  pages = fscanf (file, "%d");
+  fclose (file);
+  bytes = 4096 * pages(2);
+end
+
+function held = make (points, close)
+  held = 0;
+  for k = 1:1000
+    t = mgdt_triangulation ();
+    t.insert (points);
+    held += t.statistics ().memory_bytes;
+    if (close)
+      t.close ();
+    end
+  end
+end
+
+function freed (folder)
+  points = read_points (folder);
+  for close = [false true]
+    make (points, close);
+    before = resident ();
+    held = make (points, close);
+    grown = resident () - before;
+    printf ("  %d MB in 1000 handles; the process grew by %.1f MB\n", round (held / 1e6), ...
+            grown / 1e6);
+    assert (held > 200e6);
+    assert (grown < 40e6);
+  end
+end
+
+function help_texts (folder)
+  for name = {"mgdt_delaunay", "mgdt_triangulation"}
+    text = help (name{1});
+    assert (! isempty (strfind (text, name{1})));
+    assert (! isempty (strfind (text, "Errors")));
+  end
+end

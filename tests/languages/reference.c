@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: MIT
+ * Writes point sets and what the C interface says of them, for the tests of the other languages to
+ * compare with: files of 64-bit integers and doubles in the machine's own byte order.
+ *
+ *   reference FOLDER
+ *
+ * It checks itself what it writes: mgdt_check at every level, and Euler's formula. */
+#include <mgdt/mgdt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { random_points = 1000, repeated_points = 10, queries = 200 };
+
+static const char* folder;
+
+static void stop(const char* what) {
+    fprintf(stderr, "reference: %s\n", what);
+    exit(1);
+}
+
+static void require(mgdt_status s, const mgdt_triangulation* t) {
+    char message[256] = "";
+    if (s == MGDT_OK) return;
+    mgdt_get_error(t, (int64_t)sizeof message, message);
+    stop(message);
+}
+
+static void* room(int64_t count, size_t size) {
+    void* p = calloc((size_t)count + 1, size);
+    if (!p) stop("out of memory");
+    return p;
+}
+
+static void write_file(const char* name, const void* data, int64_t count) {
+    char path[4096];
+    FILE* f;
+    if ((size_t)snprintf(path, sizeof path, "%s/%s", folder, name) >= sizeof path)
+        stop("the folder's name is too long");
+    f = fopen(path, "wb");
+    /* Both kinds of element have 8 bytes. */
+    if (!f || fwrite(data, 8, (size_t)count, f) != (size_t)count || fclose(f) != 0) {
+        perror(path);
+        exit(1);
+    }
+}
+
+/* Numbers in [0, 1) from a 64-bit congruential generator: the upper 53 bits. */
+static double next_random(uint64_t* state) {
+    *state = *state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    return (double)(*state >> 11) / 9007199254740992.0;
+}
+
+typedef mgdt_status (*get_function)(const mgdt_triangulation* t, int64_t capacity, int64_t* v);
+
+static void export_list(const mgdt_triangulation* t, get_function get, int64_t count,
+                        const char* name) {
+    int64_t* v = room(count, sizeof *v);
+    require(get(t, count, v), t);
+    write_file(name, v, count);
+    free(v);
+}
+
+int main(int argc, char** argv) {
+    static double xyz[3 * (random_points + repeated_points)], asked[3 * queries];
+    static double weights[4 * queries];
+    static int64_t located[queries], nearest[queries];
+    const int64_t n = random_points + repeated_points;
+    uint64_t state = 20140090;
+    mgdt_triangulation* t = NULL;
+    int64_t *offsets, *list, tetrahedra, facets, i;
+
+    if (argc != 2) stop("usage: reference FOLDER");
+    folder = argv[1];
+    for (i = 0; i < 3 * random_points; ++i) xyz[i] = next_random(&state);
+    for (i = 0; i < repeated_points; ++i)
+        memcpy(xyz + 3 * (random_points + i), xyz + 3 * (7 * i + 3), 3 * sizeof *xyz);
+    /* Some of them outside of the hull. */
+    for (i = 0; i < 3 * queries; ++i) asked[i] = 1.2 * next_random(&state) - 0.1;
+
+    if (mgdt_create(&t) != MGDT_OK) stop("mgdt_create failed");
+    require(mgdt_set_canonical_output(t, 1), t);
+    require(mgdt_insert_points(t, n, xyz), t);
+    require(mgdt_check(t, MGDT_CHECK_CANONICAL), t);
+    tetrahedra = mgdt_tetrahedron_count(t);
+    facets = mgdt_hull_facet_count(t);
+    if (mgdt_vertex_count(t) != random_points) stop("repeated points were not found");
+    if (mgdt_vertex_count(t) - mgdt_edge_count(t) + (4 * tetrahedra + facets) / 2 - tetrahedra != 1)
+        stop("Euler's formula does not hold");
+
+    write_file("points", xyz, 3 * n);
+    export_list(t, mgdt_get_tetrahedra, 4 * tetrahedra, "tetrahedra");
+    export_list(t, mgdt_get_neighbors, 4 * tetrahedra, "neighbors");
+    export_list(t, mgdt_get_hull_facets, 3 * facets, "hull_facets");
+    export_list(t, mgdt_get_edges, 2 * mgdt_edge_count(t), "edges");
+    export_list(t, mgdt_get_point_map, n, "point_map");
+    offsets = room(n + 1, sizeof *offsets);
+    list = room(4 * tetrahedra, sizeof *list);
+    require(mgdt_get_vertex_tetrahedra(t, n + 1, offsets, 4 * tetrahedra, list), t);
+    write_file("offsets", offsets, n + 1);
+    write_file("list", list, 4 * tetrahedra);
+
+    require(mgdt_locate_points(t, queries, asked, located, weights), t);
+    for (i = 0; i < queries; ++i) require(mgdt_nearest_vertex(t, asked + 3 * i, &nearest[i]), t);
+    write_file("queries", asked, 3 * queries);
+    write_file("located", located, queries);
+    write_file("weights", weights, 4 * queries);
+    write_file("nearest", nearest, queries);
+
+    free(list);
+    free(offsets);
+    mgdt_destroy(t);
+    return 0;
+}

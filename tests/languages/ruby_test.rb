@@ -1,0 +1,369 @@
+# SPDX-License-Identifier: MIT
+# frozen_string_literal: true
+
+# The Ruby binding against what the C interface wrote (reference.c), and against geometry.
+#
+#   ruby ruby_test.rb REFERENCE_FOLDER
+require "ffi"
+require "minitest/autorun"
+
+# What the binding attaches, to be compared with the header.
+ATTACHED = {}
+FFI::Library.prepend(Module.new do
+  def attach_function(name, parameters, result, *)
+    ATTACHED[name.to_s] = [result, *parameters]
+    super
+  end
+end)
+require "mgdt"
+
+FOLDER = ARGV.shift or abort "usage: ruby ruby_test.rb REFERENCE_FOLDER"
+
+class MgdtTest < Minitest::Test
+  NAN = Float::NAN
+
+  def self.bytes(name) = File.binread(File.join(FOLDER, name))
+  def self.integers(name, width = 1)
+    flat = bytes(name).unpack("q*")
+    width == 1 ? flat : flat.each_slice(width).to_a
+  end
+  PACKED = bytes("points").freeze
+  POINTS = PACKED.unpack("d*").each_slice(3).to_a.freeze
+  WIDTHS = { tetrahedra: 4, neighbors: 4, hull_facets: 3, edges: 2, point_map: 1 }.freeze
+
+  def expected(name) = self.class.integers(name.to_s, WIDTHS.fetch(name))
+
+  def triangulation(points = PACKED, **settings)
+    t = Mgdt::Triangulation.new(canonical: true, **settings)
+    t.insert(points)
+    t
+  end
+
+  def refused(kind, *words, &block)
+    error = assert_raises(kind, &block)
+    words.each { |word| assert_includes error.message, word }
+    error
+  end
+
+  def six_volumes(points, tetrahedron)
+    a, b, c, d = tetrahedron.map { |k| points[k] }
+    u, v, w = [b, c, d].map { |p| p.zip(a).map { |x, y| x - y } }
+    (u[0] * (v[1] * w[2] - v[2] * w[1])) - (u[1] * (v[0] * w[2] - v[2] * w[0])) +
+      (u[2] * (v[0] * w[1] - v[1] * w[0]))
+  end
+
+  def test_cube
+    corners = [0, 1].product([0, 1], [0, 1])
+    t = triangulation(corners)
+    volumes = t.tetrahedra.map { |v| six_volumes(corners, v) }
+    assert_includes [5, 6], volumes.size
+    assert(volumes.all?(&:positive?))
+    assert_equal 6, volumes.sum
+    assert_equal 12, t.hull_facet_count
+    assert_equal 3, t.dimension
+    assert t.check
+    assert_includes t.inspect, "8 points"
+  end
+
+  def test_exports_are_those_of_the_c_interface
+    t = triangulation
+    WIDTHS.each do |name, width|
+      assert_equal expected(name), t.public_send(name), name
+      length = expected(name).size * width
+      { int32: "l*", int64: "q*" }.each do |type, format|
+        buffer = FFI::MemoryPointer.new(type, length)
+        assert_same buffer, t.public_send(name, into: buffer)
+        assert_equal expected(name).flatten, buffer.read_bytes(buffer.size).unpack(format), name
+        refused(Mgdt::BufferTooSmall, length.to_s) do
+          t.public_send(name, into: FFI::MemoryPointer.new(type, length - 1))
+        end
+      end
+      refused(Mgdt::InvalidArgument, "int32") do
+        t.public_send(name, into: FFI::MemoryPointer.new(:char, 8 * length))
+      end
+    end
+    offsets = self.class.integers("offsets")
+    list = self.class.integers("list")
+    assert_equal offsets.each_cons(2).map { |from, to| list[from...to] }, t.vertex_tetrahedra
+    # Euler's formula for a ball.
+    facets = (4 * t.tetrahedron_count + t.hull_facet_count) / 2
+    assert_equal 1, t.vertex_count - t.edge_count + facets - t.tetrahedron_count
+    assert_equal [1010, 1000, 10], [t.point_count, t.vertex_count, t.statistic(:duplicates)]
+    %i[combinatorial geometric canonical].each { |level| assert t.check(level) }
+  end
+
+  def test_every_way_to_give_points
+    columns = POINTS.transpose.map { |c| FFI::MemoryPointer.new(:double, c.size).write_array_of_double(c) }
+    whole = FFI::MemoryPointer.new(:double, 3 * POINTS.size).write_array_of_double(POINTS.flatten)
+    bare = FFI::Pointer.new(whole.address)
+    ways = {
+      rows: ->(t) { t.insert(POINTS) },
+      flat: ->(t) { t.insert(POINTS.flatten) },
+      packed: ->(t) { t.insert(PACKED.dup) },
+      memory: ->(t) { t.insert(whole) },
+      bare_pointer: ->(t) { t.insert(bare, POINTS.size) },
+      separate: ->(t) { t.insert_strided(POINTS.size, *columns) },
+      records: ->(t) { t.insert_strided(POINTS.size, whole, whole + 8, whole + 16, 3) },
+      batches: ->(t) { POINTS.each_slice(300) { |some| t.insert(some) } }
+    }
+    ways.each do |name, way|
+      t = Mgdt::Triangulation.new(canonical: true, seed: 2**64 - 1, threads: 0)
+      t.reserve(POINTS.size)
+      way.call(t)
+      assert_equal expected(:tetrahedra), t.tetrahedra, name
+    end
+    assert_equal 10, Mgdt::Triangulation::ORDER_SCHEMES.size
+    Mgdt::Triangulation::ORDER_SCHEMES.each do |scheme|
+      assert_equal expected(:tetrahedra), triangulation(order: scheme).tetrahedra, scheme
+    end
+    assert_equal expected(:tetrahedra),
+                 triangulation(order: "multi-grid", points_per_cell: 3, threshold: 20).tetrahedra
+  end
+
+  def test_location_and_nearest
+    t = triangulation
+    queries = self.class.bytes("queries").unpack("d*").each_slice(3).to_a
+    located = self.class.integers("located").map { |k| k == -1 ? nil : k }
+    found, weights = t.locate_points(queries)
+    assert_equal located, found
+    assert_equal self.class.bytes("weights").unpack("d*").each_slice(4).to_a, weights
+    assert_equal located, queries.map { |q| t.locate(q) }
+    assert_includes 10..190, located.count(nil)
+    distinct = POINTS.first(1000)
+    queries.zip(self.class.integers("nearest")).each do |q, reference|
+      # Brute force is the truth.
+      best = distinct.each_index.min_by { |k| distinct[k].zip(q).sum { |a, b| (a - b)**2 } }
+      assert_equal [best, best], [t.nearest(q), reference]
+    end
+    assert_equal [[], []], t.locate_points([])
+    assert_nil Mgdt::Triangulation.new.nearest([0, 0, 0])
+    assert_nil Mgdt::Triangulation.new.locate([0, 0, 0])
+  end
+
+  def test_index_base_one
+    t = triangulation(index_base: 1)
+    assert_equal(expected(:tetrahedra).map { |v| v.map { |k| k + 1 } }, t.tetrahedra)
+    assert_equal 1, t.nearest(POINTS[0])
+    assert_nil t.locate([5, 5, 5])
+    list = self.class.integers("list")
+    offsets = self.class.integers("offsets")
+    assert_equal(list[offsets[7]...offsets[8]].map { |k| k + 1 }, t.vertex_tetrahedra[7])
+    refused(Mgdt::NotFinite, "point 1012") { t.insert([[0, 0, 0], [NAN, 0, 0]]) }
+  end
+
+  def test_flat_sets_are_valid_and_wait
+    t = Mgdt::Triangulation.new
+    assert_equal [-1, []], [t.dimension, t.tetrahedra]
+    t.insert([])
+    10.times { |x| 10.times { |y| t.insert([x, y, 0]) } }
+    assert_equal [2, 0, 100], [t.dimension, t.tetrahedron_count, t.vertex_count]
+    assert_equal 34, t.nearest([3.2, 4.1, 7])
+    assert_equal [[], [], []], [t.tetrahedra, t.neighbors, t.edges]
+    assert t.check
+    t.insert([0, 0, 1])
+    assert_equal 3, t.dimension
+    assert_operator t.tetrahedron_count, :>=, 162
+    assert t.check
+    assert_same t, t.clear
+    assert_equal 0, t.point_count
+    t.insert([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1])
+    assert_equal 1, t.tetrahedron_count
+  end
+
+  def test_bad_values_are_refused_and_change_nothing
+    t = triangulation
+    assert_equal 12, refused(Mgdt::NotFinite, "point 1011", "y") { t.insert([[0, 0, 0], [0, NAN, 0]]) }.status
+    refused(Mgdt::NotFinite, "point 1010", "x") { t.insert([[Float::INFINITY, 0, 0]]) }
+    refused(Mgdt::InvalidArgument, "points[1]") { t.insert([[0, 0, 0], [1, 2]]) }
+    refused(Mgdt::InvalidArgument, "number 5", '"z"') { t.insert([[0, 0, 0], [1, 2, "z"]]) }
+    refused(Mgdt::InvalidArgument, "number 1", "nil") { t.insert([0, nil, 0]) }
+    refused(Mgdt::InvalidArgument, "number 0", "i") { t.insert([Complex(0, 1), 0, 0]) }
+    refused(Mgdt::InvalidArgument, "multiple of 3") { t.insert([0, 0, 0, 1]) }
+    refused(Mgdt::InvalidArgument, "multiple of 3") { t.insert("0 0 0 and more") }
+    refused(Mgdt::InvalidArgument, "too few") { t.insert([0, 0, 0], 2) }
+    refused(Mgdt::InvalidArgument, "Hash") { t.insert({}) }
+    refused(Mgdt::InvalidArgument, "NilClass") { t.insert(nil) }
+    refused(Mgdt::InvalidArgument, "negative", "-1") { t.insert([], -1) }
+    refused(Mgdt::InvalidArgument, "number of points") { t.insert(FFI::Pointer.new(8)) }
+    refused(Mgdt::InvalidArgument, "NULL") { t.insert(FFI::Pointer::NULL, 1) }
+    refused(Mgdt::InvalidArgument, "y is of class Array") { t.insert_strided(1, FFI::Pointer::NULL, [], []) }
+    refused(Mgdt::UnknownName, "spiral") { t.order = "spiral" }
+    refused(Mgdt::UnknownName, "speed") { t.statistic(:speed) }
+    refused(Mgdt::UnknownName, "cells") { t.set_parameter(:cells, 3) }
+    refused(Mgdt::InvalidArgument, "threshold", "-1") { t.set_parameter(:threshold, -1) }
+    refused(Mgdt::InvalidArgument, "base") { t.index_base = 2 }
+    refused(Mgdt::InvalidArgument, "base") { t.index_base = 2**40 }
+    refused(Mgdt::InvalidArgument, "negative") { t.memory_limit = -1 }
+    refused(Mgdt::InvalidArgument, "seed") { t.seed = -1 }
+    refused(Mgdt::InvalidArgument, "threads") { t.threads = 1.5 }
+    refused(Mgdt::InvalidArgument, "negative") { t.threads = -1 }
+    refused(Mgdt::InvalidArgument, "level") { t.check(9) }
+    refused(Mgdt::InvalidArgument, "mmx") { t.isa = "mmx" }
+    refused(Mgdt::NotFinite) { t.locate([NAN, 0, 0]) }
+    refused(Mgdt::NotFinite) { t.nearest([NAN, 0, 0]) }
+    refused(Mgdt::NotFinite, "1") { t.locate_points([[0, 0, 0], [0, NAN, 0]]) }
+    refused(Mgdt::InvalidArgument, "one point") { t.locate([[0, 0, 0], [1, 1, 1]]) }
+    refused(ArgumentError, "colour") { Mgdt::Triangulation.new(colour: "red") }
+    assert_equal 1010, t.point_count
+    assert_equal expected(:tetrahedra), t.tetrahedra
+    assert t.check
+    t.isa = "baseline"
+    assert_equal "baseline", t.isa
+  end
+
+  def test_memory_limit
+    t = Mgdt::Triangulation.new(memory_limit: 100_000)
+    assert_equal 30, refused(Mgdt::OutOfMemory, "memory") { t.insert(PACKED) }.status
+    assert t.check
+    assert_operator t.statistics[:peak_memory_bytes], :<=, 100_000
+    t.memory_limit = nil
+    t.insert(PACKED)
+    assert_equal 1000, t.vertex_count
+    assert t.check
+  end
+
+  def test_progress
+    seen = []
+    Mgdt::Triangulation.new.insert(PACKED) { |fraction| seen << fraction }
+    assert_equal seen.sort, seen
+    assert_equal 1, seen.last
+    assert_operator seen.size, :>, 50
+  end
+
+  def test_cancelling
+    [->(_) { :cancel }, ->(t) { t.cancel }, ->(_) { throw :out }].each do |way|
+      t = Mgdt::Triangulation.new
+      error = refused(Mgdt::Cancelled, "1010 points") do
+        catch(:out) { t.insert(PACKED) { |fraction| way.call(t) if fraction > 0.4 } }
+      end
+      assert_equal 40, error.status
+      assert t.check
+      assert_includes 101..999, t.vertex_count
+      t.insert(PACKED)
+      assert_equal 1000, t.vertex_count
+      assert t.check
+    end
+    t = Mgdt::Triangulation.new
+    assert_raises(Mgdt::Cancelled) { t.insert(PACKED) { break } }
+    t.cancel
+    assert_raises(Mgdt::Cancelled) { t.insert(PACKED) }
+    t.insert(PACKED)
+  end
+
+  def test_cancelling_from_another_thread
+    t = Mgdt::Triangulation.new
+    started = Queue.new
+    cancelled = Queue.new
+    worker = Thread.new do
+      Thread.current.report_on_exception = false
+      t.insert(PACKED) do |fraction|
+        if fraction.zero?
+          started << true
+          cancelled.pop
+        end
+      end
+    end
+    started.pop
+    t.cancel
+    cancelled << true
+    assert_raises(Mgdt::Cancelled) { worker.value }
+    assert_operator t.vertex_count, :<, 1000
+    assert t.check
+  end
+
+  def test_other_threads_run_during_an_insertion
+    random = Random.new(1)
+    many = Array.new(3 * 200_000) { random.rand }.pack("d*")
+    t = Mgdt::Triangulation.new(order: "random")
+    worker = Thread.new { t.insert(many) }
+    ticks = 0
+    ticks += 1 while worker.join(0.001).nil?
+    assert_operator ticks, :>, 10
+    assert_equal 200_000, t.vertex_count
+  end
+
+  def test_what_the_block_raises_comes_out
+    [0, 0.5, 1].each do |at|
+      t = Mgdt::Triangulation.new
+      mine = Class.new(StandardError)
+      assert_raises(mine) { t.insert(PACKED) { |fraction| raise mine if fraction >= at } }
+      assert t.check
+    end
+    t = Mgdt::Triangulation.new
+    refused(Mgdt::InvalidArgument, "progress block") { t.insert(PACKED) { t.point_count } }
+    refused(Mgdt::InvalidArgument, "progress block") { t.insert(PACKED) { t.close } }
+    3000.times { assert_raises(IOError) { t.insert([0, 0, 0]) { raise IOError } } }
+  end
+
+  def test_threads_wait_for_each_other
+    t = Mgdt::Triangulation.new(canonical: true)
+    POINTS.each_slice(101).map { |some| Thread.new { 20.times { t.insert(some) } } }.each(&:join)
+    assert_equal 1000, t.vertex_count
+    assert_equal 20 * 1010, t.point_count
+    assert t.check
+  end
+
+  def resident = File.read("/proc/self/statm").split[1].to_i * 4096
+
+  def make(close)
+    (1..1000).sum do |k|
+      t = Mgdt::Triangulation.new
+      t.insert(PACKED)
+      held = t.statistic(:memory_bytes)
+      t.close if close
+      GC.start if (k % 10).zero?
+      held
+    end
+  end
+
+  def test_handles_are_freed
+    [false, true].each do |close|
+      make(close)
+      GC.start
+      before = resident
+      held = make(close)
+      GC.start
+      grown = resident - before
+      puts format("%d MB in 1000 handles; the process grew by %.1f MB", held / 1e6, grown / 1e6)
+      assert_operator held, :>, 200e6
+      assert_operator grown, :<, 40e6
+    end
+  end
+
+  def test_closed
+    t = triangulation
+    t.close
+    t.close
+    assert t.closed?
+    assert_includes t.inspect, "closed"
+    %i[point_count tetrahedra vertex_tetrahedra cancel clear statistics].each do |name|
+      refused(Mgdt::Closed, "closed") { t.public_send(name) }
+    end
+    refused(Mgdt::Closed) { t.insert(PACKED) }
+  end
+
+  # A C type as ffi names it.
+  def ffi_type(text)
+    return :string if text =~ /\Aconst char ?\*/
+    return :pointer if text.include?("*")
+
+    name = text[/\w+/]
+    { "mgdt_status" => :int32, "mgdt_progress_fn" => :progress, "void" => :void,
+      "double" => :double }.fetch(name) { name.delete_suffix("_t").to_sym }
+  end
+
+  def test_declarations_are_those_of_the_header
+    header = File.read(ENV.fetch("MGDT_HEADER")).gsub(%r{/\*.*?\*/}m, "")
+    prototypes = header.scan(/MGDT_API\s+([^;()]*?)(mgdt_\w+)\(([^()]*)\);/m).to_h do |result, name, list|
+      parameters = list.strip == "void" ? [] : list.split(",").map { |one| ffi_type(one.strip) }
+      [name, [ffi_type(result.strip), *parameters]]
+    end
+    assert_operator ATTACHED.size, :>, 40
+    ATTACHED.each { |name, types| assert_equal prototypes[name], types, name }
+  end
+
+  def test_version
+    assert_match(/\A\d+\.\d+\.\d+\z/, Mgdt.version)
+    assert_equal Mgdt.version, Gem::Specification.load(ENV.fetch("MGDT_GEMSPEC")).version.to_s
+  end
+end
