@@ -11,7 +11,7 @@ from typing import Any, Callable, Iterator, Mapping, Optional, TypeVar, Union
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _qhull_options
+from . import _errors, _qhull_options
 from ._arrays import (
     FloatArray,
     IndexArray,
@@ -71,7 +71,7 @@ class GrowingTriangulation:
             "order_parameters": {k: float(v) for k, v in (order_parameters or {}).items()},
             "seed": whole(seed, "seed", 0, 2**64 - 1),
             "threads": whole(threads, "threads", 0, 2**31 - 1),
-            "memory_limit": whole(memory_limit or 0, "memory_limit", 0, 2**63 - 1),
+            "memory_limit": self._bytes(memory_limit),
             "canonical": bool(canonical),
         }
         self._begin(bool(incremental))
@@ -176,7 +176,7 @@ class GrowingTriangulation:
                 self._insert(handle, added, "points")
                 return
             if not finite_rows(added).all():
-                raise ValueError(describe_not_finite(added, "points"))
+                raise _errors.make(_errors.NOT_FINITE, describe_not_finite(added, "points"))
             everything = np.concatenate([self._store.all, added])
             handle.clear()
             self._store, self._batches, self._cache = PointStore(copies=True), [], {}
@@ -210,6 +210,25 @@ class GrowingTriangulation:
         handle = self._handle
         if handle is not None:
             handle.cancel()
+
+    @staticmethod
+    def _bytes(limit: Optional[int]) -> int:
+        return whole(limit or 0, "memory_limit", 0, 2**63 - 1)
+
+    @property
+    def memory_limit(self) -> Optional[int]:
+        """Bytes that the triangulation may hold in the library; None for no limit. May be set.
+
+        Arrays for the caller do not count; what the library needs to make them, or to check, does.
+        """
+        return self._settings["memory_limit"] or None
+
+    @memory_limit.setter
+    def memory_limit(self, limit: Optional[int]) -> None:
+        limit_in_bytes = self._bytes(limit)
+        with self._writing() as handle:
+            handle.set_memory_limit(limit_in_bytes)
+            self._settings["memory_limit"] = limit_in_bytes
 
     # What is in
 
