@@ -18,11 +18,13 @@ class Gate:
         self._changed = threading.Condition(threading.Lock())
         self._readers = 0
         self._writer: Optional[int] = None
+        # Readers that come after a writer wait for it: readers without a pause would keep it out.
+        self._waiting_writers = 0
 
     @contextmanager
     def reading(self) -> Iterator[None]:
         with self._changed:
-            self._wait(lambda: self._writer is None)
+            self._wait(lambda: self._writer is None and self._waiting_writers == 0)
             self._readers += 1
         try:
             yield
@@ -34,7 +36,12 @@ class Gate:
     @contextmanager
     def writing(self) -> Iterator[None]:
         with self._changed:
-            self._wait(lambda: self._writer is None and self._readers == 0)
+            self._waiting_writers += 1
+            try:
+                self._wait(lambda: self._writer is None and self._readers == 0)
+            finally:
+                self._waiting_writers -= 1
+                self._changed.notify_all()
             self._writer = threading.get_ident()
         try:
             yield
