@@ -7,6 +7,9 @@ import subprocess
 import sys
 import time
 import unittest
+from unittest import mock
+
+from mgdt._insertion import Insertion
 
 # What the children have in common. They print the time at which a signal's exception reached them;
 # the clock is the system's.
@@ -68,6 +71,47 @@ class Child:
     def end(self):
         out, errors = self.process.communicate(timeout=60)
         return self.process.returncode, out, errors
+
+
+class Requests(unittest.TestCase):
+    """When a request to stop goes to the library, which keeps one that comes outside a call."""
+
+    def insertion(self, progress=None):
+        sent = []
+        return Insertion(progress, lambda: sent.append(1)), sent
+
+    def test_before_the_first_report(self):
+        insertion, sent = self.insertion()
+        insertion.stop()
+        self.assertEqual((sent, insertion.report(0.0)), ([], 1))
+
+    def test_within(self):
+        insertion, sent = self.insertion()
+        self.assertEqual(insertion.report(0.0), 0)
+        insertion.stop()
+        self.assertEqual((sent, insertion.report(0.5)), ([1], 1))
+
+    def test_after_the_last_report(self):
+        insertion, sent = self.insertion()
+        for fraction in (0.0, 0.5, 1.0):
+            self.assertEqual(insertion.report(fraction), 0)
+        insertion.stop()
+        self.assertEqual(sent, [])
+
+    def test_a_call_not_yet_begun_is_not_made(self):
+        insertion, _ = self.insertion()
+        made = []
+        with mock.patch("threading.Thread") as thread, self.assertRaises(KeyboardInterrupt):
+            # The signal comes when the thread is on its way but has not begun.
+            thread.return_value.start.side_effect = KeyboardInterrupt
+            insertion.run(lambda: made.append(1), 10**6)
+        thread.call_args.kwargs["target"]()
+        self.assertEqual(made, [])
+
+    def test_what_the_call_raises(self):
+        insertion, _ = self.insertion()
+        with self.assertRaises(ZeroDivisionError):
+            insertion.run(lambda: 1 // 0, 10**6)
 
 
 class Interrupts(unittest.TestCase):

@@ -4,11 +4,13 @@
 import threading
 import time
 import unittest
+from unittest import mock
 
 import numpy as np
 from support import random_points, row_set
 
 import mgdt
+from mgdt._gate import Gate
 
 
 def together(*works):
@@ -192,6 +194,80 @@ class Threads(unittest.TestCase):
         except RuntimeError as error:
             # The release was first.
             self.assertIn("released", str(error))
+
+
+class Rules(unittest.TestCase):
+    """Who goes in while who is in."""
+
+    def setUp(self):
+        self.gate = Gate()
+        self.threads = []
+        self.addCleanup(lambda: [thread.join() for thread in self.threads])
+
+    def enter(self, passage):
+        """Goes in on a thread of its own; gives the events "is in" and "may go out"."""
+        inside, leave = threading.Event(), threading.Event()
+
+        def stay():
+            with passage():
+                inside.set()
+                leave.wait(10)
+
+        self.threads.append(threading.Thread(target=stay))
+        self.threads[-1].start()
+        return inside, leave
+
+    def test_readers_together(self):
+        (one, leave), (two, leave_too) = (self.enter(self.gate.reading) for _ in range(2))
+        self.assertTrue(one.wait(5) and two.wait(5))
+        leave.set()
+        leave_too.set()
+
+    def test_a_writer_alone(self):
+        for first in (self.gate.reading, self.gate.writing):
+            for second in (self.gate.reading, self.gate.writing):
+                if first == second == self.gate.reading:
+                    continue
+                is_in, leave = self.enter(first)
+                self.assertTrue(is_in.wait(5))
+                is_in_too, leave_too = self.enter(second)
+                self.assertFalse(is_in_too.wait(0.05))
+                leave.set()
+                self.assertTrue(is_in_too.wait(5))
+                leave_too.set()
+                self.threads[-1].join()
+
+    def test_a_waiting_writer_goes_first(self):
+        reading, stop_reading = self.enter(self.gate.reading)
+        self.assertTrue(reading.wait(5))
+        writing, stop_writing = self.enter(self.gate.writing)
+        self.assertFalse(writing.wait(0.05))
+        late, stop_late = self.enter(self.gate.reading)
+        self.assertFalse(late.wait(0.05))
+        stop_reading.set()
+        self.assertTrue(writing.wait(5))
+        self.assertFalse(late.is_set())
+        stop_writing.set()
+        self.assertTrue(late.wait(5))
+        stop_late.set()
+
+    def test_exceptions_open_it(self):
+        for passage in (self.gate.reading, self.gate.writing):
+            with self.assertRaises(KeyError), passage():
+                raise KeyError
+        # A writer that stops waiting leaves the way to others.
+        is_in, leave = self.enter(self.gate.reading)
+        self.assertTrue(is_in.wait(5))
+        with mock.patch.object(self.gate._changed, "wait_for", side_effect=KeyboardInterrupt):
+            with self.assertRaises(KeyboardInterrupt), self.gate.writing():
+                pass
+        with self.gate.reading():
+            leave.set()
+        with self.gate.writing():
+            with self.assertRaisesRegex(RuntimeError, "progress"), self.gate.reading():
+                pass
+            with self.assertRaisesRegex(RuntimeError, "progress"), self.gate.writing():
+                pass
 
 
 if __name__ == "__main__":

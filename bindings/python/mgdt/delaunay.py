@@ -268,7 +268,7 @@ class Delaunay(GrowingTriangulation):
         tol : float, optional
             Takes also places outside the hull for which some simplex has no barycentric weight
             below -`tol`. None, the default, and 0 take none. Each place outside is then compared
-            with every simplex at the hull, which takes time in proportion.
+            with every simplex that has a vertex on the hull, which takes time in proportion.
 
         Returns
         -------
@@ -287,7 +287,10 @@ class Delaunay(GrowingTriangulation):
             found = handle.locate_finite(places)
         if tol:
             outside = np.flatnonzero((found < 0) & finite_rows(places))
-            at_hull = np.flatnonzero((self.neighbors < 0).any(axis=1)).astype(np.int32)
+            # Not only those with a facet there: behind a very thin one it may be the next.
+            is_hull_vertex = np.zeros(self.npoints, dtype=np.bool_)
+            is_hull_vertex[self.convex_hull] = True
+            at_hull = np.flatnonzero(is_hull_vertex[self.simplices].any(axis=1)).astype(np.int32)
             found[outside] = _geometry.in_tolerance(
                 places[outside],
                 _geometry.barycentric_transforms(self.points, self.simplices[at_hull]),
