@@ -78,7 +78,9 @@ class Requests(unittest.TestCase):
 
     def insertion(self, progress=None):
         sent = []
-        return Insertion(progress, lambda: sent.append(1)), sent
+        insertion = Insertion(progress)
+        insertion.attach(lambda: sent.append(1))
+        return insertion, sent
 
     def test_before_the_first_report(self):
         insertion, sent = self.insertion()
@@ -90,6 +92,22 @@ class Requests(unittest.TestCase):
         self.assertEqual(insertion.report(0.0), 0)
         insertion.stop()
         self.assertEqual((sent, insertion.report(0.5)), ([1], 1))
+        # Once: the call may have heeded the first and returned.
+        insertion.stop()
+        self.assertEqual(sent, [1])
+
+    def test_when_the_progress_function_has_stopped_it(self):
+        insertion, sent = self.insertion(lambda fraction: fraction > 0.3)
+        self.assertEqual([insertion.report(f) for f in (0.0, 0.5)], [0, 1])
+        insertion.stop()
+        self.assertEqual(sent, [])
+
+    def test_when_the_call_has_failed(self):
+        insertion, sent = self.insertion()
+        insertion.report(0.0)
+        insertion.detach()
+        insertion.stop()
+        self.assertEqual(sent, [])
 
     def test_after_the_last_report(self):
         insertion, sent = self.insertion()
@@ -187,6 +205,45 @@ still_valid()
 """,
             times=5,
         )
+
+    def test_great_impatience(self):
+        # Signals all the time, also when the insertion begins and ends, and while it is being
+        # stopped, so that some get past everything. Whatever they cut short, the object agrees with
+        # itself, and goes on. They raise in add_points alone: no program can do anything if they do
+        # so everywhere.
+        with Child(
+            """
+class Alarm(Exception):
+    pass
+def ring(number, frame):
+    while frame:
+        if frame.f_code.co_name == "add_points":
+            raise Alarm
+        frame = frame.f_back
+many = rng.random((100_000, 3))
+signal.signal(signal.SIGALRM, ring)
+stopped = 0
+for k in range(60):
+    tri = mgdt.Delaunay(rng.random((10, 3)), incremental=True)
+    signal.setitimer(signal.ITIMER_REAL, 0.0001 + 0.003 * k, 0.0002)
+    try:
+        tri.add_points(many)
+    except Alarm:
+        stopped += 1
+    signal.setitimer(signal.ITIMER_REAL, 0)
+    before = int((tri.point_map >= 0).sum())
+    assert tri.npoints in (10, 100_010), tri.npoints
+    assert len(tri.point_map) == tri.npoints
+    tri.add_points(rng.random((10, 3)))
+    assert int((tri.point_map >= 0).sum()) == before + 10
+    tri.check(1)
+assert stopped >= 10, stopped
+print("valid")
+"""
+        ) as child:
+            # Python's own threading module complains of some; the status and the assertions count.
+            code, out, errors = child.end()
+            self.assertEqual((code, out), (0, "valid\n"), errors)
 
     def test_another_signal_whose_handler_raises(self):
         self.interrupted(

@@ -261,13 +261,20 @@ class Rules(unittest.TestCase):
         with mock.patch.object(self.gate._changed, "wait_for", side_effect=KeyboardInterrupt):
             with self.assertRaises(KeyboardInterrupt), self.gate.writing():
                 pass
+        # Also one that gives up.
+        with self.gate.writing(gives_up=lambda: True) as got_in:
+            self.assertFalse(got_in)
         with self.gate.reading():
             leave.set()
-        with self.gate.writing():
-            with self.assertRaisesRegex(RuntimeError, "progress"), self.gate.reading():
-                pass
-            with self.assertRaisesRegex(RuntimeError, "progress"), self.gate.writing():
-                pass
+        self.threads[-1].join()
+
+    def test_whom_the_writer_waits_for_is_refused(self):
+        with self.gate.writing(), self.gate.keeping_out():
+            for passage in (self.gate.reading, self.gate.writing):
+                with self.assertRaisesRegex(RuntimeError, "progress"), passage():
+                    pass
+        with self.gate.reading():
+            pass
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ctypes
+from functools import partial
 from typing import Any, Callable, Optional
 
 import numpy as np
@@ -17,7 +18,7 @@ from ._arrays import (
     finite_rows,
     stride_in_doubles,
 )
-from ._insertion import Insertion, ProgressFunction
+from ._insertion import Insertion
 
 _STATISTICS = (10, 11, 20, 21, 22, 30, 31, 40, 50, 51, 60, 61, 70, 71)
 _ORDER_PARAMETERS = {"points_per_cell": 10, "threshold": 20, "separation": 30, "round_ratio": 40}
@@ -38,7 +39,6 @@ class Handle:
     def __init__(self) -> None:
         self._library = _library.library
         self._pointer = ctypes.c_void_p()
-        self._running: Optional[Insertion] = None
         status = self._library.mgdt_create(ctypes.byref(self._pointer))
         if status != _errors.OK:
             raise _errors.make(status, "the library gave no triangulation: out of memory")
@@ -94,36 +94,27 @@ class Handle:
     def clear(self) -> None:
         self._call("mgdt_clear")
 
-    def insert(self, points: FloatArray, progress: Optional[ProgressFunction], name: str) -> None:
+    def insert(self, points: FloatArray, insertion: Insertion, name: str) -> None:
         """Inserts rows of doubles. Copies them only if they are no whole doubles apart."""
         stride = stride_in_doubles(points)
         if stride is None:
             points, stride = np.ascontiguousarray(points), 3
-        function = self._library.mgdt_insert_points
-        arguments: tuple[Any, ...] = (self._pointer, len(points), address(points))
-        if not points.flags.c_contiguous:
-            function = self._library.mgdt_insert_points_strided
-            arguments = arguments[:2] + (*(address(points, k) for k in range(3)), stride)
-
-        insertion = Insertion(progress, lambda: self._library.mgdt_cancel(self._pointer))
+        insertion.attach(partial(self._library.mgdt_cancel, self._pointer))
         report = _library.PROGRESS(insertion.report)
         self._call("mgdt_set_progress", report, None)
-        self._running = insertion
         try:
-            status = insertion.run(lambda: int(function(*arguments)), len(points))
+            if points.flags.c_contiguous:
+                self._call("mgdt_insert_points", len(points), address(points))
+            else:
+                columns = (address(points, k) for k in range(3))
+                self._call("mgdt_insert_points_strided", len(points), *columns, stride)
+        except _errors.ArgumentError as error:
+            if error.status != _errors.NOT_FINITE:
+                raise
+            raise _errors.make(error.status, describe_not_finite(points, name)) from None
         finally:
-            self._running = None
+            insertion.detach()
             self._call("mgdt_set_progress", _library.NO_PROGRESS, None)
-        if status == _errors.NOT_FINITE:
-            raise _errors.make(status, describe_not_finite(points, name))
-        if status != _errors.OK:
-            raise _errors.make(status, self._message(status))
-
-    def cancel(self) -> None:
-        """Stops the insertion that runs, if one does. From any thread."""
-        running = self._running
-        if running is not None:
-            running.stop()
 
     # Counts
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import operator
 import pickle
+import threading
 from contextlib import contextmanager
+from functools import partial
 from typing import Any, Callable, Iterator, Mapping, Optional, TypeVar, Union
 
 import numpy as np
@@ -22,7 +24,7 @@ from ._arrays import (
 )
 from ._gate import Gate
 from ._handle import Handle
-from ._insertion import ProgressFunction
+from ._insertion import Insertion, ProgressFunction
 
 _T = TypeVar("_T")
 _Self = TypeVar("_Self", bound="GrowingTriangulation")
@@ -75,13 +77,12 @@ class GrowingTriangulation:
             "canonical": bool(canonical),
         }
         self._begin(bool(incremental))
-        first = as_points(points)
-        with self._writing() as handle:
-            self._insert(handle, first, "points")
+        self._insert(as_points(points))
 
     def _begin(self, incremental: bool) -> None:
         settings = self._settings
         self._gate = Gate()
+        self._running: Optional[Insertion] = None
         self._incremental = incremental
         self._closed = False
         self._cache: dict[str, Any] = {}
@@ -129,10 +130,45 @@ class GrowingTriangulation:
 
     # Points in
 
-    def _insert(self, handle: Handle, points: FloatArray, name: str) -> None:
+    def _insert(self, points: FloatArray, restart: bool = False) -> None:
+        insertion = Insertion(self._guarded_progress())
+        caller = threading.get_ident()
+
+        # All that must not be left half done, since signals may cut short the thread that waits.
+        def work() -> None:
+            with self._gate.writing(caller, lambda: insertion.is_stopped) as got_in:
+                if not got_in:
+                    raise _errors.make(_errors.CANCELLED, "cancelled before the first point")
+                try:
+                    self._running = insertion
+                    self._insert_by(insertion, points, restart)
+                finally:
+                    self._running = None
+
+        self._gate.refuse_if_kept_out()
+        insertion.run(work, len(points) + (self.npoints if restart else 0))
+
+    def _guarded_progress(self) -> Optional[ProgressFunction]:
+        if self.progress is None:
+            return None
+
+        def guarded(progress: ProgressFunction, gate: Gate, fraction: float) -> object:
+            with gate.keeping_out():
+                return progress(fraction)
+
+        return partial(guarded, self.progress, self._gate)
+
+    def _insert_by(self, insertion: Insertion, points: FloatArray, restart: bool) -> None:
+        handle = self._held()
+        if restart:
+            if not finite_rows(points).all():
+                raise _errors.make(_errors.NOT_FINITE, describe_not_finite(points, "points"))
+            points = np.concatenate([self._store.all, points])
+            handle.clear()
+            self._store, self._batches, self._cache = PointStore(copies=True), [], {}
         before = handle.point_count
         try:
-            handle.insert(points, self.progress, name)
+            handle.insert(points, insertion, "points")
         finally:
             # Also after an insertion that was stopped: its points have their indices.
             if handle.point_count > before:
@@ -170,17 +206,7 @@ class GrowingTriangulation:
             raise RuntimeError(
                 "points can be added only to Delaunay(points, incremental=True) before close()"
             )
-        added = as_points(points)
-        with self._writing() as handle:
-            if not restart:
-                self._insert(handle, added, "points")
-                return
-            if not finite_rows(added).all():
-                raise _errors.make(_errors.NOT_FINITE, describe_not_finite(added, "points"))
-            everything = np.concatenate([self._store.all, added])
-            handle.clear()
-            self._store, self._batches, self._cache = PointStore(copies=True), [], {}
-            self._insert(handle, everything, "points")
+        self._insert(as_points(points), restart)
 
     def close(self) -> None:
         """Ends adding of points, as in SciPy. All else stays; see `release`. Since 1.0."""
@@ -207,9 +233,9 @@ class GrowingTriangulation:
 
         Without one, nothing happens. Since 1.0.
         """
-        handle = self._handle
-        if handle is not None:
-            handle.cancel()
+        running = self._running
+        if running is not None:
+            running.stop()
 
     @staticmethod
     def _bytes(limit: Optional[int]) -> int:
@@ -270,9 +296,8 @@ class GrowingTriangulation:
         self._settings = state["settings"]
         self._begin(state["incremental"])
         ends = np.cumsum(state["batches"], dtype=np.int64)
-        with self._writing() as handle:
-            for begin, end in zip(np.concatenate([[0], ends]), ends):
-                self._insert(handle, state["points"][begin:end], "points")
+        for begin, end in zip(np.concatenate([[0], ends]), ends):
+            self._insert(state["points"][begin:end])
         self._closed = state["closed"]
 
     def __repr__(self) -> str:
