@@ -83,7 +83,8 @@ def main():
             f"{name:8} median {medians[name]:.3f} s, least {min(values):.3f} s, "
             f"most {max(values):.3f} s of {len(values)} rounds, {options.points} points"
         )
-    print(f"Python / C - 1 = {100 * overhead:+.1f} % (at most {100 * LARGEST_OVERHEAD:.0f} % is asked)")
+    limit = f"less than {100 * LARGEST_OVERHEAD:.0f} % is asked"
+    print(f"Python / C - 1 = {100 * overhead:+.1f} %; {limit}")
     return int(overhead >= LARGEST_OVERHEAD)
 
 

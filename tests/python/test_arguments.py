@@ -47,9 +47,8 @@ class Wrong(unittest.TestCase):
                 self.refused(ValueError, words, mgdt.Delaunay, np.asfortranarray(points))
         tri = mgdt.Delaunay(random_points(10, 2), incremental=True)
         for restart in (False, True):
-            self.refused(
-                mgdt.ArgumentError, r"points\[1\]", tri.add_points, [[1, 2, 3], [1, 2, np.nan]], restart
-            )
+            points = [[1, 2, 3], [1, 2, np.nan]]
+            self.refused(mgdt.ArgumentError, r"points\[1\]", tri.add_points, points, restart)
         self.refused(ValueError, r"points\[1\]", tri.locate, [[1, 2, 3], [1, np.inf, 3]])
         self.refused(ValueError, r"points\[1\]", tri.nearest_vertex, [[1, 2, 3], [1, np.inf, 3]])
         self.refused(ValueError, r"points\[0\]", tri.interpolate, np.zeros(10), [1, np.nan, 3])
