@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+"""mgdt: exact 3D Delaunay triangulation of any set of points.
+
+`Delaunay` takes the place of ``scipy.spatial.Delaunay`` for points in space.
+"""
+
+from __future__ import annotations
+
+from . import _handle, _library
+from ._errors import (
+    ArgumentError,
+    Cancelled,
+    CheckFailed,
+    Error,
+    OutOfMemoryError,
+    TooLargeError,
+)
+from .delaunay import Delaunay
+from .interpolation import Interpolator
+
+__all__ = [
+    "ArgumentError",
+    "Cancelled",
+    "CheckFailed",
+    "Delaunay",
+    "Error",
+    "Interpolator",
+    "ORDER_SCHEMES",
+    "OutOfMemoryError",
+    "QhullError",
+    "TooLargeError",
+    "library_path",
+    "library_version",
+]
+
+__version__ = "1.0.0"
+
+ORDER_SCHEMES = tuple(_handle.ORDER_SCHEMES)
+"""Names of the order schemes, for the parameter ``order`` of `Delaunay`."""
+
+QhullError = Error
+"""So that code which catches SciPy's runs. Few or flat points, its usual cause, raise nothing."""
+
+
+def library_version() -> str:
+    """Version of the library in use, such as "1.0.0". Since 1.0."""
+    return _library.text(_library.library.mgdt_version_string())
+
+
+def library_path() -> str:
+    """The library in use: a file, or the name that the system's loader resolved. Since 1.0."""
+    return _library.path

@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: MIT
+"""A triangulation of the library's: safe to hold and to drop, its errors exceptions."""
+
+from __future__ import annotations
+
+import ctypes
+from functools import partial
+from typing import Any, Callable, Optional
+
+import numpy as np
+
+from . import _errors, _library
+from ._arrays import (
+    FloatArray,
+    IndexArray,
+    address,
+    describe_not_finite,
+    finite_rows,
+    stride_in_doubles,
+)
+from ._insertion import Insertion
+
+_STATISTICS = (10, 11, 20, 21, 22, 30, 31, 40, 50, 51, 60, 61, 70, 71)
+_ORDER_PARAMETERS = {"points_per_cell": 10, "threshold": 20, "separation": 30, "round_ratio": 40}
+_MESSAGE_BYTES = 256
+
+# The library sorts locations in blocks of as many; between blocks Ctrl-C is heard.
+_LOCATION_BLOCK = 1 << 20
+
+ORDER_SCHEMES = {
+    _library.text(_library.library.mgdt_order_scheme_name(key)): key for key in range(0, 100, 10)
+}
+"""The order schemes by name."""
+
+
+class Handle:
+    """Owns an ``mgdt_triangulation``. The caller keeps the library's thread rule (see `Gate`)."""
+
+    def __init__(self) -> None:
+        self._library = _library.library
+        self._pointer = ctypes.c_void_p()
+        status = self._library.mgdt_create(ctypes.byref(self._pointer))
+        if status != _errors.OK:
+            raise _errors.make(status, "the library gave no triangulation: out of memory")
+
+    def __del__(self) -> None:
+        if self._pointer:
+            self._library.mgdt_destroy(self._pointer)
+
+    def _message(self, status: int) -> str:
+        buffer = ctypes.create_string_buffer(_MESSAGE_BYTES)
+        self._library.mgdt_get_error(self._pointer, _MESSAGE_BYTES, buffer)
+        return _library.text(buffer.value) or _library.text(
+            self._library.mgdt_status_string(status)
+        )
+
+    def _call(self, name: str, *arguments: Any) -> None:
+        status = getattr(self._library, name)(self._pointer, *arguments)
+        if status != _errors.OK:
+            raise _errors.make(status, self._message(status))
+
+    # Settings
+
+    def set_order(self, scheme: str, parameters: dict[str, float]) -> None:
+        if scheme not in ORDER_SCHEMES:
+            raise _errors.make(
+                _errors.UNKNOWN_SCHEME,
+                f"there is no order scheme {scheme!r}; there are {', '.join(ORDER_SCHEMES)}",
+            )
+        self._call("mgdt_set_order_scheme", ORDER_SCHEMES[scheme])
+        for name, value in parameters.items():
+            if name not in _ORDER_PARAMETERS:
+                raise _errors.make(
+                    _errors.UNKNOWN_KEY,
+                    f"there is no order parameter {name!r}; "
+                    f"there are {', '.join(_ORDER_PARAMETERS)}",
+                )
+            self._call("mgdt_set_order_parameter", _ORDER_PARAMETERS[name], value)
+
+    def set_seed(self, seed: int) -> None:
+        self._call("mgdt_set_seed", seed)
+
+    def set_threads(self, threads: int) -> None:
+        self._call("mgdt_set_threads", threads)
+
+    def set_memory_limit(self, limit: int) -> None:
+        self._call("mgdt_set_memory_limit", limit)
+
+    def set_canonical(self, on: bool) -> None:
+        self._call("mgdt_set_canonical_output", int(on))
+
+    # Points
+
+    def clear(self) -> None:
+        self._call("mgdt_clear")
+
+    def insert(self, points: FloatArray, insertion: Insertion, name: str) -> None:
+        """Inserts rows of doubles. Copies them only if they are no whole doubles apart."""
+        stride = stride_in_doubles(points)
+        if stride is None:
+            points, stride = np.ascontiguousarray(points), 3
+        insertion.attach(partial(self._library.mgdt_cancel, self._pointer))
+        report = _library.PROGRESS(insertion.report)
+        self._call("mgdt_set_progress", report, None)
+        try:
+            if points.flags.c_contiguous:
+                self._call("mgdt_insert_points", len(points), address(points))
+            else:
+                columns = (address(points, k) for k in range(3))
+                self._call("mgdt_insert_points_strided", len(points), *columns, stride)
+        except _errors.ArgumentError as error:
+            if error.status != _errors.NOT_FINITE:
+                raise
+            raise _errors.make(error.status, describe_not_finite(points, name)) from None
+        finally:
+            insertion.detach()
+            self._call("mgdt_set_progress", _library.NO_PROGRESS, None)
+
+    # Counts
+
+    def _count(self, name: str) -> int:
+        return int(getattr(self._library, name)(self._pointer))
+
+    @property
+    def point_count(self) -> int:
+        return self._count("mgdt_point_count")
+
+    @property
+    def vertex_count(self) -> int:
+        return self._count("mgdt_vertex_count")
+
+    @property
+    def tetrahedron_count(self) -> int:
+        return self._count("mgdt_tetrahedron_count")
+
+    @property
+    def dimension(self) -> int:
+        return self._count("mgdt_dimension")
+
+    # Arrays
+
+    def _export(self, name: str, *shape: int) -> IndexArray:
+        out = np.empty(shape, dtype=np.int32)
+        self._call(name, out.size, address(out))
+        return out
+
+    def tetrahedra(self) -> IndexArray:
+        return self._export("mgdt_get_tetrahedra_i32", self.tetrahedron_count, 4)
+
+    def neighbors(self) -> IndexArray:
+        return self._export("mgdt_get_neighbors_i32", self.tetrahedron_count, 4)
+
+    def hull_facets(self) -> IndexArray:
+        return self._export("mgdt_get_hull_facets_i32", self._count("mgdt_hull_facet_count"), 3)
+
+    def edges(self) -> IndexArray:
+        return self._export("mgdt_get_edges_i32", self._count("mgdt_edge_count"), 2)
+
+    def point_map(self) -> IndexArray:
+        return self._export("mgdt_get_point_map_i32", self.point_count)
+
+    # Queries
+
+    def locate(
+        self, places: FloatArray, weights: Optional[FloatArray], name: str
+    ) -> IndexArray:
+        """The tetrahedra of contiguous rows; -1 outside. Fills weights (m, 4) where given."""
+        out = np.empty(len(places), dtype=np.int32)
+        function = self._library.mgdt_locate_points_i32
+        for begin in range(0, len(places), _LOCATION_BLOCK):
+            block = places[begin : begin + _LOCATION_BLOCK]
+            status = function(
+                self._pointer,
+                len(block),
+                address(block),
+                address(out[begin:]),
+                None if weights is None else address(weights[begin:]),
+            )
+            if status == _errors.NOT_FINITE:
+                raise _errors.make(status, describe_not_finite(places, name))
+            if status != _errors.OK:
+                raise _errors.make(status, self._message(status))
+        return out
+
+    def locate_finite(self, places: FloatArray) -> IndexArray:
+        """The tetrahedra of contiguous rows; -1 outside and for rows that are not finite."""
+        try:
+            return self.locate(places, None, "")
+        except _errors.ArgumentError:
+            finite = finite_rows(places)
+            out = np.full(len(places), -1, dtype=np.int32)
+            out[finite] = self.locate(places[finite], None, "")
+            return out
+
+    def nearest_vertices(self, places: FloatArray, name: str) -> IndexArray:
+        out = np.empty(len(places), dtype=np.int64)
+        if not finite_rows(places).all():
+            raise _errors.make(_errors.NOT_FINITE, describe_not_finite(places, name))
+        function: Callable[[ctypes.c_void_p, int, int], int] = self._library.mgdt_nearest_vertex
+        pointer, place, vertex = self._pointer, address(places), address(out)
+        for k in range(len(places)):
+            status = function(pointer, place + 24 * k, vertex + 8 * k)
+            if status != _errors.OK:
+                raise _errors.make(status, self._message(status))
+        return out.astype(np.int32)
+
+    # Trust and figures
+
+    def check(self, level: int) -> None:
+        self._call("mgdt_check", level)
+
+    def statistics(self) -> dict[str, float]:
+        figures: dict[str, float] = {}
+        value = ctypes.c_double()
+        for key in _STATISTICS:
+            name = _library.text(self._library.mgdt_stat_name(key)).replace(" ", "_")
+            self._call("mgdt_get_stat", key, ctypes.byref(value))
+            figures[name] = value.value if name.endswith("seconds") else int(value.value)
+        return figures
+
+    def isa(self) -> str:
+        return _library.text(self._library.mgdt_isa_name(self._pointer))

@@ -1,0 +1,306 @@
+# SPDX-License-Identifier: MIT
+"""A triangulation that grows: points in, threads, stopping, and the end of it."""
+
+from __future__ import annotations
+
+import operator
+import pickle
+import threading
+from contextlib import contextmanager
+from functools import partial
+from typing import Any, Callable, Iterator, Mapping, Optional, TypeVar, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _errors, _qhull_options
+from ._arrays import (
+    FloatArray,
+    IndexArray,
+    PointStore,
+    as_points,
+    describe_not_finite,
+    finite_rows,
+)
+from ._gate import Gate
+from ._handle import Handle
+from ._insertion import Insertion, ProgressFunction
+
+_T = TypeVar("_T")
+_Self = TypeVar("_Self", bound="GrowingTriangulation")
+
+
+def whole(value: Any, name: str, least: int, most: int) -> int:
+    """An integer in its range: ctypes would cut it to its bits."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} must be an integer, not {type(value).__name__}") from None
+    if not least <= number <= most:
+        raise ValueError(f"{name} is {number}; it must be from {least} to {most}")
+    return number
+
+
+class GrowingTriangulation:
+    """What `mgdt.Delaunay` does with points before anyone asks for tetrahedra.
+
+    The parameters are documented there.
+    """
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        furthest_site: bool = False,
+        incremental: bool = False,
+        qhull_options: Union[None, str, bytes] = None,
+        *,
+        order: str = "auto",
+        order_parameters: Optional[Mapping[str, float]] = None,
+        seed: int = 0,
+        threads: int = 1,
+        memory_limit: Optional[int] = None,
+        canonical: bool = False,
+        progress: Optional[ProgressFunction] = None,
+    ) -> None:
+        if furthest_site:
+            raise ValueError("mgdt has no furthest-site triangulation")
+        _qhull_options.check(qhull_options)
+        if not isinstance(order, str):
+            raise TypeError(f"order must be a string, not {type(order).__name__}")
+        self.progress = progress
+        self._settings: dict[str, Any] = {
+            "order": order,
+            "order_parameters": {k: float(v) for k, v in (order_parameters or {}).items()},
+            "seed": whole(seed, "seed", 0, 2**64 - 1),
+            "threads": whole(threads, "threads", 0, 2**31 - 1),
+            "memory_limit": self._bytes(memory_limit),
+            "canonical": bool(canonical),
+        }
+        self._begin(bool(incremental))
+        self._insert(as_points(points))
+
+    def _begin(self, incremental: bool) -> None:
+        settings = self._settings
+        self._gate = Gate()
+        self._running: Optional[Insertion] = None
+        self._incremental = incremental
+        self._closed = False
+        self._cache: dict[str, Any] = {}
+        self._store = PointStore(copies=incremental)
+        self._batches: list[int] = []
+        self._handle: Optional[Handle] = Handle()
+        self._handle.set_order(settings["order"], settings["order_parameters"])
+        self._handle.set_seed(settings["seed"])
+        self._handle.set_threads(settings["threads"])
+        self._handle.set_memory_limit(settings["memory_limit"])
+        self._handle.set_canonical(settings["canonical"])
+
+    # Access: many threads that read, or one that writes.
+
+    @contextmanager
+    def _reading(self) -> Iterator[Handle]:
+        with self._gate.reading():
+            yield self._held()
+
+    @contextmanager
+    def _writing(self) -> Iterator[Handle]:
+        with self._gate.writing():
+            yield self._held()
+
+    def _held(self) -> Handle:
+        if self._handle is None:
+            raise RuntimeError("the triangulation has been released")
+        return self._handle
+
+    def _cached(self, name: str, make: Callable[[], _T]) -> _T:
+        # An array made while another thread adds points belongs to the cache of before.
+        cache = self._cache
+        if name not in cache:
+            cache[name] = make()
+        value: _T = cache[name]
+        return value
+
+    def _exported(self, name: str) -> IndexArray:
+        def export() -> Any:
+            with self._reading() as handle:
+                return getattr(handle, name)()
+
+        array: IndexArray = self._cached(name, export)
+        return array
+
+    # Points in
+
+    def _insert(self, points: FloatArray, restart: bool = False) -> None:
+        insertion = Insertion(self._guarded_progress())
+        caller = threading.get_ident()
+
+        # All that must not be left half done, since signals may cut short the thread that waits.
+        def work() -> None:
+            with self._gate.writing(caller, lambda: insertion.is_stopped) as got_in:
+                if not got_in:
+                    raise _errors.make(_errors.CANCELLED, "cancelled before the first point")
+                try:
+                    self._running = insertion
+                    self._insert_by(insertion, points, restart)
+                finally:
+                    self._running = None
+
+        self._gate.refuse_if_kept_out()
+        insertion.run(work, len(points) + (self.npoints if restart else 0))
+
+    def _guarded_progress(self) -> Optional[ProgressFunction]:
+        if self.progress is None:
+            return None
+
+        def guarded(progress: ProgressFunction, gate: Gate, fraction: float) -> object:
+            with gate.keeping_out():
+                return progress(fraction)
+
+        return partial(guarded, self.progress, self._gate)
+
+    def _insert_by(self, insertion: Insertion, points: FloatArray, restart: bool) -> None:
+        handle = self._held()
+        if restart:
+            if not finite_rows(points).all():
+                raise _errors.make(_errors.NOT_FINITE, describe_not_finite(points, "points"))
+            points = np.concatenate([self._store.all, points])
+            handle.clear()
+            self._store, self._batches, self._cache = PointStore(copies=True), [], {}
+        before = handle.point_count
+        try:
+            handle.insert(points, insertion, "points")
+        finally:
+            # Also after an insertion that was stopped: its points have their indices.
+            if handle.point_count > before:
+                self._store.append(points)
+                self._batches.append(len(points))
+                self._cache = {}
+
+    def add_points(self, points: ArrayLike, restart: bool = False) -> None:
+        """Adds points; they get the next indices.
+
+        Parameters
+        ----------
+        points : array_like of float, shape (m, 3)
+            Any number of points, also none.
+        restart : bool, optional
+            Whether to triangulate all points anew. The tetrahedra are the same either way; their
+            numbers may differ.
+
+        Raises
+        ------
+        RuntimeError
+            If the object was made without ``incremental=True``, or is closed.
+        Exception
+            What the constructor raises. After ValueError and TypeError nothing has changed. After
+            `Cancelled`, `OutOfMemoryError` and KeyboardInterrupt the triangulation is that of the
+            points that got in; all of the call's points are in `points`, and `point_map` is -1 for
+            those that are not in. They can be added again, under new indices.
+
+        Notes
+        -----
+        Adding points in many rounds is cheap: a point costs the same however many are there. Since
+        1.0.
+        """
+        if not self._incremental or self._closed:
+            raise RuntimeError(
+                "points can be added only to Delaunay(points, incremental=True) before close()"
+            )
+        self._insert(as_points(points), restart)
+
+    def close(self) -> None:
+        """Ends adding of points, as in SciPy. All else stays; see `release`. Since 1.0."""
+        self._closed = True
+
+    def release(self) -> None:
+        """Gives the library's memory back now, not when the object goes.
+
+        Arrays that were read stay; whatever still needs the library raises RuntimeError. A
+        ``with`` statement releases at its end. Since 1.0.
+        """
+        with self._gate.writing():
+            self._closed = True
+            self._handle = None
+
+    def __enter__(self: _Self) -> _Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.release()
+
+    def cancel(self) -> None:
+        """Stops the insertion that runs on another thread; it raises `Cancelled` there.
+
+        Without one, nothing happens. Since 1.0.
+        """
+        running = self._running
+        if running is not None:
+            running.stop()
+
+    @staticmethod
+    def _bytes(limit: Optional[int]) -> int:
+        return whole(limit or 0, "memory_limit", 0, 2**63 - 1)
+
+    @property
+    def memory_limit(self) -> Optional[int]:
+        """Bytes that the triangulation may hold in the library; None for no limit. May be set.
+
+        Arrays for the caller do not count; what the library needs to make them, or to check, does.
+        """
+        return self._settings["memory_limit"] or None
+
+    @memory_limit.setter
+    def memory_limit(self, limit: Optional[int]) -> None:
+        limit_in_bytes = self._bytes(limit)
+        with self._writing() as handle:
+            handle.set_memory_limit(limit_in_bytes)
+            self._settings["memory_limit"] = limit_in_bytes
+
+    # What is in
+
+    @property
+    def points(self) -> FloatArray:
+        """All points ever given, shape (npoints, 3)."""
+        return self._store.all
+
+    @property
+    def npoints(self) -> int:
+        """Number of points ever given."""
+        return len(self._store.all)
+
+    @property
+    def nsimplex(self) -> int:
+        """Number of tetrahedra."""
+        with self._reading() as handle:
+            return handle.tetrahedron_count
+
+    # Copies for other processes: the same calls again give the same arrays.
+
+    def __getstate__(self) -> dict[str, Any]:
+        with self._reading() as handle:
+            point_map = handle.point_map()
+            points = self.points.copy()
+            batches = list(self._batches)
+        if (point_map < 0).any():
+            raise pickle.PicklingError("points that a stopped insertion left out cannot be pickled")
+        return {
+            "points": points,
+            "batches": batches,
+            "settings": self._settings,
+            "incremental": self._incremental,
+            "closed": self._closed,
+        }
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.progress = None
+        self._settings = state["settings"]
+        self._begin(state["incremental"])
+        ends = np.cumsum(state["batches"], dtype=np.int64)
+        for begin, end in zip(np.concatenate([[0], ends]), ends):
+            self._insert(state["points"][begin:end])
+        self._closed = state["closed"]
+
+    def __repr__(self) -> str:
+        if self._handle is None:
+            return f"<mgdt.Delaunay: {self.npoints} points, released>"
+        return f"<mgdt.Delaunay: {self.npoints} points, {self.nsimplex} tetrahedra>"

@@ -1,0 +1,426 @@
+# SPDX-License-Identifier: MIT
+"""The triangulation, in the meaning of ``scipy.spatial.Delaunay``."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _geometry
+from ._arrays import FloatArray, IndexArray, as_places, finite_rows
+from ._triangulation import GrowingTriangulation, whole
+from .interpolation import Interpolator
+
+
+class Delaunay(GrowingTriangulation):
+    """Exact Delaunay triangulation of points in space.
+
+    Takes the place of ``scipy.spatial.Delaunay`` for three dimensions: what has a name there has
+    the same name, shape, type and meaning here, but for what is listed under Notes.
+
+    Parameters
+    ----------
+    points : array_like of float, shape (n, 3)
+        Coordinates, in any one unit of length. Doubles in any regular layout are handed to the
+        library as they are; anything else is converted once.
+    furthest_site : bool, optional
+        Must be false: mgdt has no furthest-site triangulation.
+    incremental : bool, optional
+        Whether `add_points` will be used. If so, the coordinates are copied; if not, `points` is
+        the array given.
+    qhull_options : str, optional
+        Qhull's options. Those that do not change an exact triangulation are accepted and have no
+        effect; others are refused.
+    order : str, optional
+        In which order points are inserted; one of `ORDER_SCHEMES`. It changes the time, not the
+        tetrahedra.
+    order_parameters : mapping, optional
+        Of ``points_per_cell``, ``threshold``, ``separation``, ``round_ratio``, those to set.
+    seed : int, optional
+        For the orders that shuffle. From 0 to 2**64 - 1.
+    threads : int, optional
+        How many threads an insertion may use; 0 for all cores. mgdt 1.0 uses one.
+    memory_limit : int, optional
+        Bytes that the triangulation may hold in the library; None for no limit.
+    canonical : bool, optional
+        Whether the arrays shall be a function of the set of points alone, byte for byte: sorted,
+        each tetrahedron's least vertex first. Takes longer.
+    progress : callable, optional
+        Called as ``progress(fraction)`` with 0 to 1 some hundred times an insertion, on the thread
+        that inserts. A true result cancels. It must not use the triangulation, except `cancel`.
+
+    Raises
+    ------
+    ValueError
+        For a shape other than (n, 3), a coordinate that is NaN or infinite (the message names the
+        point), or any argument out of its range.
+    TypeError
+        For points that are no real numbers.
+    mgdt.OutOfMemoryError
+        When the system or `memory_limit` refuses memory. Also a MemoryError.
+    mgdt.TooLargeError
+        For more points than can be numbered.
+    mgdt.Cancelled
+        When `progress` gave a true result.
+
+    Notes
+    -----
+    Points equal to an earlier one are no vertices; `coplanar` and `point_map` tell. Fewer than
+    four points, or points on one plane, are no error: there are no simplices then (`dimension`
+    tells why), until `add_points` brings points that span space with them.
+
+    Simplices are positively oriented: ``(v1 - v0) x (v2 - v0) . (v3 - v0) > 0``.
+
+    Any number of threads may use an object at a time. One that changes it waits for those that
+    read it, and they for it. The interpreter lock is not held during work in the library.
+
+    Ctrl-C during an insertion raises KeyboardInterrupt within some milliseconds. After that, as
+    after `Cancelled` and `OutOfMemoryError`, the triangulation is that of the points that got in.
+
+    Since 1.0.
+
+    Examples
+    --------
+    >>> import mgdt
+    >>> d = mgdt.Delaunay([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    >>> d.nsimplex
+    1
+    >>> int(d.find_simplex([0.1, 0.1, 0.1]))
+    0
+    """
+
+    furthest_site: bool = False
+    """Always false."""
+    ndim: int = 3
+    """Number of coordinates of a point. Always 3."""
+
+    # Points
+
+    def _bounds(self) -> tuple[FloatArray, FloatArray]:
+        def find() -> Any:
+            points = self.points
+            return points.min(axis=0, initial=np.inf), points.max(axis=0, initial=-np.inf)
+
+        bounds: tuple[FloatArray, FloatArray] = self._cached("bounds", find)
+        return bounds
+
+    @property
+    def min_bound(self) -> FloatArray:
+        """Least coordinates of the points, shape (3,); inf without points."""
+        return self._bounds()[0]
+
+    @property
+    def max_bound(self) -> FloatArray:
+        """Largest coordinates of the points, shape (3,); -inf without points."""
+        return self._bounds()[1]
+
+    @property
+    def point_map(self) -> IndexArray:
+        """For each point the vertex that stands for it, int32, shape (npoints,): its own index,
+        that of the first point at the same place, or -1 if a stopped insertion left it out."""
+        return self._exported("point_map")
+
+    @property
+    def dimension(self) -> int:
+        """Dimension of what the points span: -1 no points, 0 one place, 1 a line, 2 a plane,
+        3 space. There are simplices only at 3."""
+        with self._reading() as handle:
+            return handle.dimension
+
+    @property
+    def coplanar(self) -> IndexArray:
+        """Points that are no vertices because they are equal to one, int32, shape (m, 3).
+
+        The columns are the point, a simplex that has its vertex (-1 if there are no simplices),
+        and the vertex. SciPy lists here also points that Qhull drops; mgdt drops none.
+        """
+
+        def find() -> Any:
+            point_map = self.point_map
+            own = np.arange(len(point_map), dtype=np.int32)
+            points = np.flatnonzero((point_map != own) & (point_map >= 0))
+            vertices = point_map[points]
+            simplices = self.vertex_to_simplex[vertices]
+            return np.stack([points, simplices, vertices], axis=1).astype(np.int32)
+
+        rows: IndexArray = self._cached("coplanar", find)
+        return rows
+
+    # Tetrahedra
+
+    @property
+    def simplices(self) -> IndexArray:
+        """Vertices of the tetrahedra, int32, shape (nsimplex, 4), positively oriented."""
+        return self._exported("tetrahedra")
+
+    @property
+    def neighbors(self) -> IndexArray:
+        """Neighbours of the tetrahedra, int32, shape (nsimplex, 4): the k-th shares the facet
+        opposite the k-th vertex; -1 at the hull."""
+        return self._exported("neighbors")
+
+    @property
+    def convex_hull(self) -> IndexArray:
+        """Triangles of the convex hull, int32, shape (m, 3), counter-clockwise seen from
+        outside."""
+        return self._exported("hull_facets")
+
+    @property
+    def edges(self) -> IndexArray:
+        """Edges, int32, shape (m, 2), the lesser vertex first; each once. Not in SciPy."""
+        return self._exported("edges")
+
+    @property
+    def vertex_to_simplex(self) -> IndexArray:
+        """For each point one of the simplices around it, int32, shape (npoints,); -1 for a point
+        that is no vertex."""
+
+        def find() -> IndexArray:
+            simplices = self.simplices
+            found = np.full(self.npoints, -1, dtype=np.int32)
+            numbers = np.arange(len(simplices), dtype=np.int32)
+            for k in range(4):
+                found[simplices[:, k]] = numbers
+            return found
+
+        return self._cached("vertex_to_simplex", find)
+
+    @property
+    def vertex_neighbor_vertices(self) -> tuple[IndexArray, IndexArray]:
+        """Neighbours of the vertices as two int32 arrays: those of vertex k are
+        ``indices[indptr[k]:indptr[k + 1]]`` of ``(indptr, indices)``, ascending."""
+        return self._cached(
+            "vertex_neighbors", lambda: _geometry.vertex_neighbors(self.edges, self.npoints)
+        )
+
+    @property
+    def transform(self) -> FloatArray:
+        """Barycentric transforms, shape (nsimplex, 4, 3).
+
+        ``c = transform[i, :3] @ (x - transform[i, 3])`` are the weights at x of the first three
+        vertices of simplex i, ``1 - c.sum()`` is that of the fourth. NaN for a simplex too flat,
+        by SciPy's measure. `locate` gives weights without it.
+        """
+        return self._cached(
+            "transform", lambda: _geometry.barycentric_transforms(self.points, self.simplices)
+        )
+
+    # The paraboloid
+
+    def _paraboloid(self) -> tuple[float, float]:
+        return self._cached("paraboloid", lambda: _geometry.paraboloid(self.points))
+
+    @property
+    def paraboloid_scale(self) -> float:
+        """Factor of the squared length in `lift_points`."""
+        return self._paraboloid()[0]
+
+    @property
+    def paraboloid_shift(self) -> float:
+        """What is added to it."""
+        return self._paraboloid()[1]
+
+    @property
+    def equations(self) -> FloatArray:
+        """Hyperplanes through the lifted simplices, shape (nsimplex, 5): a unit normal in four
+        dimensions, pointing down, and the offset."""
+        return self._cached(
+            "equations",
+            lambda: _geometry.hyperplanes(self.points, self.simplices, *self._paraboloid()),
+        )
+
+    def lift_points(self, x: ArrayLike) -> FloatArray:
+        """Lifts places, shape (..., 3), to the paraboloid, shape (..., 4). Since 1.0."""
+        places, shape = as_places(x, "x")
+        return _geometry.lift(places, *self._paraboloid()).reshape(shape + (4,))
+
+    def plane_distance(self, xi: ArrayLike) -> FloatArray:
+        """Distances of lifted places from all hyperplanes.
+
+        Parameters
+        ----------
+        xi : array_like of float, shape (..., 3)
+
+        Returns
+        -------
+        ndarray of float64, shape (..., nsimplex)
+            Positive where the place is inside the simplex's circumsphere, up to rounding.
+        """
+        lifted = self.lift_points(xi)
+        equations = self.equations
+        distances: FloatArray = lifted @ equations[:, :4].T + equations[:, 4]
+        return distances
+
+    # Queries
+
+    def find_simplex(
+        self, xi: ArrayLike, bruteforce: bool = False, tol: Optional[float] = None
+    ) -> IndexArray:
+        """Finds the simplices that contain places.
+
+        Parameters
+        ----------
+        xi : array_like of float, shape (..., 3)
+        bruteforce : bool, optional
+            Has no effect: the result is exact.
+        tol : float, optional
+            Takes also places outside the hull for which some simplex has no barycentric weight
+            below -`tol`. None, the default, and 0 take none. Each place outside is then compared
+            with every simplex that has a vertex on the hull, which takes time in proportion.
+
+        Returns
+        -------
+        ndarray of int32, shape (...)
+            Numbers of simplices; -1 outside, and where a coordinate is NaN or infinite. On a
+            shared facet, edge or vertex it is one of those that share it.
+
+        Notes
+        -----
+        Many places in one call are much faster than one by one. Since 1.0.
+        """
+        places, shape = as_places(xi, "xi")
+        if tol is not None and not 0 <= tol < np.inf:
+            raise ValueError(f"tol is {tol}; it must be at least 0 and finite")
+        with self._reading() as handle:
+            found = handle.locate_finite(places)
+        if tol:
+            outside = np.flatnonzero((found < 0) & finite_rows(places))
+            # Not only those with a facet there: behind a very thin one it may be the next.
+            is_hull_vertex = np.zeros(self.npoints, dtype=np.bool_)
+            is_hull_vertex[self.convex_hull] = True
+            at_hull = np.flatnonzero(is_hull_vertex[self.simplices].any(axis=1)).astype(np.int32)
+            found[outside] = _geometry.in_tolerance(
+                places[outside],
+                _geometry.barycentric_transforms(self.points, self.simplices[at_hull]),
+                at_hull,
+                tol,
+            )
+        return found.reshape(shape)
+
+    def locate(self, points: ArrayLike, weights: bool = True) -> Any:
+        """Finds the simplices that contain places, and barycentric weights in them.
+
+        Parameters
+        ----------
+        points : array_like of float, shape (..., 3)
+        weights : bool, optional
+            Whether to return weights.
+
+        Returns
+        -------
+        simplices : ndarray of int32, shape (...)
+            As `find_simplex`.
+        weights : ndarray of float64, shape (..., 4)
+            In the order of the vertices in `simplices`; they add up to 1 within rounding, and are
+            zeros outside. Only if asked for.
+
+        Raises
+        ------
+        ValueError
+            For a coordinate that is NaN or infinite; the message names the place.
+        """
+        places, shape = as_places(points, "points")
+        room = np.empty((len(places), 4)) if weights else None
+        with self._reading() as handle:
+            found = handle.locate(places, room, "points").reshape(shape)
+        return found if room is None else (found, room.reshape(shape + (4,)))
+
+    def nearest_vertex(self, points: ArrayLike) -> IndexArray:
+        """Finds the vertices nearest to places, exactly; of several as near the lowest index.
+
+        Parameters
+        ----------
+        points : array_like of float, shape (..., 3)
+
+        Returns
+        -------
+        ndarray of int32, shape (...)
+            -1 if there are no points.
+        """
+        places, shape = as_places(points, "points")
+        with self._reading() as handle:
+            return handle.nearest_vertices(places, "points").reshape(shape)
+
+    def interpolator(self, points: ArrayLike) -> Interpolator:
+        """Locates places once, for interpolation of many sets of values there.
+
+        Parameters
+        ----------
+        points : array_like of float, shape (..., 3)
+
+        Returns
+        -------
+        Interpolator
+        """
+        simplices, weights = self.locate(points)
+        return Interpolator(self.npoints, self.simplices, simplices, weights)
+
+    def interpolate(
+        self, values: ArrayLike, points: ArrayLike, fill_value: complex = np.nan
+    ) -> NDArray[Any]:
+        """Interpolates values at the points linearly in each simplex.
+
+        Parameters
+        ----------
+        values : array_like of float or complex, shape (npoints, ...)
+            Those of points that are no vertices are not used.
+        points : array_like of float, shape (..., 3)
+            Where to interpolate.
+        fill_value : number, optional
+            The result outside the hull.
+
+        Returns
+        -------
+        ndarray
+            Shape of `points` without its last axis, then that of `values` without its first.
+        """
+        return self.interpolator(points)(values, fill_value)
+
+    # Trust and figures
+
+    def check(self, level: int = 3) -> None:
+        """Proves by exact arithmetic that the triangulation is what it claims to be.
+
+        Parameters
+        ----------
+        level : int, optional
+            1 adjacency and counts, 2 also orientation and the Delaunay property at every facet,
+            3 also the convex hull and ties.
+
+        Raises
+        ------
+        mgdt.CheckFailed
+            The message says what is wrong and where.
+        """
+        level = whole(level, "level", 1, 3)
+        with self._reading() as handle:
+            handle.check(level)
+
+    @property
+    def statistics(self) -> dict[str, float]:
+        """Figures about the work done and the memory held, by name: counts, seconds, bytes."""
+        with self._reading() as handle:
+            return handle.statistics()
+
+    @property
+    def isa(self) -> str:
+        """Instruction set of the kernel in use."""
+        with self._reading() as handle:
+            return handle.isa()
+
+    # Other packages
+
+    def to_meshio(self) -> Any:
+        """A ``meshio.Mesh`` of all points and the tetrahedra. ImportError without meshio."""
+        from .export import to_meshio
+
+        return to_meshio(self)
+
+    def to_pyvista(self) -> Any:
+        """A ``pyvista.UnstructuredGrid`` of all points and the tetrahedra. ImportError without
+        PyVista."""
+        from .export import to_pyvista
+
+        return to_pyvista(self)

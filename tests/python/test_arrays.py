@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: MIT
+"""Points in any layout, without copies where that can be; arrays out that are the caller's."""
+
+import gc
+import unittest
+from unittest import mock
+
+import numpy as np
+from support import grid, random_points, row_set
+
+import mgdt
+from mgdt import _arrays, _handle
+
+
+def layouts(points):
+    """The same points in arrays of other layouts, and whether they can go in without a copy."""
+    n = len(points)
+    wide = np.zeros((n, 5))
+    wide[:, 1:4] = points
+    records = np.zeros(n, dtype=[("name", "i8"), ("xyz", "f8", 3), ("mass", "f8")])
+    records["xyz"] = points
+    odd = np.zeros(n, dtype=[("name", "i4"), ("xyz", "f8", 3)])
+    odd["xyz"] = points
+    unaligned = np.zeros(24 * n + 1, dtype=np.uint8)[1:].view(np.float64).reshape(n, 3)
+    unaligned[:] = points
+    read_only = points.copy()
+    read_only.flags.writeable = False
+    yield "contiguous", points, True
+    yield "columns one after the other", np.asfortranarray(points), True
+    yield "part of wider rows", wide[:, 1:4], True
+    yield "every second row", np.repeat(points, 2, axis=0)[::2], True
+    yield "backwards", points[::-1].copy()[::-1], True
+    yield "columns backwards", points[:, ::-1].copy()[:, ::-1], True
+    yield "in records", records["xyz"], True
+    yield "read-only", read_only, True
+    yield "in odd records", odd["xyz"], False
+    yield "unaligned", unaligned, False
+    yield "other byte order", points.astype(">f8"), False
+    yield "list", points.tolist(), False
+    yield "objects", points.astype(object), False
+
+
+class Input(unittest.TestCase):
+    def test_layouts_give_the_same(self):
+        points = random_points(500, 1)
+        expected = mgdt.Delaunay(points)
+        for name, array, _ in layouts(points):
+            with self.subTest(name):
+                tri = mgdt.Delaunay(array)
+                np.testing.assert_array_equal(tri.simplices, expected.simplices)
+                np.testing.assert_array_equal(tri.points, points)
+                tri.check()
+                grown = mgdt.Delaunay(array[:100], incremental=True)
+                grown.add_points(array[100:])
+                self.assertEqual(row_set(grown.simplices), row_set(expected.simplices))
+                np.testing.assert_array_equal(grown.points, points)
+
+    def test_nothing_is_copied_on_the_way(self):
+        points = random_points(500, 2)
+        for name, array, is_direct in layouts(points):
+            with self.subTest(name):
+                addresses = []
+                real = _handle.address
+
+                def spy(array, column=0):
+                    addresses.append(real(array, column))
+                    return addresses[-1]
+
+                with mock.patch.object(_handle, "address", spy):
+                    mgdt.Delaunay(array)
+                if is_direct:
+                    self.assertEqual(addresses[0], array.ctypes.data)
+                elif isinstance(array, np.ndarray):
+                    self.assertNotEqual(addresses[0], array.ctypes.data)
+
+    def test_the_array_is_kept_or_copied(self):
+        points = random_points(50, 3)
+        self.assertIs(mgdt.Delaunay(points).points.base, points)
+        buffer = points.copy()
+        tri = mgdt.Delaunay(buffer, incremental=True)
+        buffer[:] = random_points(50, 4)
+        tri.add_points(buffer)
+        buffer[:] = 0
+        np.testing.assert_array_equal(tri.points, np.concatenate([points, random_points(50, 4)]))
+
+    def test_input_is_not_changed(self):
+        points = random_points(100, 5)
+        before = points.copy()
+        tri = mgdt.Delaunay(points, incremental=True)
+        tri.add_points(points)
+        tri.locate(points)
+        np.testing.assert_array_equal(points, before)
+
+    def test_other_numbers(self):
+        points = grid(4)
+        expected = row_set(mgdt.Delaunay(points).simplices)
+        for kind in (np.float32, np.float16, np.int8, np.uint64, np.longdouble):
+            self.assertEqual(row_set(mgdt.Delaunay(points.astype(kind)).simplices), expected)
+        self.assertEqual(mgdt.Delaunay(np.zeros((4, 3), dtype=bool)).dimension, 0)
+
+    def test_long_chain_of_rounds_keeps_points(self):
+        store = _arrays.PointStore(copies=True)
+        views = []
+        for k in range(200):
+            store.append(np.full((k % 7, 3), float(k)))
+            views.append((store.all, store.all.copy()))
+        for view, copy in views:
+            np.testing.assert_array_equal(view, copy)
+        self.assertEqual(len(store.all), sum(k % 7 for k in range(200)))
+
+
+class FewPoints(unittest.TestCase):
+    """Sets without tetrahedra are valid; SciPy refuses them."""
+
+    def empty_of(self, tri, dimension):
+        tri.check()
+        self.assertEqual((tri.nsimplex, tri.dimension), (0, dimension))
+        self.assertEqual(tri.simplices.shape, (0, 4))
+        self.assertEqual(tri.neighbors.shape, (0, 4))
+        self.assertEqual(tri.convex_hull.shape, (0, 3))
+        self.assertEqual(tri.edges.shape, (0, 2))
+        self.assertEqual(tri.transform.shape, (0, 4, 3))
+        self.assertEqual(tri.equations.shape, (0, 5))
+        self.assertEqual(tri.vertex_to_simplex.tolist(), [-1] * tri.npoints)
+        starts, ends = tri.vertex_neighbor_vertices
+        self.assertEqual((starts.tolist(), ends.tolist()), ([0] * (tri.npoints + 1), []))
+        self.assertEqual(tri.find_simplex([[0, 0, 0], [1, 1, 1]]).tolist(), [-1, -1])
+        self.assertEqual(tri.find_simplex([0, 0, 0], tol=1).tolist(), -1)
+        self.assertEqual(tri.plane_distance([0, 0, 0]).shape, (0,))
+        values = tri.interpolate(np.ones(tri.npoints), [[0, 0, 0]], fill_value=-7)
+        self.assertEqual(values.tolist(), [-7])
+
+    def test_each_dimension(self):
+        sets = {
+            -1: np.zeros((0, 3)),
+            0: [[1, 2, 3]],
+            1: [[0, 0, 0], [1, 1, 1], [2, 2, 2]],
+            2: [[x, y, x + y] for x in range(3) for y in range(3)],
+        }
+        for dimension, points in sets.items():
+            with self.subTest(dimension):
+                self.empty_of(mgdt.Delaunay(points), dimension)
+                tri = mgdt.Delaunay(points, incremental=True)
+                self.empty_of(tri, dimension)
+                tri.add_points(random_points(20, 6))
+                tri.check()
+                self.assertEqual(tri.dimension, 3)
+                together = mgdt.Delaunay(tri.points)
+                self.assertEqual(row_set(tri.simplices), row_set(together.simplices))
+
+    def test_bounds(self):
+        tri = mgdt.Delaunay(np.zeros((0, 3)))
+        self.assertEqual(tri.min_bound.tolist(), [np.inf] * 3)
+        self.assertEqual(tri.max_bound.tolist(), [-np.inf] * 3)
+        self.assertEqual(tri.nearest_vertex([0, 0, 0]), -1)
+
+    def test_duplicates_in_a_plane(self):
+        tri = mgdt.Delaunay([[0, 0, 0], [1, 0, 0], [0, 0, 0], [0, 1, 0], [1, 0, -0.0]])
+        self.assertEqual(tri.coplanar.tolist(), [[2, -1, 0], [4, -1, 1]])
+        self.assertEqual(tri.nearest_vertex([[0.9, 0, 0], [0, 0.9, 5]]).tolist(), [1, 3])
+
+
+class Output(unittest.TestCase):
+    NAMES = (
+        "simplices neighbors convex_hull edges point_map vertex_to_simplex coplanar transform "
+        "equations"
+    ).split()
+
+    def test_arrays_outlive_the_object(self):
+        points = np.concatenate([random_points(3000, 7), random_points(3, 7)])
+        tri = mgdt.Delaunay(points)
+        arrays = {name: getattr(tri, name) for name in self.NAMES}
+        copies = {name: array.copy() for name, array in arrays.items()}
+        located = tri.locate(points)
+        located_copy = [array.copy() for array in located]
+        del tri
+        gc.collect()
+        for _ in range(20):
+            mgdt.Delaunay(random_points(3000, 8))
+        for name in self.NAMES:
+            np.testing.assert_array_equal(arrays[name], copies[name])
+        for array, copy in zip(located, located_copy):
+            np.testing.assert_array_equal(array, copy)
+
+    def test_arrays_are_made_once_and_belong_to_the_caller(self):
+        tri = mgdt.Delaunay(random_points(100, 9), incremental=True)
+        before = {name: getattr(tri, name) for name in self.NAMES}
+        for name, array in before.items():
+            self.assertIs(getattr(tri, name), array)
+            self.assertTrue(array.flags.writeable and array.flags.c_contiguous)
+        old = tri.simplices.copy()
+        tri.add_points(random_points(100, 10))
+        np.testing.assert_array_equal(before["simplices"], old)
+        for name, array in before.items():
+            self.assertIsNot(getattr(tri, name), array, name)
+
+    def test_edges(self):
+        tri = mgdt.Delaunay(grid(5))
+        pairs = [(i, j) for i in range(4) for j in range(i)]
+        expected = row_set(np.concatenate([tri.simplices[:, pair] for pair in pairs]))
+        self.assertEqual(len(tri.edges), len(expected))
+        self.assertEqual(row_set(tri.edges), expected)
+        self.assertTrue((tri.edges[:, 0] < tri.edges[:, 1]).all())
+
+    def test_canonical_output_is_a_function_of_the_points(self):
+        points = random_points(400, 11)
+        one = mgdt.Delaunay(points, canonical=True)
+        two = mgdt.Delaunay(points[:10], incremental=True, canonical=True, order="random", seed=9)
+        two.add_points(points[10:])
+        for name in self.NAMES:
+            np.testing.assert_array_equal(getattr(one, name), getattr(two, name))
+        self.assertTrue((one.simplices[:, 0] == one.simplices.min(axis=1)).all())
+        self.assertTrue((np.diff(one.simplices[:, 0]) >= 0).all())
+        two.check()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: MIT
+"""Points in rounds, settings, figures, and the end of an object."""
+
+import copy
+import pickle
+import unittest
+
+import numpy as np
+from support import grid, random_points, row_set
+
+import mgdt
+
+
+class Rounds(unittest.TestCase):
+    def test_every_order_gives_the_same(self):
+        points = np.concatenate([grid(6), random_points(300, 1)])
+        expected = row_set(mgdt.Delaunay(points).simplices)
+        self.assertEqual(len(mgdt.ORDER_SCHEMES), 10)
+        for order in mgdt.ORDER_SCHEMES:
+            tri = mgdt.Delaunay(points, order=order, seed=3, threads=2)
+            self.assertEqual(row_set(tri.simplices), expected, order)
+            tri.check()
+
+    def test_order_parameters_reach_the_library(self):
+        points = random_points(3000, 2)
+        few, many = (
+            mgdt.Delaunay(points, order="multi-grid", order_parameters={"points_per_cell": n})
+            for n in (2, 500)
+        )
+        self.assertNotEqual(few.statistics["walk_steps"], many.statistics["walk_steps"])
+        seeds = [mgdt.Delaunay(points, order="random", seed=s).statistics for s in (1, 1, 2)]
+        steps = [figures["walk_steps"] for figures in seeds]
+        self.assertEqual(steps[0], steps[1])
+        self.assertNotEqual(steps[0], steps[2])
+
+    def test_any_split_gives_the_same(self):
+        points = np.concatenate([random_points(200, 3), random_points(50, 3), grid(4)])
+        whole = mgdt.Delaunay(points)
+        for sizes in ([1] * len(points), [0, 7, 0, 200], [3, 1]):
+            tri = mgdt.Delaunay(np.zeros((0, 3)), incremental=True)
+            begin = 0
+            for size in sizes + [len(points)]:
+                tri.add_points(points[begin : begin + size])
+                begin += size
+            tri.check()
+            self.assertEqual(row_set(tri.simplices), row_set(whole.simplices))
+            np.testing.assert_array_equal(tri.point_map, whole.point_map)
+            np.testing.assert_array_equal(tri.coplanar[:, [0, 2]], whole.coplanar[:, [0, 2]])
+
+    def test_restart(self):
+        tri = mgdt.Delaunay(random_points(100, 4), incremental=True)
+        tri.add_points(random_points(100, 5))
+        tri.add_points(random_points(100, 6), restart=True)
+        tri.check()
+        self.assertEqual(tri.npoints, 300)
+        self.assertEqual(tri.statistics["points_inserted"], 300)
+        self.assertEqual(
+            row_set(tri.simplices), row_set(mgdt.Delaunay(tri.points).simplices)
+        )
+
+    def test_close_ends_adding_only(self):
+        tri = mgdt.Delaunay(random_points(100, 7), incremental=True)
+        tri.close()
+        tri.close()
+        self.assertRaises(RuntimeError, tri.add_points, random_points(1))
+        self.assertGreaterEqual(tri.find_simplex(tri.points.mean(axis=0)), 0)
+        tri.check()
+
+    def test_release(self):
+        with mgdt.Delaunay(random_points(100, 8), incremental=True) as tri:
+            simplices = tri.simplices
+        tri.release()
+        self.assertIs(tri.simplices, simplices)
+        self.assertEqual(tri.npoints, 100)
+        for use in (
+            lambda: tri.neighbors,
+            lambda: tri.nsimplex,
+            lambda: tri.statistics,
+            lambda: tri.find_simplex([0, 0, 0]),
+            lambda: tri.nearest_vertex([0, 0, 0]),
+            lambda: tri.add_points([[0, 0, 0]]),
+            tri.check,
+            lambda: pickle.dumps(tri),
+        ):
+            self.assertRaisesRegex(RuntimeError, "released|incremental", use)
+        self.assertIn("released", repr(tri))
+        tri.cancel()
+
+    def test_copies_are_the_same(self):
+        tri = mgdt.Delaunay(random_points(200, 9), incremental=True, order="hilbert", seed=5)
+        for k in range(3):
+            tri.add_points(random_points(50, 10 + k))
+        for twin in (pickle.loads(pickle.dumps(tri)), copy.copy(tri), copy.deepcopy(tri)):
+            for name in ("points", "simplices", "neighbors", "point_map"):
+                np.testing.assert_array_equal(getattr(twin, name), getattr(tri, name))
+            twin.add_points(random_points(5, 20))
+            twin.check()
+        self.assertEqual(tri.npoints, 350)
+        tri.close()
+        self.assertRaises(RuntimeError, pickle.loads(pickle.dumps(tri)).add_points, [[0, 0, 0]])
+
+    def test_figures(self):
+        tri = mgdt.Delaunay(np.concatenate([random_points(1000, 10), random_points(7, 10)]))
+        figures = tri.statistics
+        self.assertEqual(figures["points_inserted"], 1000)
+        self.assertEqual(figures["duplicates"], 7)
+        self.assertEqual(
+            figures["tetrahedra_created"] - figures["tetrahedra_removed"],
+            # The first star of five, and the ghosts, one on each facet of the hull.
+            tri.nsimplex + len(tri.convex_hull) - 5,
+        )
+        self.assertGreater(figures["memory_bytes"], 64 * tri.nsimplex)
+        self.assertGreater(figures["insert_seconds"], 0)
+        self.assertEqual(len(figures), 14)
+        self.assertIn(tri.isa, ("baseline", "avx2", "avx512"))
+        self.assertEqual(repr(tri), f"<mgdt.Delaunay: 1007 points, {tri.nsimplex} tetrahedra>")
+
+    def test_version(self):
+        self.assertEqual(mgdt.__version__, mgdt.library_version())
+
+
+class Progress(unittest.TestCase):
+    def test_fractions(self):
+        seen = []
+        tri = mgdt.Delaunay(random_points(20_000, 11), incremental=True, progress=seen.append)
+        self.assertEqual((seen[0], seen[-1]), (0, 1))
+        self.assertEqual(seen, sorted(seen))
+        self.assertTrue(50 <= len(seen) <= 200)
+        tri.progress = None
+        tri.add_points(random_points(20_000, 12))
+        self.assertEqual(seen[-1], 1)
+
+    def test_cancelling(self):
+        for at in (0.0, 0.3, 0.99):
+            tri = mgdt.Delaunay(random_points(100, 13), incremental=True)
+            tri.progress = lambda fraction: fraction >= at
+            with self.assertRaisesRegex(mgdt.Cancelled, "cancelled after .* of 20000 points"):
+                tri.add_points(random_points(20_000, 14))
+            tri.check()
+            self.assertEqual(tri.npoints, 20_100)
+            left_out = tri.point_map < 0
+            self.assertEqual(int((~left_out).sum()), len(np.unique(tri.simplices)))
+            self.assertAlmostEqual(left_out[100:].mean(), 1 - at, delta=0.02)
+            self.assertEqual(len(tri.coplanar), 0)
+            self.assertTrue((tri.vertex_to_simplex[left_out] == -1).all())
+            self.assertRaises(pickle.PicklingError, pickle.dumps, tri)
+            # It goes on: the same points again, under new indices.
+            tri.progress = None
+            tri.add_points(tri.points[left_out])
+            tri.check()
+            self.assertEqual(tri.nsimplex, mgdt.Delaunay(tri.points[:20_100]).nsimplex)
+
+    def test_an_exception_gets_through(self):
+        tri = mgdt.Delaunay(random_points(100, 15), incremental=True)
+
+        class Mine(Exception):
+            pass
+
+        def progress(fraction):
+            if fraction > 0.5:
+                raise Mine("at half")
+
+        tri.progress = progress
+        with self.assertRaisesRegex(Mine, "at half"):
+            tri.add_points(random_points(20_000, 16))
+        tri.check()
+        tri.progress = None
+        tri.add_points(random_points(10, 17))
+        with self.assertRaises(Mine):
+            mgdt.Delaunay(random_points(20_000, 16), progress=progress)
+
+    def test_it_may_not_use_the_triangulation(self):
+        tri = mgdt.Delaunay(random_points(100, 18), incremental=True)
+        messages = []
+
+        def progress(_):
+            for use in (
+                lambda: tri.nsimplex,
+                lambda: tri.add_points([[0, 0, 0]]),
+                lambda: tri.find_simplex([0, 0, 0]),
+                tri.release,
+            ):
+                try:
+                    use()
+                except RuntimeError as error:
+                    messages.append(str(error))
+
+        tri.progress = progress
+        tri.add_points(random_points(100, 19))
+        self.assertTrue(messages and len(messages) % 4 == 0)
+        self.assertEqual(len(set(messages)), 1)
+        self.assertIn("progress function", messages[0])
+
+    def test_it_may_cancel(self):
+        tri = mgdt.Delaunay(random_points(100, 20), incremental=True)
+        tri.progress = lambda fraction: tri.cancel() if fraction > 0.5 else None
+        with self.assertRaises(mgdt.Cancelled):
+            tri.add_points(random_points(20_000, 21))
+        tri.progress = None
+        tri.cancel()
+        tri.add_points(random_points(20_000, 22))
+        tri.check()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,350 @@
+# SPDX-License-Identifier: MIT
+"""Ctrl-C and other signals during long insertions, in processes of their own."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+import unittest
+from unittest import mock
+
+from mgdt._insertion import Insertion
+
+# What the children have in common. They print the time at which a signal's exception reached them;
+# the clock is the system's.
+PRELUDE = """
+import signal, sys, time
+import numpy as np
+import mgdt
+
+signal.signal(signal.SIGINT, signal.default_int_handler)  # also where the parent ignores it
+rng = np.random.default_rng(1)
+tri = mgdt.Delaunay(rng.random((1000, 3)), incremental=True)
+many = rng.random((3_000_000, 3))
+
+def ready():
+    print("ready", flush=True)
+
+def caught():
+    print("caught", time.monotonic(), flush=True)
+
+def still_valid():
+    tri.check(2)
+    inside = int((tri.point_map >= 0).sum())
+    assert 1000 <= inside < tri.npoints == 1000 + len(many), (inside, tri.npoints)
+    # A request to stop that nobody heard would stop this one.
+    tri.add_points(rng.random((1000, 3)))
+    assert int((tri.point_map >= 0).sum()) == inside + 1000
+    tri.check(1)
+    print("valid", flush=True)
+"""
+
+
+class Child:
+    """A process that inserts points, and what it says."""
+
+    def __init__(self, program):
+        self.process = subprocess.Popen(
+            [sys.executable, "-c", PRELUDE + program],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.kill()
+        self.process.communicate()
+
+    def line(self):
+        line = self.process.stdout.readline()
+        return line if line else self.process.stderr.read()
+
+    def send(self, number=signal.SIGINT):
+        os.kill(self.process.pid, number)
+        return time.monotonic()
+
+    def end(self):
+        out, errors = self.process.communicate(timeout=60)
+        return self.process.returncode, out, errors
+
+
+class Requests(unittest.TestCase):
+    """When a request to stop goes to the library, which keeps one that comes outside a call."""
+
+    def insertion(self, progress=None):
+        sent = []
+        insertion = Insertion(progress)
+        insertion.attach(lambda: sent.append(1))
+        return insertion, sent
+
+    def test_before_the_first_report(self):
+        insertion, sent = self.insertion()
+        insertion.stop()
+        self.assertEqual((sent, insertion.report(0.0)), ([], 1))
+
+    def test_within(self):
+        insertion, sent = self.insertion()
+        self.assertEqual(insertion.report(0.0), 0)
+        insertion.stop()
+        self.assertEqual((sent, insertion.report(0.5)), ([1], 1))
+        # Once: the call may have heeded the first and returned.
+        insertion.stop()
+        self.assertEqual(sent, [1])
+
+    def test_when_the_progress_function_has_stopped_it(self):
+        insertion, sent = self.insertion(lambda fraction: fraction > 0.3)
+        self.assertEqual([insertion.report(f) for f in (0.0, 0.5)], [0, 1])
+        insertion.stop()
+        self.assertEqual(sent, [])
+
+    def test_when_the_call_has_failed(self):
+        insertion, sent = self.insertion()
+        insertion.report(0.0)
+        insertion.detach()
+        insertion.stop()
+        self.assertEqual(sent, [])
+
+    def test_after_the_last_report(self):
+        insertion, sent = self.insertion()
+        for fraction in (0.0, 0.5, 1.0):
+            self.assertEqual(insertion.report(fraction), 0)
+        insertion.stop()
+        self.assertEqual(sent, [])
+
+    def test_a_call_not_yet_begun_is_not_made(self):
+        insertion, _ = self.insertion()
+        made = []
+        with mock.patch("threading.Thread") as thread, self.assertRaises(KeyboardInterrupt):
+            # The signal comes when the thread is on its way but has not begun.
+            thread.return_value.start.side_effect = KeyboardInterrupt
+            insertion.run(lambda: made.append(1), 10**6)
+        thread.call_args.kwargs["target"]()
+        self.assertEqual(made, [])
+
+    def test_what_the_call_raises(self):
+        insertion, _ = self.insertion()
+        with self.assertRaises(ZeroDivisionError):
+            insertion.run(lambda: 1 // 0, 10**6)
+
+
+class Interrupts(unittest.TestCase):
+    def interrupted(self, program, number=signal.SIGINT, times=1, after=0.7):
+        with Child(program) as child:
+            self.assertEqual(child.line(), "ready\n")
+            time.sleep(after)
+            sent = child.send(number)
+            for _ in range(times - 1):
+                time.sleep(0.002)
+                child.send(number)
+            word, *caught = child.line().split()
+            self.assertEqual(word, "caught", caught)
+            self.assertLess(float(caught[0]) - sent, 1.0)
+            code, out, errors = child.end()
+            self.assertEqual((code, out, errors), (0, "valid\n", ""))
+
+    def test_ctrl_c(self):
+        self.interrupted(
+            """
+ready()
+try:
+    tri.add_points(many)
+except KeyboardInterrupt:
+    caught()
+still_valid()
+"""
+        )
+
+    def test_ctrl_c_while_points_are_ordered(self):
+        self.interrupted(
+            """
+ready()
+try:
+    tri.add_points(many)
+except KeyboardInterrupt:
+    caught()
+still_valid()
+""",
+            after=0.05,
+        )
+
+    def test_ctrl_c_with_a_progress_function(self):
+        self.interrupted(
+            """
+ready()
+fractions = []
+tri.progress = fractions.append
+try:
+    tri.add_points(many)
+except KeyboardInterrupt:
+    caught()
+assert fractions and fractions[-1] < 1
+tri.progress = None
+still_valid()
+"""
+        )
+
+    def test_impatience(self):
+        self.interrupted(
+            """
+ready()
+try:
+    try:
+        tri.add_points(many)
+        print("not interrupted")
+    except KeyboardInterrupt:
+        caught()
+        time.sleep(0.5)
+except KeyboardInterrupt:  # one of the others came after the first was caught
+    pass
+still_valid()
+""",
+            times=5,
+        )
+
+    def test_great_impatience(self):
+        # Signals all the time, also when the insertion begins and ends, and while it is being
+        # stopped, so that some get past everything. Whatever they cut short, the object agrees with
+        # itself, and goes on. They raise in add_points alone: no program can do anything if they do
+        # so everywhere.
+        with Child(
+            """
+class Alarm(Exception):
+    pass
+def ring(number, frame):
+    while frame:
+        if frame.f_code.co_name == "add_points":
+            raise Alarm
+        frame = frame.f_back
+many = rng.random((100_000, 3))
+signal.signal(signal.SIGALRM, ring)
+stopped = 0
+for k in range(60):
+    tri = mgdt.Delaunay(rng.random((10, 3)), incremental=True)
+    signal.setitimer(signal.ITIMER_REAL, 0.0001 + 0.003 * k, 0.0002)
+    try:
+        tri.add_points(many)
+    except Alarm:
+        stopped += 1
+    signal.setitimer(signal.ITIMER_REAL, 0)
+    before = int((tri.point_map >= 0).sum())
+    assert tri.npoints in (10, 100_010), tri.npoints
+    assert len(tri.point_map) == tri.npoints
+    tri.add_points(rng.random((10, 3)))
+    assert int((tri.point_map >= 0).sum()) == before + 10
+    tri.check(1)
+assert stopped >= 10, stopped
+print("valid")
+"""
+        ) as child:
+            # Python's own threading module complains of some; the status and the assertions count.
+            code, out, errors = child.end()
+            self.assertEqual((code, out), (0, "valid\n"), errors)
+
+    def test_another_signal_whose_handler_raises(self):
+        self.interrupted(
+            """
+def stop(number, frame):
+    sys.exit(0)
+signal.signal(signal.SIGTERM, stop)
+ready()
+try:
+    tri.add_points(many)
+except SystemExit:
+    caught()
+still_valid()
+""",
+            number=signal.SIGTERM,
+        )
+
+    def test_a_handler_that_does_not_raise(self):
+        with Child(
+            """
+signal.signal(signal.SIGUSR1, lambda number, frame: caught())
+many = many[:600_000]
+ready()
+tri.add_points(many)
+print("end", time.monotonic(), flush=True)
+tri.check(1)
+assert (tri.point_map >= 0).all()
+"""
+        ) as child:
+            self.assertEqual(child.line(), "ready\n")
+            time.sleep(0.2)
+            sent = child.send(signal.SIGUSR1)
+            caught = float(child.line().split()[1])
+            self.assertLess(caught - sent, 0.3)
+            self.assertGreater(float(child.line().split()[1]), caught)
+            self.assertEqual(child.end()[0], 0)
+
+    def test_unhandled_it_ends_the_program(self):
+        with Child("ready()\nmgdt.Delaunay(many)\n") as child:
+            self.assertEqual(child.line(), "ready\n")
+            time.sleep(0.5)
+            sent = child.send()
+            code, _, errors = child.end()
+            self.assertLess(time.monotonic() - sent, 2.0)
+            self.assertEqual(code, -signal.SIGINT)
+            self.assertTrue(errors.rstrip().endswith("KeyboardInterrupt"), errors)
+
+    def test_between_blocks_of_locations(self):
+        self.interrupted(
+            """
+many = many[:1000]
+queries = rng.random((20_000_000, 3))
+ready()
+try:
+    tri.locate(queries)
+    print("not interrupted")
+except KeyboardInterrupt:
+    caught()
+tri.check()
+print("valid")
+"""
+        )
+
+    def test_at_any_moment(self):
+        # Signals at all phases of insertions that last about as long as the signals are apart:
+        # before, within, at the very end, after. A request to stop must never reach the next call.
+        with Child(
+            """
+many = rng.random((60_000, 3))
+class Alarm(Exception):
+    pass
+def ring(number, frame):
+    raise Alarm
+begin = time.monotonic()
+mgdt.Delaunay(many)
+usual = time.monotonic() - begin
+signal.signal(signal.SIGALRM, ring)
+stopped = finished = 0
+for k in range(60):
+    tri = mgdt.Delaunay(rng.random((10, 3)), incremental=True)
+    tri.progress = None if k % 3 else (lambda fraction: None)
+    try:
+        try:
+            signal.setitimer(signal.ITIMER_REAL, usual * (0.02 + 1.2 * k / 60))
+            tri.add_points(many)
+            finished += 1
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+    except Alarm:
+        stopped += 1
+    before = int((tri.point_map >= 0).sum())
+    tri.add_points(rng.random((10, 3)))
+    assert int((tri.point_map >= 0).sum()) == before + 10
+    if k % 10 == 0:
+        tri.check(2)
+assert stopped >= 10, (stopped, finished)
+print("valid")
+"""
+        ) as child:
+            self.assertEqual(child.end(), (0, "valid\n", ""))
+
+
+if __name__ == "__main__":
+    unittest.main()

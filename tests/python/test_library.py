@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: MIT
+"""How the package finds libmgdt, and what it says when it does not."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from support import run_python
+
+PROGRAM = "import mgdt; print(mgdt.library_path()); mgdt.Delaunay([[0, 0, 0]]).check()"
+LIBRARY = os.path.realpath(os.environ["MGDT_LIBRARY"])
+PACKAGE = pathlib.Path(__import__("mgdt").__file__).parent
+
+
+class Finding(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def library(self, source):
+        """A shared library of a few lines of C."""
+        (self.folder / "other.c").write_text(source)
+        file = self.folder / "libother.so"
+        compiler = os.environ.get("CC", "cc").split()
+        subprocess.run(
+            [*compiler, "-shared", "-fPIC", self.folder / "other.c", "-o", file], check=True
+        )
+        return str(file)
+
+    def copy_of_package(self):
+        shutil.copytree(PACKAGE, self.folder / "mgdt", ignore=shutil.ignore_patterns("*.pyc"))
+        return self.folder / "mgdt"
+
+    def found(self, path, **environment):
+        result = run_python(PROGRAM, **environment)
+        self.assertEqual((result.stdout, result.stderr), (f"{path}\n", ""))
+
+    def refused(self, words, **environment):
+        result = run_python(PROGRAM, **environment)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertRegex(result.stderr.replace("\n", " "), r"ImportError: .*" + words)
+
+    def test_by_the_variable(self):
+        self.found(LIBRARY, MGDT_LIBRARY=LIBRARY)
+
+    def test_by_the_loader(self):
+        os.symlink(LIBRARY, self.folder / "libmgdt.so.1")
+        for variable in (None, ""):
+            self.found("libmgdt.so.1", MGDT_LIBRARY=variable, LD_LIBRARY_PATH=str(self.folder))
+
+    def test_bundled(self):
+        bundled = self.copy_of_package() / "libmgdt.so.1"
+        shutil.copy(LIBRARY, bundled)
+        path = {"PYTHONPATH": str(self.folder), "LD_LIBRARY_PATH": None}
+        self.found(bundled, MGDT_LIBRARY=None, **path)
+        # The variable goes first.
+        self.found(LIBRARY, MGDT_LIBRARY=LIBRARY, **path)
+        # A bundled file that cannot be loaded is passed over, and told of.
+        bundled.write_text("no library")
+        os.symlink(LIBRARY, self.folder / "libmgdt.so.1")
+        path["LD_LIBRARY_PATH"] = str(self.folder)
+        self.found("libmgdt.so.1", MGDT_LIBRARY=None, **path)
+
+    def test_nowhere(self):
+        # A copy of the package, so that none is bundled.
+        self.copy_of_package()
+        self.refused(
+            r"libmgdt\.so\.1.*Tried:.*loader.*cannot open shared object.*MGDT_LIBRARY",
+            MGDT_LIBRARY=None,
+            LD_LIBRARY_PATH=str(self.folder),
+            PYTHONPATH=str(self.folder),
+        )
+
+    def test_the_variable_names_no_library(self):
+        # No other is looked for then.
+        os.symlink(LIBRARY, self.folder / "libmgdt.so.1")
+        self.refused(
+            r"Tried:\s+/nowhere/libmgdt\.so \(the environment variable MGDT_LIBRARY\): .*"
+            r"No such file.*Install",
+            MGDT_LIBRARY="/nowhere/libmgdt.so",
+            LD_LIBRARY_PATH=str(self.folder),
+        )
+
+    def test_another_version(self):
+        other = self.library("int mgdt_abi_version(void) { return 7; }")
+        self.refused("interface has version 7, this package needs 1", MGDT_LIBRARY=other)
+
+    def test_another_library(self):
+        other = self.library("int something(void) { return 1; }")
+        self.refused("no function mgdt_abi_version", MGDT_LIBRARY=other)
+        other = self.library("int mgdt_abi_version(void) { return 1; }")
+        self.refused("no function mgdt_version_string", MGDT_LIBRARY=other)
+
+
+class Declarations(unittest.TestCase):
+    def test_they_are_those_of_the_header(self):
+        header = pathlib.Path(os.environ["MGDT_SOURCE"]) / "include" / "mgdt" / "mgdt.h"
+        program = r"""
+import ctypes, re, sys
+from mgdt import _library
+source = re.sub(r"/\*.*?\*/", "", open(sys.argv[1]).read(), flags=re.S)
+handles = {"mgdt_triangulation*": "c_void_p", "mgdt_triangulation**": "LP_c_void_p"}
+kinds = {
+    "int32_t": "c_int", "int64_t": "c_long", "uint64_t": "c_ulong", "double": "c_double",
+    "char*": "c_char_p", "void*": "c_void_p", "mgdt_status": "c_int", "void": None,
+    "int32_t*": "c_void_p", "int64_t*": "c_void_p", "double*": "c_void_p",
+    "mgdt_progress_fn": "CFunctionType", "mgdt_alloc_fn": "", "mgdt_free_fn": "", **handles,
+}
+declared = {}
+for result, name, parameters in re.findall(r"MGDT_API ([^;(]*?)(mgdt_\w+)\(([^;]*?)\);", source):
+    def kind(text):
+        text = re.sub(r"\bconst\b", "", text).strip()
+        match = re.fullmatch(r"(\w+)\s*(\**)\s*\w*", text)
+        return kinds[match[1] + match[2]]
+    inputs = [] if parameters == "void" else [kind(p) for p in parameters.split(",")]
+    declared[name] = (kind(result + "x"), inputs)
+assert len(declared) > 40
+for name, (result, inputs) in _library._SIGNATURES.items():
+    ours = [getattr(k, "__name__", None) for k in inputs]
+    # A single double is written through a typed pointer.
+    ours = ["c_void_p" if k == "LP_c_double" else k for k in ours]
+    theirs = declared[name]
+    assert (getattr(result, "__name__", None), ours) == theirs, (name, result, ours, theirs)
+    function = getattr(_library.library, name)
+    assert function.argtypes == inputs and function.restype == result
+print(len(_library._SIGNATURES))
+"""
+        result = run_python(program, str(header))
+        self.assertEqual(result.stderr, "")
+        self.assertGreater(int(result.stdout), 30)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: MIT
+"""Location, weights, interpolation and nearest vertices, against SciPy and known functions."""
+
+import unittest
+
+import numpy as np
+import scipy.interpolate
+import scipy.spatial
+from support import grid, random_points
+
+import mgdt
+
+
+class Location(unittest.TestCase):
+    def test_weights(self):
+        points = random_points(1000, 1)
+        tri = mgdt.Delaunay(points)
+        places = np.random.default_rng(2).uniform(tri.min_bound, tri.max_bound, (40, 50, 3))
+        found, weights = tri.locate(places)
+        self.assertEqual((found.dtype, found.shape), (np.int32, (40, 50)))
+        self.assertEqual((weights.dtype, weights.shape), (np.float64, (40, 50, 4)))
+        inside = found >= 0
+        self.assertTrue(0.5 < inside.mean() < 1)
+        again = np.einsum("...k,...kx->...x", weights, points[tri.simplices[found]])
+        np.testing.assert_allclose(again[inside], places[inside], atol=1e-12)
+        np.testing.assert_allclose(weights[inside].sum(axis=-1), 1, rtol=1e-14)
+        self.assertTrue((weights >= 0).all())
+        self.assertTrue((weights[~inside] == 0).all())
+        np.testing.assert_array_equal(tri.locate(places, weights=False), found)
+        np.testing.assert_array_equal(tri.find_simplex(places), found)
+        # One by one, and in other layouts.
+        self.assertEqual(int(tri.find_simplex(places[3, 4])), found[3, 4])
+        np.testing.assert_array_equal(tri.locate(np.asfortranarray(places))[1], weights)
+        np.testing.assert_array_equal(tri.locate(places[::2, ::-1])[0], found[::2, ::-1])
+
+    def test_more_than_a_block(self):
+        tri = mgdt.Delaunay(random_points(300, 3))
+        places = random_points((1 << 20) + 1000, 4)
+        found, weights = tri.locate(places)
+        ends = np.r_[0:500, (1 << 20) - 500 : len(places)]
+        found_alone, weights_alone = tri.locate(places[ends])
+        np.testing.assert_array_equal(found[ends], found_alone)
+        np.testing.assert_array_equal(weights[ends], weights_alone)
+        places[(1 << 20) + 7] = np.nan
+        with self.assertRaisesRegex(ValueError, r"points\[1048583\]"):
+            tri.locate(places)
+        found[(1 << 20) + 7] = -1
+        np.testing.assert_array_equal(tri.find_simplex(places), found)
+
+    def test_boundaries_belong_to_the_inside(self):
+        points = grid(4)
+        tri = mgdt.Delaunay(points)
+        self.assertTrue((tri.find_simplex(points) >= 0).all())
+        on_faces = points[(points[:, 0] == 3) & (points < 3).all(axis=1, where=[False, True, True])]
+        on_faces = on_faces + [0, 0.3, 0.7]
+        self.assertTrue((tri.find_simplex(on_faces) >= 0).all())
+        just_outside = on_faces.copy()
+        just_outside[:, 0] = np.nextafter(3, 4)
+        self.assertTrue((tri.find_simplex(just_outside) == -1).all())
+
+    def test_tolerance(self):
+        tri = mgdt.Delaunay(random_points(200, 5))
+        theirs = scipy.spatial.Delaunay(tri.points)
+        # Points on the hull, of which rounding puts half outside.
+        generator = np.random.default_rng(6)
+        facets = tri.points[tri.convex_hull]
+        weights = generator.dirichlet([1, 1, 1], len(facets))
+        places = np.einsum("ij,ijk->ik", weights, facets)
+        exact = tri.find_simplex(places)
+        self.assertTrue(0 < (exact < 0).sum() < len(places))
+        # Which are in depends on the tolerance, as for SciPy.
+        for tolerance in (1e-12, 1e-10, 1e-8):
+            np.testing.assert_array_equal(
+                tri.find_simplex(places, tol=tolerance) < 0,
+                theirs.find_simplex(places, tol=tolerance) < 0,
+            )
+        tolerant = tri.find_simplex(places, tol=1e-8)
+        self.assertTrue((tolerant >= 0).all())
+        np.testing.assert_array_equal(tolerant[exact >= 0], exact[exact >= 0])
+        facet_sets = np.sort(tri.convex_hull, axis=1)
+        for simplex, facet in zip(tolerant, facet_sets):
+            self.assertLessEqual(len(set(facet) - set(tri.simplices[simplex])), 1)
+        # Farther out it takes a larger one.
+        center = tri.points.mean(axis=0)
+        outside = center + (places - center) * 1.001
+        for tolerance, least, most in ((0, 0, 0), (1e-6, 0, 0), (0.5, len(places), len(places))):
+            count = int((tri.find_simplex(outside, tol=tolerance) >= 0).sum())
+            self.assertTrue(least <= count <= most, (tolerance, count))
+        self.assertTrue((theirs.find_simplex(outside, tol=0.5) >= 0).all())
+        self.assertEqual(tri.find_simplex([np.nan, 0, 0], tol=0.1), -1)
+
+
+class Nearest(unittest.TestCase):
+    def test_against_a_tree(self):
+        for points in (random_points(3000, 7), random_points(30, 8) * [1, 1, 0]):
+            tri = mgdt.Delaunay(points)
+            places = np.random.default_rng(9).normal(size=(20, 100, 3)) * 3 + [5, 1, 0]
+            found = tri.nearest_vertex(places)
+            self.assertEqual((found.dtype, found.shape), (np.int32, (20, 100)))
+            _, expected = scipy.spatial.cKDTree(points).query(places)
+            np.testing.assert_array_equal(found, expected)
+            self.assertEqual(tri.nearest_vertex(places[0, 0]).shape, ())
+
+    def test_ties_go_to_the_lowest(self):
+        points = grid(3)[::-1]
+        tri = mgdt.Delaunay(points)
+        self.assertEqual(
+            tri.nearest_vertex([0.5, 0.5, 0.5]),
+            min(k for k, p in enumerate(points.tolist()) if max(p) <= 1),
+        )
+
+
+class Interpolation(unittest.TestCase):
+    def setUp(self):
+        self.points = random_points(800, 10)
+        self.tri = mgdt.Delaunay(self.points)
+        self.places = np.random.default_rng(11).uniform(
+            self.points.min(axis=0) - 0.1, self.points.max(axis=0) + 0.1, (30, 40, 3)
+        )
+
+    def test_linear_functions_are_exact(self):
+        def f(x):
+            return x @ [[2, -1], [0.5, 3], [-4, 1]] + [1, 2]
+
+        values = self.tri.interpolate(f(self.points), self.places)
+        self.assertEqual(values.shape, (30, 40, 2))
+        outside = self.tri.find_simplex(self.places) < 0
+        self.assertTrue(np.isnan(values[outside]).all())
+        np.testing.assert_allclose(values[~outside], f(self.places[~outside]), atol=1e-12)
+
+    def test_as_scipy(self):
+        generator = np.random.default_rng(12)
+        for values in (
+            generator.random(800),
+            generator.random((800, 2, 3)),
+            generator.random(800) + 1j * generator.random(800),
+            generator.integers(0, 100, 800),
+            generator.random(800).astype(np.float32),
+        ):
+            theirs = scipy.interpolate.LinearNDInterpolator(self.points, values, fill_value=-1)
+            expected = theirs(self.places)
+            found = self.tri.interpolate(values, self.places, fill_value=-1)
+            self.assertEqual((found.dtype, found.shape), (expected.dtype, expected.shape))
+            np.testing.assert_allclose(found, expected, atol=1e-9)
+
+    def test_weights_are_used_again(self):
+        at = self.tri.interpolator(self.places)
+        self.tri.release()
+        for k in range(3):
+            values = np.random.default_rng(k).random((800, 4))
+            expected = mgdt.Delaunay(self.points).interpolate(values, self.places)
+            np.testing.assert_array_equal(at(values), expected)
+        self.assertEqual(at.simplices.shape, (30, 40))
+        self.assertEqual(at.vertices.shape, (30, 40, 4))
+        self.assertEqual(at.weights.shape, (30, 40, 4))
+
+    def test_fill_value(self):
+        outside = [[100, 100, 100]]
+        self.assertTrue(np.isnan(self.tri.interpolate(np.ones(800), outside)[0]))
+        self.assertEqual(self.tri.interpolate(np.ones(800), outside, fill_value=2j)[0], 2j)
+        inside = self.points.mean(axis=0)
+        self.assertAlmostEqual(float(self.tri.interpolate(np.ones(800), inside)), 1)
+
+    def test_values_at_duplicates(self):
+        tri = mgdt.Delaunay(np.concatenate([self.points, self.points[:5]]))
+        values = np.r_[np.arange(800.0), [np.nan] * 5]
+        np.testing.assert_allclose(tri.interpolate(values, self.points), values[:800], atol=1e-9)
+
+
+if __name__ == "__main__":
+    unittest.main()
