@@ -44,7 +44,8 @@ module mgdt
               mgdt_parameter_separation, mgdt_parameter_round_ratio
     public :: mgdt_stat_points_inserted, mgdt_stat_duplicates, mgdt_stat_walk_steps, &
               mgdt_stat_walk_tests, mgdt_stat_conflict_tests, mgdt_stat_tetrahedra_removed, &
-              mgdt_stat_tetrahedra_created, mgdt_stat_exact_calls, mgdt_stat_order_seconds, &
+              mgdt_stat_tetrahedra_created, mgdt_stat_exact_calls, mgdt_stat_put_off, &
+              mgdt_stat_inserted_alone, mgdt_stat_threads, mgdt_stat_order_seconds, &
               mgdt_stat_insert_seconds, mgdt_stat_grid_levels, mgdt_stat_rounds, &
               mgdt_stat_memory_bytes, mgdt_stat_peak_memory_bytes
     public :: mgdt_check_combinatorial, mgdt_check_geometric, mgdt_check_canonical

@@ -47,10 +47,13 @@ module mgdt_constants
     integer, parameter :: mgdt_stat_tetrahedra_removed = 30
     integer, parameter :: mgdt_stat_tetrahedra_created = 31
     integer, parameter :: mgdt_stat_exact_calls = 40     ! decisions that the filter left open
+    integer, parameter :: mgdt_stat_put_off = 45         ! met another thread, tried again
+    integer, parameter :: mgdt_stat_inserted_alone = 46  ! while other threads had no work
     integer, parameter :: mgdt_stat_order_seconds = 50   ! time spent on schedules
     integer, parameter :: mgdt_stat_insert_seconds = 51  ! time spent inserting
     integer, parameter :: mgdt_stat_grid_levels = 60     ! deepest level of the last schedule
     integer, parameter :: mgdt_stat_rounds = 61          ! rounds in the last schedule
+    integer, parameter :: mgdt_stat_threads = 62         ! threads of the last insertion
     integer, parameter :: mgdt_stat_memory_bytes = 70    ! memory held now
     integer, parameter :: mgdt_stat_peak_memory_bytes = 71 ! the most it held so far
 

@@ -437,7 +437,7 @@ function Triangulation:check(level)
 end
 
 local figures = {}
-for _, key in ipairs { 10, 11, 20, 21, 22, 30, 31, 40, 50, 51, 60, 61, 70, 71 } do
+for _, key in ipairs { 10, 11, 20, 21, 22, 30, 31, 40, 45, 46, 50, 51, 60, 61, 62, 70, 71 } do
     local name = C.mgdt_stat_name(key)
     if name ~= nil then figures[(ffi.string(name):gsub("[ -]", "_"))] = key end
 end

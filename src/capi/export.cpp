@@ -28,7 +28,10 @@ mgdt_status run(const mgdt_triangulation* t, bool numbers, std::int64_t capacity
         if (count > 0) require_pointer(v, "the output array");
         require_capacity(capacity, static_cast<std::size_t>(count), "the output array");
         require_range<Int>(static_cast<std::uint64_t>(end), t);
-        if (count > 0) body(view_of(t, numbers));
+        if (count == 0) return;
+        constexpr std::size_t share = 262144;  // elements that a thread pays for
+        Team team(t->core.threads_for(static_cast<std::size_t>(count), share));
+        body(view_of(team, t, numbers));
     });
 }
 
@@ -73,7 +76,8 @@ mgdt_status vertex_tetrahedra(const mgdt_triangulation* t, int64_t offset_capaci
         require_capacity(offset_capacity, points + 1, "offsets");
         require_capacity(capacity, count, "list");
         require_range<Int>(count + 1, t);  // the last offset is past the end
-        export_vertex_tetrahedra(view_of(t, true), points, offsets, list);
+        Team alone;
+        export_vertex_tetrahedra(view_of(alone, t, true), points, offsets, list);
     });
 }
 

@@ -72,10 +72,14 @@ mgdt_status guard(Handle* t, Body body) noexcept {
 
 // What the exports and queries of a handle read. Tetrahedra are numbered when that is asked for the
 // first time.
-inline ExportView view_of(const mgdt_triangulation* t, bool numbers) {
+inline ExportView view_of(Team& team, const mgdt_triangulation* t, bool numbers) {
     const Triangulation& core = t->core;
-    return {core.mesh(), numbers ? &core.numbering() : nullptr, core.allocator(),
-            core.settings().index_base, core.settings().canonical_output};
+    return {team,
+            core.mesh(),
+            numbers ? &core.numbering() : nullptr,
+            core.allocator(),
+            core.settings().index_base,
+            core.settings().canonical_output};
 }
 
 inline void require_pointer(const void* p, const char* name) {

@@ -13,6 +13,9 @@ using namespace mgdt;
 
 namespace {
 
+// Points that a thread pays for.
+constexpr std::size_t share = 4096;
+
 Locator locator(const mgdt_triangulation* t) {
     return {t->core.mesh(), t->core.kernel(), t->core.location_tree()};
 }
@@ -38,7 +41,9 @@ mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* 
         if (mgdt_tetrahedron_count(t) - 1 + base > std::numeric_limits<Int>::max())
             fail(MGDT_ERR_INDEX_RANGE, "tetrahedra do not fit a 32-bit integer");
         const Locator where = locator(t);
-        const ExportView view = view_of(t, true);
+        const std::size_t count = static_cast<std::size_t>(n);
+        Team team(t->core.threads_for(count, share));
+        const ExportView view = view_of(team, t, true);
         const auto report = [&](std::size_t i, TetId found) {
             tetrahedra[i] = static_cast<Int>(
                 found == no_tetrahedron
@@ -54,7 +59,6 @@ mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* 
             export_places(view, view.mesh.tetrahedra[found], places);
             for (int k = 0; k < 4; ++k) out[k] = stored[places[k]];
         };
-        const std::size_t count = static_cast<std::size_t>(n);
         if (count == 1) {
             TetId hint = no_tetrahedron;
             report(0, where.locate(xyz, hint));
@@ -66,12 +70,16 @@ mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* 
             const std::size_t size = std::min(block, count - begin);
             const double* const points = xyz + 3 * begin;
             const double* const axis[3] = {points, points + 1, points + 2};
-            Team team;
             const CurveOrder order =
                 sort_along_curve(team, scan.point_set(size, axis, 3, 1), t->core.allocator());
-            where.locate_sequence(
-                size, [&](std::size_t k) { return points + std::size_t{3} * order.index(k); },
-                [&](std::size_t k, TetId found) { report(begin + order.index(k), found); });
+            team.split(size, share, [&](std::size_t first, std::size_t last, unsigned) {
+                where.locate_sequence(
+                    last - first,
+                    [&](std::size_t k) { return points + std::size_t{3} * order.index(first + k); },
+                    [&](std::size_t k, TetId found) {
+                        report(begin + order.index(first + k), found);
+                    });
+            });
         }
     });
 }
@@ -112,7 +120,8 @@ extern "C" mgdt_status mgdt_check(const mgdt_triangulation* t, int32_t level) {
     return guard(t, [&] {
         if (level < MGDT_CHECK_COMBINATORIAL || level > MGDT_CHECK_CANONICAL)
             fail(MGDT_ERR_INVALID_ARGUMENT, "there is no check level %d", static_cast<int>(level));
-        check_mesh(t->core.mesh(), t->core.point_map(), t->core.allocator(), level,
+        Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), 65536));
+        check_mesh(team, t->core.mesh(), t->core.point_map(), t->core.allocator(), level,
                    t->core.settings().index_base);
     });
 }

@@ -23,7 +23,6 @@ void print_statistics(std::FILE* out, const Triangulation& t, const TriangulateO
     };
     line("order scheme", options.triangulation.scheme);
     line("instruction set", mgdt_isa_name(t.get()));
-    line("threads", fmt::format("{}", options.triangulation.threads));
     line("points", fmt::format("{}", mgdt_point_count(t.get())));
     line("tetrahedra", fmt::format("{}", mgdt_tetrahedron_count(t.get())));
     line("hull facets", fmt::format("{}", mgdt_hull_facet_count(t.get())));

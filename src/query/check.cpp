@@ -2,6 +2,7 @@
 #include "query/check.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include "kernel/circumsphere.hpp"
 #include "platform/error.hpp"
@@ -13,8 +14,8 @@ namespace {
 
 class Checker {
   public:
-    Checker(const Mesh& mesh, Allocator& allocator, std::int32_t base)
-        : mesh_(mesh), allocator_(allocator), base_(base) {}
+    Checker(Team& team, const Mesh& mesh, Allocator& allocator, std::int32_t base)
+        : team_(team), mesh_(mesh), allocator_(allocator), base_(base) {}
 
     void points(const Buffer<VertexId>& point_map) const;
     void records() const;
@@ -30,10 +31,14 @@ class Checker {
         if (v == infinite_vertex || v >= mesh_.vertices.size()) return -1;
         return static_cast<long long>(mesh_.vertices[v].index) + base_;
     }
+    // On all threads side by side.
     template <class F>
     void for_each_live(F f) const {
-        for (TetId t = 0; t < mesh_.tetrahedra.size(); ++t)
-            if (!tet(t).is_dead()) f(t);
+        team_.split(mesh_.tetrahedra.size(), 16384,
+                    [&](std::size_t begin, std::size_t end, unsigned) {
+                        for (std::size_t t = begin; t < end; ++t)
+                            if (!tet(static_cast<TetId>(t)).is_dead()) f(static_cast<TetId>(t));
+                    });
     }
     [[noreturn]] void reject(TetId t, const char* what) const {
         const VertexId* v = tet(t).v;
@@ -42,6 +47,7 @@ class Checker {
              index(v[1]), index(v[2]), index(v[3]), what);
     }
 
+    Team& team_;
     const Mesh& mesh_;
     Allocator& allocator_;
     const std::int32_t base_;
@@ -66,9 +72,12 @@ void Checker::points(const Buffer<VertexId>& point_map) const {
 // Vertices exist and differ; ghosts are marked as such; counts agree.
 void Checker::records() const {
     std::size_t live = 0, ghosts = 0;
+    for (const Tetrahedron& t : mesh_.tetrahedra) {
+        live += !t.is_dead();
+        ghosts += !t.is_dead() && t.is_ghost();
+    }
     for_each_live([&](TetId id) {
         const Tetrahedron& t = tet(id);
-        ++live;
         int infinite = 0;
         for (int i = 0; i < 4; ++i) {
             if (t.v[i] >= mesh_.vertices.size()) reject(id, "a vertex does not exist");
@@ -77,7 +86,6 @@ void Checker::records() const {
                 if (t.v[i] == t.v[j]) reject(id, "a vertex is there twice");
         }
         if (infinite != (t.is_ghost() ? 1 : 0)) reject(id, "wrongly marked as ghost or finite");
-        ghosts += t.is_ghost();
     });
     if (live != mesh_.live_count() || ghosts != mesh_.ghost_count)
         fail(MGDT_ERR_CHECK_FAILED, "counts of tetrahedra are wrong");
@@ -152,37 +160,47 @@ void Checker::connection() const {
 // vertex, with T = 2 V - 4. Over the whole, E = V + T.
 void Checker::links() const {
     const Incidence around(mesh_, allocator_);
-    Buffer<VertexId> seen_from(allocator_), reached_from(allocator_);
-    seen_from.resize(mesh_.vertices.size(), no_index);
-    reached_from.resize(mesh_.tetrahedra.size(), no_index);
-    Buffer<TetId> stack(allocator_);
-    std::size_t ends = 0;
-    for (VertexId v = 0; v < mesh_.vertices.size(); ++v) {
-        const Incidence::Range star = around.tetrahedra(v);
-        std::size_t degree = 0, reached = 0;
-        const auto reach = [&](TetId t) {
-            if (reached_from[t] == v) return;
-            reached_from[t] = v;
-            stack.push_back(t);
-            ++reached;
-        };
-        if (star.size() > 0) reach(*star.begin());
-        while (!stack.empty()) {
-            const Tetrahedron& t = tet(stack.back());
-            stack.pop_back();
-            for (int i = 0; i < 4; ++i) {
-                if (t.v[i] == v) continue;
-                reach(t.n[i] >> 2);
-                if (seen_from[t.v[i]] == v) continue;
-                seen_from[t.v[i]] = v;
-                ++degree;
+    std::atomic<std::size_t> ends{0};
+    team_.split(mesh_.vertices.size(), 4096, [&](std::size_t first, std::size_t last, unsigned) {
+        Buffer<std::uint8_t> is_reached(allocator_);
+        Buffer<TetId> stack(allocator_);
+        Buffer<VertexId> others(allocator_);
+        std::size_t sum = 0;
+        for (std::size_t v = first; v < last; ++v) {
+            // Ascending, so that a tetrahedron is found by halving.
+            const Incidence::Range star = around.tetrahedra(static_cast<VertexId>(v));
+            is_reached.clear();
+            is_reached.resize(star.size(), 0);
+            others.clear();
+            std::size_t reached = 0;
+            const auto reach = [&](TetId t) {
+                const TetId* const place = std::lower_bound(star.begin(), star.end(), t);
+                if (place == star.end() || *place != t || is_reached[place - star.begin()]) return;
+                is_reached[place - star.begin()] = 1;
+                stack.push_back(t);
+                ++reached;
+            };
+            if (star.size() > 0) reach(*star.begin());
+            while (!stack.empty()) {
+                const Tetrahedron& t = tet(stack.back());
+                stack.pop_back();
+                for (int i = 0; i < 4; ++i) {
+                    if (t.v[i] == v) continue;
+                    reach(t.n[i] >> 2);
+                    others.push_back(t.v[i]);
+                }
             }
+            std::sort(others.begin(), others.end());
+            const auto degree = static_cast<std::size_t>(std::unique(others.begin(), others.end()) -
+                                                         others.begin());
+            if (reached != star.size() || star.size() + 4 != 2 * degree)
+                fail(MGDT_ERR_CHECK_FAILED,
+                     "the tetrahedra around point %lld (-1: infinity) are no ball",
+                     index(static_cast<VertexId>(v)));
+            sum += degree;
         }
-        if (reached != star.size() || star.size() + 4 != 2 * degree)
-            fail(MGDT_ERR_CHECK_FAILED,
-                 "the tetrahedra around point %lld (-1: infinity) are no ball", index(v));
-        ends += degree;
-    }
+        ends += sum;
+    });
     if (ends != 2 * (mesh_.vertices.size() + mesh_.live_count()))
         fail(MGDT_ERR_CHECK_FAILED, "the Euler characteristic is not that of a sphere");
 }
@@ -222,9 +240,9 @@ void Checker::regularity() const {
 
 }  // namespace
 
-void check_mesh(const Mesh& mesh, const Buffer<VertexId>& point_map, Allocator& allocator,
-                std::int32_t level, std::int32_t base) {
-    const Checker check(mesh, allocator, base);
+void check_mesh(Team& team, const Mesh& mesh, const Buffer<VertexId>& point_map,
+                Allocator& allocator, std::int32_t level, std::int32_t base) {
+    const Checker check(team, mesh, allocator, base);
     check.points(point_map);
     if (mesh.live_count() == 0) return;
     check.records();

@@ -70,29 +70,46 @@ class Rows {
     const bool streams_;
 };
 
+// Stretches of the numbering that a thread should have at least.
+constexpr std::size_t stretches_a_thread = 1024;
 // Records between one that is read and one that is asked for.
 constexpr std::size_t ahead = 32;
+
+// Calls add(t, places, rows) for the finite tetrahedra in order, the threads side by side.
+template <class Int, class Add>
+void export_rows(const ExportView& view, Int* out, Add add) {
+    const Mesh& mesh = view.mesh;
+    const Numbering& numbering = *view.numbering;
+    view.team.split(numbering.stretches(), stretches_a_thread,
+                    [&](std::size_t begin, std::size_t end, unsigned) {
+                        if (begin == end) return;
+                        Rows<Int> rows(out + 4 * numbering.first_number(begin));
+                        numbering.for_each(begin, end, [&](TetId id) {
+                            const Tetrahedron& t = mesh.tetrahedra[id];
+                            prefetch(&t + ahead);
+                            unsigned places[4];
+                            export_places(view, t, places);
+                            add(t, places, rows);
+                        });
+                    });
+}
 
 template <class Int>
 void export_tetrahedra(const ExportView& view, Int* out) {
     const Mesh& mesh = view.mesh;
     // The indices by themselves fit the cache where the vertices' records do not.
     Buffer<Int> index(view.allocator, mesh.vertices.size());
-    for (std::size_t v = 0; v < index.size(); ++v)
-        index[v] = static_cast<Int>(mesh.vertices[v].index) + static_cast<Int>(view.base);
-    Rows<Int> rows(out);
-    view.numbering->for_each([&](TetId id) {
-        const Tetrahedron& t = mesh.tetrahedra[id];
-        prefetch(&t + ahead);
-        unsigned p[4];
-        export_places(view, t, p);
+    view.team.split(index.size(), 65536, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t v = begin; v < end; ++v)
+            index[v] = static_cast<Int>(mesh.vertices[v].index) + static_cast<Int>(view.base);
+    });
+    export_rows(view, out, [&](const Tetrahedron& t, const unsigned* p, Rows<Int>& rows) {
         rows.add(index[t.v[p[0]]], index[t.v[p[1]]], index[t.v[p[2]]], index[t.v[p[3]]]);
     });
 }
 
 template <class Int>
 void export_neighbors(const ExportView& view, Int* out) {
-    const Mesh& mesh = view.mesh;
     const Int none = static_cast<Int>(view.base - 1);
     const Numbering& numbering = *view.numbering;
     const auto number = [&](FacetCode code) {
@@ -100,12 +117,7 @@ void export_neighbors(const ExportView& view, Int* out) {
                    ? static_cast<Int>(numbering.rank(code >> 2)) + static_cast<Int>(view.base)
                    : none;
     };
-    Rows<Int> rows(out);
-    numbering.for_each([&](TetId id) {
-        const Tetrahedron& t = mesh.tetrahedra[id];
-        prefetch(&t + ahead);
-        unsigned p[4];
-        export_places(view, t, p);
+    export_rows(view, out, [&](const Tetrahedron& t, const unsigned* p, Rows<Int>& rows) {
         rows.add(number(t.n[p[0]]), number(t.n[p[1]]), number(t.n[p[2]]), number(t.n[p[3]]));
     });
 }

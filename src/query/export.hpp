@@ -3,11 +3,13 @@
 // checked and indices fit.
 #pragma once
 
+#include "parallel/team.hpp"
 #include "query/numbering.hpp"
 
 namespace mgdt {
 
 struct ExportView {
+    Team& team;
     const Mesh& mesh;
     const Numbering* numbering;  // may be missing where no tetrahedra are numbered
     Allocator& allocator;

@@ -27,11 +27,23 @@ class Numbering {
     // Calls f(t) for the finite tetrahedra in the order of their numbers.
     template <class F>
     void for_each(F f) const {
+        for_each(0, stretches(), f);
+    }
+    // The same for some of the stretches that the order is made of, each of 64 at most.
+    std::size_t stretches() const noexcept {
+        return is_canonical() ? (order_.size() + 63) / 64 : bits_.size();
+    }
+    std::size_t first_number(std::size_t stretch) const noexcept {
+        return is_canonical() ? stretch * 64 : ranks_[stretch];
+    }
+    template <class F>
+    void for_each(std::size_t begin, std::size_t end, F f) const {
         if (is_canonical()) {
-            for (const TetId t : order_) f(t);
+            const std::size_t last = end * 64 < order_.size() ? end * 64 : order_.size();
+            for (std::size_t i = begin * 64; i < last; ++i) f(order_[i]);
             return;
         }
-        for (std::size_t word = 0; word < bits_.size(); ++word) {
+        for (std::size_t word = begin; word < end; ++word) {
             const TetId first = static_cast<TetId>(word * 64);
             if (bits_[word] == ~std::uint64_t{0})
                 for (TetId t = first; t < first + 64; ++t) f(t);

@@ -40,8 +40,6 @@ pc=$(find "$scratch/root" -name mgdt-fortran.pc)
 PKG_CONFIG_PATH=$(dirname "$pc")
 LD_LIBRARY_PATH=$(dirname "$PKG_CONFIG_PATH")
 export PKG_CONFIG_PATH LD_LIBRARY_PATH
-# What DESTDIR has put in front is the prefix now.
-sed -i "s|^prefix=|prefix=$scratch/root|" "$PKG_CONFIG_PATH"/mgdt*.pc
 
 folder=$(pkg-config --variable=fortran_source_dir mgdt-fortran)
 module_sources=$(pkg-config --variable=fortran_sources mgdt-fortran)

@@ -16,7 +16,7 @@ pkg_moved() { # shared or static, arguments...
 }
 
 no_text_names_the_old_place() {
-    test "$(find "$moved" -name '*.cmake' -o -name '*.pc' | wc -l)" -eq 6 &&
+    test "$(find "$moved" -name '*.cmake' -o -name '*.pc' | wc -l)" -eq 8 &&
         ! grep -rlF "$scratch/prefix" "$moved" --include='*.cmake' --include='*.pc' --include='*.h*'
 }
 

@@ -111,7 +111,7 @@ class Rounds(unittest.TestCase):
         )
         self.assertGreater(figures["memory_bytes"], 64 * tri.nsimplex)
         self.assertGreater(figures["insert_seconds"], 0)
-        self.assertEqual(len(figures), 14)
+        self.assertEqual(len(figures), 17)
         self.assertIn(tri.isa, ("baseline", "avx2", "avx512"))
         self.assertEqual(repr(tri), f"<mgdt.Delaunay: 1007 points, {tri.nsimplex} tetrahedra>")
 

@@ -38,8 +38,9 @@ std::unique_ptr<Triangulation> triangulate(const Points& xyz) {
 
 // Empty if the check passes.
 std::string complaint(const Triangulation& t, int level) {
+    Team team;
     try {
-        check_mesh(t.mesh(), t.point_map(), t.allocator(), level, 0);
+        check_mesh(team, t.mesh(), t.point_map(), t.allocator(), level, 0);
         return {};
     } catch (const Error& error) {
         EXPECT_EQ(error.status, MGDT_ERR_CHECK_FAILED);

@@ -24,6 +24,7 @@ TEST(Limit, KeepsWhatGotIn) {
     std::vector<double> xyz(3 * 3000);
     for (double& x : xyz) x = uniform(random);
 
+    Team alone;
     Triangulation t(nullptr, nullptr, nullptr);
     Mesh& mesh = const_cast<Mesh&>(t.mesh());
     // Storage is reserved for a batch at once; small batches make it grow step by step.
@@ -45,13 +46,15 @@ TEST(Limit, KeepsWhatGotIn) {
     EXPECT_LE(mesh.tetrahedra.size(), 4000u);
     EXPECT_GT(t.vertex_count(), 400u);
     EXPECT_LT(t.vertex_count(), given);
-    EXPECT_NO_THROW(check_mesh(t.mesh(), t.point_map(), t.allocator(), MGDT_CHECK_CANONICAL, 0));
+    EXPECT_NO_THROW(
+        check_mesh(alone, t.mesh(), t.point_map(), t.allocator(), MGDT_CHECK_CANONICAL, 0));
 
     // With room again insertion goes on, and the points that were left out may be given anew.
     mesh.slot_limit = max_tetrahedra;
     insert(t, xyz);
     EXPECT_EQ(t.vertex_count(), 3000u);
-    EXPECT_NO_THROW(check_mesh(t.mesh(), t.point_map(), t.allocator(), MGDT_CHECK_CANONICAL, 0));
+    EXPECT_NO_THROW(
+        check_mesh(alone, t.mesh(), t.point_map(), t.allocator(), MGDT_CHECK_CANONICAL, 0));
 }
 
 }  // namespace

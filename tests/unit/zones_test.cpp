@@ -57,16 +57,18 @@ void insert(Triangulation& t, const Points& xyz) {
 std::vector<std::int64_t> outcome(const Triangulation& t) {
     std::vector<std::int64_t> all(4 * t.mesh().finite_count() + t.point_map().size());
     Allocator allocator;
+    Team team;
     const Numbering numbering(allocator, t.mesh(), true);
-    const ExportView view{t.mesh(), &numbering, allocator, 0, true};
+    const ExportView view{team, t.mesh(), &numbering, allocator, 0, true};
     export_tetrahedra(view, all.data());
     export_point_map(view, t.point_map(), all.data() + 4 * t.mesh().finite_count());
     return all;
 }
 
 void expect_valid(const Triangulation& t) {
+    Team team(2);
     try {
-        check_mesh(t.mesh(), t.point_map(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
+        check_mesh(team, t.mesh(), t.point_map(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
     } catch (const Error& error) {
         FAIL() << error.message;
     }

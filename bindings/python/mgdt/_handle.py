@@ -20,7 +20,7 @@ from ._arrays import (
 )
 from ._insertion import Insertion
 
-_STATISTICS = (10, 11, 20, 21, 22, 30, 31, 40, 50, 51, 60, 61, 70, 71)
+_STATISTICS = (10, 11, 20, 21, 22, 30, 31, 40, 45, 46, 50, 51, 60, 61, 62, 70, 71)
 _ORDER_PARAMETERS = {"points_per_cell": 10, "threshold": 20, "separation": 30, "round_ratio": 40}
 _MESSAGE_BYTES = 256
 

@@ -43,10 +43,13 @@ enum class Statistic : std::int32_t {
     tetrahedra_removed = MGDT_STAT_TETRAHEDRA_REMOVED,
     tetrahedra_created = MGDT_STAT_TETRAHEDRA_CREATED,
     exact_calls = MGDT_STAT_EXACT_CALLS,
+    put_off = MGDT_STAT_PUT_OFF,
+    inserted_alone = MGDT_STAT_INSERTED_ALONE,
     order_seconds = MGDT_STAT_ORDER_SECONDS,
     insert_seconds = MGDT_STAT_INSERT_SECONDS,
     grid_levels = MGDT_STAT_GRID_LEVELS,
     rounds = MGDT_STAT_ROUNDS,
+    threads = MGDT_STAT_THREADS,
     memory_bytes = MGDT_STAT_MEMORY_BYTES,
     peak_memory_bytes = MGDT_STAT_PEAK_MEMORY_BYTES
 };

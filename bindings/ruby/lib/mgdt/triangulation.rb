@@ -9,7 +9,7 @@ module Mgdt
   class Triangulation
     PARAMETERS = { points_per_cell: 10, threshold: 20, separation: 30, round_ratio: 40 }.freeze
     LEVELS = { combinatorial: 1, geometric: 2, canonical: 3 }.freeze
-    STATISTICS = [10, 11, 20, 21, 22, 30, 31, 40, 50, 51, 60, 61, 70, 71].to_h do |key|
+    STATISTICS = [10, 11, 20, 21, 22, 30, 31, 40, 45, 46, 50, 51, 60, 61, 62, 70, 71].to_h do |key|
       [Library.mgdt_stat_name(key).tr(" -", "__").to_sym, key]
     end.freeze
     # Names of the order schemes.

@@ -138,6 +138,10 @@ pub enum Statistic {
     TetrahedraCreated = sys::MGDT_STAT_TETRAHEDRA_CREATED,
     /// Decisions that the floating-point filter left open.
     ExactCalls = sys::MGDT_STAT_EXACT_CALLS,
+    /// Insertions that met another thread, and were tried again.
+    PutOff = sys::MGDT_STAT_PUT_OFF,
+    /// Points inserted while other threads had no work.
+    InsertedAlone = sys::MGDT_STAT_INSERTED_ALONE,
     /// Wall-clock seconds spent on schedules.
     OrderSeconds = sys::MGDT_STAT_ORDER_SECONDS,
     /// Wall-clock seconds spent inserting.
@@ -146,6 +150,8 @@ pub enum Statistic {
     GridLevels = sys::MGDT_STAT_GRID_LEVELS,
     /// Rounds in the last schedule.
     Rounds = sys::MGDT_STAT_ROUNDS,
+    /// Threads of the last insertion.
+    Threads = sys::MGDT_STAT_THREADS,
     /// Bytes held now.
     MemoryBytes = sys::MGDT_STAT_MEMORY_BYTES,
     /// The most bytes held so far.
@@ -154,7 +160,7 @@ pub enum Statistic {
 
 impl Statistic {
     /// All statistics.
-    pub const ALL: [Statistic; 14] = [
+    pub const ALL: [Statistic; 17] = [
         Statistic::PointsInserted,
         Statistic::Duplicates,
         Statistic::WalkSteps,
@@ -163,10 +169,13 @@ impl Statistic {
         Statistic::TetrahedraRemoved,
         Statistic::TetrahedraCreated,
         Statistic::ExactCalls,
+        Statistic::PutOff,
+        Statistic::InsertedAlone,
         Statistic::OrderSeconds,
         Statistic::InsertSeconds,
         Statistic::GridLevels,
         Statistic::Rounds,
+        Statistic::Threads,
         Statistic::MemoryBytes,
         Statistic::PeakMemoryBytes,
     ];
