@@ -8,9 +8,9 @@ namespace {
 
 // Points between two times that a thread gives its blocks back.
 constexpr std::size_t piece_size = 128;
-// Of so many tries a thread looks how many failed: with more than one in eight it leaves the rest
-// of the round to the others.
-constexpr std::size_t trial = 1024;
+// At so many times along its zone, but not before so many tries, a thread looks how many failed:
+// with more than one in eight it leaves the rest of the round to the others.
+constexpr std::size_t trials = 16, least_trial = 1024;
 // A point further along the schedule than that is not walked to from the last one.
 constexpr std::size_t far_away = 512;
 constexpr std::uint32_t most_slots_at_once = 16384;
@@ -132,6 +132,8 @@ void Triangulation::ZonalInsertion::insert_together(const Items& items, unsigned
     WorkQueue queue(items.size, piece, members);
     stop_ = no_slots_ = false;
     active_ = members;
+    trial_ = std::max(least_trial, items.size / (members * trials));
+    for (unsigned m = 0; m < members; ++m) members_[m].tries = members_[m].failures = 0;
     supply_.open();
     try {
         team_.run(members, [&](unsigned m) { work(members_[m], queue, items); });
@@ -215,7 +217,7 @@ bool Triangulation::ZonalInsertion::is_too_crowded(Member& member, std::size_t t
                                                    std::size_t failures) {
     member.tries += tries;
     member.failures += failures;
-    if (member.tries < trial) return false;
+    if (member.tries < trial_) return false;
     const bool is_crowded = member.failures > member.tries / 8;
     member.tries = member.failures = 0;
     if (!is_crowded) return false;

@@ -64,6 +64,7 @@ class Triangulation::ZonalInsertion {
     unsigned member_count_ = 0;
     Buffer<std::uint32_t> left_;
 
+    std::size_t trial_ = 0;              // tries after which a thread may leave
     std::atomic<unsigned> active_{0};    // threads that go on
     std::atomic<bool> stop_{false};      // all threads end soon
     std::atomic<bool> no_slots_{false};  // why they do: the storage must grow

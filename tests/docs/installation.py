@@ -35,7 +35,9 @@ class Installation:
         put("LD_LIBRARY_PATH", libraries, here.get("LD_LIBRARY_PATH", ""))
         put("PKG_CONFIG_PATH", [str(Path(f) / "pkgconfig") for f in libraries])
         put("CMAKE_PREFIX_PATH", [str(self.prefix)])
-        put("PYTHONPATH", self.folders("lib*/python3*/*-packages", "local/lib*/python3*/*-packages"))
+        # The package is installed only where Meson is asked to; pip would take it from here.
+        packages = self.folders("lib*/python3*/*-packages", "local/lib*/python3*/*-packages")
+        put("PYTHONPATH", packages or [str(Path(source) / "bindings" / "python")])
         values.update(MGDT_SOURCE=str(source), HOME=str(home), LC_ALL="C.UTF-8")
         return values
 

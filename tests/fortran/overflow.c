@@ -5,25 +5,37 @@
 
 static const int64_t large = INT64_C(3000000000);
 
-int64_t mgdt_point_count(const mgdt_triangulation *t) { return t ? large : 0; }
-int64_t mgdt_vertex_count(const mgdt_triangulation *t) { return t ? large : 0; }
-int64_t mgdt_tetrahedron_count(const mgdt_triangulation *t) { return t ? large : 0; }
-int64_t mgdt_hull_facet_count(const mgdt_triangulation *t) { return t ? large : 0; }
-int64_t mgdt_edge_count(const mgdt_triangulation *t) { return t ? large : 0; }
-int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation *t) { return t ? 4 * large : 0; }
+int64_t mgdt_point_count(const mgdt_triangulation* t) {
+    return t ? large : 0;
+}
+int64_t mgdt_vertex_count(const mgdt_triangulation* t) {
+    return t ? large : 0;
+}
+int64_t mgdt_tetrahedron_count(const mgdt_triangulation* t) {
+    return t ? large : 0;
+}
+int64_t mgdt_hull_facet_count(const mgdt_triangulation* t) {
+    return t ? large : 0;
+}
+int64_t mgdt_edge_count(const mgdt_triangulation* t) {
+    return t ? large : 0;
+}
+int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation* t) {
+    return t ? 4 * large : 0;
+}
 
-mgdt_status mgdt_nearest_vertex(const mgdt_triangulation *t, const double *xyz, int64_t *vertex) {
+mgdt_status mgdt_nearest_vertex(const mgdt_triangulation* t, const double* xyz, int64_t* vertex) {
     if (!t || !xyz) return MGDT_ERR_NULL_POINTER;
     *vertex = large;
     return MGDT_OK;
 }
 
 /* What the library says of 32-bit arrays then, and what capacity reached it. */
-mgdt_status mgdt_get_tetrahedra_i32(const mgdt_triangulation *t, int64_t capacity, int32_t *v) {
+mgdt_status mgdt_get_tetrahedra_i32(const mgdt_triangulation* t, int64_t capacity, int32_t* v) {
     if (!t || !v) return MGDT_ERR_NULL_POINTER;
     return capacity < 4 * large ? MGDT_ERR_BUFFER_TOO_SMALL : MGDT_ERR_INDEX_RANGE;
 }
-mgdt_status mgdt_get_tetrahedra(const mgdt_triangulation *t, int64_t capacity, int64_t *v) {
+mgdt_status mgdt_get_tetrahedra(const mgdt_triangulation* t, int64_t capacity, int64_t* v) {
     if (!t || !v) return MGDT_ERR_NULL_POINTER;
     return capacity < 4 * large ? MGDT_ERR_BUFFER_TOO_SMALL : MGDT_OK;
 }
