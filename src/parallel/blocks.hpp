@@ -41,9 +41,9 @@ class BlockOwners {
     using Owner = std::atomic<std::uint8_t>;
     static_assert(std::is_trivially_destructible_v<Owner>);
     static constexpr std::uint8_t nobody = 0;
-    // Blocks of 16 items; larger ones where the table would not stay in the cache.
-    static constexpr unsigned least_shift = 4, most_shift = 8;
-    static constexpr std::size_t most_blocks = std::size_t{1} << 18;
+    // Blocks of 8 items; larger ones where the table would not stay in the cache.
+    static constexpr unsigned least_shift = 3, most_shift = 8;
+    static constexpr std::size_t most_blocks = std::size_t{1} << 19;
 
     Allocator& allocator_;
     void (*const pause_)();
