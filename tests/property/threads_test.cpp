@@ -106,4 +106,45 @@ TEST(Threads, CancelFromAnotherThread) {
     EXPECT_EQ(mgdt_check(t.get(), MGDT_CHECK_CANONICAL), MGDT_OK) << property::error_of(t.get());
 }
 
+// Exports and locations by several threads are those of one, on the same handle.
+TEST(Threads, OfOneCall) {
+    const std::vector<double> xyz = random_points(property::small() ? 9000 : 60000, 5),
+                              queries = random_points(20000, 6);
+    const auto queried = static_cast<std::int64_t>(queries.size() / 3);
+    for (int canonical = 0; canonical < 2; ++canonical) {
+        const property::Handle t = property::create();
+        ASSERT_EQ(mgdt_set_canonical_output(t.get(), canonical), MGDT_OK);
+        ASSERT_EQ(mgdt_set_threads(t.get(), 4), MGDT_OK);
+        ASSERT_EQ(
+            mgdt_insert_points(t.get(), static_cast<std::int64_t>(xyz.size() / 3), xyz.data()),
+            MGDT_OK);
+        std::vector<std::int64_t> tetrahedra, neighbors, found;
+        std::vector<double> weights;
+        for (const std::int32_t threads : {4, 1}) {
+            ASSERT_EQ(mgdt_set_threads(t.get(), threads), MGDT_OK);
+            std::vector<std::int64_t> places(static_cast<std::size_t>(queried));
+            std::vector<double> shares(4 * places.size());
+            ASSERT_EQ(
+                mgdt_locate_points(t.get(), queried, queries.data(), places.data(), shares.data()),
+                MGDT_OK);
+            if (threads == 4) {
+                tetrahedra = property::tetrahedra(t.get());
+                neighbors = property::neighbors(t.get());
+                found = places;
+                weights = shares;
+            }
+            EXPECT_TRUE(tetrahedra == property::tetrahedra(t.get()));
+            EXPECT_TRUE(neighbors == property::neighbors(t.get()));
+            // A place on a facet may be found on either side of it.
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                double on_boundary = 1;
+                for (std::size_t k = 4 * i; k < 4 * i + 4; ++k)
+                    on_boundary = std::min(on_boundary, std::min(weights[k], shares[k]));
+                EXPECT_TRUE(found[i] == places[i] || on_boundary < 1e-12) << i;
+            }
+            EXPECT_EQ(mgdt_check(t.get(), MGDT_CHECK_CANONICAL), MGDT_OK);
+        }
+    }
+}
+
 }  // namespace
