@@ -174,9 +174,10 @@ void Checker::links() const {
             others.clear();
             std::size_t reached = 0;
             const auto reach = [&](TetId t) {
-                const TetId* const place = std::lower_bound(star.begin(), star.end(), t);
-                if (place == star.end() || *place != t || is_reached[place - star.begin()]) return;
-                is_reached[place - star.begin()] = 1;
+                const TetId* const found = std::lower_bound(star.begin(), star.end(), t);
+                const std::size_t place = static_cast<std::size_t>(found - star.begin());
+                if (place == star.size() || *found != t || is_reached[place]) return;
+                is_reached[place] = 1;
                 stack.push_back(t);
                 ++reached;
             };
