@@ -20,10 +20,9 @@ Locator locator(const mgdt_triangulation* t) {
     return {t->core.mesh(), t->core.kernel(), t->core.location_tree()};
 }
 
-PointScan scan_finite(std::size_t n, const double* xyz, const mgdt_triangulation* t) {
+PointScan scan_finite(Team& team, std::size_t n, const double* xyz, const mgdt_triangulation* t) {
     const double* const axis[3] = {xyz, xyz + 1, xyz + 2};
-    Team alone;
-    return PointScan(alone, n, axis, 3, t->core.settings().index_base);
+    return PointScan(team, n, axis, 3, t->core.settings().index_base);
 }
 
 template <class Int>
@@ -36,13 +35,13 @@ mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* 
         if (n == 0) return;
         require_pointer(xyz, "xyz");
         require_pointer(tetrahedra, "the output array");
-        const PointScan scan = scan_finite(static_cast<std::size_t>(n), xyz, t);
+        const std::size_t count = static_cast<std::size_t>(n);
+        Team team(t->core.threads_for(count, share));
+        const PointScan scan = scan_finite(team, count, xyz, t);
         const std::int64_t base = t->core.settings().index_base;
         if (mgdt_tetrahedron_count(t) - 1 + base > std::numeric_limits<Int>::max())
             fail(MGDT_ERR_INDEX_RANGE, "tetrahedra do not fit a 32-bit integer");
         const Locator where = locator(t);
-        const std::size_t count = static_cast<std::size_t>(n);
-        Team team(t->core.threads_for(count, share));
         const ExportView view = view_of(team, t, true);
         const auto report = [&](std::size_t i, TetId found) {
             tetrahedra[i] = static_cast<Int>(
@@ -107,7 +106,8 @@ extern "C" mgdt_status mgdt_nearest_vertex(const mgdt_triangulation* t, const do
     return guard(t, [&] {
         require_pointer(xyz, "xyz");
         require_pointer(vertex, "vertex");
-        scan_finite(1, xyz, t);
+        Team alone;
+        scan_finite(alone, 1, xyz, t);
         const std::int64_t base = t->core.settings().index_base;
         const VertexId found = locator(t).nearest_vertex(xyz, t->core.allocator());
         *vertex = found == infinite_vertex

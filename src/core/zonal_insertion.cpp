@@ -111,9 +111,9 @@ void Triangulation::ZonalInsertion::insert_round(std::size_t begin, std::size_t 
             } catch (...) {
                 members = 1;  // with one thread there is no waste, and it tells what is wrong
             }
+        } else {
+            members /= 2;  // what is left is where threads met: fewer will meet less
         }
-        // What is left is where threads met: fewer will meet less.
-        if (!no_slots_) members /= 2;
         list = std::move(left_);
         left_ = Buffer<std::uint32_t>(t_.allocator_);
         std::sort(list.begin(), list.end());
@@ -309,10 +309,10 @@ bool Triangulation::ZonalInsertion::arrive(Member& member, std::size_t k) {
 void Triangulation::ZonalInsertion::give_back(Member& member) {
     member.workspace.slot_count = 0;  // the last star is not wholly mine any more
     Claim& claim = member.territory.claim;
-    const VertexId* const here =
-        member.here == no_tetrahedron ? nullptr : t_.mesh_.tetrahedra[member.here].v;
-    if (here && Shared(t_.mesh_, member.territory).enter(t_.mesh_.tetrahedra[member.here])) {
-        claim.give_back(here, 2);
+    const Tetrahedron* const here =
+        member.here == no_tetrahedron ? nullptr : &t_.mesh_.tetrahedra[member.here];
+    if (here && Shared(t_.mesh_, member.territory).enter(*here)) {
+        claim.give_back(here->v, 2);
     } else {
         member.here = no_tetrahedron;
         claim.give_back();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How an insertion has access to the mesh: alone, or as one of several threads. The walk, the
-// cavity and the star are compiled for each.
+// What a thread that inserts among others has of its own: blocks of vertices, slots that no other
+// thread takes, and the marks of its cavity.
 #pragma once
 
 #include <mutex>
