@@ -34,8 +34,8 @@ module mgdt_constants
 
     ! Keys of set_order_parameter.
     integer, parameter :: mgdt_parameter_points_per_cell = 10 ! mean number, 1 to 1e6; 0: default
-    integer, parameter :: mgdt_parameter_threshold = 20  ! multi-grid: 1 to 1e9; 0: default (200)
-    integer, parameter :: mgdt_parameter_separation = 30 ! multi-grid: 1 (default) or 0
+    integer, parameter :: mgdt_parameter_threshold = 20  ! multi-grid: 1 to 1e9; 0: default
+    integer, parameter :: mgdt_parameter_separation = 30 ! grids: 0, 1 or 2 (default)
     integer, parameter :: mgdt_parameter_round_ratio = 40 ! BRIO: above 1 to 1e6; 0: default (7.5)
 
     ! Keys of get_stat. Counts are of the whole life of the triangulation; seconds are wall-clock.

@@ -83,13 +83,13 @@ enum {
  *  lower case with hyphens. Section numbers are those of S.H. Lo, Finite Elements in Analysis
  *  and Design 90 (2014) 113-130. */
 enum {
-    MGDT_ORDER_AUTO = 0,              /**< What measures best; the default. */
+    MGDT_ORDER_AUTO = 0,              /**< Multi-grid with its defaults; the default. */
     MGDT_ORDER_INPUT = 10,            /**< As given (2.1). */
     MGDT_ORDER_RANDOM = 20,           /**< Shuffled (2.1). */
     MGDT_ORDER_LEXICOGRAPHIC = 30,    /**< By x, then y, then z (2.1). */
     MGDT_ORDER_BRIO = 40,             /**< Random rounds of growing size, each along a curve (2.2). */
     MGDT_ORDER_HILBERT = 50,          /**< Along a Hilbert curve (2.3). */
-    MGDT_ORDER_REGULAR_GRID = 60,     /**< Cell by cell of a regular grid (4.1). */
+    MGDT_ORDER_REGULAR_GRID = 60,     /**< Along a path through a regular grid (4.1). */
     MGDT_ORDER_KD_TREE = 70,          /**< Squarish kd-tree, cell-pivot-cell (3). */
     MGDT_ORDER_ENHANCED_KD_TREE = 80, /**< A kd-tree with a regular grid in each cell (3.4). */
     MGDT_ORDER_MULTI_GRID = 90        /**< Regular grids within the cells of grids (4.2). */
@@ -99,13 +99,16 @@ enum {
  *  concern it. */
 enum {
     /** Mean number of points in a cell. Default 8 (grids), 10 (kd-tree), 1000 (enhanced kd-tree's
-     *  tree cells; its inner grids use 8). Range 1 to 1e6; 0 gives the default back. */
+     *  tree cells; its inner grids use 8). Range 1 to 1e6; 0 gives the default back. Multi-grid
+     *  with separation 2 makes its cells as small as its keys allow instead. */
     MGDT_PARAMETER_POINTS_PER_CELL = 10,
-    /** Multi-grid: a cell with more points than this gets a grid of its own. Default 200,
-     *  range 1 to 1e9; 0 gives the default back. */
+    /** Multi-grid: a cell with more points than this gets a grid of its own. Default 200, but 8
+     *  with separation 2; range 1 to 1e9; 0 gives the default back. */
     MGDT_PARAMETER_THRESHOLD = 20,
-    /** Multi-grid: 1 takes one point from a cell at a time (the paper's separation control),
-     *  0 empties a cell before the next. Default 1. */
+    /** Regular grid and multi-grid: 0 empties a cell before the next, 1 takes one point from a
+     *  cell at a time (the paper's separation control), 2 deals the points along the path through
+     *  the cells into rounds, one of sixteen before the others; the path of multi-grid is then a
+     *  Hilbert curve. Default 2. */
     MGDT_PARAMETER_SEPARATION = 30,
     /** BRIO: each round holds this many times the points of all rounds before it, plus one.
      *  Default 7.5, range above 1 to 1e6; 0 gives the default back. */

@@ -46,9 +46,10 @@ extern "C" mgdt_status mgdt_set_order_parameter(mgdt_triangulation* t, int32_t k
                     parameter_or(value, by_default.threshold, 1, 1e9, false, "threshold");
                 break;
             case MGDT_PARAMETER_SEPARATION:
-                if (value != 0 && value != 1)
-                    fail(MGDT_ERR_INVALID_ARGUMENT, "separation is %g; it must be 0 or 1", value);
-                order.separation = value != 0;
+                if (value != 0 && value != 1 && value != 2)
+                    fail(MGDT_ERR_INVALID_ARGUMENT, "separation is %g; it must be 0, 1 or 2",
+                         value);
+                order.separation = static_cast<Separation>(static_cast<int>(value));
                 break;
             case MGDT_PARAMETER_ROUND_RATIO:
                 order.round_ratio =

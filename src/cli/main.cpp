@@ -100,8 +100,9 @@ void add_scheme_parameters(CLI::App& app, TriangulationOptions& options) {
         ->type_name("X");
     app.add_option("--threshold", options.threshold, "Points beyond which a cell gets its own grid")
         ->type_name("X");
-    app.add_option("--separation", options.separation, "1: one point from a cell at a time; 0: all")
-        ->type_name("0|1");
+    app.add_option("--separation", options.separation,
+                   "0: cell after cell, 1: one point from a cell at a time, 2: in rounds")
+        ->type_name("0|1|2");
     app.add_option("--round-ratio", options.round_ratio, "Growth of the rounds")->type_name("X");
 }
 

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "order/curve_sort.hpp"
-#include "order/deal.hpp"
 #include "order/schemes.hpp"
 
 namespace mgdt {
 
-// Along a Hilbert curve, in rounds of one point in sixteen.
+// Multi-grid as it is by default, whatever the parameters: what measures best (docs/paper.md).
 void order_auto(Team& team, const PointSet& points, const OrderParameters& parameters,
                 Schedule& out) {
-    const CurveOrder curve = sort_along_curve(team, points, out.order.allocator());
-    out.levels = curve.levels;
-    deal_rounds(
-        team, parameters.seed, [&](std::size_t k) { return curve.index(k); }, out);
+    OrderParameters by_default;
+    by_default.seed = parameters.seed;
+    order_multi_grid(team, points, by_default, out);
 }
 
 }  // namespace mgdt

@@ -14,8 +14,10 @@ namespace {
 // its resolution follows the points down to the last bit of their coordinates.
 class CurveSorter {
   public:
-    CurveSorter(const PointSet& points, CurveOrder& order, Buffer<std::uint64_t>& scratch) noexcept
+    CurveSorter(const PointSet& points, std::size_t crowd, CurveOrder& order,
+                Buffer<std::uint64_t>& scratch) noexcept
         : points_(points),
+          crowd_(crowd),
           order_(order),
           allocator_(order.words.allocator()),
           words_(order.words.data()),
@@ -45,7 +47,7 @@ class CurveSorter {
                    index_bits_ + 3 * levels);
         Runs(allocator_)
             .for_each(
-                team, end - begin, crowd + 1,
+                team, end - begin, crowd_ + 1,
                 [&](std::size_t i, std::size_t j) {
                     return words[i] >> index_bits_ == words[j] >> index_bits_;
                 },
@@ -58,8 +60,6 @@ class CurveSorter {
 
   private:
     static constexpr unsigned most_steps = 5;
-    // So many points in a finest cell may stay as they are.
-    static constexpr std::size_t crowd = 8;
     static constexpr std::size_t share = 32768;
 
     std::uint64_t key(const Lattice& lattice, std::uint64_t index, unsigned& state) const noexcept {
@@ -78,6 +78,7 @@ class CurveSorter {
     }
 
     const PointSet& points_;
+    const std::size_t crowd_;
     const CurveOrder& order_;
     Allocator& allocator_;
     std::uint64_t* words_;
@@ -88,7 +89,8 @@ class CurveSorter {
 
 }  // namespace
 
-CurveOrder sort_along_curve(Team& team, const PointSet& points, Allocator& allocator) {
+CurveOrder sort_along_curve(Team& team, const PointSet& points, Allocator& allocator,
+                            std::size_t crowd) {
     const std::size_t n = points.size;
     CurveOrder order{Buffer<std::uint64_t>(allocator, n), 0, 0};
     if (n == 0) return order;
@@ -97,7 +99,7 @@ CurveOrder sort_along_curve(Team& team, const PointSet& points, Allocator& alloc
     team.split(n, 65536, [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t k = begin; k < end; ++k) order.words[k] = k;
     });
-    CurveSorter sorter(points, order, scratch);
+    CurveSorter sorter(points, crowd, order, scratch);
     sorter.sort(team, 0, n, box_of(points), HilbertCurve::first_state, 1);
     order.levels = sorter.levels();
     return order;

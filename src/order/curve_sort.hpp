@@ -17,6 +17,8 @@ struct CurveOrder {
     }
 };
 
-CurveOrder sort_along_curve(Team& team, const PointSet& points, Allocator& allocator);
+// Up to `crowd` points in a finest cell stay as they are.
+CurveOrder sort_along_curve(Team& team, const PointSet& points, Allocator& allocator,
+                            std::size_t crowd = 8);
 
 }  // namespace mgdt

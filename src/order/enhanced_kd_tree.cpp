@@ -61,7 +61,7 @@ class CellOrder {
 // S.H. Lo (2014), section 3.4: over 1000 points a cell, and a regular grid inside each.
 void order_enhanced_kd_tree(Team&, const PointSet& points, const OrderParameters& parameters,
                             Schedule& out) {
-    const double per_cell = parameters.points_per_cell > 0 ? parameters.points_per_cell : 1000;
+    const double per_cell = parameters.points_per_cell_or(1000);
     Buffer<KdPoint> sorted = kd_points(points, out.order.allocator());
     const unsigned levels = kd_levels(points.size, per_cell, true);
     CellOrder order_cell(points, sorted, out);

@@ -9,7 +9,7 @@ namespace mgdt {
 // S.H. Lo (2014), section 3: about 10 points a cell, which go in in the order of the input.
 void order_kd_tree(Team&, const PointSet& points, const OrderParameters& parameters,
                    Schedule& out) {
-    const double per_cell = parameters.points_per_cell > 0 ? parameters.points_per_cell : 10;
+    const double per_cell = parameters.points_per_cell_or(10);
     Buffer<KdPoint> sorted = kd_points(points, out.order.allocator());
     out.levels = kd_levels(points.size, per_cell, false);
     const auto by_index = [&](std::size_t begin, std::size_t end) {

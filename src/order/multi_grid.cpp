@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
 #include <cstring>
-#include <utility>
 
+#include "order/curve_sort.hpp"
+#include "order/deal.hpp"
 #include "order/grid.hpp"
-#include "order/rounds.hpp"
 #include "order/schemes.hpp"
+#include "order/separation.hpp"
 
 namespace mgdt {
 namespace {
@@ -17,8 +17,8 @@ class MultiGrid {
   public:
     MultiGrid(const PointSet& points, const OrderParameters& parameters, Schedule& out)
         : points_(points),
-          per_cell_(parameters.points_per_cell > 0 ? parameters.points_per_cell : 8),
-          threshold_(parameters.threshold),
+          per_cell_(parameters.points_per_cell_or(8)),
+          threshold_(parameters.threshold_or(200)),
           out_(out),
           rank_(out.order.allocator(), points.size),
           moved_(out.order.allocator(), points.size),
@@ -107,105 +107,32 @@ class MultiGrid {
     Buffer<Cell> pending_;
 };
 
-// Separation control: "taking one point from a cell at a time". Pass r takes the point of rank r
-// of every cell that has one, along the whole path through all levels of grids. The first pass
-// alone is still a sorted sweep, which builds long tetrahedra between its front and what is there
-// and removes them again, so it is dealt into random rounds, the same path with cells left out.
-// From the second pass on a point's hint is the nearest of the last points of its own cell.
-class Separation {
-  public:
-    Separation(const PointSet& points, const OrderParameters& parameters, Schedule& out,
-               const Buffer<std::uint32_t>& rank)
-        : points_(points),
-          out_(out),
-          rank_(rank),
-          rounds_(count_cells(rank), parameters.round_ratio, parameters.seed) {}
-
-    void apply() {
-        const std::size_t n = points_.size;
-        Allocator& allocator = out_.order.allocator();
-        Buffer<std::uint32_t> next(allocator), order(allocator, n);
-        count_passes(next);
-        out_.hints.resize(n);
-        for (std::size_t k = 0; k < n; ++k) {
-            const std::uint32_t position = next[pass(k)]++;
-            order[position] = out_.order[k];
-            out_.hints[position] = hint(k, position);
-        }
-        out_.order = std::move(order);
-    }
-
-  private:
-    static constexpr std::uint32_t candidates = 8;
-
-    struct Earlier {
-        double x[3];
-        std::uint32_t position;
-    };
-
-    static std::size_t count_cells(const Buffer<std::uint32_t>& rank) noexcept {
-        std::size_t cells = 0;
-        for (const std::uint32_t r : rank) cells += r == 0;
-        return cells;
-    }
-
-    std::size_t pass(std::size_t k) const noexcept {
-        if (rank_[k] == 0) return rounds_.of(out_.order[k]);
-        return std::size_t{rounds_.count()} - 1 + rank_[k];
-    }
-
-    // The first position of each pass; those that have points are the schedule's rounds.
-    void count_passes(Buffer<std::uint32_t>& first) {
-        std::uint32_t most = 0;
-        for (const std::uint32_t r : rank_) {
-            if (r > most) most = r;
-        }
-        first.resize(std::size_t{rounds_.count()} + most, 0);
-        for (std::size_t k = 0; k < rank_.size(); ++k) ++first[pass(k)];
-        std::uint32_t sum = 0;
-        for (std::uint32_t& f : first) {
-            const std::uint32_t size = f;
-            if (size > 0) out_.rounds.push_back(sum);
-            f = sum;
-            sum += size;
-        }
-    }
-
-    // Called for the positions of the path in turn: remembers the last points of the cell.
-    std::uint32_t hint(std::size_t k, std::uint32_t position) noexcept {
-        const std::uint32_t rank = rank_[k];
-        Earlier self;
-        for (int a = 0; a < 3; ++a) self.x[a] = points_.coordinate(out_.order[k], a);
-        self.position = position;
-        std::uint32_t best = no_hint;
-        double least = 0;
-        for (std::uint32_t c = 0; c < candidates && c < rank; ++c) {
-            // Sums of absolute differences: squares may leave the range of doubles.
-            double d = 0;
-            for (int a = 0; a < 3; ++a) d += std::fabs(self.x[a] - earlier_[c].x[a]);
-            if (best == no_hint || d < least) {
-                best = earlier_[c].position;
-                least = d;
-            }
-        }
-        earlier_[rank % candidates] = self;
-        return best;
-    }
-
-    const PointSet& points_;
-    Schedule& out_;
-    const Buffer<std::uint32_t>& rank_;
-    RandomRounds rounds_;
-    Earlier earlier_[candidates];
-};
+// Keeps what the paper's multi-grid is for, and goes about it another way: grids of cubes, as fine
+// as keys allow, and one more in each crowded cell; a path through all of them along a Hilbert
+// curve that enters a grid and leaves it where its cell is entered and left; and separation by
+// rounds of one point in sixteen.
+void order_in_rounds(Team& team, const PointSet& points, const OrderParameters& parameters,
+                     Schedule& out) {
+    constexpr double crowd = 8;
+    const CurveOrder curve =
+        sort_along_curve(team, points, out.order.allocator(),
+                         static_cast<std::size_t>(parameters.threshold_or(crowd)));
+    out.levels = curve.levels;
+    deal_rounds(
+        team, parameters.seed, [&](std::size_t k) { return curve.index(k); }, out);
+}
 
 }  // namespace
 
-void order_multi_grid(Team&, const PointSet& points, const OrderParameters& parameters,
+void order_multi_grid(Team& team, const PointSet& points, const OrderParameters& parameters,
                       Schedule& out) {
+    if (parameters.separation == Separation::rounds) {
+        order_in_rounds(team, points, parameters, out);
+        return;
+    }
     MultiGrid grids(points, parameters, out);
     const Buffer<std::uint32_t>& rank = grids.sort();
-    if (parameters.separation) Separation(points, parameters, out, rank).apply();
+    separate(team, points, parameters, rank, out);
 }
 
 }  // namespace mgdt

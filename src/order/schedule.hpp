@@ -28,13 +28,22 @@ struct PointSet {
     }
 };
 
+// How the points of a path through cells are kept apart: see mgdt.h, MGDT_PARAMETER_SEPARATION.
+enum class Separation { none, passes, rounds };
+
 // Every field has its default where 0 is said in mgdt.h to give it.
 struct OrderParameters {
-    double points_per_cell = 0;  // 0: the scheme's own default
-    double threshold = 200;
-    bool separation = true;
+    double points_per_cell = 0, threshold = 0;  // 0: the scheme's own defaults
+    Separation separation = Separation::rounds;
     double round_ratio = 7.5;
     std::uint64_t seed = 0;
+
+    double points_per_cell_or(double by_default) const noexcept {
+        return points_per_cell > 0 ? points_per_cell : by_default;
+    }
+    double threshold_or(double by_default) const noexcept {
+        return threshold > 0 ? threshold : by_default;
+    }
 };
 
 struct Schedule {

@@ -115,7 +115,7 @@ static void settings(mgdt_triangulation* t) {
                 MGDT_ERR_INVALID_ARGUMENT);
     CHECK_EQUAL(mgdt_set_order_parameter(t, MGDT_PARAMETER_THRESHOLD, NAN),
                 MGDT_ERR_INVALID_ARGUMENT);
-    CHECK_EQUAL(mgdt_set_order_parameter(t, MGDT_PARAMETER_SEPARATION, 2),
+    CHECK_EQUAL(mgdt_set_order_parameter(t, MGDT_PARAMETER_SEPARATION, 3),
                 MGDT_ERR_INVALID_ARGUMENT);
     CHECK_EQUAL(mgdt_set_order_parameter(t, MGDT_PARAMETER_SEPARATION, 0.5),
                 MGDT_ERR_INVALID_ARGUMENT);
@@ -128,6 +128,7 @@ static void settings(mgdt_triangulation* t) {
     CHECK_EQUAL(mgdt_set_order_parameter(t, MGDT_PARAMETER_THRESHOLD, 0), MGDT_OK);
     CHECK_EQUAL(mgdt_set_order_parameter(t, MGDT_PARAMETER_SEPARATION, 0), MGDT_OK);
     CHECK_EQUAL(mgdt_set_order_parameter(t, MGDT_PARAMETER_SEPARATION, 1), MGDT_OK);
+    CHECK_EQUAL(mgdt_set_order_parameter(t, MGDT_PARAMETER_SEPARATION, 2), MGDT_OK);
     CHECK_EQUAL(mgdt_set_order_parameter(t, MGDT_PARAMETER_ROUND_RATIO, 3), MGDT_OK);
     CHECK_EQUAL(mgdt_set_order_parameter(t, MGDT_PARAMETER_ROUND_RATIO, 0), MGDT_OK);
     CHECK_EQUAL(mgdt_set_threads(t, -1), MGDT_ERR_INVALID_ARGUMENT);

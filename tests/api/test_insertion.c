@@ -229,7 +229,7 @@ static void parameters(void) {
                         MGDT_OK);
             CHECK_EQUAL(mgdt_set_order_parameter(t, MGDT_PARAMETER_THRESHOLD, thresholds[k]),
                         MGDT_OK);
-            CHECK_EQUAL(mgdt_set_order_parameter(t, MGDT_PARAMETER_SEPARATION, k % 2), MGDT_OK);
+            CHECK_EQUAL(mgdt_set_order_parameter(t, MGDT_PARAMETER_SEPARATION, k % 3), MGDT_OK);
             CHECK_EQUAL(mgdt_set_order_parameter(t, MGDT_PARAMETER_ROUND_RATIO, ratios[k]),
                         MGDT_OK);
             CHECK_EQUAL(mgdt_set_seed(t, UINT64_MAX - (uint64_t)k), MGDT_OK);

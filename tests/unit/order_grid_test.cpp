@@ -91,6 +91,7 @@ TEST(RegularGrid, GoesFromCellToCellNextToIt) {
     const PointSet points = point_set(xyz);
     OrderParameters parameters;
     parameters.points_per_cell = 27;  // no cell is empty
+    parameters.separation = Separation::none;
     const Result result = schedule(points, MGDT_ORDER_REGULAR_GRID, parameters);
     EXPECT_EQ(result.levels, 1u);
     const Grid grid(points, box_of(points), points.size, 27);
@@ -190,14 +191,16 @@ TEST(EnhancedKdTree, SandwichesGrids) {
 
 TEST(EnhancedKdTree, OfOneCellIsARegularGrid) {
     const Coordinates xyz = uniform(1500);
+    OrderParameters parameters;
+    parameters.separation = Separation::none;
     EXPECT_EQ(schedule(xyz, MGDT_ORDER_ENHANCED_KD_TREE).order,
-              schedule(xyz, MGDT_ORDER_REGULAR_GRID).order);
+              schedule(xyz, MGDT_ORDER_REGULAR_GRID, parameters).order);
 }
 
 TEST(MultiGrid, WithoutCrowdsIsTheRegularGrid) {
     const Coordinates xyz = uniform(5000);
     OrderParameters parameters;
-    parameters.separation = false;
+    parameters.separation = Separation::none;
     const Result multi = schedule(xyz, MGDT_ORDER_MULTI_GRID, parameters);
     EXPECT_TRUE(multi == schedule(xyz, MGDT_ORDER_REGULAR_GRID, parameters));
     parameters.points_per_cell = 2;
@@ -211,7 +214,7 @@ TEST(MultiGrid, RefinesACrowdedCellInPlace) {
     const Coordinates crowd = uniform(1000);
     for (const double x : crowd) xyz.push_back(0.5 + 1e-6 * x);
     OrderParameters parameters;
-    parameters.separation = false;
+    parameters.separation = Separation::none;
     const PointSet points = point_set(xyz);
     const Result multi = schedule(points, MGDT_ORDER_MULTI_GRID, parameters);
     const Result single = schedule(points, MGDT_ORDER_REGULAR_GRID, parameters);
@@ -249,6 +252,7 @@ TEST(MultiGrid, RefinesACrowdedCellInPlace) {
 TEST(MultiGrid, StopsWherePointsCannotBeSeparated) {
     OrderParameters parameters;
     parameters.threshold = 1;
+    parameters.separation = Separation::passes;
     const Coordinates same =
         generate(5000, [](std::size_t, Random&, double* p) { p[0] = p[1] = p[2] = 0.25; });
     EXPECT_LE(schedule(same, MGDT_ORDER_MULTI_GRID, parameters).levels, 1u);
@@ -262,12 +266,42 @@ TEST(MultiGrid, StopsWherePointsCannotBeSeparated) {
     EXPECT_LE(result.levels, 64u);
 }
 
+TEST(MultiGrid, ByDefaultIsWhatAutoTakes) {
+    Coordinates xyz = uniform(3000);
+    for (const double x : uniform(1000)) xyz.push_back(0.5 + 1e-9 * x);
+    const Result multi = schedule(xyz, MGDT_ORDER_MULTI_GRID);
+    EXPECT_TRUE(multi == schedule(xyz, MGDT_ORDER_AUTO));
+    EXPECT_GT(multi.rounds.size(), 2u);
+    // A threshold leaves crowds as they are; auto does not know it.
+    OrderParameters parameters;
+    parameters.threshold = 1e9;
+    const Result coarse = schedule(xyz, MGDT_ORDER_MULTI_GRID, parameters);
+    EXPECT_EQ(coarse.levels, 1u);
+    EXPECT_GT(multi.levels, 1u);
+    EXPECT_TRUE(multi == schedule(xyz, MGDT_ORDER_AUTO, parameters));
+}
+
+TEST(RegularGrid, RoundsFollowItsPath) {
+    const Coordinates xyz = uniform(20000);
+    const PointSet points = point_set(xyz);
+    const Result result = schedule(points, MGDT_ORDER_REGULAR_GRID);
+    const Grid grid(points, box_of(points), points.size, 8);
+    ASSERT_GT(result.rounds.size(), 2u);
+    const std::size_t last = result.rounds.back();
+    EXPECT_EQ(points.size - last, points.size - points.size / 16);
+    for (std::size_t k = last + 1; k < points.size; ++k)
+        ASSERT_LE(grid.path(points, result.order[k - 1]), grid.path(points, result.order[k]));
+}
+
 TEST(MultiGrid, SeparationTakesOnePointFromACellAtATime) {
     const Coordinates xyz = uniform(20000);
     const PointSet points = point_set(xyz);
     const Grid grid(points, box_of(points), points.size, 8);
-    const Result result = schedule(points, MGDT_ORDER_MULTI_GRID);
+    OrderParameters parameters;
+    parameters.separation = Separation::passes;
+    const Result result = schedule(points, MGDT_ORDER_MULTI_GRID, parameters);
     ASSERT_EQ(result.levels, 1u);
+    EXPECT_TRUE(result == schedule(points, MGDT_ORDER_REGULAR_GRID, parameters));
     std::vector<std::uint32_t> taken(grid.cells(), 0), total(grid.cells(), 0);
     for (std::size_t i = 0; i < points.size; ++i) ++total[grid.path(points, i)];
 
@@ -309,6 +343,7 @@ TEST(MultiGrid, HintsAreTheNearestOfTheCell) {
     const Coordinates xyz = uniform(9);
     OrderParameters parameters;
     parameters.points_per_cell = 100;
+    parameters.separation = Separation::passes;
     const Result result = schedule(xyz, MGDT_ORDER_MULTI_GRID, parameters);
     ASSERT_EQ(result.hints[0], no_hint);
     for (std::size_t k = 1; k < 9; ++k) {

@@ -36,7 +36,8 @@ TEST_P(EveryScheme, TakesExtremeParameters) {
         for (const double per_cell : {1.0, 1e6}) {
             for (const double threshold : {1.0, 1e9}) {
                 for (const double ratio : {1.0000001, 1e6}) {
-                    for (const bool separation : {false, true}) {
+                    for (const Separation separation :
+                         {Separation::none, Separation::passes, Separation::rounds}) {
                         OrderParameters parameters;
                         parameters.points_per_cell = per_cell;
                         parameters.threshold = threshold;

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "order/separation.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "order/deal.hpp"
+#include "order/rounds.hpp"
+
+namespace mgdt {
+namespace {
+
+// Separation control: "taking one point from a cell at a time". Pass r takes the point of rank r
+// of every cell that has one, along the whole path through all levels of grids. The first pass
+// alone is still a sorted sweep, which builds long tetrahedra between its front and what is there
+// and removes them again, so it is dealt into random rounds, the same path with cells left out.
+// From the second pass on a point's hint is the nearest of the last points of its own cell.
+class Passes {
+  public:
+    Passes(const PointSet& points, const OrderParameters& parameters, Schedule& out,
+           const Buffer<std::uint32_t>& rank)
+        : points_(points),
+          out_(out),
+          rank_(rank),
+          rounds_(count_cells(rank), parameters.round_ratio, parameters.seed) {}
+
+    void apply() {
+        const std::size_t n = points_.size;
+        Allocator& allocator = out_.order.allocator();
+        Buffer<std::uint32_t> next(allocator), order(allocator, n);
+        count_passes(next);
+        out_.hints.resize(n);
+        for (std::size_t k = 0; k < n; ++k) {
+            const std::uint32_t position = next[pass(k)]++;
+            order[position] = out_.order[k];
+            out_.hints[position] = hint(k, position);
+        }
+        out_.order = std::move(order);
+    }
+
+  private:
+    static constexpr std::uint32_t candidates = 8;
+
+    struct Earlier {
+        double x[3];
+        std::uint32_t position;
+    };
+
+    static std::size_t count_cells(const Buffer<std::uint32_t>& rank) noexcept {
+        std::size_t cells = 0;
+        for (const std::uint32_t r : rank) cells += r == 0;
+        return cells;
+    }
+
+    std::size_t pass(std::size_t k) const noexcept {
+        if (rank_[k] == 0) return rounds_.of(out_.order[k]);
+        return std::size_t{rounds_.count()} - 1 + rank_[k];
+    }
+
+    // The first position of each pass; those that have points are the schedule's rounds.
+    void count_passes(Buffer<std::uint32_t>& first) {
+        std::uint32_t most = 0;
+        for (const std::uint32_t r : rank_) {
+            if (r > most) most = r;
+        }
+        first.resize(std::size_t{rounds_.count()} + most, 0);
+        for (std::size_t k = 0; k < rank_.size(); ++k) ++first[pass(k)];
+        std::uint32_t sum = 0;
+        for (std::uint32_t& f : first) {
+            const std::uint32_t size = f;
+            if (size > 0) out_.rounds.push_back(sum);
+            f = sum;
+            sum += size;
+        }
+    }
+
+    // Called for the positions of the path in turn: remembers the last points of the cell.
+    std::uint32_t hint(std::size_t k, std::uint32_t position) noexcept {
+        const std::uint32_t rank = rank_[k];
+        Earlier self;
+        for (int a = 0; a < 3; ++a) self.x[a] = points_.coordinate(out_.order[k], a);
+        self.position = position;
+        std::uint32_t best = no_hint;
+        double least = 0;
+        for (std::uint32_t c = 0; c < candidates && c < rank; ++c) {
+            // Sums of absolute differences: squares may leave the range of doubles.
+            double d = 0;
+            for (int a = 0; a < 3; ++a) d += std::fabs(self.x[a] - earlier_[c].x[a]);
+            if (best == no_hint || d < least) {
+                best = earlier_[c].position;
+                least = d;
+            }
+        }
+        earlier_[rank % candidates] = self;
+        return best;
+    }
+
+    const PointSet& points_;
+    Schedule& out_;
+    const Buffer<std::uint32_t>& rank_;
+    RandomRounds rounds_;
+    Earlier earlier_[candidates];
+};
+
+}  // namespace
+
+void separate(Team& team, const PointSet& points, const OrderParameters& parameters,
+              const Buffer<std::uint32_t>& rank, Schedule& out) {
+    switch (parameters.separation) {
+        case Separation::none:
+            break;
+        case Separation::passes:
+            Passes(points, parameters, out, rank).apply();
+            break;
+        case Separation::rounds:
+            deal_rounds(team, parameters.seed, out);
+            break;
+    }
+}
+
+}  // namespace mgdt
