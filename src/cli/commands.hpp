@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/bench/plan.hpp"
 #include "cli/distributions.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/triangulation.hpp"
@@ -53,11 +54,27 @@ int check(const CheckOptions& options);
 
 int info(const InputOptions& options);
 
+struct BenchOptions {
+    bench::PlanOptions plan;
+    std::vector<std::string> sizes;  // of the plan, as they were typed
+    std::string largest;
+    double time_limit = 0;  // seconds a run; 0 for none
+    std::string csv, json;  // files, or empty
+    std::string data_directory;
+    std::string peer_directory;  // empty: beside the program
+    std::string command;         // as it was typed
+    bool quiet = false;
+};
+int run_bench(const BenchOptions& options);
+
 // Reads an input; `format` receives the format it was read as.
 Mesh read_input(const InputOptions& options, const Format** format = nullptr);
 
 // Refuses to send bytes to a terminal.
 void check_terminal(const OutputOptions& options, const Format& format);
+
+// A whole number, which may be written 1e6. `name` is that of the argument, for messages.
+std::size_t parse_point_count(const std::string& name, const std::string& text);
 
 // "1 point", "2 points".
 std::string counted(std::size_t n, const char* singular, const char* plural);

@@ -11,27 +11,22 @@
 #include "cli/errors.hpp"
 
 namespace mgdt::cli {
-namespace {
-
-// A whole number, which may be written 1e6.
-std::size_t parse_point_count(const std::string& text) {
+std::size_t parse_point_count(const std::string& name, const std::string& text) {
     double value = -1;
     const char* last = text.data() + text.size();
     const auto result = std::from_chars(text.data(), last, value);
     if (result.ec != std::errc() || result.ptr != last || !(value >= 0) || value > 1e15 ||
         value != std::floor(value)) {
-        throw Error(
-            exit_usage,
-            fmt::format("N is {}; a number of points such as 1000 or 1e6 is needed", quote(text)));
+        throw Error(exit_usage,
+                    fmt::format("{} is {}; a number of points such as 1000 or 1e6 is needed", name,
+                                quote(text)));
     }
     return static_cast<std::size_t>(value);
 }
 
-}  // namespace
-
 int generate_points(const GenerateCommandOptions& options) {
     const OutputOptions& output = options.output;
-    const std::size_t count = parse_point_count(options.count);
+    const std::size_t count = parse_point_count("N", options.count);
     const Format& format = output_format(output.path, output.to);
     if (!format.write_points) {
         throw Error(exit_usage, fmt::format("{} ({}) is not for points alone; write .npy, .xyz, "

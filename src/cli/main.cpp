@@ -106,6 +106,79 @@ void add_scheme_parameters(CLI::App& app, TriangulationOptions& options) {
     app.add_option("--round-ratio", options.round_ratio, "Growth of the rounds")->type_name("X");
 }
 
+// What was typed, so that it can be typed again.
+std::string command_line(int argc, char** argv) {
+    std::string line = "mgdt";
+    for (int i = 1; i < argc; ++i) line += std::string(" ") + argv[i];
+    return line;
+}
+
+void add_bench(CLI::App& app, BenchOptions& options) {
+    using Names = std::vector<std::string>;
+    app.add_option("--distributions", options.plan.distributions,
+                   "Distributions (default: the seven of the paper), see below")
+        ->delimiter(',')
+        ->type_name("LIST");
+    CLI::Option* sizes =
+        app.add_option("--sizes", options.sizes, "Numbers of points, such as 1e5,1e6 (default 1e6)")
+            ->delimiter(',')
+            ->type_name("LIST");
+    app.add_option("--schemes", options.plan.schemes,
+                   "Orders of insertion (default auto): " + schemes())
+        ->delimiter(',')
+        ->type_name("LIST");
+    app.add_option("--threads", options.plan.threads,
+                   "Numbers of threads; 0 for all cores (default 1)")
+        ->delimiter(',')
+        ->check(CLI::Range(0, 1 << 20))
+        ->type_name("LIST");
+    app.add_option("--runs", options.plan.runs, "Runs of each (default 3, with --paper 1)")
+        ->check(CLI::Range(1, 1000000))
+        ->type_name("N");
+    app.add_option("--seed", options.plan.seed,
+                   "Seed of the points and of the schemes that shuffle (default 1)")
+        ->type_name("N");
+    app.add_option("--time-limit", options.time_limit, "Most time of a run (default: none)")
+        ->check(CLI::PositiveNumber)
+        ->type_name("SECONDS");
+    CLI::Option* paper =
+        app.add_flag("--paper", options.plan.paper, "What the paper ran in its tables 1 to 9")
+            ->excludes(sizes);
+    app.add_option("--largest", options.largest, "Largest of the paper's sets (default 2e6)")
+        ->needs(paper)
+        ->type_name("N");
+    app.add_option_function<Names>(
+           "--peers",
+           [&options](const Names& names) {
+               for (const std::string& name : names) {
+                   if (!name.empty()) options.plan.peers.push_back(name);
+               }
+               if (options.plan.peers.empty()) options.plan.peers = bench::peer_names;
+           },
+           "Time these too, in turns: cgal,tetgen,qhull (default: all)")
+        ->delimiter(',')
+        ->expected(0, 3)
+        ->type_name("LIST");
+    app.add_option("--peer-directory", options.peer_directory,
+                   "Where the peers' runners are (default: in the program's build folder)")
+        ->envname("MGDT_PEERS")
+        ->type_name("DIR");
+    app.add_option("--csv", options.csv,
+                   "Table to write a line a run to; started again, goes on from there")
+        ->type_name("FILE");
+    app.add_option("--json", options.json, "File to write at the end; - for standard output")
+        ->type_name("FILE");
+    app.add_option("--data", options.data_directory, "Where machine.msh and church.msh are")
+        ->envname("MGDT_DATA")
+        ->type_name("DIR");
+    app.add_flag("-q,--quiet", options.quiet, "Print nothing but errors and the medians");
+    std::string names;
+    for (const std::string& name : bench::distribution_names()) {
+        names += (names.empty() ? "" : ", ") + name;
+    }
+    app.footer("Distributions: " + names + "\n\n" + exit_codes);
+}
+
 // CLI11 would only say that a command is missing.
 void require_command(const CLI::App& app, const std::string& name) {
     std::string names;
@@ -195,6 +268,15 @@ int run(int argc, char** argv) {
     add_input(*info_app, i, "Points or tetrahedra");
     info_app->footer(exit_codes);
 
+    BenchOptions b;
+    b.command = command_line(argc, argv);
+#ifdef MGDT_DATA_DIRECTORY
+    b.data_directory = MGDT_DATA_DIRECTORY;
+#endif
+    CLI::App* bench_app = app.add_subcommand(
+        "bench", "Measure order schemes, and other libraries, on distributions of points.");
+    add_bench(*bench_app, b);
+
     if (argc > 1 && argv[1][0] != '-') require_command(app, argv[1]);
     try {
         app.parse(argc, argv);
@@ -208,6 +290,7 @@ int run(int argc, char** argv) {
     if (*triangulate_app) return triangulate(t);
     if (*generate_app) return generate_points(g);
     if (*check_app) return check(c);
+    if (*bench_app) return run_bench(b);
     return info(i);
 }
 

@@ -91,9 +91,14 @@ void Triangulation::require(mgdt_status status, const std::string& doing) const 
 }
 
 void Triangulation::insert(const std::vector<double>& points, const std::string& name) {
-    check_interrupt();
     Progress progress("triangulating", quiet_);
-    mgdt_set_progress(handle_, Progress::callback, &progress);
+    insert(points, name, Progress::callback, &progress);
+}
+
+void Triangulation::insert(const std::vector<double>& points, const std::string& name,
+                           mgdt_progress_fn progress, void* user) {
+    check_interrupt();
+    mgdt_set_progress(handle_, progress, user);
     const mgdt_status status =
         mgdt_insert_points(handle_, static_cast<std::int64_t>(points.size() / 3), points.data());
     mgdt_set_progress(handle_, nullptr, nullptr);

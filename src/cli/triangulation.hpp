@@ -36,6 +36,9 @@ class Triangulation {
 
     // Inserts the points, with a progress bar. `name` is the file's, for messages.
     void insert(const std::vector<double>& points, const std::string& name);
+    // The same with progress told to another.
+    void insert(const std::vector<double>& points, const std::string& name,
+                mgdt_progress_fn progress, void* user);
 
     std::vector<std::int64_t> tetrahedra() const;
     std::vector<std::int64_t> neighbors() const;

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// One run of one library on one set of points: a line of the CSV table.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mgdt::cli::bench {
+
+enum Figure : std::size_t {
+    walked,  // tetrahedra visited by walks, an insertion: the paper's NP
+    removed,
+    created,
+    order_seconds,
+    insert_seconds,
+    total_seconds,
+    bytes_per_point,
+    peak_rss_bytes,
+    inserted,
+    duplicates,
+    tetrahedra,
+    levels,
+    rounds,
+    figure_count
+};
+
+inline constexpr std::array<const char*, figure_count> figure_names{"np",
+                                                                    "nr",
+                                                                    "created",
+                                                                    "order_seconds",
+                                                                    "insert_seconds",
+                                                                    "total_seconds",
+                                                                    "bytes_per_point",
+                                                                    "peak_rss_bytes",
+                                                                    "inserted",
+                                                                    "duplicates",
+                                                                    "tetrahedra",
+                                                                    "levels",
+                                                                    "rounds"};
+
+// What a library does not tell is empty.
+using Figures = std::array<std::optional<double>, figure_count>;
+
+struct Row {
+    std::string library = "mgdt";  // or a peer's name
+    std::string version;
+    std::string distribution;
+    std::size_t points = 0;  // asked for; a distribution may have fewer
+    std::uint64_t seed = 1;
+    std::string scheme;  // empty for peers
+    int threads = 1;
+    int run = 1;
+    std::string status = "ok";  // or a word for what failed
+    Figures figures{};
+
+    bool ok() const { return status == "ok"; }
+    // What was run on what, without its number: the rows that medians are of.
+    std::string subject() const;
+    // Which run of the table it is.
+    std::string key() const;
+    // The scheme, or the peer's name.
+    const std::string& contender() const { return scheme.empty() ? library : scheme; }
+};
+
+// The heading of the CSV table, without the end of the line.
+std::string csv_heading();
+
+std::string to_csv(const Row& row);
+
+// Nothing if the line is not one of such a table.
+std::optional<Row> from_csv(std::string_view line);
+
+// Text from elsewhere as a field: printable, without commas and quotation marks, and short.
+std::string as_field(std::string_view text);
+
+}  // namespace mgdt::cli::bench

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "cli/bench/runs.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <sstream>
+
+#include "cli/bench/child.hpp"
+#include "cli/bench/status.hpp"
+#include "cli/errors.hpp"
+#include "cli/triangulation.hpp"
+
+namespace mgdt::cli::bench {
+namespace {
+
+using std::chrono::duration;
+using std::chrono::steady_clock;
+
+// Lines of a child of mgdt: "progress FRACTION" and at the end "figures" and what a row has of
+// them, a word each.
+constexpr const char* progress_word = "progress";
+constexpr const char* figures_word = "figures";
+constexpr const char* no_figure = "-";
+
+struct Reporter {
+    int out;
+    steady_clock::time_point last;
+
+    static std::int32_t report(double fraction, void* user) {
+        auto& self = *static_cast<Reporter*>(user);
+        const auto now = steady_clock::now();
+        // Small sets are not to be slowed down by it.
+        if (now - self.last < std::chrono::milliseconds(100)) return 0;
+        self.last = now;
+        send(self.out, fmt::format("{} {:.3f}", progress_word, fraction));
+        return 0;
+    }
+};
+
+Figures figures_of(const mgdt_triangulation* t, double seconds) {
+    const auto stat = [t](std::int32_t key) {
+        double value = 0;
+        mgdt_get_stat(t, key, &value);
+        return value;
+    };
+    Figures f{};
+    const double in = stat(MGDT_STAT_POINTS_INSERTED);
+    if (in > 0) {
+        f[walked] = stat(MGDT_STAT_WALK_STEPS) / in;
+        f[removed] = stat(MGDT_STAT_TETRAHEDRA_REMOVED) / in;
+        f[created] = stat(MGDT_STAT_TETRAHEDRA_CREATED) / in;
+    }
+    f[order_seconds] = stat(MGDT_STAT_ORDER_SECONDS);
+    f[insert_seconds] = stat(MGDT_STAT_INSERT_SECONDS);
+    f[total_seconds] = seconds;
+    if (const std::int64_t n = mgdt_point_count(t); n > 0) {
+        f[bytes_per_point] = stat(MGDT_STAT_PEAK_MEMORY_BYTES) / static_cast<double>(n);
+    }
+    f[inserted] = in;
+    f[duplicates] = stat(MGDT_STAT_DUPLICATES);
+    f[tetrahedra] = static_cast<double>(mgdt_tetrahedron_count(t));
+    f[levels] = stat(MGDT_STAT_GRID_LEVELS);
+    f[rounds] = stat(MGDT_STAT_ROUNDS);
+    return f;
+}
+
+void triangulate_in_child(int out, const PointSet& set, const Row& row) {
+    const std::vector<double> points = set.read();
+    TriangulationOptions options;
+    options.scheme = row.scheme;
+    options.threads = row.threads;
+    options.seed = row.seed;
+    Reporter reporter{out, steady_clock::now()};
+    const auto begin = steady_clock::now();
+    Triangulation t(options);
+    t.insert(points, row.distribution, Reporter::report, &reporter);
+    const double seconds = duration<double>(steady_clock::now() - begin).count();
+    std::string line = figures_word;
+    for (const std::optional<double>& figure : figures_of(t.get(), seconds)) {
+        line += figure ? fmt::format(" {}", *figure) : std::string(" ") + no_figure;
+    }
+    send(out, line);
+    // Taking it down would only take time.
+    _exit(exit_ok);
+}
+
+bool read_figures(const std::string& line, Figures& figures) {
+    std::istringstream words(line);
+    std::string word;
+    if (!(words >> word) || word != figures_word) return false;
+    for (std::optional<double>& figure : figures) {
+        if (!(words >> word)) return false;
+        if (word != no_figure) figure = std::stod(word);
+    }
+    return true;
+}
+
+// In the child: becomes the runner.
+int execute(const std::string& runner, int input, int out) {
+    dup2(input, STDIN_FILENO);
+    dup2(out, STDOUT_FILENO);
+    dup2(out, STDERR_FILENO);
+    close(out);
+    // What is ignored stays ignored in a new program.
+    signal(SIGPIPE, SIG_DFL);
+    signal(SIGXFSZ, SIG_DFL);
+    execl(runner.c_str(), runner.c_str(), static_cast<char*>(nullptr));
+    send(STDOUT_FILENO, fmt::format("cannot run {}: {}", runner, system_message(errno)));
+    return exit_internal;
+}
+
+}  // namespace
+
+void run_mgdt(const PointSet& set, double time_limit, const Watcher& watch, Row& row) {
+    double fraction = 0;
+    const ChildEnd end = run_in_child(
+        [&](int out) { return guarded(out, [&] { triangulate_in_child(out, set, row); }); },
+        time_limit,
+        [&](const std::string& line) {
+            std::istringstream words(line);
+            std::string word;
+            if (words >> word && word == progress_word) words >> fraction;
+            watch(fraction);
+        });
+    row.status = status_of(end);
+    if (!row.ok()) return;
+    if (!read_figures(end.last_line, row.figures)) {
+        row.status = "error: no figures from the child";
+        return;
+    }
+    row.figures[peak_rss_bytes] = static_cast<double>(end.peak_rss_bytes);
+}
+
+void run_peer(const PointSet& set, const std::string& runner, double time_limit,
+              const Watcher& watch, Row& row) {
+    const ChildEnd end = run_in_child([&](int out) { return execute(runner, set.file(), out); },
+                                      time_limit, [&](const std::string&) { watch(0); });
+    row.status = status_of(end);
+    if (!row.ok()) return;
+    std::istringstream words(end.last_line);
+    double seconds = 0, count = 0, bytes = 0;
+    if (!(words >> row.version >> seconds >> count >> bytes)) {
+        row.status = "error: not a runner's line: " + as_field(end.last_line);
+        return;
+    }
+    row.version = as_field(row.version);
+    row.figures[total_seconds] = seconds;
+    row.figures[tetrahedra] = count;
+    if (set.points() > 0) {
+        row.figures[bytes_per_point] = bytes / static_cast<double>(set.points());
+    }
+    row.figures[peak_rss_bytes] = static_cast<double>(end.peak_rss_bytes);
+}
+
+}  // namespace mgdt::cli::bench

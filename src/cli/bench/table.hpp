@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// What a person sees of a measurement: a line a run, then medians and ratios.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "cli/bench/row.hpp"
+#include "cli/bench/summary.hpp"
+
+namespace mgdt::cli::bench {
+
+void print_heading(std::FILE* out);
+void print_row(std::FILE* out, const Row& row);
+// With a column of ratios for each of the peers.
+void print_summary(std::FILE* out, const std::vector<Median>& medians,
+                   const std::vector<std::string>& peers);
+
+}  // namespace mgdt::cli::bench
