@@ -64,7 +64,7 @@ packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 pytho
     python3-scipy python3-meshio python3-mypy python3-setuptools python3-wheel python3-build
     python3-venv libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev
     cmake abigail-tools mandoc groff-base gfortran
-    luajit octave octave-dev ruby ruby-ffi cargo rustc'
+    luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev'
 [ $long = no ] || packages="$packages npm gzip"
 
 is_installed() {
@@ -106,7 +106,7 @@ build() { # name, compiler, meson options...
     case $compiler in g++) cc=gcc ;; clang++) cc=clang ;; esac
     rm -rf "$folder"
     if CC=$cc CXX=$cxx meson setup "$folder" "$root" -Dwerror=true -Dtests=enabled -Dcgal=enabled \
-        -Dprogram=enabled "$@" >"$builds/setup.log" 2>&1 &&
+        -Dpeers=enabled -Dprogram=enabled "$@" >"$builds/setup.log" 2>&1 &&
         meson compile -C "$folder" -j "$jobs" >"$builds/compile.log" 2>&1; then
         pass "the build with $compiler ($*)"
     else
