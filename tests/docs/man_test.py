@@ -98,7 +98,8 @@ def compare(program, page, page_path):
         names = {min(option, key=len) for option in options if option != help_option}
         check(f"options of {command} in the synopsis", differences(names, used))
         positionals = re.search(r"^Positionals:\n((?:  [^\n]*\n)+)", help_of[command], flags=re.M)
-        wanted = [line.split()[0] for line in positionals.group(1).splitlines() if re.match(r"  \w", line)]
+        lines = positionals.group(1).splitlines() if positionals else []
+        wanted = [line.split()[0] for line in lines if re.match(r"  \w", line)]
         check(f"arguments of {command}", "" if wanted == arguments else f"{arguments}, not {wanted}")
     show = lambda options: {"/".join(sorted(o)) for o in options}
     described = page.described()
