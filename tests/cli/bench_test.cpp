@@ -85,6 +85,18 @@ TEST(Plan, EveryoneHasATurnInEachRun) {
     }
 }
 
+TEST(Plan, AllCoresHaveANumber) {
+    PlanOptions options;
+    options.distributions = {"line"};
+    options.threads = {0};
+    const int all = make_plan(options).sets[0].rows[0].threads;
+    EXPECT_GE(all, 1);
+    options.threads = {0, all, 100};
+    const Plan plan = make_plan(options);
+    EXPECT_EQ(plan.row_count(), 6U);
+    EXPECT_EQ(plan.sets[0].rows[1].threads, 100);
+}
+
 TEST(Plan, UnknownNames) {
     PlanOptions options;
     options.distributions = {"uniform", "sponge"};

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <thread>
 
 #include "cli/bench/paper.hpp"
 #include "cli/errors.hpp"
@@ -41,6 +42,16 @@ void require_known(const Names& names, const Names& known, const char* option) {
 template <class T>
 std::vector<T> or_default(const std::vector<T>& list, std::vector<T> other) {
     return list.empty() ? std::move(other) : distinct(list);
+}
+
+// As the library reads 0.
+int all_cores() {
+    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+std::vector<int> thread_numbers(std::vector<int> list) {
+    std::replace(list.begin(), list.end(), 0, all_cores());
+    return or_default(list, {1});
 }
 
 struct Candidate {
@@ -119,7 +130,7 @@ Plan make_plan(const PlanOptions& options) {
                 set.rows.push_back(row);
             };
             for (const std::string& scheme : schemes) {
-                for (const int threads : or_default(options.threads, {1})) {
+                for (const int threads : thread_numbers(options.threads)) {
                     add("mgdt", scheme, threads);
                 }
             }
