@@ -128,8 +128,8 @@ TEST(Refinement, GivesTheNodesOfTheMeshFirst) {
 
 TEST(Refinement, IsLocal) {
     const std::map<std::string, std::pair<Point, double>> regions{
-        {"machine", {{0, 0, 103}, 20}},  // of 170 mm
-        {"church", {{29, 5.5, 3}, 5}},   // of 58 m
+        {"machine", {{0, 0, 103}, 30}},  // of 170 mm
+        {"church", {{29, 5.5, 3}, 12}},  // of 58 m
     };
     for (const auto& [name, region] : regions) {
         const Points points = points_of(name, 100000);
