@@ -178,11 +178,11 @@ def main():
     whole.axis("off")
 
     eye = camera.project(focus[None])[0]
-    reach = min(1.6 * np.median(np.linalg.norm(points - focus, axis=1)), 0.5 * half)
+    reach = min(1.2 * np.median(np.linalg.norm(points - focus, axis=1)), 0.5 * half)
     draw(detail, camera, points, facets, colours, (eye, reach), 0.25)
     detail.set_xlim(eye[0] - reach * 0.96, eye[0] + reach * 0.96)
     frame = plt.Rectangle(eye - reach * np.array([0.96, 1]), 1.92 * reach, 2 * reach, fill=False)
-    frame.set(edgecolor="#d1422f", linewidth=1.6)
+    frame.set(edgecolor="#d1422f", linewidth=1.6, clip_on=False)
     whole.add_patch(frame)
     for side in detail.spines.values():
         side.set(edgecolor="#d1422f", linewidth=1.6)

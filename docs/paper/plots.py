@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: MIT
+"""The plots of the report. mgdt's figures are solid lines, the paper's dashed ones."""
+import io
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from matplotlib.lines import Line2D
+from matplotlib.ticker import FuncFormatter, NullFormatter
+from PIL import Image, PngImagePlugin
+
+from figures import DISTRIBUTIONS, PAPER_SCHEMES, SCHEMES, cost
+
+INK, PALE, FAILED = "#1c2733", "#d9dee4", "#b3261e"
+COLOURS = dict(zip(SCHEMES, "#e08214 #2166ac #1b7837 #8c510a #9970ab #7f7f7f #d6002a".split()))
+MARKERS = dict(zip(SCHEMES, "s o ^ x D v *".split()))
+plt.rcParams.update(
+    {"font.size": 8, "axes.edgecolor": INK, "text.color": INK, "axes.titleweight": "bold"}
+)
+
+
+def save(figure, path, digest):
+    """An indexed PNG, small enough for a repository, that names the figures it is of."""
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format="png", dpi=100)
+    plt.close(figure)
+    image = Image.open(buffer).convert("RGB")
+    image = image.quantize(64, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
+    text = PngImagePlugin.PngInfo()
+    text.add_text("figures", digest)
+    image.save(path, optimize=True, pnginfo=text)
+    return path
+
+
+def legend(axes, with_paper=True):
+    lines = [
+        Line2D([], [], color=COLOURS[s], marker=MARKERS[s], markersize=5, label=s) for s in SCHEMES
+    ]
+    if with_paper:
+        lines.append(Line2D([], [], color=INK, label="mgdt"))
+        lines.append(Line2D([], [], color=INK, linestyle="--", label="the paper"))
+        lines.append(
+            Line2D([], [], color=FAILED, marker="X", linestyle="", label="failed, or too slow")
+        )
+    axes.axis("off")
+    axes.legend(handles=lines, loc="center", fontsize=9, frameon=False)
+
+
+def curve(source, distribution, scheme, quantity):
+    points = sorted(n for d, n, s in source if d == distribution and s == scheme)
+    values = [(n / 1e6, quantity(source, distribution, n, scheme)) for n in points]
+    return [(n, v) for n, v in values if v is not None]
+
+
+def panels(study, title, label, quantity):
+    """One panel a distribution: `quantity` of ours and the paper's against the number of points."""
+    figure, grid = plt.subplots(2, 4, figsize=(11.5, 5.9), layout="constrained")
+    for axes, kind in zip(grid.flat, DISTRIBUTIONS):
+        for scheme in SCHEMES:
+            style = dict(color=COLOURS[scheme], marker=MARKERS[scheme], markersize=3.5)
+            theirs = curve(study.paper, kind, scheme, quantity)
+            ours = curve(study.ours, kind, scheme, quantity)
+            if theirs:
+                axes.plot(*zip(*theirs), linewidth=1, linestyle=(0, (3, 2)), alpha=0.7, **style)
+            if ours:
+                axes.plot(*zip(*ours), linewidth=1.6, **style)
+        axes.set(title=kind, xscale="log", yscale="log")
+        axes.grid(color=PALE, linewidth=0.5, which="both")
+        axes.xaxis.set_major_formatter(FuncFormatter(lambda v, _: f"{v:g}M"))
+        axes.yaxis.set_major_formatter(FuncFormatter(lambda v, _: f"{v:g}"))
+        low, high = axes.get_xlim()
+        ticks = (0.4, 1, 2, 4, 10, 20) if high > 4 * low else (0.4, 0.8, 1.2, 2, 3, 4, 5, 6, 8)
+        axes.set_xticks([t for t in ticks if low <= t <= high])
+        axes.set_yticks([t for t in TICKS if axes.get_ylim()[0] <= t <= axes.get_ylim()[1]])
+        axes.xaxis.set_minor_formatter(NullFormatter())
+        axes.yaxis.set_minor_formatter(NullFormatter())
+        failures(study, kind, axes)
+        if axes in grid[:, 0]:
+            axes.set_ylabel(label)
+    legend(grid.flat[-1])
+    figure.suptitle(title, fontsize=11, weight="bold")
+    return figure
+
+
+TICKS = [d * 10.0**e for e in range(-3, 5) for d in (1, 1.5, 2, 3, 5)]
+
+
+def failures(study, kind, axes):
+    """A cross on the upper edge for each run without figures, at its size, and what went wrong."""
+    words = {}
+    for (distribution, points, scheme), known in study.ours.items():
+        if distribution == kind and known.total is None and scheme in SCHEMES:
+            words.setdefault(f"{scheme}: {known.status}", []).append(points / 1e6)
+    place = dict(transform=axes.get_xaxis_transform(), clip_on=False, color=FAILED)
+    for i, (word, points) in enumerate(words.items()):
+        axes.plot(points, [0.96] * len(points), marker="X", linestyle="", markersize=7, **place)
+        at = ", ".join(f"{n:g}M" for n in sorted(points))
+        axes.text(axes.get_xlim()[1], 0.88 - 0.07 * i, f"{word} at {at} ", ha="right", fontsize=6.5,
+                  **place)
+
+
+def relative_cost(source, distribution, points, scheme):
+    """Beside multi-grid at the smallest size, in the same source."""
+    first = min(n for d, n, _ in source if d == distribution)
+    base = cost(source, distribution, first, "multi-grid")
+    own = cost(source, distribution, points, scheme)
+    return own / base if own and base else None
+
+
+def bar(axes, place, width, value, status, colour):
+    """A bar, or where there is no figure the word for why."""
+    if value is not None:
+        axes.bar(place, value, width, color=colour)
+        return
+    absent = status in ("not run", "not in the paper")
+    colour = "#8a94a0" if absent else FAILED
+    mark = dict(transform=axes.get_xaxis_transform(), ha="center", va="bottom", color=colour)
+    axes.bar(place, 1, width, transform=axes.get_xaxis_transform(), color="none", hatch="////",
+             edgecolor=PALE if absent else "#f0c4c0", linewidth=0, zorder=0)
+    axes.text(place, 0.02, status, rotation=90, fontsize=6, **mark)
+
+
+def key(axes, palette):
+    """What the bars' colours mean, above a plot."""
+    bars = [plt.Rectangle((0, 0), 1, 1, color=c, label=name) for name, c in palette.items()]
+    place = dict(loc="lower center", bbox_to_anchor=(0.5, 1.1), frameon=False)
+    axes.legend(handles=bars, ncol=len(bars), **place)
+
+
+def largest(study):
+    """Figure 29: the time of every scheme at the largest size that all distributions have."""
+    kinds = DISTRIBUTIONS[:-1]
+    sizes = [{n for d, n, _ in study.ours if d == kind} for kind in kinds]
+    common = max(set.intersection(*sizes), default=None)
+    figure, (left, right) = plt.subplots(2, 1, figsize=(10, 6.2), layout="constrained")
+    step = 0.9 / len(SCHEMES)
+    for i, kind in enumerate(kinds):
+        for j, scheme in enumerate(SCHEMES):
+            known = study.ours.get((kind, common, scheme))
+            status = known.status if known else "not run"
+            place = i + (j - (len(SCHEMES) - 1) / 2) * step
+            bar(left, place, 0.92 * step, known and known.total, status, COLOURS[scheme])
+        for j, scheme in enumerate(PAPER_SCHEMES):
+            known = study.paper.get((kind, 20000000, scheme))
+            place = i + (j - 1) * 0.9 / 3
+            value = known and known.total
+            bar(right, place, 0.27, value, "not in the paper", COLOURS[scheme])
+    size = f"{common / 1e6:g} million points" if common else "no size that all distributions have"
+    for axes, title in ((left, f"mgdt, {size}"), (right, "the paper, 20 million points (i7-870)")):
+        axes.set_xticks(range(len(kinds)), kinds)
+        axes.set(title=title, ylabel="seconds")
+        axes.grid(axis="y", color=PALE, linewidth=0.5)
+        axes.set_axisbelow(True)
+    key(left, COLOURS)
+    return figure
+
+
+def peers(study):
+    """Seconds of other libraries by ours, at the largest size at which each set has them."""
+    names = study.peers()
+    figure, axes = plt.subplots(figsize=(10, 3.6), layout="constrained")
+    palette = dict(zip(names, "#2166ac #1b7837 #e08214 #9970ab".split() + [INK] * len(names)))
+    kinds = [d for d in DISTRIBUTIONS if any(k == d and s in names for k, _, s in study.ours)]
+    labels = []
+    for i, kind in enumerate(kinds):
+        points = study.largest(kind, names)
+        labels.append(f"{kind}\n{points / 1e6:g}M")
+        base = cost(study.ours, kind, points, "auto")
+        for j, name in enumerate(names):
+            known = study.ours.get((kind, points, name))
+            own = cost(study.ours, kind, points, name)
+            status = known.status if known else "not run"
+            value = own / base if own and base else None
+            if own and not base:
+                status = "mgdt not run"
+            place = i + (j - (len(names) - 1) / 2) * 0.85 / len(names)
+            bar(axes, place, 0.78 / len(names), value, status, palette[name])
+    axes.axhline(1, color=INK, linewidth=0.8)
+    axes.set_xticks(range(len(kinds)), labels)
+    axes.set(ylabel="seconds / mgdt's", title="Other libraries beside mgdt's default scheme")
+    key(axes, palette)
+    return figure
+
+
+def draw_all(study, folder):
+    def visited(source, *key):
+        return getattr(source.get(key), "np", None)
+
+    def removed(source, *key):
+        return getattr(source.get(key), "nr", None)
+
+    made = {
+        "cost.png": panels(
+            study,
+            "Cost of a point, beside multi-grid's at the smallest size in the same study",
+            "relative cost",
+            relative_cost,
+        ),
+        "np.png": panels(study, "NP: tetrahedra visited to find the base", "NP", visited),
+        "nr.png": panels(study, "NR: tetrahedra removed by an insertion", "NR", removed),
+        "largest.png": largest(study),
+    }
+    if study.peers():
+        made["peers.png"] = peers(study)
+    else:
+        (folder / "peers.png").unlink(missing_ok=True)
+    return [save(figure, folder / name, study.digest) for name, figure in made.items()]
