@@ -4,7 +4,7 @@
 
   pictures.py --mgdt build/src/cli/mgdt [--out docs/paper]
 
-The points come from `mgdt generate`. Needs the Debian packages python3-matplotlib and python3-scipy.
+The points come from `mgdt generate`. Needs the Debian packages python3-matplotlib, python3-scipy.
 """
 import argparse
 import subprocess
@@ -20,12 +20,15 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 import picture  # docs/picture.py, which draws triangulations
 import matplotlib.pyplot as plt
-from matplotlib.collections import LineCollection
 from matplotlib.colors import LinearSegmentedColormap, LogNorm
 
 INK, FRAME = "#1c2733", "#d1422f"
+# Lines show on its darkest colour.
+SPACING = LinearSegmentedColormap.from_list(
+    "spacing", plt.colormaps["viridis"](np.linspace(0.25, 1, 256))
+)
 DEPTH = LinearSegmentedColormap.from_list("depth", ["#a9c3dd", "#12375f"])
-MANY = 2000000  # points behind a magnified part, so that it has some
+MANY = 300  # times as many points where the magnified part would else have none
 
 # The paper's figure, what is magnified about which point, and how many times.
 SETS = {
@@ -40,13 +43,14 @@ SETS = {
     "mixsphere": ("Figure 34", None, 0),
     "mixspiral": ("Figure 35", None, 0),
 }
-# Centre of refinement (as in src/cli/distributions.cpp), half of the part that is magnified, nodes
-# in the paper's Table 9, the unit of length and its figure.
+# Centre of refinement (as in src/cli/distributions.cpp), half the height of the part that is
+# magnified, where from it is seen, nodes in the paper's Table 9, the unit of length and its figure.
 SOLIDS = {
-    "machine": ((0, 0, 103), 5.0, 3318541, "mm", "Figure 31"),
-    "church": ((29, 5.5, 3), 1.0, 4824332, "m", "Figure 32"),
+    "machine": ((0, 0, 103), 3.4, -52, 3318541, "mm", "Figure 31"),
+    "church": ((29, 5.5, 3), 1.4, 132, 4824332, "m", "Figure 32"),
 }
-MOST = 120000  # nodes of the part that is magnified
+MOST = 150000  # nodes of the part that is magnified
+ASPECT = 1.6  # of its width and height
 
 
 class Tool:
@@ -95,7 +99,8 @@ class Perspective:
 
 def cube_edges():
     corners = np.array(np.meshgrid([0, 1], [0, 1], [0, 1])).reshape(3, 8).T.astype(float)
-    return [(a, b) for a in corners for b in corners if tuple(a) < tuple(b) and abs(a - b).sum() == 1]
+    pairs = [(a, b) for a in corners for b in corners if tuple(a) < tuple(b)]
+    return [(a, b) for a, b in pairs if abs(a - b).sum() == 1]
 
 
 def scatter(axes, flat, depth, size):
@@ -139,16 +144,15 @@ def draw_set(axes, kind, points, magnified, centre, times):
     for side in inset.spines.values():
         side.set_edgecolor(FRAME)
     inset.set_title(f"x {times}", fontsize=7, color=FRAME, pad=2)
-    axes.add_collection(
-        LineCollection([[(-0.55, 1.64 * (bottom + 0.18) - 0.84), middle]], colors=FRAME, linewidths=0.6, alpha=0.7, zorder=1)
-    )
+    pointer = [(-0.55, 1.64 * (bottom + 0.18) - 0.84), middle]
+    axes.plot(*zip(*pointer), color=FRAME, linewidth=0.6, alpha=0.7, zorder=1)
 
 
 def draw_sets(tool, count, out):
     prepared = []
     for kind, (_, centre, times) in SETS.items():
         points = tool.points(kind, count)
-        magnified = tool.points(kind, max(count, MANY)) if times >= 1000 else points
+        magnified = tool.points(kind, MANY * count) if times >= 1000 else points
         if isinstance(centre, str):
             centre = fullest(points)
         prepared.append((kind, points, magnified if times else None, centre, times))
@@ -203,8 +207,7 @@ def cut_surface(points, tetrahedra, focus, camera):
 def draw_part(axes, camera, mesh, focus, window, spacing, norm, line_width):
     points, tetrahedra = mesh
     facets, on_skin = cut_surface(points, tetrahedra, focus, camera)
-    palette = plt.colormaps["viridis"]
-    colours = palette(norm(spacing(points[facets].mean(axis=1))))[:, :3]
+    colours = SPACING(norm(spacing(points[facets].mean(axis=1))))[:, :3]
     colours[on_skin] = 0.55 * colours[on_skin] + 0.45 * picture.STEEL
     picture.draw(axes, camera, points, facets, colours, window, line_width)
 
@@ -218,13 +221,13 @@ def crowded_cell(points):
 
 
 def draw_solid(tool, name, count, out):
-    focus, half, full, unit, figure_name = SOLIDS[name]
+    focus, half, azimuth, full, unit, figure_name = SOLIDS[name]
     count = count or full
     focus = np.array(focus, float)
-    camera = picture.Camera(azimuth=-52, elevation=24)
+    camera = picture.Camera(azimuth, elevation=24)
     base = read_mesh(HERE.parent / "data" / f"{name}.msh")
     nodes = tool.points(name, count)
-    print(f"{name}: {count} nodes; {crowded_cell(nodes)} in the fullest cell of a grid with 8 a cell")
+    print(f"{name}: {count} nodes; {crowded_cell(nodes)} in the fullest of cells with 8 on average")
 
     def spacing_in(points):
         """The distance to the eighth neighbour is about an edge of a tetrahedron."""
@@ -235,49 +238,54 @@ def draw_solid(tool, name, count, out):
     sample = np.concatenate([after(base[0]), before(base[0])])
     norm = LogNorm(*np.quantile(sample, [0.002, 0.998]))
 
-    distance = np.abs(nodes - focus).max(axis=1)
+    # What the detail's window shows, and behind it as much as is likely to be seen.
+    middle = focus + [0, 0, 0.9 * half]
+    along = np.stack([camera.right / ASPECT, camera.up, camera.towards / 3])
+    distance = np.abs((nodes - middle) @ along.T).max(axis=1)
     if len(nodes) > MOST:
-        half = min(half, np.partition(distance, MOST)[MOST] / 1.3)
-    points, tetrahedra = tool.tetrahedra(nodes[distance < 1.3 * half])
+        half = min(half, np.partition(distance, MOST)[MOST] / 1.1)
+    points, tetrahedra = tool.tetrahedra(nodes[distance < 1.1 * half])
     lengths = picture.edge_lengths(points, tetrahedra)
-    refined = points, tetrahedra[picture.solid(points, tetrahedra, lengths)]
+    within = picture.solid(points, tetrahedra, lengths)
+    within &= lengths.max(axis=1) < 5 * np.median(lengths)  # slivers across the part's own faces
+    refined = points, tetrahedra[within]
 
-    figure = plt.figure(figsize=(10, 5.4), facecolor="white")
-    whole = figure.add_axes([0.01, 0.12, 0.58, 0.8])
+    figure = plt.figure(figsize=(11, 6.2), facecolor="white")
+    whole = figure.add_axes([0.01, 0.12, 0.54, 0.8])
+    eye = camera.project(middle[None])[0]
     flat = camera.project(base[0])
     middle = (flat.min(axis=0) + flat.max(axis=0)) / 2
     extent = 1.02 * np.ptp(flat, axis=0) / 2
-    wide = 5.8 / 4.32  # of the axes, in inches
+    wide = 5.94 / 4.96  # of the axes, in inches
     reach = max(extent[1], extent[0] / wide)
     draw_part(whole, camera, base, focus, (middle, reach), after, norm, 0.1)
     whole.set_xlim(middle[0] - reach * wide, middle[0] + reach * wide)
     whole.axis("off")
-    eye = camera.project(focus[None])[0]
-    frame = plt.Rectangle(eye - half, 2 * half, 2 * half, fill=False)
+    sides = half * np.array([ASPECT, 1])
+    frame = plt.Rectangle(eye - sides, *(2 * sides), fill=False)
     frame.set(edgecolor=FRAME, linewidth=1.3, zorder=5)
     whole.add_patch(frame)
     details = (
-        (0.5, base, before, 0.5, f"{len(base[0]):,} nodes"),
-        (0.03, refined, after, 0.12, f"{count:,} nodes"),
+        (0.515, base, before, 0.5, f"{len(base[0]):,} nodes"),
+        (0.03, refined, after, 0.2, f"{count:,} nodes"),
     )
     for bottom, mesh, spacing, line_width, words in details:
-        axes = figure.add_axes([0.63, bottom, 0.36, 0.42])
+        axes = figure.add_axes([0.56, bottom, 0.43, 0.43])
         draw_part(axes, camera, mesh, focus, (eye, half), spacing, norm, line_width)
-        aspect = 3.6 / 2.268
-        axes.set_ylim(eye[1] - half, eye[1] + half)
-        axes.set_xlim(eye[0] - half * aspect, eye[0] + half * aspect)
+        axes.set_xlim(eye[0] - sides[0], eye[0] + sides[0])
         axes.set_title(words, fontsize=9, color=INK, pad=3)
         for side in axes.spines.values():
             side.set(edgecolor=FRAME, linewidth=1.3)
-    bar = figure.add_axes([0.05, 0.07, 0.3, 0.022])
-    colour = plt.cm.ScalarMappable(norm, plt.colormaps["viridis"])
+    bar = figure.add_axes([0.04, 0.06, 0.3, 0.022])
+    colour = plt.cm.ScalarMappable(norm, SPACING)
     figure.colorbar(colour, cax=bar, orientation="horizontal")
-    ticks = [t for t in np.outer(10.0 ** np.arange(-4, 4), [1, 2, 5]).ravel() if norm.vmin < t < norm.vmax]
+    ticks = np.outer(10.0 ** np.arange(-4, 4), [1, 2, 5]).ravel()
+    ticks = ticks[(norm.vmin < ticks) & (ticks < norm.vmax)]
     bar.xaxis.set_ticks(ticks, [f"{t:g}" for t in ticks], fontsize=7)
     bar.xaxis.set_ticks([], minor=True)
     bar.set_title(f"spacing of the refined nodes, {unit}", fontsize=8, color=INK, loc="left")
     figure.text(0.02, 0.95, f"{figure_name}: {name}", fontsize=11, color=INK, weight="bold")
-    save(figure, out / f"{name}.png", 64)
+    save(figure, out / f"{name}.png", 96)
 
 
 def main():
@@ -285,7 +293,7 @@ def main():
     parser.add_argument("--mgdt", default="mgdt", help="the program")
     parser.add_argument("--out", default=HERE, type=Path, help="folder of the pictures")
     parser.add_argument("--points", default=6000, type=int, help="in a picture of a distribution")
-    parser.add_argument("--nodes", type=int, help="of the refined meshes (default: as in the paper)")
+    parser.add_argument("--nodes", type=int, help="of the refined meshes (default: Table 9)")
     parser.add_argument("--only", choices=["sets", *SOLIDS], help="draw these alone")
     args = parser.parse_args()
     with tempfile.TemporaryDirectory() as scratch:

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: MIT
 """Writes the tables of docs/paper.md, between their markers, and the plots beside them.
 
-Without arguments: from figures.csv (medians), figures.json (what measured them) and lo-2014.csv (the
-paper's), all in this folder. With --csv, figures.csv is made first, of tables that `mgdt bench --csv`
-wrote, and with --json figures.json, of the header of what `mgdt bench --json` wrote.
+Without arguments: from figures.csv (medians), figures.json (what measured them) and lo-2014.csv
+(the paper's), all in this folder. With --csv, figures.csv is made first, of tables that
+`mgdt bench --csv` wrote, and with --json figures.json, of the header of what `mgdt bench --json`
+wrote.
 
 Needs the Debian package python3-matplotlib.
 """
@@ -21,6 +22,7 @@ from figures import (
 TITLES = {"regular-grid": "regular grid", "enhanced-kd-tree": "enhanced kd-tree"}
 TABLES = {k: i for i, k in enumerate(DISTRIBUTIONS, 2)}  # the paper's numbers
 PRACTICAL = ["machine", "church"]
+MILD = 1000000  # points in Table 1
 NOT_RUN = "not run"
 
 
@@ -129,7 +131,6 @@ def comparison(study, lines, label):
 
 def mild(study):
     """Table 1: seconds beside those of the uniform set."""
-    points = 1000000
     schemes = study.schemes()
 
     def ratio(source, distribution, points, scheme):
@@ -138,7 +139,7 @@ def mild(study):
         own = cost(source, distribution, points, scheme)
         return own / base if own and base else None
 
-    keys = [[(f"mild-{d}", points, s) for s in schemes] for d in DISTRIBUTIONS[1:-1]]
+    keys = [[(f"mild-{d}", MILD, s) for s in schemes] for d in DISTRIBUTIONS[1:-1]]
     rows = [[line[0][0]] + [cell(study, ratio, key) for key in line] for line in keys]
     heading = ["paper / mgdt"] + [TITLES.get(s, s) for s in schemes]
     return table(heading, rows) + notes(study, sum(keys, []))
@@ -212,6 +213,18 @@ def peers(study):
     return text + "\n\n![Times of other libraries by those of mgdt](paper/peers.png)"
 
 
+def left_out(study):
+    """What was measured and is in no table."""
+    kinds = DISTRIBUTIONS + PRACTICAL
+    mild_kinds = [(f"mild-{d}", MILD) for d in DISTRIBUTIONS[1:-1]]
+    rest = [k for k in study.ours if k[0] not in kinds and k[:2] not in mild_kinds]
+    rest = [f"{d}, {count(n)}, {s}" for d, n, s in rest if s not in study.peers()]
+    if rest:
+        yield f"in no table: {'; '.join(rest)}"
+    if study.other_threads:
+        yield f"in no table: {study.other_threads} of several threads"
+
+
 def header(study):
     known = study.header
     machine = known["machine"]
@@ -226,9 +239,9 @@ def header(study):
         kind = f"Medians of {min(runs)}" + (f" to {max(runs)}" if len(runs) > 1 else "") + " runs."
     text = f"- command: `{known['command']}`\n- mgdt {known['version']}{commit}, one thread\n"
     text += f"- machine: {machine}\n- {kind}"
-    if study.other_threads:
-        text += f" Rows of several threads, of which there are {study.other_threads}, are left out."
-    return text + (f"\n- {known['note']}" if known.get("note") else "")
+    for line in left_out(study):
+        text += f"\n- {line}"
+    return text
 
 
 def blocks(study):
