@@ -76,7 +76,8 @@ def save(figure, path, colours):
     figure.savefig(path, dpi=100)
     plt.close(figure)
     with Image.open(path) as whole:
-        image = whole.convert("RGB").quantize(colours, dither=Image.Dither.NONE)
+        image = whole.convert("RGB")
+    image = image.quantize(colours, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
     image.save(path, optimize=True)
     print(path)
 
@@ -263,7 +264,7 @@ def draw_solid(tool, name, count, out):
     whole.axis("off")
     sides = half * np.array([ASPECT, 1])
     frame = plt.Rectangle(eye - sides, *(2 * sides), fill=False)
-    frame.set(edgecolor=FRAME, linewidth=1.3, zorder=5)
+    frame.set(edgecolor=FRAME, linewidth=1.8, zorder=5)
     whole.add_patch(frame)
     details = (
         (0.515, base, before, 0.5, f"{len(base[0]):,} nodes"),

@@ -15,6 +15,17 @@ from figures import DISTRIBUTIONS, PAPER_SCHEMES, SCHEMES, cost
 INK, PALE, FAILED = "#1c2733", "#d9dee4", "#b3261e"
 COLOURS = dict(zip(SCHEMES, "#e08214 #2166ac #1b7837 #8c510a #9970ab #7f7f7f #d6002a".split()))
 MARKERS = dict(zip(SCHEMES, "s o ^ x D v *".split()))
+MORE_COLOURS = "#00808f #c51b8a #5a5a00 #1c2733".split()  # of schemes beside those
+
+
+def look(scheme, study):
+    """Colour and marker."""
+    if scheme in COLOURS:
+        return dict(color=COLOURS[scheme], marker=MARKERS[scheme])
+    k = study.schemes().index(scheme) - len(SCHEMES)
+    return dict(color=MORE_COLOURS[k % len(MORE_COLOURS)], marker="P")
+
+
 plt.rcParams.update(
     {"font.size": 8, "axes.edgecolor": INK, "text.color": INK, "axes.titleweight": "bold"}
 )
@@ -33,16 +44,13 @@ def save(figure, path, digest):
     return path
 
 
-def legend(axes, with_paper=True):
-    lines = [
-        Line2D([], [], color=COLOURS[s], marker=MARKERS[s], markersize=5, label=s) for s in SCHEMES
-    ]
-    if with_paper:
-        lines.append(Line2D([], [], color=INK, label="mgdt"))
-        lines.append(Line2D([], [], color=INK, linestyle="--", label="the paper"))
-        lines.append(
-            Line2D([], [], color=FAILED, marker="X", linestyle="", label="failed, or too slow")
-        )
+def legend(axes, study):
+    lines = [Line2D([], [], markersize=5, label=s, **look(s, study)) for s in study.schemes()]
+    lines.append(Line2D([], [], color=INK, label="mgdt"))
+    lines.append(Line2D([], [], color=INK, linestyle="--", label="the paper"))
+    lines.append(
+        Line2D([], [], color=FAILED, marker="X", linestyle="", label="failed, or too slow")
+    )
     axes.axis("off")
     axes.legend(handles=lines, loc="center", fontsize=9, frameon=False)
 
@@ -57,8 +65,8 @@ def panels(study, title, label, quantity):
     """One panel a distribution: `quantity` of ours and the paper's against the number of points."""
     figure, grid = plt.subplots(2, 4, figsize=(11.5, 5.9), layout="constrained")
     for axes, kind in zip(grid.flat, DISTRIBUTIONS):
-        for scheme in SCHEMES:
-            style = dict(color=COLOURS[scheme], marker=MARKERS[scheme], markersize=3.5)
+        for scheme in study.schemes():
+            style = dict(look(scheme, study), markersize=3.5)
             theirs = curve(study.paper, kind, scheme, quantity)
             ours = curve(study.ours, kind, scheme, quantity)
             if theirs:
@@ -78,7 +86,7 @@ def panels(study, title, label, quantity):
         failures(study, kind, axes)
         if axes in grid[:, 0]:
             axes.set_ylabel(label)
-    legend(grid.flat[-1])
+    legend(grid.flat[-1], study)
     figure.suptitle(title, fontsize=11, weight="bold")
     return figure
 
@@ -90,7 +98,7 @@ def failures(study, kind, axes):
     """A cross on the upper edge for each run without figures, at its size, and what went wrong."""
     words = {}
     for (distribution, points, scheme), known in study.ours.items():
-        if distribution == kind and known.total is None and scheme in SCHEMES:
+        if distribution == kind and known.total is None and scheme in study.schemes():
             words.setdefault(f"{scheme}: {known.status}", []).append(points / 1e6)
     place = dict(transform=axes.get_xaxis_transform(), clip_on=False, color=FAILED)
     for i, (word, points) in enumerate(words.items()):
@@ -134,13 +142,15 @@ def largest(study):
     sizes = [{n for d, n, _ in study.ours if d == kind} for kind in kinds]
     common = max(set.intersection(*sizes), default=None)
     figure, (left, right) = plt.subplots(2, 1, figsize=(10, 6.2), layout="constrained")
-    step = 0.9 / len(SCHEMES)
+    schemes = study.schemes()
+    step = 0.9 / len(schemes)
     for i, kind in enumerate(kinds):
-        for j, scheme in enumerate(SCHEMES):
+        for j, scheme in enumerate(schemes):
             known = study.ours.get((kind, common, scheme))
             status = known.status if known else "not run"
-            place = i + (j - (len(SCHEMES) - 1) / 2) * step
-            bar(left, place, 0.92 * step, known and known.total, status, COLOURS[scheme])
+            place = i + (j - (len(schemes) - 1) / 2) * step
+            colour = look(scheme, study)["color"]
+            bar(left, place, 0.92 * step, known and known.total, status, colour)
         for j, scheme in enumerate(PAPER_SCHEMES):
             known = study.paper.get((kind, 20000000, scheme))
             place = i + (j - 1) * 0.9 / 3
@@ -152,7 +162,7 @@ def largest(study):
         axes.set(title=title, ylabel="seconds")
         axes.grid(axis="y", color=PALE, linewidth=0.5)
         axes.set_axisbelow(True)
-    key(left, COLOURS)
+    key(left, {s: look(s, study)["color"] for s in schemes})
     return figure
 
 

@@ -239,7 +239,7 @@ def header(study):
         kind = f"Medians of {min(runs)}" + (f" to {max(runs)}" if len(runs) > 1 else "") + " runs."
     text = f"- command: `{known['command']}`\n- mgdt {known['version']}{commit}, one thread\n"
     text += f"- machine: {machine}\n- {kind}"
-    for line in left_out(study):
+    for line in [*([known["note"]] if "note" in known else []), *left_out(study)]:
         text += f"\n- {line}"
     return text
 
@@ -272,8 +272,7 @@ def gather(args):
     if args.json:
         known = json.loads(Path(args.json).read_text(encoding="utf-8"))
         known.pop("rows", None)
-        if args.commit:
-            known["commit"] = args.commit
+        known.update({k: v for k in ("commit", "note") if (v := getattr(args, k))})
         text = json.dumps(known, indent=1, ensure_ascii=False)
         Path(args.header).write_text(text + "\n", encoding="utf-8")
 
@@ -283,6 +282,7 @@ def main():
     parser.add_argument("--csv", nargs="+", help="tables of mgdt bench to take the medians of")
     parser.add_argument("--json", help="what mgdt bench --json wrote")
     parser.add_argument("--commit", help="commit that was measured, for figures.json")
+    parser.add_argument("--note", help="what else to know of the measurement, for figures.json")
     parser.add_argument("--figures", default=HERE / "figures.csv", type=Path)
     parser.add_argument("--header", default=HERE / "figures.json", type=Path)
     parser.add_argument("--document", default=HERE.parent / "paper.md", type=Path)
