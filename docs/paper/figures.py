@@ -127,10 +127,9 @@ class Study:
         measured = {row["library"] for row in self.single} - {"mgdt"}
         return [p for p in PEERS if p in measured] + sorted(measured - set(PEERS))
 
-    def largest(self, distribution, schemes=SCHEMES):
-        """The largest size at which mgdt was measured, or None."""
-        sizes = [n for d, n, s in self.ours if d == distribution and s in schemes]
-        return max(sizes, default=None)
+    def largest(self, distribution, contenders):
+        """The largest size at which one of them was measured."""
+        return max(n for d, n, s in self.ours if d == distribution and s in contenders)
 
 
 def cost(source, distribution, points, scheme):

@@ -145,11 +145,17 @@ def mild(study):
     return table(heading, rows) + notes(study, sum(keys, []))
 
 
+def default_sizes(study, kind):
+    """Where the default scheme was run; those of the paper if there are any."""
+    sizes = [n for n in study.sizes(kind) if (kind, n, "auto") in study.ours]
+    return [n for n in sizes if (kind, n, "multi-grid") in study.paper] or sizes
+
+
 def summary(study):
     """The default scheme at the largest size, beside the paper's figures there."""
     rows = []
     for kind in DISTRIBUTIONS:
-        points = study.largest(kind, ["auto"])
+        points = max(default_sizes(study, kind), default=None)
         if points is None:
             rows.append([kind, NOT_RUN] + ["-"] * 6)
             continue
@@ -170,22 +176,26 @@ def summary(study):
     return table(heading, rows)
 
 
+def grown(first, last):
+    return f"{100 * (last / first - 1):+.0f}%" if first != last else "-"
+
+
 def linear(study):
-    """How the cost of a point grows with their number, for the default scheme."""
+    """How the insertion of a point grows with their number, for the default scheme."""
     rows = []
     for kind in DISTRIBUTIONS:
-        known = [(n, e) for (d, n, s), e in sorted(study.ours.items(), key=lambda item: item[0][1])
-                 if d == kind and s == "auto" and e.total is not None]
+        known = [(n, study.ours[kind, n, "auto"]) for n in default_sizes(study, kind)]
+        known = [(n, e) for n, e in known if e.total is not None]
         if not known:
             rows.append([kind] + [NOT_RUN] + ["-"] * 6)
             continue
         (least, first), (most, last) = known[0], known[-1]
         each = [1e6 * e.insert / n for n, e in (known[0], known[-1])]
-        theirs = growth(study.paper, kind, most, "multi-grid")
+        theirs = [study.paper.get((kind, n, "multi-grid")) for n in (least, most)]
         rows.append(
             [kind, count(least), short(each[0]), count(most), short(each[1])]
-            + [f"{100 * (each[1] / each[0] - 1):+.0f}%" if most > least else "-"]
-            + [f"{100 * (theirs - 1):+.0f}%" if theirs and most > least else "-"]
+            + [grown(*each)]
+            + [grown(*(e.insert / e.points for e in theirs)) if all(theirs) else "-"]
             + [f"{100 * last.order / last.total:.1f}%"]
         )
     heading = ["", "points", "µs a point", "points", "µs a point", "growth"]

@@ -135,6 +135,10 @@ class Document(unittest.TestCase):
         self.assertEqual(self.cells(table, "cost a point / that of the fewest", "0.8M")[-1], "3.00")
         self.assertEqual(self.cells(table, "NP", "0.4M")[0], "212 / not run")
         self.assertEqual(self.cells(table, "NR", "0.8M")[-1], "23.5")
+        # Of the paper's multi-grid: 3.85 s for 0.4M and 8.3 s for 0.8M.
+        self.assertRegex(blocks["linear"], r"\| line .*\| \+200% \| \+8% \| 10.0% \|")
+        self.assertIn("| line | 0.8M | 28.9 | 9.06 | 2.00 | 19.0 | 38.3 | 23.5 |", blocks["summary"])
+        self.assertIn("| uniform | not run |", blocks["summary"])
         self.assertIn("Abacus, 3 cores, 8 GiB", blocks["header"])
         self.assertIn("No other library", blocks["peers"])
         self.assertFalse((self.folder / "peers.png").exists())
