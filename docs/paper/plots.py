@@ -159,6 +159,7 @@ def largest(study):
     size = f"{common / 1e6:g} million points" if common else "no size that all distributions have"
     for axes, title in ((left, f"mgdt, {size}"), (right, "the paper, 20 million points (i7-870)")):
         axes.set_xticks(range(len(kinds)), kinds)
+        axes.set_xlim(-0.6, len(kinds) - 0.4)
         axes.set(title=title, ylabel="seconds")
         axes.grid(axis="y", color=PALE, linewidth=0.5)
         axes.set_axisbelow(True)
@@ -188,6 +189,7 @@ def peers(study):
             bar(axes, place, 0.78 / len(names), value, status, palette[name])
     axes.axhline(1, color=INK, linewidth=0.8)
     axes.set_xticks(range(len(kinds)), labels)
+    axes.set_xlim(-0.6, len(kinds) - 0.4)
     axes.set(ylabel="seconds / mgdt's", title="Other libraries beside mgdt's default scheme")
     key(axes, palette)
     return figure
