@@ -243,8 +243,8 @@ MGDT_API mgdt_status mgdt_set_progress(mgdt_triangulation *t, mgdt_progress_fn f
 MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation *t);
 
 /** Makes the exported arrays a function of the set of points alone, byte for byte: tetrahedra
- *  sorted, the least vertex index of each first and the next least second.
- *  Off, they come in the order of storage, which is faster.
+ *  sorted, the least vertex index of each first and the next least second; hull facets sorted, the
+ *  least index first; edges sorted. Off, they come in the order of storage, which is faster.
  *  @param on  0 (default) or 1
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */

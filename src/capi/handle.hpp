@@ -76,7 +76,7 @@ inline ExportView view_of(Team& team, const mgdt_triangulation* t, bool numbers)
     const Triangulation& core = t->core;
     return {team,
             core.mesh(),
-            numbers ? &core.numbering() : nullptr,
+            numbers ? &core.numbering(team) : nullptr,
             core.allocator(),
             core.settings().index_base,
             core.settings().canonical_output};
