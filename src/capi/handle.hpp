@@ -86,6 +86,12 @@ inline void require_pointer(const void* p, const char* name) {
     if (!p) fail(MGDT_ERR_NULL_POINTER, "%s is NULL", name);
 }
 
+inline void require_count(std::int64_t n) {
+    if (n < 0)
+        fail(MGDT_ERR_INVALID_ARGUMENT, "the number of points is negative (%lld)",
+             static_cast<long long>(n));
+}
+
 inline void require_capacity(std::int64_t capacity, std::size_t needed, const char* name) {
     if (capacity < 0)
         fail(MGDT_ERR_INVALID_ARGUMENT, "the capacity of %s is negative (%lld)", name,
