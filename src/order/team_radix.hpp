@@ -24,15 +24,18 @@ class Runs {
         constexpr std::size_t share = 32768;
         const unsigned members = team.members_for(n, share);
         large_.clear();
-        const auto first = [&](unsigned member) {
+        // Where each one's runs begin, before any of them may be changed.
+        std::size_t first[Team::most + 1];
+        first[members] = n;
+        team.run(members, [&](unsigned member) {
             std::size_t k = Team::part(n, member, members);
             while (k > 0 && k < n && equal(k - 1, k)) ++k;
-            return k;
-        };
+            first[member] = k;
+        });
         team.run(members, [&](unsigned member) {
             Team alone;
-            const std::size_t stop = first(member + 1);
-            for (std::size_t k = first(member); k < stop;) {
+            const std::size_t stop = first[member + 1];
+            for (std::size_t k = first[member]; k < stop;) {
                 std::size_t next = k + 1;
                 while (next < stop && equal(k, next)) ++next;
                 if (members > 1 && next - k >= 2 * share) {
