@@ -123,6 +123,18 @@ Buffer<TetId> ghosts_by_slot(const ExportView& view) {
     return ghosts;
 }
 
+// In line wherever it stands: a call costs a quarter of the export.
+template <class Int>
+struct NeighborNumber {
+    const Numbering& numbering;
+    Int base;
+    MGDT_ALWAYS_INLINE Int operator()(const Tetrahedron& t, unsigned i) const {
+        const TetId neighbor = t.n[i] >> 2;
+        return numbering.is_finite(neighbor) ? static_cast<Int>(numbering.rank(neighbor)) + base
+                                             : base - 1;
+    }
+};
+
 struct HullFacet {
     std::uint32_t v[3];
     bool operator<(const HullFacet& other) const {
@@ -168,14 +180,7 @@ void export_tetrahedra(const ExportView& view, Int* out) {
 
 template <class Int>
 void export_neighbors(const ExportView& view, Int* out) {
-    const Int none = static_cast<Int>(view.base - 1);
-    const Numbering& numbering = *view.numbering;
-    const auto row = [&](const Tetrahedron& t, unsigned i) {
-        const TetId neighbor = t.n[i] >> 2;
-        return numbering.is_finite(neighbor)
-                   ? static_cast<Int>(numbering.rank(neighbor)) + static_cast<Int>(view.base)
-                   : none;
-    };
+    const NeighborNumber<Int> row{*view.numbering, static_cast<Int>(view.base)};
     if (view.canonical)
         export_rows(view, VertexIndices(view.team, view.mesh, view.allocator), out, row);
     else
