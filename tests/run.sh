@@ -174,6 +174,6 @@ if [ $long = yes ]; then
         # The program's own test limits the address space, which the sanitizer needs whole.
         run asan --suite unit --suite property --suite api --suite cxx --suite cli --no-suite script
     build tsan g++ -Dbuildtype=debugoptimized -Db_sanitize=thread -Db_lundef=false \
-        -Dwerror=false && run tsan --suite property --suite api --suite cxx --no-suite script
+        -Dwerror=false && run tsan --suite unit --suite property --suite api --suite cxx --no-suite script
 fi
 finish

@@ -76,24 +76,18 @@ static int mgdt_find(void* library, const char* name, void* to) {
 static int mgdt_load(char* problem, size_t size) {
     static void* library;
     const char* const chosen = getenv("MGDT_LIBRARY");
-    const char* const names[2] = {chosen && *chosen ? chosen : NULL, MGDT_LIBRARY_NAME};
+    const int is_chosen = chosen && *chosen;
+    const char* const name = is_chosen ? chosen : MGDT_LIBRARY_NAME;
     __typeof__(&mgdt_abi_version) abi_version;
-    const char* name = NULL;
-    size_t used;
-    int k;
 
     if (library) return 1;
-    used = (size_t)snprintf(problem, size,
-                            "the mgdt library was not found; set MGDT_LIBRARY to its file. Tried:");
-    for (k = 0; k < 2 && !library; ++k) {
-        if (!names[k]) continue;
-        name = names[k];
-        library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-        if (!library && used < size)
-            used += (size_t)snprintf(problem + used, size - used, "\n  %s%s: %s", name,
-                                     k == 0 ? " (from MGDT_LIBRARY)" : "", dlerror());
+    library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+    if (!library) {
+        snprintf(problem, size,
+                 "the mgdt library was not found; set MGDT_LIBRARY to its file. Tried:\n  %s%s: %s",
+                 name, is_chosen ? " (from MGDT_LIBRARY)" : "", dlerror());
+        return 0;
     }
-    if (!library) return 0;
     if (!mgdt_find(library, "mgdt_abi_version", &abi_version)) {
         snprintf(problem, size, "%s is not the mgdt library: it has no mgdt_abi_version", name);
     } else if (abi_version() != 1) {

@@ -175,7 +175,8 @@ MGDT_API mgdt_status mgdt_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_f
  *  @since 1.0 */
 MGDT_API void mgdt_destroy(mgdt_triangulation *t);
 
-/** Takes all points out; settings stay, statistics start again at zero.
+/** Takes all points out; settings stay, statistics start again at zero. Withdraws a request to stop
+ *  that no call has heard, see mgdt_cancel().
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_clear(mgdt_triangulation *t);
@@ -236,15 +237,16 @@ MGDT_API mgdt_status mgdt_set_memory_limit(mgdt_triangulation *t, int64_t bytes)
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_progress(mgdt_triangulation *t, mgdt_progress_fn fn, void *user);
 
-/** Asks the call that is running on the handle to stop soon; it returns MGDT_ERR_CANCELLED.
- *  Without one, the next insertion is stopped. Safe from any thread and from signal handlers.
+/** Asks the insertion that is running on the handle to stop soon; it returns MGDT_ERR_CANCELLED.
+ *  Without one, or if it comes too late for that one, the next insertion of any points is stopped,
+ *  unless mgdt_clear() comes before it. Safe from any thread and from signal handlers.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation *t);
 
 /** Makes the exported arrays a function of the set of points alone, byte for byte: tetrahedra
- *  sorted, the least vertex index of each first and the next least second.
- *  Off, they come in the order of storage, which is faster.
+ *  sorted, the least vertex index of each first and the next least second; hull facets sorted, the
+ *  least index first; edges sorted. Off, they come in the order of storage, which is faster.
  *  @param on  0 (default) or 1
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
@@ -266,8 +268,8 @@ MGDT_API mgdt_status mgdt_set_isa(mgdt_triangulation *t, const char *name);
  *  Fewer than four points, or all on a plane, are kept until they span space.
  *  @param n    number of points, at least 0
  *  @param xyz  3 n coordinates, x y z of each point in turn; copied; may be NULL if n is 0
- *  @return MGDT_OK; MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_NOT_FINITE (the
- *  message names the index) or MGDT_ERR_TOO_LARGE with nothing changed; MGDT_ERR_CANCELLED,
+ *  @return MGDT_OK; MGDT_ERR_INVALID_ARGUMENT (n is negative, whatever xyz is),
+ *  MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_FINITE (the message names the index) or MGDT_ERR_TOO_LARGE with nothing changed; MGDT_ERR_CANCELLED,
  *  MGDT_ERR_OUT_OF_MEMORY or MGDT_ERR_TOO_LARGE with a valid triangulation of the points that
  *  got in. The others have no vertex in the point map; they may be given again, under new indices.
  *  mgdt_point_count() tells whether the call's points were counted at all: running out of memory

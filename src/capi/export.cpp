@@ -9,6 +9,9 @@ using namespace mgdt;
 
 namespace {
 
+// Elements that a thread pays for.
+constexpr std::size_t share = 262144;
+
 // Refuses an export whose values, counted from 0, are below `end` but do not fit Int.
 template <class Int>
 void require_range(std::uint64_t end, const mgdt_triangulation* t) {
@@ -29,7 +32,6 @@ mgdt_status run(const mgdt_triangulation* t, bool numbers, std::int64_t capacity
         require_capacity(capacity, static_cast<std::size_t>(count), "the output array");
         require_range<Int>(static_cast<std::uint64_t>(end), t);
         if (count == 0) return;
-        constexpr std::size_t share = 262144;  // elements that a thread pays for
         Team team(t->core.threads_for(static_cast<std::size_t>(count), share));
         body(view_of(team, t, numbers));
     });
@@ -76,8 +78,8 @@ mgdt_status vertex_tetrahedra(const mgdt_triangulation* t, int64_t offset_capaci
         require_capacity(offset_capacity, points + 1, "offsets");
         require_capacity(capacity, count, "list");
         require_range<Int>(count + 1, t);  // the last offset is past the end
-        Team alone;
-        export_vertex_tetrahedra(view_of(alone, t, true), points, offsets, list);
+        Team team(t->core.threads_for(count, share));
+        export_vertex_tetrahedra(view_of(team, t, true), points, offsets, list);
     });
 }
 

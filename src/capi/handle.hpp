@@ -76,7 +76,7 @@ inline ExportView view_of(Team& team, const mgdt_triangulation* t, bool numbers)
     const Triangulation& core = t->core;
     return {team,
             core.mesh(),
-            numbers ? &core.numbering() : nullptr,
+            numbers ? &core.numbering(team) : nullptr,
             core.allocator(),
             core.settings().index_base,
             core.settings().canonical_output};
@@ -84,6 +84,12 @@ inline ExportView view_of(Team& team, const mgdt_triangulation* t, bool numbers)
 
 inline void require_pointer(const void* p, const char* name) {
     if (!p) fail(MGDT_ERR_NULL_POINTER, "%s is NULL", name);
+}
+
+inline void require_count(std::int64_t n) {
+    if (n < 0)
+        fail(MGDT_ERR_INVALID_ARGUMENT, "the number of points is negative (%lld)",
+             static_cast<long long>(n));
 }
 
 inline void require_capacity(std::int64_t capacity, std::size_t needed, const char* name) {

@@ -41,9 +41,7 @@ extern "C" mgdt_status mgdt_clear(mgdt_triangulation* t) {
 
 extern "C" mgdt_status mgdt_reserve(mgdt_triangulation* t, int64_t n_points) {
     return guard(t, [&] {
-        if (n_points < 0)
-            fail(MGDT_ERR_INVALID_ARGUMENT, "the number of points is negative (%lld)",
-                 static_cast<long long>(n_points));
+        require_count(n_points);
         t->core.reserve(static_cast<std::size_t>(n_points));
     });
 }

@@ -5,15 +5,10 @@ using namespace mgdt;
 
 extern "C" mgdt_status mgdt_insert_points(mgdt_triangulation* t, int64_t n, const double* xyz) {
     return guard(t, [&] {
-        if (n != 0) require_pointer(xyz, "xyz");
-        const double* axis[3] = {xyz, xyz, xyz};
-        if (n != 0) {
-            ++axis[1];
-            axis[2] += 2;
-        }
-        if (n < 0)
-            fail(MGDT_ERR_INVALID_ARGUMENT, "the number of points is negative (%lld)",
-                 static_cast<long long>(n));
+        require_count(n);
+        if (n == 0) return;
+        require_pointer(xyz, "xyz");
+        const double* const axis[3] = {xyz, xyz + 1, xyz + 2};
         t->core.insert(static_cast<std::size_t>(n), axis, 3);
     });
 }
@@ -22,9 +17,7 @@ extern "C" mgdt_status mgdt_insert_points_strided(mgdt_triangulation* t, int64_t
                                                   const double* y, const double* z,
                                                   int64_t stride) {
     return guard(t, [&] {
-        if (n < 0)
-            fail(MGDT_ERR_INVALID_ARGUMENT, "the number of points is negative (%lld)",
-                 static_cast<long long>(n));
+        require_count(n);
         if (n == 0) return;
         require_pointer(x, "x");
         require_pointer(y, "y");

@@ -29,9 +29,7 @@ template <class Int>
 mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* xyz,
                           Int* tetrahedra, double* weights) {
     return guard(t, [&] {
-        if (n < 0)
-            fail(MGDT_ERR_INVALID_ARGUMENT, "the number of points is negative (%lld)",
-                 static_cast<long long>(n));
+        require_count(n);
         if (n == 0) return;
         require_pointer(xyz, "xyz");
         require_pointer(tetrahedra, "the output array");

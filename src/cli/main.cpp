@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 
@@ -52,6 +53,17 @@ std::string schemes() {
     std::string text;
     for (const std::string& name : scheme_names()) text += (text.empty() ? "" : ", ") + name;
     return text;
+}
+
+// Where the program's meshes are: by the program, which may have been moved with them, or else
+// where they were to be installed.
+std::string data_directory() {
+    std::error_code unknown;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    const std::filesystem::path moved =
+        (program.parent_path() / MGDT_DATA_FROM_PROGRAM).lexically_normal();
+    if (!unknown && std::filesystem::is_directory(moved, unknown)) return moved.string();
+    return MGDT_DATA_DIRECTORY;
 }
 
 void add_input(CLI::App& app, InputOptions& options, const char* description) {
@@ -220,9 +232,7 @@ int run(int argc, char** argv) {
     triangulate_app->footer(formats_footer() + "\n" + exit_codes);
 
     GenerateCommandOptions g;
-#ifdef MGDT_DATA_DIRECTORY
-    g.generate.data_directory = MGDT_DATA_DIRECTORY;
-#endif
+    g.generate.data_directory = data_directory();
     CLI::App* generate_app = app.add_subcommand("generate", "Write points of a distribution.");
     generate_app->add_option("kind", g.kind, "Kind of distribution, see below")
         ->required()

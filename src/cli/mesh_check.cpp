@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
 #include "predicates/predicates.hpp"
@@ -141,14 +142,14 @@ class MeshChecker {
         const char* what = "orientation";
         if (flat > 0) {
             add(what, false,
-                fmt::format("{} tetrahedra have no volume, the first is number {} "
-                            "(counted from 0)",
-                            flat, first_flat));
+                fmt::format("{} no volume, the first is number {} (counted from 0)",
+                            counted(flat, "tetrahedron has", "tetrahedra have"), first_flat));
         } else if (negative > 0 && positive > 0) {
             add(what, false,
-                fmt::format("{} tetrahedra are positively oriented and {} negatively, the first "
+                fmt::format("{} positively oriented and {} negatively, the first "
                             "is number {} (counted from 0)",
-                            positive, negative, first_negative));
+                            counted(positive, "tetrahedron is", "tetrahedra are"), negative,
+                            first_negative));
         } else if (negative > 0) {
             for (Quad& v : tetrahedra_) std::swap(v[2], v[3]);
             turned_ = true;
@@ -217,12 +218,13 @@ class MeshChecker {
     void check_facets() {
         if (crowded_ > 0) {
             add("facets", false,
-                fmt::format("{} facets belong to more than two tetrahedra, the first to number {}",
-                            crowded_, first_crowded_ / 4));
+                fmt::format("{} to more than two tetrahedra, the first to number {}",
+                            counted(crowded_, "facet belongs", "facets belong"),
+                            first_crowded_ / 4));
         } else if (folded_ > 0) {
             add("facets", false,
-                fmt::format("{} facets have both tetrahedra on one side, the first of number {}",
-                            folded_, first_folded_ / 4));
+                fmt::format("{} both tetrahedra on one side, the first of number {}",
+                            counted(folded_, "facet has", "facets have"), first_folded_ / 4));
         } else {
             add("facets", true, "every facet has one or two tetrahedra, two on opposite sides");
         }

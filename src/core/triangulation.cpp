@@ -22,6 +22,7 @@ Triangulation::Triangulation(mgdt_alloc_fn alloc, mgdt_free_fn release, void* us
 }
 
 void Triangulation::clear() noexcept {
+    cancelled_.store(false, std::memory_order_relaxed);
     forget_numbering();
     location_tree_.forget();
     mesh_.clear();

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 
 #include "core/affine_basis.hpp"
 #include "core/held_points.hpp"
@@ -71,7 +72,9 @@ class Triangulation {
     const Buffer<VertexId>& point_map() const noexcept { return point_map_; }
     std::size_t vertex_count() const noexcept { return mesh_.vertices.size() - 1; }
     // Numbers of tetrahedra as the exports count them; made when first asked for.
-    const Numbering& numbering() const { return numbering_.get(mesh_, settings_.canonical_output); }
+    const Numbering& numbering(Team& team) const {
+        return numbering_.get(mesh_, settings_.canonical_output, std::ref(team));
+    }
     void forget_numbering() noexcept { numbering_.forget(); }
     // Where walks start; nullptr for a small mesh. Made when first asked for.
     const LocationTree* location_tree() const { return location_tree(mesh_.vertices.size()); }

@@ -2,6 +2,7 @@
 #include "order/curve_sort.hpp"
 #include "order/rounds.hpp"
 #include "order/schemes.hpp"
+#include "parallel/team_lists.hpp"
 
 namespace mgdt {
 
@@ -10,23 +11,23 @@ namespace mgdt {
 void order_brio(Team& team, const PointSet& points, const OrderParameters& parameters,
                 Schedule& out) {
     const std::size_t n = points.size;
+    Allocator& allocator = out.order.allocator();
     const RandomRounds rounds(n, parameters.round_ratio, parameters.seed);
-    const unsigned count = rounds.count();
-    Buffer<std::uint32_t> next(out.order.allocator());
-    next.resize(count, 0);
-    for (std::size_t i = 0; i < n; ++i) ++next[rounds.of(static_cast<std::uint32_t>(i))];
-    std::uint32_t begin = 0;
-    for (unsigned r = 0; r < count; ++r) {
-        const std::uint32_t size = next[r];
-        if (size > 0) out.rounds.push_back(begin);
-        next[r] = begin;
-        begin += size;
-    }
-    const CurveOrder curve = sort_along_curve(team, points, out.order.allocator());
-    for (std::size_t k = 0; k < n; ++k) {
-        const std::uint32_t i = curve.index(k);
-        out.order[next[rounds.of(i)]++] = i;
-    }
+    const CurveOrder curve = sort_along_curve(team, points, allocator);
+    Buffer<std::uint32_t> ends(allocator, rounds.count() + std::size_t{1});
+    constexpr std::size_t share = 65536;
+    make_lists(
+        team, allocator, n, share, rounds.count(), ends.data(),
+        [&](std::size_t begin, std::size_t end, auto f) {
+            for (std::size_t k = begin; k < end; ++k) {
+                const std::uint32_t point = curve.index(k);
+                f(rounds.of(point), point);
+            }
+        },
+        [](std::size_t) {},
+        [&](std::size_t place, std::uint32_t point) { out.order[place] = point; });
+    for (unsigned r = 0; r < rounds.count(); ++r)
+        if (ends[r] < ends[r + 1]) out.rounds.push_back(ends[r]);
     out.levels = curve.levels;
 }
 

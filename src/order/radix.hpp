@@ -51,23 +51,37 @@ struct Counters {
     std::uint32_t of_digit[most_digits][1u << digit_bits];
 };
 
+// How many of the bits low..high-1 to sort n records by first: as many as they need.
+inline unsigned first_width(std::size_t n, unsigned low, unsigned high) noexcept {
+    const unsigned wanted = bit_width(n) + 2;
+    return wanted < high - low ? wanted : high - low;
+}
+
+// So many bits in digits of equal width.
+struct Digits {
+    explicit Digits(unsigned width) noexcept
+        : count((width + digit_bits - 1) / digit_bits), bits((width + count - 1) / count) {}
+    const unsigned count, bits;
+    std::size_t values() const noexcept { return std::size_t{1} << bits; }
+};
+
 // Stable passes from the least digit of bits low..low+width-1 to the greatest, between a and b;
 // returns the array where the result is.
 template <class Record>
 Record* least_digit_first(Record* a, Record* b, std::size_t n, unsigned low, unsigned width,
                           Counters& counters) noexcept {
-    const unsigned digits = (width + digit_bits - 1) / digit_bits;
-    const unsigned bits = (width + digits - 1) / digits;
-    const std::uint64_t mask = (1u << bits) - 1;
-    for (unsigned d = 0; d < digits; ++d) {
-        std::memset(counters.of_digit[d], 0, sizeof(std::uint32_t) << bits);
+    const Digits digits(width);
+    const std::uint64_t mask = digits.values() - 1;
+    for (unsigned d = 0; d < digits.count; ++d) {
+        std::memset(counters.of_digit[d], 0, sizeof(std::uint32_t) << digits.bits);
     }
     for (std::size_t i = 0; i < n; ++i) {
         std::uint64_t key = radix_key(a[i]) >> low;
-        for (unsigned d = 0; d < digits; ++d, key >>= bits) ++counters.of_digit[d][key & mask];
+        for (unsigned d = 0; d < digits.count; ++d, key >>= digits.bits)
+            ++counters.of_digit[d][key & mask];
     }
-    for (unsigned d = 0; d < digits; ++d) {
-        const unsigned shift = low + d * bits;
+    for (unsigned d = 0; d < digits.count; ++d) {
+        const unsigned shift = low + d * digits.bits;
         std::uint32_t* next = counters.of_digit[d];
         if (next[(radix_key(a[0]) >> shift) & mask] == n) continue;
         std::uint32_t sum = 0;
@@ -95,8 +109,7 @@ void sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high
     const unsigned differing = bit_width(differ);
     if (differing < high) high = differing;
     if (high <= low) return;
-    const unsigned wanted = bit_width(n) + 2;
-    const unsigned width = wanted < high - low ? wanted : high - low;
+    const unsigned width = first_width(n, low, high);
     high -= width;
     const Record* sorted = least_digit_first(a, scratch, n, high, width, counters);
     if (sorted != a) std::memcpy(static_cast<void*>(a), sorted, n * sizeof(Record));

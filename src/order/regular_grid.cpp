@@ -2,6 +2,7 @@
 #include "order/grid.hpp"
 #include "order/schemes.hpp"
 #include "order/separation.hpp"
+#include "parallel/team_lists.hpp"
 
 namespace mgdt {
 
@@ -11,23 +12,26 @@ void order_regular_grid(Team& team, const PointSet& points, const OrderParameter
     const std::size_t n = points.size;
     if (n == 0) return;
     const Grid grid(points, box_of(points), n, parameters.points_per_cell_or(8));
-    Buffer<std::uint32_t> cell(out.order.allocator(), n), next(out.order.allocator());
-    next.resize(grid.cells() + 1, 0);
-    for (std::size_t i = 0; i < n; ++i) {
-        cell[i] = grid.path(points, i);
-        ++next[cell[i] + std::size_t{1}];
-    }
-    for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];
-    for (std::size_t i = 0; i < n; ++i) out.order[next[cell[i]]++] = static_cast<std::uint32_t>(i);
+    Allocator& allocator = out.order.allocator();
+    Buffer<std::uint32_t> cell(allocator, n), ends(allocator, grid.cells() + 1);
+    constexpr std::size_t share = 65536;
+    team.split(n, share, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t i = begin; i < end; ++i) cell[i] = grid.path(points, i);
+    });
+    make_lists(
+        team, allocator, n, share, grid.cells(), ends.data(),
+        [&](std::size_t begin, std::size_t end, auto f) {
+            for (std::size_t i = begin; i < end; ++i) f(cell[i], static_cast<std::uint32_t>(i));
+        },
+        [](std::size_t) {},
+        [&](std::size_t place, std::uint32_t point) { out.order[place] = point; });
     out.levels = 1;
     if (parameters.separation == Separation::none) return;
-    // Each counter has moved on to the end of its cell.
     Buffer<std::uint32_t>& rank = cell;
-    std::uint32_t begin = 0;
-    for (std::size_t c = 0; c < grid.cells(); ++c) {
-        for (std::uint32_t k = begin; k < next[c]; ++k) rank[k] = k - begin;
-        begin = next[c];
-    }
+    team.split(grid.cells(), share, [&](std::size_t first, std::size_t last, unsigned) {
+        for (std::size_t c = first; c < last; ++c)
+            for (std::uint32_t k = ends[c]; k < ends[c + 1]; ++k) rank[k] = k - ends[c];
+    });
     separate(team, points, parameters, rank, out);
 }
 

@@ -24,15 +24,18 @@ class Runs {
         constexpr std::size_t share = 32768;
         const unsigned members = team.members_for(n, share);
         large_.clear();
-        const auto first = [&](unsigned member) {
+        // Where each one's runs begin, before any of them may be changed.
+        std::size_t first[Team::most + 1];
+        first[members] = n;
+        team.run(members, [&](unsigned member) {
             std::size_t k = Team::part(n, member, members);
             while (k > 0 && k < n && equal(k - 1, k)) ++k;
-            return k;
-        };
+            first[member] = k;
+        });
         team.run(members, [&](unsigned member) {
             Team alone;
-            const std::size_t stop = first(member + 1);
-            for (std::size_t k = first(member); k < stop;) {
+            const std::size_t stop = first[member + 1];
+            for (std::size_t k = first[member]; k < stop;) {
                 std::size_t next = k + 1;
                 while (next < stop && equal(k, next)) ++next;
                 if (members > 1 && next - k >= 2 * share) {
@@ -70,19 +73,17 @@ inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::
     });
     high = std::min(high, bit_width(all_differ));
     if (high <= low) return;
-    const unsigned width = std::min(bit_width(n) + 2, high - low);
+    const unsigned width = radix_detail::first_width(n, low, high);
     high -= width;
 
     // Passes from the least digit, each stable: a member moves the words of its part to where the
     // words of the members before it end.
-    constexpr unsigned digit_bits = radix_detail::digit_bits;
-    const unsigned digits = (width + digit_bits - 1) / digit_bits;
-    const unsigned bits = (width + digits - 1) / digits;
-    const std::size_t values = std::size_t{1} << bits;
+    const radix_detail::Digits digits(width);
+    const std::size_t values = digits.values();
     Buffer<std::uint32_t> counts(allocator, values * members);
     std::uint64_t *from = a, *to = scratch;
-    for (unsigned d = 0; d < digits; ++d) {
-        const unsigned shift = high + d * bits;
+    for (unsigned d = 0; d < digits.count; ++d) {
+        const unsigned shift = high + d * digits.bits;
         const auto digit = [&](std::uint64_t word) { return word >> shift & (values - 1); };
         team.run(members, [&](unsigned m) {
             std::uint32_t* const count = counts.data() + m * values;

@@ -8,27 +8,29 @@
 #include <emmintrin.h>
 #endif
 
-#include "query/incidence.hpp"
+#include "query/canonical_sort.hpp"
+#include "query/vertex_indices.hpp"
 
 namespace mgdt {
 namespace {
 
-struct HullFacet {
-    std::uint32_t v[3];
-    bool operator<(const HullFacet& other) const {
-        return std::lexicographical_compare(v, v + 3, other.v, other.v + 3);
-    }
+// The indices where a few are wanted.
+struct IndicesInPlace {
+    const Mesh& mesh;
+    std::uint32_t operator[](VertexId v) const { return mesh.vertices[v].index; }
 };
 
 }  // namespace
 
 void export_places(const ExportView& view, const Tetrahedron& t, unsigned places[4]) {
     if (view.canonical) {
-        Numbering::canonical_places(view.mesh, t, places);
+        Numbering::canonical_places(t, IndicesInPlace{view.mesh}, places);
     } else {
         for (unsigned i = 0; i < 4; ++i) places[i] = i;
     }
 }
+
+namespace {
 
 // Four values at a time, past the cache where that can be: what is written is not read here, and
 // fetching the lines first would cost as much again.
@@ -75,134 +77,238 @@ constexpr std::size_t stretches_a_thread = 1024;
 // Records between one that is read and one that is asked for.
 constexpr std::size_t ahead = 32;
 
-// Calls add(t, places, rows) for the finite tetrahedra in order, the threads side by side.
-template <class Int, class Add>
-void export_rows(const ExportView& view, Int* out, Add add) {
+// Writes row(t, place) of each finite tetrahedron at its number, the threads side by side. They are
+// read in the order of storage; canonical rows may be written anywhere.
+template <class Int, class Indices, class Row>
+void export_rows(const ExportView& view, const Indices& indices, Int* out, Row row) {
     const Mesh& mesh = view.mesh;
     const Numbering& numbering = *view.numbering;
-    view.team.split(numbering.stretches(), stretches_a_thread,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                        if (begin == end) return;
-                        Rows<Int> rows(out + 4 * numbering.first_number(begin));
-                        numbering.for_each(begin, end, [&](TetId id) {
-                            const Tetrahedron& t = mesh.tetrahedra[id];
-                            prefetch(&t + ahead);
-                            unsigned places[4];
-                            export_places(view, t, places);
-                            add(t, places, rows);
-                        });
-                    });
+    const auto write = [&](std::size_t begin, std::size_t end, unsigned) {
+        if (begin == end) return;
+        if (view.canonical) {
+            numbering.for_each(begin, end, [&](TetId id, std::size_t number) {
+                const Tetrahedron& t = mesh.tetrahedra[id];
+                prefetch(&t + ahead);
+                unsigned places[4];
+                Numbering::canonical_places(t, indices, places);
+                for (unsigned i = 0; i < 4; ++i) out[4 * number + i] = row(t, places[i]);
+            });
+        } else {
+            Rows<Int> rows(out + 4 * numbering.first_number(begin));
+            numbering.for_each(begin, end, [&](TetId id, std::size_t) {
+                const Tetrahedron& t = mesh.tetrahedra[id];
+                prefetch(&t + ahead);
+                rows.add(row(t, 0), row(t, 1), row(t, 2), row(t, 3));
+            });
+        }
+    };
+    view.team.split(numbering.stretches(), stretches_a_thread, write);
 }
+
+// The ghosts, ascending: sorted by way of a bit for each slot.
+Buffer<TetId> ghosts_by_slot(const ExportView& view) {
+    const std::size_t words = view.mesh.tetrahedra.size() / 64 + 1;
+    Buffer<std::uint64_t> bits(view.allocator);
+    bits.resize(words, 0);
+    Buffer<TetId> ghosts = ghosts_of(view.mesh, view.allocator, [&](TetId t) {
+        const std::uint64_t bit = std::uint64_t{1} << (t & 63);
+        const bool is_new = (bits[t >> 6] & bit) == 0;
+        bits[t >> 6] |= bit;
+        return is_new;
+    });
+    ghosts.clear();
+    for (std::size_t word = 0; word < words; ++word)
+        for (std::uint64_t left = bits[word]; left != 0; left &= left - 1)
+            ghosts.push_back(static_cast<TetId>(word * 64) + lowest_bit(left));
+    return ghosts;
+}
+
+// In line wherever it stands: a call costs a quarter of the export.
+template <class Int>
+struct NeighborNumber {
+    const Numbering& numbering;
+    Int base;
+    MGDT_ALWAYS_INLINE Int operator()(const Tetrahedron& t, unsigned i) const {
+        const TetId neighbor = t.n[i] >> 2;
+        return numbering.is_finite(neighbor) ? static_cast<Int>(numbering.rank(neighbor)) + base
+                                             : base - 1;
+    }
+};
+
+struct HullFacet {
+    std::uint32_t v[3];
+    bool operator<(const HullFacet& other) const {
+        return v[1] != other.v[1] ? v[1] < other.v[1] : v[2] < other.v[2];
+    }
+};
+
+// From the least index on, counter-clockwise seen from outside: (q, a, b, c) is positive for q
+// inside the hull.
+HullFacet hull_facet(const Mesh& mesh, TetId ghost) {
+    const Tetrahedron& t = mesh.tetrahedra[ghost];
+    const unsigned char* const face = outer_face[t.infinite_slot()];
+    HullFacet f;
+    for (int i = 0; i < 3; ++i) f.v[i] = mesh.vertices[t.v[face[i]]].index;
+    std::rotate(f.v, std::min_element(f.v, f.v + 3), f.v + 3);
+    return f;
+}
+
+// Edge e of a tetrahedron joins its vertices edge_ends[e][0] and [1].
+constexpr unsigned char edge_ends[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
+// The edges where both neighbours are in later slots, a bit each; none that end at infinity.
+unsigned edges_told(const Tetrahedron& t, TetId id) {
+    // By the set of faces with later neighbours: the edges that lie between two of them.
+    static constexpr unsigned char between[16] = {0x00, 0x00, 0x00, 0x20, 0x00, 0x10, 0x04, 0x34,
+                                                  0x00, 0x08, 0x02, 0x2A, 0x01, 0x19, 0x07, 0x3F};
+    static constexpr unsigned char of_face[4] = {0x38, 0x26, 0x15, 0x0B};
+    if (t.is_dead()) return 0;
+    unsigned later = 0;
+    for (unsigned f = 0; f < 4; ++f) later |= (t.n[f] >> 2 > id ? 1u : 0u) << f;
+    return t.is_ghost() ? between[later] & of_face[t.infinite_slot()] : between[later];
+}
+
+}  // namespace
 
 template <class Int>
 void export_tetrahedra(const ExportView& view, Int* out) {
-    const Mesh& mesh = view.mesh;
-    // The indices by themselves fit the cache where the vertices' records do not.
-    Buffer<Int> index(view.allocator, mesh.vertices.size());
-    view.team.split(index.size(), 65536, [&](std::size_t begin, std::size_t end, unsigned) {
-        for (std::size_t v = begin; v < end; ++v)
-            index[v] = static_cast<Int>(mesh.vertices[v].index) + static_cast<Int>(view.base);
-    });
-    export_rows(view, out, [&](const Tetrahedron& t, const unsigned* p, Rows<Int>& rows) {
-        rows.add(index[t.v[p[0]]], index[t.v[p[1]]], index[t.v[p[2]]], index[t.v[p[3]]]);
+    const VertexIndices indices(view.team, view.mesh, view.allocator);
+    export_rows(view, indices, out, [&](const Tetrahedron& t, unsigned i) {
+        return static_cast<Int>(indices[t.v[i]]) + static_cast<Int>(view.base);
     });
 }
 
 template <class Int>
 void export_neighbors(const ExportView& view, Int* out) {
-    const Int none = static_cast<Int>(view.base - 1);
-    const Numbering& numbering = *view.numbering;
-    const auto number = [&](FacetCode code) {
-        return numbering.is_finite(code >> 2)
-                   ? static_cast<Int>(numbering.rank(code >> 2)) + static_cast<Int>(view.base)
-                   : none;
-    };
-    export_rows(view, out, [&](const Tetrahedron& t, const unsigned* p, Rows<Int>& rows) {
-        rows.add(number(t.n[p[0]]), number(t.n[p[1]]), number(t.n[p[2]]), number(t.n[p[3]]));
-    });
+    const NeighborNumber<Int> row{*view.numbering, static_cast<Int>(view.base)};
+    if (view.canonical)
+        export_rows(view, VertexIndices(view.team, view.mesh, view.allocator), out, row);
+    else
+        export_rows(view, IndicesInPlace{view.mesh}, out, row);
 }
 
 template <class Int>
 void export_hull_facets(const ExportView& view, Int* out) {
-    const Mesh& mesh = view.mesh;
-    Buffer<HullFacet> facets(view.allocator);
-    facets.reserve(mesh.ghost_count);
-    for (const Tetrahedron& t : mesh.tetrahedra) {
-        if (t.is_dead() || !t.is_ghost()) continue;
-        // (q, a, b, c) is positive for q inside the hull, so (a, b, c) turns counter-clockwise
-        // seen from outside.
-        const int slot = t.infinite_slot();
-        const unsigned char* face = outer_face[slot];
-        HullFacet f;
-        for (int i = 0; i < 3; ++i) f.v[i] = mesh.vertices[t.v[face[i]]].index;
-        std::rotate(f.v, std::min_element(f.v, f.v + 3), f.v + 3);
-        facets.push_back(f);
+    const Buffer<TetId> ghosts = ghosts_by_slot(view);
+    constexpr std::size_t share = 32768;
+    const auto write = [&](std::size_t place, const HullFacet& f) {
+        for (unsigned i = 0; i < 3; ++i)
+            out[3 * place + i] = static_cast<Int>(f.v[i]) + static_cast<Int>(view.base);
+    };
+    if (!view.canonical) {
+        view.team.split(ghosts.size(), share, [&](std::size_t begin, std::size_t end, unsigned) {
+            for (std::size_t k = begin; k < end; ++k) write(k, hull_facet(view.mesh, ghosts[k]));
+        });
+        return;
     }
-    if (view.canonical) std::sort(facets.begin(), facets.end());
-    for (const HullFacet& f : facets)
-        for (const std::uint32_t v : f.v)
-            *out++ = static_cast<Int>(v) + static_cast<Int>(view.base);
+    const auto each = [&](std::size_t begin, std::size_t end, auto f) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const HullFacet facet = hull_facet(view.mesh, ghosts[k]);
+            f(facet.v[0], facet);
+        }
+    };
+    const VertexIndices indices(view.team, view.mesh, view.allocator);
+    canonical_sort<HullFacet>(
+        view.team, view.allocator, ghosts.size(), share, indices.end(), each,
+        [&](std::size_t, std::size_t place, const HullFacet& f) { write(place, f); });
 }
 
+// Sorted by their ends, the caller's indices or else those of the vertices. An edge is told by the
+// tetrahedra around it whose two neighbours there are in later slots. The first of them all is one,
+// so each edge is told, by few tetrahedra, and none needs another record than its own.
 template <class Int>
 void export_edges(const ExportView& view, Int* out) {
     const Mesh& mesh = view.mesh;
-    const Incidence around(mesh, view.allocator);
-    // In canonical output edges go by the caller's indices.
-    Buffer<VertexId> vertices(view.allocator, mesh.vertices.size() - 1);
-    for (VertexId v = 1; v < mesh.vertices.size(); ++v) vertices[v - 1] = v;
-    const bool sorted = view.canonical;
-    const auto by_index = [&](VertexId a, VertexId b) {
-        return mesh.vertices[a].index < mesh.vertices[b].index;
-    };
-    if (sorted) std::sort(vertices.begin(), vertices.end(), by_index);
-    Buffer<VertexId> seen_from(view.allocator);
-    seen_from.resize(mesh.vertices.size(), infinite_vertex);
-    Buffer<VertexId> ends(view.allocator);
-    for (const VertexId v : vertices) {
-        ends.clear();
-        for (const TetId id : around.tetrahedra(v)) {
-            if (mesh.tetrahedra[id].is_ghost()) continue;
-            for (const VertexId end : mesh.tetrahedra[id].v) {
-                if (seen_from[end] == v || !by_index(v, end)) continue;
-                seen_from[end] = v;
-                ends.push_back(end);
+    const VertexIndices indices(view.team, mesh, view.allocator);
+    const auto name = [&](VertexId v) { return view.canonical ? indices[v] : v; };
+    const auto each = [&](std::size_t begin, std::size_t end, auto f) {
+        for (std::size_t id = begin; id < end; ++id) {
+            const Tetrahedron& t = mesh.tetrahedra[id];
+            prefetch(&t + ahead);
+            for (unsigned left = edges_told(t, static_cast<TetId>(id)); left != 0;
+                 left &= left - 1) {
+                const unsigned char* const at = edge_ends[lowest_bit(left)];
+                const VertexId a = name(t.v[at[0]]), b = name(t.v[at[1]]);
+                f(std::min(a, b), std::max(a, b));
             }
         }
-        if (sorted) std::sort(ends.begin(), ends.end(), by_index);
-        for (const VertexId end : ends) {
-            *out++ = static_cast<Int>(mesh.vertices[v].index) + static_cast<Int>(view.base);
-            *out++ = static_cast<Int>(mesh.vertices[end].index) + static_cast<Int>(view.base);
+    };
+    const std::size_t names = view.canonical ? indices.end() : mesh.vertices.size();
+    constexpr std::size_t share = 65536, names_a_thread = 16384;
+    Buffer<std::uint32_t> ends(view.allocator, names + 1), others(view.allocator);
+    make_lists(
+        view.team, view.allocator, mesh.tetrahedra.size(), share, names, ends.data(), each,
+        [&](std::size_t size) { others.resize(size); },
+        [&](std::size_t place, std::uint32_t other) { others[place] = other; });
+    // Each list sorted, each edge once; then written from where the members before end.
+    Buffer<std::uint32_t> sizes(view.allocator, names);
+    std::size_t place_of[Team::most + 1] = {};
+    view.team.split(names, names_a_thread, [&](std::size_t begin, std::size_t end, unsigned m) {
+        std::size_t sum = 0;
+        for (std::size_t k = begin; k < end; ++k) {
+            std::uint32_t* const first = others.begin() + ends[k];
+            std::uint32_t* const last = others.begin() + ends[k + 1];
+            std::sort(first, last);
+            sizes[k] = static_cast<std::uint32_t>(std::unique(first, last) - first);
+            sum += sizes[k];
         }
-    }
+        place_of[m + 1] = sum;
+    });
+    for (unsigned m = 0; m < Team::most; ++m) place_of[m + 1] += place_of[m];
+    view.team.split(names, names_a_thread, [&](std::size_t begin, std::size_t end, unsigned m) {
+        Int* to = out + 2 * place_of[m];
+        for (std::size_t k = begin; k < end; ++k) {
+            for (std::size_t i = ends[k]; i < ends[k] + sizes[k]; ++i) {
+                std::uint32_t a = static_cast<std::uint32_t>(k), b = others[i];
+                if (!view.canonical) {
+                    const std::uint32_t index_a = indices[a], index_b = indices[b];
+                    a = std::min(index_a, index_b);
+                    b = std::max(index_a, index_b);
+                }
+                *to++ = static_cast<Int>(a) + static_cast<Int>(view.base);
+                *to++ = static_cast<Int>(b) + static_cast<Int>(view.base);
+            }
+        }
+    });
 }
 
 template <class Int>
 void export_point_map(const ExportView& view, const Buffer<VertexId>& point_map, Int* out) {
-    for (const VertexId v : point_map)
-        *out++ = v == infinite_vertex
-                     ? static_cast<Int>(view.base - 1)
-                     : static_cast<Int>(view.mesh.vertices[v].index) + static_cast<Int>(view.base);
+    const VertexIndices indices(view.team, view.mesh, view.allocator);
+    const std::uint32_t none = no_index;
+    constexpr std::size_t share = 65536;
+    view.team.split(point_map.size(), share, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::uint32_t index = indices[point_map[k]];
+            out[k] = index == none ? static_cast<Int>(view.base - 1)
+                                   : static_cast<Int>(index) + static_cast<Int>(view.base);
+        }
+    });
 }
 
 template <class Int>
 void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* offsets, Int* list) {
     const Mesh& mesh = view.mesh;
+    const Numbering& numbering = *view.numbering;
     const Int base = static_cast<Int>(view.base);
-    std::fill(offsets, offsets + points + 1, Int{0});
-    view.numbering->for_each([&](TetId id) {
-        for (const VertexId v : mesh.tetrahedra[id].v) ++offsets[mesh.vertices[v].index + 1u];
-    });
-    // Positions of the lists' beginnings; filling moves each to its end, the next one's beginning.
-    Buffer<Int> next(view.allocator, points + 1);
-    for (std::size_t k = 1; k <= points; ++k) offsets[k] += offsets[k - 1];
-    std::copy(offsets, offsets + points + 1, next.begin());
-    std::size_t number = 0;
-    view.numbering->for_each([&](TetId id) {
-        for (const VertexId v : mesh.tetrahedra[id].v)
-            list[next[mesh.vertices[v].index]++] = static_cast<Int>(number) + base;
-        ++number;
-    });
+    const VertexIndices indices(view.team, mesh, view.allocator);
+    const auto each = [&](std::size_t begin, std::size_t end, auto f) {
+        numbering.for_each(begin, end, [&](TetId id, std::size_t number) {
+            const Tetrahedron& t = mesh.tetrahedra[id];
+            prefetch(&t + ahead);
+            for (const VertexId v : t.v) f(indices[v], static_cast<Int>(number) + base);
+        });
+    };
+    make_lists(
+        view.team, view.allocator, numbering.stretches(), stretches_a_thread, points, offsets, each,
+        [](std::size_t) {}, [&](std::size_t place, Int number) { list[place] = number; });
+    // Canonical numbers do not ascend along the storage.
+    constexpr std::size_t share = 16384;
+    if (numbering.is_canonical())
+        view.team.split(points, share, [&](std::size_t begin, std::size_t end, unsigned) {
+            for (std::size_t k = begin; k < end; ++k)
+                std::sort(list + offsets[k], list + offsets[k + 1]);
+        });
     for (std::size_t k = 0; k <= points; ++k) offsets[k] += base;
 }
 

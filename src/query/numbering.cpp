@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "query/numbering.hpp"
 
-#include <algorithm>
+#include "query/canonical_sort.hpp"
+#include "query/vertex_indices.hpp"
 
 namespace mgdt {
 
-// All slots but the free ones and the ghosts, which are reached from one another: no pass over the
-// records.
-Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical)
-    : bits_(allocator), ranks_(allocator), order_(allocator), rank_(allocator) {
+// All slots but the free ones and the ghosts: no pass over the records.
+Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team)
+    : bits_(allocator), ranks_(allocator), rank_(allocator) {
     const std::size_t slots = mesh.tetrahedra.size(), words = (slots + 63) / 64;
     bits_.resize(words, ~std::uint64_t{0});
     if (slots % 64 != 0) bits_[words - 1] = (std::uint64_t{1} << slots % 64) - 1;
@@ -20,87 +20,43 @@ Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical)
         return was_in;
     };
     for (const TetId t : mesh.free_slots) take_out(t);
-    if (mesh.live_count() != 0) {
-        Buffer<TetId> ghosts(allocator);
-        ghosts.reserve(mesh.ghost_count);
-        const auto push = [&](TetId t) {
-            if (take_out(t)) ghosts.push_back(t);
-        };
-        push(mesh.a_ghost);
-        for (std::size_t i = 0; i < ghosts.size(); ++i) {
-            const Tetrahedron& t = mesh.tetrahedra[ghosts[i]];
-            const int slot = t.infinite_slot();
-            for (int f = 0; f < 4; ++f)
-                if (f != slot) push(t.n[f] >> 2);
-        }
-    }
+    ghosts_of(mesh, allocator, take_out);
     ranks_.resize(words);
     for (std::size_t word = 0; word < words; ++word) {
         ranks_[word] = static_cast<std::uint32_t>(size_);
-        size_ += static_cast<std::size_t>(popcount(bits_[word]));
+        size_ += popcount(bits_[word]);
     }
-    if (canonical && size_ != 0) sort(mesh);
+    if (canonical && size_ != 0) sort(mesh, team);
 }
 
-void Numbering::canonical_places(const Mesh& mesh, const Tetrahedron& t, unsigned places[4]) {
-    std::uint32_t index[4];
-    for (unsigned i = 0; i < 4; ++i) index[i] = mesh.vertices[t.v[i]].index;
-    unsigned first = 0;
-    for (unsigned i = 1; i < 4; ++i)
-        if (index[i] < index[first]) first = i;
-    // The other three in the order that keeps the orientation, turned so that their least leads:
-    // (first, a, b, c) is an even permutation of (0, 1, 2, 3).
-    static constexpr unsigned char others[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-    const unsigned char* rest = others[first];
-    unsigned turn = 0;
-    for (unsigned i = 1; i < 3; ++i)
-        if (index[rest[i]] < index[rest[turn]]) turn = i;
-    places[0] = first;
-    for (unsigned i = 0; i < 3; ++i) places[i + 1] = rest[(turn + i) % 3];
-}
-
-void Numbering::sort(const Mesh& mesh) {
-    // Buckets by the least index, which is linear; within a bucket there are few.
-    struct Key {
-        std::uint32_t v[3];
+void Numbering::sort(const Mesh& mesh, Team& team) {
+    struct Rest {
+        std::uint64_t second_and_third;
+        std::uint32_t fourth;
         TetId t;
-        bool operator<(const Key& other) const {
-            return std::lexicographical_compare(v, v + 3, other.v, other.v + 3);
+        bool operator<(const Rest& other) const {
+            return second_and_third != other.second_and_third
+                       ? second_and_third < other.second_and_third
+                       : fourth < other.fourth;
         }
     };
     Allocator& allocator = bits_.allocator();
-    std::uint32_t top = 0;
-    for (const Vertex& v : mesh.vertices)
-        if (v.index != no_index) top = std::max(top, v.index);
-    Buffer<std::uint32_t> ends(allocator);
-    ends.resize(std::size_t{top} + 2, 0);
-    Buffer<Key> keys(allocator, size_);
-    const auto index_at = [&](TetId t, unsigned place) {
-        return mesh.vertices[mesh.tetrahedra[t].v[place]].index;
+    const VertexIndices indices(team, mesh, allocator);
+    const auto each = [&](std::size_t begin, std::size_t end, auto f) {
+        for_each_slot(begin, end, [&](TetId id) {
+            const Tetrahedron& t = mesh.tetrahedra[id];
+            unsigned places[4];
+            canonical_places(t, indices, places);
+            const auto index = [&](unsigned i) { return indices[t.v[places[i]]]; };
+            f(index(0), Rest{std::uint64_t{index(1)} << 32 | index(2), index(3), id});
+        });
     };
-    unsigned places[4];
-    for_each([&](TetId t) {
-        canonical_places(mesh, mesh.tetrahedra[t], places);
-        ++ends[index_at(t, places[0]) + 1u];
-    });
-    for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
-    for_each([&](TetId t) {
-        canonical_places(mesh, mesh.tetrahedra[t], places);
-        keys[ends[index_at(t, places[0])]++] = {
-            {index_at(t, places[1]), index_at(t, places[2]), index_at(t, places[3])}, t};
-    });
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-        std::sort(keys.begin() + begin, keys.begin() + ends[i]);
-        begin = ends[i];
-    }
     rank_.resize(mesh.tetrahedra.size());
-    Buffer<TetId> order(allocator, size_);
-    for (std::size_t i = 0; i < size_; ++i) {
-        order[i] = keys[i].t;
-        rank_[keys[i].t] = static_cast<std::uint32_t>(i);
-    }
-    order_ = std::move(order);
+    constexpr std::size_t share = 1024;
+    canonical_sort<Rest>(team, allocator, stretches(), share, indices.end(), each,
+                         [&](std::size_t, std::size_t place, const Rest& rest) {
+                             rank_[rest.t] = static_cast<std::uint32_t>(place);
+                         });
 }
 
 }  // namespace mgdt

@@ -4,15 +4,47 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
+#include "parallel/team.hpp"
 
 namespace mgdt {
 
+inline unsigned popcount(std::uint64_t x) noexcept {
+    x -= (x >> 1) & 0x5555555555555555u;
+    x = (x & 0x3333333333333333u) + ((x >> 2) & 0x3333333333333333u);
+    x = (x + (x >> 4)) & 0x0F0F0F0F0F0F0F0Fu;
+    return static_cast<unsigned>((x * 0x0101010101010101u) >> 56);
+}
+// Number of the lowest bit that is set.
+inline unsigned lowest_bit(std::uint64_t x) noexcept {
+    return popcount((x & (~x + 1)) - 1);
+}
+
+// The slots of all ghosts, which are reached from one another. is_new(t) is true when it is asked
+// for the first time.
+template <class IsNew>
+Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
+    Buffer<TetId> ghosts(allocator);
+    if (mesh.live_count() == 0) return ghosts;
+    ghosts.reserve(mesh.ghost_count);
+    const auto push = [&](TetId t) {
+        if (is_new(t)) ghosts.push_back(t);
+    };
+    push(mesh.a_ghost);
+    for (std::size_t i = 0; i < ghosts.size(); ++i) {
+        const Tetrahedron& t = mesh.tetrahedra[ghosts[i]];
+        const int slot = t.infinite_slot();
+        for (int f = 0; f < 4; ++f)
+            if (f != slot) push(t.n[f] >> 2);
+    }
+    return ghosts;
+}
+
 class Numbering {
   public:
-    Numbering(Allocator& allocator, const Mesh& mesh, bool canonical);
+    Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team);
 
     std::size_t size() const noexcept { return size_; }
-    bool is_canonical() const noexcept { return !order_.empty(); }
+    bool is_canonical() const noexcept { return !rank_.empty(); }
     bool is_finite(TetId t) const noexcept { return (bits_[t >> 6] >> (t & 63) & 1) != 0; }
     // Number of a finite tetrahedron.
     std::size_t rank(TetId t) const noexcept {
@@ -21,56 +53,62 @@ class Numbering {
         // Nearly all words are full: what is missing below is counted instead of what is there.
         const std::uint64_t missing = ~bits_[word] & ((std::uint64_t{1} << (t & 63)) - 1);
         const std::size_t rank = ranks_[word] + std::size_t{t & 63};
-        return MGDT_UNLIKELY(missing != 0) ? rank - static_cast<std::size_t>(popcount(missing))
-                                           : rank;
+        return MGDT_UNLIKELY(missing != 0) ? rank - popcount(missing) : rank;
     }
-    // Calls f(t) for the finite tetrahedra in the order of their numbers.
-    template <class F>
-    void for_each(F f) const {
-        for_each(0, stretches(), f);
-    }
-    // The same for some of the stretches that the order is made of, each of 64 at most.
-    std::size_t stretches() const noexcept {
-        return is_canonical() ? (order_.size() + 63) / 64 : bits_.size();
-    }
-    std::size_t first_number(std::size_t stretch) const noexcept {
-        return is_canonical() ? stretch * 64 : ranks_[stretch];
-    }
+    // Calls f(t, number) for the finite tetrahedra of some of the stretches of 64 slots that the
+    // storage is made of, in the order of storage.
+    std::size_t stretches() const noexcept { return bits_.size(); }
+    // Where they are not canonical: the first number of a stretch.
+    std::size_t first_number(std::size_t stretch) const noexcept { return ranks_[stretch]; }
     template <class F>
     void for_each(std::size_t begin, std::size_t end, F f) const {
-        if (is_canonical()) {
-            const std::size_t last = end * 64 < order_.size() ? end * 64 : order_.size();
-            for (std::size_t i = begin * 64; i < last; ++i) f(order_[i]);
-            return;
-        }
+        if (is_canonical())
+            for_each_slot(begin, end, [&](TetId t) { f(t, std::size_t{rank_[t]}); });
+        else if (begin < end)
+            for_each_slot(begin, end, [&, number = std::size_t{ranks_[begin]}](TetId t) mutable {
+                f(t, number++);
+            });
+    }
+    // The places of a tetrahedron's vertices in its exported record, indices[vertex] deciding.
+    template <class Indices>
+    static void canonical_places(const Tetrahedron& t, const Indices& indices, unsigned places[4]);
+
+  private:
+    void sort(const Mesh& mesh, Team& team);
+
+    template <class F>
+    void for_each_slot(std::size_t begin, std::size_t end, F f) const {
         for (std::size_t word = begin; word < end; ++word) {
             const TetId first = static_cast<TetId>(word * 64);
             if (bits_[word] == ~std::uint64_t{0})
                 for (TetId t = first; t < first + 64; ++t) f(t);
             else
                 for (std::uint64_t bits = bits_[word]; bits != 0; bits &= bits - 1)
-                    f(first + static_cast<TetId>(lowest(bits)));
+                    f(first + lowest_bit(bits));
         }
     }
-    // The places of a tetrahedron's vertices in its exported record.
-    static void canonical_places(const Mesh& mesh, const Tetrahedron& t, unsigned places[4]);
-
-  private:
-    void sort(const Mesh& mesh);
-
-    static int popcount(std::uint64_t x) noexcept {
-        x -= (x >> 1) & 0x5555555555555555u;
-        x = (x & 0x3333333333333333u) + ((x >> 2) & 0x3333333333333333u);
-        x = (x + (x >> 4)) & 0x0F0F0F0F0F0F0F0Fu;
-        return static_cast<int>((x * 0x0101010101010101u) >> 56);
-    }
-    static int lowest(std::uint64_t x) noexcept { return popcount((x & (~x + 1)) - 1); }
-
     Buffer<std::uint64_t> bits_;   // which slots hold finite tetrahedra
     Buffer<std::uint32_t> ranks_;  // number of the first of each word of bits_
-    Buffer<TetId> order_;          // canonical only: by number
     Buffer<std::uint32_t> rank_;   // canonical only: by slot
     std::size_t size_ = 0;
 };
+
+template <class Indices>
+void Numbering::canonical_places(const Tetrahedron& t, const Indices& indices, unsigned places[4]) {
+    std::uint32_t index[4];
+    for (unsigned i = 0; i < 4; ++i) index[i] = indices[t.v[i]];
+    unsigned first = 0;
+    for (unsigned i = 1; i < 4; ++i)
+        if (index[i] < index[first]) first = i;
+    // The other three in the order that keeps the orientation, turned so that their least leads:
+    // (first, a, b, c) is an even permutation of (0, 1, 2, 3).
+    static constexpr unsigned char others[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+    const unsigned char* rest = others[first];
+    unsigned turn = 0;
+    for (unsigned i = 1; i < 3; ++i)
+        if (index[rest[i]] < index[rest[turn]]) turn = i;
+    places[0] = first;
+    for (unsigned i = 0; i < 3; ++i) places[i + 1] = rest[(turn + i) % 3];
+}
 
 }  // namespace mgdt

@@ -199,6 +199,10 @@ static void not_finite(mgdt_triangulation* t) {
 static void counts(mgdt_triangulation* t) {
     int64_t out = -7;
     CHECK_EQUAL(mgdt_insert_points(t, -1, simplex), MGDT_ERR_INVALID_ARGUMENT);
+    /* Whatever else is wrong, and in every function the same. */
+    CHECK_EQUAL(mgdt_insert_points(t, -1, NULL), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_insert_points_strided(t, -1, NULL, NULL, NULL, 3), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_locate_points(t, -1, NULL, NULL, NULL), MGDT_ERR_INVALID_ARGUMENT);
     CHECK_ERROR(t, "-1");
     CHECK_EQUAL(mgdt_insert_points(t, INT64_MIN, simplex), MGDT_ERR_INVALID_ARGUMENT);
     CHECK_EQUAL(mgdt_insert_points_strided(t, -1, simplex, simplex, simplex, 1),

@@ -100,6 +100,18 @@ static void before_a_call(int64_t n, const double* xyz, const mgdt_triangulation
     CHECK_EQUAL(mgdt_cancel(t), MGDT_OK);
     CHECK_EQUAL(mgdt_insert_points(t, n, xyz), MGDT_ERR_CANCELLED);
     CHECK(same_tetrahedra(t, expected, NULL));
+    /* No points are no insertion. */
+    CHECK_EQUAL(mgdt_cancel(t), MGDT_OK);
+    CHECK_EQUAL(mgdt_insert_points(t, 0, NULL), MGDT_OK);
+    CHECK_EQUAL(mgdt_insert_points(t, n, xyz), MGDT_ERR_CANCELLED);
+    /* Clearing withdraws the request, but not one that comes after. */
+    CHECK_EQUAL(mgdt_cancel(t), MGDT_OK);
+    CHECK_EQUAL(mgdt_clear(t), MGDT_OK);
+    CHECK_EQUAL(mgdt_insert_points(t, n, xyz), MGDT_OK);
+    CHECK(same_tetrahedra(t, expected, NULL));
+    CHECK_EQUAL(mgdt_clear(t), MGDT_OK);
+    CHECK_EQUAL(mgdt_cancel(t), MGDT_OK);
+    CHECK_EQUAL(mgdt_insert_points(t, n, xyz), MGDT_ERR_CANCELLED);
     mgdt_destroy(t);
 }
 

@@ -237,6 +237,23 @@ class BadInput(CliTest):
         self.put("t.npy", b"not numpy")
         self.fails(3, "check", "t.npy", "--points", "a.xyz", says="line 3")
 
+    def test_the_program_finds_its_data_beside_itself(self):
+        # A copy of the program and of its data, somewhere else.
+        os.makedirs(self.path("moved/bin"))
+        os.makedirs(self.path("moved/share/mgdt"))
+        program = shutil.copy(MGDT, self.path("moved/bin/mgdt"))
+        data = os.path.join(os.path.dirname(__file__), "..", "..", "docs", "data", "machine.msh")
+        shutil.copy(data, self.path("moved/share/mgdt"))
+        command = [program, "generate", "machine", "1000", "-o", self.path("p.xyz")]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL, timeout=300)
+        os.remove(self.path("moved/share/mgdt/machine.msh"))
+        done = subprocess.run(command, stderr=subprocess.PIPE, text=True, check=False, timeout=300)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn(self.path("moved/share/mgdt/machine.msh"), done.stderr)
+        # The option still goes first.
+        subprocess.run([*command, "--data", os.path.dirname(data)], check=True,
+                       stdout=subprocess.DEVNULL, timeout=300)
+
     def test_lying_headers_allocate_nothing(self):
         header = b"{'descr': '<f8', 'fortran_order': False, 'shape': (99999999999, 3)}\n"
         self.put("p.npy", b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header)

@@ -111,6 +111,7 @@ TEST(MeshCheck, FlatTetrahedron) {
     const std::int64_t flat[4] = {0, 1, 3, 4};
     std::copy(flat, flat + 4, c.tetrahedron(2));
     EXPECT_EQ(defects(c)[0], "orientation");
+    EXPECT_NE(c.report().findings[0].detail.find("1 tetrahedron has no volume"), std::string::npos);
 }
 
 TEST(MeshCheck, MissingTetrahedron) {

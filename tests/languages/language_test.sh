@@ -57,14 +57,10 @@ finish() {
 
 # ------------------------------------------------------------------------------------- a prefix
 
-# Staged, and told where it stands.
 install_build() {
     meson install -C "$build" --no-rebuild --destdir "$scratch/installed" || return 1
     pc=$(find "$scratch/installed" -name mgdt.pc)
-    test -f "$pc" || return 1
-    header=$(find "$scratch/installed" -path '*/include/mgdt/mgdt.h')
-    prefix=${header%/include/mgdt/mgdt.h}
-    sed "s|^prefix=.*|prefix=$prefix|" "$pc" >"$pc.moved" && mv "$pc.moved" "$pc"
+    test -f "$pc"
 }
 check "the build installs" install_build
 [ $failed -eq 0 ] || finish
@@ -73,6 +69,7 @@ libraries=${PKG_CONFIG_PATH%/pkgconfig}
 LD_LIBRARY_PATH=$libraries${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 export PKG_CONFIG_PATH LD_LIBRARY_PATH
 bindings=$(pkg-config --variable=bindings_dir mgdt)
+header=$(pkg-config --variable=includedir mgdt)/mgdt/mgdt.h
 mkdir -p "$scratch/reference" "$scratch/work"
 check "the C interface writes its answers" "$reference" "$scratch/reference"
 [ $failed -eq 0 ] || finish
@@ -82,17 +79,16 @@ cd "$scratch/work"
 loading() { # command that loads the binding...
     refuses "no library: the error names it" "libmgdt.so.1
 not found" env LD_LIBRARY_PATH= "$@"
-    refuses "a wrong MGDT_LIBRARY: the error names what was tried" "$scratch/no such file.so
-MGDT_LIBRARY
-libmgdt.so.1" env LD_LIBRARY_PATH= MGDT_LIBRARY="$scratch/no such file.so" "$@"
+    refuses "a wrong MGDT_LIBRARY is named, though the loader would find a library" \
+        "$scratch/no such file.so
+MGDT_LIBRARY" env MGDT_LIBRARY="$scratch/no such file.so" "$@"
     refuses "another ABI version is refused" "$other_abi
 ABI version 2" env MGDT_LIBRARY="$other_abi" "$@"
     refuses "a library that is not mgdt is refused" "libm.so.6
 is not the mgdt library" env MGDT_LIBRARY=libm.so.6 "$@"
     check "MGDT_LIBRARY alone is enough" env LD_LIBRARY_PATH= \
         MGDT_LIBRARY="$libraries/libmgdt.so.1" "$@"
-    check "a wrong MGDT_LIBRARY does not hide the one that the loader finds" \
-        env MGDT_LIBRARY="$scratch/no such file.so" "$@"
+    check "an empty MGDT_LIBRARY is as none" env MGDT_LIBRARY= "$@"
 }
 
 # The example's output. It prints the volume of a cube with its centre, which is 1.

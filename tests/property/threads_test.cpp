@@ -106,44 +106,121 @@ TEST(Threads, CancelFromAnotherThread) {
     EXPECT_EQ(mgdt_check(t.get(), MGDT_CHECK_CANONICAL), MGDT_OK) << property::error_of(t.get());
 }
 
-// Exports and locations by several threads are those of one, on the same handle.
-TEST(Threads, OfOneCall) {
-    const std::vector<double> xyz = random_points(property::small() ? 9000 : 60000, 5),
-                              queries = random_points(20000, 6);
-    const auto queried = static_cast<std::int64_t>(queries.size() / 3);
+// Everything that can be exported, one after the other.
+std::vector<std::int64_t> everything(const mgdt_triangulation* t) {
+    std::vector<std::int64_t> all;
+    const auto append = [&](const std::vector<std::int64_t>& part) {
+        all.insert(all.end(), part.begin(), part.end());
+    };
+    append(property::tetrahedra(t));
+    append(property::neighbors(t));
+    append(property::hull_facets(t));
+    append(property::edges(t));
+    append(property::point_map(t));
+    std::vector<std::int64_t> offsets(static_cast<std::size_t>(mgdt_point_count(t)) + 1),
+        list(static_cast<std::size_t>(mgdt_vertex_tetrahedra_count(t)));
+    EXPECT_EQ(
+        mgdt_get_vertex_tetrahedra(t, static_cast<std::int64_t>(offsets.size()), offsets.data(),
+                                   static_cast<std::int64_t>(list.size()), list.data()),
+        MGDT_OK);
+    append(offsets);
+    append(list);
+    return all;
+}
+
+// The exports of one handle have the same bytes whatever the number of threads, those of canonical
+// output also if the handle was filled by others. Each array gets several threads in one set or
+// another: the hull those of the sphere, the point map those of points that come often.
+TEST(Threads, ExportsAreThoseOfOne) {
+    const bool small = property::small();
+    std::vector<double> sphere = random_points(small ? 1000 : 90000, 7),
+                        often = random_points(small ? 1000 : 530000, 8);
+    for (std::size_t i = 0; i < sphere.size(); i += 3) {
+        double* const p = &sphere[i];
+        for (int k = 0; k < 3; ++k) p[k] += 1e-3 * static_cast<double>(i % 1009) - 0.5 - 1e-4;
+        const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+        for (int k = 0; k < 3; ++k) p[k] /= length;
+    }
+    for (double& x : often) x = std::floor(16 * x);
+    const std::vector<double> sets[] = {random_points(small ? 20000 : 45000, 9), sphere, often};
+    for (const std::vector<double>& xyz : sets) {
+        const auto n = static_cast<std::int64_t>(xyz.size() / 3);
+        const property::Handle of_one = property::create(), of_three = property::create();
+        ASSERT_EQ(mgdt_insert_points(of_one.get(), n, xyz.data()), MGDT_OK);
+        std::vector<std::int64_t> expected;
+        for (int canonical = 0; canonical < 2; ++canonical) {
+            for (const std::int32_t threads : {1, 3}) {
+                ASSERT_EQ(mgdt_set_threads(of_one.get(), threads), MGDT_OK);
+                // Forgets the numbers too, so that these threads make them.
+                ASSERT_EQ(mgdt_set_canonical_output(of_one.get(), canonical), MGDT_OK);
+                if (threads == 1)
+                    expected = everything(of_one.get());
+                else
+                    EXPECT_TRUE(everything(of_one.get()) == expected) << n << ' ' << canonical;
+            }
+        }
+        ASSERT_EQ(mgdt_set_canonical_output(of_three.get(), 1), MGDT_OK);
+        ASSERT_EQ(mgdt_set_threads(of_three.get(), 3), MGDT_OK);
+        ASSERT_EQ(mgdt_insert_points(of_three.get(), n, xyz.data()), MGDT_OK);
+        EXPECT_TRUE(everything(of_three.get()) == expected) << n;
+    }
+}
+
+// Sorted by the lesser index and then the greater, in canonical output; each once in any.
+TEST(Threads, EdgesAreSortedAndOnce) {
+    const std::vector<double> xyz = random_points(property::small() ? 500 : 20000, 10);
     for (int canonical = 0; canonical < 2; ++canonical) {
         const property::Handle t = property::create();
         ASSERT_EQ(mgdt_set_canonical_output(t.get(), canonical), MGDT_OK);
-        ASSERT_EQ(mgdt_set_threads(t.get(), 4), MGDT_OK);
         ASSERT_EQ(
             mgdt_insert_points(t.get(), static_cast<std::int64_t>(xyz.size() / 3), xyz.data()),
             MGDT_OK);
-        std::vector<std::int64_t> tetrahedra, neighbors, found;
-        std::vector<double> weights;
-        for (const std::int32_t threads : {4, 1}) {
-            ASSERT_EQ(mgdt_set_threads(t.get(), threads), MGDT_OK);
-            std::vector<std::int64_t> places(static_cast<std::size_t>(queried));
-            std::vector<double> shares(4 * places.size());
-            ASSERT_EQ(
-                mgdt_locate_points(t.get(), queried, queries.data(), places.data(), shares.data()),
-                MGDT_OK);
-            if (threads == 4) {
-                tetrahedra = property::tetrahedra(t.get());
-                neighbors = property::neighbors(t.get());
-                found = places;
-                weights = shares;
-            }
-            EXPECT_TRUE(tetrahedra == property::tetrahedra(t.get()));
-            EXPECT_TRUE(neighbors == property::neighbors(t.get()));
-            // A place on a facet may be found on either side of it.
-            for (std::size_t i = 0; i < places.size(); ++i) {
-                double on_boundary = 1;
-                for (std::size_t k = 4 * i; k < 4 * i + 4; ++k)
-                    on_boundary = std::min(on_boundary, std::min(weights[k], shares[k]));
-                EXPECT_TRUE(found[i] == places[i] || on_boundary < 1e-12) << i;
-            }
-            EXPECT_EQ(mgdt_check(t.get(), MGDT_CHECK_CANONICAL), MGDT_OK);
+        using Edge = std::pair<std::int64_t, std::int64_t>;
+        std::vector<Edge> edges, expected;
+        const std::vector<std::int64_t> flat = property::edges(t.get());
+        for (std::size_t i = 0; i < flat.size(); i += 2) edges.emplace_back(flat[i], flat[i + 1]);
+        if (canonical == 1) {
+            EXPECT_TRUE(std::is_sorted(edges.begin(), edges.end()));
         }
+        std::sort(edges.begin(), edges.end());
+        for (const property::Key& key : property::keys(property::tetrahedra(t.get())))
+            for (std::size_t a = 0; a < 4; ++a)
+                for (std::size_t b = a + 1; b < 4; ++b) expected.emplace_back(key[a], key[b]);
+        std::sort(expected.begin(), expected.end());
+        expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+        EXPECT_TRUE(edges == expected);
+    }
+}
+
+// Locations by several threads are those of one, on the same handle.
+TEST(Threads, LocationsAreThoseOfOne) {
+    const std::vector<double> xyz = random_points(property::small() ? 9000 : 60000, 5),
+                              queries = random_points(20000, 6);
+    const auto queried = static_cast<std::int64_t>(queries.size() / 3);
+    const property::Handle t = property::create();
+    ASSERT_EQ(mgdt_insert_points(t.get(), static_cast<std::int64_t>(xyz.size() / 3), xyz.data()),
+              MGDT_OK);
+    std::vector<std::int64_t> found;
+    std::vector<double> weights;
+    for (const std::int32_t threads : {4, 1}) {
+        ASSERT_EQ(mgdt_set_threads(t.get(), threads), MGDT_OK);
+        std::vector<std::int64_t> places(static_cast<std::size_t>(queried));
+        std::vector<double> shares(4 * places.size());
+        ASSERT_EQ(
+            mgdt_locate_points(t.get(), queried, queries.data(), places.data(), shares.data()),
+            MGDT_OK);
+        if (threads == 4) {
+            found = places;
+            weights = shares;
+        }
+        // A place on a facet may be found on either side of it.
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            double on_boundary = 1;
+            for (std::size_t k = 4 * i; k < 4 * i + 4; ++k)
+                on_boundary = std::min(on_boundary, std::min(weights[k], shares[k]));
+            EXPECT_TRUE(found[i] == places[i] || on_boundary < 1e-12) << i;
+        }
+        EXPECT_EQ(mgdt_check(t.get(), MGDT_CHECK_CANONICAL), MGDT_OK);
     }
 }
 

@@ -64,10 +64,11 @@ struct Result {
 };
 
 inline Result schedule(const PointSet& points, std::int32_t scheme,
-                       const OrderParameters& parameters = {}, Allocator* allocator = nullptr) {
+                       const OrderParameters& parameters = {}, Allocator* allocator = nullptr,
+                       unsigned members = 1) {
     Allocator own;
     Schedule out(allocator ? *allocator : own);
-    Team team;
+    Team team(members);
     make_schedule(team, points, scheme, parameters, out);
     Result result;
     result.order.assign(out.order.begin(), out.order.end());

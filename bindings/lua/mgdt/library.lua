@@ -61,28 +61,22 @@ const char *mgdt_isa_name(const mgdt_triangulation *t);
 -- ------------------------------------------------------------------------------------ loading
 
 local function load_library()
-    local tried = {}
     local by_system = { Windows = "mgdt-1.dll", OSX = "libmgdt.1.dylib" }
-    local names = { by_system[ffi.os] or "libmgdt.so.1" }
+    local name, from = by_system[ffi.os] or "libmgdt.so.1", ""
     local chosen = os.getenv("MGDT_LIBRARY")
-    if chosen and chosen ~= "" then table.insert(names, 1, chosen) end
-    for k, name in ipairs(names) do
-        local found, library = pcall(ffi.load, name)
-        if found then
-            local is_mgdt, version = pcall(function() return library.mgdt_abi_version() end)
-            if not is_mgdt then
-                error(("mgdt: %s is not the mgdt library: it has no mgdt_abi_version")
-                    :format(name), 0)
-            elseif version ~= 1 then
-                error(("mgdt: %s has ABI version %d; mgdt.lua needs 1"):format(name, version), 0)
-            end
-            return library
-        end
-        local from = #names == 2 and k == 1 and " (from MGDT_LIBRARY)" or ""
-        tried[k] = ("\n  %s%s: %s"):format(name, from, tostring(library))
+    if chosen and chosen ~= "" then name, from = chosen, " (from MGDT_LIBRARY)" end
+    local found, library = pcall(ffi.load, name)
+    if not found then
+        error(("mgdt: the library was not found; set MGDT_LIBRARY to its file. Tried:\n  %s%s: %s")
+            :format(name, from, tostring(library)), 0)
     end
-    error("mgdt: the library was not found; set MGDT_LIBRARY to its file. Tried:"
-        .. table.concat(tried), 0)
+    local is_mgdt, version = pcall(function() return library.mgdt_abi_version() end)
+    if not is_mgdt then
+        error(("mgdt: %s is not the mgdt library: it has no mgdt_abi_version"):format(name), 0)
+    elseif version ~= 1 then
+        error(("mgdt: %s has ABI version %d; mgdt.lua needs 1"):format(name, version), 0)
+    end
+    return library
 end
 
 local library = load_library()

@@ -15,16 +15,12 @@ module Mgdt
                   else "libmgdt.so.1"
                   end
       chosen = ENV.fetch("MGDT_LIBRARY", "")
-      names = [[by_system, ""]]
-      names.unshift([chosen, " (from MGDT_LIBRARY)"]) unless chosen.empty?
-      tried = names.map do |name, from|
-        return FFI::DynamicLibrary.open(name, FFI::DynamicLibrary::RTLD_LAZY |
-                                              FFI::DynamicLibrary::RTLD_LOCAL)
-      rescue ::LoadError => e
-        "\n  #{name}#{from}: #{e.message}"
-      end
+      name, from = chosen.empty? ? [by_system, ""] : [chosen, " (from MGDT_LIBRARY)"]
+      FFI::DynamicLibrary.open(name, FFI::DynamicLibrary::RTLD_LAZY |
+                                     FFI::DynamicLibrary::RTLD_LOCAL)
+    rescue ::LoadError => e
       raise LoadError, "mgdt: the library was not found; set MGDT_LIBRARY to its file. " \
-                       "Tried:#{tried.join}"
+                       "Tried:\n  #{name}#{from}: #{e.message}"
     end
     private_class_method :load
 

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// A counting sort by a team: the same result, whatever its size.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "parallel/team.hpp"
+#include "platform/memory.hpp"
+
+namespace mgdt {
+
+// Puts what items give into lists by key, each list in the order of the items.
+//
+// each(begin, end, f) calls f(key, value...) for all that items begin..end-1 give, in order, fewer
+// than 2^32 times in all; it is called twice, the members of the team side by side for at least
+// `share` items each. In between, make_room(size) hears how many there are. put(position, value...)
+// stores one. List k of `keys` comes to be at positions ends[k] to ends[k + 1] - 1; ends has room
+// for keys + 1 numbers.
+template <class Int, class Each, class MakeRoom, class Put>
+void make_lists(Team& team, Allocator& allocator, std::size_t items, std::size_t share,
+                std::size_t keys, Int* ends, Each each, MakeRoom make_room, Put put) {
+    ends[0] = 0;
+    // A member has a count for each key: more members would take more memory than they save time.
+    constexpr unsigned most_members = 16;
+    const unsigned members = std::min(most_members, team.members_for(items, share));
+    if (members == 1) {
+        // ends[k + 1] counts list k, then is its beginning, and moves to its end.
+        std::fill_n(ends + 1, keys, Int{0});
+        each(std::size_t{0}, items, [&](std::size_t key, const auto&...) { ++ends[key + 1]; });
+        Int sum = 0;
+        for (std::size_t k = 1; k <= keys; ++k) {
+            const Int count = ends[k];
+            ends[k] = sum;
+            sum += count;
+        }
+        make_room(static_cast<std::size_t>(sum));
+        each(std::size_t{0}, items, [&](std::size_t key, const auto&... value) {
+            put(static_cast<std::size_t>(ends[key + 1]++), value...);
+        });
+        return;
+    }
+    Buffer<std::uint32_t> next(allocator, members * keys);
+    const auto next_of = [&](unsigned m) { return next.data() + m * keys; };
+    const auto each_of = [&](unsigned m, auto f) {
+        each(Team::part(items, m, members), Team::part(items, m + 1, members), f);
+    };
+    team.run(members, [&](unsigned m) {
+        std::uint32_t* const count = next_of(m);
+        std::fill_n(count, keys, 0u);
+        each_of(m, [&](std::size_t key, const auto&...) { ++count[key]; });
+    });
+    // The members share the keys for the sums: where each one's part of each list begins.
+    const auto first_key = [&](unsigned m) { return Team::part(keys, m, members); };
+    std::uint32_t sums[most_members + 1] = {};
+    team.run(members, [&](unsigned part) {
+        std::uint32_t sum = 0;
+        for (unsigned m = 0; m < members; ++m)
+            for (std::size_t k = first_key(part); k < first_key(part + 1); ++k)
+                sum += next_of(m)[k];
+        sums[part + 1] = sum;
+    });
+    for (unsigned m = 0; m < members; ++m) sums[m + 1] += sums[m];
+    make_room(std::size_t{sums[members]});
+    team.run(members, [&](unsigned part) {
+        std::uint32_t sum = sums[part];
+        for (std::size_t k = first_key(part); k < first_key(part + 1); ++k) {
+            for (unsigned m = 0; m < members; ++m) {
+                const std::uint32_t count = next_of(m)[k];
+                next_of(m)[k] = sum;
+                sum += count;
+            }
+            ends[k + 1] = static_cast<Int>(sum);
+        }
+    });
+    team.run(members, [&](unsigned m) {
+        std::uint32_t* const to = next_of(m);
+        each_of(m, [&](std::size_t key, const auto&... value) {
+            put(std::size_t{to[key]++}, value...);
+        });
+    });
+}
+
+}  // namespace mgdt

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Sorts records of indices, the first of which differ: buckets by the first, which is linear, and
+// within a bucket there are few.
+#pragma once
+
+#include "parallel/team_lists.hpp"
+
+namespace mgdt {
+
+// each(begin, end, f) calls f(first, value) for the records that items begin..end-1 give, the
+// firsts below `firsts`; it is called twice. sorted(first, place, value) is called for all of them,
+// place counting from 0 in sorted order, by the members of the team side by side.
+template <class Value, class Each, class Sorted>
+void canonical_sort(Team& team, Allocator& allocator, std::size_t items, std::size_t share,
+                    std::size_t firsts, Each each, Sorted sorted) {
+    Buffer<Value> values(allocator);
+    Buffer<std::uint32_t> ends(allocator, firsts + 1);
+    make_lists(
+        team, allocator, items, share, firsts, ends.data(), each,
+        [&](std::size_t size) { values.resize(size); },
+        [&](std::size_t position, const Value& value) { values[position] = value; });
+    constexpr std::size_t firsts_a_thread = 16384;
+    team.split(firsts, firsts_a_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t k = begin; k < end; ++k) {
+            std::sort(values.begin() + ends[k], values.begin() + ends[k + 1]);
+            for (std::size_t i = ends[k]; i < ends[k + 1]; ++i) sorted(k, i, values[i]);
+        }
+    });
+}
+
+}  // namespace mgdt

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The caller's index of each vertex: by themselves they fit the cache where the vertices' records
+// do not.
+#pragma once
+
+#include <algorithm>
+
+#include "mesh/mesh.hpp"
+#include "parallel/team.hpp"
+
+namespace mgdt {
+
+class VertexIndices {
+  public:
+    VertexIndices(Team& team, const Mesh& mesh, Allocator& allocator)
+        : indices_(allocator, mesh.vertices.size()) {
+        std::uint32_t ends[Team::most] = {};
+        constexpr std::size_t share = 65536;
+        team.split(indices_.size(), share, [&](std::size_t begin, std::size_t end, unsigned m) {
+            std::uint32_t last = 0;
+            for (std::size_t v = begin; v < end; ++v) {
+                indices_[v] = mesh.vertices[v].index;
+                if (v != infinite_vertex) last = std::max(last, indices_[v] + 1);
+            }
+            ends[m] = last;
+        });
+        end_ = *std::max_element(ends, ends + Team::most);
+    }
+
+    std::uint32_t operator[](VertexId v) const noexcept { return indices_[v]; }
+    // One past the greatest.
+    std::size_t end() const noexcept { return end_; }
+
+  private:
+    Buffer<std::uint32_t> indices_;
+    std::size_t end_;
+};
+
+}  // namespace mgdt
