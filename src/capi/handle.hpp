@@ -3,12 +3,12 @@
 // floating-point environment, catches everything, and turns it into a status and a message.
 #pragma once
 
-#include <atomic>
 #include <cstring>
 #include <new>
 
 #include "core/triangulation.hpp"
 #include "mgdt/mgdt.h"
+#include "platform/atomic.hpp"
 #include "platform/error.hpp"
 #include "platform/fp_environment.hpp"
 #include "query/export.hpp"
@@ -37,14 +37,18 @@ struct mgdt_triangulation {
         to[kept] = '\0';
     }
     struct Lock {
-        explicit Lock(std::atomic_flag& flag) noexcept : flag_(flag) {
-            while (flag_.test_and_set(std::memory_order_acquire)) {
+        explicit Lock(mgdt::Atomic<bool>& flag) noexcept : flag_(flag) {
+            while (flag_.exchange(true, std::memory_order_acquire)) {
             }
+            mgdt::receive(&flag_);
         }
-        ~Lock() { flag_.clear(std::memory_order_release); }
-        std::atomic_flag& flag_;
+        ~Lock() {
+            mgdt::hand_over(&flag_);
+            flag_.store(false, std::memory_order_release);
+        }
+        mgdt::Atomic<bool>& flag_;
     };
-    mutable std::atomic_flag busy_ = ATOMIC_FLAG_INIT;
+    mutable mgdt::Atomic<bool> busy_{false};
     mutable char message_[mgdt::Error::message_size] = {};
 };
 

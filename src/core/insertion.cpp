@@ -66,7 +66,7 @@ void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule
     const std::size_t size = batch.points.size;
     mesh_.vertices.resize(base + size);
     mesh_.near.resize(base + size);
-    std::atomic<bool> has_extremes{false};
+    Atomic<bool> has_extremes{false};
     team.split(size, 8192, [&](std::size_t begin, std::size_t end, unsigned) {
         mesh_.vertices.prefault(base + begin, base + end);
         mesh_.near.prefault(base + begin, base + end);

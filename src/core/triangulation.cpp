@@ -58,7 +58,7 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
 
     // A request to stop concerns this call alone, however it ends.
     struct Forget {
-        std::atomic<bool>& flag;
+        Atomic<bool>& flag;
         ~Forget() { flag.store(false, std::memory_order_relaxed); }
     } forget{cancelled_};
 

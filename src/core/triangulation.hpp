@@ -4,7 +4,6 @@
 // (kernel/), and numbered for export (query/).
 #pragma once
 
-#include <atomic>
 #include <functional>
 
 #include "core/affine_basis.hpp"
@@ -116,7 +115,7 @@ class Triangulation {
     TetId last_ = no_tetrahedron;   // of the last insertion: where the next walk starts
     std::uint64_t lone_steps_ = 0;  // of batches' first walks since there was no tree
     Statistics statistics_;
-    std::atomic<bool> cancelled_{false};
+    Atomic<bool> cancelled_{false};
     mutable Cached<Numbering> numbering_;
     mutable Cached<LocationTree> location_tree_;
 };

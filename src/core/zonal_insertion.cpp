@@ -15,18 +15,6 @@ constexpr std::size_t trials = 64, least_trial = 512;
 constexpr std::size_t far_away = 512;
 constexpr std::uint32_t most_slots_at_once = 16384;
 
-#if defined(__GNUC__) && defined(__SANITIZE_THREAD__)
-#define MGDT_UNSANITIZED __attribute__((no_sanitize_thread, noinline))
-#else
-#define MGDT_UNSANITIZED
-#endif
-
-MGDT_UNSANITIZED void read_unowned(const Tetrahedron& t, VertexId v[2]) {
-    const volatile VertexId* const from = t.v;
-    v[0] = from[0];
-    v[1] = from[1];
-}
-
 }  // namespace
 
 struct Triangulation::ZonalInsertion::Member {
@@ -294,10 +282,10 @@ bool Triangulation::ZonalInsertion::arrive(Member& member, std::size_t k) {
         // The guards of a tetrahedron that another thread may be changing. They are believed when
         // they are read again, the same, by who owns both: then nobody can be.
         VertexId first[2], again[2];
-        read_unowned(mesh.tetrahedra[t], first);
+        read_racing(mesh.tetrahedra[t].v, first);
         if (first[0] == infinite_vertex) return false;
         if (!access.enter(first[0]) || !access.enter(first[1])) return false;
-        read_unowned(mesh.tetrahedra[t], again);
+        read_racing(mesh.tetrahedra[t].v, again);
         if (first[0] != again[0] || first[1] != again[1]) return false;
         member.here = t;
         member.workspace.slot_count = 0;

@@ -64,11 +64,11 @@ class Triangulation::ZonalInsertion {
     unsigned member_count_ = 0;
     Buffer<std::uint32_t> left_;
 
-    std::size_t trial_ = 0;              // tries after which a thread may leave
-    std::atomic<unsigned> active_{0};    // threads that go on
-    std::atomic<bool> stop_{false};      // all threads end soon
-    std::atomic<bool> no_slots_{false};  // why they do: the storage must grow
-    std::atomic<std::size_t> done_{0};   // positions dealt with
+    std::size_t trial_ = 0;         // tries after which a thread may leave
+    Atomic<unsigned> active_{0};    // threads that go on
+    Atomic<bool> stop_{false};      // all threads end soon
+    Atomic<bool> no_slots_{false};  // why they do: the storage must grow
+    Atomic<std::size_t> done_{0};   // positions dealt with
     std::size_t next_report_ = 0;
 };
 

@@ -37,7 +37,7 @@ class SlotSupply {
 
   private:
     Mesh& mesh_;
-    std::atomic<TetId> next_{0};
+    Atomic<TetId> next_{0};
     const std::uint32_t slots_at_once_;
     std::mutex mutex_;
     std::size_t promised_ = 0;

@@ -84,7 +84,7 @@ class CurveSorter {
     std::uint64_t* words_;
     std::uint64_t* scratch_;
     unsigned index_bits_, steps_;
-    std::atomic<unsigned> levels_{0};
+    Atomic<unsigned> levels_{0};
 };
 
 }  // namespace

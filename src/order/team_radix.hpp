@@ -65,7 +65,7 @@ inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::
         return;
     }
     const auto first = [&](unsigned member) { return Team::part(n, member, members); };
-    std::atomic<std::uint64_t> all_differ{0};
+    Atomic<std::uint64_t> all_differ{0};
     team.run(members, [&](unsigned m) {
         std::uint64_t differ = 0;
         for (std::size_t i = first(m); i < first(m + 1); ++i) differ |= a[i] ^ a[0];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "parallel/blocks.hpp"
 
+#include <memory>
+
 namespace mgdt {
 
 BlockOwners::BlockOwners(Allocator& allocator, std::size_t n, void (*pause)())
@@ -12,6 +14,7 @@ BlockOwners::BlockOwners(Allocator& allocator, std::size_t n, void (*pause)())
 }
 
 BlockOwners::~BlockOwners() {
+    std::destroy_n(owners_, count_);
     allocator_.release(owners_, count_ * sizeof(Owner), alignof(Owner));
 }
 
@@ -39,6 +42,7 @@ bool Claim::take(std::uint32_t item) noexcept {
     if (!owners_[block].compare_exchange_strong(nobody, who_, std::memory_order_acquire,
                                                 std::memory_order_relaxed))
         return false;
+    receive(owners_ + block);
     held_.push_back(block);
     return true;
 }
@@ -48,10 +52,12 @@ void Claim::give_back(const std::uint32_t* kept, std::size_t count) noexcept {
     for (const std::uint32_t block : held_) {
         bool is_kept = false;
         for (std::size_t i = 0; i < count; ++i) is_kept = is_kept || kept[i] >> shift_ == block;
-        if (is_kept)
+        if (is_kept) {
             held_[stay++] = block;
-        else
-            owners_[block].store(BlockOwners::nobody, std::memory_order_release);
+            continue;
+        }
+        hand_over(owners_ + block);
+        owners_[block].store(BlockOwners::nobody, std::memory_order_release);
     }
     held_.resize_within_capacity(stay);
     if (MGDT_UNLIKELY(pause_ != nullptr)) pause_();

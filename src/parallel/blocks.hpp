@@ -21,9 +21,9 @@
 // thread's is put off.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 
+#include "platform/atomic.hpp"
 #include "platform/memory.hpp"
 
 namespace mgdt {
@@ -38,8 +38,7 @@ class BlockOwners {
 
   private:
     friend class Claim;
-    using Owner = std::atomic<std::uint8_t>;
-    static_assert(std::is_trivially_destructible_v<Owner>);
+    using Owner = Atomic<std::uint8_t>;
     static constexpr std::uint8_t nobody = 0;
     // Blocks of 8 items; larger ones where the table would not stay in the cache.
     static constexpr unsigned least_shift = 3, most_shift = 8;
@@ -66,7 +65,7 @@ class Claim {
         MGDT_ALWAYS_INLINE bool operator()(std::uint32_t item) const noexcept {
             return owners[item >> shift].load(std::memory_order_relaxed) == who;
         }
-        const std::atomic<std::uint8_t>* owners;
+        const Atomic<std::uint8_t>* owners;
         unsigned shift;
         std::uint8_t who;
     };

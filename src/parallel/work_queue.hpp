@@ -3,10 +3,10 @@
 // from the end of another's when its own is done.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 
 #include "parallel/team.hpp"
+#include "platform/atomic.hpp"
 
 namespace mgdt {
 
@@ -62,7 +62,7 @@ class WorkQueue {
     }
 
     bool take_first(unsigned member, std::size_t& k) noexcept {
-        std::atomic<std::uint64_t>& ends = parts_[member].ends;
+        Atomic<std::uint64_t>& ends = parts_[member].ends;
         std::uint64_t now = ends.load(std::memory_order_relaxed);
         do {
             if (size_of(now) == 0) return false;
@@ -72,7 +72,7 @@ class WorkQueue {
         return true;
     }
     bool take_last(unsigned member, std::size_t& k) noexcept {
-        std::atomic<std::uint64_t>& ends = parts_[member].ends;
+        Atomic<std::uint64_t>& ends = parts_[member].ends;
         std::uint64_t now = ends.load(std::memory_order_relaxed);
         do {
             if (size_of(now) == 0) return false;
@@ -84,7 +84,7 @@ class WorkQueue {
 
     // Each on a cache line of its own.
     struct alignas(64) Part {
-        std::atomic<std::uint64_t> ends{0};
+        Atomic<std::uint64_t> ends{0};
     };
     const std::size_t n_, size_;
     const unsigned members_;

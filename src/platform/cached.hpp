@@ -2,8 +2,7 @@
 // Something that const calls make when it is first asked for, perhaps several at the same time.
 #pragma once
 
-#include <atomic>
-
+#include "platform/atomic.hpp"
 #include "platform/memory.hpp"
 
 namespace mgdt {
@@ -19,18 +18,20 @@ class Cached {
     // T is made from (allocator, arguments...). The first to publish its own wins.
     template <class... Arguments>
     const T& get(const Arguments&... arguments) {
-        T* made = value_.load(std::memory_order_acquire);
+        T* made = peek();
         if (made) return *made;
         T* mine = nullptr;
         try {
             mine = make(arguments...);
         } catch (const std::bad_alloc&) {
             // Two at the same time may be more than there is room for.
-            made = value_.load(std::memory_order_acquire);
+            made = peek();
             if (made) return *made;
             throw;
         }
+        hand_over(&value_);
         if (value_.compare_exchange_strong(made, mine, std::memory_order_acq_rel)) return *mine;
+        receive(&value_);
         destroy(mine);
         return *made;
     }
@@ -40,7 +41,11 @@ class Cached {
         if (made) destroy(made);
     }
     // What there is, or nullptr.
-    T* peek() noexcept { return value_.load(std::memory_order_acquire); }
+    T* peek() noexcept {
+        T* made = value_.load(std::memory_order_acquire);
+        receive(&value_);
+        return made;
+    }
 
   private:
     template <class... Arguments>
@@ -59,7 +64,7 @@ class Cached {
     }
 
     Allocator& allocator_;
-    std::atomic<T*> value_{nullptr};
+    Atomic<T*> value_{nullptr};
 };
 
 }  // namespace mgdt

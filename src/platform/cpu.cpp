@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "platform/cpu.hpp"
 
-#include <atomic>
+#include "platform/atomic.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <cpuid.h>
@@ -30,7 +30,7 @@ static CpuFeatures ask() noexcept {
 
 CpuFeatures cpu_features() noexcept {
     // A virtual machine takes microseconds for each question.
-    static std::atomic<unsigned> known{0};
+    static Atomic<unsigned> known{0};
     unsigned bits = known.load(std::memory_order_relaxed);
     if (bits == 0) {
         const CpuFeatures features = ask();

@@ -2,7 +2,6 @@
 // Memory of one handle: an allocator that counts and limits, and a growable array on top of it.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "mgdt/mgdt.h"
+#include "platform/atomic.hpp"
 #include "platform/cpu.hpp"
 
 namespace mgdt {
@@ -59,8 +59,8 @@ class Allocator {
     mgdt_free_fn release_ = nullptr;
     void* user_ = nullptr;
     std::size_t limit_ = 0;
-    std::atomic<std::size_t> bytes_{0};
-    std::atomic<std::size_t> peak_{0};
+    Atomic<std::size_t> bytes_{0};
+    Atomic<std::size_t> peak_{0};
 };
 
 // A growable array of trivial elements. Growing leaves new elements uninitialised.

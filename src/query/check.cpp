@@ -2,7 +2,6 @@
 #include "query/check.hpp"
 
 #include <algorithm>
-#include <atomic>
 
 #include "kernel/circumsphere.hpp"
 #include "platform/error.hpp"
@@ -160,7 +159,7 @@ void Checker::connection() const {
 // vertex, with T = 2 V - 4. Over the whole, E = V + T.
 void Checker::links() const {
     const Incidence around(mesh_, allocator_);
-    std::atomic<std::size_t> ends{0};
+    Atomic<std::size_t> ends{0};
     team_.split(mesh_.vertices.size(), 4096, [&](std::size_t first, std::size_t last, unsigned) {
         Buffer<std::uint8_t> is_reached(allocator_);
         Buffer<TetId> stack(allocator_);

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Atomics, and what those who look for data races have to be told. Helgrind knows locks but not
+// atomics: in a build with the option `helgrind` it hears which they are, and where what one thread
+// wrote is handed to another through one. In all other builds nothing is left of it. The thread
+// sanitizer knows atomics.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#if MGDT_HELGRIND
+#include <valgrind/helgrind.h>
+#endif
+
+#if defined(__has_feature)
+#define MGDT_HAS_FEATURE(name) __has_feature(name)
+#else
+#define MGDT_HAS_FEATURE(name) 0
+#endif
+#if defined(__SANITIZE_THREAD__) || MGDT_HAS_FEATURE(thread_sanitizer)
+#define MGDT_NO_SANITIZE_THREAD __attribute__((no_sanitize_thread, noinline))
+#else
+#define MGDT_NO_SANITIZE_THREAD
+#endif
+
+namespace mgdt {
+
+#if MGDT_HELGRIND
+template <class T>
+class Atomic : public std::atomic<T> {
+  public:
+    Atomic(T value) noexcept : std::atomic<T>(value) {
+        VALGRIND_HG_DISABLE_CHECKING(this, sizeof *this);
+    }
+    ~Atomic() {
+        ANNOTATE_HAPPENS_BEFORE_FORGET_ALL(this);
+        VALGRIND_HG_ENABLE_CHECKING(this, sizeof *this);
+    }
+    using std::atomic<T>::operator=;
+};
+#else
+template <class T>
+using Atomic = std::atomic<T>;
+#endif
+
+// Before the store that hands over what this thread wrote, and after the load that received it.
+inline void hand_over([[maybe_unused]] const void* atomic) noexcept {
+#if MGDT_HELGRIND
+    ANNOTATE_HAPPENS_BEFORE(atomic);
+#endif
+}
+inline void receive([[maybe_unused]] const void* atomic) noexcept {
+#if MGDT_HELGRIND
+    ANNOTATE_HAPPENS_AFTER(atomic);
+#endif
+}
+
+// Two words that another thread may be writing, which nobody shall call a race.
+MGDT_NO_SANITIZE_THREAD inline void read_racing(const volatile std::uint32_t* from,
+                                                std::uint32_t to[2]) noexcept {
+#if MGDT_HELGRIND
+    // A call that Valgrind has the processor itself make, unseen.
+    const auto read = [](unsigned, const volatile std::uint32_t* source,
+                         std::uint32_t* target) -> long {
+        target[0] = source[0];
+        target[1] = source[1];
+        return 0;
+    };
+    VALGRIND_NON_SIMD_CALL2(+read, from, to);
+#else
+    to[0] = from[0];
+    to[1] = from[1];
+#endif
+}
+
+}  // namespace mgdt
