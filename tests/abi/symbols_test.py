@@ -112,9 +112,6 @@ def main():
     check("the soname is libmgdt.so.1", "" if "[libmgdt.so.1]" in dynamic else dynamic)
     check("no code runs when the library is loaded",
           "" if initialisers(options.library) <= 1 else f"{initialisers(options.library)} initialisers")
-    check("no executable stack, no text relocations",
-          "TEXTREL" if "TEXTREL" in dynamic else
-          "RWE" if re.search(r"GNU_STACK.*RWE", output_of("readelf", "-lW", str(options.library))) else "")
 
     include = f"-I{options.header.parent.parent}"
     strict = [include, "-Wall", "-Wextra", "-pedantic", "-Werror"]
