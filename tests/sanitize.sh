@@ -1,0 +1,85 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Runs the tests under one of the tools that see what a test alone does not.
+set -u
+
+usage() {
+    cat <<'END'
+usage: sh tests/sanitize.sh [--full] [--jobs N] TOOL [TEST...]
+
+Builds in build-tests/ and runs the tests, or those that are named, on smaller sets. Ends with
+status 0 if the tool has found nothing.
+
+  address    AddressSanitizer and LeakSanitizer: memory that is not ours, memory that is lost
+  undefined  UndefinedBehaviorSanitizer, with division by zero and conversions out of range
+  thread     ThreadSanitizer: data races, locks in the wrong order
+  memcheck   Valgrind's memcheck: as address, and values that were never set
+  helgrind   Valgrind's Helgrind: as thread, found in another way
+
+  --full     sets of full size; not under Valgrind
+  --jobs N   parallel jobs (default: the number of processors)
+
+CC and CXX choose the compiler: CC=clang CXX=clang++ sh tests/sanitize.sh undefined
+END
+}
+
+jobs=$(nproc 2>/dev/null || echo 2)
+MGDT_TEST_SMALL=1
+export MGDT_TEST_SMALL
+while [ $# -gt 0 ]; do
+    case $1 in
+    --full) unset MGDT_TEST_SMALL ;;
+    --jobs)
+        [ $# -gt 1 ] || { usage >&2; exit 2; }
+        jobs=$2
+        shift
+        ;;
+    -h | --help) usage; exit 0 ;;
+    -*) usage >&2; exit 2 ;;
+    *) break ;;
+    esac
+    shift
+done
+[ $# -gt 0 ] || { usage >&2; exit 2; }
+tool=$1
+shift
+
+: "${CC:=gcc}" "${CXX:=g++}"
+export CC CXX
+# CGAL, and tests that run the program from a script, are left out by the setups.
+options='-Dbuildtype=debugoptimized -Dtests=enabled -Dcgal=disabled -Dprogram=enabled'
+folder=$tool-$CXX
+setup=sanitizers
+run=
+case $tool in
+address | undefined | thread)
+    # The library is linked before the program that brings what it lacks.
+    options="$options -Db_lundef=false -Db_sanitize=$tool" ;;
+memcheck)
+    folder=gcc # that of tests/run.sh, if it is there
+    setup=memcheck ;;
+helgrind)
+    setup=helgrind
+    options="$options -Dhelgrind=true" ;;
+*) usage >&2; exit 2 ;;
+esac
+if [ "$tool" = undefined ]; then
+    more='-fsanitize=float-divide-by-zero,float-cast-overflow -fno-sanitize-recover=all'
+    CFLAGS=$more CXXFLAGS=$more LDFLAGS=$more
+    export CFLAGS CXXFLAGS LDFLAGS
+fi
+# Its shadow memory needs addresses where newer kernels may put something else.
+if [ "$tool" = thread ] && setarch -R true 2>/dev/null; then run='setarch -R'; fi
+
+cd "$(dirname "$0")/.." || exit 1
+mkdir -p build-tests
+folder=build-tests/$folder
+# shellcheck disable=SC2086 -- options are words
+if ! { [ -f "$folder/build.ninja" ] || meson setup "$folder" $options; } >"$folder.log" 2>&1 ||
+    ! meson compile -C "$folder" -j "$jobs" >>"$folder.log" 2>&1; then
+    tail -n 40 "$folder.log"
+    exit 1
+fi
+# shellcheck disable=SC2086
+exec $run meson test -C "$folder" --no-rebuild --setup $setup --num-processes "$jobs" \
+    --print-errorlogs "$@"
