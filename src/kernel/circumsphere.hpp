@@ -101,7 +101,13 @@ MGDT_ALWAYS_INLINE LocalVertex relative_to(const double* a, const double* base) 
     return local_vertex(a[0] - base[0], a[1] - base[1], a[2] - base[2]);
 }
 
-// w and e of the finite tetrahedron (base, a, b, c).
+// Infinite for 0, which is meant.
+MGDT_MAY_DIVIDE_BY_ZERO MGDT_ALWAYS_INLINE double reciprocal(double x) {
+    return 1.0 / x;
+}
+
+// w and e of the finite tetrahedron (base, a, b, c). A determinant that is not sound, 0 among them,
+// leaves w as it comes and e infinite.
 inline void set_sphere(const LocalVertex& a, const LocalVertex& b, const LocalVertex& c,
                        Tetrahedron& t, const FilterBounds& bounds = proved_bounds) {
     const double bcx = b.y * c.z - b.z * c.y, bcy = b.z * c.x - b.x * c.z,
@@ -111,7 +117,7 @@ inline void set_sphere(const LocalVertex& a, const LocalVertex& b, const LocalVe
     const double abx = a.y * b.z - a.z * b.y, aby = a.z * b.x - a.x * b.z,
                  abz = a.x * b.y - a.y * b.x;
     const double det = a.x * bcx + a.y * bcy + a.z * bcz;
-    const double inverse = 1.0 / det;
+    const double inverse = reciprocal(det);
     const double wx = a.square * bcx + b.square * cax + c.square * abx;
     const double wy = a.square * bcy + b.square * cay + c.square * aby;
     const double wz = a.square * bcz + b.square * caz + c.square * abz;

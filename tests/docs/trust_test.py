@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What docs/trust.md names is there: each promise has a command, the tests of a command are known to
+the build, scripts exist and know the words that follow them, and so do files.
+
+  trust_test.py SOURCE TESTS.json    the latter as `meson introspect --tests` writes it
+"""
+import json
+import re
+import shlex
+import sys
+from pathlib import Path
+
+passed = failed = 0
+
+
+def check(what, problem):
+    global passed, failed
+    if problem:
+        failed += 1
+        print(f"failed: {what}: {problem}")
+    else:
+        passed += 1
+        print(f"passed: {what}")
+
+
+def promises(text):
+    """Rows of the first table: promise, commands, where."""
+    table = text.split("## Promises")[1].split("\n## ")[0]
+    rows = [[cell.strip() for cell in line.strip("|").split("|")]
+            for line in table.splitlines() if line.startswith("|")]
+    return rows[2:]
+
+
+def problem_of(command, source, known):
+    words = shlex.split(command)
+    if words[:2] == ["meson", "test"]:
+        names, rest = [], words[2:]
+        while rest:
+            word = rest.pop(0)
+            if word in ("-C", "--setup", "--suite"):
+                rest.pop(0)
+            else:
+                names.append(word)
+        unknown = [name for name in names if name not in known]
+        return "no such test: " + ", ".join(unknown) if unknown else "" if names else "no test named"
+    if words[0] == "sh":
+        script = source / words[1]
+        if not script.is_file():
+            return f"no {words[1]}"
+        text = script.read_text()
+        return " ".join(w for w in words[2:] if w != "TOOL" and not re.search(rf"(?<![\w-]){re.escape(w)}(?![\w-])", text))
+    return ""
+
+
+def main():
+    source = Path(sys.argv[1])
+    with open(sys.argv[2], encoding="utf-8") as file:
+        known = {test["name"] for test in json.load(file)}
+    text = (source / "docs" / "trust.md").read_text(encoding="utf-8")
+    rows = promises(text)
+    check("there are promises", "" if len(rows) >= 15 else str(len(rows)))
+    for row in rows:
+        commands = re.findall(r"`([^`]+)`", row[1]) if len(row) == 3 else []
+        check(f"a command: {row[0]}", "" if commands and row[2] else "none")
+    for command in sorted(set(re.findall(r"`((?:meson test|sh) [^`]+)`", text))):
+        check(command, problem_of(command, source, known))
+    for path in sorted(set(re.findall(r"`((?:src|tests|docs|include)/[^`\s]*)`", text))):
+        check(path, "" if (source / path).exists() else "no such file")
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
