@@ -10,7 +10,7 @@ from collections import defaultdict
 
 # Per cent of lines and of branches, in the folders that decide whether a result is right. They are
 # what is reached, less what depends on how threads meet; they only go up.
-FLOORS = {"predicates": (0.0, 0.0), "kernel": (0.0, 0.0)}
+FLOORS = {"predicates": (100.0, 93.5), "kernel": (86.0, 53.0)}
 
 
 def folder_of(path):

@@ -60,7 +60,7 @@ done
 
 mkdir -p $folder/html
 gcovr --root . --filter src/ --object-directory $folder --exclude-throw-branches \
-    --exclude-unreachable-branches --merge-mode-functions=separate -j "$jobs" \
+    --exclude-unreachable-branches -j "$jobs" \
     --json $folder/coverage.json --html-details $folder/html/index.html \
     --txt $folder/files.txt $folder || exit 1
 python3 tests/coverage.py $folder/coverage.json >$folder/summary.txt || status=1

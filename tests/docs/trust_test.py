@@ -38,12 +38,14 @@ def problem_of(command, source, known):
         names, rest = [], words[2:]
         while rest:
             word = rest.pop(0)
-            if word in ("-C", "--setup", "--suite"):
+            if word in ("-C", "--setup"):
                 rest.pop(0)
+            elif word == "--suite":
+                names.append("mgdt:" + rest.pop(0))
             else:
                 names.append(word)
         unknown = [name for name in names if name not in known]
-        return "no such test: " + ", ".join(unknown) if unknown else "" if names else "no test named"
+        return "no such test or suite: " + ", ".join(unknown) if unknown else "" if names else "no test named"
     if words[0] == "sh":
         script = source / words[1]
         if not script.is_file():
@@ -56,7 +58,8 @@ def problem_of(command, source, known):
 def main():
     source = Path(sys.argv[1])
     with open(sys.argv[2], encoding="utf-8") as file:
-        known = {test["name"] for test in json.load(file)}
+        tests = json.load(file)
+    known = {test["name"] for test in tests} | {suite for test in tests for suite in test["suite"]}
     text = (source / "docs" / "trust.md").read_text(encoding="utf-8")
     rows = promises(text)
     check("there are promises", "" if len(rows) >= 15 else str(len(rows)))
