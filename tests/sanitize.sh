@@ -48,7 +48,7 @@ shift
 export CC CXX
 # CGAL, and tests that run the program from a script, are left out by the setups.
 options='-Dbuildtype=debugoptimized -Dtests=enabled -Dcgal=disabled -Dprogram=enabled'
-folder=$tool-$CXX
+folder=$tool-${CXX##*[ /]}
 setup=sanitizers
 run=
 case $tool in
