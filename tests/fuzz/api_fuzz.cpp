@@ -27,6 +27,7 @@ class Session {
         const unsigned b = in.byte();
         source_.choose_sphere(b);
         margin_ = b & 4 ? 3 : 0;
+        may_be_wide_ = (b & 3) == 0;
         if (b & 8) memory_.refuse(1 + (b >> 4), true);
         const mgdt_status status = mgdt_create_with_allocator(
             CountedMemory::obtain, CountedMemory::release, &memory_, &t_);
@@ -86,6 +87,9 @@ class Session {
                 break;
             case 12:
                 together();
+                break;
+            case 13:
+                query_in_need();
                 break;
             default:
                 insert();
@@ -180,7 +184,7 @@ class Session {
     // Kinds that need the longest integers come seldom, since each point takes milliseconds then.
     unsigned draw_kind() {
         const unsigned b = in_.byte() & 31;
-        if (b < 29) return b % PointSource::exponents;
+        if (b < 29 || !may_be_wide_) return b % PointSource::exponents;
         is_wide_ = true;
         return PointSource::exponents + (b - 29);
     }
@@ -388,6 +392,25 @@ class Session {
         FUZZ_REQUIRE(mine == seen[0], "two threads see different arrays");
     }
 
+    // Queries with whatever refusal and limit are set: they answer or run out of memory.
+    void query_in_need() {
+        const Snapshot before(*this);
+        refuses_ = memory_.is_armed();
+        const auto count = static_cast<std::size_t>(mgdt_tetrahedron_count(t_));
+        Exact<std::int64_t> tetrahedra(4 * count, margin_), found(4, margin_);
+        const double xyz[12] = {0, 0, 0, 1, 1, 1, 2, 1, 0, 0.5, 0.25, 3};
+        for (const mgdt_status status :
+             {mgdt_check(t_, MGDT_CHECK_CANONICAL),
+              mgdt_get_tetrahedra(t_, tetrahedra.capacity(), tetrahedra.data()),
+              mgdt_get_edges(t_, 0, nullptr), mgdt_locate_points(t_, 4, xyz, found.data(), nullptr),
+              mgdt_nearest_vertex(t_, xyz, found.data())})
+            FUZZ_REQUIRE(status == MGDT_OK || may_run_out(status) ||
+                             (status == MGDT_ERR_NULL_POINTER && count > 0),
+                         error_of(t_));
+        refuses_ = false;
+        before.expect_same();
+    }
+
     // ---------------------------------------------------------------------------- verification
 
     const double* at(std::int64_t v) const { return points_[static_cast<std::size_t>(v)].data(); }
@@ -457,9 +480,9 @@ class Session {
     std::vector<Point> points_;  // all that were counted
     std::vector<bool> was_in_;
     std::size_t work_ = 0;
-    bool is_wide_ = false;
-    bool lost_ = false;     // some call failed half way
-    bool refuses_ = false;  // the allocator was armed before the call
+    bool may_be_wide_ = false, is_wide_ = false;  // points that need the longest integers
+    bool lost_ = false;                           // some call failed half way
+    bool refuses_ = false;                        // the allocator was armed before the call
     bool cancelled_ = false;
     std::size_t margin_ = 0;
     int base_ = 0, canonical_ = 0;

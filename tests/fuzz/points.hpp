@@ -89,7 +89,10 @@ class PointSource {
             case shifted: {
                 Point p = earlier(in, before);
                 const unsigned b = in.byte();
-                p[(b & 15) % 3] = moved(p[(b & 15) % 3], static_cast<int>(b >> 4) - 8);
+                double& x = p[(b & 15) % 3];
+                const int ulps = static_cast<int>(b >> 4) - 8;
+                // Next to zero are subnormals, which are another kind's.
+                x = x == 0 ? 0x1p-52 * ulps : moved(x, ulps);
                 return p;
             }
             case between: {
