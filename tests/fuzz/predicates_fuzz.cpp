@@ -31,9 +31,12 @@ std::vector<Point> five_points(Input& in) {
     fuzz::PointSource source;
     source.choose_sphere(in.byte());
     std::vector<Point> p;
+    // One kind for all, or one each.
+    constexpr unsigned kinds = fuzz::PointSource::kinds;
+    const unsigned common = in.below(2 * kinds);
     for (int i = 0; i < 5; ++i) {
-        const unsigned kind = in.below(fuzz::PointSource::kinds + 2);
-        p.push_back(kind < fuzz::PointSource::kinds ? source.draw(in, kind, p) : completed(in, p));
+        const unsigned kind = common < kinds ? common : in.below(kinds + 2);
+        p.push_back(kind < kinds ? source.draw(in, kind, p) : completed(in, p));
     }
     // All times one power of two, and then each coordinate some units in the last place away.
     const int scale = in.byte() % 3 == 0 ? static_cast<int>(in.value<std::int16_t>() % 2100) : 0;
