@@ -40,7 +40,7 @@ corpus=$root/tests/corpus/fuzz
 
 if [ ! -e "$build/build.ninja" ]; then
     CC=${CC:-clang} CXX=${CXX:-clang++} meson setup "$build" "$root" -Dbuildtype=debugoptimized \
-        -Db_lundef=false -Dtests=disabled -Dprogram=enabled -Dfuzz=enabled || exit 2
+        -Db_lundef=false -Dtests=disabled -Dprogram=enabled -Dpeers=disabled -Dfuzz=enabled || exit 2
 fi
 binaries=
 for target in "$@"; do
