@@ -107,7 +107,7 @@ class Session {
         const unsigned b = in_.byte();
         ok(mgdt_set_order_parameter(t_, MGDT_PARAMETER_POINTS_PER_CELL, b & 15));
         ok(mgdt_set_order_parameter(t_, MGDT_PARAMETER_THRESHOLD, b >> 4));
-        ok(mgdt_set_order_parameter(t_, MGDT_PARAMETER_SEPARATION, b & 1));
+        ok(mgdt_set_order_parameter(t_, MGDT_PARAMETER_SEPARATION, (b >> 2) % 3));
         ok(mgdt_set_order_parameter(t_, MGDT_PARAMETER_ROUND_RATIO, b < 128 ? 0 : 1 + b / 64.0));
     }
 

@@ -71,7 +71,7 @@ inline void wrong_call(Input& in, mgdt_triangulation* t) {
             expect(expected, mgdt_set_order_parameter(t, MGDT_PARAMETER_ROUND_RATIO, 1));
             break;
         case 14:
-            expect(expected, mgdt_set_order_parameter(t, MGDT_PARAMETER_SEPARATION, 2));
+            expect(expected, mgdt_set_order_parameter(t, MGDT_PARAMETER_SEPARATION, 3));
             break;
         case 15:
             expect(expected, mgdt_set_threads(t, static_cast<std::int32_t>(negative)));
