@@ -164,7 +164,7 @@ class Session {
         ok(mgdt_clear(t_));
         points_.clear();
         was_in_.clear();
-        lost_ = false;
+        lost_ = cancelled_ = false;  // a request to stop is withdrawn
         verify();
     }
 
