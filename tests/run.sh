@@ -65,7 +65,7 @@ packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 pytho
     python3-venv libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev
     cmake abigail-tools mandoc groff-base gfortran
     luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev'
-[ $long = no ] || packages="$packages npm gzip gcovr"
+[ $long = no ] || packages="$packages npm gzip gcovr libclang-rt-dev"
 
 is_installed() {
     dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed' && return 0
@@ -153,7 +153,7 @@ fi
 if build clang clang++ -Dbuildtype=release -Doptimization=1 -Db_ndebug=false; then
     MGDT_TEST_SMALL=1
     export MGDT_TEST_SMALL
-    run clang --suite unit --suite property --suite api --suite cxx --suite cli
+    run clang --suite unit --suite property --suite api --suite cxx --suite cli --suite fuzz
     unset MGDT_TEST_SMALL
 fi
 
@@ -177,6 +177,6 @@ if [ $long = yes ]; then
     done
     rm -rf build-coverage
     whole "coverage" sh tests/coverage.sh --jobs "$jobs"
-    [ ! -f tests/fuzz.sh ] || whole "fuzzing" sh tests/fuzz.sh
+    whole "fuzzing" sh tests/fuzz.sh 30
 fi
 finish

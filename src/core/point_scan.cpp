@@ -61,7 +61,7 @@ PointScan::PointScan(Team& team, std::size_t n, const double* const axis[3], std
     const auto coordinate = [&](std::size_t i, std::size_t k) {
         return axis[k][static_cast<std::ptrdiff_t>(i) * stride];
     };
-    const bool is_packed = stride == 3 && axis[1] == axis[0] + 1 && axis[2] == axis[0] + 2;
+    const bool is_packed = n > 0 && stride == 3 && axis[1] == axis[0] + 1 && axis[2] == axis[0] + 2;
     Extremes extremes;
     std::mutex mutex;
     team.split(n, 65536, [&](std::size_t begin, std::size_t end, unsigned) {

@@ -103,7 +103,7 @@ class Reader {
     void skip(const std::string& name) {
         const std::string end = "$End" + name;
         const std::size_t at = source_.bytes.find(end, lines_.offset());
-        if (at == std::string_view::npos) lines_.fail(fmt::format("no {} follows", end));
+        if (at == std::string_view::npos) lines_.fail(fmt::format("no {} follows", quote(end)));
         restart(at);
         lines_.next();
     }

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// Everything that a handle exports, taken in both widths into buffers of the exact size, and what
+// must hold between the arrays whatever the points.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <type_traits>
+#include <vector>
+
+#include "input.hpp"
+#include "mgdt/mgdt.h"
+#include "predicates/predicates.hpp"
+
+namespace fuzz {
+
+using Indices = std::vector<std::int64_t>;
+
+inline std::string error_of(const mgdt_triangulation* t) {
+    char text[256] = "";
+    mgdt_get_error(t, sizeof text, text);
+    return text;
+}
+
+// An array of exactly so many elements: the sanitizer sees a step beyond it. With a margin, values
+// that nothing may change stand on both sides, and are looked at.
+template <class T>
+class Exact {
+  public:
+    Exact(std::size_t size, std::size_t margin)
+        : size_(size), margin_(margin), values_(size + 2 * margin, guard) {}
+    T* data() { return values_.data() + margin_; }
+    std::int64_t capacity() const { return static_cast<std::int64_t>(size_); }
+    bool is_untouched() const {
+        return std::all_of(values_.begin(), values_.end(), [](T v) { return v == guard; });
+    }
+    std::vector<T> take() const {
+        for (std::size_t i = 0; i < margin_; ++i)
+            FUZZ_REQUIRE(values_[i] == guard && values_[values_.size() - 1 - i] == guard,
+                         "a value beside the buffer is overwritten");
+        const auto begin = values_.begin() + static_cast<std::ptrdiff_t>(margin_);
+        return {begin, begin + static_cast<std::ptrdiff_t>(size_)};
+    }
+
+  private:
+    static constexpr T guard = static_cast<T>(-77);
+    std::size_t size_, margin_;
+    std::vector<T> values_;
+};
+
+template <class Int>
+using Get = mgdt_status (*)(const mgdt_triangulation*, std::int64_t, Int*);
+
+inline Indices get(Get<std::int64_t> wide, Get<std::int32_t> narrow, const mgdt_triangulation* t,
+                   std::int64_t size, std::size_t margin) {
+    Exact<std::int64_t> a(static_cast<std::size_t>(size), margin);
+    Exact<std::int32_t> b(static_cast<std::size_t>(size), margin);
+    FUZZ_REQUIRE(wide(t, size, a.data()) == MGDT_OK, error_of(t));
+    FUZZ_REQUIRE(narrow(t, size, b.data()) == MGDT_OK, error_of(t));
+    const Indices values = a.take();
+    const std::vector<std::int32_t> same = b.take();
+    FUZZ_REQUIRE(std::equal(values.begin(), values.end(), same.begin()), "64 and 32 bits differ");
+    return values;
+}
+
+struct Exports {
+    int base = 0, dimension = -1;
+    std::int64_t points = 0, vertices = 0;
+    Indices tetrahedra, neighbors, hull, edges, map, offsets, list;
+
+    Exports(const mgdt_triangulation* t, int index_base, std::size_t margin)
+        : base(index_base),
+          dimension(mgdt_dimension(t)),
+          points(mgdt_point_count(t)),
+          vertices(mgdt_vertex_count(t)) {
+        const std::int64_t count = mgdt_tetrahedron_count(t);
+        tetrahedra = get(mgdt_get_tetrahedra, mgdt_get_tetrahedra_i32, t, 4 * count, margin);
+        neighbors = get(mgdt_get_neighbors, mgdt_get_neighbors_i32, t, 4 * count, margin);
+        hull = get(mgdt_get_hull_facets, mgdt_get_hull_facets_i32, t, 3 * mgdt_hull_facet_count(t),
+                   margin);
+        edges = get(mgdt_get_edges, mgdt_get_edges_i32, t, 2 * mgdt_edge_count(t), margin);
+        map = get(mgdt_get_point_map, mgdt_get_point_map_i32, t, points, margin);
+        take_list(t, margin);
+        for (Indices* array : {&tetrahedra, &neighbors, &hull, &edges, &map, &offsets, &list})
+            for (std::int64_t& v : *array) v -= base;
+    }
+
+    bool operator==(const Exports& o) const {
+        return dimension == o.dimension && points == o.points && vertices == o.vertices &&
+               tetrahedra == o.tetrahedra && neighbors == o.neighbors && hull == o.hull &&
+               edges == o.edges && map == o.map && offsets == o.offsets && list == o.list;
+    }
+    std::size_t count() const { return tetrahedra.size() / 4; }
+    bool is_in(std::size_t point) const { return map[point] >= 0; }
+
+    // What the arrays say of each other.
+    void verify() const {
+        verify_map();
+        verify_neighbors();
+        verify_edges();
+        verify_list();
+        FUZZ_REQUIRE((dimension == 3) == !tetrahedra.empty(), std::to_string(dimension));
+        if (dimension != 3) return;
+        const auto v = static_cast<std::int64_t>(vertices), e = size(edges) / 2, h = size(hull) / 3,
+                   t = size(tetrahedra) / 4;
+        FUZZ_REQUIRE(2 * (v - e - t) + 4 * t + h == 2, "Euler's relation");  // V - E + F - T = 1
+        const std::set<std::int64_t> on_hull(hull.begin(), hull.end());
+        FUZZ_REQUIRE(h == 2 * static_cast<std::int64_t>(on_hull.size()) - 4,
+                     "the hull is no sphere");
+    }
+
+    // What they say of space.
+    void verify_geometry(const std::vector<std::array<double, 3>>& xyz) const {
+        for (std::size_t i = 0; i < map.size(); ++i)
+            if (is_in(i))
+                FUZZ_REQUIRE(xyz[i] == xyz[static_cast<std::size_t>(map[i])], std::to_string(i));
+        const auto at = [&](std::int64_t v) { return xyz[static_cast<std::size_t>(v)].data(); };
+        for (std::size_t t = 0; t < tetrahedra.size(); t += 4) {
+            const std::int64_t* v = &tetrahedra[t];
+            FUZZ_REQUIRE(mgdt::orientation(at(v[0]), at(v[1]), at(v[2]), at(v[3])) > 0,
+                         "tetrahedron " + std::to_string(t / 4));
+        }
+        // Convex, and seen from outside.
+        for (std::size_t h = 0; h < hull.size(); h += 3)
+            for (std::size_t q = 0; q < xyz.size(); ++q)
+                FUZZ_REQUIRE(!is_in(q) || mgdt::orientation(at(hull[h]), at(hull[h + 1]),
+                                                            at(hull[h + 2]), at(size(q))) <= 0,
+                             "hull facet " + std::to_string(h / 3));
+    }
+
+  private:
+    static std::int64_t size(const Indices& array) {
+        return static_cast<std::int64_t>(array.size());
+    }
+    static std::int64_t size(std::size_t n) { return static_cast<std::int64_t>(n); }
+
+    void take_list(const mgdt_triangulation* t, std::size_t margin) {
+        const auto n = static_cast<std::size_t>(points) + 1;
+        const auto m = static_cast<std::size_t>(mgdt_vertex_tetrahedra_count(t));
+        Exact<std::int64_t> o(n, margin), l(m, margin);
+        Exact<std::int32_t> o32(n, margin), l32(m, margin);
+        FUZZ_REQUIRE(mgdt_get_vertex_tetrahedra(t, o.capacity(), o.data(), l.capacity(),
+                                                l.data()) == MGDT_OK,
+                     error_of(t));
+        FUZZ_REQUIRE(mgdt_get_vertex_tetrahedra_i32(t, o.capacity(), o32.data(), l.capacity(),
+                                                    l32.data()) == MGDT_OK,
+                     error_of(t));
+        offsets = o.take();
+        list = l.take();
+        const std::vector<std::int32_t> a = o32.take(), b = l32.take();
+        FUZZ_REQUIRE(std::equal(a.begin(), a.end(), offsets.begin()), "64 and 32 bits differ");
+        FUZZ_REQUIRE(std::equal(b.begin(), b.end(), list.begin()), "64 and 32 bits differ");
+    }
+
+    void verify_map() const {
+        std::int64_t own = 0;
+        for (std::size_t i = 0; i < map.size(); ++i) {
+            FUZZ_REQUIRE(map[i] >= -1 && map[i] <= size(i), std::to_string(i));
+            if (!is_in(i)) continue;
+            FUZZ_REQUIRE(map[static_cast<std::size_t>(map[i])] == map[i], std::to_string(i));
+            own += map[i] == size(i) ? 1 : 0;
+        }
+        FUZZ_REQUIRE(own == vertices, std::to_string(own));
+        for (const std::int64_t v : tetrahedra)
+            FUZZ_REQUIRE(v >= 0 && v < points && map[static_cast<std::size_t>(v)] == v,
+                         std::to_string(v));
+    }
+
+    std::array<std::int64_t, 3> facet(std::size_t code) const {
+        std::array<std::int64_t, 3> f{};
+        for (std::size_t k = 0, m = 0; k < 4; ++k)
+            if (k != code % 4) f[m++] = tetrahedra[code - code % 4 + k];
+        std::sort(f.begin(), f.end());
+        return f;
+    }
+
+    void verify_neighbors() const {
+        std::map<std::array<std::int64_t, 3>, Indices> owners;
+        for (std::size_t code = 0; code < tetrahedra.size(); ++code)
+            owners[facet(code)].push_back(size(code) / 4);
+        std::set<std::array<std::int64_t, 3>> expected, found;
+        for (std::size_t code = 0; code < tetrahedra.size(); ++code) {
+            const Indices& o = owners[facet(code)];
+            FUZZ_REQUIRE(o.size() <= 2, "a facet of three tetrahedra");
+            const std::int64_t other = o.size() == 1 ? -1 : (o[0] == size(code) / 4 ? o[1] : o[0]);
+            FUZZ_REQUIRE(neighbors[code] == other, "a neighbour of " + std::to_string(code / 4));
+            if (other < 0) expected.insert(facet(code));
+        }
+        for (std::size_t h = 0; h < hull.size(); h += 3) {
+            std::array<std::int64_t, 3> f = {hull[h], hull[h + 1], hull[h + 2]};
+            std::sort(f.begin(), f.end());
+            FUZZ_REQUIRE(found.insert(f).second, "a facet of the hull comes twice");
+        }
+        FUZZ_REQUIRE(found == expected, "the hull is not the boundary");
+    }
+
+    void verify_edges() const {
+        std::set<std::array<std::int64_t, 2>> expected, found;
+        for (std::size_t t = 0; t < tetrahedra.size(); t += 4)
+            for (std::size_t i = 0; i < 4; ++i)
+                for (std::size_t j = 0; j < 4; ++j)
+                    if (tetrahedra[t + i] < tetrahedra[t + j])
+                        expected.insert({tetrahedra[t + i], tetrahedra[t + j]});
+        for (std::size_t e = 0; e < edges.size(); e += 2)
+            FUZZ_REQUIRE(found.insert({edges[e], edges[e + 1]}).second, "an edge comes twice");
+        FUZZ_REQUIRE(found == expected, "edges");
+    }
+
+    void verify_list() const {
+        std::vector<Indices> around(map.size());
+        for (std::size_t i = 0; i < tetrahedra.size(); ++i)
+            around[static_cast<std::size_t>(tetrahedra[i])].push_back(size(i) / 4);
+        Indices whole;
+        for (std::size_t i = 0; i < around.size(); ++i) {
+            FUZZ_REQUIRE(offsets[i] == size(whole), "offset " + std::to_string(i));
+            whole.insert(whole.end(), around[i].begin(), around[i].end());
+        }
+        FUZZ_REQUIRE(offsets.back() == size(whole) && list == whole, "tetrahedra around vertices");
+    }
+};
+
+}  // namespace fuzz

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// PLY, text and binary.
+#include "reader.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view bytes = fuzz::text_of(data, size);
+    fuzz::guess(bytes);
+    if (const auto mesh = fuzz::read(mgdt::cli::ply_format(), bytes))
+        fuzz::points_return(mgdt::cli::ply_format(), mesh->points);
+    return 0;
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// What the targets of the file readers share. Whatever the bytes, a reader gives a mesh that keeps
+// its promises or an Error that says where; it takes memory in proportion to the file, whatever
+// counts the file announces; and what it read, written and read again, is the same.
+#pragma once
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/errors.hpp"
+#include "cli/formats/format.hpp"
+#include "input.hpp"
+#include "memory_count.hpp"
+
+namespace fuzz {
+
+using mgdt::cli::Error;
+using mgdt::cli::Format;
+using mgdt::cli::Mesh;
+using mgdt::cli::Source;
+
+// A folder of the process, in memory where the system has such a place.
+class Scratch {
+  public:
+    Scratch() {
+        const bool shared = access("/dev/shm", W_OK | X_OK) == 0;
+        std::string name = std::string(shared ? "/dev/shm" : "/tmp") + "/mgdt-fuzz-XXXXXX";
+        FUZZ_REQUIRE(mkdtemp(name.data()) != nullptr, name);
+        path_ = name;
+    }
+    ~Scratch() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    std::string file(const char* name) const { return path_ + "/" + name; }
+
+    static const Scratch& get() {
+        static const Scratch scratch;
+        return scratch;
+    }
+
+  private:
+    std::string path_;
+};
+
+inline std::string bytes_of(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+inline void put(const std::string& path, std::string_view bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+}
+
+// Calls read() and accepts an Error as a bad file gets it. Memory is limited to what files of the
+// size may need: a point takes at least 6 bytes of text and 24 bytes in memory, and vectors double.
+template <class Read>
+auto attempt(std::size_t size, const Read& read) -> std::optional<decltype(read())> {
+    MemoryCount::start();
+    std::optional<decltype(read())> result;
+    try {
+        result = read();
+    } catch (const Error& e) {
+        FUZZ_REQUIRE(e.code() == mgdt::cli::exit_input, e.what());
+        const std::string message = e.what();
+        FUZZ_REQUIRE(!message.empty() && message.size() < 1000, message);
+        for (const char c : message)
+            FUZZ_REQUIRE(static_cast<unsigned char>(c) >= 0x20, message);  // one printable line
+    }
+    const std::size_t most = 65536 + 64 * size;
+    FUZZ_REQUIRE(MemoryCount::peak() <= most, std::to_string(MemoryCount::peak()) +
+                                                  " bytes for a file of " + std::to_string(size));
+    return result;
+}
+
+// `beside` is the size of the files that the reader finds by itself.
+inline std::optional<Mesh> read(const Format& format, std::string_view bytes,
+                                const std::string& path = "",
+                                const mgdt::cli::ReadOptions& options = {},
+                                std::size_t beside = 0) {
+    // A copy of its own size, so that the sanitizer sees a step beyond the end.
+    const std::vector<char> exact(bytes.begin(), bytes.end());
+    const Source source{"file", path, {exact.data(), exact.size()}};
+    const std::optional<Mesh> mesh =
+        attempt(bytes.size() + beside, [&] { return format.read(source, options); });
+    if (!mesh) return mesh;
+    FUZZ_REQUIRE(mesh->points.size() % 3 == 0, "points");
+    FUZZ_REQUIRE(mesh->tetrahedra.size() % 4 == 0, "tetrahedra");
+    FUZZ_REQUIRE(mesh->has_tetrahedra || mesh->tetrahedra.empty(), "has_tetrahedra");
+    for (const double x : mesh->points) FUZZ_REQUIRE(std::isfinite(x), "a coordinate");
+    const auto within = [](const std::vector<std::int64_t>& values, std::int64_t low,
+                           std::size_t end) {
+        for (const std::int64_t v : values)
+            if (v < low || v >= static_cast<std::int64_t>(end)) return false;
+        return true;
+    };
+    FUZZ_REQUIRE(within(mesh->tetrahedra, 0, mesh->point_count()), "vertices");
+    FUZZ_REQUIRE(within(mesh->neighbors, -1, mesh->tetrahedron_count()), "neighbours");
+    FUZZ_REQUIRE(mesh->neighbors.empty() || mesh->neighbors.size() == mesh->tetrahedra.size(),
+                 "neighbours");
+    return mesh;
+}
+
+inline void expect_same_points(const std::vector<double>& a, const std::vector<double>& b) {
+    FUZZ_REQUIRE(a.size() == b.size(), "points of a round trip");
+    FUZZ_REQUIRE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0,
+                 "coordinates of a round trip");
+}
+
+// Writes the points and reads them again.
+inline void points_return(const Format& format, const std::vector<double>& points) {
+    const std::string path = Scratch::get().file("points");
+    mgdt::cli::OutputSet outputs;
+    format.write_points(points, outputs.open(path), {});
+    outputs.commit();
+    const std::optional<Mesh> again = read(format, bytes_of(path));
+    FUZZ_REQUIRE(again.has_value(), "the file that was written cannot be read");
+    expect_same_points(points, again->points);
+}
+
+// The same for points and tetrahedra in one file.
+inline void mesh_returns(const Format& format, const Mesh& mesh) {
+    const std::string path = Scratch::get().file("mesh");
+    mgdt::cli::OutputSet outputs;
+    format.write_mesh(mesh, path, outputs, {});
+    outputs.commit();
+    const std::optional<Mesh> again = read(format, bytes_of(path));
+    FUZZ_REQUIRE(again.has_value(), "the file that was written cannot be read");
+    expect_same_points(mesh.points, again->points);
+    FUZZ_REQUIRE(mesh.tetrahedra == again->tetrahedra, "tetrahedra of a round trip");
+}
+
+// The guess of a format from a file's beginning ends for any bytes.
+inline void guess(std::string_view bytes) {
+    const std::vector<char> exact(bytes.begin(), bytes.end());
+    static_cast<void>(mgdt::cli::format_from_content({exact.data(), exact.size()}));
+}
+
+inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
+    return {reinterpret_cast<const char*>(data), size};
+}
+
+}  // namespace fuzz
