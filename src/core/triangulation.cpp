@@ -6,6 +6,7 @@
 
 #include "core/batch.hpp"
 #include "platform/error.hpp"
+#include "platform/fp_environment.hpp"
 
 namespace mgdt {
 
@@ -154,6 +155,7 @@ unsigned Triangulation::threads_for(std::size_t work, std::size_t share) const n
 void Triangulation::report(std::size_t done, std::size_t total) {
     if (!settings_.progress) return;
     const double fraction = static_cast<double>(done) / static_cast<double>(total);
+    const FpEnvironment environment;  // what the callback does to it ends with the callback
     if (settings_.progress(fraction, settings_.progress_user) != 0) cancel();
 }
 
