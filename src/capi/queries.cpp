@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #include "capi/handle.hpp"
@@ -31,6 +32,9 @@ mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* 
     return guard(t, [&] {
         if (n < 0)
             fail(MGDT_ERR_INVALID_ARGUMENT, "the number of points is negative (%lld)",
+                 static_cast<long long>(n));
+        if (n > PTRDIFF_MAX / static_cast<std::ptrdiff_t>(4 * sizeof(double)))
+            fail(MGDT_ERR_INVALID_ARGUMENT, "%lld points are more than memory can hold",
                  static_cast<long long>(n));
         if (n == 0) return;
         require_pointer(xyz, "xyz");
