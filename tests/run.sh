@@ -145,7 +145,7 @@ fi
 if build clang clang++ -Dbuildtype=release -Doptimization=1 -Db_ndebug=false; then
     MGDT_TEST_SMALL=1
     export MGDT_TEST_SMALL
-    run clang --suite unit --suite property --suite api --suite cxx --suite cli
+    run clang --suite unit --suite property --suite api --suite cxx --suite cli --suite faults
     unset MGDT_TEST_SMALL
 fi
 
@@ -172,7 +172,7 @@ if [ $long = yes ]; then
     build asan g++ -Dbuildtype=debugoptimized -Db_sanitize=address,undefined -Db_lundef=false \
         -Dwerror=false &&
         # The program's own test limits the address space, which the sanitizer needs whole.
-        run asan --suite unit --suite property --suite api --suite cxx --suite cli --no-suite script
+        run asan --suite unit --suite property --suite api --suite cxx --suite cli --suite faults --no-suite script
     build tsan g++ -Dbuildtype=debugoptimized -Db_sanitize=thread -Db_lundef=false \
         -Dwerror=false && run tsan --suite property --suite api --suite cxx --no-suite script
 fi

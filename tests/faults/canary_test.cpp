@@ -207,7 +207,7 @@ const Function functions[] = {
 std::vector<Handle> handles() {
     std::vector<Handle> all;
     std::mt19937_64 random(4);
-    for (const std::size_t n : {0, 1, 3, 20, 4, 5, 33, 700}) {
+    for (const std::size_t n : {0u, 1u, 3u, 20u, 4u, 5u, 33u, 700u}) {
         std::vector<double> xyz(3 * n);
         for (double& x : xyz) x = static_cast<double>(random() % 1000) / 1000;
         // Points 20 are flat.
@@ -347,7 +347,7 @@ TEST(Canary, RefusedQueries) {
 // Points are read where they are and nowhere else, and stay as they are.
 TEST(Canary, Input) {
     std::mt19937_64 random(5);
-    for (const std::size_t n : {1, 2, 3, 4, 5, 7, 8, 64, 65, 1000, 1001})
+    for (const std::size_t n : {1u, 2u, 3u, 4u, 5u, 7u, 8u, 64u, 65u, 1000u, 1001u})
         for (const Array::Place place : {Array::at_the_end, Array::at_the_begin}) {
             const Array a(3 * n, sizeof(double), place);
             double* const xyz = static_cast<double*>(a.data());
