@@ -153,7 +153,8 @@ fi
 if build clang clang++ -Dbuildtype=release -Doptimization=1 -Db_ndebug=false; then
     MGDT_TEST_SMALL=1
     export MGDT_TEST_SMALL
-    run clang --suite unit --suite property --suite api --suite cxx --suite cli --suite fuzz
+    run clang --suite unit --suite property --suite api --suite cxx --suite cli --suite fuzz \
+        --suite faults
     unset MGDT_TEST_SMALL
 fi
 

@@ -12,7 +12,8 @@
  * - A call that fails on its arguments changes nothing. One that is cancelled or runs out of
  *   memory leaves a valid Delaunay triangulation of the points that got in.
  * - The library never prints, exits, throws, installs a signal handler, or writes to an array
- *   that is not documented as output. It gives the floating-point environment back as it was.
+ *   that is not documented as output. It gives the floating-point environment back as it was;
+ *   callbacks run in the default one, and what they change of it ends with them.
  * - Coordinates are in any one unit of length; every finite double is accepted.
  * - Indices start at the handle's index base (0, or 1 for Fortran): the k-th point ever given
  *   to the handle, k = 0, 1, ..., has index k + base, and tetrahedra are numbered likewise.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #include "capi/handle.hpp"
@@ -30,6 +31,9 @@ mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* 
                           Int* tetrahedra, double* weights) {
     return guard(t, [&] {
         require_count(n);
+        if (n > PTRDIFF_MAX / static_cast<std::ptrdiff_t>(4 * sizeof(double)))
+            fail(MGDT_ERR_INVALID_ARGUMENT, "%lld points are more than memory can hold",
+                 static_cast<long long>(n));
         if (n == 0) return;
         require_pointer(xyz, "xyz");
         require_pointer(tetrahedra, "the output array");

@@ -2,10 +2,12 @@
 #include "core/triangulation.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <thread>
 
 #include "core/batch.hpp"
 #include "platform/error.hpp"
+#include "platform/fp_environment.hpp"
 
 namespace mgdt {
 
@@ -51,6 +53,12 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
     if (n > max_points - first)
         fail(MGDT_ERR_TOO_LARGE, "%zu points after %zu; at most %zu can be numbered", n, first,
              max_points);
+    // The last point must have an address.
+    const std::size_t step = stride < 0 ? std::size_t{0} - static_cast<std::size_t>(stride)
+                                        : static_cast<std::size_t>(stride);
+    if (n > 1 && step > PTRDIFF_MAX / sizeof(double) / (n - 1))
+        fail(MGDT_ERR_INVALID_ARGUMENT, "a stride of %lld takes %zu points beyond all memory",
+             static_cast<long long>(stride), n);
     Team team(threads_for(n, settings_.points_a_thread));
     const PointScan scan(team, n, axis, stride,
                          static_cast<long long>(first) + settings_.index_base);
@@ -155,6 +163,7 @@ unsigned Triangulation::threads_for(std::size_t work, std::size_t share) const n
 void Triangulation::report(std::size_t done, std::size_t total) {
     if (!settings_.progress) return;
     const double fraction = static_cast<double>(done) / static_cast<double>(total);
+    const FpEnvironment environment;  // what the callback does to it ends with the callback
     if (settings_.progress(fraction, settings_.progress_user) != 0) cancel();
 }
 

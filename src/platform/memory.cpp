@@ -3,6 +3,8 @@
 
 #include <cstdlib>
 
+#include "platform/fp_environment.hpp"
+
 #if defined(__linux__)
 #include <sys/mman.h>
 #define MGDT_HAVE_MREMAP 1
@@ -57,15 +59,19 @@ void default_give_back(void* p, std::size_t bytes, std::size_t align) noexcept {
 
 void* Allocator::obtain(mgdt_alloc_fn alloc, void* user, std::size_t bytes,
                         std::size_t align) noexcept {
-    return alloc ? alloc(bytes, align, user) : default_obtain(bytes, align);
+    if (!alloc) return default_obtain(bytes, align);
+    const FpEnvironment environment;  // what the callback does to it ends with the callback
+    return alloc(bytes, align, user);
 }
 
 void Allocator::give_back(mgdt_free_fn release, void* user, void* p, std::size_t bytes,
                           std::size_t align) noexcept {
-    if (release)
-        release(p, bytes, align, user);
-    else
+    if (!release) {
         default_give_back(p, bytes, align);
+        return;
+    }
+    const FpEnvironment environment;
+    release(p, bytes, align, user);
 }
 
 void Allocator::count(std::size_t bytes) {

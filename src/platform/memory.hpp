@@ -12,6 +12,7 @@
 #include "mgdt/mgdt.h"
 #include "platform/atomic.hpp"
 #include "platform/cpu.hpp"
+#include "platform/strict.hpp"
 
 namespace mgdt {
 

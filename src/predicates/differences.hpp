@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "integer.hpp"
+#include "platform/strict.hpp"
 
 namespace mgdt::exact {
 

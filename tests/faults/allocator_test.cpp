@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The handle's allocator refuses: every request of every call.
+#include "refusal.hpp"
+
+namespace faults {
+namespace {
+
+class EveryInsertion : public testing::TestWithParam<Insertion> {};
+
+TEST_P(EveryInsertion, RunsOutOfMemory) {
+    Refusals refusals{fault_handle, true, false};
+    refusals.done_to(GetParam());
+    EXPECT_GT(refusals.tried, 2);
+    EXPECT_GT(refusals.failed, 0);
+    EXPECT_EQ(handle_errors(), 0);
+}
+
+std::string name_of(const std::string& text) {
+    std::string name;
+    for (const char c : text) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Allocator, EveryInsertion, testing::ValuesIn(insertions()),
+                         [](const auto& info) { return name_of(info.param.name); });
+
+class EveryCall : public testing::TestWithParam<Call> {};
+
+// 600 points have a location tree.
+TEST_P(EveryCall, RunsOutOfMemory) {
+    const std::int64_t balance = fault_balance();
+    Refusals refusals{fault_handle, true, false};
+    for (const bool canonical : {false, true})
+        refusals.done_to(GetParam(), 600, 1, canonical, true);
+    // The point map is made of what is there.
+    EXPECT_EQ(refusals.failed > 0, GetParam().needs_memory);
+    EXPECT_EQ(handle_errors(), 0);
+    EXPECT_EQ(fault_balance(), balance);
+}
+
+class EveryCallOnThreads : public testing::TestWithParam<Call> {};
+
+// Enough points for two threads in every call.
+TEST_P(EveryCallOnThreads, RunsOutOfMemory) {
+    Refusals refusals{fault_handle, true, false};
+    refusals.done_to(GetParam(), small() ? 700 : 21000, 2, true, false);
+    EXPECT_EQ(refusals.failed > 0, GetParam().needs_memory);
+    EXPECT_EQ(handle_errors(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Allocator, EveryCall, testing::ValuesIn(calls),
+                         [](const auto& info) { return name_of(info.param.name); });
+
+// All but the last, mgdt_reserve(), which needs no threads.
+INSTANTIATE_TEST_SUITE_P(Allocator, EveryCallOnThreads,
+                         testing::ValuesIn(std::begin(calls), std::end(calls) - 1),
+                         [](const auto& info) { return name_of(info.param.name); });
+
+TEST(Allocator, RefusesTheHandleItself) {
+    mgdt_triangulation* t = reinterpret_cast<mgdt_triangulation*>(&t);
+    const std::int64_t balance = fault_balance();
+    for (std::int64_t nth = 1;; ++nth) {
+        fault_arm(fault_handle, nth, nth + 1);
+        const mgdt_status status =
+            mgdt_create_with_allocator(handle_take, handle_give, nullptr, &t);
+        const std::int64_t requests = fault_disarm();
+        if (status == MGDT_OK) {
+            EXPECT_GT(nth, 1);
+            EXPECT_LT(requests, nth);
+            break;
+        }
+        EXPECT_EQ(status, MGDT_ERR_OUT_OF_MEMORY);
+        EXPECT_EQ(t, nullptr);
+        EXPECT_EQ(fault_balance(), balance);
+    }
+    // Promises no such error.
+    const Points xyz = random_points(100, 1);
+    EXPECT_EQ(mgdt_insert_points(t, count(xyz), xyz.data()), MGDT_OK);
+    fault_arm(fault_handle, 1, INT64_MAX);
+    EXPECT_EQ(mgdt_clear(t), MGDT_OK);
+    fault_disarm();
+    EXPECT_EQ(mgdt_point_count(t), 0);
+    mgdt_destroy(t);
+    EXPECT_EQ(fault_balance(), balance);
+}
+
+}  // namespace
+}  // namespace faults
