@@ -68,7 +68,7 @@ std::vector<std::int64_t> outcome(const Triangulation& t) {
 void expect_valid(const Triangulation& t) {
     Team team(2);
     try {
-        check_mesh(team, t.mesh(), t.point_map(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
+        check_triangulation(team, t.claims(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
     } catch (const Error& error) {
         FAIL() << error.message;
     }
