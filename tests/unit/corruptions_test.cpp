@@ -150,6 +150,18 @@ const std::vector<Corruption>& corruptions() {
              }
              return true;
          }},
+        {"another base, all told", 1, "newest",
+         [](Patient& p, Random& r) {
+             // Three vertices turned, and with them their neighbours: only their age is wrong.
+             const TetId id = p.any(r, false);
+             Tetrahedron& t = p.mesh().tetrahedra[id];
+             std::rotate(t.v, t.v + 1, t.v + 3);
+             std::rotate(t.n, t.n + 1, t.n + 3);
+             for (unsigned f = 0; f < 4; ++f)
+                 p.mesh().tetrahedra[t.n[f] >> 2].n[t.n[f] & 3] = 4 * id + f;
+             set_circumsphere(t, p.mesh().vertices.data());
+             return true;
+         }},
         // Spheres, normals, bounds.
         {"sign of a finite bound", 1, "ghosts",
          [](Patient& p, Random& r) {
