@@ -23,8 +23,11 @@ struct Corners {
 
 }  // namespace
 
-// Coordinates are finite, and their exponents are those of the caller's, scaled.
+// Coordinates are finite, and without the scale they have the exponents of those given.
 void Checker::coordinates() const {
+    const int scale = mesh_.scale;
+    if (scale < -2200 || scale > 2200)
+        fail(MGDT_ERR_CHECK_FAILED, "coordinates cannot be scaled by 2^%d", scale);
     std::atomic<bool> has_extremes{false};
     std::mutex mutex;
     ExponentRange all;
@@ -33,11 +36,17 @@ void Checker::coordinates() const {
         bool extreme = false;
         for (std::size_t v = std::max<std::size_t>(begin, 1); v < end; ++v) {
             const double* const x = mesh_.vertices[v].x;
-            if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-                fail(MGDT_ERR_CHECK_FAILED, "point %lld has a coordinate that is not finite",
-                     index(static_cast<VertexId>(v)));
+            for (int k = 0; k < 3; ++k) {
+                const double given = scale == 0 ? x[k] : scaled(x[k], -scale);
+                if (!std::isfinite(x[k]) || !std::isfinite(given))
+                    fail(MGDT_ERR_CHECK_FAILED, "point %lld has a coordinate that is not finite",
+                         index(static_cast<VertexId>(v)));
+                if (scale != 0 && scaled(given, scale) != x[k])
+                    fail(MGDT_ERR_CHECK_FAILED, "point %lld has a coordinate that was not scaled",
+                         index(static_cast<VertexId>(v)));
+                mine.add(given);
+            }
             extreme = extreme || !in_normal_range(x);
-            for (int k = 0; k < 3; ++k) mine.add(x[k]);
         }
         if (extreme) has_extremes = true;
         const std::lock_guard<std::mutex> lock(mutex);
@@ -45,19 +54,16 @@ void Checker::coordinates() const {
     });
     if (has_extremes && !mesh_.has_extremes)
         fail(MGDT_ERR_CHECK_FAILED, "coordinates are outside the filters' range, unnoticed");
-    // Points that are not in count among the caller's coordinates.
+    // Points that are not in count among those given.
     const ExponentRange& given = claims_.exponents;
-    const int k = mesh_.scale;
     const bool all_in = claims_.points_inserted + claims_.duplicates == claims_.point_map.size();
-    const bool within =
-        all.empty() || (all.highest <= given.highest + k && all.lowest_bit >= given.lowest_bit + k);
-    const bool equal =
-        all.empty() == given.empty() && (all.empty() || (all.highest == given.highest + k &&
-                                                         all.lowest_bit == given.lowest_bit + k));
-    if (k < -2200 || k > 2200 || !within || (all_in && !equal))
-        fail(MGDT_ERR_CHECK_FAILED,
-             "coordinates of 2^%d, last bit 2^%d, are not those given (2^%d, 2^%d), scaled by 2^%d",
-             all.highest, all.lowest_bit, given.highest, given.lowest_bit, k);
+    const bool equal = all.highest == given.highest && all.lowest_bit == given.lowest_bit;
+    const bool within = all.highest <= given.highest && all.lowest_bit >= given.lowest_bit;
+    if (all_in ? !equal : !within)
+        fail(
+            MGDT_ERR_CHECK_FAILED,
+            "coordinates, scaled by 2^%d, are of 2^%d, last bit 2^%d, but 2^%d and 2^%d were given",
+            scale, all.highest, all.lowest_bit, given.highest, given.lowest_bit);
 }
 
 // Points that are held because they do not span space: they differ, and span what they should.

@@ -437,12 +437,12 @@ const std::vector<Corruption>& corruptions() {
          }},
         {"extreme coordinates unnoticed", 2, "range",
          [](Patient& p, Random&) { return std::exchange(p.mesh().has_extremes, false); }},
-        {"scale", 2, "scaled",
+        {"scale", 2, "coordinate",
          [](Patient& p, Random& r) {
              const int k = static_cast<int>(static_cast<std::uint32_t>(r()));
              return std::exchange(p.mesh().scale, k) != k;
          }},
-        {"scale by one", 2, "scaled",
+        {"scale by one", 2, "coordinate",
          [](Patient& p, Random&) {
              ++p.mesh().scale;
              return true;

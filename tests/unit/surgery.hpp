@@ -103,7 +103,8 @@ struct Patient {
     void set_exponents() {
         claims.exponents = ExponentRange();
         for (VertexId v = 1; v < mesh().vertices.size(); ++v)
-            for (const double x : mesh().vertices[v].x) claims.exponents.add(x);
+            for (const double x : mesh().vertices[v].x)
+                claims.exponents.add(scaled(x, -mesh().scale));
     }
     void assemble(std::vector<Quad> quads);
 };
@@ -242,6 +243,12 @@ inline const std::vector<Family>& families() {
              Patient p = triangulate(xyz);
              EXPECT_NE(p.mesh().scale, 0);
              return p;
+         }},
+        {"subnormal",
+         [](Random& r) {
+             Points xyz = lattice(3);
+             for (double& x : xyz) x = std::ldexp(x + static_cast<double>(below(r, 2)), -1074);
+             return triangulate(xyz);
          }},
         {"extreme",
          [](Random& r) {
