@@ -580,7 +580,8 @@ TEST(Corruptions, HarmlessOnesPass) {
                 // Larger bounds leave more to the exact predicates, infinite ones all.
                 t.e *= below(random, 2) ? 2 : std::numeric_limits<double>::infinity();
                 if (std::isnan(t.e)) t.e = std::numeric_limits<double>::infinity();
-            } else {
+            } else if (!t.is_ghost()) {
+                // An ulp of a normal may be a fifth of its bound, all that is to spare.
                 for (double& w : t.w) w = std::nextafter(w, below(random, 2) ? 1e300 : -1e300);
             }
         }
