@@ -88,6 +88,30 @@ TEST(Location, OfPointsThatCannotBeScaled) {
     }
 }
 
+// Barycentric coordinates where no volume is a double: those of the nearest vertex.
+TEST(Location, WeightsInTheFlattest) {
+    const double least = std::numeric_limits<double>::denorm_min();
+    for (const double size : {1e-200, least}) {
+        const double length = size == least ? 2 * least : 1;
+        const Patient p = triangulate({0, 0, 0, length, 0, 0, 0, size, 0, 0, 0, size});
+        ASSERT_EQ(p.t->mesh().finite_count(), 1u);
+        const double q[3] = {length, 0, 0};
+        TetId hint = no_tetrahedron;
+        const TetId found = locator(*p.t).locate(q, hint);
+        ASSERT_NE(found, no_tetrahedron);
+        double w[4], sum = 0;
+        locator(*p.t).weights(found, q, w);
+        for (int i = 0; i < 4; ++i) {
+            sum += w[i];
+            if (size != least) {
+                const VertexId v = p.t->mesh().tetrahedra[found].v[i];
+                EXPECT_EQ(w[i], p.t->mesh().vertices[v].index == 1 ? 1 : 0);
+            }
+        }
+        EXPECT_EQ(sum, 1);
+    }
+}
+
 TEST(Location, WithoutTetrahedra) {
     const Patient p = triangulate({0, 0, 0, 1, 0, 0, 2, 0, 0});
     const double q[3] = {1.1, 0, 0};
