@@ -118,15 +118,19 @@ TEST(SphereBound, NeedsADeterminant) {
     EXPECT_FALSE(accepts(0x1p-50, 20));
 }
 
+// A sound sphere, moved with its bound to where nothing is proved.
 TEST(SphereBound, ExtremeVerticesNeedAnInfiniteBound) {
-    Random random(3);
-    Case c(random);
-    for (Vertex& v : c.vertices) v.x[0] *= 0x1p-300;
-    set_circumsphere(c.t, c.vertices);
-    EXPECT_TRUE(std::isinf(c.t.e));
-    EXPECT_TRUE(sphere_is_within_bound(c.t, c.vertices));
-    c.t.e = 1e300;
-    EXPECT_FALSE(sphere_is_within_bound(c.t, c.vertices));
+    for (const double factor : {1.0, 0x1p-160}) {
+        const double f = factor;
+        const Vertex vertices[5] = {
+            {}, {{0, 0, 0}, 0, 0}, {{f, 0, 0}, 0, 0}, {{0, f, 0}, 0, 0}, {{0, 0, f}, 0, 0}};
+        Tetrahedron t = {{1, 2, 3, 4}, {}, {f, f, f}, f * 0x1p-40};
+        EXPECT_EQ(sphere_is_within_bound(t, vertices), factor == 1);
+        t.e = infinity;
+        EXPECT_TRUE(sphere_is_within_bound(t, vertices));
+        set_circumsphere(t, vertices);
+        EXPECT_EQ(std::isinf(t.e), factor != 1);
+    }
 }
 
 }  // namespace
