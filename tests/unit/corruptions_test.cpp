@@ -442,6 +442,11 @@ const std::vector<Corruption>& corruptions() {
              const int k = static_cast<int>(static_cast<std::uint32_t>(r()));
              return std::exchange(p.mesh().scale, k) != k;
          }},
+        {"scale far off", 2, "coordinate",
+         [](Patient& p, Random& r) {
+             p.mesh().scale = below(r, 2) ? 2000 : -2000;
+             return true;
+         }},
         {"scale by one", 2, "coordinate",
          [](Patient& p, Random&) {
              ++p.mesh().scale;
