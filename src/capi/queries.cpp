@@ -123,7 +123,7 @@ extern "C" mgdt_status mgdt_check(const mgdt_triangulation* t, int32_t level) {
         if (level < MGDT_CHECK_COMBINATORIAL || level > MGDT_CHECK_CANONICAL)
             fail(MGDT_ERR_INVALID_ARGUMENT, "there is no check level %d", static_cast<int>(level));
         Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), 65536));
-        check_mesh(team, t->core.mesh(), t->core.point_map(), t->core.allocator(), level,
-                   t->core.settings().index_base);
+        check_triangulation(team, t->core.claims(), t->core.allocator(), level,
+                            t->core.settings().index_base);
     });
 }

@@ -76,7 +76,7 @@ int check(const CheckOptions& options) {
         return exit_ok;
     }
 
-    const Reference reference{t.tetrahedra(), t.hull_facets(), t.point_map()};
+    const Reference reference{t.tetrahedra(), t.point_map()};
     const MeshReport report = check_mesh(mesh, reference);
     const std::size_t canonical = reference.tetrahedra.size() / 4;
     if (!quiet) {

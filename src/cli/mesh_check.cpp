@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
-#include "predicates/predicates.hpp"
+#include "predicates/interior_point.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -41,46 +40,6 @@ bool sort3(Triple& f) {
     return odd;
 }
 
-// The integers modulo the Mersenne prime 2^61 - 1, in which every double has an exact value:
-// a power of two is a rotation. A determinant of doubles comes out as its exact value's residue,
-// so equal volumes have equal residues, and others have them with a chance of 2^-61.
-class Residue {
-  public:
-    static constexpr std::uint64_t prime = (std::uint64_t{1} << 61) - 1;
-
-    Residue() = default;
-    explicit Residue(double x) {
-        int exponent = 0;
-        const double fraction = std::frexp(std::fabs(x), &exponent);
-        const auto mantissa = static_cast<std::uint64_t>(std::ldexp(fraction, 53));
-        const int shift = ((exponent - 53) % 61 + 61) % 61;
-        value_ = product(mantissa % prime, std::uint64_t{1} << shift);
-        if (x < 0 && value_ != 0) value_ = prime - value_;
-    }
-    friend Residue operator+(Residue a, Residue b) { return Residue(fold(a.value_ + b.value_), 0); }
-    friend Residue operator-(Residue a, Residue b) {
-        return Residue(fold(a.value_ + prime - b.value_), 0);
-    }
-    friend Residue operator*(Residue a, Residue b) {
-        return Residue(product(a.value_, b.value_), 0);
-    }
-    friend bool operator==(Residue a, Residue b) { return a.value_ == b.value_; }
-
-  private:
-    Residue(std::uint64_t value, int) : value_(value) {}
-    static std::uint64_t fold(std::uint64_t v) {
-        v = (v & prime) + (v >> 61);
-        return v >= prime ? v - prime : v;
-    }
-    static std::uint64_t product(std::uint64_t a, std::uint64_t b) {
-        __extension__ using Wide = unsigned __int128;
-        const Wide p = static_cast<Wide>(a) * b;
-        return fold((static_cast<std::uint64_t>(p) & prime) + static_cast<std::uint64_t>(p >> 61));
-    }
-
-    std::uint64_t value_ = 0;
-};
-
 class MeshChecker {
   public:
     MeshChecker(const Mesh& mesh, const Reference& reference) : mesh_(mesh), reference_(reference) {
@@ -97,7 +56,7 @@ class MeshChecker {
             match_facets();
             check_facets();
             check_hull();
-            check_volume();
+            check_cover();
         }
         check_vertices();
         if (!mesh_.neighbors.empty()) check_neighbors();
@@ -123,6 +82,14 @@ class MeshChecker {
     }
 
     void load() {
+        for (std::size_t i = 0; i < mesh_.point_count(); ++i) {
+            const auto vertex = static_cast<Index>(reference_.point_map[i]);
+            if (compare_lexicographic(point(static_cast<Index>(i)), point(vertex)) != 0) {
+                add("points", false,
+                    fmt::format("mgdt takes point {} for a repeat of point {}", i, vertex));
+                break;
+            }
+        }
         tetrahedra_.reserve(mesh_.tetrahedron_count());
         for (std::size_t i = 0; i < mesh_.tetrahedra.size(); i += 4) {
             tetrahedra_.push_back(load_quad(&mesh_.tetrahedra[i]));
@@ -255,67 +222,95 @@ class MeshChecker {
         }
     }
 
+    InteriorPoint inside_of_first() const {
+        const Quad& v = tetrahedra_[0];
+        return {point(v[0]), point(v[1]), point(v[2]), point(v[3])};
+    }
+
+    // Each boundary edge has two facets, none beyond the other's plane, and a point inside the
+    // first tetrahedron sees all facets from within.
     void check_hull() {
-        const std::vector<std::int64_t>& hull = reference_.hull_facets;
-        // The hull's facets around each of its vertices.
-        std::vector<std::size_t> begin(mesh_.point_count() + 1, 0);
-        for (const std::int64_t v : hull) ++begin[static_cast<std::size_t>(v) + 1];
-        for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-        std::vector<std::size_t> around(hull.size());
-        std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
-        for (std::size_t k = 0; k < hull.size(); ++k) {
-            around[end[static_cast<std::size_t>(hull[k])]++] = k / 3;
-        }
-        const auto in_hull = [&](const Triple& f) {
-            for (std::size_t i = begin[f[0]]; i < begin[f[0] + std::size_t{1}]; ++i) {
-                const std::int64_t* h = &hull[3 * around[i]];
-                const auto on_plane = [&](Index v) {
-                    return orientation(point(static_cast<Index>(h[0])),
-                                       point(static_cast<Index>(h[1])),
-                                       point(static_cast<Index>(h[2])), point(v)) == 0;
-                };
-                if (on_plane(f[1]) && on_plane(f[2])) return true;
-            }
-            return false;
+        if (tetrahedra_.empty()) return;
+        struct Edge {
+            Index a, b;      // ascending
+            Index code;      // of the boundary facet
+            Index opposite;  // the facet's third vertex
         };
-        std::size_t single = 0, bad = 0, first = 0;
+        std::vector<Edge> edges;
+        std::size_t single = 0, outside = 0, first_outside = 0;
+        const InteriorPoint inside = inside_of_first();
         for (std::size_t code = 0; code < partner_.size(); ++code) {
             if (partner_[code] != none) continue;
             ++single;
-            if (!in_hull(facet(code / 4, static_cast<int>(code % 4))) && bad++ == 0) first = code;
-        }
-        if (bad > 0) {
-            add("hull", false,
-                fmt::format("{} of {} boundary facets are not on the convex hull, the first is "
-                            "opposite vertex {} of number {}",
-                            bad, single, first % 4, first / 4));
-        } else {
-            add("hull", true, fmt::format("all {} boundary facets are on the convex hull", single));
-        }
-    }
-
-    Residue volume(const Quad& v) const {
-        Residue d[3][3];
-        for (std::size_t r = 0; r < 3; ++r) {
-            for (int k = 0; k < 3; ++k) {
-                d[r][k] = Residue(point(v[r + 1])[k]) - Residue(point(v[0])[k]);
+            const Triple f = facet(code / 4, static_cast<int>(code % 4));
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Index a = f[i], b = f[(i + 1) % 3];
+                edges.push_back(
+                    {std::min(a, b), std::max(a, b), static_cast<Index>(code), f[(i + 2) % 3]});
             }
+            // (a, b, c, q) is negative for q inside.
+            if (inside.orientation_from(point(f[0]), point(f[1]), point(f[2])) >= 0 &&
+                outside++ == 0)
+                first_outside = code;
         }
-        return d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
-               d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
-               d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
+        check_interrupt();
+        std::sort(edges.begin(), edges.end(), [](const Edge& l, const Edge& r) {
+            return std::tie(l.a, l.b, l.code) < std::tie(r.a, r.b, r.code);
+        });
+        std::size_t count = 0, crowded = 0, concave = 0;
+        const Edge *first_crowded = nullptr, *first_concave = nullptr;
+        for (auto e = edges.begin(); e != edges.end(); ++count) {
+            auto stop = e;
+            while (stop != edges.end() && stop->a == e->a && stop->b == e->b) ++stop;
+            if (stop - e != 2) {
+                if (crowded++ == 0) first_crowded = &*e;
+            } else {
+                const Triple f = facet(e->code / 4, static_cast<int>(e->code % 4));
+                if (orientation(point(f[0]), point(f[1]), point(f[2]), point((e + 1)->opposite)) >
+                        0 &&
+                    concave++ == 0)
+                    first_concave = &*e;
+            }
+            e = stop;
+        }
+        if (concave > 0) {
+            add("hull", false,
+                fmt::format("the boundary is concave at {} of {} edges, first at points {} and {} "
+                            "of number {}",
+                            concave, count, first_concave->a, first_concave->b,
+                            first_concave->code / 4));
+        } else if (crowded > 0) {
+            add("hull", false,
+                fmt::format("{} of {} boundary edges do not have two boundary facets, first points "
+                            "{} and {} of number {}",
+                            crowded, count, first_crowded->a, first_crowded->b,
+                            first_crowded->code / 4));
+        } else if (outside > 0) {
+            add("hull", false,
+                fmt::format("{} of {} boundary facets have number 0 beyond them, the first is "
+                            "opposite vertex {} of number {}",
+                            outside, single, first_outside % 4, first_outside / 4));
+        } else {
+            add("hull", true, fmt::format("the boundary, {} facets, is convex", single));
+        }
     }
 
-    void check_volume() {
-        Residue sum, hull;
-        for (const Quad& v : tetrahedra_) sum = sum + volume(v);
-        for (std::size_t i = 0; i < reference_.tetrahedra.size(); i += 4) {
-            hull = hull + volume(load_quad(&reference_.tetrahedra[i]));
+    // A point inside the first tetrahedron is in no other.
+    void check_cover() {
+        if (tetrahedra_.empty()) return;
+        const InteriorPoint inside = inside_of_first();
+        std::size_t others = 0, first = 0;
+        for (std::size_t t = 1; t < tetrahedra_.size(); ++t) {
+            if ((t & 0xFFFF) == 0) check_interrupt();
+            const Quad& v = tetrahedra_[t];
+            if (inside.is_in({point(v[0]), point(v[1]), point(v[2]), point(v[3])}) && others++ == 0)
+                first = t;
         }
-        const bool equal = sum == hull;
-        add("volume", equal,
-            equal ? "the volumes add up to that of the convex hull (modulo 2^61 - 1)"
-                  : "the volumes do not add up to that of the convex hull: gaps or overlaps");
+        add("cover", others == 0,
+            others == 0 ? "a point inside number 0 is in no other tetrahedron"
+                        : fmt::format("a point inside number 0 is in {} other tetrahedra too, the "
+                                      "first is number {}",
+                                      others, first));
     }
 
     void check_vertices() {

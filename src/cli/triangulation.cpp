@@ -127,13 +127,6 @@ std::vector<std::int64_t> Triangulation::neighbors() const {
     return v;
 }
 
-std::vector<std::int64_t> Triangulation::hull_facets() const {
-    auto v = array(3 * mgdt_hull_facet_count(handle_));
-    require(mgdt_get_hull_facets(handle_, static_cast<std::int64_t>(v.size()), v.data()),
-            "hull facets");
-    return v;
-}
-
 std::vector<std::int64_t> Triangulation::point_map() const {
     auto v = array(mgdt_point_count(handle_));
     require(mgdt_get_point_map(handle_, static_cast<std::int64_t>(v.size()), v.data()),

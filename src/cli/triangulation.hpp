@@ -42,7 +42,6 @@ class Triangulation {
 
     std::vector<std::int64_t> tetrahedra() const;
     std::vector<std::int64_t> neighbors() const;
-    std::vector<std::int64_t> hull_facets() const;
     std::vector<std::int64_t> point_map() const;
     // Empty if the check passes, else what is wrong.
     std::string check(int level) const;

@@ -172,6 +172,17 @@ void Triangulation::stop_if_cancelled(std::size_t done, std::size_t total) {
         fail(MGDT_ERR_CANCELLED, "cancelled after %zu of %zu points", done, total);
 }
 
+Claims Triangulation::claims() const {
+    return {mesh_,
+            point_map_,
+            dimension(),
+            statistics_.points_inserted,
+            statistics_.duplicates,
+            exponents_,
+            last_,
+            location_tree_.peek()};
+}
+
 const LocationTree* Triangulation::location_tree(std::size_t end) const noexcept {
     if (end < LocationTree::smallest || mesh_.live_count() == 0) return nullptr;
     try {

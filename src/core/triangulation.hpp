@@ -16,6 +16,7 @@
 #include "order/schedule.hpp"
 #include "parallel/team.hpp"
 #include "platform/cached.hpp"
+#include "query/check.hpp"
 #include "query/numbering.hpp"
 
 namespace mgdt {
@@ -77,6 +78,8 @@ class Triangulation {
     void forget_numbering() noexcept { numbering_.forget(); }
     // Where walks start; nullptr for a small mesh. Made when first asked for.
     const LocationTree* location_tree() const { return location_tree(mesh_.vertices.size()); }
+    // What is checked.
+    Claims claims() const;
 
   private:
     struct Batch;

@@ -77,6 +77,25 @@ void LocationTree::add(const Mesh& mesh, std::size_t begin, std::size_t end) noe
     }
 }
 
+// Each node but the root is the child of one, and all are reached: it is a tree.
+bool LocationTree::is_sound(std::size_t vertices) const {
+    if (root_ >= nodes_.size()) return false;
+    Buffer<std::uint32_t> reached(nodes_.allocator());
+    reached.reserve(nodes_.size());
+    reached.push_back(root_);
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+        const Node& node = nodes_[reached[i]];
+        if (node.vertex == infinite_vertex || node.vertex >= vertices || node.axis > 2)
+            return false;
+        for (const std::uint32_t child : node.child) {
+            if (child == none) continue;
+            if (child >= nodes_.size() || reached.size() == nodes_.size()) return false;
+            reached.push_back(child);
+        }
+    }
+    return reached.size() == nodes_.size();
+}
+
 VertexId LocationTree::near(const double* q) const noexcept {
     for (std::uint32_t at = root_;;) {
         const Node& node = nodes_[at];

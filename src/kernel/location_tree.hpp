@@ -22,6 +22,9 @@ class LocationTree {
     // A vertex near q.
     VertexId near(const double* q) const noexcept;
 
+    // Whether descending it ends, always at one of so many vertices.
+    bool is_sound(std::size_t vertices) const;
+
   private:
     static constexpr std::size_t stride = 16;
     static constexpr unsigned deepest = 64;

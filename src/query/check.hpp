@@ -1,15 +1,30 @@
 // SPDX-License-Identifier: MIT
-// Proof that a mesh is a Delaunay triangulation, by local tests in linear time.
+// Proof that a triangulation is what it claims to be, by local tests in linear time. The proof is
+// in docs/theory.md, "What the check proves".
 #pragma once
 
+#include "kernel/location_tree.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/scale.hpp"
 #include "parallel/team.hpp"
 
 namespace mgdt {
 
+// What a triangulation says of itself.
+struct Claims {
+    const Mesh& mesh;
+    const Buffer<VertexId>& point_map;
+    int dimension;
+    std::uint64_t points_inserted, duplicates;
+    ExponentRange exponents;   // of the caller's coordinates
+    TetId last;                // where the next walk starts
+    const LocationTree* tree;  // if there is one
+};
+
 // Throws MGDT_ERR_CHECK_FAILED with a message that says what is wrong and where. `level` is an
-// MGDT_CHECK_ value; `base` numbers points in messages.
-void check_mesh(Team& team, const Mesh& mesh, const Buffer<VertexId>& point_map,
-                Allocator& allocator, std::int32_t level, std::int32_t base);
+// MGDT_CHECK_ value; `base` numbers points in messages. Nothing in the mesh is followed before it
+// is known to lead somewhere.
+void check_triangulation(Team& team, const Claims& claims, Allocator& allocator, std::int32_t level,
+                         std::int32_t base);
 
 }  // namespace mgdt

@@ -68,7 +68,7 @@ std::vector<std::int64_t> outcome(const Triangulation& t) {
 void expect_valid(const Triangulation& t) {
     Team team(2);
     try {
-        check_mesh(team, t.mesh(), t.point_map(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
+        check_triangulation(team, t.claims(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
     } catch (const Error& error) {
         FAIL() << error.message;
     }
@@ -106,6 +106,37 @@ TEST(Zones, SameAsOneThread) {
     }
     // The test is about threads that meet.
     EXPECT_GT(met, rounds);
+}
+
+// Two skew lines have n^2 tetrahedra; a point between them digs a cavity larger than a thread has
+// room for at first, while others insert at other such pairs.
+TEST(Zones, LargeCavities) {
+    std::mt19937_64 random(24);
+    const unsigned rounds = is_small() ? 1 : 6;
+    for (unsigned round = 0; round < rounds; ++round) {
+        Points lines, between;
+        for (int pair = 0; pair < 40; ++pair) {
+            const double x = 200 * (pair % 7), y = 200 * (pair / 7);
+            // One of the cavities has more vertices than the matrices of stars.
+            const int n = pair == 0 && !is_small() ? 140 : 24;
+            for (int i = 0; i < n; ++i) {
+                const double place = 24.0 * i / n;
+                lines.insert(lines.end(), {x + place - 11.7, y, -8});
+                lines.insert(lines.end(), {x, y + place - 11.3, 8});
+            }
+            const Points off = random_points(random, 1, 1000);
+            between.insert(between.end(), {x + off[0] / 1000, y + off[1] / 1000, off[2] / 1000});
+        }
+        Triangulation alone(nullptr, nullptr, nullptr), together(nullptr, nullptr, nullptr);
+        together.settings().threads = 2 + static_cast<std::int32_t>(round % 3);
+        together.settings().points_a_thread = 10;
+        for (Triangulation* t : {&alone, &together}) {
+            insert(*t, lines);
+            insert(*t, between);
+        }
+        ASSERT_EQ(outcome(together), outcome(alone));
+        expect_valid(together);
+    }
 }
 
 // The storage has to grow while threads insert, many times.

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// What the parts of the check have in common.
+#pragma once
+
+#include "platform/error.hpp"
+#include "query/check.hpp"
+
+namespace mgdt {
+
+class Checker {
+  public:
+    Checker(Team& team, const Claims& claims, Allocator& allocator, std::int32_t base)
+        : team_(team), claims_(claims), mesh_(claims.mesh), allocator_(allocator), base_(base) {}
+
+    void run(std::int32_t level) const;
+
+  private:
+    // check.cpp: indices and counts. Each relies on those before it.
+    void points() const;
+    void stores() const;
+    void records() const;
+    void hints() const;
+    void adjacency() const;
+    void connection() const;
+    void edges() const;
+    // check_geometry.cpp: places, by exact arithmetic.
+    void coordinates() const;
+    void degenerate() const;
+    void delaunay(bool canonical) const;
+    void spheres() const;
+    void hull() const;
+
+    const Tetrahedron& tet(TetId t) const { return mesh_.tetrahedra[t]; }
+    long long index(VertexId v) const {
+        if (v == infinite_vertex || v >= mesh_.vertices.size()) return -1;
+        return static_cast<long long>(mesh_.vertices[v].index) + base_;
+    }
+    // On all threads side by side.
+    template <class F>
+    void for_each_live(F f) const {
+        team_.split(mesh_.tetrahedra.size(), 16384,
+                    [&](std::size_t begin, std::size_t end, unsigned) {
+                        for (std::size_t t = begin; t < end; ++t)
+                            if (!tet(static_cast<TetId>(t)).is_dead()) f(static_cast<TetId>(t));
+                    });
+    }
+    template <class F>
+    void for_each_vertex(F f) const {
+        team_.split(mesh_.vertices.size(), 16384,
+                    [&](std::size_t begin, std::size_t end, unsigned) {
+                        for (std::size_t v = begin; v < end; ++v)
+                            if (v != infinite_vertex) f(static_cast<VertexId>(v));
+                    });
+    }
+    [[noreturn]] void reject(TetId t, const char* what) const {
+        const VertexId* v = tet(t).v;
+        fail(MGDT_ERR_CHECK_FAILED,
+             "tetrahedron of points %lld %lld %lld %lld (-1: infinity or none): %s", index(v[0]),
+             index(v[1]), index(v[2]), index(v[3]), what);
+    }
+
+    Team& team_;
+    const Claims& claims_;
+    const Mesh& mesh_;
+    Allocator& allocator_;
+    const std::int32_t base_;
+};
+
+}  // namespace mgdt

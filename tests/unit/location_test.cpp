@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// Corners of location that the public tests seldom come to: trees that grow too deep or out of
+// memory, and points that the scale of the triangulation cannot hold.
+#include <limits>
+
+#include "query/locate.hpp"
+#include "surgery.hpp"
+
+namespace mgdt {
+namespace {
+
+using namespace surgery;
+
+// Vertices on a diagonal, which a tree takes in one below the other.
+void fill_diagonal(Mesh& mesh, std::size_t n) {
+    mesh.clear();
+    for (std::size_t v = 1; v <= n; ++v) {
+        const double x = static_cast<double>(v);
+        mesh.vertices.push_back(Vertex{{x, x, x}, static_cast<std::uint32_t>(v - 1), 0});
+    }
+}
+
+TEST(LocationTree, ServesWhenTooDeep) {
+    Allocator allocator;
+    Mesh mesh(allocator);
+    fill_diagonal(mesh, 4000);
+    LocationTree tree(allocator, mesh, 20);
+    tree.add(mesh, 20, mesh.vertices.size());
+    EXPECT_TRUE(tree.is_sound(mesh.vertices.size()));
+    EXPECT_FALSE(tree.is_sound(1000));
+    const double far[3] = {1e6, 1e6, 1e6}, first[3] = {0, 0, 0};
+    // 64 levels of every sixteenth vertex, and nothing beyond.
+    EXPECT_GT(tree.near(far), 900u);
+    EXPECT_LT(tree.near(far), 1100u);
+    EXPECT_LT(tree.near(first), 20u);
+}
+
+TEST(LocationTree, ServesWhenMemoryIsShort) {
+    Allocator allocator;
+    Mesh mesh(allocator);
+    fill_diagonal(mesh, 1000);
+    LocationTree tree(allocator, mesh, 20);
+    allocator.set_limit(allocator.bytes());
+    tree.add(mesh, 20, mesh.vertices.size());
+    allocator.set_limit(0);
+    EXPECT_TRUE(tree.is_sound(mesh.vertices.size()));
+    const double far[3] = {1e6, 1e6, 1e6};
+    EXPECT_LT(tree.near(far), 40u);
+}
+
+Locator locator(const Triangulation& t) {
+    return {t.mesh(), t.kernel(), t.location_tree()};
+}
+
+// A point that is exact in the caller's coordinates alone.
+TEST(Location, OfPointsThatCannotBeScaled) {
+    for (const double size : {0x1p1000, 0x1p-1000}) {
+        const Patient p = triangulate(
+            {-size, -size, -size, size, -size, -size, 0, size, -size, 0, 0, size, 0, 0, -size});
+        ASSERT_NE(p.t->mesh().scale, 0);
+        const double beyond = size > 1 ? std::numeric_limits<double>::max() : 0x1p1000;
+        const double least = std::numeric_limits<double>::denorm_min();
+        const bool large = size > 1;
+        // Near 0, inside; far away, outside. Of the two, one is what the scale cannot hold.
+        const double inside[3] = {large ? 3 * least : size / 8, large ? least : 0,
+                                  large ? least : -size / 8};
+        const double outside[3] = {beyond, beyond / 2, beyond};
+        for (const TetId start : {no_tetrahedron, TetId{0}}) {
+            TetId hint = start;
+            const TetId found = locator(*p.t).locate(inside, hint);
+            ASSERT_NE(found, no_tetrahedron);
+            EXPECT_FALSE(p.t->mesh().tetrahedra[found].is_ghost());
+            EXPECT_EQ(found, hint);
+            hint = start;
+            EXPECT_EQ(locator(*p.t).locate(outside, hint), no_tetrahedron);
+            EXPECT_NE(hint, no_tetrahedron);
+        }
+        const VertexId nearest = locator(*p.t).nearest_vertex(outside, p.t->allocator());
+        EXPECT_EQ(p.t->mesh().vertices[nearest].index, 3u);
+        // Several on their way at a time.
+        const double* const both[2] = {inside, outside};
+        std::vector<TetId> found(2);
+        locator(*p.t).locate_sequence(
+            2, [&](std::size_t k) { return both[k]; },
+            [&](std::size_t k, TetId t) { found[k] = t; });
+        EXPECT_NE(found[0], no_tetrahedron);
+        EXPECT_EQ(found[1], no_tetrahedron);
+    }
+}
+
+// Barycentric coordinates where no volume is a double: those of the nearest vertex.
+TEST(Location, WeightsInTheFlattest) {
+    const double least = std::numeric_limits<double>::denorm_min();
+    for (const double size : {1e-200, least}) {
+        const double length = size == least ? least : 1;
+        const Patient p = triangulate({0, 0, 0, length, 0, 0, 0, size, 0, 0, 0, size});
+        ASSERT_EQ(p.t->mesh().finite_count(), 1u);
+        const double q[3] = {length, 0, 0};
+        TetId hint = no_tetrahedron;
+        const TetId found = locator(*p.t).locate(q, hint);
+        ASSERT_NE(found, no_tetrahedron);
+        double w[4], sum = 0;
+        locator(*p.t).weights(found, q, w);
+        for (int i = 0; i < 4; ++i) {
+            sum += w[i];
+            if (size != least) {
+                const VertexId v = p.t->mesh().tetrahedra[found].v[i];
+                EXPECT_EQ(w[i], p.t->mesh().vertices[v].index == 1 ? 1 : 0);
+            }
+        }
+        EXPECT_EQ(sum, 1);
+    }
+}
+
+TEST(Location, WithoutTetrahedra) {
+    const Patient p = triangulate({0, 0, 0, 1, 0, 0, 2, 0, 0});
+    const double q[3] = {1.1, 0, 0};
+    const double* const one = q;
+    TetId hint = no_tetrahedron;
+    EXPECT_EQ(locator(*p.t).locate(q, hint), no_tetrahedron);
+    std::vector<TetId> found(3, 0);
+    locator(*p.t).locate_sequence(
+        3, [&](std::size_t) { return one; }, [&](std::size_t k, TetId t) { found[k] = t; });
+    EXPECT_EQ(found, std::vector<TetId>(3, no_tetrahedron));
+    EXPECT_EQ(p.t->mesh().vertices[locator(*p.t).nearest_vertex(q, p.t->allocator())].index, 1u);
+}
+
+}  // namespace
+}  // namespace mgdt
