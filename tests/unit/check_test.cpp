@@ -22,7 +22,7 @@ std::string complaint_as_given(Patient& p, int level) {
 
 TEST(Check, PassesOnSoundMeshes) {
     Random random(1);
-    for (const std::size_t n : {4, 5, 30, 500})
+    for (const std::size_t n : {4u, 5u, 30u, 500u})
         for (int level = 1; level <= 3; ++level)
             EXPECT_EQ(triangulate(uniform_points(n, random)).complaint(level), "");
 }

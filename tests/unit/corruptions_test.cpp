@@ -484,11 +484,11 @@ TEST(Corruptions, SoundOnesPass) {
 
 TEST(Corruptions, AreFound) {
     Random random(2);
-    const int seeds = is_small() ? 1 : 12;
+    const unsigned seeds = is_small() ? 1 : 12;
     for (const Corruption& corruption : corruptions()) {
         int done = 0;
         for (const Family& family : families())
-            for (int seed = 0; seed < seeds; ++seed) {
+            for (unsigned seed = 0; seed < seeds; ++seed) {
                 Patient p = family.make(random);
                 if (!corruption.act(p, random)) continue;
                 ++done;
