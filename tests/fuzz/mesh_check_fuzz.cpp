@@ -273,8 +273,7 @@ void run(Input& in) {
     options.quiet = true;
     mgdt::cli::Triangulation triangulation(options);
     triangulation.insert(mesh.points, "points");
-    const mgdt::cli::Reference reference{triangulation.tetrahedra(), triangulation.hull_facets(),
-                                         triangulation.point_map()};
+    const mgdt::cli::Reference reference{triangulation.tetrahedra(), triangulation.point_map()};
     // The ties of mirrored points are broken in another way: a mesh that is valid, and not the
     // library's.
     mgdt::cli::Triangulation mirrored(options);
