@@ -17,19 +17,18 @@ namespace bench {
 using mgdt::VertexId;
 
 enum StartKind {
-    as_inserted,   // the library's: the schedule's hint, or the last star
     in_star,       // the best of four tetrahedra of the last star
     last,          // the last insertion's tetrahedron
     cell_last,     // the last vertex in the same cell of the grids, or `last` if there is none
     cell_nearest,  // the nearest of the last eight there, or `last`
-    tree,          // near the vertex that a kd-tree over one vertex in sixteen gives
     nearest,       // the nearest of all vertices
+    tree,          // near the vertex that a kd-tree over one vertex in sixteen gives
     jump,          // the nearest of n^(1/4) random vertices
     anywhere,      // a random vertex
     start_kinds
 };
 enum WalkKind {
-    power_conflict,
+    power_conflict,  // the library's
     power_base,
     random_conflict,  // by orientation; faces in random order
     random_base,
@@ -37,6 +36,11 @@ enum WalkKind {
     farthest_base,  // the face of the most negative volume coordinate
     walk_kinds
 };
+
+// How many kinds of walk are taken from a start.
+inline unsigned walks_from(unsigned start) {
+    return start < tree ? walk_kinds : 1;
+}
 
 // Sums over the insertions looked at.
 struct Sums {
@@ -99,12 +103,12 @@ class Probe {
         if (found.duplicate != infinite_vertex) return false;
         const Path to = power_to_conflict(mesh, {start, 0}, q);
         dig(mesh, to.end, q, v);
-        // The walks from afar are long: a few will do.
-        const unsigned starts = sums_.count++ % 16 == 0 ? start_kinds : jump;
+        // Walks from afar are long: a few of one kind will do.
+        const unsigned starts = sums_.count++ % 8 == 0 ? start_kinds : tree;
         for (unsigned s = 0; s < starts; ++s) {
             ++sums_.starts[s];
             const Start from = start_of(static_cast<StartKind>(s), mesh, w, q, v, start);
-            for (unsigned k = 0; k < walk_kinds; ++k) {
+            for (unsigned k = 0; k < walks_from(s); ++k) {
                 const auto kind = static_cast<WalkKind>(k);
                 const Path path = take(kind, mesh, from, q);
                 if (!is_end(kind, mesh, path.end, q))
@@ -148,17 +152,13 @@ class Probe {
         const auto at = [&](VertexId near) {
             return Start{near == infinite_vertex ? last_one : mesh.live_from(mesh.near[near]), 0};
         };
-        const auto sampled = [&] {
-            if (w.slot_count == 0) return Start{start, 0};
-            mgdt::Counters counters;
-            const TetId best = start_in_star(mesh, w, q, counters).tetrahedron;
-            return Start{best, static_cast<unsigned>(counters.walk_tests)};
-        };
         switch (kind) {
-            case as_inserted:
-                return start == last_one ? sampled() : Start{start, 0};
-            case in_star:
-                return sampled();
+            case in_star: {
+                if (w.slot_count == 0) return {start, 0};
+                mgdt::Counters counters;
+                const TetId best = start_in_star(mesh, w, q, counters).tetrahedron;
+                return {best, static_cast<unsigned>(counters.walk_tests)};
+            }
             case last:
                 return {last_one, 0};
             case cell_last: {

@@ -22,15 +22,10 @@ namespace {
 
 using namespace bench;
 
-const char* const start_names[start_kinds] = {"the library's",
-                                              "best of four in the last star",
-                                              "last insertion",
-                                              "last vertex of the same cell",
-                                              "nearest of the cell's last eight",
-                                              "kd-tree over one vertex in 16",
-                                              "nearest vertex",
-                                              "nearest of n^(1/4) random vertices",
-                                              "random vertex"};
+const char* const start_names[start_kinds] = {
+    "best of four in the last star",      "last insertion", "last vertex of the same cell",
+    "nearest of the cell's last eight",   "nearest vertex", "kd-tree over one vertex in 16",
+    "nearest of n^(1/4) random vertices", "random vertex"};
 const char* const walk_names[walk_kinds] = {"power, first conflict",
                                             "power, base",
                                             "orientation, first conflict",
@@ -43,10 +38,10 @@ struct Result {
     Sums sums;
     double removed, visited;  // by all insertions
     double mean(double sum) const { return sum / static_cast<double>(sums.count); }
-    double steps(int start, int walk) const {
+    double steps(unsigned start, unsigned walk) const {
         return sums.steps[start][walk] / static_cast<double>(sums.starts[start]);
     }
-    double tests(int start, int walk) const {
+    double tests(unsigned start, unsigned walk) const {
         return sums.tests[start][walk] / static_cast<double>(sums.starts[start]);
     }
 };
@@ -92,17 +87,21 @@ mgdt::PointSet point_set(const std::vector<double>& xyz) {
     return points;
 }
 
-// "brio:31" is BRIO with rounds that grow 31-fold, "multi-grid:path" multi-grid without separation.
+// "brio:31" is BRIO with rounds that grow 31-fold, "multi-grid:path" multi-grid without separation,
+// "regular-grid:20" a grid of twenty points a cell.
 mgdt::Settings settings_of(const std::string& order) {
     mgdt::Settings settings;
     const std::size_t colon = order.find(':');
     if (mgdt_order_scheme_from_name(order.substr(0, colon).c_str(), &settings.scheme) != MGDT_OK)
         throw std::runtime_error("unknown order " + order);
     if (colon == std::string::npos) return settings;
-    if (order.substr(colon) == ":path")
+    const std::string value = order.substr(colon + 1);
+    if (value == "path")
         settings.order.separation = false;
+    else if (settings.scheme == MGDT_ORDER_BRIO)
+        settings.order.round_ratio = std::stod(value);
     else
-        settings.order.round_ratio = std::stod(order.substr(colon + 1));
+        settings.order.points_per_cell = std::stod(value);
     return settings;
 }
 
@@ -180,14 +179,14 @@ void print_tables(const Results& results, const std::vector<std::string>& sets,
           by_order_paper);
 
     for (const std::string order : {"random", "enhanced-kd-tree", "auto"})
-        for (int s = in_star; s < start_kinds; ++s)
+        for (unsigned s = in_star; s < start_kinds; ++s)
             by_start.push_back(steps(order + ", " + start_names[s], order,
                                      static_cast<StartKind>(s), power_conflict));
     print("NP by start: power walk to the first conflict", results, sets, by_start);
 
     std::vector<Row> by_walk;
     for (const std::string order : {"enhanced-kd-tree", "auto"})
-        for (int k = 0; k < walk_kinds; ++k)
+        for (unsigned k = 0; k < walk_kinds; ++k)
             by_walk.push_back({order + ", " + walk_names[k], order, [k](const Result& r) {
                                    return number(r.steps(last, k)) + " / " +
                                           number(r.tests(last, k));
@@ -208,8 +207,8 @@ void write_csv(const std::string& file, std::size_t n, const Results& results) {
     std::fprintf(out, "points,set,order,removed,young,elongated,ghosts,start,walk,steps,tests\n");
     for (const auto& [set, orders] : results)
         for (const auto& [order, r] : orders)
-            for (int s = 0; s < start_kinds; ++s)
-                for (int k = 0; k < walk_kinds; ++k)
+            for (unsigned s = 0; s < start_kinds; ++s)
+                for (unsigned k = 0; k < walks_from(s); ++k)
                     std::fprintf(out, "%zu,%s,%s,%.3f,%.3f,%.3f,%.3f,\"%s\",\"%s\",%.3f,%.3f\n", n,
                                  set.c_str(), order.c_str(), r.removed, r.mean(r.sums.young),
                                  r.mean(r.sums.elongated), r.mean(r.sums.ghosts), start_names[s],
@@ -221,12 +220,12 @@ void write_csv(const std::string& file, std::size_t n, const Results& results) {
 
 int main(int argc, char** argv) {
     std::size_t n = 200000;
-    std::uint32_t every = 32;
+    std::uint32_t every = 64;
     std::vector<std::string> sets = {"uniform", "line",    "diagonal", "ellipse",
                                      "spiral",  "cluster", "galaxy"};
-    std::vector<std::string> orders = {
-        "random",           "input",   "regular-grid", "multi-grid:path", "kd-tree",
-        "enhanced-kd-tree", "hilbert", "brio",         "multi-grid",      "auto"};
+    std::vector<std::string> orders = {"random",  "regular-grid",     "multi-grid:path",
+                                       "kd-tree", "enhanced-kd-tree", "hilbert",
+                                       "brio",    "multi-grid",       "auto"};
     std::string csv;
     CLI::App app("Walks and removals by order, start, way and stop");
     app.add_option("points", n, "points of each set")->capture_default_str();
