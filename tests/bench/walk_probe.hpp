@@ -46,6 +46,7 @@ inline unsigned walks_from(unsigned start) {
 struct Sums {
     std::size_t count = 0, starts[start_kinds] = {};
     double steps[start_kinds][walk_kinds] = {}, tests[start_kinds][walk_kinds] = {};
+    double visited = 0, removed = 0;  // by the library
     // Of the tetrahedra removed: whose newest vertex is of the last hundred; with an edge five
     // times as long as another; ghosts.
     double young = 0, elongated = 0, ghosts = 0;
@@ -65,14 +66,23 @@ class Probe {
 
     mgdt::Insertion insert(Mesh& mesh, mgdt::Workspace& w, VertexId q, TetId start) {
         for (; known_ < q; ++known_) remember(mesh, known_);
-        if (mgdt::Random::at(7, q) % every_ != 0) return kernel_.insert(mesh, w, q, start);
+        if (mgdt::Random::at(7, q) % every_ != 0) {
+            // Where the walk starts matters to nothing else, and from afar it would take long.
+            const Query query(mesh.point(q));
+            const TetId near = start_of(cell_nearest, mesh, w, query, q, start).tetrahedron;
+            return kernel_.insert(mesh, w, q, near);
+        }
         const bool is_new = look(mesh, w, q, start);
-        const std::uint64_t before = w.counters.removed;
+        const mgdt::Counters before = w.counters;
         const mgdt::Insertion result = kernel_.insert(mesh, w, q, start);
-        if (is_new && w.counters.removed - before != cavity_.size())
+        if (!is_new) return result;
+        const std::size_t removed = w.counters.removed - before.removed;
+        if (removed != cavity_.size())
             throw std::runtime_error("the cavity of vertex " + std::to_string(q) + " has " +
                                      std::to_string(cavity_.size()) + " tetrahedra, removed are " +
-                                     std::to_string(w.counters.removed - before));
+                                     std::to_string(removed));
+        sums_.removed += static_cast<double>(removed);
+        sums_.visited += static_cast<double>(w.counters.walk_steps - before.walk_steps);
         return result;
     }
 

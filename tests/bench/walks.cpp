@@ -8,6 +8,7 @@
 //
 // docs/paper.md, "The open question", reads the tables.
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -36,7 +37,7 @@ const char* const walk_names[walk_kinds] = {"power, first conflict",
 // What one order does on one set, a point.
 struct Result {
     Sums sums;
-    double removed, visited;  // by all insertions
+    double removed;  // by all insertions
     double mean(double sum) const { return sum / static_cast<double>(sums.count); }
     double steps(unsigned start, unsigned walk) const {
         return sums.steps[start][walk] / static_cast<double>(sums.starts[start]);
@@ -124,8 +125,7 @@ Result run(const std::vector<double>& xyz, const std::vector<std::uint32_t>& cel
     check_mesh(alone, t.mesh(), t.point_map(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
     if (here.sums().count == 0) throw std::runtime_error("too few points: no walk was taken");
     const double n = static_cast<double>(xyz.size() / 3);
-    return {here.sums(), static_cast<double>(t.counters().removed) / n,
-            static_cast<double>(t.counters().walk_steps) / n};
+    return {here.sums(), static_cast<double>(t.counters().removed) / n};
 }
 
 std::string number(double x) {
@@ -144,16 +144,20 @@ Row steps(const std::string& label, const std::string& order, StartKind start, W
     return {label, order, [=](const Result& r) { return number(r.steps(start, walk)); }};
 }
 
-// Of the orders that were run.
+// The rows of the orders that were run.
 void print(const std::string& title, const Results& results, const std::vector<std::string>& sets,
            const std::vector<Row>& rows) {
-    std::printf("\n%s\n\n| |", title.c_str());
-    for (const std::string& set : sets) std::printf(" %s |", set.c_str());
-    std::printf("\n|---|");
-    for (std::size_t i = 0; i < sets.size(); ++i) std::printf("---|");
-    std::printf("\n");
+    bool has_head = false;
     for (const Row& row : rows) {
         if (results.at(sets[0]).count(row.order) == 0) continue;
+        if (!has_head) {
+            std::printf("\n%s\n\n| |", title.c_str());
+            for (const std::string& set : sets) std::printf(" %s |", set.c_str());
+            std::printf("\n|---|");
+            for (std::size_t i = 0; i < sets.size(); ++i) std::printf("---|");
+            std::printf("\n");
+            has_head = true;
+        }
         std::printf("| %s |", row.label.c_str());
         for (const std::string& set : sets)
             std::printf(" %s |", row.figure(results.at(set).at(row.order)).c_str());
@@ -163,56 +167,53 @@ void print(const std::string& title, const Results& results, const std::vector<s
 
 void print_tables(const Results& results, const std::vector<std::string>& sets,
                   const std::vector<std::string>& orders) {
-    std::vector<Row> removed, by_order, by_order_paper, by_start;
+    std::vector<Row> removed, by_order, as_paper, by_start, by_walk;
     for (const std::string& order : orders) {
         removed.push_back({order, order, [](const Result& r) {
-                               return number(r.removed) + " / " + number(r.mean(r.sums.young)) +
-                                      " / " + number(r.mean(r.sums.elongated));
+                               const double percent = 100 / r.sums.removed;
+                               return number(r.removed) + " / " +
+                                      std::to_string(std::lround(r.sums.young * percent)) + " / " +
+                                      std::to_string(std::lround(r.sums.elongated * percent));
                            }});
-        by_order.push_back({order, order, [](const Result& r) { return number(r.visited); }});
-        by_order_paper.push_back(steps(order, order, last, random_base));
+        by_order.push_back(
+            {order, order, [](const Result& r) { return number(r.mean(r.sums.visited)); }});
+        as_paper.push_back(steps(order, order, last, ordered_base));
     }
-    print("NR: removed / of them with a vertex of the last 100 / with an edge 5 times another's",
-          results, sets, removed);
-    print("NP of the library", results, sets, by_order);
-    print("NP of an orientation walk from the last insertion to the base", results, sets,
-          by_order_paper);
-
+    const std::string cell = "regular-grid, from the last vertex of the multi-grid's cell";
+    as_paper.push_back(steps(cell, "regular-grid", cell_last, ordered_base));
     for (const std::string order : {"random", "enhanced-kd-tree", "auto"})
         for (unsigned s = in_star; s < start_kinds; ++s)
             by_start.push_back(steps(order + ", " + start_names[s], order,
                                      static_cast<StartKind>(s), power_conflict));
-    print("NP by start: power walk to the first conflict", results, sets, by_start);
-
-    std::vector<Row> by_walk;
-    for (const std::string order : {"enhanced-kd-tree", "auto"})
+    for (const std::string order : {"kd-tree", "auto"})
         for (unsigned k = 0; k < walk_kinds; ++k)
             by_walk.push_back({order + ", " + walk_names[k], order, [k](const Result& r) {
                                    return number(r.steps(last, k)) + " / " +
                                           number(r.tests(last, k));
                                }});
+    print("NR / of 100 of these, with a vertex of the last 100 / with an edge 5 times another's",
+          results, sets, removed);
+    print("NP of the library", results, sets, by_order);
+    print("NP of an orientation walk, faces in order, from the last insertion to the base", results,
+          sets, as_paper);
+    print("NP by start: power walk to the first conflict", results, sets, by_start);
     print("NP / tests by walk, from the last insertion", results, sets, by_walk);
-
-    const std::string grid = "regular-grid", tree_order = "enhanced-kd-tree";
-    print("NP as the paper's: orientation walk, faces in order, to the base", results, sets,
-          {steps("regular-grid, from the last insertion", grid, last, ordered_base),
-           steps("regular-grid, from the last vertex of the multi-grid's cell", grid, cell_last,
-                 ordered_base),
-           steps("enhanced-kd-tree, from the last insertion", tree_order, last, ordered_base)});
 }
 
 void write_csv(const std::string& file, std::size_t n, const Results& results) {
     std::FILE* const out = std::fopen(file.c_str(), "w");
     if (!out) throw std::runtime_error("cannot write " + file);
-    std::fprintf(out, "points,set,order,removed,young,elongated,ghosts,start,walk,steps,tests\n");
+    std::fprintf(
+        out, "points,set,order,removed,visited,young,elongated,ghosts,start,walk,steps,tests\n");
     for (const auto& [set, orders] : results)
         for (const auto& [order, r] : orders)
             for (unsigned s = 0; s < start_kinds; ++s)
                 for (unsigned k = 0; k < walks_from(s); ++k)
-                    std::fprintf(out, "%zu,%s,%s,%.3f,%.3f,%.3f,%.3f,\"%s\",\"%s\",%.3f,%.3f\n", n,
-                                 set.c_str(), order.c_str(), r.removed, r.mean(r.sums.young),
-                                 r.mean(r.sums.elongated), r.mean(r.sums.ghosts), start_names[s],
-                                 walk_names[k], r.steps(s, k), r.tests(s, k));
+                    std::fprintf(
+                        out, "%zu,%s,%s,%.3f,%.3f,%.3f,%.3f,%.3f,\"%s\",\"%s\",%.3f,%.3f\n", n,
+                        set.c_str(), order.c_str(), r.removed, r.mean(r.sums.visited),
+                        r.mean(r.sums.young), r.mean(r.sums.elongated), r.mean(r.sums.ghosts),
+                        start_names[s], walk_names[k], r.steps(s, k), r.tests(s, k));
     if (std::fclose(out) != 0) throw std::runtime_error("cannot write " + file);
 }
 
