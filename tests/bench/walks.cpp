@@ -88,8 +88,8 @@ mgdt::PointSet point_set(const std::vector<double>& xyz) {
     return points;
 }
 
-// "brio:31" is BRIO with rounds that grow 31-fold, "multi-grid:path" multi-grid without separation,
-// "regular-grid:20" a grid of twenty points a cell.
+// "multi-grid:cells" empties a cell before the next, "multi-grid:passes" takes a point of each cell
+// at a time; "brio:31" has rounds that grow 31-fold.
 mgdt::Settings settings_of(const std::string& order) {
     mgdt::Settings settings;
     const std::size_t colon = order.find(':');
@@ -97,12 +97,12 @@ mgdt::Settings settings_of(const std::string& order) {
         throw std::runtime_error("unknown order " + order);
     if (colon == std::string::npos) return settings;
     const std::string value = order.substr(colon + 1);
-    if (value == "path")
-        settings.order.separation = false;
-    else if (settings.scheme == MGDT_ORDER_BRIO)
-        settings.order.round_ratio = std::stod(value);
+    if (value == "cells")
+        settings.order.separation = mgdt::Separation::none;
+    else if (value == "passes")
+        settings.order.separation = mgdt::Separation::passes;
     else
-        settings.order.points_per_cell = std::stod(value);
+        settings.order.round_ratio = std::stod(value);
     return settings;
 }
 
@@ -122,7 +122,7 @@ Result run(const std::vector<double>& xyz, const std::vector<std::uint32_t>& cel
     const double* const axis[3] = {&xyz[0], &xyz[1], &xyz[2]};
     t.insert(xyz.size() / 3, axis, 3);
     mgdt::Team alone;
-    check_mesh(alone, t.mesh(), t.point_map(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
+    check_triangulation(alone, t.claims(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
     if (here.sums().count == 0) throw std::runtime_error("too few points: no walk was taken");
     const double n = static_cast<double>(xyz.size() / 3);
     return {here.sums(), static_cast<double>(t.counters().removed) / n};
@@ -179,9 +179,9 @@ void print_tables(const Results& results, const std::vector<std::string>& sets,
             {order, order, [](const Result& r) { return number(r.mean(r.sums.visited)); }});
         as_paper.push_back(steps(order, order, last, ordered_base));
     }
-    const std::string cell = "regular-grid, from the last vertex of the multi-grid's cell";
-    as_paper.push_back(steps(cell, "regular-grid", cell_last, ordered_base));
-    for (const std::string order : {"random", "enhanced-kd-tree", "auto"})
+    const std::string cell = "regular-grid:cells, from the last vertex of the multi-grid's cell";
+    as_paper.push_back(steps(cell, "regular-grid:cells", cell_last, ordered_base));
+    for (const std::string order : {"random", "multi-grid:passes", "auto"})
         for (unsigned s = in_star; s < start_kinds; ++s)
             by_start.push_back(steps(order + ", " + start_names[s], order,
                                      static_cast<StartKind>(s), power_conflict));
@@ -224,9 +224,11 @@ int main(int argc, char** argv) {
     std::uint32_t every = 64;
     std::vector<std::string> sets = {"uniform", "line",    "diagonal", "ellipse",
                                      "spiral",  "cluster", "galaxy"};
-    std::vector<std::string> orders = {"random",  "regular-grid",     "multi-grid:path",
-                                       "kd-tree", "enhanced-kd-tree", "hilbert",
-                                       "brio",    "multi-grid",       "auto"};
+    std::vector<std::string> orders = {"random",           "regular-grid:cells",
+                                       "multi-grid:cells", "multi-grid:passes",
+                                       "kd-tree",          "enhanced-kd-tree",
+                                       "hilbert",          "brio",
+                                       "regular-grid",     "auto"};
     std::string csv;
     CLI::App app("Walks and removals by order, start, way and stop");
     app.add_option("points", n, "points of each set")->capture_default_str();
@@ -234,7 +236,8 @@ int main(int argc, char** argv) {
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     app.add_option("--sets", sets, "distributions")->delimiter(',');
-    app.add_option("--orders", orders, "schemes; brio:RATIO, multi-grid:path")->delimiter(',');
+    app.add_option("--orders", orders, "schemes; multi-grid:cells, multi-grid:passes, brio:RATIO")
+        ->delimiter(',');
     app.add_option("--csv", csv, "file for all figures");
     CLI11_PARSE(app, argc, argv);
     Results results;
