@@ -239,8 +239,9 @@ MGDT_API mgdt_status mgdt_set_memory_limit(mgdt_triangulation *t, int64_t bytes)
 MGDT_API mgdt_status mgdt_set_progress(mgdt_triangulation *t, mgdt_progress_fn fn, void *user);
 
 /** Asks the insertion that is running on the handle to stop soon; it returns MGDT_ERR_CANCELLED.
- *  Without one, or if it comes too late for that one, the next insertion of any points is stopped,
- *  unless mgdt_clear() comes before it. Safe from any thread and from signal handlers.
+ *  If it comes too late for that one, it is forgotten with it. Where none is running, the next
+ *  insertion of any points is stopped, unless mgdt_clear() comes before it. Safe from any thread
+ *  and from signal handlers.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation *t);
