@@ -10,7 +10,7 @@ class EveryInsertion : public testing::TestWithParam<Insertion> {};
 TEST_P(EveryInsertion, RunsOutOfMemory) {
     Refusals refusals{fault_handle, true, false};
     refusals.done_to(GetParam());
-    EXPECT_GT(refusals.tried, 2);
+    EXPECT_GT(refusals.tried, 1);
     EXPECT_GT(refusals.failed, 0);
     EXPECT_EQ(handle_errors(), 0);
 }
@@ -32,8 +32,7 @@ TEST_P(EveryCall, RunsOutOfMemory) {
     Refusals refusals{fault_handle, true, false};
     for (const bool canonical : {false, true})
         refusals.done_to(GetParam(), 600, 1, canonical, true);
-    // The point map is made of what is there.
-    EXPECT_EQ(refusals.failed > 0, GetParam().needs_memory);
+    EXPECT_GT(refusals.failed, 0);
     EXPECT_EQ(handle_errors(), 0);
     EXPECT_EQ(fault_balance(), balance);
 }
@@ -44,7 +43,7 @@ class EveryCallOnThreads : public testing::TestWithParam<Call> {};
 TEST_P(EveryCallOnThreads, RunsOutOfMemory) {
     Refusals refusals{fault_handle, true, false};
     refusals.done_to(GetParam(), small() ? 700 : 21000, 2, true, false);
-    EXPECT_EQ(refusals.failed > 0, GetParam().needs_memory);
+    EXPECT_GT(refusals.failed, 0);
     EXPECT_EQ(handle_errors(), 0);
 }
 

@@ -249,86 +249,67 @@ struct Output {
 struct Call {
     const char* name;
     mgdt_status (*make)(mgdt_triangulation* t, Output& o);
-    bool needs_memory;
 };
 
 inline constexpr Call calls[] = {
     {"get_tetrahedra",
-     [](mgdt_triangulation* t, Output& o) { return mgdt_get_tetrahedra(t, o.size(), o.v.data()); },
-     true},
+     [](mgdt_triangulation* t, Output& o) { return mgdt_get_tetrahedra(t, o.size(), o.v.data()); }},
     {"get_tetrahedra_i32",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_get_tetrahedra_i32(t, o.size(), o.v32.data());
-     },
-     true},
+     }},
     {"get_neighbors",
-     [](mgdt_triangulation* t, Output& o) { return mgdt_get_neighbors(t, o.size(), o.v.data()); },
-     true},
+     [](mgdt_triangulation* t, Output& o) { return mgdt_get_neighbors(t, o.size(), o.v.data()); }},
     {"get_neighbors_i32",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_get_neighbors_i32(t, o.size(), o.v32.data());
-     },
-     true},
-    {"get_hull_facets",
-     [](mgdt_triangulation* t, Output& o) { return mgdt_get_hull_facets(t, o.size(), o.v.data()); },
-     true},
+     }},
+    {"get_hull_facets", [](mgdt_triangulation* t,
+                           Output& o) { return mgdt_get_hull_facets(t, o.size(), o.v.data()); }},
     {"get_hull_facets_i32",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_get_hull_facets_i32(t, o.size(), o.v32.data());
-     },
-     true},
+     }},
     {"get_edges",
-     [](mgdt_triangulation* t, Output& o) { return mgdt_get_edges(t, o.size(), o.v.data()); },
-     true},
-    {"get_edges_i32",
-     [](mgdt_triangulation* t, Output& o) { return mgdt_get_edges_i32(t, o.size(), o.v32.data()); },
-     true},
+     [](mgdt_triangulation* t, Output& o) { return mgdt_get_edges(t, o.size(), o.v.data()); }},
+    {"get_edges_i32", [](mgdt_triangulation* t,
+                         Output& o) { return mgdt_get_edges_i32(t, o.size(), o.v32.data()); }},
     {"get_point_map",
-     [](mgdt_triangulation* t, Output& o) { return mgdt_get_point_map(t, o.size(), o.v.data()); },
-     false},
+     [](mgdt_triangulation* t, Output& o) { return mgdt_get_point_map(t, o.size(), o.v.data()); }},
     {"get_point_map_i32",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_get_point_map_i32(t, o.size(), o.v32.data());
-     },
-     false},
+     }},
     {"get_vertex_tetrahedra",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_get_vertex_tetrahedra(t, o.size(), o.v.data(), o.size(), o.list.data());
-     },
-     true},
+     }},
     {"get_vertex_tetrahedra_i32",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_get_vertex_tetrahedra_i32(t, o.size(), o.v32.data(), o.size(),
                                                o.list32.data());
-     },
-     true},
-    {"locate",
-     [](mgdt_triangulation* t, Output& o) {
-         return mgdt_locate(t, o.queries.data(), o.found.data());
-     },
-     true},
+     }},
+    {"locate", [](mgdt_triangulation* t,
+                  Output& o) { return mgdt_locate(t, o.queries.data(), o.found.data()); }},
     {"locate_points",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_locate_points(t, count(o.queries), o.queries.data(), o.found.data(),
                                    o.weights.data());
-     },
-     true},
+     }},
     {"locate_points_i32",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_locate_points_i32(t, count(o.queries), o.queries.data(), o.found32.data(),
                                        nullptr);
-     },
-     true},
+     }},
     {"nearest_vertex",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_nearest_vertex(t, o.queries.data(), o.found.data());
-     },
-     true},
-    {"check 1", [](mgdt_triangulation* t, Output&) { return mgdt_check(t, 1); }, true},
-    {"check 2", [](mgdt_triangulation* t, Output&) { return mgdt_check(t, 2); }, true},
-    {"check 3", [](mgdt_triangulation* t, Output&) { return mgdt_check(t, 3); }, true},
+     }},
+    {"check 1", [](mgdt_triangulation* t, Output&) { return mgdt_check(t, 1); }},
+    {"check 2", [](mgdt_triangulation* t, Output&) { return mgdt_check(t, 2); }},
+    {"check 3", [](mgdt_triangulation* t, Output&) { return mgdt_check(t, 3); }},
     {"reserve",
-     [](mgdt_triangulation* t, Output&) { return mgdt_reserve(t, 4 * mgdt_point_count(t)); }, true},
+     [](mgdt_triangulation* t, Output&) { return mgdt_reserve(t, 4 * mgdt_point_count(t)); }},
 };
 
 }  // namespace faults

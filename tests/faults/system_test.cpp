@@ -56,7 +56,7 @@ TEST(System, RefusesMemoryToCalls) {
     for (const Call& call : calls) {
         Refusals refusals{fault_malloc, false, false};
         refusals.done_to(call, 600, 1, true, true);
-        EXPECT_EQ(refusals.failed > 0, call.needs_memory) << call.name;
+        EXPECT_GT(refusals.failed, 0) << call.name;
     }
 }
 
