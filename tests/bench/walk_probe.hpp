@@ -54,9 +54,12 @@ struct Sums {
 
 class Probe {
   public:
-    // Looks at one insertion in `every`. `cells` gives each point's cell in the grids.
-    Probe(const mgdt::Kernel& kernel, const std::vector<std::uint32_t>& cells, std::uint32_t every)
-        : kernel_(kernel), cells_(cells), every_(every), random_(1) {
+    // Looks at one insertion in `every`. `cells` gives each point's cell in the grids. In a hurry,
+    // the others start nearby: for an order whose consecutive points are far apart, so that it
+    // does not matter which of a star's tetrahedra the next walk starts from.
+    Probe(const mgdt::Kernel& kernel, const std::vector<std::uint32_t>& cells, std::uint32_t every,
+          bool hurries)
+        : kernel_(kernel), cells_(cells), every_(every), hurries_(hurries), random_(1) {
         std::uint32_t count = 0;
         for (const std::uint32_t c : cells) count = std::max(count, c + 1);
         recent_.resize(count, {});
@@ -67,7 +70,7 @@ class Probe {
     mgdt::Insertion insert(Mesh& mesh, mgdt::Workspace& w, VertexId q, TetId start) {
         for (; known_ < q; ++known_) remember(mesh, known_);
         if (mgdt::Random::at(7, q) % every_ != 0) {
-            // Where the walk starts matters to nothing else, and from afar it would take long.
+            if (!hurries_) return kernel_.insert(mesh, w, q, start);
             const Query query(mesh.point(q));
             const TetId near = start_of(cell_nearest, mesh, w, query, q, start).tetrahedron;
             return kernel_.insert(mesh, w, q, near);
@@ -248,6 +251,7 @@ class Probe {
     const mgdt::Kernel& kernel_;
     const std::vector<std::uint32_t>& cells_;
     const std::uint32_t every_;
+    const bool hurries_;
     mgdt::Random random_;
     Sums sums_;
     VertexId known_ = 1;  // the first vertex that the starts do not know yet

@@ -114,7 +114,7 @@ Result run(const std::vector<double>& xyz, const std::vector<std::uint32_t>& cel
     probing.insert = [](Mesh& mesh, mgdt::Workspace& w, VertexId q, TetId start) {
         return probe->insert(mesh, w, q, start);
     };
-    Probe here(mgdt::default_kernel(), cells, every);
+    Probe here(mgdt::default_kernel(), cells, every, order == "random");
     probe = &here;
     mgdt::Triangulation t(nullptr, nullptr, nullptr);
     t.settings() = settings_of(order);
