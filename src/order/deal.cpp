@@ -7,7 +7,7 @@ namespace mgdt {
 namespace {
 
 // Places of a round that is not the last: one of so many consecutive ones.
-constexpr std::size_t block = 16;
+constexpr std::size_t block = 12;
 // The one is drawn from the middle of the block, so that a round's points keep their distance.
 constexpr unsigned middle_bits = 3;
 constexpr std::size_t margin = (block - (std::size_t{1} << middle_bits)) / 2;

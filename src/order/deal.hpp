@@ -27,11 +27,12 @@ class Deal {
 };
 
 // Biased rounds as in BRIO, but spread evenly instead of drawn independently at random: along the
-// order, one point of every sixteen goes in before the other fifteen, of those again one of every
-// sixteen before the rest, and so on. No round has the gaps and crowds of an independent choice, so
-// fewer tetrahedra are built to be removed again, and fewer rounds do: with one of eight a million
-// uniform points take 20.5 removals an insertion, with one of sixteen 21.5, as many as BRIO with
-// one of eight, but what was built before is visited half as often.
+// order, one point of every twelve goes in before the other eleven, of those again one of every
+// twelve before the rest, and so on. No round has the gaps and crowds of an independent choice, so
+// fewer tetrahedra are built to be removed again, and fewer rounds do. A million points take 20.5
+// removals an insertion with one of eight, 21.1 with one of twelve, 21.5 with one of sixteen (as
+// many as BRIO with one of eight), but what was built before is visited the less often. Twelve
+// removes no more than the paper's multi-grid plus one on an ellipsoid; sixteen does.
 //
 // Fills order and rounds of a schedule; index(k) is the point at place k of the order.
 template <class Index>

@@ -110,7 +110,7 @@ class MultiGrid {
 // Keeps what the paper's multi-grid is for, and goes about it another way: grids of cubes, as fine
 // as keys allow, and one more in each crowded cell; a path through all of them along a Hilbert
 // curve that enters a grid and leaves it where its cell is entered and left; and separation by
-// rounds of one point in sixteen.
+// rounds of one point in twelve.
 void order_in_rounds(Team& team, const PointSet& points, const OrderParameters& parameters,
                      Schedule& out) {
     constexpr double crowd = 8;

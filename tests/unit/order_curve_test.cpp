@@ -185,20 +185,20 @@ TEST(Brio, SmallSetsHaveOneRound) {
     EXPECT_EQ(result.order, schedule(xyz, MGDT_ORDER_HILBERT).order);
 }
 
-TEST(Auto, EarlierRoundsTakeOneOfSixteenAlongTheCurve) {
-    const std::size_t n = 16 * 16 * 16 * 8;
+TEST(Auto, EarlierRoundsTakeOneOfTwelveAlongTheCurve) {
+    const std::size_t n = 12 * 12 * 12 * 8;
     const Coordinates xyz = uniform(n);
     const Result result = schedule(xyz, MGDT_ORDER_AUTO);
-    EXPECT_EQ(result.rounds, (Order{0, 8, 128, 2048}));
+    EXPECT_EQ(result.rounds, (Order{0, 8, 96, 1152}));
     Order place(n);
     const Order curve = schedule(xyz, MGDT_ORDER_HILBERT).order;
     for (std::uint32_t k = 0; k < n; ++k) place[curve[k]] = k;
     for (std::uint32_t k = 0; k < 8; ++k) {
-        EXPECT_EQ(place[result.order[k]] / 4096, k);
+        EXPECT_EQ(place[result.order[k]] / 1728, k);
     }
-    std::vector<int> early(n / 16, 0);
-    for (std::size_t k = 0; k < 2048; ++k) ++early[place[result.order[k]] / 16];
-    EXPECT_EQ(std::count(early.begin(), early.end(), 1), static_cast<long>(n / 16));
+    std::vector<int> early(n / 12, 0);
+    for (std::size_t k = 0; k < 1152; ++k) ++early[place[result.order[k]] / 12];
+    EXPECT_EQ(std::count(early.begin(), early.end(), 1), static_cast<long>(n / 12));
 }
 
 }  // namespace

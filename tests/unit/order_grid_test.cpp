@@ -288,7 +288,7 @@ TEST(RegularGrid, RoundsFollowItsPath) {
     const Grid grid(points, box_of(points), points.size, 8);
     ASSERT_GT(result.rounds.size(), 2u);
     const std::size_t last = result.rounds.back();
-    EXPECT_EQ(points.size - last, points.size - points.size / 16);
+    EXPECT_EQ(points.size - last, points.size - points.size / 12);
     for (std::size_t k = last + 1; k < points.size; ++k)
         ASSERT_LE(grid.path(points, result.order[k - 1]), grid.path(points, result.order[k]));
 }
