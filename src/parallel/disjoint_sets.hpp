@@ -27,12 +27,13 @@ class DisjointSets {
     // The least number of i's set; while others join, of a part of it.
     std::uint32_t least(std::uint32_t i) noexcept {
         for (;;) {
-            std::uint32_t step = above_[i].load(std::memory_order_relaxed);
+            const std::uint32_t step = above_[i].load(std::memory_order_relaxed);
             if (step == 0) return i;
             const std::uint32_t next = above_[i - step].load(std::memory_order_relaxed);
             // The way gets shorter for who comes later; if another thread did that, as well.
+            std::uint32_t seen = step;
             if (next != 0)
-                above_[i].compare_exchange_weak(step, step + next, std::memory_order_relaxed);
+                above_[i].compare_exchange_weak(seen, step + next, std::memory_order_relaxed);
             i -= step + next;
         }
     }

@@ -299,5 +299,5 @@ class Large(ForeignTest):
 
 
 if __name__ == "__main__":
-    MGDT, CGAL_MESH = sys.argv[1:3]
+    MGDT, CGAL_MESH = (os.path.abspath(program) for program in sys.argv[1:3])
     unittest.main(argv=[sys.argv[0], *sys.argv[3:]])

@@ -183,6 +183,8 @@ contains
         call other%set_memory_limit(3000000)
         call other%insert(many, stat=stat, errmsg=msg)
         call expect_error(stat, mgdt_err_out_of_memory, msg, 'memory')
+        ! The check takes memory too.
+        call other%set_memory_limit(0)
         call other%check(mgdt_check_canonical, stat)
         call expect(stat == mgdt_ok, 'valid after running out of memory')
         call other%set_memory_limit(0)

@@ -24,7 +24,7 @@ class Rounds(unittest.TestCase):
     def test_order_parameters_reach_the_library(self):
         points = random_points(3000, 2)
         few, many = (
-            mgdt.Delaunay(points, order="multi-grid", order_parameters={"points_per_cell": n})
+            mgdt.Delaunay(points, order="regular-grid", order_parameters={"points_per_cell": n})
             for n in (2, 500)
         )
         self.assertNotEqual(few.statistics["walk_steps"], many.statistics["walk_steps"])

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "order_sets.hpp"
+#include "parallel/disjoint_sets.hpp"
 #include "parallel/team_lists.hpp"
 
 namespace order_test {
@@ -71,6 +72,24 @@ TEST(Team, ThrowsWhatTheFirstMemberThrew) {
         } catch (const std::runtime_error& error) {
             EXPECT_STREQ(error.what(), team.size() > 1 ? "1" : "");
         }
+    }
+}
+
+// Long ways up, which all members shorten at once.
+TEST(DisjointSets, AreJoinedByManyAtOnce) {
+    const std::uint32_t n = is_small() ? 2000 : 30000, sets = 7;
+    for (unsigned round = 0; round < (is_small() ? 5 : 100); ++round) {
+        Allocator allocator;
+        Team team(4);
+        DisjointSets joined(allocator, n);
+        team.run(4, [&](unsigned member) {
+            for (std::uint32_t k = 0; k < n; ++k) {
+                // Each member in an order of its own, all of them the same pairs.
+                const std::uint32_t i = member % 2 ? n - 1 - k : (k * 7919u + member) % n;
+                if (i >= sets) joined.join(i, i - sets);
+            }
+        });
+        for (std::uint32_t i = 0; i < n; ++i) ASSERT_EQ(joined.least(i), i % sets) << round;
     }
 }
 
