@@ -168,6 +168,11 @@ struct Insertion {
     }
 };
 
+// For GoogleTest, which would print bytes, padding too.
+inline void PrintTo(const Insertion& insertion, std::ostream* out) {
+    *out << insertion.name;
+}
+
 inline std::vector<Insertion> insertions() {
     const std::size_t n = small() ? 60 : 160;
     const Points some = random_points(n, 1), others = random_points(n, 2);

@@ -41,8 +41,8 @@ Lists lists(unsigned members, std::size_t items, std::size_t share, std::size_t 
 }
 
 TEST(Lists, AreThoseOfOneThread) {
-    for (const std::size_t items : {0, 1, 7, 100, 1000, 12345}) {
-        for (const std::size_t keys : {1, 2, 5, 1000}) {
+    for (const std::size_t items : {0u, 1u, 7u, 100u, 1000u, 12345u}) {
+        for (const std::size_t keys : {1u, 2u, 5u, 1000u}) {
             const Lists expected = lists(1, items, 1, keys);
             EXPECT_EQ(expected.ends.front(), 0);
             EXPECT_EQ(static_cast<std::size_t>(expected.ends.back()), expected.values.size());
@@ -54,7 +54,7 @@ TEST(Lists, AreThoseOfOneThread) {
                         EXPECT_LT(expected.values[static_cast<std::size_t>(i - 1)], value);
                     }
                 }
-            for (const unsigned members : {2, 3, 16, 20})
+            for (const unsigned members : {2u, 3u, 16u, 20u})
                 EXPECT_TRUE(lists(members, items, 1, keys) == expected)
                     << members << ' ' << items << ' ' << keys;
         }
