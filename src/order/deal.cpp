@@ -42,10 +42,10 @@ Deal::Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed) 
         else
             choose(0, blocks, 0);
         drawn += blocks;
-        size_[rounds_++] = left - blocks;
+        ++rounds_;
         left = blocks;
     }
-    size_[rounds_++] = left;
+    ++rounds_;
 }
 
 void deal_rounds(Team& team, std::uint64_t seed, Schedule& schedule) {

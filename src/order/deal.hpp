@@ -4,11 +4,11 @@
 
 #include "order/random.hpp"
 #include "order/schedule.hpp"
-#include "parallel/team.hpp"
+#include "parallel/team_lists.hpp"
 
 namespace mgdt {
 
-// How many rounds from the last each place of an order is.
+// The round of each place of an order.
 class Deal {
   public:
     Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed);
@@ -16,14 +16,11 @@ class Deal {
     static constexpr unsigned most_rounds = 16;
 
     unsigned rounds() const noexcept { return rounds_; }
-    unsigned back(std::size_t place) const noexcept { return back_[place]; }
-    // Places of the round that is so many from the last.
-    std::size_t size(unsigned back) const noexcept { return size_[back]; }
+    unsigned round(std::size_t place) const noexcept { return rounds_ - 1u - back_[place]; }
 
   private:
-    Buffer<std::uint8_t> back_;
+    Buffer<std::uint8_t> back_;  // rounds from the last
     unsigned rounds_ = 0;
-    std::size_t size_[most_rounds];
 };
 
 // Biased rounds as in BRIO, but spread evenly instead of drawn independently at random: along the
@@ -38,34 +35,19 @@ class Deal {
 template <class Index>
 void deal_rounds(Team& team, std::uint64_t seed, Index index, Schedule& out) {
     const std::size_t n = out.order.size();
-    const Deal deal(team, out.order.allocator(), n, seed);
-    // Where each round goes on, for each member's part of the order.
-    struct alignas(64) Next {
-        std::size_t of[Deal::most_rounds] = {};
-    };
-    const unsigned members = team.members_for(n, 65536);
-    Buffer<Next> next(out.order.allocator());
-    next.resize(members + 1, Next());
-    const auto first = [&](unsigned member) { return Team::part(n, member, members); };
-    if (members > 1)
-        team.run(members, [&](unsigned m) {
-            Next sizes;
-            for (std::size_t k = first(m); k < first(m + 1); ++k) ++sizes.of[deal.back(k)];
-            next[m + 1] = sizes;
-        });
-    std::size_t begin = 0;
+    Allocator& allocator = out.order.allocator();
+    const Deal deal(team, allocator, n, seed);
+    std::uint32_t ends[Deal::most_rounds + 1];
+    constexpr std::size_t share = 65536;
+    make_lists(
+        team, allocator, n, share, deal.rounds(), ends,
+        [&](std::size_t begin, std::size_t end, auto f) {
+            for (std::size_t k = begin; k < end; ++k) f(deal.round(k), index(k));
+        },
+        [](std::size_t) {},
+        [&](std::size_t place, std::uint32_t point) { out.order[place] = point; });
     out.rounds.clear();
-    for (unsigned r = deal.rounds(); r-- > 0;) {
-        out.rounds.push_back(static_cast<std::uint32_t>(begin));
-        next[0].of[r] = begin;
-        for (unsigned m = 1; m < members; ++m) next[m].of[r] += next[m - 1].of[r];
-        begin += deal.size(r);
-    }
-    team.run(members, [&](unsigned m) {
-        Next to = next[m];
-        for (std::size_t k = first(m); k < first(m + 1); ++k)
-            out.order[to.of[deal.back(k)]++] = index(k);
-    });
+    for (unsigned r = 0; r < deal.rounds(); ++r) out.rounds.push_back(ends[r]);
 }
 
 // Deals the order that a schedule has.

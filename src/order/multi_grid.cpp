@@ -132,7 +132,7 @@ void order_multi_grid(Team& team, const PointSet& points, const OrderParameters&
     }
     MultiGrid grids(points, parameters, out);
     const Buffer<std::uint32_t>& rank = grids.sort();
-    separate(team, points, parameters, rank, out);
+    if (parameters.separation == Separation::passes) take_in_passes(points, parameters, rank, out);
 }
 
 }  // namespace mgdt

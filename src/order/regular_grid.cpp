@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "order/deal.hpp"
 #include "order/grid.hpp"
 #include "order/schemes.hpp"
 #include "order/separation.hpp"
@@ -26,13 +27,14 @@ void order_regular_grid(Team& team, const PointSet& points, const OrderParameter
         [](std::size_t) {},
         [&](std::size_t place, std::uint32_t point) { out.order[place] = point; });
     out.levels = 1;
-    if (parameters.separation == Separation::none) return;
+    if (parameters.separation == Separation::rounds) deal_rounds(team, parameters.seed, out);
+    if (parameters.separation != Separation::passes) return;
     Buffer<std::uint32_t>& rank = cell;
     team.split(grid.cells(), share, [&](std::size_t first, std::size_t last, unsigned) {
         for (std::size_t c = first; c < last; ++c)
             for (std::uint32_t k = ends[c]; k < ends[c + 1]; ++k) rank[k] = k - ends[c];
     });
-    separate(team, points, parameters, rank, out);
+    take_in_passes(points, parameters, rank, out);
 }
 
 }  // namespace mgdt

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "order/deal.hpp"
 #include "order/rounds.hpp"
 
 namespace mgdt {
@@ -104,18 +103,9 @@ class Passes {
 
 }  // namespace
 
-void separate(Team& team, const PointSet& points, const OrderParameters& parameters,
-              const Buffer<std::uint32_t>& rank, Schedule& out) {
-    switch (parameters.separation) {
-        case Separation::none:
-            break;
-        case Separation::passes:
-            Passes(points, parameters, out, rank).apply();
-            break;
-        case Separation::rounds:
-            deal_rounds(team, parameters.seed, out);
-            break;
-    }
+void take_in_passes(const PointSet& points, const OrderParameters& parameters,
+                    const Buffer<std::uint32_t>& rank, Schedule& out) {
+    Passes(points, parameters, out, rank).apply();
 }
 
 }  // namespace mgdt

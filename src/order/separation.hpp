@@ -7,9 +7,10 @@
 
 namespace mgdt {
 
-// Applies the parameters' separation to a path through the cells of a grid, which is in out.order.
-// rank[k]: how many points of the same cell come before the one at place k.
-void separate(Team& team, const PointSet& points, const OrderParameters& parameters,
-              const Buffer<std::uint32_t>& rank, Schedule& out);
+// One point of a cell at a time, along a path through the cells of a grid, which is in out.order.
+// rank[k]: how many points of the same cell come before the one at place k. (To deal the path into
+// rounds is the other way: order/deal.hpp.)
+void take_in_passes(const PointSet& points, const OrderParameters& parameters,
+                    const Buffer<std::uint32_t>& rank, Schedule& out);
 
 }  // namespace mgdt

@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "parallel/blocks.hpp"
 
-#include <memory>
-
 namespace mgdt {
 
 BlockOwners::BlockOwners(Allocator& allocator, std::size_t n, void (*pause)())
-    : allocator_(allocator), pause_(pause) {
-    while (shift_ < most_shift && n >> shift_ > most_blocks) ++shift_;
-    count_ = (n >> shift_) + 1;
-    owners_ = static_cast<Owner*>(allocator_.allocate(count_ * sizeof(Owner), alignof(Owner)));
-    for (std::size_t i = 0; i < count_; ++i) new (owners_ + i) Owner(nobody);
-}
+    : pause_(pause), shift_(shift_for(n)), owners_(allocator, (n >> shift_) + 1) {}
 
-BlockOwners::~BlockOwners() {
-    std::destroy_n(owners_, count_);
-    allocator_.release(owners_, count_ * sizeof(Owner), alignof(Owner));
+unsigned BlockOwners::shift_for(std::size_t n) noexcept {
+    unsigned shift = least_shift;
+    while (shift < most_shift && n >> shift > most_blocks) ++shift;
+    return shift;
 }
 
 Claim::Claim(Allocator& allocator, BlockOwners& owners, std::uint8_t who) noexcept
-    : owners_(owners.owners_),
+    : owners_(&owners.owners_[0]),
       shift_(owners.shift_),
       who_(who),
       pause_(owners.pause_),

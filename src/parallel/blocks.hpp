@@ -23,7 +23,7 @@
 
 #include <cstdint>
 
-#include "platform/atomic.hpp"
+#include "parallel/atomic_array.hpp"
 #include "platform/memory.hpp"
 
 namespace mgdt {
@@ -34,21 +34,19 @@ class BlockOwners {
     BlockOwners(Allocator& allocator, std::size_t n, void (*pause)());
     BlockOwners(const BlockOwners&) = delete;
     BlockOwners& operator=(const BlockOwners&) = delete;
-    ~BlockOwners();
 
   private:
     friend class Claim;
-    using Owner = Atomic<std::uint8_t>;
     static constexpr std::uint8_t nobody = 0;
     // Blocks of 8 items; larger ones where the table would not stay in the cache.
     static constexpr unsigned least_shift = 3, most_shift = 8;
     static constexpr std::size_t most_blocks = std::size_t{1} << 19;
 
-    Allocator& allocator_;
+    static unsigned shift_for(std::size_t n) noexcept;
+
     void (*const pause_)();
-    unsigned shift_ = least_shift;
-    std::size_t count_;
-    Owner* owners_;
+    const unsigned shift_;
+    AtomicArray<std::uint8_t> owners_;  // by block
 };
 
 // The blocks of one thread.
@@ -76,7 +74,7 @@ class Claim {
     void give_back(const std::uint32_t* kept = nullptr, std::size_t count = 0) noexcept;
 
   private:
-    BlockOwners::Owner* const owners_;
+    Atomic<std::uint8_t>* const owners_;
     const unsigned shift_;
     const std::uint8_t who_;
     void (*const pause_)();

@@ -40,8 +40,11 @@ void make_lists(Team& team, Allocator& allocator, std::size_t items, std::size_t
         });
         return;
     }
-    Buffer<std::uint32_t> next(allocator, members * keys);
-    const auto next_of = [&](unsigned m) { return next.data() + m * keys; };
+    // Each member's counts on cache lines of their own.
+    constexpr std::size_t line = 64 / sizeof(std::uint32_t);
+    const std::size_t row = (keys + line - 1) / line * line;
+    Buffer<std::uint32_t> next(allocator, members * row);
+    const auto next_of = [&](unsigned m) { return next.data() + m * row; };
     const auto each_of = [&](unsigned m, auto f) {
         each(Team::part(items, m, members), Team::part(items, m + 1, members), f);
     };
