@@ -35,9 +35,9 @@ PlanOptions plan_options(const BenchOptions& options) {
     return plan;
 }
 
-class Session {
+class Benchmark {
   public:
-    explicit Session(const BenchOptions& options)
+    explicit Benchmark(const BenchOptions& options)
         : options_(options),
           plan_(make_plan(plan_options(options))),
           out_(options.json == "-" ? stderr : stdout) {
@@ -197,7 +197,7 @@ class Session {
 }  // namespace
 
 int run_bench(const BenchOptions& options) {
-    return Session(options).run();
+    return Benchmark(options).run();
 }
 
 }  // namespace mgdt::cli
