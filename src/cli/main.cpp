@@ -280,9 +280,7 @@ int run(int argc, char** argv) {
 
     BenchOptions b;
     b.command = command_line(argc, argv);
-#ifdef MGDT_DATA_DIRECTORY
-    b.data_directory = MGDT_DATA_DIRECTORY;
-#endif
+    b.data_directory = g.generate.data_directory;
     CLI::App* bench_app = app.add_subcommand(
         "bench", "Measure order schemes, and other libraries, on distributions of points.");
     add_bench(*bench_app, b);
