@@ -2,6 +2,7 @@
 // mgdt bench: distributions, sizes, order schemes, threads and peers, each run in a process of its
 // own.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -107,11 +108,8 @@ class Benchmark {
                        options_.csv);
         }
         if (!plan_.left_out.empty()) {
-            std::string sets;
-            for (const std::string& set : plan_.left_out) {
-                sets += (sets.empty() ? "" : ", ") + set;
-            }
-            fmt::print(out_, "left out, larger than --largest: {}\n", sets);
+            fmt::print(out_, "left out, larger than --largest: {}\n",
+                       fmt::join(plan_.left_out, ", "));
         }
         print_heading(out_);
     }
