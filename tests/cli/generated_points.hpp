@@ -17,8 +17,6 @@
 
 namespace mgdt::cli {
 
-using Points = std::vector<Point>;
-
 inline GenerateOptions with_seed(std::uint64_t seed) {
     GenerateOptions options;
     options.seed = seed;
