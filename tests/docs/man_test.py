@@ -62,7 +62,7 @@ class Page:
         return re.findall(r"^\.It (?:Cm |Ev )?([-\w]+)\s*$", self.sections[section], flags=re.M)
 
 
-def compare(program, page, page_path):
+def compare(program, page):
     help_of = {"": output_of(program, "--help")}
     commands = [words[0] for words in part(help_of[""], "Subcommands")]
     check("the program has subcommands", "" if len(commands) >= 4 else str(commands))
@@ -131,7 +131,7 @@ def examples(program, page):
 def main():
     program, path = sys.argv[1], Path(sys.argv[2])
     page = Page(path.read_text())
-    compare(program, page, path)
+    compare(program, page)
     lint(path)
     examples(program, page)
     finish()
