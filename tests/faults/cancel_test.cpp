@@ -22,7 +22,7 @@ struct Way {
 
 std::vector<Way> ways() {
     std::vector<Way> all;
-    for (const std::int32_t scheme : property::schemes)
+    for (const std::int32_t scheme : order_schemes)
         for (const std::int32_t threads : {1, 2, 3})
             for (const std::size_t batches : {std::size_t{1}, std::size_t{3}})
                 if (batches == 1 || threads != 2) all.push_back({scheme, threads, batches});

@@ -201,7 +201,7 @@ inline std::vector<Insertion> insertions() {
     Insertion& lone =
         add("one by one", random_points(600, 8), Points(some.begin(), some.begin() + 3));
     lone.one_by_one = true;
-    for (const std::int32_t scheme : property::schemes) {
+    for (const std::int32_t scheme : order_schemes) {
         if (scheme == MGDT_ORDER_AUTO) continue;
         Insertion& i = add(mgdt_order_scheme_name(scheme), {}, joined(lattice, some));
         i.scheme = scheme;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "../property/oracle.hpp"
+#include "../schemes.hpp"
 #include "exports.hpp"
 #include "points.hpp"
 
@@ -15,12 +16,6 @@ struct Destroy {
     void operator()(mgdt_triangulation* t) const noexcept { mgdt_destroy(t); }
 };
 using Handle = std::unique_ptr<mgdt_triangulation, Destroy>;
-
-inline constexpr std::array<std::int32_t, 10> schemes = {
-    MGDT_ORDER_AUTO,          MGDT_ORDER_INPUT,   MGDT_ORDER_RANDOM,
-    MGDT_ORDER_LEXICOGRAPHIC, MGDT_ORDER_BRIO,    MGDT_ORDER_HILBERT,
-    MGDT_ORDER_REGULAR_GRID,  MGDT_ORDER_KD_TREE, MGDT_ORDER_ENHANCED_KD_TREE,
-    MGDT_ORDER_MULTI_GRID};
 
 inline const char* isa_of(unsigned n) {
     static constexpr const char* names[] = {nullptr, "baseline", "avx2", "avx512"};
@@ -48,7 +43,8 @@ inline Exports made_at_once(Input& in, const std::vector<Point>& points, const I
     mgdt_triangulation* made = nullptr;
     FUZZ_REQUIRE(mgdt_create(&made) == MGDT_OK, "mgdt_create");
     const Handle t(made);
-    FUZZ_REQUIRE(mgdt_set_order_scheme(made, schemes[in.below(10)]) == MGDT_OK, error_of(made));
+    FUZZ_REQUIRE(mgdt_set_order_scheme(made, order_schemes[in.below(10)]) == MGDT_OK,
+                 error_of(made));
     FUZZ_REQUIRE(mgdt_set_seed(made, in.byte()) == MGDT_OK, error_of(made));
     FUZZ_REQUIRE(mgdt_set_canonical_output(made, 1) == MGDT_OK, error_of(made));
     set_isa(made, in.byte());

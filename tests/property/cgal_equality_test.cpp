@@ -113,7 +113,7 @@ void compare(const std::vector<double>& xyz, const Expected& expected, std::int3
 }
 
 void compare_schemes(const std::vector<double>& xyz, const Expected& expected) {
-    for (std::int32_t scheme : property::schemes) {
+    for (std::int32_t scheme : order_schemes) {
         if (!options.every_scheme && scheme != MGDT_ORDER_AUTO) continue;
         for (std::size_t batches : {1, 2, 7}) {
             compare(xyz, expected, scheme, batches);
@@ -141,7 +141,7 @@ TEST(EqualsCgalMixed, ScalesInOneSet) {
         xyz.push_back(scale[random() % 3] * (static_cast<double>(random() % 2001) - 1000));
     }
     const Expected expected = triangulate_with_cgal(xyz);
-    for (std::int32_t scheme : property::schemes) compare(xyz, expected, scheme, 3);
+    for (std::int32_t scheme : order_schemes) compare(xyz, expected, scheme, 3);
 }
 
 void compare_file() {

@@ -12,16 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "../schemes.hpp"
 #include "../small.h"
 #include "mgdt/mgdt.h"
 
 namespace property {
-
-inline constexpr std::array<std::int32_t, 10> schemes = {
-    MGDT_ORDER_AUTO,          MGDT_ORDER_INPUT,   MGDT_ORDER_RANDOM,
-    MGDT_ORDER_LEXICOGRAPHIC, MGDT_ORDER_BRIO,    MGDT_ORDER_HILBERT,
-    MGDT_ORDER_REGULAR_GRID,  MGDT_ORDER_KD_TREE, MGDT_ORDER_ENHANCED_KD_TREE,
-    MGDT_ORDER_MULTI_GRID};
 
 struct Destroy {
     void operator()(mgdt_triangulation* t) const noexcept { mgdt_destroy(t); }

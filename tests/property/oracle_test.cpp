@@ -134,7 +134,7 @@ void compare(const std::vector<double>& xyz, Random& random) {
     SCOPED_TRACE("points:" + text(xyz));
     const oracle::Triangulation expected = oracle::triangulate(xyz);
     const std::size_t n = xyz.size() / 3;
-    for (std::int32_t scheme : property::schemes) {
+    for (std::int32_t scheme : order_schemes) {
         std::vector<std::size_t> batches = {0};
         for (std::size_t k = below(random, 5); k > 0; --k) batches.push_back(below(random, n + 1));
         std::sort(batches.begin(), batches.end());

@@ -18,7 +18,7 @@ TEST_P(Schemes, SameTetrahedra) {
     property::Keys expected;
     std::vector<std::int64_t> map;
     std::size_t batches = 1;
-    for (std::int32_t scheme : property::schemes) {
+    for (std::int32_t scheme : order_schemes) {
         SCOPED_TRACE(std::string(mgdt_order_scheme_name(scheme)) + ", " + std::to_string(batches) +
                      " batches");
         const property::Handle t = property::create();
@@ -29,7 +29,7 @@ TEST_P(Schemes, SameTetrahedra) {
         ASSERT_EQ(mgdt_check(t.get(), MGDT_CHECK_CANONICAL), MGDT_OK)
             << property::error_of(t.get());
         const property::Keys keys = property::keys(property::tetrahedra(t.get()));
-        if (scheme == property::schemes[0]) {
+        if (scheme == order_schemes[0]) {
             expected = keys;
             map = property::point_map(t.get());
         }

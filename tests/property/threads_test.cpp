@@ -75,7 +75,7 @@ TEST(Threads, DifferentHandles) {
     for (std::size_t k = 0; k < keys.size(); ++k)
         threads.emplace_back([&, k] {
             const property::Handle t = property::create();
-            EXPECT_EQ(mgdt_set_order_scheme(t.get(), property::schemes[2 * k + 2]), MGDT_OK);
+            EXPECT_EQ(mgdt_set_order_scheme(t.get(), order_schemes[2 * k + 2]), MGDT_OK);
             EXPECT_EQ(
                 property::insert(t.get(), xyz, property::equal_batches(xyz.size() / 3, k + 1)),
                 MGDT_OK);

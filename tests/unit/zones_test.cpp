@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "../schemes.hpp"
 #include "../small.h"
 #include "core/triangulation.hpp"
 #include "platform/error.hpp"
@@ -19,12 +20,6 @@
 
 namespace mgdt {
 namespace {
-
-constexpr std::int32_t schemes[] = {
-    MGDT_ORDER_AUTO,          MGDT_ORDER_INPUT,   MGDT_ORDER_RANDOM,
-    MGDT_ORDER_LEXICOGRAPHIC, MGDT_ORDER_BRIO,    MGDT_ORDER_HILBERT,
-    MGDT_ORDER_REGULAR_GRID,  MGDT_ORDER_KD_TREE, MGDT_ORDER_ENHANCED_KD_TREE,
-    MGDT_ORDER_MULTI_GRID};
 
 // Each thread yields at one call in so many, not the same ones in any two rounds.
 std::atomic<unsigned> yield_one_in{0};
@@ -79,7 +74,7 @@ TEST(Zones, SameAsOneThread) {
         const std::size_t n = 20 + random() % (round % 16 == 0 ? 1500 : 150);
         static constexpr unsigned values[] = {3, 5, 17, 1000000};
         const Points xyz = random_points(random, n, values[random() % 4]);
-        const std::int32_t scheme = schemes[round % 10];
+        const std::int32_t scheme = order_schemes[round % 10];
         Triangulation alone(nullptr, nullptr, nullptr), together(nullptr, nullptr, nullptr);
         alone.settings().scheme = scheme;
         insert(alone, xyz);
