@@ -39,7 +39,7 @@ void print(const char* what, bool good, const std::string& detail) {
 
 int check(const CheckOptions& options) {
     const bool quiet = options.triangulation.quiet;
-    const std::string name = options.input.path == "-" ? "standard input" : options.input.path;
+    const std::string name = input_name(options.input.path);
     const Format* format = nullptr;
     const bool pair = !options.points.empty();
     const Mesh mesh = pair ? read_pair(options) : read_input(options.input, &format);

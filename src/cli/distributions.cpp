@@ -16,8 +16,6 @@
 namespace mgdt::cli {
 namespace {
 
-using Points = std::vector<Point>;
-
 constexpr double kNarrow = 1e-4;  // w: 0.01 % of the larger dimension
 constexpr double kWide = 1e-2;    // the same for the mixed sets
 constexpr double kPi = 3.14159265358979323846;
@@ -82,32 +80,25 @@ Point spiral_point(Random& random, double width) {
 using MakePoint = Point (*)(Random&, double width);
 
 Points independent(Random& random, std::size_t n, double width, MakePoint make_point) {
-    Points points;
-    points.reserve(n);
-    for (std::size_t i = 0; i < n; ++i) points.push_back(make_point(random, width));
-    return points;
+    return repeat(n, [&] { return make_point(random, width); });
 }
 
 // Every other point is uniform, so that each part of the sequence has both kinds.
 Points half_uniform(Random& random, std::size_t n, double width, MakePoint make_point) {
-    Points points;
-    points.reserve(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        points.push_back(i % 2 == 0 ? random.uniform_point() : make_point(random, width));
-    }
-    return points;
+    bool uniform = false;
+    return repeat(n, [&] {
+        uniform = !uniform;
+        return uniform ? random.uniform_point() : make_point(random, width);
+    });
 }
 
 // .5 + .5 u^power d
 Points cluster(Random& random, std::size_t n, double power) {
-    Points points;
-    points.reserve(n);
-    for (std::size_t i = 0; i < n; ++i) {
+    return repeat(n, [&] {
         const double radius = 0.5 * power_of(random.uniform(), power);
         const Point d = random.direction();
-        points.push_back({0.5 + d[0] * radius, 0.5 + d[1] * radius, 0.5 + d[2] * radius});
-    }
-    return points;
+        return Point{0.5 + d[0] * radius, 0.5 + d[1] * radius, 0.5 + d[2] * radius};
+    });
 }
 
 // 60 clusters of radius .002 * 10^u at random centres, of populations proportional to u^2, the
@@ -129,19 +120,16 @@ Points galaxy(Random& random, std::size_t n, double power) {
         total += u * u;
         c.population_up_to_here = total;
     }
-    Points points;
-    points.reserve(n);
-    for (std::size_t i = 0; i < n; ++i) {
+    return repeat(n, [&] {
         const double drawn = random.uniform() * total;
         std::size_t which = 0;
         while (which + 1 < count && clusters[which].population_up_to_here <= drawn) ++which;
         const Cluster& c = clusters[which];
         const double r = c.radius * power_of(random.uniform(), power);
         const Point d = random.direction();
-        points.push_back(
-            {c.centre[0] + r * d[0], c.centre[1] + r * d[1], c.centre[2] + flattening * r * d[2]});
-    }
-    return points;
+        return Point{c.centre[0] + r * d[0], c.centre[1] + r * d[1],
+                     c.centre[2] + flattening * r * d[2]};
+    });
 }
 
 // Where the meshes are refined: the mouth of the oil hole in the bore of docs/data/machine.geo, and

@@ -2,8 +2,6 @@
 // mgdt generate: points of a named distribution.
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
@@ -11,18 +9,6 @@
 #include "cli/errors.hpp"
 
 namespace mgdt::cli {
-std::size_t parse_point_count(const std::string& name, const std::string& text) {
-    double value = -1;
-    const char* last = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), last, value);
-    if (result.ec != std::errc() || result.ptr != last || !(value >= 0) || value > 1e15 ||
-        value != std::floor(value)) {
-        throw Error(exit_usage,
-                    fmt::format("{} is {}; a number of points such as 1000 or 1e6 is needed", name,
-                                quote(text)));
-    }
-    return static_cast<std::size_t>(value);
-}
 
 int generate_points(const GenerateCommandOptions& options) {
     const OutputOptions& output = options.output;

@@ -8,14 +8,6 @@
 namespace mgdt::cli::hostile {
 namespace {
 
-template <class MakePoint>
-Points repeat(std::size_t n, MakePoint make_point) {
-    Points points;
-    points.reserve(n);
-    for (std::size_t i = 0; i < n; ++i) points.push_back(make_point());
-    return points;
-}
-
 Points uniform_with_one(Random& random, std::size_t n, double value) {
     Points points = repeat(n, [&] { return random.uniform_point(); });
     if (n > 0) points[n / 2][1] = value;

@@ -5,13 +5,10 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "cli/random.hpp"
 
 namespace mgdt::cli::hostile {
-
-using Points = std::vector<Point>;
 
 /// The first n integer points of the smallest cube that has as many.
 Points lattice(Random& random, std::size_t n);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// mgdt info: what is in a file. Also the reading of inputs, which all commands share.
+// mgdt info: what is in a file.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -12,27 +11,6 @@
 #include "predicates/predicates.hpp"
 
 namespace mgdt::cli {
-
-Mesh read_input(const InputOptions& options, const Format** format) {
-    const InputFile file(options.path);
-    const Source source = file.source();
-    const Format& f = input_format(source, options.from);
-    if (format) *format = &f;
-    return f.read(source, options.read);
-}
-
-void check_terminal(const OutputOptions& options, const Format& format) {
-    if (options.path == "-" && format.binary && isatty(STDOUT_FILENO) == 1) {
-        throw Error(exit_usage,
-                    fmt::format("{} is binary and standard output is a terminal; give -o a file",
-                                format.name));
-    }
-}
-
-std::string counted(std::size_t n, const char* singular, const char* plural) {
-    return fmt::format("{} {}", n, n == 1 ? singular : plural);
-}
-
 namespace {
 
 // Dimension of the affine hull, exactly: the first point off each smaller hull extends it.
@@ -74,7 +52,7 @@ int info(const InputOptions& options) {
     const auto line = [](const char* name, const std::string& value) {
         fmt::print("{:<14} {}\n", name, value);
     };
-    line("file", options.path == "-" ? "standard input" : options.path);
+    line("file", input_name(options.path));
     line("format", fmt::format("{} ({}{}{})", format->name, format->description,
                                mesh.detail.empty() ? "" : "; ", mesh.detail));
     line("points", fmt::format("{}", mesh.point_count()));

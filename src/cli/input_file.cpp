@@ -65,9 +65,13 @@ std::string remedy(int error) {
 
 }  // namespace
 
+std::string input_name(const std::string& path) {
+    return path == "-" ? "standard input" : path;
+}
+
 InputFile::InputFile(const std::string& path) {
     const bool standard = path == "-";
-    name_ = standard ? "standard input" : path;
+    name_ = input_name(path);
     if (!standard) path_ = path;
     Descriptor file{standard ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC), !standard};
     if (file.fd < 0) fail_reading(name_, errno);

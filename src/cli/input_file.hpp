@@ -21,6 +21,9 @@ struct Source {
     [[noreturn]] void fail_at_byte(std::size_t offset, const std::string& what) const;
 };
 
+// The name of an input as messages say it: "-" is standard input.
+std::string input_name(const std::string& path);
+
 class InputFile {
   public:
     // "-" is standard input.

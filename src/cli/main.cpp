@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program mgdt: exact 3D Delaunay triangulation from the command line.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -30,9 +31,7 @@ const char* const exit_codes =
 std::string formats_footer() {
     std::string text = "Formats (chosen by extension, or with --from and --to):\n";
     for (const Format* f : all_formats()) {
-        std::string extensions;
-        for (const char* e : f->extensions)
-            extensions += std::string(extensions.empty() ? "" : " ") + e;
+        const std::string extensions = fmt::format("{}", fmt::join(f->extensions, " "));
         const std::string does =
             fmt::format("{}{}{}", f->read ? "read" : "", f->write_points ? ", points" : "",
                         f->write_mesh ? ", tetrahedra" : "");
@@ -50,9 +49,7 @@ std::string kinds_footer() {
 }
 
 std::string schemes() {
-    std::string text;
-    for (const std::string& name : scheme_names()) text += (text.empty() ? "" : ", ") + name;
-    return text;
+    return fmt::format("{}", fmt::join(scheme_names(), ", "));
 }
 
 // Where the program's meshes are: by the program, which may have been moved with them, or else
@@ -184,22 +181,19 @@ void add_bench(CLI::App& app, BenchOptions& options) {
         ->envname("MGDT_DATA")
         ->type_name("DIR");
     app.add_flag("-q,--quiet", options.quiet, "Print nothing but errors and the medians");
-    std::string names;
-    for (const std::string& name : bench::distribution_names()) {
-        names += (names.empty() ? "" : ", ") + name;
-    }
-    app.footer("Distributions: " + names + "\n\n" + exit_codes);
+    app.footer(fmt::format("Distributions: {}\n\n{}", fmt::join(bench::distribution_names(), ", "),
+                           exit_codes));
 }
 
 // CLI11 would only say that a command is missing.
 void require_command(const CLI::App& app, const std::string& name) {
-    std::string names;
+    std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
         if (command->get_name() == name) return;
-        names += (names.empty() ? "" : ", ") + command->get_name();
+        names.push_back(command->get_name());
     }
     throw Error(exit_usage, fmt::format("unknown command {}; it is one of {}; see mgdt --help",
-                                        quote(name), names));
+                                        quote(name), fmt::join(names, ", ")));
 }
 
 int run(int argc, char** argv) {
@@ -280,9 +274,7 @@ int run(int argc, char** argv) {
 
     BenchOptions b;
     b.command = command_line(argc, argv);
-#ifdef MGDT_DATA_DIRECTORY
-    b.data_directory = MGDT_DATA_DIRECTORY;
-#endif
+    b.data_directory = g.generate.data_directory;
     CLI::App* bench_app = app.add_subcommand(
         "bench", "Measure order schemes, and other libraries, on distributions of points.");
     add_bench(*bench_app, b);

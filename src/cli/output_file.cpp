@@ -14,19 +14,13 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "cli/byte_order.hpp"
 #include "cli/errors.hpp"
 
 namespace mgdt::cli {
 namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 20;
-
-bool host_is_little_endian() {
-    const std::uint16_t one = 1;
-    unsigned char first;
-    std::memcpy(&first, &one, 1);
-    return first == 1;
-}
 
 std::string remedy(int error) {
     switch (error) {
@@ -189,7 +183,7 @@ void OutputFile::write_integer(std::int64_t value) {
 
 template <class T>
 void OutputFile::write_values(const T* values, std::size_t count) {
-    if (host_is_little_endian()) {
+    if (!host_is_big_endian()) {
         write(values, count * sizeof(T));
         return;
     }

@@ -6,11 +6,14 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace mgdt::cli {
 
 using Point = std::array<double, 3>;
+using Points = std::vector<Point>;
 
 class Random {
   public:
@@ -73,5 +76,14 @@ class Random {
 
     std::array<std::uint64_t, 4> state_;
 };
+
+/// n points, each of which make_point() draws anew.
+template <class MakePoint>
+Points repeat(std::size_t n, MakePoint make_point) {
+    Points points;
+    points.reserve(n);
+    for (std::size_t i = 0; i < n; ++i) points.push_back(make_point());
+    return points;
+}
 
 }  // namespace mgdt::cli

@@ -94,7 +94,7 @@ int triangulate(const TriangulateOptions& options) {
     double seconds = 0;
     {
         Triangulation t(options.triangulation);
-        t.insert(mesh.points, options.input.path == "-" ? "standard input" : options.input.path);
+        t.insert(mesh.points, input_name(options.input.path));
         seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         const std::int32_t dimension = mgdt_dimension(t.get());
         if (dimension < 3 && !options.triangulation.quiet) {

@@ -2,6 +2,7 @@
 #include "cli/triangulation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <new>
 
@@ -23,21 +24,16 @@ std::vector<std::string> scheme_names() {
 Triangulation::Triangulation(const TriangulationOptions& options) : quiet_(options.quiet) {
     std::int32_t scheme = MGDT_ORDER_AUTO;
     if (mgdt_order_scheme_from_name(options.scheme.c_str(), &scheme) != MGDT_OK) {
-        std::string names;
-        for (const std::string& name : scheme_names()) {
-            names += (names.empty() ? "" : ", ") + name;
-        }
-        throw Error(exit_usage, fmt::format("--scheme: unknown order scheme {}; it is one of {}",
-                                            quote(options.scheme), names));
+        throw Error(exit_usage,
+                    fmt::format("--scheme: unknown order scheme {}; it is one of {}",
+                                quote(options.scheme), fmt::join(scheme_names(), ", ")));
     }
     const mgdt_status status = mgdt_create(&handle_);
     if (status != MGDT_OK) throw std::bad_alloc();
     try {
         const auto set = [this](mgdt_status s, const char* option) {
             if (s == MGDT_ERR_INVALID_ARGUMENT) {
-                char text[256] = "";
-                mgdt_get_error(handle_, sizeof text, text);
-                throw Error(exit_usage, fmt::format("{}: {}", option, text));
+                throw Error(exit_usage, fmt::format("{}: {}", option, message(s)));
             }
             require(s, option);
         };
@@ -67,12 +63,15 @@ Triangulation::~Triangulation() {
     mgdt_destroy(handle_);
 }
 
-void Triangulation::require(mgdt_status status, const std::string& doing) const {
-    if (status == MGDT_OK) return;
+std::string Triangulation::message(mgdt_status status) const {
     char text[256] = "";
     mgdt_get_error(handle_, sizeof text, text);
-    const std::string what =
-        fmt::format("{}: {}", doing, text[0] != '\0' ? text : mgdt_status_string(status));
+    return text[0] != '\0' ? text : mgdt_status_string(status);
+}
+
+void Triangulation::require(mgdt_status status, const std::string& doing) const {
+    if (status == MGDT_OK) return;
+    const std::string what = fmt::format("{}: {}", doing, message(status));
     switch (status) {
         case MGDT_ERR_CANCELLED:
             check_interrupt();
@@ -140,9 +139,7 @@ std::string Triangulation::check(int level) const {
         require(status, "check");
         return "";
     }
-    char text[256] = "";
-    mgdt_get_error(handle_, sizeof text, text);
-    return text[0] != '\0' ? text : mgdt_status_string(status);
+    return message(status);
 }
 
 }  // namespace mgdt::cli

@@ -49,6 +49,8 @@ class Triangulation {
     const mgdt_triangulation* get() const { return handle_; }
 
   private:
+    // What the handle says of a call that failed, or else what the status means.
+    std::string message(mgdt_status status) const;
     void require(mgdt_status status, const std::string& doing) const;
 
     mgdt_triangulation* handle_ = nullptr;

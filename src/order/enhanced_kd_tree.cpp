@@ -19,7 +19,7 @@ class CellOrder {
           sorted_(sorted),
           out_(out),
           path_(out.order.allocator()),
-          next_(out.order.allocator()) {}
+          ends_(out.order.allocator()) {}
 
     void operator()(std::size_t begin, std::size_t end) {
         const std::size_t n = end - begin;
@@ -32,20 +32,13 @@ class CellOrder {
         const Grid grid(points_, box, n, grid_points_per_cell,
                         begin > 0 ? sorted_[begin - 1].x : nullptr);
         path_.resize(n);
-        next_.clear();
-        next_.resize(grid.cells() + 1, 0);
-        for (std::size_t j = 0; j < n; ++j) {
-            path_[j] = grid.path(points_, index(j));
-            ++next_[path_[j] + std::size_t{1}];
-        }
-        for (std::size_t c = 1; c < next_.size(); ++c) next_[c] += next_[c - 1];
         std::uint32_t* order = out_.order.data() + begin;
-        for (std::size_t j = 0; j < n; ++j) order[next_[path_[j]]++] = index(j);
-        // Each counter has moved on to the end of its cell. Inside a cell, the input's order.
+        sort_along_path(grid, points_, n, index, path_.data(), ends_, order);
+        // Inside a cell, the input's order.
         std::uint32_t from = 0;
         for (std::size_t c = 0; c < grid.cells(); ++c) {
-            std::sort(order + from, order + next_[c]);
-            from = next_[c];
+            std::sort(order + from, order + ends_[c]);
+            from = ends_[c];
         }
     }
 
@@ -53,7 +46,7 @@ class CellOrder {
     const PointSet& points_;
     const Buffer<KdPoint>& sorted_;
     Schedule& out_;
-    Buffer<std::uint32_t> path_, next_;
+    Buffer<std::uint32_t> path_, ends_;
 };
 
 }  // namespace

@@ -51,4 +51,21 @@ class Grid {
     Lattice lattice_;
 };
 
+// Sorts n points, index(j) the j-th of them, by their places on a grid's path to `order`; those of
+// one cell keep their order. path[j] becomes the place of the j-th one's cell, ends[c] where the
+// points of place c end in `order`.
+template <class Index>
+void sort_along_path(const Grid& grid, const PointSet& points, std::size_t n, Index index,
+                     std::uint32_t* path, Buffer<std::uint32_t>& ends, std::uint32_t* order) {
+    ends.clear();
+    ends.resize(grid.cells() + 1, 0);
+    for (std::size_t j = 0; j < n; ++j) {
+        path[j] = grid.path(points, index(j));
+        ++ends[path[j] + std::size_t{1}];
+    }
+    for (std::size_t c = 1; c < ends.size(); ++c) ends[c] += ends[c - 1];
+    // Until here ends[c] is where those of place c begin; each moves on to their end.
+    for (std::size_t j = 0; j < n; ++j) order[ends[path[j]]++] = index(j);
+}
+
 }  // namespace mgdt

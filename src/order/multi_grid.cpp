@@ -22,7 +22,7 @@ class MultiGrid {
           out_(out),
           rank_(out.order.allocator(), points.size),
           moved_(out.order.allocator(), points.size),
-          next_(out.order.allocator()),
+          ends_(out.order.allocator()),
           pending_(out.order.allocator()) {}
 
     // Puts out.order in the order of the path through the cells that were not divided further,
@@ -38,7 +38,7 @@ class MultiGrid {
             divide(cell);
         }
         moved_.reset();
-        next_.reset();
+        ends_.reset();
         return rank_;
     }
 
@@ -70,21 +70,13 @@ class MultiGrid {
         }
         if (cell.depth + 1 > out_.levels) out_.levels = cell.depth + 1;
 
-        std::uint32_t* path = rank_.data();
-        next_.clear();
-        next_.resize(grid.cells() + 1, 0);
-        for (std::uint32_t k = begin; k < end; ++k) {
-            path[k] = grid.path(points_, order[k]);
-            ++next_[path[k] + std::size_t{1}];
-        }
-        for (std::size_t c = 1; c < next_.size(); ++c) next_[c] += next_[c - 1];
-        for (std::uint32_t k = begin; k < end; ++k) moved_[begin + next_[path[k]]++] = order[k];
+        sort_along_path(grid, points_, end - begin, index, rank_.data() + begin, ends_,
+                        moved_.data() + begin);
         std::memcpy(order + begin, moved_.data() + begin, (end - begin) * sizeof(std::uint32_t));
 
-        // Each counter has moved on to the end of its cell.
         std::uint32_t last = end;
         for (std::size_t c = grid.cells(); c-- > 0;) {
-            const std::uint32_t first = c > 0 ? begin + next_[c - 1] : begin;
+            const std::uint32_t first = c > 0 ? begin + ends_[c - 1] : begin;
             if (last - first > threshold_ && cell.depth + 1 < most_levels) {
                 pending_.push_back({first, last, cell.depth + 1});
             } else {
@@ -103,7 +95,7 @@ class MultiGrid {
     Schedule& out_;
     Buffer<std::uint32_t> rank_;  // where a cell is still to be divided, room for its path
     Buffer<std::uint32_t> moved_;
-    Buffer<std::uint32_t> next_;
+    Buffer<std::uint32_t> ends_;
     Buffer<Cell> pending_;
 };
 

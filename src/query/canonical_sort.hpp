@@ -3,6 +3,8 @@
 // within a bucket there are few.
 #pragma once
 
+#include <algorithm>
+
 #include "parallel/team_lists.hpp"
 
 namespace mgdt {

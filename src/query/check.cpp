@@ -9,6 +9,7 @@
 #include "query/checker.hpp"
 
 namespace mgdt {
+
 void Checker::run(std::int32_t level) const {
     points();
     stores();

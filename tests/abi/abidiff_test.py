@@ -19,6 +19,8 @@ import tempfile
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # the source tree stays as it is
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from checks import check, finish, output_of
 import interface
 
 # What a program compiled for 1.0 would not survive: in the header, what becomes of it.
@@ -41,25 +43,11 @@ INCOMPATIBLE = [
     ("a function renamed", r"\bmgdt_nearest_vertex\b", "mgdt_closest_vertex"),
 ]
 
-passed = failed = 0
-
-
-def check(what, problem):
-    global passed, failed
-    if problem:
-        failed += 1
-        print(f"failed: {what}: {problem}")
-    else:
-        passed += 1
-        print(f"passed: {what}")
-
 
 def describe(library):
     """The interface as XML, without any path."""
-    run = subprocess.run(["abidw", "--no-corpus-path", "--no-comp-dir-path", "--no-show-locs", "--no-elf-needed",
-                          "--drop-private-types", "--headers-dir", str(library.parent), str(library)],
-                         check=True, capture_output=True, text=True)
-    return run.stdout
+    return output_of("abidw", "--no-corpus-path", "--no-comp-dir-path", "--no-show-locs", "--no-elf-needed",
+                     "--drop-private-types", "--headers-dir", library.parent, library)
 
 
 def compare(baseline, library, *options):
@@ -128,9 +116,8 @@ def main():
         status, report = compare(options.baseline, moved, *rules)
         check("a function that moved to another node is noticed",
               "" if status & 12 and not status & 3 else f"status {status}: {report}")
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed or not passed else 0
+    finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

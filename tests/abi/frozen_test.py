@@ -12,6 +12,8 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # the source tree stays as it is
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from checks import check, finish, output_of
 import interface
 
 # These count versions, so they grow; MGDT_API and the guard say nothing to a program's text.
@@ -41,18 +43,6 @@ GROWTH = [
     (r"#define MGDT_VERSION_MINOR 0", "#define MGDT_VERSION_MINOR 1\n#define MGDT_NEW 3"),
     (r"mgdt_status mgdt_clear\(mgdt_triangulation \*t\)", "mgdt_status\n    mgdt_clear( mgdt_triangulation *  t )"),
 ]
-
-passed = failed = 0
-
-
-def check(what, problem):
-    global passed, failed
-    if problem:
-        failed += 1
-        print(f"failed: {what}: {problem}")
-    else:
-        passed += 1
-        print(f"passed: {what}")
 
 
 def lost(old, new):
@@ -88,8 +78,7 @@ def main():
               "; ".join(lost(old, interface.declarations(changed))))
 
     # The client must ask the library for every function, by the version node that it had.
-    symbols = subprocess.run(["nm", "-D", "--undefined-only", "--with-symbol-versions", str(options.client)],
-                             check=True, capture_output=True, text=True).stdout
+    symbols = output_of("nm", "-D", "--undefined-only", "--with-symbol-versions", options.client)
     asked = dict(re.findall(r"\bU (mgdt_\w+)@+(\w[\w.]*)", symbols))
     functions = {name for kind, name in old if kind == "function"}
     check("the client calls every function", " ".join(sorted(functions - set(asked))))
@@ -98,9 +87,8 @@ def main():
     print(run.stdout, end="")
     check("the client gets the results of 1.0", run.stdout + run.stderr if run.returncode else "")
     check("and has compared some", "" if re.search(r"\b[1-9]\d+ checks, 0 failed", run.stdout) else run.stdout)
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed or not passed else 0
+    finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

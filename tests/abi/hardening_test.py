@@ -9,25 +9,12 @@
 """
 import argparse
 import re
-import subprocess
 import sys
 from pathlib import Path
 
-passed = failed = 0
-
-
-def check(what, problem):
-    global passed, failed
-    if problem:
-        failed += 1
-        print(f"failed: {what}: {problem}")
-    else:
-        passed += 1
-        print(f"passed: {what}")
-
-
-def output_of(*command):
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+sys.dont_write_bytecode = True  # the source tree stays as it is
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from checks import check, finish, output_of
 
 
 def functions_without_marker(file):
@@ -76,9 +63,8 @@ def main():
     options = parser.parse_args()
     for file in options.files:
         inspect(file, options)
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed or not passed else 0
+    finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

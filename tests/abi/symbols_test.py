@@ -13,33 +13,12 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.dont_write_bytecode = True  # the source tree stays as it is
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from checks import check, differences, finish, output_of
+
 # What the runtime of C and C++ brings; nothing else may be needed at run time.
 RUNTIME = re.compile(r"^(libstdc\+\+|libc\+\+|libc\+\+abi|libm|libgcc_s|libc|libmvec|ld-linux[-\w]*)\.so")
-
-passed = failed = 0
-
-
-def check(what, problem):
-    global passed, failed
-    if problem:
-        failed += 1
-        print(f"failed: {what}: {problem}")
-    else:
-        passed += 1
-        print(f"passed: {what}")
-
-
-def output_of(*command):
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
-
-
-def differences(first, second):
-    parts = []
-    if first - second:
-        parts.append("missing " + " ".join(sorted(first - second)))
-    if second - first:
-        parts.append("unexpected " + " ".join(sorted(second - first)))
-    return "; ".join(parts)
 
 
 def declared(header):
@@ -62,7 +41,7 @@ def mapped(script):
 
 def exported(library):
     found = {}
-    for line in output_of("nm", "-D", "--defined-only", "--with-symbol-versions", str(library)).splitlines():
+    for line in output_of("nm", "-D", "--defined-only", "--with-symbol-versions", library).splitlines():
         address, kind, name = line.split(maxsplit=2)
         if kind == "A":  # the version nodes themselves
             continue
@@ -74,7 +53,7 @@ def exported(library):
 def initialisers(library):
     """Entries of .init_array: the compiler's own frame_dummy is the one that every library has."""
     match = re.search(r"\.init_array\s+INIT_ARRAY\s+[0-9a-f]+\s+[0-9a-f]+\s+([0-9a-f]+)",
-                      output_of("readelf", "-SW", str(library)))
+                      output_of("readelf", "-SW", library))
     return int(match.group(1), 16) // 8 if match else 0
 
 
@@ -106,7 +85,7 @@ def main():
     check("each symbol has the version of its node",
           " ".join(f"{n}@{symbols.get(n)}" for v, node in nodes.items() for n in node if symbols.get(n) != v))
 
-    dynamic = output_of("readelf", "-dW", str(options.library))
+    dynamic = output_of("readelf", "-dW", options.library)
     needed = re.findall(r"\(NEEDED\).*\[(.*?)\]", dynamic)
     check("the library needs the C and C++ runtime alone", " ".join(n for n in needed if not RUNTIME.match(n)))
     check("the soname is libmgdt.so.1", "" if "[libmgdt.so.1]" in dynamic else dynamic)
@@ -122,9 +101,8 @@ def main():
     check("the header is C++98 with <stdint.h>", compiles([*cxx, "-std=c++98", include, "-Wall", "-Werror"], use, ".cpp"))
     check("the header is C++17", compiles([*cxx, "-std=c++17", *strict], use, ".cpp"))
 
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed or not passed else 0
+    finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -33,11 +33,6 @@ int check_error(const mgdt_triangulation* t, const char* text, const char* file,
     return check_that(found, "the message", file, line);
 }
 
-int small(void) {
-    const char* value = getenv("MGDT_TEST_SMALL");
-    return value != NULL && *value != '\0' && strcmp(value, "0") != 0;
-}
-
 double random_double(uint64_t* state) { /* splitmix64 */
     uint64_t z = (*state += UINT64_C(0x9E3779B97F4A7C15));
     z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);

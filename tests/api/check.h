@@ -7,6 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "../small.h"
+
 /* Counts; on failure prints the expression and where it stands, and goes on. Gives the outcome. */
 #define CHECK(condition) check_that((condition) ? 1 : 0, #condition, __FILE__, __LINE__)
 /* The same for two integers, which a failure prints. */
@@ -17,9 +19,6 @@
 int check_that(int condition, const char* what, const char* file, int line);
 int check_equal(int64_t a, int64_t b, const char* what, const char* file, int line);
 int check_error(const mgdt_triangulation* t, const char* text, const char* file, int line);
-
-/* Smaller sets, for Valgrind. */
-int small(void);
 
 /* Uniform in [0, 1), from a generator of our own: the same on every machine. */
 double random_double(uint64_t* state);

@@ -113,7 +113,7 @@ static void traps(int64_t n, const double* xyz, const mgdt_triangulation* expect
 #endif
 
 void test_environment(void) {
-    const int64_t n = small() ? 60 : 600;
+    const int64_t n = is_small() ? 60 : 600;
     double* xyz = mixed_points(n);
     mgdt_triangulation* expected = make(n, xyz);
     rounding_modes(n, xyz, expected);

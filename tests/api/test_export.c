@@ -114,7 +114,7 @@ static void vertex_tetrahedra(mgdt_triangulation* t) {
 
 /* On random points, where doubles decide: orientation, hull facets, neighbours, edges. */
 static void meaning(void) {
-    const int64_t n = small() ? 80 : 300;
+    const int64_t n = is_small() ? 80 : 300;
     double* xyz = random_points(n, 0, 31);
     mgdt_triangulation* t = make(n, xyz);
     const int64_t m = mgdt_tetrahedron_count(t), h = mgdt_hull_facet_count(t),
@@ -209,7 +209,7 @@ static void canonical(void) {
         MGDT_ORDER_LEXICOGRAPHIC, MGDT_ORDER_BRIO,    MGDT_ORDER_HILBERT,
         MGDT_ORDER_REGULAR_GRID,  MGDT_ORDER_KD_TREE, MGDT_ORDER_ENHANCED_KD_TREE,
         MGDT_ORDER_MULTI_GRID};
-    const int64_t n = small() ? 100 : 1000;
+    const int64_t n = is_small() ? 100 : 1000;
     double* xyz = random_points(n, 12, 32);
     int64_t *expected = NULL, expected_size = 0, b, k;
     size_t s;
@@ -256,7 +256,7 @@ static void canonical(void) {
 
 /* The same points in another order are the same tetrahedra under other indices. */
 static void shuffled(void) {
-    const int64_t n = small() ? 100 : 1000;
+    const int64_t n = is_small() ? 100 : 1000;
     double *xyz = random_points(n, 0, 33), *mixed = malloc((size_t)(3 * n) * sizeof *mixed);
     mgdt_triangulation *a = make(n, xyz), *b = NULL;
     int64_t *v, i;

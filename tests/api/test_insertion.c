@@ -120,7 +120,7 @@ static void flat(void) {
 
 /* Large flat sets, then one point off the plane. */
 static void flat_then_solid(void) {
-    const int64_t n = small() ? 100 : 2000;
+    const int64_t n = is_small() ? 100 : 2000;
     double* xyz = random_points(n, 32, 23);
     const double top[3] = {0.5, 0.5, 3};
     mgdt_triangulation *t, *late;
@@ -153,7 +153,7 @@ static void flat_then_solid(void) {
 }
 
 static void batches(void) {
-    const int64_t n = small() ? 120 : 1500;
+    const int64_t n = is_small() ? 120 : 1500;
     static const int64_t counts[] = {2, 7, 40};
     double* xyz = random_points(n, 10, 24);
     mgdt_triangulation* expected = make(n, xyz);
@@ -215,7 +215,7 @@ static void parameters(void) {
         MGDT_ORDER_MULTI_GRID};
     static const double points[] = {1, 3, 1e6}, thresholds[] = {1, 20, 1e9},
                         ratios[] = {1.01, 2, 1e6};
-    const int64_t n = small() ? 100 : 1200;
+    const int64_t n = is_small() ? 100 : 1200;
     double* xyz = random_points(n, 20, 27);
     mgdt_triangulation* expected = make(n, xyz);
     size_t s;

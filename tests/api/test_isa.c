@@ -49,7 +49,7 @@ void test_isa(void) {
     static const double scales[] = {1, 1e-290, 1e300};
     mgdt_triangulation* t = NULL;
     size_t s;
-    int64_t i, n = small() ? 500 : 5000;
+    int64_t i, n = is_small() ? 500 : 5000;
     for (s = 0; s < 3; ++s) {
         double* uniform = random_points(n, 0, 1);
         double* lattice = random_points(n, 12, 2);

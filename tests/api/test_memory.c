@@ -260,7 +260,7 @@ static int64_t memory_of(const mgdt_triangulation* t, int32_t key) {
 }
 
 static void limits(void) {
-    const int64_t n = small() ? 400 : 5000;
+    const int64_t n = is_small() ? 400 : 5000;
     double* xyz = random_points(n, 0, 72);
     mgdt_triangulation* expected = make(n, xyz);
     const int64_t needed = memory_of(expected, MGDT_STAT_PEAK_MEMORY_BYTES);
@@ -321,7 +321,7 @@ static void accounting(const double* xyz) {
 
 /* Storage grows generously where it may, and by what is needed where a limit is near. */
 static void near_the_limit(void) {
-    const int64_t n = small() ? 20000 : 100000;
+    const int64_t n = is_small() ? 20000 : 100000;
     double* xyz = random_points(n + 1, 0, 11);
     mgdt_triangulation* t = make(n, xyz);
     double bytes = 0;
@@ -340,7 +340,7 @@ void test_memory(void) {
     double* xyz = scenario();
     mgdt_triangulation* expected = make(point_count, xyz);
     size_t s;
-    for (s = 0; s < (small() ? 1 : sizeof schemes / sizeof schemes[0]); ++s)
+    for (s = 0; s < (is_small() ? 1 : sizeof schemes / sizeof schemes[0]); ++s)
         every_allocation(schemes[s], xyz, expected);
     exports(xyz);
     limits();

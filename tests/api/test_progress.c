@@ -117,7 +117,7 @@ static void before_a_call(int64_t n, const double* xyz, const mgdt_triangulation
 
 /* Points that were accepted while they did not span space are not lost to a stop later on. */
 static void held_points_stay(void) {
-    const int64_t n = small() ? 300 : 3000;
+    const int64_t n = is_small() ? 300 : 3000;
     double* flat = random_points(n, 0, 7);
     double* more = random_points(n, 0, 8);
     mgdt_triangulation* t = NULL;
@@ -180,8 +180,8 @@ static void requests_end(void) {
 }
 
 void test_progress(void) {
-    const int64_t n = small() ? 3000 : 60000;
-    double* xyz = random_points(n, small() ? 100 : 0, 51);
+    const int64_t n = is_small() ? 3000 : 60000;
+    double* xyz = random_points(n, is_small() ? 100 : 0, 51);
     mgdt_triangulation* expected = make(n, xyz);
     progress(n, xyz);
     stops(n, xyz, expected);

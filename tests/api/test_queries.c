@@ -42,7 +42,7 @@ static int contains(const double* xyz, const int64_t* v, const double* q, double
 }
 
 static void located(int grid) {
-    const int64_t n = small() ? 60 : 250, q_count = small() ? 100 : 1000;
+    const int64_t n = is_small() ? 60 : 250, q_count = is_small() ? 100 : 1000;
     double *xyz = grid ? lattice_points(n, 41) : random_points(n, 0, 42),
            *queries = grid ? half_points(q_count, 43) : random_points(q_count, 0, 44),
            *weights = malloc((size_t)(4 * q_count + 1) * sizeof *weights);
@@ -108,7 +108,7 @@ static void located(int grid) {
 
 /* Sets of dimension 0, 1, 2 and 3, with repeats. */
 static void nearest(void) {
-    const int64_t n = small() ? 60 : 300, q_count = small() ? 60 : 400;
+    const int64_t n = is_small() ? 60 : 300, q_count = is_small() ? 60 : 400;
     double* queries = half_points(q_count, 45);
     int dimension, base;
     for (dimension = 0; dimension <= 3; ++dimension) {

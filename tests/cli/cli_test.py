@@ -246,6 +246,8 @@ class BadInput(CliTest):
         shutil.copy(data, self.path("moved/share/mgdt"))
         command = [program, "generate", "machine", "1000", "-o", self.path("p.xyz")]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL, timeout=300)
+        subprocess.run([program, "bench", "--distributions", "machine", "--sizes", "1000", "--runs", "1"],
+                       check=True, stdout=subprocess.DEVNULL, timeout=300)
         os.remove(self.path("moved/share/mgdt/machine.msh"))
         done = subprocess.run(command, stderr=subprocess.PIPE, text=True, check=False, timeout=300)
         self.assertEqual(done.returncode, 3)

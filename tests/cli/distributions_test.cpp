@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // The point generators: counts, shapes, exactness of the degenerate sets.
-// MGDT_TEST_DATA_DIRECTORY is the folder of machine.msh and church.msh.
 #include "cli/distributions.hpp"
 
 #include <gtest/gtest.h>
@@ -16,39 +15,12 @@
 #include <string>
 
 #include "cli/random.hpp"
+#include "generated_points.hpp"
 
 namespace mgdt::cli {
 namespace {
 
-using Points = std::vector<Point>;
-
 const double kPi = std::acos(-1.0);
-
-GenerateOptions with_seed(std::uint64_t seed) {
-    GenerateOptions options;
-    options.seed = seed;
-    options.data_directory = MGDT_TEST_DATA_DIRECTORY;
-    return options;
-}
-
-Points points_of(const std::string& kind, std::size_t n, const GenerateOptions& options) {
-    const std::vector<double> xyz = generate(kind, n, options);
-    EXPECT_EQ(xyz.size() % 3, 0U);
-    Points points;
-    for (std::size_t i = 0; i + 2 < xyz.size(); i += 3) {
-        points.push_back({xyz[i], xyz[i + 1], xyz[i + 2]});
-    }
-    return points;
-}
-
-Points points_of(const std::string& kind, std::size_t n) {
-    return points_of(kind, n, with_seed(1));
-}
-
-double distance(const Point& a, const Point& b) {
-    return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
-                     (a[2] - b[2]) * (a[2] - b[2]));
-}
 
 /// From the line through a and b.
 double distance_from_line(const Point& p, const Point& a, const Point& b) {
@@ -95,10 +67,6 @@ Point mean(const Points& points) {
         for (std::size_t i = 0; i < 3; ++i) m[i] += p[i] / static_cast<double>(points.size());
     }
     return m;
-}
-
-std::size_t distinct(const Points& points) {
-    return std::set<Point>(points.begin(), points.end()).size();
 }
 
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // The finite-element meshes of docs/data, their reader, and local refinement.
-// MGDT_TEST_DATA_DIRECTORY is the folder of machine.msh and church.msh.
 #include "cli/refinement.hpp"
 
 #include <gtest/gtest.h>
@@ -22,33 +21,11 @@
 #include <utility>
 #include <vector>
 
-#include "cli/distributions.hpp"
 #include "cli/element_mesh.hpp"
+#include "generated_points.hpp"
 
 namespace mgdt::cli {
 namespace {
-
-using Points = std::vector<Point>;
-
-Points points_of(const std::string& kind, std::size_t n) {
-    GenerateOptions options;
-    options.data_directory = MGDT_TEST_DATA_DIRECTORY;
-    const std::vector<double> xyz = generate(kind, n, options);
-    Points points;
-    for (std::size_t i = 0; i + 2 < xyz.size(); i += 3) {
-        points.push_back({xyz[i], xyz[i + 1], xyz[i + 2]});
-    }
-    return points;
-}
-
-double distance(const Point& a, const Point& b) {
-    return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
-                     (a[2] - b[2]) * (a[2] - b[2]));
-}
-
-std::size_t distinct(const Points& points) {
-    return std::set<Point>(points.begin(), points.end()).size();
-}
 
 double volume(const ElementMesh& mesh, const std::array<std::uint32_t, 4>& t) {
     std::array<Point, 3> e;

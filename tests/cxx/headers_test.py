@@ -6,11 +6,16 @@ what must not compile, does not; and its inline functions share no symbol with t
   headers_test.py --include DIRECTORY --library DIRECTORY --archive FILE --source FILE COMPILER...
 """
 import argparse
+import functools
 import os
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+sys.dont_write_bytecode = True  # the source tree stays as it is
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+import checks
 
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wshadow",
             "-Wold-style-cast", "-Werror"]
@@ -32,16 +37,7 @@ REFUSED = {
                         "mgdt::Points f() { return mgdt::Points(std::vector<P>(1)); }", "three doubles"),
 }
 
-passed = failed = 0
-
-
-def check(what, problem):
-    global passed, failed
-    if problem:
-        failed += 1
-        print(f"failed: {what}: {problem}")
-    else:
-        passed += 1
+check = functools.partial(checks.check, names_passed=False)
 
 
 def main():
@@ -87,16 +83,14 @@ def main():
             inside = symbols("-C", options.archive, prefix="mgdt::")
             check("there are symbols to compare", "" if len(own) > 50 and len(inside) > 50 else f"{len(own)} and {len(inside)}")
             check(f"{Path(compiler).name}: no symbol of the library's inside", "; ".join(sorted(own & inside)))
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed or not passed else 0
+    checks.finish()
 
 
 def symbols(*arguments, prefix):
-    lines = subprocess.run(["nm", "--defined-only", "-f", "posix", *map(str, arguments)], check=True,
-                           capture_output=True, text=True).stdout.splitlines()
+    lines = checks.output_of("nm", "--defined-only", "-f", "posix", *arguments).splitlines()
     names = (line.rsplit(" ", 3)[0] if line.count(" ") > 2 else line for line in lines)
     return {n for n in names if prefix in n}
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -4,10 +4,11 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <mgdt/mgdt.hpp>
 #include <random>
 #include <vector>
+
+#include "../small.h"
 
 namespace cxx_test {
 
@@ -26,7 +27,7 @@ inline std::vector<mgdt::Point> points_in_cube(std::size_t n, unsigned seed = 1)
 }
 
 inline std::size_t size(std::size_t n) {
-    return std::getenv("MGDT_TEST_SMALL") ? n / 20 + 20 : n;
+    return is_small() ? n / 20 + 20 : n;
 }
 
 inline std::vector<double> flat(const std::vector<mgdt::Point>& points) {

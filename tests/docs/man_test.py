@@ -12,28 +12,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-passed = failed = 0
+sys.dont_write_bytecode = True  # the source tree stays as it is
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from checks import check, differences, finish, output_of
 
 
-def check(what, problem):
-    global passed, failed
-    if problem:
-        failed += 1
-        print(f"failed: {what}: {problem}")
-    else:
-        passed += 1
-        print(f"passed: {what}")
-
-
-def differences(program, page):
-    missing, unknown = program - page, page - program
-    return "; ".join([*(["the page lacks " + " ".join(sorted(missing))] if missing else []),
-                      *(["the program lacks " + " ".join(sorted(unknown))] if unknown else [])])
-
-
-def output_of(*command):
-    run = subprocess.run(command, capture_output=True, text=True)
-    return run.stdout + run.stderr if run.returncode else run.stdout
+def lacking(program, page):
+    return differences(program, page, "the page lacks", "the program lacks")
 
 
 def options_in_help(text):
@@ -77,7 +62,7 @@ class Page:
         return re.findall(r"^\.It (?:Cm |Ev )?([-\w]+)\s*$", self.sections[section], flags=re.M)
 
 
-def compare(program, page, page_path):
+def compare(program, page):
     help_of = {"": output_of(program, "--help")}
     commands = [words[0] for words in part(help_of[""], "Subcommands")]
     check("the program has subcommands", "" if len(commands) >= 4 else str(commands))
@@ -85,8 +70,8 @@ def compare(program, page, page_path):
         help_of[command] = output_of(program, command, "--help")
 
     synopsis = page.synopsis()
-    check("subcommands in the synopsis", differences(set(commands), set(synopsis)))
-    check("subcommands described", differences(set(commands), set(page.entries("DESCRIPTION"))))
+    check("subcommands in the synopsis", lacking(set(commands), set(synopsis)))
+    check("subcommands described", lacking(set(commands), set(page.entries("DESCRIPTION"))))
 
     everywhere = options_in_help(help_of[""])
     help_option = frozenset(("-h", "--help"))
@@ -96,28 +81,28 @@ def compare(program, page, page_path):
         used, arguments = synopsis.get(command, (set(), []))
         # The synopsis has one name of each, the short one if there is one.
         names = {min(option, key=len) for option in options if option != help_option}
-        check(f"options of {command} in the synopsis", differences(names, used))
+        check(f"options of {command} in the synopsis", lacking(names, used))
         positionals = re.search(r"^Positionals:\n((?:  [^\n]*\n)+)", help_of[command], flags=re.M)
         lines = positionals.group(1).splitlines() if positionals else []
         wanted = [line.split()[0] for line in lines if re.match(r"  \w", line)]
         check(f"arguments of {command}", "" if wanted == arguments else f"{arguments}, not {wanted}")
     show = lambda options: {"/".join(sorted(o)) for o in options}
     described = page.described()
-    check("each option described", differences(show(everywhere), show(described)))
+    check("each option described", lacking(show(everywhere), show(described)))
     check("and once", " ".join(show({d for d in described if described.count(d) > 1})))
 
     formats = part(help_of["triangulate"], "Formats")
-    check("formats", differences({f[0] for f in formats}, set(page.entries("FORMATS"))))
-    check("extensions", differences({e for f in formats for e in f if re.fullmatch(r"\.\w+", e)},
-                                    set(re.findall(r"\.\w+\b", " ".join(re.findall(r"^\.Pa (.*)$", page.sections["FORMATS"], flags=re.M))))))
-    check("kinds of points", differences({k[0] for k in part(help_of["generate"], "Kinds")}, set(page.entries("KINDS OF POINTS"))))
+    check("formats", lacking({f[0] for f in formats}, set(page.entries("FORMATS"))))
+    check("extensions", lacking({e for f in formats for e in f if re.fullmatch(r"\.\w+", e)},
+                                set(re.findall(r"\.\w+\b", " ".join(re.findall(r"^\.Pa (.*)$", page.sections["FORMATS"], flags=re.M))))))
+    check("kinds of points", lacking({k[0] for k in part(help_of["generate"], "Kinds")}, set(page.entries("KINDS OF POINTS"))))
     statuses = {words[0] for words in part(help_of[""], "Exit codes")}
-    check("exit statuses", differences(statuses, set(page.entries("EXIT STATUS"))))
+    check("exit statuses", lacking(statuses, set(page.entries("EXIT STATUS"))))
     schemes = re.search(r"Order of insertion: (.*)", help_of["triangulate"]).group(1).split(", ")
     entry = re.search(r"^\.It Fl -scheme.*?(?=^\.It)", page.sections["DESCRIPTION"], flags=re.M | re.S).group(0)
-    check("order schemes", differences(set(schemes), set(re.findall(r"^\.Cm ([-\w]+)", entry, flags=re.M))))
+    check("order schemes", lacking(set(schemes), set(re.findall(r"^\.Cm ([-\w]+)", entry, flags=re.M))))
     variables = {"MGDT_ISA", "TMPDIR"} | set(re.findall(r"Env:(\w+)", "".join(help_of.values())))
-    check("environment", differences(variables, set(page.entries("ENVIRONMENT"))))
+    check("environment", lacking(variables, set(page.entries("ENVIRONMENT"))))
 
 
 def lint(path):
@@ -146,12 +131,11 @@ def examples(program, page):
 def main():
     program, path = sys.argv[1], Path(sys.argv[2])
     page = Page(path.read_text())
-    compare(program, page, path)
+    compare(program, page)
     lint(path)
     examples(program, page)
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed or not passed else 0
+    finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

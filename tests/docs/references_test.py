@@ -9,17 +9,9 @@ import re
 import sys
 from pathlib import Path
 
-passed = failed = 0
-
-
-def check(what, problem):
-    global passed, failed
-    if problem:
-        failed += 1
-        print(f"failed: {what}: {problem}")
-    else:
-        passed += 1
-        print(f"passed: {what}")
+sys.dont_write_bytecode = True  # the source tree stays as it is
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from checks import check, finish
 
 
 def headings(text):
@@ -69,9 +61,8 @@ def main():
             check("each function in the table, once", " ".join(sorted(functions ^ set(listed) |
                   {f for f in listed if listed.count(f) > 1})))
     check("one of the documents has the table", "" if any(d.name == "c.md" for d in documents) else "none has")
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed else 0
+    finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -4,11 +4,16 @@
 
   run_examples_test.py SOURCE DOCUMENT...   the documents are those that the build knows
 """
+import functools
 import os
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+sys.dont_write_bytecode = True  # the source tree stays as it is
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+import checks
 
 RUNNER = Path(__file__).with_name("run_examples.py")
 PROGRAM = "```c a.c\nint main(void) { return 0; }\n```\n"
@@ -52,6 +57,8 @@ CASES = [
     ("a block that does not end", "```sh\nsleep 60\n```\n", "ran longer than"),
 ]
 
+check = functools.partial(checks.check, names_passed=False)
+
 
 def run(folder, text, *more):
     document = folder / "document.md"
@@ -72,16 +79,6 @@ def make_prefix(folder):
 def main():
     source, known = Path(sys.argv[1]).resolve(), [Path(p).resolve() for p in sys.argv[2:]]
     os.environ.pop("MGDT_SOURCE", None)
-    passed = failed = 0
-
-    def check(what, problem):
-        nonlocal passed, failed
-        if problem:
-            failed += 1
-            print(f"failed: {what}: {problem}")
-        else:
-            passed += 1
-
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         make_prefix(folder / "prefix")
@@ -105,14 +102,12 @@ def main():
         result = run(folder, PROGRAM + RUN, "--prefix", str(folder / "nowhere"))
         check("no prefix", "" if result.returncode and "no mgdt is installed" in result.stderr else result.stdout)
 
-    listed = subprocess.run([sys.executable, str(RUNNER), "--list", str(source)], check=True,
-                            capture_output=True, text=True).stdout.split("\n")
+    listed = checks.output_of(sys.executable, RUNNER, "--list", source).split("\n")
     there = {Path(line).resolve() for line in listed if line}
     check("the build knows every document (if not, run meson setup --reconfigure)",
           " ".join(str(p) for p in sorted(there ^ set(known))))
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed else 0
+    checks.finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

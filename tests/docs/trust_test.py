@@ -11,17 +11,9 @@ import shlex
 import sys
 from pathlib import Path
 
-passed = failed = 0
-
-
-def check(what, problem):
-    global passed, failed
-    if problem:
-        failed += 1
-        print(f"failed: {what}: {problem}")
-    else:
-        passed += 1
-        print(f"passed: {what}")
+sys.dont_write_bytecode = True  # the source tree stays as it is
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from checks import check, finish
 
 
 def promises(text):
@@ -70,9 +62,8 @@ def main():
         check(command, problem_of(command, source, known))
     for path in sorted(set(re.findall(r"`((?:src|tests|docs|include)/[^`\s]*)`", text))):
         check(path, "" if (source / path).exists() else "no such file")
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed else 0
+    finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -42,7 +42,7 @@ class EveryCallOnThreads : public testing::TestWithParam<Call> {};
 // Enough points for two threads in every call.
 TEST_P(EveryCallOnThreads, RunsOutOfMemory) {
     Refusals refusals{fault_handle, true, false};
-    refusals.done_to(GetParam(), small() ? 700 : 21000, 2, true, false);
+    refusals.done_to(GetParam(), is_small() ? 700 : 21000, 2, true, false);
     EXPECT_GT(refusals.failed, 0);
     EXPECT_EQ(handle_errors(), 0);
 }

@@ -34,7 +34,7 @@ class Cancelled : public testing::TestWithParam<Way> {};
 TEST_P(Cancelled, AtEveryCallback) {
     const Way& way = GetParam();
     // The calling thread looks at the request between pieces of 64 points.
-    const std::size_t n = way.threads > 1 ? 900 : small() ? 90 : 240;
+    const std::size_t n = way.threads > 1 ? 900 : is_small() ? 90 : 240;
     // The first points of the several batches are flat.
     Points xyz = joined(random_points(n / 2, 11, 6), random_points(n - n / 2, 12));
     if (way.batches > 1)
@@ -48,7 +48,7 @@ TEST_P(Cancelled, AtEveryCallback) {
     expected.insert(xyz);
     const property::Keys geometry = expected.geometry();
 
-    const std::int64_t step = small() ? 17 : 1;
+    const std::int64_t step = is_small() ? 17 : 1;
     std::int64_t cancelled = 0;
     for (std::int64_t stop_at = 1;; stop_at += step) {
         SCOPED_TRACE(stop_at);
@@ -85,7 +85,7 @@ TEST_P(Cancelled, AtEveryCallback) {
         if (watch.calls < stop_at) break;
         cancelled += stopped;
     }
-    EXPECT_GT(cancelled, small() ? 0 : way.threads > 1 ? 0 : 20);
+    EXPECT_GT(cancelled, is_small() ? 0 : way.threads > 1 ? 0 : 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, Cancelled, testing::ValuesIn(ways()), [](const auto& info) {

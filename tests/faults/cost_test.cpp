@@ -80,7 +80,7 @@ Cost cost_of(const Points& xyz) {
 
 std::vector<std::size_t> sizes() {
     if (is_long) return {10000, 100000, million};
-    if (property::small()) return {500, 1000};
+    if (is_small()) return {500, 1000};
     return {2000, 16000};
 }
 

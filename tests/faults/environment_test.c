@@ -16,6 +16,8 @@
 #include <xmmintrin.h>
 #endif
 
+#include "../small.h"
+
 static int failures;
 
 static void expect(int condition, const char* what, const char* where) {
@@ -310,8 +312,7 @@ static void callbacks(void) {
 }
 
 int main(void) {
-    const char* small = getenv("MGDT_TEST_SMALL");
-    const int few = small != NULL && *small != '\0' && strcmp(small, "0") != 0;
+    const int few = is_small();
 #if defined(__FAST_MATH__) && defined(__x86_64__)
     /* Else this program would test nothing that the usual one does not. */
     expect((_mm_getcsr() & 0x8040u) == 0x8040u, "-ffast-math has set flush-to-zero", "load");

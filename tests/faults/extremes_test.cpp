@@ -18,7 +18,6 @@ namespace {
 
 using property::create;
 using property::Handle;
-using property::small;
 
 std::int64_t count(const Points& xyz) {
     return static_cast<std::int64_t>(xyz.size() / 3);
@@ -71,7 +70,7 @@ class Extremes : public testing::TestWithParam<Extreme> {};
 // Valid, and the same in whatever order and batches the points come.
 TEST_P(Extremes, AreTriangulated) {
     const Extreme& e = GetParam();
-    const Points xyz = e.points(small() ? e.n_small : e.n);
+    const Points xyz = e.points(is_small() ? e.n_small : e.n);
     const Handle one = create();
     ASSERT_EQ(insert(one, xyz), MGDT_OK) << property::error_of(one.get());
     EXPECT_EQ(mgdt_dimension(one.get()), e.dimension);
@@ -114,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Sets, Extremes, testing::ValuesIn(extremes),
 
 // A set whose triangulation is quadratic, with room for a linear one.
 TEST(MemoryLimit, OfTheMomentCurve) {
-    const Points xyz = moment_curve(small() ? 600 : 3000);
+    const Points xyz = moment_curve(is_small() ? 600 : 3000);
     const Handle t = create();
     ASSERT_EQ(mgdt_set_memory_limit(t.get(), 4 << 20), MGDT_OK);
     ASSERT_EQ(insert(t, xyz), MGDT_ERR_OUT_OF_MEMORY);
@@ -178,7 +177,7 @@ constexpr std::size_t hundred_million = 100000000;
 
 // A hundred million times one point, by a stride of 0: no memory of the caller's.
 TEST(ShortOfMemory, OnePointAHundredMillionTimes) {
-    const std::size_t n = small() ? hundred_million / 20 : hundred_million;
+    const std::size_t n = is_small() ? hundred_million / 20 : hundred_million;
     const double p[3] = {1, 2, 3};
     EXPECT_TRUE(with_room(n * 4, [&] {
         const Handle t = create();
@@ -190,7 +189,7 @@ TEST(ShortOfMemory, OnePointAHundredMillionTimes) {
 
 // Points that span space, nearly all of them zeros that take no memory.
 TEST(ShortOfMemory, AHundredMillionPoints) {
-    const std::size_t n = small() ? hundred_million / 20 : hundred_million;
+    const std::size_t n = is_small() ? hundred_million / 20 : hundred_million;
     void* const p = mmap(nullptr, 3 * n * sizeof(double), PROT_READ | PROT_WRITE,
                          MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     ASSERT_NE(p, MAP_FAILED);

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT
  * Stands before the system calls on files of a program that is run with LD_PRELOAD. MGDT_FAULT says
- * what goes wrong: "CALL N ERRNO" fails the N-th call of read, write, fsync, close, rename, open or
- * fstat (those on standard streams and on libraries at start aside); "short" reads and writes seven
- * bytes at a time, every second time interrupted by a signal first. MGDT_FAULT_COUNT names a file
- * that gets a byte when the fault happened. */
+ * what goes wrong: "CALL N ERRNO" fails the N-th call of read, write, fsync, close, rename,
+ * mkostemp or fstat (those on standard streams and on libraries at start aside); "short" reads and
+ * writes seven bytes at a time, every second time interrupted by a signal first. MGDT_FAULT_COUNT
+ * names a file that gets a byte when the fault happened. */
 #define _GNU_SOURCE
-#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -14,29 +13,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define NEXT(result, name, parameters)               \
-    static result(*next) parameters;                 \
-    if (next == NULL) {                              \
-        void* const found = dlsym(RTLD_NEXT, #name); \
-        memcpy(&next, &found, sizeof next);          \
-    }
-
-static ssize_t (*real_write)(int, const void*, size_t);
-static int (*real_close)(int);
-static int (*real_open)(const char*, int, ...);
+#include "next.h"
 
 static void happened(void) {
+    static ssize_t (*real_write)(int, const void*, size_t);
+    static int (*real_close)(int);
     const char* const path = getenv("MGDT_FAULT_COUNT");
     int file;
-    void* p;
     if (path == NULL) return;
-    p = dlsym(RTLD_NEXT, "write");
-    memcpy(&real_write, &p, sizeof p);
-    p = dlsym(RTLD_NEXT, "close");
-    memcpy(&real_close, &p, sizeof p);
-    p = dlsym(RTLD_NEXT, "open");
-    memcpy(&real_open, &p, sizeof p);
-    file = real_open(path, O_WRONLY | O_APPEND | O_CREAT, 0600);
+    LOOK_UP(real_write, "write");
+    LOOK_UP(real_close, "close");
+    file = open(path, O_WRONLY | O_APPEND | O_CREAT, 0600);
     if (file < 0 || real_write(file, "x", 1) != 1) abort();
     real_close(file);
 }

@@ -20,7 +20,6 @@
 namespace faults {
 
 using property::Handle;
-using property::small;
 using Points = std::vector<double>;
 using Numbers = std::vector<std::int64_t>;
 
@@ -174,7 +173,7 @@ inline void PrintTo(const Insertion& insertion, std::ostream* out) {
 }
 
 inline std::vector<Insertion> insertions() {
-    const std::size_t n = small() ? 60 : 160;
+    const std::size_t n = is_small() ? 60 : 160;
     const Points some = random_points(n, 1), others = random_points(n, 2);
     const Points lattice = random_points(n, 3, 5), flat = flat_points(n, 4);
     std::vector<Insertion> all;
@@ -194,7 +193,7 @@ inline std::vector<Insertion> insertions() {
     add("flat, then space", flat, some).holds = true;
     add("few", {}, Points(some.begin(), some.begin() + 9));
     add("one", some, Points(others.begin(), others.begin() + 3));
-    add("one in a star of all", sphere_points(small() ? 280 : 400, 7), {0.5, 0.5, 0.5});
+    add("one in a star of all", sphere_points(is_small() ? 280 : 400, 7), {0.5, 0.5, 0.5});
     // At extreme scales every decision is exact and slow.
     const Points six(some.begin(), some.begin() + 18), ten(others.begin(), others.begin() + 30);
     add("another scale", six, scaled(ten, 1e200));
@@ -218,7 +217,7 @@ inline std::vector<Insertion> insertions() {
         scheme.threads = threads;
         scheme.scheme = MGDT_ORDER_KD_TREE;
     }
-    if (small()) {
+    if (is_small()) {
         std::vector<Insertion> few;
         for (std::size_t k = 0; k < all.size(); k += 3) few.push_back(all[k]);
         return few;

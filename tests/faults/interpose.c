@@ -2,23 +2,14 @@
  * Stands before malloc, mmap and pthread_create for the whole program, the library included, and
  * refuses when faults.h says so. */
 #define _GNU_SOURCE
-#include <dlfcn.h>
 #include <errno.h>
 #include <pthread.h>
 #include <stdarg.h>
 #include <stdlib.h>
-#include <string.h>
 #include <sys/mman.h>
 
 #include "faults.h"
-
-/* Looked up once; the dynamic linker does not allocate for this. */
-#define NEXT(result, name, parameters)               \
-    static result(*next) parameters;                 \
-    if (next == NULL) {                              \
-        void* const found = dlsym(RTLD_NEXT, #name); \
-        memcpy(&next, &found, sizeof next);          \
-    }
+#include "next.h"
 
 static void* counted(void* p) {
     if (p != NULL) fault_took(1);

@@ -12,7 +12,7 @@ inline void expect_out_of_memory(const mgdt_triangulation* t, mgdt_status status
 }
 
 // Under Valgrind every fourth will do.
-inline const std::int64_t step = small() ? 4 : 1;
+inline const std::int64_t step = is_small() ? 4 : 1;
 
 struct Refusals {
     unsigned kinds;

@@ -23,7 +23,7 @@ TEST(System, NothingPassesByTheAllocator) {
         EXPECT_EQ(fault_requests(fault_thread), flow.threads - 1);
     }
     for (const std::int32_t threads : {1, 2}) {
-        const std::int64_t n = threads == 1 || small() ? 600 : 21000;
+        const std::int64_t n = threads == 1 || is_small() ? 600 : 21000;
         Story story(true, threads, 0, MGDT_ORDER_AUTO);
         story.insert(random_points(static_cast<std::size_t>(n), 5));
         Output output(story.handle());
@@ -92,7 +92,7 @@ TEST(System, RefusesThreads) {
         }
     }
     EXPECT_GT(flows, 1);
-    const std::int64_t n = small() ? 700 : 21000;
+    const std::int64_t n = is_small() ? 700 : 21000;
     for (const Call& call : calls) {
         Refusals refusals{fault_thread, true, true};
         refusals.done_to(call, n, 2, true, false);

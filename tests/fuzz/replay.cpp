@@ -5,11 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <vector>
+
+#include "../small.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -44,7 +45,7 @@ int main(int argc, char** argv) {
     std::signal(SIGABRT, name_file);
     const std::vector<std::filesystem::path> files = files_of(argc - 1, argv + 1);
     // Under Valgrind and the like, some of them.
-    const std::size_t step = std::getenv("MGDT_TEST_SMALL") && files.size() > 20 ? 10 : 1;
+    const std::size_t step = is_small() && files.size() > 20 ? 10 : 1;
     std::size_t count = 0;
     for (std::size_t i = 0; i < files.size(); i += step, ++count) {
         current = files[i];

@@ -72,11 +72,11 @@ std::vector<std::int64_t> locate(const mgdt_triangulation* t, const std::vector<
 
 // Queries on vertices, edges, facets, inside and outside; the count is no multiple of the streams.
 TEST(Calls, LocationsContainTheirPoints) {
-    const std::vector<double> xyz = lattice_points(property::small() ? 60 : 400, -40, 40, 1);
+    const std::vector<double> xyz = lattice_points(is_small() ? 60 : 400, -40, 40, 1);
     const property::Handle t = property::create();
     ASSERT_EQ(property::insert(t.get(), xyz, {0}), MGDT_OK);
     const Mesh mesh(t.get(), xyz);
-    for (const std::size_t n : {1u, 2u, 7u, 17u, property::small() ? 50u : 1001u}) {
+    for (const std::size_t n : {1u, 2u, 7u, 17u, is_small() ? 50u : 1001u}) {
         const std::vector<double> queries = lattice_points(n, -45, 45, static_cast<unsigned>(n));
         const std::vector<std::int64_t> found = locate(t.get(), queries);
         for (std::size_t i = 0; i < n; ++i) {
@@ -90,8 +90,8 @@ TEST(Calls, LocationsContainTheirPoints) {
 }
 
 TEST(Calls, NearestVerticesAreNearest) {
-    const std::vector<double> xyz = lattice_points(property::small() ? 60 : 2000, -40, 40, 2);
-    const std::vector<double> queries = lattice_points(property::small() ? 20 : 300, -60, 60, 3);
+    const std::vector<double> xyz = lattice_points(is_small() ? 60 : 2000, -40, 40, 2);
+    const std::vector<double> queries = lattice_points(is_small() ? 20 : 300, -60, 60, 3);
     const property::Handle t = property::create();
     ASSERT_EQ(property::insert(t.get(), xyz, {0}), MGDT_OK);
     for (std::size_t i = 0; i < queries.size(); i += 3) {
@@ -113,7 +113,7 @@ TEST(Calls, NearestVerticesAreNearest) {
 // What keeps places for later walks has to follow: the set grows many times over, everywhere and
 // then in one corner, with repeats, and is asked in between.
 TEST(Calls, PointByPointAfterABatch) {
-    const std::size_t batch = property::small() ? 520 : 700;
+    const std::size_t batch = is_small() ? 520 : 700;
     std::vector<double> xyz = lattice_points(batch, -1000, 1000, 4);
     const std::vector<double> everywhere = lattice_points(batch, -1000, 1000, 5),
                               corner = lattice_points(4 * batch, 900, 1000, 6);

@@ -29,7 +29,7 @@ namespace {
 using property::Keys;
 
 struct Options {
-    std::size_t size = property::small() ? 200 : 4000;
+    std::size_t size = is_small() ? 200 : 4000;
     bool every_scheme = true;
     std::string points;
 } options;
@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Rows, EqualsCgal, testing::ValuesIn(property::rows),
 TEST(EqualsCgalMixed, ScalesInOneSet) {
     std::mt19937_64 random(7);
     std::vector<double> xyz;
-    for (std::size_t i = 0; i < (property::small() ? 90u : 450u); ++i) {
+    for (std::size_t i = 0; i < (is_small() ? 90u : 450u); ++i) {
         static constexpr double scale[] = {1e-300, 1, 1e300};
         xyz.push_back(scale[random() % 3] * (static_cast<double>(random() % 2001) - 1000));
     }

@@ -8,11 +8,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "../small.h"
 #include "mgdt/mgdt.h"
 
 namespace property {
@@ -22,12 +22,6 @@ inline constexpr std::array<std::int32_t, 10> schemes = {
     MGDT_ORDER_LEXICOGRAPHIC, MGDT_ORDER_BRIO,    MGDT_ORDER_HILBERT,
     MGDT_ORDER_REGULAR_GRID,  MGDT_ORDER_KD_TREE, MGDT_ORDER_ENHANCED_KD_TREE,
     MGDT_ORDER_MULTI_GRID};
-
-// Under Valgrind and the like, tests take smaller sets.
-inline bool small() {
-    const char* value = std::getenv("MGDT_TEST_SMALL");
-    return value != nullptr && *value != '\0' && std::string(value) != "0";
-}
 
 struct Destroy {
     void operator()(mgdt_triangulation* t) const noexcept { mgdt_destroy(t); }

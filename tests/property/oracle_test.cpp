@@ -155,7 +155,7 @@ using Coordinate = std::function<double(Random&)>;
 // `count` sets of 1 to `most` points whose coordinates the function draws, a few points repeated.
 void compare_sets(std::size_t count, std::size_t most, std::uint64_t seed,
                   const Coordinate& coordinate) {
-    if (property::small()) count = count / 20 + 1;
+    if (is_small()) count = count / 20 + 1;
     Random random(seed);
     for (std::size_t k = 0; k < count; ++k) {
         std::vector<double> xyz(3 * (1 + below(random, most)));
@@ -252,7 +252,7 @@ TEST(Oracle, LargestDouble) {
 // A few points in space, the others in the plane z = 1 or on a line in it.
 TEST(Oracle, MostlyFlat) {
     Random random(15);
-    const std::size_t count = property::small() ? 10 : 300;
+    const std::size_t count = is_small() ? 10 : 300;
     for (std::size_t k = 0; k < count && !HasFatalFailure(); ++k) {
         const bool line = below(random, 2) != 0;
         std::vector<double> xyz;

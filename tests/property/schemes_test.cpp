@@ -14,7 +14,7 @@ namespace {
 class Schemes : public testing::TestWithParam<property::Row> {};
 
 TEST_P(Schemes, SameTetrahedra) {
-    const std::vector<double> xyz = property::points(GetParam(), property::small() ? 250 : 1500);
+    const std::vector<double> xyz = property::points(GetParam(), is_small() ? 250 : 1500);
     property::Keys expected;
     std::vector<std::int64_t> map;
     std::size_t batches = 1;

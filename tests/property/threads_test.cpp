@@ -50,8 +50,8 @@ View look(const mgdt_triangulation* t, const std::vector<double>& queries) {
 }
 
 TEST(Threads, ConstCallsOnOneHandle) {
-    const std::vector<double> xyz = random_points(property::small() ? 200 : 3000, 1),
-                              queries = random_points(property::small() ? 50 : 500, 2);
+    const std::vector<double> xyz = random_points(is_small() ? 200 : 3000, 1),
+                              queries = random_points(is_small() ? 50 : 500, 2);
     for (int canonical = 0; canonical < 2; ++canonical) {
         const property::Handle t = property::create();
         ASSERT_EQ(mgdt_set_canonical_output(t.get(), canonical), MGDT_OK);
@@ -69,7 +69,7 @@ TEST(Threads, ConstCallsOnOneHandle) {
 }
 
 TEST(Threads, DifferentHandles) {
-    const std::vector<double> xyz = random_points(property::small() ? 300 : 10000, 3);
+    const std::vector<double> xyz = random_points(is_small() ? 300 : 10000, 3);
     std::vector<property::Keys> keys(4);
     std::vector<std::thread> threads;
     for (std::size_t k = 0; k < keys.size(); ++k)
@@ -87,7 +87,7 @@ TEST(Threads, DifferentHandles) {
 
 // The stop comes from another thread once the insertion reports its first progress.
 TEST(Threads, CancelFromAnotherThread) {
-    const std::vector<double> xyz = random_points(property::small() ? 20000 : 300000, 4);
+    const std::vector<double> xyz = random_points(is_small() ? 20000 : 300000, 4);
     const property::Handle t = property::create();
     std::atomic<bool> started{false};
     const mgdt_progress_fn tell = [](double, void* user) -> std::int32_t {
@@ -132,7 +132,7 @@ std::vector<std::int64_t> everything(const mgdt_triangulation* t) {
 // output also if the handle was filled by others. Each array gets several threads in one set or
 // another: the hull those of the sphere, the point map those of points that come often.
 TEST(Threads, ExportsAreThoseOfOne) {
-    const bool small = property::small();
+    const bool small = is_small();
     std::vector<double> sphere = random_points(small ? 1000 : 90000, 7),
                         often = random_points(small ? 1000 : 530000, 8);
     for (std::size_t i = 0; i < sphere.size(); i += 3) {
@@ -168,7 +168,7 @@ TEST(Threads, ExportsAreThoseOfOne) {
 
 // Sorted by the lesser index and then the greater, in canonical output; each once in any.
 TEST(Threads, EdgesAreSortedAndOnce) {
-    const std::vector<double> xyz = random_points(property::small() ? 500 : 20000, 10);
+    const std::vector<double> xyz = random_points(is_small() ? 500 : 20000, 10);
     for (int canonical = 0; canonical < 2; ++canonical) {
         const property::Handle t = property::create();
         ASSERT_EQ(mgdt_set_canonical_output(t.get(), canonical), MGDT_OK);
@@ -194,7 +194,7 @@ TEST(Threads, EdgesAreSortedAndOnce) {
 
 // Locations by several threads are those of one, on the same handle.
 TEST(Threads, LocationsAreThoseOfOne) {
-    const std::vector<double> xyz = random_points(property::small() ? 9000 : 60000, 5),
+    const std::vector<double> xyz = random_points(is_small() ? 9000 : 60000, 5),
                               queries = random_points(20000, 6);
     const auto queried = static_cast<std::int64_t>(queries.size() / 3);
     const property::Handle t = property::create();

@@ -7,9 +7,9 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
+#include "../small.h"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
@@ -20,7 +20,7 @@ struct Sample {
 };
 
 int size_of_test(int full) {
-    return std::getenv("MGDT_TEST_SMALL") ? full / 50 : full;
+    return is_small() ? full / 50 : full;
 }
 
 class Samples {
@@ -121,7 +121,7 @@ TEST(Filter, DecidesPowersCorrectly) {
 // test above would otherwise not see a bound that is too small.
 TEST(Filter, FailsWithSmallerCoefficients) {
     // Memcheck has no extended precision: its points are not as close to the spheres.
-    const double divisor = std::getenv("MGDT_TEST_SMALL") ? 4096 : 64;
+    const double divisor = is_small() ? 4096 : 64;
     FilterBounds all;
     all.sphere_sum /= divisor;
     all.sphere_det /= divisor;

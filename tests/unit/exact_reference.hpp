@@ -8,9 +8,10 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <utility>
 #include <vector>
+
+#include "../small.h"
 
 namespace reference {
 
@@ -114,9 +115,9 @@ inline int compare_distance(const Point& q, const Point& a, const Point& b) {
     return power.sign();
 }
 
-// Number of random cases: few where MGDT_TEST_SMALL is set, as under Valgrind.
+// Number of random cases.
 inline int cases(int count) {
-    return std::getenv("MGDT_TEST_SMALL") ? 1 + count / 50 : count;
+    return is_small() ? 1 + count / 50 : count;
 }
 
 }  // namespace reference

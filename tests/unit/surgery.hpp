@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <memory>
 #include <random>
@@ -16,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "../small.h"
 #include "core/triangulation.hpp"
 #include "kernel/circumsphere.hpp"
 #include "platform/error.hpp"
@@ -26,10 +26,6 @@ namespace mgdt::surgery {
 using Random = std::mt19937_64;
 using Points = std::vector<double>;
 using Quad = std::array<VertexId, 4>;
-
-inline bool is_small() {
-    return std::getenv("MGDT_TEST_SMALL") != nullptr;
-}
 
 inline double uniform(Random& random) {
     return static_cast<double>(random() >> 11) * 0x1p-53;

@@ -2,17 +2,13 @@
 // What a team makes is what one thread makes, whatever its size: lists by key, and schedules.
 #include <stdexcept>
 
+#include "../small.h"
 #include "order_sets.hpp"
 #include "parallel/disjoint_sets.hpp"
 #include "parallel/team_lists.hpp"
 
 namespace order_test {
 namespace {
-
-bool is_small() {
-    const char* value = std::getenv("MGDT_TEST_SMALL");
-    return value != nullptr && *value != '\0' && *value != '0';
-}
 
 // The lists of so many keys, each item giving none to three values.
 struct Lists {

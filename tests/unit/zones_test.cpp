@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "../small.h"
 #include "core/triangulation.hpp"
 #include "platform/error.hpp"
 #include "query/check.hpp"
@@ -18,11 +19,6 @@
 
 namespace mgdt {
 namespace {
-
-bool is_small() {
-    const char* value = std::getenv("MGDT_TEST_SMALL");
-    return value != nullptr && *value != '\0' && *value != '0';
-}
 
 constexpr std::int32_t schemes[] = {
     MGDT_ORDER_AUTO,          MGDT_ORDER_INPUT,   MGDT_ORDER_RANDOM,

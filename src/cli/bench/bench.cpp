@@ -2,6 +2,7 @@
 // mgdt bench: distributions, sizes, order schemes, threads and peers, each run in a process of its
 // own.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -35,9 +36,9 @@ PlanOptions plan_options(const BenchOptions& options) {
     return plan;
 }
 
-class Session {
+class Benchmark {
   public:
-    explicit Session(const BenchOptions& options)
+    explicit Benchmark(const BenchOptions& options)
         : options_(options),
           plan_(make_plan(plan_options(options))),
           out_(options.json == "-" ? stderr : stdout) {
@@ -107,11 +108,8 @@ class Session {
                        options_.csv);
         }
         if (!plan_.left_out.empty()) {
-            std::string sets;
-            for (const std::string& set : plan_.left_out) {
-                sets += (sets.empty() ? "" : ", ") + set;
-            }
-            fmt::print(out_, "left out, larger than --largest: {}\n", sets);
+            fmt::print(out_, "left out, larger than --largest: {}\n",
+                       fmt::join(plan_.left_out, ", "));
         }
         print_heading(out_);
     }
@@ -197,7 +195,7 @@ class Session {
 }  // namespace
 
 int run_bench(const BenchOptions& options) {
-    return Session(options).run();
+    return Benchmark(options).run();
 }
 
 }  // namespace mgdt::cli

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 
 #include "cli/bench/child.hpp"
 #include "cli/bench/status.hpp"
@@ -20,7 +21,7 @@
 namespace mgdt::cli::bench {
 namespace {
 
-constexpr const char* mild = "mild-";
+constexpr std::string_view mild = "mild-";
 constexpr const char* mild_kinds[] = {"line", "diagonal", "ellipse", "sphere", "spiral", "cluster"};
 
 std::vector<double> make(const PointSetName& name, const std::string& data_directory) {
@@ -28,8 +29,8 @@ std::vector<double> make(const PointSetName& name, const std::string& data_direc
     options.seed = name.seed;
     options.data_directory = data_directory;
     std::string kind = name.distribution;
-    if (kind.compare(0, 5, mild) == 0) {
-        kind.erase(0, 5);
+    if (kind.compare(0, mild.size(), mild) == 0) {
+        kind.erase(0, mild.size());
         // S.H. Lo (2014), section 5: 1% of the larger dimension, and power 3 in equation (1).
         if (kind == "cluster") {
             options.power = 3;

@@ -21,51 +21,8 @@ ResultFile::ResultFile(const std::string& path) : path_(path) {
     fd_ = open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
     if (fd_ < 0) fail(errno);
     try {
-        struct stat status = {};
-        if (fstat(fd_, &status) != 0) fail(errno);
-        if (!S_ISREG(status.st_mode)) {
-            throw Error(exit_output, fmt::format("{}: not a file that rows can be read back from; "
-                                                 "name a file",
-                                                 path));
-        }
-        if (flock(fd_, LOCK_EX | LOCK_NB) != 0) {
-            throw Error(exit_output,
-                        fmt::format("{}: another mgdt bench is writing it; name another file or "
-                                    "wait",
-                                    path));
-        }
-        const std::string text = read();
-        const std::string heading = csv_heading() + "\n";
-        if (text.size() < heading.size() && heading.compare(0, text.size(), text) == 0) {
-            // New, or torn in the heading.
-            if (ftruncate(fd_, 0) != 0) fail(errno);
-            write_line(heading);
-            return;
-        }
-        if (text.compare(0, heading.size(), heading) != 0) {
-            refuse("its first line is not the heading of this version's table");
-        }
-        std::set<std::string> keys;
-        std::size_t begin = heading.size();
-        for (std::size_t number = 2; begin < text.size(); ++number) {
-            const std::size_t end = text.find('\n', begin);
-            if (end == std::string::npos) {
-                if (ftruncate(fd_, static_cast<off_t>(begin)) != 0) fail(errno);
-                break;
-            }
-            const std::optional<Row> row =
-                from_csv(std::string_view(text).substr(begin, end - begin));
-            if (!row) refuse(fmt::format("line {} is not one of such a table", number));
-            if (row->library == "mgdt" && row->version != mgdt_version_string()) {
-                refuse(fmt::format("line {} is of mgdt {}, and this is mgdt {}", number,
-                                   quote(row->version), mgdt_version_string()));
-            }
-            if (!keys.insert(row->key()).second) {
-                refuse(fmt::format("line {} is a run that an earlier line has", number));
-            }
-            rows_.push_back(*row);
-            begin = end + 1;
-        }
+        lock();
+        load();
     } catch (...) {
         close(fd_);
         throw;
@@ -74,6 +31,59 @@ ResultFile::ResultFile(const std::string& path) : path_(path) {
 
 ResultFile::~ResultFile() {
     close(fd_);
+}
+
+void ResultFile::lock() const {
+    struct stat status = {};
+    if (fstat(fd_, &status) != 0) fail(errno);
+    if (!S_ISREG(status.st_mode)) {
+        throw Error(exit_output, fmt::format("{}: not a file that rows can be read back from; "
+                                             "name a file",
+                                             path_));
+    }
+    if (flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+        throw Error(exit_output, fmt::format("{}: another mgdt bench is writing it; name another "
+                                             "file or wait",
+                                             path_));
+    }
+}
+
+void ResultFile::load() {
+    const std::string text = read();
+    const std::string heading = csv_heading() + "\n";
+    if (text.size() < heading.size() && heading.compare(0, text.size(), text) == 0) {
+        // New, or torn in the heading.
+        truncate(0);
+        write_line(heading);
+        return;
+    }
+    if (text.compare(0, heading.size(), heading) != 0) {
+        refuse("its first line is not the heading of this version's table");
+    }
+    std::set<std::string> keys;
+    std::size_t begin = heading.size();
+    for (std::size_t number = 2; begin < text.size(); ++number) {
+        const std::size_t end = text.find('\n', begin);
+        if (end == std::string::npos) {
+            truncate(begin);
+            return;
+        }
+        const std::optional<Row> row = from_csv(std::string_view(text).substr(begin, end - begin));
+        if (!row) refuse(fmt::format("line {} is not one of such a table", number));
+        if (row->library == "mgdt" && row->version != mgdt_version_string()) {
+            refuse(fmt::format("line {} is of mgdt {}, and this is mgdt {}", number,
+                               quote(row->version), mgdt_version_string()));
+        }
+        if (!keys.insert(row->key()).second) {
+            refuse(fmt::format("line {} is a run that an earlier line has", number));
+        }
+        rows_.push_back(*row);
+        begin = end + 1;
+    }
+}
+
+void ResultFile::truncate(std::size_t size) {
+    if (ftruncate(fd_, static_cast<off_t>(size)) != 0) fail(errno);
 }
 
 void ResultFile::append(const Row& row) {

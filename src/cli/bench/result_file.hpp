@@ -26,7 +26,12 @@ class ResultFile {
     void append(const Row& row);
 
   private:
+    // Against other programs.
+    void lock() const;
+    // The rows of what is there; a heading where there is nothing.
+    void load();
     std::string read() const;
+    void truncate(std::size_t size);
     void write_line(std::string line);
     [[noreturn]] void fail(int error) const;
     [[noreturn]] void refuse(const std::string& reason) const;

@@ -10,16 +10,10 @@
 #include <cstdint>
 #include <cstring>
 
+#include "cli/byte_order.hpp"
 #include "cli/input_file.hpp"
 
 namespace mgdt::cli {
-
-inline bool host_is_big_endian() {
-    const std::uint16_t one = 1;
-    unsigned char first;
-    std::memcpy(&first, &one, 1);
-    return first == 0;
-}
 
 class ByteReader {
   public:

@@ -2,6 +2,7 @@
 #include "cli/formats/format.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -22,10 +23,9 @@ std::string extension(const std::string& path) {
 }
 
 std::string names() {
-    std::string list;
-    for (const Format* f : all_formats())
-        list += fmt::format("{}{}", list.empty() ? "" : ", ", f->name);
-    return list;
+    std::vector<const char*> list;
+    for (const Format* f : all_formats()) list.push_back(f->name);
+    return fmt::format("{}", fmt::join(list, ", "));
 }
 
 }  // namespace

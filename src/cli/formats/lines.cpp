@@ -10,13 +10,6 @@
 #include "cli/interrupt.hpp"
 
 namespace mgdt::cli {
-namespace {
-
-bool blank(char c) {
-    return c == ' ' || c == '\t' || c == '\f' || c == '\v';
-}
-
-}  // namespace
 
 bool LineReader::next() {
     const std::string_view bytes = source_->bytes;
@@ -44,7 +37,7 @@ bool LineReader::next_with_text(char comment) {
         const std::size_t cut = text_.find(comment);
         if (cut != std::string_view::npos) text_ = text_.substr(0, cut);
         for (const char c : text_) {
-            if (!blank(c)) return true;
+            if (!is_blank(c)) return true;
         }
     }
     return false;
@@ -52,9 +45,9 @@ bool LineReader::next_with_text(char comment) {
 
 bool Fields::next(std::string_view& field) {
     std::size_t begin = 0;
-    while (begin < rest_.size() && blank(rest_[begin])) ++begin;
+    while (begin < rest_.size() && is_blank(rest_[begin])) ++begin;
     std::size_t end = begin;
-    while (end < rest_.size() && !blank(rest_[end])) ++end;
+    while (end < rest_.size() && !is_blank(rest_[end])) ++end;
     field = rest_.substr(begin, end - begin);
     rest_.remove_prefix(end);
     return !field.empty();

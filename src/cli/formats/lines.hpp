@@ -13,6 +13,11 @@ namespace mgdt::cli {
 // A comment character that no line contains.
 inline constexpr char no_comment = '\n';
 
+// What separates fields.
+inline bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\f' || c == '\v';
+}
+
 // Lines end with \n, \r\n or \r.
 class LineReader {
   public:

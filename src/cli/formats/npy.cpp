@@ -2,6 +2,7 @@
 // NumPy's .npy, versions 1.0 to 3.0 (numpy.lib.format): a magic string, the length of a header,
 // the header (a Python dictionary that says type, order and shape), the array's bytes.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstring>
@@ -155,10 +156,8 @@ Header read_header(const Source& source) {
 }
 
 std::string shape_text(const Header& header) {
-    std::string text;
-    for (const std::uint64_t n : header.shape)
-        text += fmt::format("{}{}", text.empty() ? "" : ", ", n);
-    return "(" + text + (header.shape.size() == 1 ? ",)" : ")");
+    return fmt::format("({}{})", fmt::join(header.shape, ", "),
+                       header.shape.size() == 1 ? "," : "");
 }
 
 // Number of rows, after the array's size has been compared with the file's.

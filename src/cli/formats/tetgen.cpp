@@ -21,11 +21,17 @@ std::string with_ending(const std::string& path, const char* ending) {
     return without_extension(path, tetgen_format()) + ending;
 }
 
-// The first line with text. False for an empty file.
+// Goes to the first line with text, which there must be.
 void first_line(LineReader& lines) {
     if (!lines.next_with_text()) {
         lines.source().fail_at_line(1, "the file is empty; a line of counts is needed");
     }
+}
+
+// The next number of a line, which may be left out.
+std::int64_t integer_or(std::int64_t otherwise, Fields& fields, const char* what) {
+    std::string_view word;
+    return Fields(fields).next(word) ? fields.integer(what) : otherwise;
 }
 
 // `count` lines of at least `columns` numbers each must fit what is left of the file.
@@ -55,13 +61,7 @@ std::int64_t read_nodes(const Source& source, std::vector<double>& points) {
     first_line(lines);
     Fields head(lines);
     const std::int64_t count = head.integer("the number of points", 0, any);
-    std::string_view rest;
-    std::int64_t dimension = 3;
-    if (head.next(rest)) {
-        Fields again(lines);
-        again.word("");
-        dimension = again.integer("the dimension");
-    }
+    const std::int64_t dimension = integer_or(3, head, "the dimension");
     if (dimension != 3) lines.fail(fmt::format("dimension {}; 3 is needed", dimension));
     check_count(lines, count, 4);
     points.reserve(3 * static_cast<std::size_t>(count));
@@ -89,13 +89,7 @@ void read_elements(const Source& source, std::int64_t base, Mesh& mesh) {
     first_line(lines);
     Fields head(lines);
     const std::int64_t count = head.integer("the number of tetrahedra", 0, any);
-    std::string_view rest;
-    std::int64_t nodes = 4;
-    if (head.next(rest)) {
-        Fields again(lines);
-        again.word("");
-        nodes = again.integer("the number of nodes a tetrahedron");
-    }
+    const std::int64_t nodes = integer_or(4, head, "the number of nodes a tetrahedron");
     if (nodes != 4 && nodes != 10) {
         lines.fail(fmt::format("{} nodes a tetrahedron; 4 or 10 are possible", nodes));
     }

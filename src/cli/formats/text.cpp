@@ -13,9 +13,6 @@
 namespace mgdt::cli {
 namespace {
 
-bool blank(char c) {
-    return c == ' ' || c == '\t' || c == '\f' || c == '\v';
-}
 bool mark(char c) {
     return c == ',' || c == ';';
 }
@@ -26,12 +23,12 @@ std::size_t split(std::string_view line, std::string_view* fields, std::size_t m
     std::size_t count = 0;
     std::size_t at = 0;
     const auto skip_blanks = [&] {
-        while (at < line.size() && blank(line[at])) ++at;
+        while (at < line.size() && is_blank(line[at])) ++at;
     };
     skip_blanks();
     while (at < line.size() && count < most) {
         const std::size_t begin = at;
-        while (at < line.size() && !blank(line[at]) && !mark(line[at])) ++at;
+        while (at < line.size() && !is_blank(line[at]) && !mark(line[at])) ++at;
         fields[count++] = line.substr(begin, at - begin);
         skip_blanks();
         if (at < line.size() && mark(line[at])) {
@@ -109,27 +106,20 @@ Mesh read_text(const Source& source, const ReadOptions& options) {
     return mesh;
 }
 
-void write_text(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
-    for (std::size_t i = 0; i < points.size(); i += 3) {
+void write_rows(const std::vector<double>& points, const char* separator, OutputFile& out) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
         out.write_number(points[i]);
-        out.write(" ");
-        out.write_number(points[i + 1]);
-        out.write(" ");
-        out.write_number(points[i + 2]);
-        out.write("\n");
+        out.write(i % 3 < 2 ? separator : "\n");
     }
+}
+
+void write_text(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
+    write_rows(points, " ", out);
 }
 
 void write_csv(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
     out.write("x,y,z\n");
-    for (std::size_t i = 0; i < points.size(); i += 3) {
-        out.write_number(points[i]);
-        out.write(",");
-        out.write_number(points[i + 1]);
-        out.write(",");
-        out.write_number(points[i + 2]);
-        out.write("\n");
-    }
+    write_rows(points, ",", out);
 }
 
 }  // namespace
