@@ -146,8 +146,8 @@ inline void set_normal(const LocalVertex& a, const LocalVertex& b, Sphere& s,
 
 }  // namespace MGDT_ISA
 
-// The sphere of any tetrahedron, marked or not, from its vertices. Where a vertex is outside the normal range the
-// bound is infinite.
+// The sphere of any tetrahedron, marked or not, from its vertices. Where a vertex is outside the
+// normal range the bound is infinite.
 Sphere circumsphere(const Tetrahedron& t, const Vertex* vertices);
 
 // Whether q is in conflict with t, decided exactly, ties by perturbation. q is none of its

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kernel: insertion of one point, in a table so that the same code can be compiled for
-// several instruction sets and chosen once per handle.
+// The kernel: insertion of one point, in a table so that the same code is compiled for
+// several instruction sets, of which a handle has one, and for meshes with spheres and without.
 #pragma once
 
 #include "kernel/workspace.hpp"

@@ -5,6 +5,7 @@
 // for the four together.
 #pragma once
 
+#include "kernel/four_rows.hpp"
 #include "kernel/pieces.hpp"
 #include "kernel/sphere_source.hpp"
 #include "kernel/vector_sphere.hpp"
@@ -13,24 +14,6 @@ namespace mgdt {
 inline namespace MGDT_ISA {
 
 #if defined(MGDT_HAVE_FOUR_ROWS)
-
-// Four rows of four doubles as columns. row(k) points to row k, aligned to 32 bytes.
-struct FourRows {
-    FourRows(__m256d first, __m256d second, __m256d third, __m256d fourth)
-        : first(first), second(second), third(third), fourth(fourth) {}
-    template <class Row>
-    MGDT_ALWAYS_INLINE explicit FourRows(Row row) {
-        const __m256d r0 = _mm256_load_pd(row(0)), r1 = _mm256_load_pd(row(1)),
-                      r2 = _mm256_load_pd(row(2)), r3 = _mm256_load_pd(row(3));
-        const __m256d odd_low = _mm256_unpacklo_pd(r0, r1), even_low = _mm256_unpackhi_pd(r0, r1);
-        const __m256d odd_high = _mm256_unpacklo_pd(r2, r3), even_high = _mm256_unpackhi_pd(r2, r3);
-        first = _mm256_permute2f128_pd(odd_low, odd_high, 0x20);
-        second = _mm256_permute2f128_pd(even_low, even_high, 0x20);
-        third = _mm256_permute2f128_pd(odd_low, odd_high, 0x31);
-        fourth = _mm256_permute2f128_pd(even_low, even_high, 0x31);
-    }
-    __m256d first, second, third, fourth;
-};
 
 class FourPowers {
   public:

@@ -5,6 +5,7 @@
 
 #include "kernel/circumsphere.hpp"
 #include "kernel/eight_rows.hpp"
+#include "kernel/four_rows.hpp"
 #include "kernel/vector_sphere.hpp"
 #include "kernel/workspace.hpp"
 
@@ -148,6 +149,42 @@ inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::u
                         SphereStore spheres) {
     set_coordinates(w, vertices, q, count);
     set_spheres_vector(w, MemoryVertices(w), w.a.data, w.b.data, w.c.data, spheres);
+}
+
+#elif defined(MGDT_HAVE_FOUR_ROWS)
+
+// set_sphere() for four facets at a time. The arrays of numbers may be read past their ends.
+template <class Number>
+MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices, VertexId q,
+                                           const Number* as, const Number* bs, const Number* cs,
+                                           SphereStore spheres) {
+    const __m256d qx = _mm256_set1_pd(vertices[q].x[0]), qy = _mm256_set1_pd(vertices[q].x[1]),
+                  qz = _mm256_set1_pd(vertices[q].x[2]);
+    const auto pick = [&](const Number* numbers) {
+        const FourRows rows([&](unsigned k) { return vertices[w.ids.data[numbers[k]]].x; });
+        return LocalColumns<Four>({Four::subtract(rows.first, qx), Four::subtract(rows.second, qy),
+                                   Four::subtract(rows.third, qz)});
+    };
+    const std::size_t size = w.boundary_size;
+    for (std::size_t begin = 0; begin < size; begin += 4) {
+        const SphereColumns<Four> s =
+            spheres_through(pick(as + begin), pick(bs + begin), pick(cs + begin));
+        const auto place = [&](std::size_t k) {
+            return begin + k < size ? spheres.sphere(w.slots.data[begin + k]).w : w.beyond.w;
+        };
+        const FourRows columns = {s.x, s.y, s.z, s.e};
+        columns.store_rows(place);
+    }
+}
+
+inline void set_spheres_small(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t,
+                              SphereStore spheres) {
+    set_spheres_vector(w, vertices, q, w.small.a, w.small.b, w.small.c, spheres);
+}
+
+inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t,
+                        SphereStore spheres) {
+    set_spheres_vector(w, vertices, q, w.a.data, w.b.data, w.c.data, spheres);
 }
 
 #else

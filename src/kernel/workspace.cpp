@@ -9,6 +9,7 @@ Workspace::Workspace(Allocator& allocator)
     : cavity(allocator),
       corners(allocator),
       boundary(allocator),
+      small(),
       probed(allocator),
       ids(allocator),
       x(allocator),
