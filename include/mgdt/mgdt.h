@@ -231,6 +231,17 @@ MGDT_API mgdt_status mgdt_set_index_base(mgdt_triangulation *t, int32_t base);
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_memory_limit(mgdt_triangulation *t, int64_t bytes);
 
+/** Chooses between speed and memory. A triangulation keeps the circumsphere of every tetrahedron,
+ *  which is half of its memory. In compact storage spheres are computed from the vertices whenever
+ *  they are wanted: insertions and locations take longer (docs/performance.md), the tetrahedra are
+ *  the same, so are the calls. May be called at any time: with 1 after the last insertion it gives
+ *  half of the memory back, with 0 it computes the spheres again.
+ *  @param on  1 for compact storage, 0 (default) for spheres that are kept
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_OUT_OF_MEMORY (for
+ *          0; nothing has changed then)
+ *  @since 1.1 */
+MGDT_API mgdt_status mgdt_set_compact(mgdt_triangulation *t, int32_t on);
+
 /** Sets the callback that hears of progress, about a hundred times a call, and may cancel.
  *  @param fn  NULL for none (default)
  *  @param user  passed to it

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t share = 4096;
 
 Locator locator(const mgdt_triangulation* t) {
-    return {t->core.mesh(), t->core.kernel(), t->core.location_tree()};
+    return {t->core.mesh(), t->core.calls(), t->core.location_tree()};
 }
 
 PointScan scan_finite(Team& team, std::size_t n, const double* xyz, const mgdt_triangulation* t) {

@@ -87,6 +87,10 @@ extern "C" mgdt_status mgdt_set_memory_limit(mgdt_triangulation* t, int64_t byte
     });
 }
 
+extern "C" mgdt_status mgdt_set_compact(mgdt_triangulation* t, int32_t on) {
+    return guard(t, [&] { t->core.set_compact(flag(on, "compact storage")); });
+}
+
 extern "C" mgdt_status mgdt_set_progress(mgdt_triangulation* t, mgdt_progress_fn fn, void* user) {
     return guard(t, [&] {
         t->core.settings().progress = fn;

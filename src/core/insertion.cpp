@@ -164,7 +164,7 @@ void Triangulation::make_first_tetrahedra() {
     if (orientation(mesh_.point(4), mesh_.point(3), mesh_.point(2), mesh_.point(1)) < 0)
         std::swap(v[2], v[3]);
     mesh_.tetrahedra.resize(5);
-    Tetrahedron* const all = mesh_.tetrahedra.data();
+    TetrahedronStore& all = mesh_.tetrahedra;
     std::copy(v, v + 4, all[0].v);
     for (unsigned f = 0; f < 4; ++f) {
         // Ghost f + 1 stands on face f. (q, a, b, c) is positive for q beyond it, so these are:
@@ -185,8 +185,8 @@ void Triangulation::make_first_tetrahedra() {
                         all[t].n[i] = 4 * m + j;
             }
         }
-        set_circumsphere(all[t], mesh_.vertices.data());
     }
+    if (mesh_.tetrahedra.has_spheres()) set_spheres();
     mesh_.ghost_count = 4;
     mesh_.a_ghost = 4;
     last_ = 0;
@@ -282,7 +282,7 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
         else if (k == 0)
             start = start_of_walk(mesh_, tree, last_, mesh_.point(q));
         const std::uint64_t steps_before = workspace_.counters.walk_steps;
-        const Insertion result = kernel_->insert(mesh_, workspace_, q, start);
+        const Insertion result = calls().insert(mesh_, workspace_, q, start);
         if (k == 0) lone_steps_ += workspace_.counters.walk_steps - steps_before;
         last_ = result.tetrahedron;
         note(q, result);

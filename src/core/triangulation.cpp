@@ -48,6 +48,17 @@ void Triangulation::reserve(std::size_t points) {
     mesh_.reserve_tetrahedra(expected_tetrahedra(points, mesh_.slot_limit));
 }
 
+void Triangulation::set_compact(bool compact) {
+    if (compact != mesh_.tetrahedra.has_spheres()) return;
+    if (compact) {
+        mesh_.tetrahedra.drop_spheres();
+    } else {
+        mesh_.tetrahedra.make_room_for_spheres();
+        set_spheres();
+    }
+    mesh_.ready = std::min(mesh_.ready, mesh_.tetrahedra.capacity());
+}
+
 void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrdiff_t stride) {
     const std::size_t first = point_map_.size();
     if (n > max_points - first)
@@ -110,11 +121,17 @@ void Triangulation::set_scale(const ExponentRange& range) {
         for (double& x : mesh_.vertices[v].x) x = scaled(x, change);
         if (!in_normal_range(mesh_.vertices[v].x)) mesh_.has_extremes = true;
     }
-    for (Tetrahedron& t : mesh_.tetrahedra)
-        if (!t.is_dead()) set_circumsphere(t, mesh_.vertices.data());
+    if (mesh_.tetrahedra.has_spheres()) set_spheres();
     // What is held is found by its bits, and a basis compares with points to come.
     held_.clear();
     basis_.scale(change);
+}
+
+// Of all tetrahedra, whose storage is there.
+void Triangulation::set_spheres() noexcept {
+    for (TetId t = 0; t < mesh_.tetrahedra.size(); ++t)
+        if (!mesh_.tetrahedra[t].is_dead())
+            mesh_.tetrahedra.sphere(t) = circumsphere(mesh_.tetrahedra[t], mesh_.vertices.data());
 }
 
 // How many of the batch's first points it takes, with those held, to span space; all of them if

@@ -54,6 +54,9 @@ class Triangulation {
     void insert(std::size_t n, const double* const axis[3], std::ptrdiff_t stride);
     void clear() noexcept;
     void reserve(std::size_t points);
+    // Whether spheres are kept or computed whenever they are wanted. Throws std::bad_alloc with
+    // nothing changed where there is no memory to keep them.
+    void set_compact(bool compact);
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
 
     // How many threads a call may use that has so much work in units of `share`.
@@ -64,6 +67,7 @@ class Triangulation {
     Allocator& allocator() const noexcept { return allocator_; }
     const Mesh& mesh() const noexcept { return mesh_; }
     const Kernel& kernel() const noexcept { return *kernel_; }
+    const KernelCalls& calls() const noexcept { return kernel_->on(mesh_); }
     void set_kernel(const Kernel& kernel) noexcept { kernel_ = &kernel; }
     const Counters& counters() const noexcept { return workspace_.counters; }
     const Statistics& statistics() const noexcept { return statistics_; }
@@ -86,6 +90,7 @@ class Triangulation {
     class ZonalInsertion;
 
     void set_scale(const ExponentRange& range);
+    void set_spheres() noexcept;
     std::size_t points_to_span_space(const Batch& batch, AffineBasis& basis) const;
     void hold(const Batch& batch, const AffineBasis& basis);
     void release_held(Team& team, const Batch& batch, std::size_t spanning);

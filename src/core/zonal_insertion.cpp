@@ -219,14 +219,14 @@ bool Triangulation::ZonalInsertion::is_too_crowded(Member& member, std::size_t t
 bool Triangulation::ZonalInsertion::try_insert(Member& member, std::size_t k) {
     if (stop_.load(std::memory_order_relaxed)) return false;
     const VertexId q = vertex(k);
-    const Shared access(t_.mesh_, member.territory);
-    if (!access.enter(q)) return false;
+    Territory& territory = member.territory;
+    if (!territory.enter(q)) return false;
     const std::size_t distance = k > member.last ? k - member.last : member.last - k;
     if ((member.here == no_tetrahedron || distance > far_away) && !arrive(member, k)) return false;
     Insertion result;
     try {
-        result = t_.kernel_->insert_among_others(t_.mesh_, member.workspace, member.territory, q,
-                                                 member.here);
+        result = t_.calls().insert_among_others(t_.mesh_, member.workspace, member.territory, q,
+                                                member.here);
     } catch (const SlotSupply::NoSlots&) {
         no_slots_ = true;
         stop_ = true;
@@ -273,10 +273,10 @@ bool Triangulation::ZonalInsertion::for_nearby_positions(std::size_t k, F f) con
 // Makes a tetrahedron near point k this thread's, to walk from. Whether that could be.
 bool Triangulation::ZonalInsertion::arrive(Member& member, std::size_t k) {
     const Mesh& mesh = t_.mesh_;
-    const Shared access(t_.mesh_, member.territory);
+    Territory& territory = member.territory;
     return for_nearby_positions(k, [&](std::size_t position) {
         const VertexId near = vertex(position);
-        if (!access.enter(near)) return false;
+        if (!territory.enter(near)) return false;
         const TetId t = mesh.near[near];
         if (t == no_tetrahedron) return false;
         // The guards of a tetrahedron that another thread may be changing. They are believed when
@@ -284,7 +284,7 @@ bool Triangulation::ZonalInsertion::arrive(Member& member, std::size_t k) {
         VertexId first[2], again[2];
         read_racing(mesh.tetrahedra[t].v, first);
         if (first[0] == infinite_vertex) return false;
-        if (!access.enter(first[0]) || !access.enter(first[1])) return false;
+        if (!territory.enter(first[0]) || !territory.enter(first[1])) return false;
         read_racing(mesh.tetrahedra[t].v, again);
         if (first[0] != again[0] || first[1] != again[1]) return false;
         member.here = t;
@@ -299,7 +299,7 @@ void Triangulation::ZonalInsertion::give_back(Member& member) {
     Claim& claim = member.territory.claim;
     const Tetrahedron* const here =
         member.here == no_tetrahedron ? nullptr : &t_.mesh_.tetrahedra[member.here];
-    if (here && Shared(t_.mesh_, member.territory).enter(*here)) {
+    if (here && member.territory.enter(*here)) {
         claim.give_back(here->v, 2);
     } else {
         member.here = no_tetrahedron;
@@ -327,7 +327,7 @@ void Triangulation::ZonalInsertion::insert_alone(std::size_t k, bool is_next) {
         t_.workspace_.slot_count = 0;
     }
     const VertexId q = vertex(k);
-    const Insertion result = t_.kernel_->insert(t_.mesh_, t_.workspace_, q, start);
+    const Insertion result = t_.calls().insert(t_.mesh_, t_.workspace_, q, start);
     t_.last_ = result.tetrahedron;
     t_.note(q, result);
     ++t_.statistics_.inserted_alone;

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "core/batch.hpp"
-#include "kernel/access.hpp"
+#include "kernel/territory.hpp"
 #include "parallel/work_queue.hpp"
 
 namespace mgdt {

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
-// How an insertion has access to the mesh: alone, or as one of several threads. The walk, the
-// cavity and the star are compiled for each.
+// How an insertion has access to the mesh: alone, or as one of several threads; with spheres that
+// are kept, or computed whenever they are wanted. The walk, the cavity and the star are compiled
+// for each.
 #pragma once
 
 #include "kernel/isa.hpp"
+#include "kernel/sphere_source.hpp"
 #include "kernel/territory.hpp"
 
 namespace mgdt {
 inline namespace MGDT_ISA {
 
 // The whole mesh is mine.
+template <class Spheres>
 struct Alone {
+    using SphereSource = Spheres;
     static constexpr bool is_shared = false;
     MGDT_ALWAYS_INLINE bool enter(const Tetrahedron&) const noexcept { return true; }
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
@@ -29,8 +33,10 @@ struct Alone {
 };
 
 // Other threads insert too.
+template <class Spheres>
 class Shared {
   public:
+    using SphereSource = Spheres;
     static constexpr bool is_shared = true;
 
     MGDT_ALWAYS_INLINE Shared(Mesh& mesh, Territory& territory) noexcept

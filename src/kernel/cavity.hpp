@@ -31,7 +31,10 @@ template <class Access>
 class CavityFront {
   public:
     MGDT_ALWAYS_INLINE CavityFront(Access access, Mesh& mesh, Workspace& w, CavityStart start)
-        : access_(access), workspace_(w), tetrahedra_(mesh.tetrahedra.data()) {
+        : access_(access),
+          workspace_(w),
+          mesh_(mesh),
+          tetrahedra_(mesh.tetrahedra.view<Access::SphereSource::are_kept>()) {
         if (MGDT_UNLIKELY(w.cavity_capacity == 0)) w.grow_cavity(0, 0, 64);
         if constexpr (Access::is_shared) access_.marks().begin(w.cavity_capacity);
         point_to_arrays();
@@ -63,7 +66,7 @@ class CavityFront {
     }
     // Gives the cavity up.
     void abandon() const {
-        if constexpr (!Access::is_shared) workspace_.restore_cavity(tetrahedra_, members);
+        if constexpr (!Access::is_shared) workspace_.restore_cavity(mesh_.tetrahedra, members);
     }
     // Takes those of four facets whose bits are set.
     MGDT_ALWAYS_INLINE void add_boundary(const FacetCode* codes, std::uint32_t outside) {
@@ -124,7 +127,8 @@ class CavityFront {
 
     const Access access_;
     Workspace& workspace_;
-    Tetrahedron* const tetrahedra_;
+    Mesh& mesh_;
+    const TetrahedronView<Access::SphereSource::are_kept, HalfLine> tetrahedra_;
     FacetCode *cavity_, *boundary_;
     VertexId* corners_;
     MarkTable::View marks_;  // used among other threads
@@ -133,8 +137,8 @@ class CavityFront {
 // Whether the cavity was dug: not if a tetrahedron of it may not be entered.
 template <class Access>
 inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart start, const Query& q) {
-    const Tetrahedron* const tetrahedra = mesh.tetrahedra.data();
-    const Vertex* const vertices = mesh.vertices.data();
+    const typename Access::SphereSource spheres(mesh);
+    const auto tetrahedra = spheres.tetrahedra;
     CavityFront<Access> front(access, mesh, w, start);
     // The first member is entered through no face if it is the start itself.
     std::uint32_t entered = start.faces != 0;
@@ -150,7 +154,7 @@ inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart star
         const bool is_last = done + 1 == front.members;
         FacetCode next = front.member(done + 1);
         const FacetCode* const n = tetrahedra[member >> 2].n;
-        const FourPowers powers(tetrahedra, vertices, n, q);
+        const FourPowers powers(spheres, n, q);
         // All but the one that it was reached through.
         const std::uint32_t active = 0xFu & ~(entered << (member & 3));
         entered = 1;

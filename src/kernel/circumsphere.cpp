@@ -6,23 +6,24 @@
 
 namespace mgdt {
 
-void set_circumsphere(Tetrahedron& t, const Vertex* vertices) {
-    const double* base = vertices[t.v[0]].x;
-    const bool ghost =
-        t.v[1] == infinite_vertex || t.v[2] == infinite_vertex || t.v[3] == infinite_vertex;
-    bool normal = in_normal_range(base);
-    for (int i = 1; i < 4; ++i)
-        normal = normal && (t.v[i] == infinite_vertex || in_normal_range(vertices[t.v[i]].x));
+Sphere circumsphere(const Tetrahedron& t, const Vertex* vertices) {
+    const VertexId v[4] = {t.v[0], t.v[1] & ~in_cavity, t.v[2], t.v[3]};
+    const double* base = vertices[v[0]].x;
+    const bool ghost = t.is_ghost();
+    bool normal = true;
+    for (const VertexId u : v)
+        normal = normal && (u == infinite_vertex || in_normal_range(vertices[u].x));
+    const auto corner = [&](int i) { return relative_to(vertices[v[i]].x, base); };
+    Sphere s;
     if (ghost) {
         // (base, ., ., .) with the vertex at infinity turned to the end keeps its orientation.
         const int slot = t.infinite_slot();
-        const VertexId a = t.v[slot % 3 + 1], b = t.v[(slot + 1) % 3 + 1];
-        set_normal(relative_to(vertices[a].x, base), relative_to(vertices[b].x, base), t);
+        set_normal(corner(slot % 3 + 1), corner((slot + 1) % 3 + 1), s);
     } else {
-        set_sphere(relative_to(vertices[t.v[1]].x, base), relative_to(vertices[t.v[2]].x, base),
-                   relative_to(vertices[t.v[3]].x, base), t);
+        set_sphere(corner(1), corner(2), corner(3), s);
     }
-    if (!normal) t.e = ghost ? -infinity : infinity;
+    if (!normal) s.e = ghost ? -infinity : infinity;
+    return s;
 }
 
 bool is_conflict_exact(const Mesh& mesh, const Tetrahedron& t, const double* q) {

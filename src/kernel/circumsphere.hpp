@@ -67,14 +67,14 @@ struct Power {
     bool is_decided() const { return std::fabs(value) > error; }
 };
 
-inline Power power(const Tetrahedron& t, const Vertex* vertices, const Query& q) {
-    const double* p = vertices[t.v[0]].x;
+// Of q with respect to the sphere of a tetrahedron with this base vertex.
+inline Power power(const Sphere& s, const double* p, const Query& q) {
     const double ux = q.x - p[0], uy = q.y - p[1], uz = q.z - p[2];
     double square = ux * ux + uy * uy + uz * uz;
-    square = t.is_ghost() ? 0.0 : square;
-    const double value = square - (t.w[0] * ux + t.w[1] * uy + t.w[2] * uz);
+    square = s.is_ghost() ? 0.0 : square;
+    const double value = square - (s.w[0] * ux + s.w[1] * uy + s.w[2] * uz);
     const double error =
-        std::fabs(t.e) * (std::fabs(ux) + std::fabs(uy) + std::fabs(uz)) + q.quadratic * square;
+        std::fabs(s.e) * (std::fabs(ux) + std::fabs(uy) + std::fabs(uz)) + q.quadratic * square;
     return {value, error};
 }
 
@@ -108,8 +108,8 @@ MGDT_MAY_DIVIDE_BY_ZERO MGDT_ALWAYS_INLINE double reciprocal(double x) {
 
 // w and e of the finite tetrahedron (base, a, b, c). A determinant that is not sound, 0 among them,
 // leaves w as it comes and e infinite.
-inline void set_sphere(const LocalVertex& a, const LocalVertex& b, const LocalVertex& c,
-                       Tetrahedron& t, const FilterBounds& bounds = proved_bounds) {
+inline void set_sphere(const LocalVertex& a, const LocalVertex& b, const LocalVertex& c, Sphere& s,
+                       const FilterBounds& bounds = proved_bounds) {
     const double bcx = b.y * c.z - b.z * c.y, bcy = b.z * c.x - b.x * c.z,
                  bcz = b.x * c.y - b.y * c.x;
     const double cax = c.y * a.z - c.z * a.y, cay = c.z * a.x - c.x * a.z,
@@ -121,34 +121,34 @@ inline void set_sphere(const LocalVertex& a, const LocalVertex& b, const LocalVe
     const double wx = a.square * bcx + b.square * cax + c.square * abx;
     const double wy = a.square * bcy + b.square * cay + c.square * aby;
     const double wz = a.square * bcz + b.square * caz + c.square * abz;
-    t.w[0] = wx * inverse;
-    t.w[1] = wy * inverse;
-    t.w[2] = wz * inverse;
+    s.w[0] = wx * inverse;
+    s.w[1] = wy * inverse;
+    s.w[2] = wz * inverse;
     const double lbc = b.largest * c.largest, lca = c.largest * a.largest,
                  lab = a.largest * b.largest;
     const double sum = a.square * lbc + b.square * lca + c.square * lab;
     const double product = a.largest * lbc;
-    const double largest = max_magnitude(t.w[0], t.w[1], t.w[2]);
+    const double largest = max_magnitude(s.w[0], s.w[1], s.w[2]);
     const double bound =
         unit_roundoff * inverse * (bounds.sphere_sum * sum + bounds.sphere_det * product * largest);
     const bool sound = det > bounds.sphere_det * unit_roundoff * product;
-    t.e = sound ? bound : infinity;
+    s.e = sound ? bound : infinity;
 }
 
 // w and e of the ghost whose hull facet is (base, a, b), the vertex at infinity following b.
-inline void set_normal(const LocalVertex& a, const LocalVertex& b, Tetrahedron& t,
+inline void set_normal(const LocalVertex& a, const LocalVertex& b, Sphere& s,
                        const FilterBounds& bounds = proved_bounds) {
-    t.w[0] = a.y * b.z - a.z * b.y;
-    t.w[1] = a.z * b.x - a.x * b.z;
-    t.w[2] = a.x * b.y - a.y * b.x;
-    t.e = -(bounds.normal * unit_roundoff * a.largest * b.largest);
+    s.w[0] = a.y * b.z - a.z * b.y;
+    s.w[1] = a.z * b.x - a.x * b.z;
+    s.w[2] = a.x * b.y - a.y * b.x;
+    s.e = -(bounds.normal * unit_roundoff * a.largest * b.largest);
 }
 
 }  // namespace MGDT_ISA
 
-// w and e of any tetrahedron from its vertices. Where a vertex is outside the normal range the
-// bound is infinite.
-void set_circumsphere(Tetrahedron& t, const Vertex* vertices);
+// The sphere of any tetrahedron, marked or not, from its vertices. Where a vertex is outside the
+// normal range the bound is infinite.
+Sphere circumsphere(const Tetrahedron& t, const Vertex* vertices);
 
 // Whether q is in conflict with t, decided exactly, ties by perturbation. q is none of its
 // vertices.

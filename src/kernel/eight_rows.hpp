@@ -3,13 +3,9 @@
 // are wanted: for AVX-512.
 #pragma once
 
-#include "kernel/isa.hpp"
+#include "kernel/vector_sphere.hpp"
 
-#if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__)
-#define MGDT_HAVE_EIGHT_ROWS 1
-#include <immintrin.h>
-
-#include "platform/cpu.hpp"
+#if defined(MGDT_HAVE_EIGHT_ROWS)
 
 namespace mgdt {
 inline namespace MGDT_ISA {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kernel: insertion of one point, in a table so that the same code can be compiled for
-// several instruction sets and chosen once per handle.
+// The kernel: insertion of one point, in a table so that the same code is compiled for
+// several instruction sets, of which a handle has one, and for meshes with spheres and without.
 #pragma once
 
 #include "kernel/workspace.hpp"
@@ -25,8 +25,7 @@ struct LocationWalk {
     bool is_certain;  // after the last step: whether it is certain that this one contains q
 };
 
-struct Kernel {
-    const char* isa;
+struct KernelCalls {
     // Inserts vertex q, whose record is in the mesh, walking from `start`. Strong guarantee: when
     // it throws (std::bad_alloc, Error with MGDT_ERR_TOO_LARGE) the triangulation is unchanged.
     Insertion (*insert)(Mesh& mesh, Workspace& workspace, VertexId q, TetId start);
@@ -37,6 +36,16 @@ struct Kernel {
     // A location's first power, and its next step; false where it ends. See walk.hpp.
     void (*locate_begin)(const Mesh& mesh, LocationWalk& walk);
     bool (*locate_step)(const Mesh& mesh, LocationWalk& walk);
+};
+
+struct Kernel {
+    const char* isa;
+    KernelCalls with_spheres;     // for a mesh that keeps them
+    KernelCalls without_spheres;  // for one that does not
+
+    const KernelCalls& on(const Mesh& mesh) const noexcept {
+        return mesh.tetrahedra.has_spheres() ? with_spheres : without_spheres;
+    }
 };
 
 // The kernel of that name, or the best for NULL; nullptr if this processor does not run it.

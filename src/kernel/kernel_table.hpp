@@ -15,10 +15,11 @@ template <class Access>
 MGDT_ALWAYS_INLINE Insertion insert_with(Access access, Mesh& mesh, Workspace& w, VertexId q,
                                          TetId start) {
     const Query query(mesh.point(q));
+    const typename Access::SphereSource spheres(mesh);
     const bool is_in_star = w.slot_count != 0 && start == w.slots.data[0];
     const WalkResult found = walk(access, mesh,
-                                  is_in_star ? start_in_star(mesh, w, query, w.counters)
-                                             : start_at(mesh, start, query, w.counters),
+                                  is_in_star ? start_in_star(spheres, w, query, w.counters)
+                                             : start_at(spheres, start, query, w.counters),
                                   query, w.counters);
     if (found.duplicate != infinite_vertex) return {found.start.tetrahedron, found.duplicate};
     if (found.start.tetrahedron == no_tetrahedron ||
@@ -27,22 +28,28 @@ MGDT_ALWAYS_INLINE Insertion insert_with(Access access, Mesh& mesh, Workspace& w
     return {build_star(access, mesh, w, q), infinite_vertex};
 }
 
-inline Insertion insert(Mesh& mesh, Workspace& w, VertexId q, TetId start) {
-    return insert_with(Alone{mesh}, mesh, w, q, start);
+template <class Spheres>
+Insertion insert(Mesh& mesh, Workspace& w, VertexId q, TetId start) {
+    return insert_with(Alone<Spheres>{mesh}, mesh, w, q, start);
 }
 
-inline Insertion insert_among_others(Mesh& mesh, Workspace& w, Territory& territory, VertexId q,
-                                     TetId start) {
-    return insert_with(Shared(mesh, territory), mesh, w, q, start);
+template <class Spheres>
+Insertion insert_among_others(Mesh& mesh, Workspace& w, Territory& territory, VertexId q,
+                              TetId start) {
+    return insert_with(Shared<Spheres>(mesh, territory), mesh, w, q, start);
 }
+
+template <class Spheres>
+constexpr KernelCalls kernel_calls = {insert<Spheres>, insert_among_others<Spheres>,
+                                      locate_begin<Spheres>, locate_step<Spheres>};
 
 }  // namespace MGDT_ISA
 }  // namespace mgdt
 
 #define MGDT_TEXT_OF(name) #name
 #define MGDT_TEXT(name) MGDT_TEXT_OF(name)
-#define MGDT_KERNEL_TABLE                                                                 \
-    {                                                                                     \
-        MGDT_TEXT(MGDT_ISA), mgdt::insert, mgdt::insert_among_others, mgdt::locate_begin, \
-            mgdt::locate_step                                                             \
+#define MGDT_KERNEL_TABLE                                           \
+    {                                                               \
+        MGDT_TEXT(MGDT_ISA), mgdt::kernel_calls<mgdt::KeptSpheres>, \
+            mgdt::kernel_calls<mgdt::ComputedSpheres>               \
     }

@@ -1,66 +1,42 @@
 // SPDX-License-Identifier: MIT
 // The powers of a point with respect to four tetrahedra at once, such as the neighbours of one.
 // Their records and base vertices are transposed in registers, so that a test costs some fifteen
-// instructions and the four lines are waited for together.
+// instructions and the four lines are waited for together. Spheres that are not kept are computed
+// for the four together.
 #pragma once
 
-#include "kernel/circumsphere.hpp"
+#include "kernel/four_rows.hpp"
 #include "kernel/pieces.hpp"
-
-#if defined(__AVX2__) && defined(__FMA__)
-#include <immintrin.h>
-#endif
+#include "kernel/sphere_source.hpp"
+#include "kernel/vector_sphere.hpp"
 
 namespace mgdt {
 inline namespace MGDT_ISA {
 
-#if defined(__AVX2__) && defined(__FMA__)
-
-// Four rows of four doubles as columns. row(k) points to row k, aligned to 32 bytes.
-struct FourRows {
-    template <class Row>
-    MGDT_ALWAYS_INLINE explicit FourRows(Row row) {
-        const __m256d r0 = _mm256_load_pd(row(0)), r1 = _mm256_load_pd(row(1)),
-                      r2 = _mm256_load_pd(row(2)), r3 = _mm256_load_pd(row(3));
-        const __m256d odd_low = _mm256_unpacklo_pd(r0, r1), even_low = _mm256_unpackhi_pd(r0, r1);
-        const __m256d odd_high = _mm256_unpacklo_pd(r2, r3), even_high = _mm256_unpackhi_pd(r2, r3);
-        first = _mm256_permute2f128_pd(odd_low, odd_high, 0x20);
-        second = _mm256_permute2f128_pd(even_low, even_high, 0x20);
-        third = _mm256_permute2f128_pd(odd_low, odd_high, 0x31);
-        fourth = _mm256_permute2f128_pd(even_low, even_high, 0x31);
-    }
-    __m256d first, second, third, fourth;
-};
+#if defined(MGDT_HAVE_FOUR_ROWS)
 
 class FourPowers {
   public:
     // Each tetrahedron is given as any facet code of it.
-    MGDT_ALWAYS_INLINE FourPowers(const Tetrahedron* tetrahedra, const Vertex* vertices,
-                                  const FacetCode* codes, const Query& q) {
-        const auto tetrahedron = [&](unsigned k) { return tetrahedra + (codes[k] >> 2); };
-        const FourRows spheres([&](unsigned k) { return tetrahedron(k)->w; });
-        const FourRows bases([&](unsigned k) { return vertices[tetrahedron(k)->v[0]].x; });
-        const __m256d ux = _mm256_sub_pd(_mm256_set1_pd(q.x), bases.first);
-        const __m256d uy = _mm256_sub_pd(_mm256_set1_pd(q.y), bases.second);
-        const __m256d uz = _mm256_sub_pd(_mm256_set1_pd(q.z), bases.third);
-        const __m256d magnitude = _mm256_castsi256_pd(_mm256_set1_epi64x(0x7FFFFFFFFFFFFFFF));
-        const __m256d wx = spheres.first, wy = spheres.second, wz = spheres.third;
-        ghost_ = spheres.fourth;
-
-        const __m256d all = _mm256_fmadd_pd(uz, uz, _mm256_fmadd_pd(uy, uy, _mm256_mul_pd(ux, ux)));
-        // A ghost has no quadratic term.
-        const __m256d square =
-            _mm256_andnot_pd(_mm256_castsi256_pd(_mm256_cmpgt_epi64(_mm256_setzero_si256(),
-                                                                    _mm256_castpd_si256(ghost_))),
-                             all);
-        const __m256d linear =
-            _mm256_fmadd_pd(wz, uz, _mm256_fmadd_pd(wy, uy, _mm256_mul_pd(wx, ux)));
-        value_ = _mm256_sub_pd(square, linear);
-        const __m256d length = _mm256_add_pd(
-            _mm256_and_pd(uz, magnitude),
-            _mm256_add_pd(_mm256_and_pd(uy, magnitude), _mm256_and_pd(ux, magnitude)));
-        error_ = _mm256_fmadd_pd(_mm256_and_pd(spheres.fourth, magnitude), length,
-                                 _mm256_mul_pd(_mm256_set1_pd(q.quadratic), square));
+    MGDT_ALWAYS_INLINE FourPowers(const KeptSpheres& from, const FacetCode* codes, const Query& q) {
+        set(FourRows([&](unsigned k) { return from.sphere(codes[k] >> 2).w; }),
+            vertices(from, codes, 0), q);
+    }
+    FourPowers(const ComputedSpheres& from, const FacetCode* codes, const Query& q) {
+        const FourRows bases = vertices(from, codes, 0);
+        const auto local = [&](unsigned i) {
+            const FourRows v = vertices(from, codes, i);
+            return LocalColumns<Four>({Four::subtract(v.first, bases.first),
+                                       Four::subtract(v.second, bases.second),
+                                       Four::subtract(v.third, bases.third)});
+        };
+        const SphereColumns<Four> s = spheres_through(local(1), local(2), local(3));
+        FourRows spheres = {s.x, s.y, s.z, s.e};
+        std::uint32_t special = from.has_extremes ? 0xFu : 0u;
+        for (unsigned k = 0; k < 4; ++k)
+            special |= static_cast<std::uint32_t>(from.tetrahedra[codes[k] >> 2].is_ghost()) << k;
+        if (MGDT_UNLIKELY(special != 0)) replace(spheres, special, from, codes);
+        set(spheres, bases, q);
     }
 
     // As bits, the first tetrahedron in the lowest: where the power is negative, and where it is
@@ -95,6 +71,54 @@ class FourPowers {
     }
 
   private:
+    // The i-th vertex of each. A mark may be on the second.
+    template <class Spheres>
+    MGDT_ALWAYS_INLINE static FourRows vertices(const Spheres& from, const FacetCode* codes,
+                                                unsigned i) {
+        const VertexId mask = i == 1 ? ~in_cavity : ~VertexId{0};
+        return FourRows([&](unsigned k) {
+            return from.vertices[from.tetrahedra[codes[k] >> 2].v[i] & mask].x;
+        });
+    }
+    // Ghosts, and all where some vertex is outside the normal range, are rare enough for one by
+    // one. The way depends on the tetrahedron alone, so that its power does.
+    static void replace(FourRows& spheres, std::uint32_t special, const ComputedSpheres& from,
+                        const FacetCode* codes) {
+        alignas(32) double columns[4][4];
+        __m256d* const column[4] = {&spheres.first, &spheres.second, &spheres.third,
+                                    &spheres.fourth};
+        for (unsigned i = 0; i < 4; ++i) _mm256_store_pd(columns[i], *column[i]);
+        for (unsigned k = 0; k < 4; ++k) {
+            if (!(special >> k & 1)) continue;
+            const Sphere s = from.sphere(codes[k] >> 2);
+            for (unsigned i = 0; i < 3; ++i) columns[i][k] = s.w[i];
+            columns[3][k] = s.e;
+        }
+        for (unsigned i = 0; i < 4; ++i) *column[i] = _mm256_load_pd(columns[i]);
+    }
+    MGDT_ALWAYS_INLINE void set(const FourRows& spheres, const FourRows& bases, const Query& q) {
+        const __m256d ux = _mm256_sub_pd(_mm256_set1_pd(q.x), bases.first);
+        const __m256d uy = _mm256_sub_pd(_mm256_set1_pd(q.y), bases.second);
+        const __m256d uz = _mm256_sub_pd(_mm256_set1_pd(q.z), bases.third);
+        const __m256d magnitude = _mm256_castsi256_pd(_mm256_set1_epi64x(0x7FFFFFFFFFFFFFFF));
+        const __m256d wx = spheres.first, wy = spheres.second, wz = spheres.third;
+        ghost_ = spheres.fourth;
+
+        const __m256d all = _mm256_fmadd_pd(uz, uz, _mm256_fmadd_pd(uy, uy, _mm256_mul_pd(ux, ux)));
+        // A ghost has no quadratic term.
+        const __m256d square =
+            _mm256_andnot_pd(_mm256_castsi256_pd(_mm256_cmpgt_epi64(_mm256_setzero_si256(),
+                                                                    _mm256_castpd_si256(ghost_))),
+                             all);
+        const __m256d linear =
+            _mm256_fmadd_pd(wz, uz, _mm256_fmadd_pd(wy, uy, _mm256_mul_pd(wx, ux)));
+        value_ = _mm256_sub_pd(square, linear);
+        const __m256d length = _mm256_add_pd(
+            _mm256_and_pd(uz, magnitude),
+            _mm256_add_pd(_mm256_and_pd(uy, magnitude), _mm256_and_pd(ux, magnitude)));
+        error_ = _mm256_fmadd_pd(_mm256_and_pd(spheres.fourth, magnitude), length,
+                                 _mm256_mul_pd(_mm256_set1_pd(q.quadratic), square));
+    }
     MGDT_ALWAYS_INLINE static double element(__m256d of, unsigned k) {
         alignas(32) double all[4];
         _mm256_store_pd(all, of);
@@ -108,16 +132,16 @@ class FourPowers {
 
 class FourPowers {
   public:
-    MGDT_ALWAYS_INLINE FourPowers(const Tetrahedron* tetrahedra, const Vertex* vertices,
-                                  const FacetCode* codes, const Query& q) {
+    template <class Spheres>
+    MGDT_ALWAYS_INLINE FourPowers(const Spheres& from, const FacetCode* codes, const Query& q) {
         for (unsigned k = 0; k < 4; ++k) {
-            const Tetrahedron& t = tetrahedra[codes[k] >> 2];
-            const Power s = power(t, vertices, q);
+            const TetId t = codes[k] >> 2;
+            const Power s = power(from, t, q);
             value_[k] = s.value;
             error_[k] = s.error;
             negative_ |= static_cast<std::uint32_t>(s.value < 0) << k;
             decided_ |= static_cast<std::uint32_t>(s.is_decided()) << k;
-            ghosts_ |= static_cast<std::uint32_t>(t.is_ghost()) << k;
+            ghosts_ |= static_cast<std::uint32_t>(from.tetrahedra[t].is_ghost()) << k;
         }
     }
     MGDT_ALWAYS_INLINE std::uint32_t negative() const { return negative_; }

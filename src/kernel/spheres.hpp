@@ -5,10 +5,14 @@
 
 #include "kernel/circumsphere.hpp"
 #include "kernel/eight_rows.hpp"
+#include "kernel/four_rows.hpp"
+#include "kernel/vector_sphere.hpp"
 #include "kernel/workspace.hpp"
 
 namespace mgdt {
 inline namespace MGDT_ISA {
+
+using SphereStore = TetrahedronView<true, HalfLine>;
 
 // Coordinates relative to q of the vertices of the cavity, by local number.
 inline void set_coordinates(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count) {
@@ -23,21 +27,18 @@ inline void set_coordinates(Workspace& w, const Vertex* vertices, VertexId q, st
 
 template <class Number>
 void set_spheres_scalar(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
-                        const Number* a, const Number* b, const Number* c,
-                        Tetrahedron* tetrahedra) {
+                        const Number* a, const Number* b, const Number* c, SphereStore spheres) {
     set_coordinates(w, vertices, q, count);
     const auto vertex = [&](std::size_t i) {
         return local_vertex(w.x.data[i], w.y.data[i], w.z.data[i]);
     };
     for (std::size_t i = 0; i < w.boundary_size; ++i)
-        set_sphere(vertex(a[i]), vertex(b[i]), vertex(c[i]), tetrahedra[w.slots.data[i]]);
+        set_sphere(vertex(a[i]), vertex(b[i]), vertex(c[i]), spheres.sphere(w.slots.data[i]));
 }
 
 #if defined(MGDT_HAVE_EIGHT_ROWS)
 
-struct EightVertices {
-    __m512d x, y, z;
-};
+using EightVertices = PointColumns<Eight>;
 
 // Eight vertices by id, relative to q.
 MGDT_ALWAYS_INLINE EightVertices load_vertices(const Vertex* vertices, const VertexId* ids,
@@ -99,55 +100,19 @@ class MemoryVertices {
 template <class Vertices, class Number>
 MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertices, const Number* as,
                                            const Number* bs, const Number* cs,
-                                           Tetrahedron* tetrahedra) {
-    struct Local : EightVertices {
-        MGDT_ALWAYS_INLINE explicit Local(const EightVertices& v) : EightVertices(v) {
-            square = _mm512_fmadd_pd(z, z, _mm512_fmadd_pd(y, y, _mm512_mul_pd(x, x)));
-            largest =
-                _mm512_max_pd(_mm512_abs_pd(x), _mm512_max_pd(_mm512_abs_pd(y), _mm512_abs_pd(z)));
-        }
-        __m512d square, largest;
-    };
-    const __m512d of_sum = _mm512_set1_pd(proved_bounds.sphere_sum * unit_roundoff);
-    const __m512d of_det = _mm512_set1_pd(proved_bounds.sphere_det * unit_roundoff);
+                                           SphereStore spheres) {
     const std::size_t size = w.boundary_size;
     for (std::size_t begin = 0; begin < size; begin += 8) {
-        const Local a(vertices.pick(as + begin));
-        const Local b(vertices.pick(bs + begin));
-        const Local c(vertices.pick(cs + begin));
-        const auto minor = [](__m512d p, __m512d q, __m512d r, __m512d s) {
-            return _mm512_fmsub_pd(p, q, _mm512_mul_pd(r, s));
-        };
-        const __m512d bcx = minor(b.y, c.z, b.z, c.y), bcy = minor(b.z, c.x, b.x, c.z),
-                      bcz = minor(b.x, c.y, b.y, c.x);
-        const __m512d cax = minor(c.y, a.z, c.z, a.y), cay = minor(c.z, a.x, c.x, a.z),
-                      caz = minor(c.x, a.y, c.y, a.x);
-        const __m512d abx = minor(a.y, b.z, a.z, b.y), aby = minor(a.z, b.x, a.x, b.z),
-                      abz = minor(a.x, b.y, a.y, b.x);
-        const auto dot = [](__m512d p, __m512d q, __m512d r, __m512d s, __m512d t, __m512d u) {
-            return _mm512_fmadd_pd(t, u, _mm512_fmadd_pd(r, s, _mm512_mul_pd(p, q)));
-        };
-        const __m512d det = dot(a.x, bcx, a.y, bcy, a.z, bcz);
-        const __m512d inverse = _mm512_div_pd(_mm512_set1_pd(1.0), det);
-        const __m512d wx = _mm512_mul_pd(inverse, dot(a.square, bcx, b.square, cax, c.square, abx));
-        const __m512d wy = _mm512_mul_pd(inverse, dot(a.square, bcy, b.square, cay, c.square, aby));
-        const __m512d wz = _mm512_mul_pd(inverse, dot(a.square, bcz, b.square, caz, c.square, abz));
+        using Local = LocalColumns<Eight>;
+        const SphereColumns<Eight> sphere =
+            spheres_through(Local(vertices.pick(as + begin)), Local(vertices.pick(bs + begin)),
+                            Local(vertices.pick(cs + begin)));
 
-        const __m512d lbc = _mm512_mul_pd(b.largest, c.largest),
-                      lca = _mm512_mul_pd(c.largest, a.largest),
-                      lab = _mm512_mul_pd(a.largest, b.largest);
-        const __m512d sum = dot(a.square, lbc, b.square, lca, c.square, lab);
-        const __m512d product = _mm512_mul_pd(of_det, _mm512_mul_pd(a.largest, lbc));
-        const __m512d largest =
-            _mm512_max_pd(_mm512_abs_pd(wx), _mm512_max_pd(_mm512_abs_pd(wy), _mm512_abs_pd(wz)));
-        const __m512d bound =
-            _mm512_mul_pd(inverse, _mm512_fmadd_pd(product, largest, _mm512_mul_pd(of_sum, sum)));
-        const __mmask8 sound = _mm512_cmp_pd_mask(det, product, _CMP_GT_OQ);
-        const __m512d e = _mm512_mask_blend_pd(sound, _mm512_set1_pd(infinity), bound);
-
-        // Transposed, each 256 bits are the second half of a record.
-        const __m512d xy_even = _mm512_unpacklo_pd(wx, wy), xy_odd = _mm512_unpackhi_pd(wx, wy);
-        const __m512d ze_even = _mm512_unpacklo_pd(wz, e), ze_odd = _mm512_unpackhi_pd(wz, e);
+        // Transposed, each 256 bits are a sphere.
+        const __m512d xy_even = _mm512_unpacklo_pd(sphere.x, sphere.y),
+                      xy_odd = _mm512_unpackhi_pd(sphere.x, sphere.y);
+        const __m512d ze_even = _mm512_unpacklo_pd(sphere.z, sphere.e),
+                      ze_odd = _mm512_unpackhi_pd(sphere.z, sphere.e);
         const __m512i first = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11);
         const __m512i second = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
         const __m512d out02 = _mm512_permutex2var_pd(xy_even, first, ze_even);
@@ -155,8 +120,8 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertice
         const __m512d out13 = _mm512_permutex2var_pd(xy_odd, first, ze_odd);
         const __m512d out57 = _mm512_permutex2var_pd(xy_odd, second, ze_odd);
         const auto store = [&](std::size_t k, __m256d half) {
-            Tetrahedron& t = begin + k < size ? tetrahedra[w.slots.data[begin + k]] : w.beyond;
-            _mm256_store_pd(t.w, half);
+            Sphere& s = begin + k < size ? spheres.sphere(w.slots.data[begin + k]) : w.beyond;
+            _mm256_store_pd(s.w, half);
         };
         store(0, _mm512_castpd512_pd256(out02));
         store(1, _mm512_castpd512_pd256(out13));
@@ -170,32 +135,68 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertice
 }
 
 inline void set_spheres_small(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
-                              Tetrahedron* tetrahedra) {
+                              SphereStore spheres) {
     const Workspace::SmallStar& s = w.small;
     if (count <= 16)
         set_spheres_vector(w, RegisterVertices<true>(vertices, w.ids.data, q), s.a, s.b, s.c,
-                           tetrahedra);
+                           spheres);
     else
         set_spheres_vector(w, RegisterVertices<false>(vertices, w.ids.data, q), s.a, s.b, s.c,
-                           tetrahedra);
+                           spheres);
 }
 
 inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
-                        Tetrahedron* tetrahedra) {
+                        SphereStore spheres) {
     set_coordinates(w, vertices, q, count);
-    set_spheres_vector(w, MemoryVertices(w), w.a.data, w.b.data, w.c.data, tetrahedra);
+    set_spheres_vector(w, MemoryVertices(w), w.a.data, w.b.data, w.c.data, spheres);
+}
+
+#elif defined(MGDT_HAVE_FOUR_ROWS)
+
+// set_sphere() for four facets at a time. The arrays of numbers may be read past their ends.
+template <class Number>
+MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices, VertexId q,
+                                           const Number* as, const Number* bs, const Number* cs,
+                                           SphereStore spheres) {
+    const __m256d qx = _mm256_set1_pd(vertices[q].x[0]), qy = _mm256_set1_pd(vertices[q].x[1]),
+                  qz = _mm256_set1_pd(vertices[q].x[2]);
+    const auto pick = [&](const Number* numbers) {
+        const FourRows rows([&](unsigned k) { return vertices[w.ids.data[numbers[k]]].x; });
+        return LocalColumns<Four>({Four::subtract(rows.first, qx), Four::subtract(rows.second, qy),
+                                   Four::subtract(rows.third, qz)});
+    };
+    const std::size_t size = w.boundary_size;
+    for (std::size_t begin = 0; begin < size; begin += 4) {
+        const SphereColumns<Four> s =
+            spheres_through(pick(as + begin), pick(bs + begin), pick(cs + begin));
+        const auto place = [&](std::size_t k) {
+            return begin + k < size ? spheres.sphere(w.slots.data[begin + k]).w : w.beyond.w;
+        };
+        const FourRows columns = {s.x, s.y, s.z, s.e};
+        columns.store_rows(place);
+    }
+}
+
+inline void set_spheres_small(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t,
+                              SphereStore spheres) {
+    set_spheres_vector(w, vertices, q, w.small.a, w.small.b, w.small.c, spheres);
+}
+
+inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t,
+                        SphereStore spheres) {
+    set_spheres_vector(w, vertices, q, w.a.data, w.b.data, w.c.data, spheres);
 }
 
 #else
 
 inline void set_spheres_small(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
-                              Tetrahedron* tetrahedra) {
-    set_spheres_scalar(w, vertices, q, count, w.small.a, w.small.b, w.small.c, tetrahedra);
+                              SphereStore spheres) {
+    set_spheres_scalar(w, vertices, q, count, w.small.a, w.small.b, w.small.c, spheres);
 }
 
 inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
-                        Tetrahedron* tetrahedra) {
-    set_spheres_scalar(w, vertices, q, count, w.a.data, w.b.data, w.c.data, tetrahedra);
+                        SphereStore spheres) {
+    set_spheres_scalar(w, vertices, q, count, w.a.data, w.b.data, w.c.data, spheres);
 }
 
 #endif

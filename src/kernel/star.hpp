@@ -14,8 +14,8 @@ inline namespace MGDT_ISA {
 
 // Writes the vertices of the new tetrahedra, (q, a, b, c) for a facet (a, b, c) seen from inside,
 // and links them with what stays and with each other.
-template <class Numbers, class Edges, class Number>
-MGDT_ALWAYS_INLINE void link_star(Tetrahedron* const tetrahedra, const Workspace& w, VertexId q,
+template <class Tetrahedra, class Numbers, class Edges, class Number>
+MGDT_ALWAYS_INLINE void link_star(const Tetrahedra tetrahedra, const Workspace& w, VertexId q,
                                   const Numbers& numbers, Edges edges, Number* const as,
                                   Number* const bs, Number* const cs) {
     const FacetCode* const boundary = w.boundary.data;
@@ -51,13 +51,15 @@ template <class Access>
 std::size_t write_ghosts(Access access, Mesh& mesh, const Workspace& w, VertexId q) {
     std::size_t ghosts = 0;
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
-        Tetrahedron& t = mesh.tetrahedra[w.slots.data[i]];
-        if (t.v[1] != infinite_vertex && t.v[2] != infinite_vertex && t.v[3] != infinite_vertex)
-            continue;
-        // The two vertices that follow the one at infinity in cyclic order.
-        const int slot = t.infinite_slot();
-        set_normal(relative_to(mesh.point(t.v[slot % 3 + 1]), mesh.point(q)),
-                   relative_to(mesh.point(t.v[(slot + 1) % 3 + 1]), mesh.point(q)), t);
+        const Tetrahedron& t = mesh.tetrahedra[w.slots.data[i]];
+        if (!t.is_ghost()) continue;
+        if constexpr (Access::SphereSource::are_kept) {
+            // The two vertices that follow the one at infinity in cyclic order.
+            const int slot = t.infinite_slot();
+            set_normal(relative_to(mesh.point(t.v[slot % 3 + 1]), mesh.point(q)),
+                       relative_to(mesh.point(t.v[(slot + 1) % 3 + 1]), mesh.point(q)),
+                       mesh.tetrahedra.sphere(w.slots.data[i]));
+        }
         access.made_ghost(w.slots.data[i]);
         ++ghosts;
     }
@@ -69,12 +71,12 @@ inline void distrust_extremes(Mesh& mesh, const Workspace& w, VertexId q) {
     const bool extreme = !in_normal_range(mesh.point(q));
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
         bool trusted = !extreme, ghost = false;
-        Tetrahedron& t = mesh.tetrahedra[w.slots.data[i]];
-        for (const VertexId v : t.v) {
+        const TetId t = w.slots.data[i];
+        for (const VertexId v : mesh.tetrahedra[t].v) {
             ghost = ghost || v == infinite_vertex;
             trusted = trusted && (v == infinite_vertex || in_normal_range(mesh.point(v)));
         }
-        if (!trusted) t.e = ghost ? -infinity : infinity;
+        if (!trusted) mesh.tetrahedra.sphere(t).e = ghost ? -infinity : infinity;
     }
 }
 
@@ -111,12 +113,13 @@ MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, 
     const bool at_hull = numbers.find(infinite_vertex) != no_index;
     const std::size_t ghosts_gone = at_hull ? count_ghosts(mesh, w) : 0;
     choose_slots(access, w);
-    Tetrahedron* const tetrahedra = mesh.tetrahedra.data();
-    const Vertex* const vertices = mesh.vertices.data();
+    constexpr bool has_spheres = Access::SphereSource::are_kept;
+    const auto tetrahedra = mesh.tetrahedra.view<has_spheres>();
     Workspace::SmallStar& s = w.small;
     if (numbers.count() <= Workspace::SmallStar::most_vertices) {
         link_star(tetrahedra, w, q, numbers, EdgeMatrix<5>(s.edges), s.a, s.b, s.c);
-        set_spheres_small(w, vertices, q, numbers.count(), tetrahedra);
+        if constexpr (has_spheres)
+            set_spheres_small(w, mesh.vertices.data(), q, numbers.count(), tetrahedra);
     } else {
         const auto link = [&](auto edges) {
             link_star(tetrahedra, w, q, numbers, edges, w.a.data, w.b.data, w.c.data);
@@ -127,7 +130,8 @@ MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, 
             link(EdgeMatrix<8>(w.edge_codes.data));
         else
             link(EdgeTable(w));
-        set_spheres(w, vertices, q, numbers.count(), tetrahedra);
+        if constexpr (has_spheres)
+            set_spheres(w, mesh.vertices.data(), q, numbers.count(), tetrahedra);
     }
     if (at_hull) access.count_ghosts(write_ghosts(access, mesh, w, q), ghosts_gone);
 }
@@ -145,7 +149,7 @@ TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
         access.reserve_slots(created > removed ? created - removed : 0,
                              removed > created ? removed - created : 0);
     } catch (...) {
-        w.restore_cavity(mesh.tetrahedra.data(), removed);
+        w.restore_cavity(mesh.tetrahedra, removed);
         throw;
     }
 
@@ -160,7 +164,8 @@ TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
         numbers.add_cavity(w);
         replace_cavity(access, mesh, w, q, numbers);
     }
-    if (MGDT_UNLIKELY(mesh.has_extremes)) distrust_extremes(mesh, w, q);
+    if constexpr (Access::SphereSource::are_kept)
+        if (MGDT_UNLIKELY(mesh.has_extremes)) distrust_extremes(mesh, w, q);
 
     // With the new vertex a few of its neighbours learn where they are now; every vertex has its
     // turn often enough to stay near its slot.

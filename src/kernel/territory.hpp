@@ -96,6 +96,9 @@ class Territory {
           supply_(supply),
           free_slots_(mesh.vertices.allocator()) {}
 
+    // Whether a vertex, or a tetrahedron, is mine, now if not before.
+    bool enter(VertexId v) noexcept { return claim.mine()(v) || claim.take(v); }
+    bool enter(const Tetrahedron& t) noexcept { return enter(t.v[0]) && enter(t.v[1]); }
     // As those of Mesh; may throw SlotSupply::NoSlots.
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) {
         if (MGDT_UNLIKELY(taken > slots_left() || slots_left() + freed > most_free_))

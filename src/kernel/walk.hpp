@@ -66,20 +66,22 @@ struct WalkStart {
     Power power;
 };
 
-inline WalkStart start_at(const Mesh& mesh, TetId t, const Query& q, Counters& counters) {
+template <class Spheres>
+WalkStart start_at(const Spheres& from, TetId t, const Query& q, Counters& counters) {
     ++counters.walk_tests;
-    return {t, power(mesh.tetrahedra[t], mesh.vertices.data(), q)};
+    return {t, power(from, t, q)};
 }
 
 // A better start than any tetrahedron of the star built last: that of least power among a few
 // spread over it. They share their base vertex and are still in the cache, and the right side of
 // the star saves a step or more.
-inline WalkStart start_in_star(const Mesh& mesh, const Workspace& w, const Query& q,
-                               Counters& counters) {
+template <class Spheres>
+WalkStart start_in_star(const Spheres& from, const Workspace& w, const Query& q,
+                        Counters& counters) {
     constexpr std::size_t sample = 4;
     FacetCode codes[sample];
     for (std::size_t i = 0; i < sample; ++i) codes[i] = 4 * w.slots.data[i * w.slot_count / sample];
-    const FourPowers powers(mesh.tetrahedra.data(), mesh.vertices.data(), codes, q);
+    const FourPowers powers(from, codes, q);
     counters.walk_tests += sample;
     const unsigned best = powers.least_finite(infinity) & 3;
     return {codes[best] >> 2, powers[best]};
@@ -88,8 +90,8 @@ inline WalkStart start_in_star(const Mesh& mesh, const Workspace& w, const Query
 template <class Access>
 inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Query& q,
                        Counters& counters) {
-    const Tetrahedron* tetrahedra = mesh.tetrahedra.data();
-    const Vertex* vertices = mesh.vertices.data();
+    const typename Access::SphereSource spheres(mesh);
+    const auto tetrahedra = spheres.tetrahedra;
     ++counters.walk_steps;
     if (here.power.is_conflict()) return {{here.tetrahedron, 0}, infinite_vertex};
     for (;;) {
@@ -101,7 +103,7 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
             if (is_conflict_exact(mesh, t, q.point))
                 return {{here.tetrahedron, 0}, infinite_vertex};
         }
-        const FourPowers powers(tetrahedra, vertices, t.n, q);
+        const FourPowers powers(spheres, t.n, q);
         const std::uint32_t decided = powers.decided();
         const std::uint32_t conflict = powers.negative() & decided;
         counters.walk_tests += 4;
@@ -131,10 +133,12 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
 // One step of a location: to the neighbour of least power, if that is less. Returns whether there
 // was one. If not, the tetrahedron contains q if that is certain, since the difference of two
 // neighbours' powers changes sign on their facet.
-inline bool locate_step(const Mesh& mesh, LocationWalk& w) {
-    const Tetrahedron* const tetrahedra = mesh.tetrahedra.data();
+template <class Spheres>
+bool locate_step(const Mesh& mesh, LocationWalk& w) {
+    const Spheres spheres(mesh);
+    const auto tetrahedra = spheres.tetrahedra;
     const FacetCode* const n = tetrahedra[w.tetrahedron].n;
-    const FourPowers powers(tetrahedra, mesh.vertices.data(), n, Query(w.q));
+    const FourPowers powers(spheres, n, Query(w.q));
     const unsigned next = powers.least_finite(w.value);
     if (next == 4) {
         // Of the finite ones none is less, so only the certainty is missing, and the ghosts.
@@ -149,10 +153,11 @@ inline bool locate_step(const Mesh& mesh, LocationWalk& w) {
     return true;
 }
 
-inline void locate_begin(const Mesh& mesh, LocationWalk& w) {
+template <class Spheres>
+void locate_begin(const Mesh& mesh, LocationWalk& w) {
     const Tetrahedron& t = mesh.tetrahedra[w.tetrahedron];
     if (t.is_ghost()) w.tetrahedron = t.n[t.infinite_slot()] >> 2;
-    const Power here = power(mesh.tetrahedra[w.tetrahedron], mesh.vertices.data(), Query(w.q));
+    const Power here = power(Spheres(mesh), w.tetrahedron, Query(w.q));
     w.value = here.value;
     w.error = here.error;
 }

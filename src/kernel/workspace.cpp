@@ -9,6 +9,7 @@ Workspace::Workspace(Allocator& allocator)
     : cavity(allocator),
       corners(allocator),
       boundary(allocator),
+      small(),
       probed(allocator),
       ids(allocator),
       x(allocator),
@@ -77,7 +78,7 @@ void Workspace::grow_star(std::size_t removed, std::size_t created) {
     star_created = created;
 }
 
-void Workspace::restore_cavity(Tetrahedron* tetrahedra, std::size_t members) noexcept {
+void Workspace::restore_cavity(TetrahedronStore& tetrahedra, std::size_t members) noexcept {
     for (std::size_t i = 0; i < members; ++i) tetrahedra[cavity.data[i] >> 2].v[1] &= ~in_cavity;
 }
 

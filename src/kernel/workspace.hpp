@@ -53,7 +53,7 @@ struct Workspace {
     // what a vector of 8 stores past their ends.
     void grow_star(std::size_t removed, std::size_t created);
     // Undoes the marks on the first members of a cavity that is given up.
-    void restore_cavity(Tetrahedron* tetrahedra, std::size_t members) noexcept;
+    void restore_cavity(TetrahedronStore& tetrahedra, std::size_t members) noexcept;
 
     // The cavity.
     Scratch<FacetCode> cavity;    // tetrahedra in conflict, each as the facet it is reached through
@@ -94,7 +94,7 @@ struct Workspace {
     }
     std::size_t star_removed = 0, star_created = 0;  // what there is room for
 
-    alignas(64) Tetrahedron beyond;  // takes what a vector writes past the last facet
+    Sphere beyond;  // takes what a vector writes past the last facet
     Counters counters;
 };
 

@@ -2,7 +2,7 @@
 // The store of vertices and tetrahedra: slots, the free list and counts. It knows no geometry.
 #pragma once
 
-#include "mesh/tetrahedron.hpp"
+#include "mesh/tetrahedron_store.hpp"
 #include "platform/memory.hpp"
 
 namespace mgdt {
@@ -53,7 +53,7 @@ struct Mesh {
     // By vertex, once there are tetrahedra: the slot of one that had it, and of one nearby since.
     // By themselves, since a thread may write this while others read the coordinates.
     Buffer<TetId> near;
-    Buffer<Tetrahedron> tetrahedra;
+    TetrahedronStore tetrahedra;
     Buffer<TetId> free_slots;  // slots of dead tetrahedra
     std::size_t ghost_count = 0;
     TetId a_ghost = no_tetrahedron;  // the last one made: who removes it makes others

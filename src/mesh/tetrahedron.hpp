@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two records that a triangulation is made of.
+// The records that a triangulation is made of.
 #pragma once
 
 #include <cmath>
@@ -32,28 +32,36 @@ struct alignas(32) Vertex {
 };
 static_assert(sizeof(Vertex) == 32);
 
-// One cache line. v[0], the base vertex, was inserted last of the four, and v[1] before it: so the
-// newest vertex of face 0 is v[1], that of any other face v[0]. Finite: positively oriented, and
-// the power of q with respect to the circumsphere is |u|^2 - w.u with u = q - v[0]. Ghost: one
-// of v[1..3] is the vertex at infinity and stands beyond the hull facet of the other three; the
-// "power" is -w.u. See kernel/circumsphere.hpp for w and e.
-struct alignas(64) Tetrahedron {
+// v[0], the base vertex, was inserted last of the four, and v[1] before it: so the newest vertex of
+// face 0 is v[1], that of any other face v[0]. Finite: positively oriented. Ghost: v[2] or v[3] is
+// the vertex at infinity and stands beyond the hull facet of the other three.
+struct alignas(32) Tetrahedron {
     VertexId v[4];
     FacetCode n[4];
-    double w[3];
-    double e;  // bound of the error of w; its sign bit is set in a ghost
 
-    MGDT_ALWAYS_INLINE bool is_ghost() const noexcept { return std::signbit(e); }
+    MGDT_ALWAYS_INLINE bool is_ghost() const noexcept {
+        return v[2] == infinite_vertex || v[3] == infinite_vertex;
+    }
     // The base vertex of a live tetrahedron is finite.
     MGDT_ALWAYS_INLINE bool is_dead() const noexcept { return v[0] == infinite_vertex; }
     MGDT_ALWAYS_INLINE void kill() noexcept { v[0] = infinite_vertex; }
     // Only while the cavity is being dug.
     MGDT_ALWAYS_INLINE bool is_in_cavity() const noexcept { return (v[1] & in_cavity) != 0; }
     MGDT_ALWAYS_INLINE int infinite_slot() const noexcept {
-        return v[1] == infinite_vertex ? 1 : v[2] == infinite_vertex ? 2 : 3;
+        return v[2] == infinite_vertex ? 2 : 3;
     }
 };
-static_assert(sizeof(Tetrahedron) == 64);
+static_assert(sizeof(Tetrahedron) == 32);
+
+// The circumsphere of a tetrahedron. The power of q with respect to it is |u|^2 - w.u with
+// u = q - v[0]; the "power" of a ghost is -w.u. See kernel/circumsphere.hpp.
+struct alignas(32) Sphere {
+    double w[3];
+    double e;  // bound of the error of w; its sign bit is set in a ghost
+
+    MGDT_ALWAYS_INLINE bool is_ghost() const noexcept { return std::signbit(e); }
+};
+static_assert(sizeof(Sphere) == 32);
 
 // Face f of a positively oriented tetrahedron, its vertices in the order that makes
 // (q, a, b, c) positive for a point q beyond the face.

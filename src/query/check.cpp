@@ -97,7 +97,7 @@ void Checker::stores() const {
              live.load(), ghosts.load(), mesh_.live_count(), mesh_.ghost_count);
 }
 
-// Vertices exist, differ, and each is used; ghosts are marked as such.
+// Vertices exist, differ, and each is used; spheres of ghosts are marked as such.
 void Checker::records() const {
     const std::size_t vertices = mesh_.vertices.size();
     AtomicArray<bool> is_used(allocator_, vertices);
@@ -110,7 +110,10 @@ void Checker::records() const {
             for (int j = 0; j < i; ++j)
                 if (t.v[i] == t.v[j]) reject(id, "a vertex is there twice");
         }
-        if (infinite != (t.is_ghost() ? 1 : 0)) reject(id, "wrongly marked as ghost or finite");
+        if (infinite != (t.is_ghost() ? 1 : 0)) reject(id, "infinity is not where a ghost has it");
+        if (mesh_.tetrahedra.has_spheres() &&
+            mesh_.tetrahedra.sphere(id).is_ghost() != t.is_ghost())
+            reject(id, "its sphere is wrongly marked as ghost or finite");
         for (const VertexId v : t.v)
             if (!is_used[v].load(std::memory_order_relaxed))
                 is_used[v].store(true, std::memory_order_relaxed);

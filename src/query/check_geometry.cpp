@@ -113,8 +113,9 @@ void Checker::delaunay(bool canonical) const {
 
 // What decides most questions of insertions and locations is as near the truth as it says.
 void Checker::spheres() const {
+    if (!mesh_.tetrahedra.has_spheres()) return;
     for_each_live([&](TetId id) {
-        if (!sphere_is_within_bound(tet(id), mesh_.vertices.data()))
+        if (!sphere_is_within_bound(mesh_.tetrahedra.sphere(id), tet(id), mesh_.vertices.data()))
             reject(id, tet(id).is_ghost() ? "its normal is off by more than its bound"
                                           : "its circumsphere is off by more than its bound");
     });

@@ -9,7 +9,7 @@ namespace mgdt {
 
 struct Locator {
     const Mesh& mesh;
-    const Kernel& kernel;
+    const KernelCalls& kernel;
     const LocationTree* tree;  // nullptr for a small mesh
 
     // The finite tetrahedron whose closure contains q (unscaled), or no_tetrahedron outside the

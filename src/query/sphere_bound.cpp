@@ -51,7 +51,7 @@ struct TwofoldVector {
     double largest() const { return max_magnitude(x[0].high, x[1].high, x[2].high); }
 };
 
-bool is_close_enough(const Tetrahedron& t, const Vertex* vertices) {
+bool is_close_enough(const Sphere& s, const Tetrahedron& t, const Vertex* vertices) {
     const double* const base = vertices[t.v[0]].x;
     const TwofoldVector a(vertices[t.v[1]].x, base), b(vertices[t.v[2]].x, base),
         c(vertices[t.v[3]].x, base);
@@ -60,15 +60,15 @@ bool is_close_enough(const Tetrahedron& t, const Vertex* vertices) {
     const double alpha = a.largest(), beta = b.largest(), gamma = c.largest();
     const double product = alpha * beta * gamma;
     const double sum = aa.high * beta * gamma + bb.high * gamma * alpha + cc.high * alpha * beta;
-    const double largest = max_magnitude(t.w[0], t.w[1], t.w[2]);
+    const double largest = max_magnitude(s.w[0], s.w[1], s.w[2]);
     // Where these fail the bound is not one that was computed from these vertices, and what
     // follows would not be exact enough.
     if (!(det.high > 64 * unit_roundoff * product)) return false;
-    if (!(t.e * det.high > 20 * unit_roundoff * (sum + product * largest))) return false;
+    if (!(s.e * det.high > 20 * unit_roundoff * (sum + product * largest))) return false;
     for (int i = 0; i < 3; ++i) {
         const Twofold numerator = aa * bc.x[i] + bb * ca.x[i] + cc * ab.x[i];
-        const Twofold off = numerator - det * Twofold{t.w[i], 0};
-        const double allowed = (t.e - 5 * unit_roundoff * largest) * det.high;
+        const Twofold off = numerator - det * Twofold{s.w[i], 0};
+        const double allowed = (s.e - 5 * unit_roundoff * largest) * det.high;
         if (!(std::fabs(off.high) < 0.999 * allowed)) return false;
     }
     return true;
@@ -76,19 +76,18 @@ bool is_close_enough(const Tetrahedron& t, const Vertex* vertices) {
 
 }  // namespace
 
-bool sphere_is_within_bound(const Tetrahedron& t, const Vertex* vertices) {
-    if (std::isinf(t.e)) return true;
-    Tetrahedron again = t;
-    set_circumsphere(again, vertices);
+bool sphere_is_within_bound(const Sphere& s, const Tetrahedron& t, const Vertex* vertices) {
+    if (std::isinf(s.e)) return true;
+    const Sphere again = circumsphere(t, vertices);
     // What was computed now is proved to be within 0.97 (of a normal: 0.8) of its bound.
     const double error = (t.is_ghost() ? 0.81 : 0.98) * std::fabs(again.e);
     bool agrees = true;
     for (int i = 0; i < 3; ++i)
-        agrees = agrees && std::fabs(t.w[i] - again.w[i]) + error <= std::fabs(t.e);
+        agrees = agrees && std::fabs(s.w[i] - again.w[i]) + error <= std::fabs(s.e);
     if (agrees) return true;
     for (const VertexId v : t.v)
         if (v != infinite_vertex && !in_normal_range(vertices[v].x)) return false;
-    return !t.is_ghost() && is_close_enough(t, vertices);
+    return !t.is_ghost() && is_close_enough(s, t, vertices);
 }
 
 }  // namespace mgdt

@@ -8,6 +8,6 @@ namespace mgdt {
 // Whether the cached sphere of a tetrahedron, or the normal of a ghost, differs from the exact one
 // by no more than its error bound allows, so that the filter may decide with it. Vertices that
 // the filters are not proved for need an infinite bound. docs/theory.md, "What the check proves".
-bool sphere_is_within_bound(const Tetrahedron& t, const Vertex* vertices);
+bool sphere_is_within_bound(const Sphere& s, const Tetrahedron& t, const Vertex* vertices);
 
 }  // namespace mgdt

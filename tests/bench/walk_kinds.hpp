@@ -28,9 +28,9 @@ struct Path {
 
 enum Goal { conflict, base };  // the first tetrahedron in conflict, or the one that has the point
 
-inline bool is_in_conflict(const Mesh& mesh, const Tetrahedron& t, const Query& q) {
-    const mgdt::Power s = mgdt::power(t, mesh.vertices.data(), q);
-    return s.is_decided() ? s.is_conflict() : is_conflict_exact(mesh, t, q.point);
+inline bool is_in_conflict(const Mesh& mesh, TetId t, const Query& q) {
+    const mgdt::Power s = mgdt::power(mgdt::KeptSpheres(mesh), t, q);
+    return s.is_decided() ? s.is_conflict() : is_conflict_exact(mesh, mesh.tetrahedra[t], q.point);
 }
 
 // The side of a face on which q is: positive where the vertex opposite is.
@@ -52,9 +52,10 @@ inline bool contains(const Mesh& mesh, const Tetrahedron& t, const double* q) {
 // The library's walk to the first conflict.
 inline Path power_to_conflict(Mesh& mesh, Start from, const Query& q) {
     mgdt::Counters counters;
-    mgdt::WalkStart here = mgdt::start_at(mesh, from.tetrahedron, q, counters);
+    mgdt::WalkStart here = mgdt::start_at(mgdt::KeptSpheres(mesh), from.tetrahedron, q, counters);
     if (from.sampled > 0) counters.walk_tests = from.sampled;
-    const mgdt::WalkResult found = mgdt::walk(mgdt::Alone{mesh}, mesh, here, q, counters);
+    const mgdt::WalkResult found =
+        mgdt::walk(mgdt::Alone<mgdt::KeptSpheres>{mesh}, mesh, here, q, counters);
     const std::uint32_t faces = found.start.faces;
     TetId end = found.start.tetrahedron;
     if (faces != 0) end = mesh.tetrahedra[end].n[mgdt::lowest_bit(faces)] >> 2;
@@ -66,7 +67,8 @@ inline Path power_to_base(const Mesh& mesh, Start from, const Query& q) {
     Path path = {0, 1, from.sampled > 0 ? from.sampled : 1};
     if (mesh.tetrahedra[from.tetrahedron].is_ghost()) ++path.steps;
     mgdt::LocationWalk walk = {{q.x, q.y, q.z}, from.tetrahedron, 0, 0, false};
-    for (mgdt::locate_begin(mesh, walk); mgdt::locate_step(mesh, walk); path.tests += 4)
+    for (mgdt::locate_begin<mgdt::KeptSpheres>(mesh, walk);
+         mgdt::locate_step<mgdt::KeptSpheres>(mesh, walk); path.tests += 4)
         ++path.steps;
     path.tests += 4;
     // It is a local minimum, and the tetrahedron itself unless q is off the hull or by rounding.
@@ -105,7 +107,7 @@ inline Path by_orientation(const Mesh& mesh, Start from, const Query& q, Goal go
         ++path.steps;
         if (goal == conflict) {
             ++path.tests;
-            if (is_in_conflict(mesh, t, q)) return path;
+            if (is_in_conflict(mesh, path.end, q)) return path;
         }
         unsigned through = 4;
         if (t.is_ghost()) {

@@ -70,14 +70,14 @@ class Probe {
     mgdt::Insertion insert(Mesh& mesh, mgdt::Workspace& w, VertexId q, TetId start) {
         for (; known_ < q; ++known_) remember(mesh, known_);
         if (mgdt::Random::at(7, q) % every_ != 0) {
-            if (!hurries_) return kernel_.insert(mesh, w, q, start);
+            if (!hurries_) return kernel_.with_spheres.insert(mesh, w, q, start);
             const Query query(mesh.point(q));
             const TetId near = start_of(cell_nearest, mesh, w, query, q, start).tetrahedron;
-            return kernel_.insert(mesh, w, q, near);
+            return kernel_.with_spheres.insert(mesh, w, q, near);
         }
         const bool is_new = look(mesh, w, q, start);
         const mgdt::Counters before = w.counters;
-        const mgdt::Insertion result = kernel_.insert(mesh, w, q, start);
+        const mgdt::Insertion result = kernel_.with_spheres.insert(mesh, w, q, start);
         if (!is_new) return result;
         const std::size_t removed = w.counters.removed - before.removed;
         if (removed != cavity_.size())
@@ -112,7 +112,8 @@ class Probe {
         const Query q(mesh.point(v));
         mgdt::Counters counters;
         const mgdt::WalkResult found =
-            walk(mgdt::Alone{mesh}, mesh, start_at(mesh, start, q, counters), q, counters);
+            walk(mgdt::Alone<mgdt::KeptSpheres>{mesh}, mesh,
+                 start_at(mgdt::KeptSpheres(mesh), start, q, counters), q, counters);
         if (found.duplicate != infinite_vertex) return false;
         const Path to = power_to_conflict(mesh, {start, 0}, q);
         dig(mesh, to.end, q, v);
@@ -169,7 +170,8 @@ class Probe {
             case in_star: {
                 if (w.slot_count == 0) return {start, 0};
                 mgdt::Counters counters;
-                const TetId best = start_in_star(mesh, w, q, counters).tetrahedron;
+                const TetId best =
+                    start_in_star(mgdt::KeptSpheres(mesh), w, q, counters).tetrahedron;
                 return {best, static_cast<unsigned>(counters.walk_tests)};
             }
             case last:
@@ -218,8 +220,7 @@ class Probe {
             for (const mgdt::FacetCode code : t.n) {
                 if (seen_[code >> 2] == v) continue;
                 seen_[code >> 2] = v;
-                if (is_in_conflict(mesh, mesh.tetrahedra[code >> 2], q))
-                    cavity_.push_back(code >> 2);
+                if (is_in_conflict(mesh, code >> 2, q)) cavity_.push_back(code >> 2);
             }
             for (const VertexId corner : t.v)
                 if (corner != infinite_vertex) nearest_ = nearer(mesh, nearest_, corner, q);

@@ -111,7 +111,7 @@ Probe* probe;  // for the kernel's function, which is told nothing else
 Result run(const std::vector<double>& xyz, const std::vector<std::uint32_t>& cells,
            const std::string& order, std::uint32_t every) {
     mgdt::Kernel probing = mgdt::default_kernel();
-    probing.insert = [](Mesh& mesh, mgdt::Workspace& w, VertexId q, TetId start) {
+    probing.with_spheres.insert = [](Mesh& mesh, mgdt::Workspace& w, VertexId q, TetId start) {
         return probe->insert(mesh, w, q, start);
     };
     Probe here(mgdt::default_kernel(), cells, every, order == "random");

@@ -143,7 +143,8 @@ class Interrupts(unittest.TestCase):
                 child.send(number)
             word, *caught = child.line().split()
             self.assertEqual(word, "caught", caught)
-            self.assertLess(float(caught[0]) - sent, 1.0)
+            # At once, which on a busy machine may take its time.
+            self.assertLess(float(caught[0]) - sent, 3.0)
             code, out, errors = child.end()
             self.assertEqual((code, out, errors), (0, "valid\n", ""))
 

@@ -30,9 +30,7 @@ TEST(Check, PassesOnSoundMeshes) {
 TEST(Check, FindsVerticesMovedOut) {
     Random random(2);
     Patient p = triangulate(uniform_points(200, random));
-    std::set<VertexId> outer;
-    for (const Tetrahedron& t : p.mesh().tetrahedra)
-        if (!t.is_dead() && t.is_ghost()) outer.insert(t.v, t.v + 4);
+    const std::set<VertexId> outer = p.hull();
     VertexId v = 1;
     while (outer.count(v) != 0) ++v;
     p.mesh().vertices[v].x[0] += 10;

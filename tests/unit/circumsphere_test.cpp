@@ -80,13 +80,13 @@ class Samples {
     std::mt19937_64 random_;
 };
 
-Tetrahedron sphere_of(const Sample& s, const FilterBounds& bounds) {
-    Tetrahedron t{};
+// Of vertices 1 to 4.
+Sphere sphere_of(const Sample& s, const FilterBounds& bounds) {
+    Sphere sphere;
     const double* base = s.vertices[1].x;
-    for (unsigned i = 0; i < 4; ++i) t.v[i] = i + 1;
     set_sphere(relative_to(s.vertices[2].x, base), relative_to(s.vertices[3].x, base),
-               relative_to(s.vertices[4].x, base), t, bounds);
-    return t;
+               relative_to(s.vertices[4].x, base), sphere, bounds);
+    return sphere;
 }
 
 // How many of the powers that the filter decides have the wrong sign, and how many it decides.
@@ -102,7 +102,7 @@ Outcome try_spheres(const FilterBounds& bounds, int samples) {
         if (!source.next(s)) continue;
         Query q(s.vertices[5].x);
         q.quadratic = bounds.quadratic * unit_roundoff;
-        const Power p = power(sphere_of(s, bounds), s.vertices, q);
+        const Power p = power(sphere_of(s, bounds), s.vertices[1].x, q);
         if (!p.is_decided()) continue;
         ++outcome.decided;
         const int side = side_of_sphere(s.vertices[1].x, s.vertices[2].x, s.vertices[3].x,
@@ -142,7 +142,7 @@ TEST(Filter, DecidesTypicalPowers) {
             for (double& x : s.vertices[j].x) x = uniform(random);
         if (orientation(s.vertices[1].x, s.vertices[2].x, s.vertices[3].x, s.vertices[4].x) < 0)
             std::swap(s.vertices[3], s.vertices[4]);
-        const Power p = power(sphere_of(s, proved_bounds), s.vertices, Query(s.vertices[5].x));
+        const Power p = power(sphere_of(s, proved_bounds), s.vertices[1].x, Query(s.vertices[5].x));
         undecided += !p.is_decided();
     }
     EXPECT_LE(undecided, 2);
@@ -163,14 +163,10 @@ Outcome try_normals(const FilterBounds& bounds, int samples) {
             const long double a = vertices[1].x[k], b = vertices[2].x[k], c = vertices[3].x[k];
             vertices[4].x[k] = static_cast<double>(a + r * (b - a) + t * (c - a));
         }
-        Tetrahedron ghost{};
-        ghost.v[0] = 1;
-        ghost.v[1] = 2;
-        ghost.v[2] = 3;
-        ghost.v[3] = infinite_vertex;
+        Sphere ghost;
         set_normal(relative_to(vertices[2].x, vertices[1].x),
                    relative_to(vertices[3].x, vertices[1].x), ghost, bounds);
-        const Power p = power(ghost, vertices, Query(vertices[4].x));
+        const Power p = power(ghost, vertices[1].x, Query(vertices[4].x));
         if (!p.is_decided()) continue;
         ++outcome.decided;
         const int side = orientation(vertices[1].x, vertices[2].x, vertices[3].x, vertices[4].x);
@@ -203,9 +199,9 @@ TEST(Filter, LeavesExtremesOpen) {
         for (int k = 0; k < 3; ++k) s.vertices[i].x[k] = corner[i][k];
     Tetrahedron t{};
     for (unsigned i = 0; i < 4; ++i) t.v[i] = i + 1;
-    set_circumsphere(t, s.vertices);
-    EXPECT_FALSE(t.is_ghost());
-    EXPECT_FALSE(power(t, s.vertices, Query(s.vertices[5].x)).is_decided());
+    const Sphere sphere = circumsphere(t, s.vertices);
+    EXPECT_FALSE(sphere.is_ghost());
+    EXPECT_FALSE(power(sphere, s.vertices[1].x, Query(s.vertices[5].x)).is_decided());
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ inline double any_double(Random& random) {
 inline bool pick_trusted(Patient& p, Random& random, bool ghost, TetId& found) {
     for (int tries = 0; tries < 100; ++tries) {
         found = p.any(random, ghost);
-        if (std::isfinite(p.mesh().tetrahedra[found].e)) return true;
+        if (std::isfinite(p.mesh().tetrahedra.sphere(found).e)) return true;
     }
     return false;
 }
@@ -97,7 +97,7 @@ inline const std::vector<Corruption>& corruptions() {
              p.mesh().tetrahedra[p.any_live(r)].v[1] |= in_cavity;
              return true;
          }},
-        {"a ghost without infinity", 1, "wrongly marked as ghost or finite",
+        {"a ghost without infinity", 1, "of them ghosts",
          [](Patient& p, Random& r) {
              if (p.mesh().vertices.size() < 6) return false;
              Tetrahedron& t = p.mesh().tetrahedra[p.any(r, true)];
@@ -160,26 +160,26 @@ inline const std::vector<Corruption>& corruptions() {
              std::rotate(t.n, t.n + 1, t.n + 3);
              for (unsigned f = 0; f < 4; ++f)
                  p.mesh().tetrahedra[t.n[f] >> 2].n[t.n[f] & 3] = 4 * id + f;
-             set_circumsphere(t, p.mesh().vertices.data());
+             p.set_sphere(id);
              return true;
          }},
         // Spheres, normals, bounds.
-        {"sign of a finite bound", 1, "ghosts",
+        {"sign of a finite bound", 1, "wrongly marked as ghost or finite",
          [](Patient& p, Random& r) {
-             double& e = p.mesh().tetrahedra[p.any(r, false)].e;
+             double& e = p.mesh().tetrahedra.sphere(p.any(r, false)).e;
              e = -e;
              return true;
          }},
-        {"sign of a ghost's bound", 1, "ghosts",
+        {"sign of a ghost's bound", 1, "wrongly marked as ghost or finite",
          [](Patient& p, Random& r) {
-             double& e = p.mesh().tetrahedra[p.any(r, true)].e;
+             double& e = p.mesh().tetrahedra.sphere(p.any(r, true)).e;
              e = -e;
              return true;
          }},
         {"signs of bounds exchanged", 1, "wrongly marked as ghost or finite",
          [](Patient& p, Random& r) {
-             double &e = p.mesh().tetrahedra[p.any(r, true)].e,
-                    &f = p.mesh().tetrahedra[p.any(r, false)].e;
+             double &e = p.mesh().tetrahedra.sphere(p.any(r, true)).e,
+                    &f = p.mesh().tetrahedra.sphere(p.any(r, false)).e;
              e = -e;
              f = -f;
              return true;
@@ -188,39 +188,40 @@ inline const std::vector<Corruption>& corruptions() {
          [](Patient& p, Random& r) {
              TetId t;
              if (!pick_trusted(p, r, false, t)) return false;
-             double& w = p.mesh().tetrahedra[t].w[below(r, 3)];
+             double& w = p.mesh().tetrahedra.sphere(t).w[below(r, 3)];
              const double before = std::exchange(w, any_double(r));
-             return !(std::fabs(w - before) <= 3 * p.mesh().tetrahedra[t].e);
+             return !(std::fabs(w - before) <= 3 * p.mesh().tetrahedra.sphere(t).e);
          }},
         {"a sphere's coefficient off by thrice its bound", 2, "circumsphere is off",
          [](Patient& p, Random& r) {
              TetId id;
              if (!pick_trusted(p, r, false, id)) return false;
-             Tetrahedron& t = p.mesh().tetrahedra[id];
-             double& w = t.w[below(r, 3)];
-             w += (below(r, 2) ? 3 : -3) * t.e;
+             Sphere& s = p.mesh().tetrahedra.sphere(id);
+             s.w[below(r, 3)] += (below(r, 2) ? 3 : -3) * s.e;
              return true;
          }},
         {"a normal's coefficient off by thrice its bound", 2, "normal is off",
          [](Patient& p, Random& r) {
              TetId id;
              if (!pick_trusted(p, r, true, id)) return false;
-             Tetrahedron& t = p.mesh().tetrahedra[id];
-             t.w[below(r, 3)] += (below(r, 2) ? 3 : -3) * t.e;
+             Sphere& s = p.mesh().tetrahedra.sphere(id);
+             s.w[below(r, 3)] += (below(r, 2) ? 3 : -3) * s.e;
              return true;
          }},
         {"a bound too small", 2, "circumsphere is off",
          [](Patient& p, Random& r) {
              TetId id;
              if (!pick_trusted(p, r, false, id)) return false;
-             p.mesh().tetrahedra[id].e *= std::ldexp(1.0, -3 - static_cast<int>(below(r, 60)));
+             p.mesh().tetrahedra.sphere(id).e *=
+                 std::ldexp(1.0, -3 - static_cast<int>(below(r, 60)));
              return true;
          }},
         {"a normal's bound too small", 2, "normal is off",
          [](Patient& p, Random& r) {
              TetId id;
              if (!pick_trusted(p, r, true, id)) return false;
-             p.mesh().tetrahedra[id].e *= std::ldexp(1.0, -1 - static_cast<int>(below(r, 60)));
+             p.mesh().tetrahedra.sphere(id).e *=
+                 std::ldexp(1.0, -1 - static_cast<int>(below(r, 60)));
              return true;
          }},
         {"no bound", 2, "is off by more than its bound",
@@ -228,24 +229,26 @@ inline const std::vector<Corruption>& corruptions() {
              TetId id;
              const bool ghost = below(r, 2) == 0;
              if (!pick_trusted(p, r, ghost, id)) return false;
-             p.mesh().tetrahedra[id].e = ghost ? -0.0 : 0.0;
+             p.mesh().tetrahedra.sphere(id).e = ghost ? -0.0 : 0.0;
              return true;
          }},
         {"a bound that is no number", 2, "is off by more than its bound",
          [](Patient& p, Random& r) {
              TetId id;
              if (!pick_trusted(p, r, false, id)) return false;
-             p.mesh().tetrahedra[id].e = std::fabs(std::numeric_limits<double>::quiet_NaN());
+             p.mesh().tetrahedra.sphere(id).e = std::fabs(std::numeric_limits<double>::quiet_NaN());
              return true;
          }},
         {"extreme coordinates trusted", 2, "circumsphere is off",
          [](Patient& p, Random&) {
-             for (Tetrahedron& t : p.mesh().tetrahedra)
-                 if (!t.is_dead() && !t.is_ghost() && std::isinf(t.e)) {
-                     t.e = 1e-17;
-                     return true;
-                 }
-             return false;
+             bool found = false;
+             p.for_each_live([&](TetId t) {
+                 double& e = p.mesh().tetrahedra.sphere(t).e;
+                 if (found || std::signbit(e) || !std::isinf(e)) return;
+                 e = 1e-17;
+                 found = true;
+             });
+             return found;
          }},
         // Dead and free slots, counts.
         {"a tetrahedron dead", 1, "tetrahedra",

@@ -70,7 +70,9 @@ TEST(Corruptions, NothingIsFollowedBlindly) {
                     static_cast<std::uint32_t>(below(random, 3) ? below(random, limit) : random());
             };
             for (std::size_t fields = 1 + below(random, 8); fields-- > 0;) {
-                Tetrahedron& t = m.tetrahedra[below(random, m.tetrahedra.size())];
+                const std::size_t id = below(random, m.tetrahedra.size());
+                Tetrahedron& t = m.tetrahedra[id];
+                Sphere& s = m.tetrahedra.sphere(id);
                 Vertex& v = m.vertices[below(random, m.vertices.size())];
                 switch (below(random, 9)) {
                     case 0:
@@ -80,10 +82,10 @@ TEST(Corruptions, NothingIsFollowedBlindly) {
                         spoil(t.n[below(random, 4)], 4 * m.tetrahedra.size());
                         break;
                     case 2:
-                        t.w[below(random, 3)] = any_double(random);
+                        s.w[below(random, 3)] = any_double(random);
                         break;
                     case 3:
-                        t.e = any_double(random);
+                        s.e = any_double(random);
                         break;
                     case 4:
                         v.x[below(random, 3)] = any_double(random);
@@ -120,20 +122,22 @@ TEST(Corruptions, HarmlessOnesPass) {
         m.a_ghost = p.any(random, true);
         p.claims.last = p.any_live(random);
         m.has_extremes = true;
-        for (Tetrahedron& t : m.tetrahedra) {
+        for (std::size_t id = 0; id < m.tetrahedra.size(); ++id) {
+            Tetrahedron& t = m.tetrahedra[id];
+            Sphere& s = m.tetrahedra.sphere(id);
             if (t.is_dead()) {
                 for (int i = 0; i < 4; ++i) {
                     t.n[i] = static_cast<FacetCode>(random());
                     if (i > 0) t.v[i] = static_cast<VertexId>(random());
                 }
-                t.e = any_double(random);
+                s.e = any_double(random);
             } else if (below(random, 4) == 0) {
                 // Larger bounds leave more to the exact predicates, infinite ones all.
-                t.e *= below(random, 2) ? 2 : std::numeric_limits<double>::infinity();
-                if (std::isnan(t.e)) t.e = std::numeric_limits<double>::infinity();
+                s.e *= below(random, 2) ? 2 : std::numeric_limits<double>::infinity();
+                if (std::isnan(s.e)) s.e = std::numeric_limits<double>::infinity();
             } else if (!t.is_ghost()) {
                 // An ulp of a normal may be a fifth of its bound, all that is to spare.
-                for (double& w : t.w) w = std::nextafter(w, below(random, 2) ? 1e300 : -1e300);
+                for (double& w : s.w) w = std::nextafter(w, below(random, 2) ? 1e300 : -1e300);
             }
         }
         EXPECT_EQ(p.complaint(3), "") << family.name;

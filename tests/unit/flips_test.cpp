@@ -260,10 +260,8 @@ TEST(Surgery, RemovedTetrahedra) {
             const Tetrahedron gone = p.mesh().tetrahedra[p.any(random, false)];
             replace(quads, {{gone.v[0], gone.v[1], gone.v[2], gone.v[3]}}, {});
             bool touches_hull = false;
-            for (const Tetrahedron& t : p.mesh().tetrahedra)
-                if (!t.is_dead() && t.is_ghost())
-                    for (const VertexId v : t.v)
-                        touches_hull |= std::find(gone.v, gone.v + 4, v) != gone.v + 4;
+            for (const VertexId v : p.hull())
+                touches_hull |= std::find(gone.v, gone.v + 4, v) != gone.v + 4;
             const int facets = hull_facets_of(p, gone);
             p.assemble(quads);
             EXPECT_NE(p.complaint(3), "");
@@ -285,9 +283,7 @@ TEST(Surgery, DentedHull) {
     int dents = 0;
     for (int round = 0; round < 60 && dents < 10; ++round) {
         Patient p = triangulate(uniform_points(40, random));
-        std::set<VertexId> on_hull;
-        for (const Tetrahedron& t : p.mesh().tetrahedra)
-            if (!t.is_dead() && t.is_ghost()) on_hull.insert(t.v, t.v + 4);
+        const std::set<VertexId> on_hull = p.hull();
         std::vector<Quad> quads = p.finite();
         const Tetrahedron t = p.mesh().tetrahedra[p.any(random, false)];
         if (hull_facets_of(p, t) != 1) continue;

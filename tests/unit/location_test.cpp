@@ -49,7 +49,7 @@ TEST(LocationTree, ServesWhenMemoryIsShort) {
 }
 
 Locator locator(const Triangulation& t) {
-    return {t.mesh(), t.kernel(), t.location_tree()};
+    return {t.mesh(), t.calls(), t.location_tree()};
 }
 
 // A point that is exact in the caller's coordinates alone.

@@ -25,6 +25,7 @@ double uniform(Random& random) {
 struct Case {
     Vertex vertices[5] = {};
     Tetrahedron t = {};
+    Sphere s;
 
     // Some flat, some off the origin, some large or small.
     explicit Case(Random& random) {
@@ -36,7 +37,7 @@ struct Case {
         for (Vertex& v : vertices) v.x[random() % 3] = size * (offset + flat * uniform(random));
         for (VertexId i = 0; i < 4; ++i) t.v[i] = i + 1;
         if (volume() < 0) std::swap(t.v[2], t.v[3]);
-        set_circumsphere(t, vertices);
+        s = circumsphere(t, vertices);
     }
     Rational coordinate(int i, int k) const {
         return Rational(vertices[t.v[i]].x[k]) - Rational(vertices[t.v[0]].x[k]);
@@ -60,8 +61,8 @@ struct Case {
             const Rational exact = (square[1] * minor(2, 3, k) + square[2] * minor(3, 1, k) +
                                     square[3] * minor(1, 2, k)) /
                                    det;
-            error = std::max<Rational>(error, abs(Rational(t.w[k]) - exact));
-            largest = std::max<Rational>(largest, abs(Rational(t.w[k])));
+            error = std::max<Rational>(error, abs(Rational(s.w[k]) - exact));
+            largest = std::max<Rational>(largest, abs(Rational(s.w[k])));
         }
         return error + 5 * Rational(0x1p-53) * largest;
     }
@@ -73,15 +74,15 @@ TEST(SphereBound, AgainstRationalArithmetic) {
     for (int i = 0; i < reference::cases(1500); ++i) {
         Case c(random);
         if (c.volume() == 0) continue;
-        ASSERT_TRUE(sphere_is_within_bound(c.t, c.vertices));
-        if (std::isinf(c.t.e)) continue;
+        ASSERT_TRUE(sphere_is_within_bound(c.s, c.t, c.vertices));
+        if (std::isinf(c.s.e)) continue;
         ++trusted;
-        ASSERT_LE(c.needed(), Rational(c.t.e));
+        ASSERT_LE(c.needed(), Rational(c.s.e));
         // Off by up to twice the bound, with bounds from a quarter to four times of it.
-        c.t.w[random() % 3] += 2 * c.t.e * uniform(random);
-        c.t.e *= std::exp2(2 * uniform(random));
-        const bool within = c.needed() <= Rational(c.t.e);
-        if (sphere_is_within_bound(c.t, c.vertices)) {
+        c.s.w[random() % 3] += 2 * c.s.e * uniform(random);
+        c.s.e *= std::exp2(2 * uniform(random));
+        const bool within = c.needed() <= Rational(c.s.e);
+        if (sphere_is_within_bound(c.s, c.t, c.vertices)) {
             ASSERT_TRUE(within);
             ++accepted_off;
         } else {
@@ -98,10 +99,11 @@ TEST(SphereBound, AcceptsOtherRoundings) {
     Random random(2);
     for (int i = 0; i < reference::cases(500); ++i) {
         Case c(random);
-        if (std::isinf(c.t.e) || c.volume() == 0) continue;
-        for (double& w : c.t.w) w += 0.1 * c.t.e * uniform(random);
-        c.t.e *= 1 + 0x1p-50 * uniform(random);
-        EXPECT_EQ(sphere_is_within_bound(c.t, c.vertices), c.needed() < Rational(0.999 * c.t.e));
+        if (std::isinf(c.s.e) || c.volume() == 0) continue;
+        for (double& w : c.s.w) w += 0.1 * c.s.e * uniform(random);
+        c.s.e *= 1 + 0x1p-50 * uniform(random);
+        EXPECT_EQ(sphere_is_within_bound(c.s, c.t, c.vertices),
+                  c.needed() < Rational(0.999 * c.s.e));
     }
 }
 
@@ -110,8 +112,8 @@ TEST(SphereBound, NeedsADeterminant) {
     const auto accepts = [](double h, double bound) {
         const Vertex vertices[5] = {
             {}, {{0, 0, 0}, 0, 0}, {{1, 0, 0}, 0, 0}, {{0, 1, 0}, 0, 0}, {{1, 1, h}, 0, 0}};
-        const Tetrahedron t = {{1, 2, 3, 4}, {}, {1, 1, h}, bound};
-        return sphere_is_within_bound(t, vertices);
+        const Tetrahedron t = {{1, 2, 3, 4}, {}};
+        return sphere_is_within_bound({{1, 1, h}, bound}, t, vertices);
     };
     EXPECT_TRUE(accepts(0x1p-40, 0.02));
     EXPECT_FALSE(accepts(0x1p-40, 0.011));
@@ -124,12 +126,12 @@ TEST(SphereBound, ExtremeVerticesNeedAnInfiniteBound) {
         const double f = factor;
         const Vertex vertices[5] = {
             {}, {{0, 0, 0}, 0, 0}, {{f, 0, 0}, 0, 0}, {{0, f, 0}, 0, 0}, {{0, 0, f}, 0, 0}};
-        Tetrahedron t = {{1, 2, 3, 4}, {}, {f, f, f}, f * 0x1p-40};
-        EXPECT_EQ(sphere_is_within_bound(t, vertices), factor == 1);
-        t.e = infinity;
-        EXPECT_TRUE(sphere_is_within_bound(t, vertices));
-        set_circumsphere(t, vertices);
-        EXPECT_EQ(std::isinf(t.e), factor != 1);
+        const Tetrahedron t = {{1, 2, 3, 4}, {}};
+        Sphere s = {{f, f, f}, f * 0x1p-40};
+        EXPECT_EQ(sphere_is_within_bound(s, t, vertices), factor == 1);
+        s.e = infinity;
+        EXPECT_TRUE(sphere_is_within_bound(s, t, vertices));
+        EXPECT_EQ(std::isinf(circumsphere(t, vertices).e), factor != 1);
     }
 }
 

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -86,14 +87,31 @@ struct Patient {
     }
     std::vector<Quad> finite() {
         std::vector<Quad> quads;
-        for (const Tetrahedron& t0 : mesh().tetrahedra)
-            if (!t0.is_dead() && !t0.is_ghost())
-                quads.push_back({t0.v[0], t0.v[1], t0.v[2], t0.v[3]});
+        for_each_live([&](TetId id) {
+            const Tetrahedron& t0 = mesh().tetrahedra[id];
+            if (!t0.is_ghost()) quads.push_back({t0.v[0], t0.v[1], t0.v[2], t0.v[3]});
+        });
         return quads;
     }
+    template <class F>
+    void for_each_live(F f) {
+        for (TetId t0 = 0; t0 < mesh().tetrahedra.size(); ++t0)
+            if (!mesh().tetrahedra[t0].is_dead()) f(t0);
+    }
+    // The vertices of ghosts, infinity among them.
+    std::set<VertexId> hull() {
+        std::set<VertexId> all;
+        for_each_live([&](TetId t0) {
+            const Tetrahedron& t = mesh().tetrahedra[t0];
+            if (t.is_ghost()) all.insert(t.v, t.v + 4);
+        });
+        return all;
+    }
+    void set_sphere(TetId t0) {
+        mesh().tetrahedra.sphere(t0) = circumsphere(mesh().tetrahedra[t0], mesh().vertices.data());
+    }
     void set_spheres() {
-        for (Tetrahedron& t0 : mesh().tetrahedra)
-            if (!t0.is_dead()) set_circumsphere(t0, mesh().vertices.data());
+        for_each_live([&](TetId t0) { set_sphere(t0); });
     }
     // As if the vertices had been given where they are.
     void set_exponents() {
@@ -184,7 +202,7 @@ inline void Patient::assemble(std::vector<Quad> quads) {
         Tetrahedron& to = m.tetrahedra[t0];
         std::copy(quads[t0].begin(), quads[t0].end(), to.v);
         std::copy(neighbors[t0].begin(), neighbors[t0].end(), to.n);
-        set_circumsphere(to, m.vertices.data());
+        set_sphere(static_cast<TetId>(t0));
     }
     for (VertexId v = 1; v < m.vertices.size(); ++v) m.near[v] = 0;
     claims.last = 0;

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Where the kernel has the spheres of tetrahedra from.
+#pragma once
+
+#include "kernel/circumsphere.hpp"
+#include "mesh/mesh.hpp"
+
+namespace mgdt {
+inline namespace MGDT_ISA {
+
+// From the mesh, which keeps them.
+struct KeptSpheres {
+    static constexpr bool are_kept = true;
+    MGDT_ALWAYS_INLINE explicit KeptSpheres(const Mesh& mesh)
+        : tetrahedra(mesh.tetrahedra.view<true>()), vertices(mesh.vertices.data()) {}
+    MGDT_ALWAYS_INLINE const Sphere& sphere(TetId t) const { return tetrahedra.sphere(t); }
+
+    const TetrahedronView<true, const HalfLine> tetrahedra;
+    const Vertex* const vertices;
+};
+
+// From the vertices, each time: a mesh of half the size.
+struct ComputedSpheres {
+    static constexpr bool are_kept = false;
+    MGDT_ALWAYS_INLINE explicit ComputedSpheres(const Mesh& mesh)
+        : tetrahedra(mesh.tetrahedra.view<false>()),
+          vertices(mesh.vertices.data()),
+          has_extremes(mesh.has_extremes) {}
+    Sphere sphere(TetId t) const { return circumsphere(tetrahedra[t], vertices); }
+
+    const TetrahedronView<false, const HalfLine> tetrahedra;
+    const Vertex* const vertices;
+    const bool has_extremes;
+};
+
+template <class Spheres>
+MGDT_ALWAYS_INLINE Power power(const Spheres& from, TetId t, const Query& q) {
+    return power(from.sphere(t), from.vertices[from.tetrahedra[t].v[0]].x, q);
+}
+
+}  // namespace MGDT_ISA
+}  // namespace mgdt

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// set_sphere() for as many tetrahedra at a time as a vector has doubles.
+#pragma once
+
+#include "kernel/circumsphere.hpp"
+
+#if defined(__AVX2__) && defined(__FMA__)
+#define MGDT_HAVE_FOUR_ROWS 1
+#include <immintrin.h>
+
+namespace mgdt {
+inline namespace MGDT_ISA {
+
+struct Four {
+    using Vector = __m256d;
+    MGDT_ALWAYS_INLINE static Vector all(double x) { return _mm256_set1_pd(x); }
+    MGDT_ALWAYS_INLINE static Vector subtract(Vector a, Vector b) { return _mm256_sub_pd(a, b); }
+    MGDT_ALWAYS_INLINE static Vector multiply(Vector a, Vector b) { return _mm256_mul_pd(a, b); }
+    MGDT_ALWAYS_INLINE static Vector divide(Vector a, Vector b) { return _mm256_div_pd(a, b); }
+    // a * b + c, a * b - c
+    MGDT_ALWAYS_INLINE static Vector multiply_add(Vector a, Vector b, Vector c) {
+        return _mm256_fmadd_pd(a, b, c);
+    }
+    MGDT_ALWAYS_INLINE static Vector multiply_subtract(Vector a, Vector b, Vector c) {
+        return _mm256_fmsub_pd(a, b, c);
+    }
+    MGDT_ALWAYS_INLINE static Vector magnitude(Vector a) {
+        return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a);
+    }
+    MGDT_ALWAYS_INLINE static Vector larger(Vector a, Vector b) { return _mm256_max_pd(a, b); }
+    // x where a > b, else y.
+    MGDT_ALWAYS_INLINE static Vector where_above(Vector a, Vector b, Vector x, Vector y) {
+        return _mm256_blendv_pd(y, x, _mm256_cmp_pd(a, b, _CMP_GT_OQ));
+    }
+};
+
+#if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__)
+#define MGDT_HAVE_EIGHT_ROWS 1
+
+struct Eight {
+    using Vector = __m512d;
+    MGDT_ALWAYS_INLINE static Vector all(double x) { return _mm512_set1_pd(x); }
+    MGDT_ALWAYS_INLINE static Vector subtract(Vector a, Vector b) { return _mm512_sub_pd(a, b); }
+    MGDT_ALWAYS_INLINE static Vector multiply(Vector a, Vector b) { return _mm512_mul_pd(a, b); }
+    MGDT_ALWAYS_INLINE static Vector divide(Vector a, Vector b) { return _mm512_div_pd(a, b); }
+    MGDT_ALWAYS_INLINE static Vector multiply_add(Vector a, Vector b, Vector c) {
+        return _mm512_fmadd_pd(a, b, c);
+    }
+    MGDT_ALWAYS_INLINE static Vector multiply_subtract(Vector a, Vector b, Vector c) {
+        return _mm512_fmsub_pd(a, b, c);
+    }
+    MGDT_ALWAYS_INLINE static Vector magnitude(Vector a) { return _mm512_abs_pd(a); }
+    MGDT_ALWAYS_INLINE static Vector larger(Vector a, Vector b) { return _mm512_max_pd(a, b); }
+    MGDT_ALWAYS_INLINE static Vector where_above(Vector a, Vector b, Vector x, Vector y) {
+        return _mm512_mask_blend_pd(_mm512_cmp_pd_mask(a, b, _CMP_GT_OQ), y, x);
+    }
+};
+
+#endif
+
+// Points as columns of coordinates.
+template <class R>
+struct PointColumns {
+    typename R::Vector x, y, z;
+};
+
+// w and e of spheres as columns.
+template <class R>
+struct SphereColumns {
+    typename R::Vector x, y, z, e;
+};
+
+// Vertices relative to the base vertex, with what LocalVertex has.
+template <class R>
+struct LocalColumns : PointColumns<R> {
+    using Vector = typename R::Vector;
+    MGDT_ALWAYS_INLINE explicit LocalColumns(const PointColumns<R>& v) : PointColumns<R>(v) {
+        square = R::multiply_add(v.z, v.z, R::multiply_add(v.y, v.y, R::multiply(v.x, v.x)));
+        largest = R::larger(R::magnitude(v.x), R::larger(R::magnitude(v.y), R::magnitude(v.z)));
+    }
+    Vector square, largest;
+};
+
+template <class R>
+MGDT_ALWAYS_INLINE SphereColumns<R> spheres_through(const LocalColumns<R>& a,
+                                                    const LocalColumns<R>& b,
+                                                    const LocalColumns<R>& c) {
+    using Vector = typename R::Vector;
+    const auto minor = [](Vector p, Vector q, Vector r, Vector s) {
+        return R::multiply_subtract(p, q, R::multiply(r, s));
+    };
+    const auto dot = [](Vector p, Vector q, Vector r, Vector s, Vector t, Vector u) {
+        return R::multiply_add(t, u, R::multiply_add(r, s, R::multiply(p, q)));
+    };
+    const Vector bcx = minor(b.y, c.z, b.z, c.y), bcy = minor(b.z, c.x, b.x, c.z),
+                 bcz = minor(b.x, c.y, b.y, c.x);
+    const Vector cax = minor(c.y, a.z, c.z, a.y), cay = minor(c.z, a.x, c.x, a.z),
+                 caz = minor(c.x, a.y, c.y, a.x);
+    const Vector abx = minor(a.y, b.z, a.z, b.y), aby = minor(a.z, b.x, a.x, b.z),
+                 abz = minor(a.x, b.y, a.y, b.x);
+    const Vector det = dot(a.x, bcx, a.y, bcy, a.z, bcz);
+    const Vector inverse = R::divide(R::all(1.0), det);
+    SphereColumns<R> s;
+    s.x = R::multiply(inverse, dot(a.square, bcx, b.square, cax, c.square, abx));
+    s.y = R::multiply(inverse, dot(a.square, bcy, b.square, cay, c.square, aby));
+    s.z = R::multiply(inverse, dot(a.square, bcz, b.square, caz, c.square, abz));
+
+    const Vector lbc = R::multiply(b.largest, c.largest), lca = R::multiply(c.largest, a.largest),
+                 lab = R::multiply(a.largest, b.largest);
+    const Vector sum = dot(a.square, lbc, b.square, lca, c.square, lab);
+    const Vector product =
+        R::multiply(R::all(proved_bounds.sphere_det * unit_roundoff), R::multiply(a.largest, lbc));
+    const Vector largest =
+        R::larger(R::magnitude(s.x), R::larger(R::magnitude(s.y), R::magnitude(s.z)));
+    const Vector bound = R::multiply(
+        inverse,
+        R::multiply_add(product, largest,
+                        R::multiply(R::all(proved_bounds.sphere_sum * unit_roundoff), sum)));
+    s.e = R::where_above(det, product, bound, R::all(infinity));
+    return s;
+}
+
+}  // namespace MGDT_ISA
+}  // namespace mgdt
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// The array of tetrahedra: with the sphere of each beside it, the two on one cache line; or, for
+// half the memory, without.
+#pragma once
+
+#include "mesh/tetrahedron.hpp"
+#include "platform/memory.hpp"
+
+namespace mgdt {
+
+// Half a cache line.
+union HalfLine {
+    Tetrahedron tetrahedron;
+    Sphere sphere;
+};
+static_assert(sizeof(HalfLine) == 32);
+
+// The array for code that is compiled for one of the two ways. Half: HalfLine, maybe const.
+template <bool has_spheres, class Half>
+struct TetrahedronView {
+    MGDT_ALWAYS_INLINE auto& operator[](std::size_t t) const noexcept {
+        return lines[has_spheres ? 2 * t : t].tetrahedron;
+    }
+    MGDT_ALWAYS_INLINE auto& sphere(std::size_t t) const noexcept {
+        static_assert(has_spheres);
+        return lines[2 * t + 1].sphere;
+    }
+    Half* lines;
+};
+
+class TetrahedronStore {
+  public:
+    explicit TetrahedronStore(Allocator& allocator) noexcept : lines_(allocator) {}
+
+    MGDT_ALWAYS_INLINE Tetrahedron& operator[](std::size_t t) noexcept {
+        return lines_[t << shift_].tetrahedron;
+    }
+    MGDT_ALWAYS_INLINE const Tetrahedron& operator[](std::size_t t) const noexcept {
+        return lines_[t << shift_].tetrahedron;
+    }
+    bool has_spheres() const noexcept { return shift_ != 0; }
+    // Of slot t, if there are spheres.
+    Sphere& sphere(std::size_t t) noexcept { return lines_[2 * t + 1].sphere; }
+    const Sphere& sphere(std::size_t t) const noexcept { return lines_[2 * t + 1].sphere; }
+    template <bool with_spheres>
+    MGDT_ALWAYS_INLINE TetrahedronView<with_spheres, HalfLine> view() noexcept {
+        return {lines_.data()};
+    }
+    template <bool with_spheres>
+    MGDT_ALWAYS_INLINE TetrahedronView<with_spheres, const HalfLine> view() const noexcept {
+        return {lines_.data()};
+    }
+
+    MGDT_ALWAYS_INLINE std::size_t size() const noexcept { return size_; }
+    MGDT_ALWAYS_INLINE std::size_t capacity() const noexcept { return lines_.capacity() >> shift_; }
+    // As those of Buffer.
+    void reserve(std::size_t capacity) { lines_.reserve(capacity << shift_); }
+    void prefault(std::size_t begin, std::size_t end) noexcept {
+        lines_.prefault(begin << shift_, end << shift_);
+    }
+    void resize(std::size_t size) {
+        reserve(size);
+        resize_within_capacity(size);
+    }
+    MGDT_ALWAYS_INLINE void resize_within_capacity(std::size_t size) noexcept {
+        size_ = size;
+        lines_.resize_within_capacity(size << shift_);
+    }
+    void clear() noexcept { resize_within_capacity(0); }
+
+    // Leaves the spheres out, and gives their memory back where that can be.
+    void drop_spheres() noexcept;
+    // Makes room for spheres, which are not set. Throws std::bad_alloc with nothing changed.
+    void make_room_for_spheres();
+
+  private:
+    Buffer<HalfLine> lines_;
+    std::size_t size_ = 0;
+    unsigned shift_ = 1;
+};
+
+}  // namespace mgdt
