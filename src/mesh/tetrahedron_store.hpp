@@ -51,6 +51,11 @@ class TetrahedronStore {
         return {lines_.data()};
     }
 
+    // Of a slot that need not be there.
+    MGDT_ALWAYS_INLINE void prefetch(std::size_t t) const noexcept {
+        mgdt::prefetch(lines_.data() + (t << shift_));
+    }
+
     MGDT_ALWAYS_INLINE std::size_t size() const noexcept { return size_; }
     MGDT_ALWAYS_INLINE std::size_t capacity() const noexcept { return lines_.capacity() >> shift_; }
     // As those of Buffer.

@@ -88,7 +88,7 @@ void export_rows(const ExportView& view, const Indices& indices, Int* out, Row r
         if (view.canonical) {
             numbering.for_each(begin, end, [&](TetId id, std::size_t number) {
                 const Tetrahedron& t = mesh.tetrahedra[id];
-                prefetch(&t + ahead);
+                mesh.tetrahedra.prefetch(id + ahead);
                 unsigned places[4];
                 Numbering::canonical_places(t, indices, places);
                 for (unsigned i = 0; i < 4; ++i) out[4 * number + i] = row(t, places[i]);
@@ -97,7 +97,7 @@ void export_rows(const ExportView& view, const Indices& indices, Int* out, Row r
             Rows<Int> rows(out + 4 * numbering.first_number(begin));
             numbering.for_each(begin, end, [&](TetId id, std::size_t) {
                 const Tetrahedron& t = mesh.tetrahedra[id];
-                prefetch(&t + ahead);
+                mesh.tetrahedra.prefetch(id + ahead);
                 rows.add(row(t, 0), row(t, 1), row(t, 2), row(t, 3));
             });
         }
@@ -224,7 +224,7 @@ void export_edges(const ExportView& view, Int* out) {
     const auto each = [&](std::size_t begin, std::size_t end, auto f) {
         for (std::size_t id = begin; id < end; ++id) {
             const Tetrahedron& t = mesh.tetrahedra[id];
-            prefetch(&t + ahead);
+            mesh.tetrahedra.prefetch(id + ahead);
             for (unsigned left = edges_told(t, static_cast<TetId>(id)); left != 0;
                  left &= left - 1) {
                 const unsigned char* const at = edge_ends[lowest_bit(left)];
@@ -295,7 +295,7 @@ void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* o
     const auto each = [&](std::size_t begin, std::size_t end, auto f) {
         numbering.for_each(begin, end, [&](TetId id, std::size_t number) {
             const Tetrahedron& t = mesh.tetrahedra[id];
-            prefetch(&t + ahead);
+            mesh.tetrahedra.prefetch(id + ahead);
             for (const VertexId v : t.v) f(indices[v], static_cast<Int>(number) + base);
         });
     };
