@@ -43,7 +43,7 @@ class CavityFront {
             // It is entered through no face; face 0 stands in.
             for (unsigned i = 1; i < 4; ++i) w.first_corners[i] = t.v[i];
             w.first_corners[0] = t.v[1];
-            take(4 * start.tetrahedron, 1);
+            take(4 * start.tetrahedron, 1, 0);
             return;
         }
         // Seen from its neighbours, t is outside. With two of them all its vertices are corners.
@@ -52,7 +52,7 @@ class CavityFront {
             w.first_corners[i] = is_one && (start.faces >> i & 1) ? t.v[(i + 1) & 3] : t.v[i];
             boundary_[facets] = 4 * start.tetrahedron + i;
             facets += start.faces >> i & 1;
-            take(t.n[i], start.faces >> i & 1);
+            take(t.n[i], start.faces, i);
         }
     }
     // Room for one more member's neighbours.
@@ -82,20 +82,21 @@ class CavityFront {
         }
 #endif
     }
-    // Takes a tetrahedron in if `conflict` is 1, unless it is in already; without a branch.
-    MGDT_ALWAYS_INLINE void take(FacetCode code, std::uint32_t conflict) {
-        Tetrahedron& t = tetrahedra_[code >> 2];
+    // Takes a tetrahedron in if bit k of `conflict` is set, unless it is in already; without a
+    // branch.
+    MGDT_ALWAYS_INLINE void take(FacetCode code, std::uint32_t conflict, unsigned k) {
         cavity_[members] = code;
-        corners_[members] = t.v[code & 3];
-        std::uint32_t fresh;
         if constexpr (Access::is_shared) {
-            fresh = opaque(conflict & marks_.put(code >> 2, conflict));
+            const std::uint32_t is_in = conflict >> k & 1;
+            members += opaque(is_in & marks_.put(code >> 2, is_in));
         } else {
+            // The bit goes to where the mark is.
+            Tetrahedron& t = tetrahedra_[code >> 2];
             const VertexId second = t.v[1];
-            fresh = opaque(conflict & ~(second >> 31));
-            t.v[1] = second | (fresh << 31);
+            const std::uint32_t mark = opaque(conflict << (31 - k));
+            members += (mark & ~second) >> 31;
+            t.v[1] = second | (mark & in_cavity);
         }
-        members += fresh;
     }
     // `whole`: members of which all four neighbours were tested, and not three.
     void finish(std::size_t whole) const {
@@ -110,7 +111,6 @@ class CavityFront {
     MGDT_ALWAYS_INLINE void point_to_arrays() {
         cavity_ = workspace_.cavity.data;
         boundary_ = workspace_.boundary.data;
-        corners_ = workspace_.corners.data;
         if constexpr (Access::is_shared) marks_ = access_.marks().view();
     }
     void grow() {
@@ -130,7 +130,6 @@ class CavityFront {
     Mesh& mesh_;
     const TetrahedronView<Access::SphereSource::are_kept, HalfLine> tetrahedra_;
     FacetCode *cavity_, *boundary_;
-    VertexId* corners_;
     MarkTable::View marks_;  // used among other threads
 };
 
@@ -177,10 +176,7 @@ inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart star
             }
         }
         front.add_boundary(n, active & ~conflict);
-        front.take(n[0], conflict & 1);
-        front.take(n[1], conflict >> 1 & 1);
-        front.take(n[2], conflict >> 2 & 1);
-        front.take(n[3], conflict >> 3);
+        for (unsigned k = 0; k < 4; ++k) front.take(n[k], conflict, k);
         if (MGDT_UNLIKELY(is_last)) next = opaque(front.member(done + 1));
         member = next;
     }

@@ -9,6 +9,13 @@
 namespace mgdt {
 inline namespace MGDT_ISA {
 
+// The vertex opposite the face that a member of the cavity is reached through.
+template <class Tetrahedra>
+MGDT_ALWAYS_INLINE VertexId corner(const Tetrahedra& tetrahedra, FacetCode code) {
+    // A mark may be on the second.
+    return tetrahedra[code >> 2].v[code & 3] & ~in_cavity;
+}
+
 // One byte a vertex, found by its hash alone: right for nearly all cavities. Two vertices with
 // one hash, or too many, and it gives up.
 class DirectNumbers {
@@ -20,7 +27,8 @@ class DirectNumbers {
         for (std::uint32_t i = 0; i < count_; ++i) table_[hash(ids_[i])] = Workspace::direct_free;
     }
 
-    MGDT_ALWAYS_INLINE bool add_cavity(const Workspace& w) {
+    template <class Tetrahedra>
+    MGDT_ALWAYS_INLINE bool add_cavity(const Workspace& w, const Tetrahedra& tetrahedra) {
         if (MGDT_UNLIKELY(w.cavity_size > Workspace::direct_most)) return false;
         std::uint32_t clashes = 0, added = 0;
         const auto add = [&](VertexId v) {
@@ -33,7 +41,7 @@ class DirectNumbers {
             added += fresh;
         };
         for (const VertexId v : w.first_corners) add(v);
-        for (std::size_t i = 0; i < w.cavity_size; ++i) add(w.corners.data[i]);
+        for (std::size_t i = 0; i < w.cavity_size; ++i) add(corner(tetrahedra, w.cavity.data[i]));
         count_ = added;
         return clashes == 0;
     }
@@ -70,7 +78,8 @@ class ProbedNumbers {
         }
     }
 
-    void add_cavity(const Workspace& w) {
+    template <class Tetrahedra>
+    void add_cavity(const Workspace& w, const Tetrahedra& tetrahedra) {
         const auto add = [&](VertexId v) {
             const std::uint32_t h = place(v);
             if (table_[h] != no_index) return;
@@ -78,7 +87,7 @@ class ProbedNumbers {
             ids_[count_++] = v;
         };
         for (const VertexId v : w.first_corners) add(v);
-        for (std::size_t i = 0; i < w.cavity_size; ++i) add(w.corners.data[i]);
+        for (std::size_t i = 0; i < w.cavity_size; ++i) add(corner(tetrahedra, w.cavity.data[i]));
     }
     std::uint32_t count() const { return count_; }
     // Of a vertex that is there.

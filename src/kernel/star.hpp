@@ -153,15 +153,16 @@ TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
         throw;
     }
 
+    const auto tetrahedra = mesh.tetrahedra.view<Access::SphereSource::are_kept>();
     bool is_direct;
     {
         DirectNumbers numbers(w);
-        is_direct = numbers.add_cavity(w);
+        is_direct = numbers.add_cavity(w, tetrahedra);
         if (is_direct) replace_cavity(access, mesh, w, q, numbers);
     }
     if (MGDT_UNLIKELY(!is_direct)) {
         ProbedNumbers numbers(w);
-        numbers.add_cavity(w);
+        numbers.add_cavity(w, tetrahedra);
         replace_cavity(access, mesh, w, q, numbers);
     }
     if constexpr (Access::SphereSource::are_kept)

@@ -7,7 +7,6 @@ namespace mgdt {
 
 Workspace::Workspace(Allocator& allocator)
     : cavity(allocator),
-      corners(allocator),
       boundary(allocator),
       small(),
       probed(allocator),
@@ -31,7 +30,6 @@ void Workspace::grow_cavity(std::size_t members, std::size_t facets, std::size_t
     const std::size_t capacity = std::max(least, needed + needed / 2) + past;
     cavity_capacity = 0;
     cavity.reserve(capacity, members);
-    corners.reserve(capacity, members);
     boundary.reserve(2 * capacity, facets);  // each member but the first has 2 at most
     cavity_capacity = capacity - past;
 }

@@ -57,8 +57,7 @@ struct Workspace {
 
     // The cavity.
     Scratch<FacetCode> cavity;    // tetrahedra in conflict, each as the facet it is reached through
-    Scratch<VertexId> corners;    // their vertices opposite those faces
-    VertexId first_corners[4];    // with these, all vertices of the cavity
+    VertexId first_corners[4];    // with the vertices opposite those faces, all of the cavity's
     Scratch<FacetCode> boundary;  // facets, on the side that stays
     std::size_t cavity_capacity = 0;
     std::size_t cavity_size = 0, boundary_size = 0;
