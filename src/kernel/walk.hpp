@@ -98,8 +98,7 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
             const VertexId same = vertex_at(mesh, t, q.point);
             if (same != infinite_vertex) return {{here.tetrahedron, 0}, same};
             ++counters.exact_calls;
-            if (is_conflict_exact(mesh, t, q.point))
-                return {{here.tetrahedron, 0}, infinite_vertex};
+            if (is_conflict_near_tie(mesh, t, q)) return {{here.tetrahedron, 0}, infinite_vertex};
         }
         const FourPowers powers(tetrahedra, vertices, t.n, q);
         const std::uint32_t decided = powers.decided();
