@@ -61,6 +61,42 @@ TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters,
     }
 }
 
+// Among points of one sphere all powers of another are 0, and tetrahedra inside are so long and
+// thin that a walk through them visits hundreds. The way over the hull is short: from ghost to
+// ghost, to the one whose facet q is highest above, until one is certainly in conflict. Gives
+// no_tetrahedron where that ends without, as it does for q inside.
+template <class Access>
+inline TetId walk_hull(Access access, const Mesh& mesh, TetId ghost, const Query& q,
+                       Counters& counters) {
+    const Tetrahedron* const tetrahedra = mesh.tetrahedra.data();
+    const auto power_of = [&](const Tetrahedron& t) { return power(t, mesh.vertices.data(), q); };
+    const auto height = [](const Tetrahedron& t, const Power& p) {
+        return -p.value / std::sqrt(t.w[0] * t.w[0] + t.w[1] * t.w[1] + t.w[2] * t.w[2]);
+    };
+    const Power first = power_of(tetrahedra[ghost]);
+    if (first.is_conflict()) return ghost;
+    // Each ghost has one height, and it grows: this ends.
+    for (double highest = height(tetrahedra[ghost], first);;) {
+        const Tetrahedron& here = tetrahedra[ghost];
+        const unsigned slot = static_cast<unsigned>(here.infinite_slot());
+        TetId next = no_tetrahedron;
+        ++counters.walk_steps;
+        for (unsigned i = 0; i < 4; ++i) {
+            if (i == slot) continue;
+            const Tetrahedron& t = tetrahedra[here.n[i] >> 2];
+            const Power p = power_of(t);
+            ++counters.walk_tests;
+            if (p.is_conflict()) return access.enter(t) ? here.n[i] >> 2 : no_tetrahedron;
+            const double h = height(t, p);
+            if (!(h > highest)) continue;
+            highest = h;
+            next = here.n[i] >> 2;
+        }
+        if (next == no_tetrahedron || !access.enter(tetrahedra[next])) return no_tetrahedron;
+        ghost = next;
+    }
+}
+
 struct WalkStart {
     TetId tetrahedron;
     Power power;
@@ -69,6 +105,13 @@ struct WalkStart {
 inline WalkStart start_at(const Mesh& mesh, TetId t, const Query& q, Counters& counters) {
     ++counters.walk_tests;
     return {t, power(mesh.tetrahedra[t], mesh.vertices.data(), q)};
+}
+
+// A ghost of the star built last, if it has one.
+inline TetId ghost_of_star(const Mesh& mesh, const Workspace& w) {
+    for (std::size_t i = 0; i < w.slot_count; ++i)
+        if (mesh.tetrahedra[w.slots.data[i]].is_ghost()) return w.slots.data[i];
+    return no_tetrahedron;
 }
 
 // A better start than any tetrahedron of the star built last: that of least power among a few
@@ -85,9 +128,14 @@ inline WalkStart start_in_star(const Mesh& mesh, const Workspace& w, const Query
     return {codes[best] >> 2, powers[best]};
 }
 
-template <class Access>
+struct NoGhost {
+    TetId operator()() const { return no_tetrahedron; }
+};
+
+// a_ghost() gives a ghost near the start, or no_tetrahedron.
+template <class Access, class Ghost = NoGhost>
 inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Query& q,
-                       Counters& counters) {
+                       Counters& counters, Ghost a_ghost = {}) {
     const Tetrahedron* tetrahedra = mesh.tetrahedra.data();
     const Vertex* vertices = mesh.vertices.data();
     ++counters.walk_steps;
@@ -118,6 +166,11 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
         if (next == 4) break;
         here = {t.n[next] >> 2, powers[next]};
         if (MGDT_UNLIKELY(!access.enter(tetrahedra[here.tetrahedron]))) return no_way;
+    }
+    const TetId ghost = a_ghost();
+    if (ghost != no_tetrahedron && access.enter(tetrahedra[ghost])) {
+        const TetId found = walk_hull(access, mesh, ghost, q, counters);
+        if (found != no_tetrahedron) return {{found, 0}, infinite_vertex};
     }
     const TetId t = walk_exact(
         mesh, here.tetrahedron, q.point, counters,
