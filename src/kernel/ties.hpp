@@ -23,26 +23,6 @@ MGDT_ALWAYS_INLINE __m256d turned(__m256d v) {
     return _mm256_permute4x64_pd(v, order);
 }
 
-// A number and a bound of the magnitude of all that it was made of.
-struct Bounded {
-    __m256d value, size;
-};
-
-MGDT_ALWAYS_INLINE Bounded bounded(__m256d v) {
-    const __m256d magnitude = _mm256_castsi256_pd(_mm256_set1_epi64x(0x7FFFFFFFFFFFFFFF));
-    return {v, _mm256_and_pd(v, magnitude)};
-}
-template <int Places>
-MGDT_ALWAYS_INLINE Bounded turned(const Bounded& v) {
-    return {turned<Places>(v.value), turned<Places>(v.size)};
-}
-// a b - c d and a b + c
-MGDT_ALWAYS_INLINE Bounded minor(const Bounded& a, const Bounded& b, const Bounded& c,
-                                 const Bounded& d) {
-    return {_mm256_fmsub_pd(a.value, b.value, _mm256_mul_pd(c.value, d.value)),
-            _mm256_fmadd_pd(a.size, b.size, _mm256_mul_pd(c.size, d.size))};
-}
-
 MGDT_ALWAYS_INLINE double largest_element(__m256d v) {
     const __m128d pair = _mm_max_pd(_mm256_castpd256_pd128(v), _mm256_extractf128_pd(v, 1));
     return _mm_cvtsd_f64(_mm_max_sd(pair, _mm_unpackhi_pd(pair, pair)));
@@ -52,20 +32,75 @@ MGDT_ALWAYS_INLINE double sum_of_elements(__m256d v) {
     return _mm_cvtsd_f64(_mm_add_sd(pair, _mm_unpackhi_pd(pair, pair)));
 }
 
-// exact::perturbed_doubles() for a finite tetrahedron that q is no vertex of.
+MGDT_ALWAYS_INLINE __m256d magnitudes(__m256d v) {
+    return _mm256_and_pd(v, _mm256_castsi256_pd(_mm256_set1_epi64x(0x7FFFFFFFFFFFFFFF)));
+}
+
+// a b - c d, or plus where all terms are to be positive.
+template <bool Positive>
+MGDT_ALWAYS_INLINE __m256d difference(__m256d a, __m256d b, __m256d cd) {
+    return Positive ? _mm256_fmadd_pd(a, b, cd) : _mm256_fmsub_pd(a, b, cd);
+}
+
+// [bcd], [cda], [dab], [abc] of four rows by columns: the minors of SphereDeterminant, since even
+// permutations of rows change nothing.
+template <bool Positive>
+MGDT_ALWAYS_INLINE __m256d minors(__m256d x, __m256d y, __m256d z) {
+    const __m256d next = difference<Positive>(x, turned<1>(y), _mm256_mul_pd(turned<1>(x), y));
+    const __m256d across = difference<Positive>(x, turned<2>(y), _mm256_mul_pd(turned<2>(x), y));
+    return _mm256_fmadd_pd(turned<3>(z), turned<1>(next),
+                           difference<Positive>(turned<1>(z), turned<2>(next),
+                                                _mm256_mul_pd(turned<2>(z), turned<1>(across))));
+}
+
+MGDT_ALWAYS_INLINE __m256d coefficients(__m256d x, __m256d y, __m256d z) {
+    return _mm256_xor_pd(minors<false>(x, y, z), _mm256_setr_pd(0.0, -0.0, 0.0, -0.0));
+}
+
+// The side of q in a tie, from vertices relative to it in units of a lattice.
+MGDT_ALWAYS_INLINE int broken_tie(__m256d x, __m256d y, __m256d z, __m256d coefficients) {
+    const __m256d base = _mm256_set1_pd(exact::sphere_lattice_base), zero = _mm256_setzero_pd();
+    const __m256d key = _mm256_fmadd_pd(_mm256_fmadd_pd(x, base, y), base, z);
+    const __m256d counted = _mm256_and_pd(key, _mm256_cmp_pd(coefficients, zero, _CMP_NEQ_UQ));
+    const __m256d first = _mm256_set1_pd(largest_element(_mm256_max_pd(counted, zero)));
+    const int inside = _mm256_movemask_pd(_mm256_cmp_pd(counted, first, _CMP_EQ_OQ)) &
+                       _mm256_movemask_pd(_mm256_cmp_pd(coefficients, zero, _CMP_GT_OQ));
+    return inside != 0 ? 1 : -1;
+}
+
+// One coordinate of four vertices and q: where a vertex differs from q, and where from q and from
+// another vertex that does, which makes three values.
+struct Values {
+    MGDT_ALWAYS_INLINE Values(__m256d v, __m256d q) : other(_mm256_cmp_pd(v, q, _CMP_NEQ_UQ)) {
+        const auto differs = [&](__m256d w, __m256d is_other) {
+            return _mm256_and_pd(_mm256_cmp_pd(v, w, _CMP_NEQ_UQ), is_other);
+        };
+        third = _mm256_and_pd(other, _mm256_or_pd(differs(turned<1>(v), turned<1>(other)),
+                                                  differs(turned<2>(v), turned<2>(other))));
+    }
+    // -1, 0 or 1 for each.
+    MGDT_ALWAYS_INLINE __m256d signs(__m256d difference) const {
+        const __m256d minus = _mm256_set1_pd(-0.0), one = _mm256_set1_pd(1.0);
+        return _mm256_and_pd(other, _mm256_or_pd(one, _mm256_and_pd(difference, minus)));
+    }
+    __m256d other, third;
+};
+
+// exact::perturbed_doubles() for a finite tetrahedron that q is no vertex of. It also knows the
+// corners of a box, as there are in a lattice of any spacing, however its coordinates are rounded.
 inline int perturbed_doubles(const Tetrahedron& t, const Vertex* vertices, const Query& q) {
     const FourRows rows([&](unsigned k) { return vertices[t.v[k]].x; });
     const __m256d qx = _mm256_set1_pd(q.x), qy = _mm256_set1_pd(q.y), qz = _mm256_set1_pd(q.z);
-    const Bounded x = bounded(_mm256_sub_pd(rows.first, qx)),
-                  y = bounded(_mm256_sub_pd(rows.second, qy)),
-                  z = bounded(_mm256_sub_pd(rows.third, qz));
-    const double largest = largest_element(_mm256_max_pd(_mm256_max_pd(x.size, y.size), z.size));
+    const __m256d x = _mm256_sub_pd(rows.first, qx), y = _mm256_sub_pd(rows.second, qy),
+                  z = _mm256_sub_pd(rows.third, qz);
+    const __m256d ax = magnitudes(x), ay = magnitudes(y), az = magnitudes(z);
+    const double largest = largest_element(_mm256_max_pd(_mm256_max_pd(ax, ay), az));
     if (!(largest >= exact::lattice_least && largest <= exact::lattice_most))
         return exact::undecided;
     const __m256d shifter =
         _mm256_set1_pd(exact::lattice_shifter<exact::sphere_lattice_bits>(largest));
     const auto is_off = [&](__m256d v) {
-        const __m256d size = bounded(v).size;
+        const __m256d size = magnitudes(v);
         const __m256d rounded = _mm256_sub_pd(_mm256_add_pd(size, shifter), shifter);
         return _mm256_cmp_pd(rounded, size, _CMP_NEQ_UQ);
     };
@@ -73,40 +108,21 @@ inline int perturbed_doubles(const Tetrahedron& t, const Vertex* vertices, const
     const __m256d off = _mm256_or_pd(_mm256_or_pd(is_off(rows.first), is_off(rows.second)),
                                      _mm256_or_pd(is_off(rows.third), is_off(origin)));
 
-    // ab, bc, cd, da and ac, bd, ca, db; then bcd, cda, dab, abc, of which the second and the last
-    // count as they are and the others too, since even permutations of three rows change nothing.
-    const Bounded next_x = turned<1>(x), next_y = turned<1>(y), next_z = turned<1>(z);
-    const Bounded across_x = turned<2>(x), across_y = turned<2>(y), across_z = turned<2>(z);
-    const Bounded side = minor(x, next_y, next_x, y), diagonal = minor(x, across_y, across_x, y);
-    const Bounded next_side = turned<1>(side), next_diagonal = turned<1>(diagonal);
-    const Bounded across_side = turned<2>(side), last_z = turned<3>(z);
-    const __m256d minors =
-        _mm256_fmadd_pd(last_z.value, next_side.value,
-                        _mm256_fmsub_pd(next_z.value, across_side.value,
-                                        _mm256_mul_pd(across_z.value, next_diagonal.value)));
-    const __m256d square = _mm256_fmadd_pd(
-        z.value, z.value, _mm256_fmadd_pd(y.value, y.value, _mm256_mul_pd(x.value, x.value)));
-    const __m256d coefficients = _mm256_xor_pd(minors, _mm256_setr_pd(0.0, -0.0, 0.0, -0.0));
-    const double value = sum_of_elements(_mm256_mul_pd(square, coefficients));
-
+    const __m256d square = _mm256_fmadd_pd(z, z, _mm256_fmadd_pd(y, y, _mm256_mul_pd(x, x)));
+    const __m256d c = coefficients(x, y, z);
+    const double value = sum_of_elements(_mm256_mul_pd(square, c));
     if (_mm256_movemask_pd(off) == 0) {
         if (value != 0) return value > 0 ? 1 : -1;
-        const __m256d base = _mm256_set1_pd(exact::sphere_lattice_base), zero = _mm256_setzero_pd();
-        const __m256d key = _mm256_fmadd_pd(_mm256_fmadd_pd(x.value, base, y.value), base, z.value);
-        const __m256d counted = _mm256_and_pd(key, _mm256_cmp_pd(coefficients, zero, _CMP_NEQ_UQ));
-        const double first = largest_element(_mm256_max_pd(counted, zero));
-        const int inside =
-            _mm256_movemask_pd(_mm256_cmp_pd(counted, _mm256_set1_pd(first), _CMP_EQ_OQ)) &
-            _mm256_movemask_pd(_mm256_cmp_pd(coefficients, zero, _CMP_GT_OQ));
-        return inside != 0 ? 1 : -1;
+        return broken_tie(x, y, z, c);
     }
-
-    const __m256d sizes =
-        _mm256_fmadd_pd(last_z.size, next_side.size,
-                        _mm256_fmadd_pd(next_z.size, across_side.size,
-                                        _mm256_mul_pd(across_z.size, next_diagonal.size)));
-    return exact::filtered_value(value, sum_of_elements(_mm256_mul_pd(square, sizes)), largest,
-                                 exact::sphere_bound);
+    const double size = sum_of_elements(_mm256_mul_pd(square, minors<true>(ax, ay, az)));
+    const int s = exact::filtered_value(value, size, largest, exact::sphere_bound);
+    if (s != exact::undecided) return s;
+    const Values in_x(rows.first, qx), in_y(rows.second, qy), in_z(rows.third, qz);
+    const __m256d third = _mm256_or_pd(_mm256_or_pd(in_x.third, in_y.third), in_z.third);
+    if (_mm256_movemask_pd(third) != 0) return exact::undecided;
+    const __m256d sx = in_x.signs(x), sy = in_y.signs(y), sz = in_z.signs(z);
+    return broken_tie(sx, sy, sz, coefficients(sx, sy, sz));
 }
 
 #else

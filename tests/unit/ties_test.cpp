@@ -114,6 +114,38 @@ TEST_P(Ties, OfALatticeAreAllBroken) {
     EXPECT_GT(ties, 100);
 }
 
+// Corners of a box are on one sphere, however long their coordinates; and three values along an
+// axis are no box.
+TEST_P(Ties, OfABoxAreBrokenByWhateverKnowsThem) {
+    Random random(23);
+    int ties = 0, open = 0, others = 0;
+    for (int i = 0; i < reference::cases(20000); ++i) {
+        double value[3][3];
+        for (auto& axis : value)
+            for (double& x : axis) x = random.uniform(-1, 10);
+        const bool is_box = i % 2 == 0;
+        Five p;
+        for (auto& v : p)
+            for (std::size_t k = 0; k < 3; ++k) v[k] = value[k][random.integer(0, is_box ? 1 : 2)];
+        if (!prepare(p)) continue;
+        const int s = decide(p);
+        if (s != undecided) {
+            ASSERT_EQ(s, expected(p));
+        }
+        const bool is_tie = mgdt::side_of_sphere(p[0].data(), p[1].data(), p[2].data(), p[3].data(),
+                                                 p[4].data()) == 0;
+        EXPECT_TRUE(is_tie || !is_box);
+        ties += is_box;
+        open += is_box && s == undecided;
+        others += !is_box && !is_tie;
+    }
+    EXPECT_GT(ties, 100);
+    EXPECT_GT(others, 100);
+    if (std::string(GetParam().name) != "baseline") {
+        EXPECT_EQ(open, 0);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sets, Ties, testing::ValuesIn(sets()),
                          [](const auto& info) { return std::string(info.param.name); });
 
