@@ -86,6 +86,64 @@ struct Values {
     __m256d other, third;
 };
 
+// Differences below 2^wide_lattice_bits units make 2 x 2 minors and squares of length doubles
+// without rounding, 3 x 3 minors fit 64 bits, and a determinant that no filter decides is below
+// 2^63.
+inline constexpr int wide_lattice_bits = 20;
+
+// Multiples of a unit below 2^51 of them as integers; shifter = 1.5 * 2^52 units.
+MGDT_ALWAYS_INLINE __m256i whole_units(__m256d v, double shifter) {
+    const __m256d zero = _mm256_set1_pd(shifter);
+    return _mm256_sub_epi64(_mm256_castpd_si256(_mm256_add_pd(v, zero)), _mm256_castpd_si256(zero));
+}
+
+// The same for points of a wide lattice whose determinant the filter left open: modulo 2^64, which
+// is exact then. shifter is that of the lattice.
+MGDT_PREDICATES_APART inline int decided_modulo(__m256d x, __m256d y, __m256d z, double shifter) {
+    const double unit = shifter * (1 / 0x1.8p52), square_shifter = shifter * unit,
+                 cube_shifter = square_shifter * unit;
+    // 2 x 2 minors in two parts, so that products with the third coordinate are exact.
+    constexpr double part = 0x1p21;
+    const __m256d cut = _mm256_set1_pd(square_shifter * part);
+    const __m256d next = _mm256_fmsub_pd(x, turned<1>(y), _mm256_mul_pd(turned<1>(x), y));
+    const __m256d across = _mm256_fmsub_pd(x, turned<2>(y), _mm256_mul_pd(turned<2>(x), y));
+    const auto high = [&](__m256d v) { return _mm256_sub_pd(_mm256_add_pd(v, cut), cut); };
+    const __m256d next_high = high(next), across_high = high(across);
+    const __m256d z1 = turned<1>(z), z2 = turned<2>(z), z3 = turned<3>(z);
+    const auto cubic = [&](__m256d n, __m256d a) {
+        return _mm256_fmadd_pd(z3, turned<1>(n),
+                               _mm256_fmsub_pd(z1, turned<2>(n), _mm256_mul_pd(z2, turned<1>(a))));
+    };
+    const __m256i upper = whole_units(cubic(next_high, across_high), cube_shifter * part);
+    const __m256i lower = whole_units(
+        cubic(_mm256_sub_pd(next, next_high), _mm256_sub_pd(across, across_high)), cube_shifter);
+    const __m256d square = _mm256_fmadd_pd(z, z, _mm256_fmadd_pd(y, y, _mm256_mul_pd(x, x)));
+    const __m256i key = _mm256_add_epi64(
+        _mm256_slli_epi64(whole_units(x, shifter), 2 * (wide_lattice_bits + 1)),
+        _mm256_add_epi64(_mm256_slli_epi64(whole_units(y, shifter), wide_lattice_bits + 1),
+                         whole_units(z, shifter)));
+
+    alignas(32) std::int64_t minor[4], squares[4], keys[4];
+    _mm256_store_si256(reinterpret_cast<__m256i*>(minor),
+                       _mm256_add_epi64(_mm256_slli_epi64(upper, 21), lower));
+    _mm256_store_si256(reinterpret_cast<__m256i*>(squares), whole_units(square, square_shifter));
+    _mm256_store_si256(reinterpret_cast<__m256i*>(keys), key);
+    minor[1] = -minor[1];
+    minor[3] = -minor[3];
+    std::uint64_t value = 0;
+    for (unsigned i = 0; i < 4; ++i)
+        value += static_cast<std::uint64_t>(minor[i]) * static_cast<std::uint64_t>(squares[i]);
+    if (value != 0) return value >> 63 ? -1 : 1;
+    std::int64_t first = 0;
+    int side = -1;
+    for (unsigned i = 0; i < 4; ++i) {
+        const bool decides = (keys[i] > first) & (minor[i] != 0);
+        first = decides ? keys[i] : first;
+        side = decides ? (minor[i] > 0 ? 1 : -1) : side;
+    }
+    return side;
+}
+
 // exact::perturbed_doubles() for a finite tetrahedron that q is no vertex of. It also knows the
 // corners of a box, as there are in a lattice of any spacing, however its coordinates are rounded.
 inline int perturbed_doubles(const Tetrahedron& t, const Vertex* vertices, const Query& q) {
@@ -97,21 +155,22 @@ inline int perturbed_doubles(const Tetrahedron& t, const Vertex* vertices, const
     const double largest = largest_element(_mm256_max_pd(_mm256_max_pd(ax, ay), az));
     if (!(largest >= exact::lattice_least && largest <= exact::lattice_most))
         return exact::undecided;
-    const __m256d shifter =
-        _mm256_set1_pd(exact::lattice_shifter<exact::sphere_lattice_bits>(largest));
-    const auto is_off = [&](__m256d v) {
-        const __m256d size = magnitudes(v);
-        const __m256d rounded = _mm256_sub_pd(_mm256_add_pd(size, shifter), shifter);
-        return _mm256_cmp_pd(rounded, size, _CMP_NEQ_UQ);
-    };
     const __m256d origin = _mm256_blend_pd(_mm256_blend_pd(qx, qy, 2), qz, 4);
-    const __m256d off = _mm256_or_pd(_mm256_or_pd(is_off(rows.first), is_off(rows.second)),
-                                     _mm256_or_pd(is_off(rows.third), is_off(origin)));
+    const auto is_lattice = [&](double shifter) {
+        const __m256d zero = _mm256_set1_pd(shifter);
+        const auto is_off = [&](__m256d v) {
+            const __m256d size = magnitudes(v);
+            return _mm256_cmp_pd(_mm256_sub_pd(_mm256_add_pd(size, zero), zero), size, _CMP_NEQ_UQ);
+        };
+        const __m256d off = _mm256_or_pd(_mm256_or_pd(is_off(rows.first), is_off(rows.second)),
+                                         _mm256_or_pd(is_off(rows.third), is_off(origin)));
+        return _mm256_movemask_pd(off) == 0;
+    };
 
     const __m256d square = _mm256_fmadd_pd(z, z, _mm256_fmadd_pd(y, y, _mm256_mul_pd(x, x)));
     const __m256d c = coefficients(x, y, z);
     const double value = sum_of_elements(_mm256_mul_pd(square, c));
-    if (_mm256_movemask_pd(off) == 0) {
+    if (is_lattice(exact::lattice_shifter<exact::sphere_lattice_bits>(largest))) {
         if (value != 0) return value > 0 ? 1 : -1;
         return broken_tie(x, y, z, c);
     }
@@ -120,7 +179,10 @@ inline int perturbed_doubles(const Tetrahedron& t, const Vertex* vertices, const
     if (s != exact::undecided) return s;
     const Values in_x(rows.first, qx), in_y(rows.second, qy), in_z(rows.third, qz);
     const __m256d third = _mm256_or_pd(_mm256_or_pd(in_x.third, in_y.third), in_z.third);
-    if (_mm256_movemask_pd(third) != 0) return exact::undecided;
+    if (_mm256_movemask_pd(third) != 0) {
+        const double wide = exact::lattice_shifter<wide_lattice_bits>(largest);
+        return is_lattice(wide) ? decided_modulo(x, y, z, wide) : exact::undecided;
+    }
     const __m256d sx = in_x.signs(x), sy = in_y.signs(y), sz = in_z.signs(z);
     return broken_tie(sx, sy, sz, coefficients(sx, sy, sz));
 }

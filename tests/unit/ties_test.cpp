@@ -114,6 +114,39 @@ TEST_P(Ties, OfALatticeAreAllBroken) {
     EXPECT_GT(ties, 100);
 }
 
+// Wide lattices: integers on spheres, of all sizes to beyond those that the vectors take.
+TEST_P(Ties, OfAWideLatticeAreBrokenOrLeftOpen) {
+    Random random(24);
+    int open[26] = {}, ties[26] = {};
+    for (int i = 0; i < reference::cases(60000); ++i) {
+        const int bits = 4 + i % 22, n = 1 << bits;
+        const double unit = std::ldexp(1.0, random.integer(-60, 60));
+        Five p;
+        const std::array<int, 3> base = {random.integer(0, n - 1), random.integer(0, n - 1),
+                                         i % 5 == 0 ? n - 1 : random.integer(0, n - 1)};
+        for (auto& v : p) {
+            v = {double(base[0]), double(base[1]), double(base[2])};
+            std::swap(v[0], v[static_cast<std::size_t>(random.integer(0, 2))]);
+            std::swap(v[1], v[static_cast<std::size_t>(random.integer(1, 2))]);
+            for (double& x : v) x *= random.integer(0, 1) ? unit : -unit;
+        }
+        // Some all but on the sphere, for the filter to leave open or not.
+        if (i % 7 == 0) p[4][0] += unit;
+        if (!prepare(p)) continue;
+        const int s = decide(p);
+        if (s != undecided) {
+            ASSERT_EQ(s, expected(p)) << bits;
+        }
+        ++ties[bits];
+        open[bits] += s == undecided;
+    }
+    const int most = std::string(GetParam().name) == "baseline" ? 8 : 19;
+    for (int bits = 4; bits < most; ++bits) {
+        EXPECT_GT(ties[bits], reference::cases(100)) << bits;
+        EXPECT_EQ(open[bits], 0) << bits;
+    }
+}
+
 // Corners of a box are on one sphere, however long their coordinates; and three values along an
 // axis are no box.
 TEST_P(Ties, OfABoxAreBrokenByWhateverKnowsThem) {
