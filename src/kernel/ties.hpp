@@ -5,6 +5,7 @@
 // the four vertices side by side.
 #pragma once
 
+#include "kernel/pieces.hpp"
 #include "kernel/powers.hpp"
 #include "mesh/mesh.hpp"
 #include "predicates/lattice.hpp"
@@ -134,14 +135,15 @@ MGDT_PREDICATES_APART inline int decided_modulo(__m256d x, __m256d y, __m256d z,
     for (unsigned i = 0; i < 4; ++i)
         value += static_cast<std::uint64_t>(minor[i]) * static_cast<std::uint64_t>(squares[i]);
     if (value != 0) return value >> 63 ? -1 : 1;
-    std::int64_t first = 0;
-    int side = -1;
+    // Half of these decide, and which cannot be foretold.
+    std::int64_t first = 0, side = -1;
     for (unsigned i = 0; i < 4; ++i) {
-        const bool decides = (keys[i] > first) & (minor[i] != 0);
-        first = decides ? keys[i] : first;
-        side = decides ? (minor[i] > 0 ? 1 : -1) : side;
+        const std::int64_t decides = -static_cast<std::int64_t>(
+            opaque(static_cast<std::uint32_t>(keys[i] > first) & (minor[i] != 0)));
+        first ^= (first ^ keys[i]) & decides;
+        side ^= (side ^ (minor[i] >> 63 | 1)) & decides;
     }
-    return side;
+    return static_cast<int>(side);
 }
 
 // exact::perturbed_doubles() for a finite tetrahedron that q is no vertex of. It also knows the
