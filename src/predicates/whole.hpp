@@ -162,6 +162,21 @@ struct WholeSphere {
     }
 };
 
+#else
+
+// For the compiler: these are not reached.
+struct WholeSphere {
+    struct Minor {
+        int sign() const { return 0; }
+    };
+    explicit WholeSphere(const std::int64_t (&)[12]) {}
+    Minor minor[4];
+    int sign = undecided;
+};
+inline int whole_orientation(const std::int64_t (&)[9]) {
+    return undecided;
+}
+
 #endif
 
 }  // namespace mgdt::exact
