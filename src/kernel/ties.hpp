@@ -101,8 +101,8 @@ MGDT_ALWAYS_INLINE __m256i whole_units(__m256d v, double shifter) {
 // The same for points of a wide lattice whose determinant the filter left open: modulo 2^64, which
 // is exact then. shifter is that of the lattice.
 MGDT_PREDICATES_APART inline int decided_modulo(__m256d x, __m256d y, __m256d z, double shifter) {
-    const double unit = shifter * (1 / 0x1.8p52), square_shifter = shifter * unit,
-                 cube_shifter = square_shifter * unit;
+    const double unit = exact::double_of(exact::bits_of(shifter) & exact::exponent_mask) * 0x1p-52,
+                 square_shifter = shifter * unit, cube_shifter = square_shifter * unit;
     // 2 x 2 minors in two parts, so that products with the third coordinate are exact.
     constexpr double part = 0x1p21;
     const __m256d cut = _mm256_set1_pd(square_shifter * part);
