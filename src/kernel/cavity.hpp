@@ -15,6 +15,7 @@
 #include "kernel/eight_rows.hpp"
 #include "kernel/pieces.hpp"
 #include "kernel/powers.hpp"
+#include "kernel/ties.hpp"
 
 namespace mgdt {
 inline namespace MGDT_ISA {
@@ -60,9 +61,12 @@ class CavityFront {
         if (MGDT_UNLIKELY(members + 4 > workspace_.cavity_capacity)) grow();
     }
     MGDT_ALWAYS_INLINE FacetCode member(std::size_t i) const { return cavity_[i]; }
-    bool has(FacetCode code) const {
-        if constexpr (Access::is_shared) return marks_.has(code >> 2);
-        return tetrahedra_[code >> 2].is_in_cavity();
+    // What tells whether a tetrahedron is in.
+    MGDT_ALWAYS_INLINE auto membership() const {
+        if constexpr (Access::is_shared)
+            return [marks = marks_](FacetCode code) { return marks.has(code >> 2); };
+        else
+            return [all = tetrahedra_](FacetCode code) { return all[code >> 2].is_in_cavity(); };
     }
     // Gives the cavity up.
     void abandon() const {
@@ -133,6 +137,29 @@ class CavityFront {
     MarkTable::View marks_;  // used among other threads
 };
 
+constexpr std::uint32_t not_entered = 16;
+
+// Which of the undecided among four neighbours are in conflict, or not_entered. On a lattice there
+// are many, and nothing about them can be foretold, so that branches are few.
+template <class Access, class IsIn>
+MGDT_PREDICATES_APART std::uint32_t decide(Access access, const Mesh& mesh, Workspace& w,
+                                           IsIn is_in, const FacetCode* n, std::uint32_t undecided,
+                                           const Query& q) {
+    std::uint32_t conflict = 0;
+    for (unsigned k = 0; k < 4; ++k) conflict |= static_cast<std::uint32_t>(is_in(n[k])) << k;
+    conflict &= undecided;
+    for (undecided &= ~conflict; undecided != 0; undecided &= undecided - 1) {
+        const unsigned k = lowest_bit(undecided);
+        const Tetrahedron& t = mesh.tetrahedra[n[k] >> 2];
+        // A ghost's tie is decided by the tetrahedron behind it, which is a neighbour of mine only
+        // if the ghost is mine.
+        if (!access.enter(t)) return not_entered;
+        ++w.counters.exact_calls;
+        conflict |= opaque(is_conflict_near_tie(mesh, t, q)) << k;
+    }
+    return conflict;
+}
+
 // Whether the cavity was dug: not if a tetrahedron of it may not be entered.
 template <class Access>
 inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart start, const Query& q) {
@@ -160,20 +187,13 @@ inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart star
         std::uint32_t conflict = powers.negative() & active;
         const std::uint32_t undecided = active & ~powers.decided();
         if (MGDT_UNLIKELY(undecided != 0)) {
-            for (unsigned k = 0; k < 4; ++k) {
-                if (!(undecided >> k & 1)) continue;
-                const Tetrahedron& t = tetrahedra[n[k] >> 2];
-                conflict |= 1u << k;
-                if (front.has(n[k])) continue;
-                // A ghost's tie is decided by the tetrahedron behind it, which is a neighbour of
-                // mine only if the ghost is mine.
-                if (!access.enter(t)) {
-                    front.abandon();
-                    return false;
-                }
-                ++w.counters.exact_calls;
-                if (!is_conflict_exact(mesh, t, q.point)) conflict &= ~(1u << k);
+            const std::uint32_t decided =
+                decide(access, mesh, w, front.membership(), n, undecided, q);
+            if (decided == not_entered) {
+                front.abandon();
+                return false;
             }
+            conflict = (conflict & ~undecided) | decided;
         }
         front.add_boundary(n, active & ~conflict);
         for (unsigned k = 0; k < 4; ++k) front.take(n[k], conflict, k);

@@ -17,10 +17,11 @@ MGDT_ALWAYS_INLINE Insertion insert_with(Access access, Mesh& mesh, Workspace& w
     const Query query(mesh.point(q));
     const typename Access::SphereSource spheres(mesh);
     const bool is_in_star = w.slot_count != 0 && start == w.slots.data[0];
-    const WalkResult found = walk(access, mesh,
-                                  is_in_star ? start_in_star(spheres, w, query, w.counters)
-                                             : start_at(spheres, start, query, w.counters),
-                                  query, w.counters);
+    const WalkResult found = walk(
+        access, mesh,
+        is_in_star ? start_in_star(spheres, w, query, w.counters)
+                   : start_at(spheres, start, query, w.counters),
+        query, w.counters, [&] { return is_in_star ? ghost_of_star(mesh, w) : no_tetrahedron; });
     if (found.duplicate != infinite_vertex) return {found.start.tetrahedron, found.duplicate};
     if (found.start.tetrahedron == no_tetrahedron ||
         !dig_cavity(access, mesh, w, found.start, query))

@@ -61,6 +61,47 @@ TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters,
     }
 }
 
+// Among points of one sphere all powers of another are 0, and tetrahedra inside are so long and
+// thin that a walk through them visits hundreds. The way over the hull is short: from ghost to
+// ghost, to the one whose facet q is highest above, until one is certainly in conflict. Gives
+// no_tetrahedron where that ends without, as it does for q inside.
+template <class Access>
+inline TetId walk_hull(Access access, const Mesh& mesh, TetId ghost, const Query& q,
+                       Counters& counters) {
+    const typename Access::SphereSource spheres(mesh);
+    const auto tetrahedra = spheres.tetrahedra;
+    struct View {
+        Power power;
+        double height;
+    };
+    const auto look = [&](TetId t) {
+        const Sphere s = spheres.sphere(t);
+        const Power p = power(s, mesh.point(tetrahedra[t].v[0]), q);
+        return View{p, -p.value / std::sqrt(s.w[0] * s.w[0] + s.w[1] * s.w[1] + s.w[2] * s.w[2])};
+    };
+    const View first = look(ghost);
+    if (first.power.is_conflict()) return ghost;
+    // Each ghost has one height, and it grows: this ends.
+    for (double highest = first.height;;) {
+        const Tetrahedron& here = tetrahedra[ghost];
+        const unsigned slot = static_cast<unsigned>(here.infinite_slot());
+        TetId next = no_tetrahedron;
+        ++counters.walk_steps;
+        for (unsigned i = 0; i < 4; ++i) {
+            if (i == slot) continue;
+            const TetId t = here.n[i] >> 2;
+            const View there = look(t);
+            ++counters.walk_tests;
+            if (there.power.is_conflict()) return access.enter(tetrahedra[t]) ? t : no_tetrahedron;
+            if (!(there.height > highest)) continue;
+            highest = there.height;
+            next = t;
+        }
+        if (next == no_tetrahedron || !access.enter(tetrahedra[next])) return no_tetrahedron;
+        ghost = next;
+    }
+}
+
 struct WalkStart {
     TetId tetrahedron;
     Power power;
@@ -70,6 +111,13 @@ template <class Spheres>
 WalkStart start_at(const Spheres& from, TetId t, const Query& q, Counters& counters) {
     ++counters.walk_tests;
     return {t, power(from, t, q)};
+}
+
+// A ghost of the star built last, if it has one.
+inline TetId ghost_of_star(const Mesh& mesh, const Workspace& w) {
+    for (std::size_t i = 0; i < w.slot_count; ++i)
+        if (mesh.tetrahedra[w.slots.data[i]].is_ghost()) return w.slots.data[i];
+    return no_tetrahedron;
 }
 
 // A better start than any tetrahedron of the star built last: that of least power among a few
@@ -87,9 +135,14 @@ WalkStart start_in_star(const Spheres& from, const Workspace& w, const Query& q,
     return {codes[best] >> 2, powers[best]};
 }
 
-template <class Access>
+struct NoGhost {
+    TetId operator()() const { return no_tetrahedron; }
+};
+
+// a_ghost() gives a ghost near the start, or no_tetrahedron.
+template <class Access, class Ghost = NoGhost>
 inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Query& q,
-                       Counters& counters) {
+                       Counters& counters, Ghost a_ghost = {}) {
     const typename Access::SphereSource spheres(mesh);
     const auto tetrahedra = spheres.tetrahedra;
     ++counters.walk_steps;
@@ -100,8 +153,7 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
             const VertexId same = vertex_at(mesh, t, q.point);
             if (same != infinite_vertex) return {{here.tetrahedron, 0}, same};
             ++counters.exact_calls;
-            if (is_conflict_exact(mesh, t, q.point))
-                return {{here.tetrahedron, 0}, infinite_vertex};
+            if (is_conflict_near_tie(mesh, t, q)) return {{here.tetrahedron, 0}, infinite_vertex};
         }
         const FourPowers powers(spheres, t.n, q);
         const std::uint32_t decided = powers.decided();
@@ -121,6 +173,11 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
         if (next == 4) break;
         here = {t.n[next] >> 2, powers[next]};
         if (MGDT_UNLIKELY(!access.enter(tetrahedra[here.tetrahedron]))) return no_way;
+    }
+    const TetId ghost = a_ghost();
+    if (ghost != no_tetrahedron && access.enter(tetrahedra[ghost])) {
+        const TetId found = walk_hull(access, mesh, ghost, q, counters);
+        if (found != no_tetrahedron) return {{found, 0}, infinite_vertex};
     }
     const TetId t = walk_exact(
         mesh, here.tetrahedron, q.point, counters,

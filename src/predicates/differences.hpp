@@ -20,13 +20,13 @@ namespace mgdt::exact {
 static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0,
               "the bounds assume IEEE doubles without excess precision");
 
-inline std::uint64_t bits_of(double v) {
+MGDT_PREDICATES_INLINE std::uint64_t bits_of(double v) {
     std::uint64_t bits;
     std::memcpy(&bits, &v, sizeof bits);
     return bits;
 }
 
-inline double double_of(std::uint64_t bits) {
+MGDT_PREDICATES_INLINE double double_of(std::uint64_t bits) {
     double v;
     std::memcpy(&v, &bits, sizeof v);
     return v;
@@ -64,9 +64,6 @@ struct Differences {
     const double* origin;
     double rounded[N];
     double largest;  // magnitude among `rounded`
-
-    double minuend(std::size_t i) const { return point[i / 3][i % 3]; }
-    double subtrahend(std::size_t i) const { return origin[i % 3]; }
 };
 
 // Largest magnitude of v[From] to v[To - 1], as a tree: maxima one after another would wait for
@@ -91,32 +88,6 @@ MGDT_PREDICATES_INLINE Differences<3 * Points> differences(const double* const (
     each<3 * Points>([&](auto i) { d.rounded[i] = p[i / 3][i % 3] - origin[i % 3]; });
     d.largest = largest_of<0, 3 * Points>(d.rounded);
     return d;
-}
-
-// Points of a lattice: true if the differences are exact and multiples of one power of two that
-// fit Integer<Bits> in its unit, which is chosen from the largest. Adding 1.5 * 2^52 units
-// rounds to whole units and leaves the integer in the low bits of the sum.
-template <int Bits, int N>
-MGDT_PREDICATES_INLINE bool to_lattice(const Differences<N>& d, Integer<Bits> (&out)[N]) {
-    static_assert(Bits <= 52, "the sum's fraction must hold the integer");
-    // Outside this range the shifter below would not be a normal number.
-    if (!(d.largest >= 0x1p-900 && d.largest <= 0x1p900)) return false;
-    const double power = double_of(bits_of(d.largest) & exponent_mask);  // largest < 2 power
-    constexpr double scale = 1.5 * static_cast<double>(std::uint64_t{1} << (54 - Bits));
-    const double shifter = scale * power;
-    const auto zero = static_cast<std::int64_t>(bits_of(shifter));
-    const auto misfit = [&](auto i) {
-        const double v = d.rounded[i], a = d.minuend(i), b = d.subtrahend(i);
-        const double sum = v + shifter;
-        out[i].value = static_cast<std::int64_t>(bits_of(sum)) - zero;
-        // v is exact if both operands come back from it (Knuth's two-sum has no error then).
-        return std::fabs((sum - shifter) - v) + (std::fabs((a - v) - b) + std::fabs((v + b) - a));
-    };
-    return all<N / 3>([&](auto row) {  // leaves at the first point that does not fit
-        return misfit(index<3 * row>()) +
-                   (misfit(index<3 * row + 1>()) + misfit(index<3 * row + 2>())) ==
-               0;
-    });
 }
 
 // Each difference as an exact sum of two doubles, and the bits they span together: all are

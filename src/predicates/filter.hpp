@@ -43,20 +43,26 @@ MGDT_PREDICATES_INLINE Magnitude operator*(Magnitude a, Magnitude b) {
     return {a.value * b.value};
 }
 
+// Sign of a determinant of computed value D and P, or `undecided`.
+MGDT_PREDICATES_INLINE int filtered_value(double value, double size, double m, const Bound& bound) {
+    const double error = bound.relative * size + bound.underflow * (1 + m * m * m);
+    return std::fabs(value) > error ? 1 - 2 * std::signbit(value) : undecided;
+}
+
+// P of polynomial(d).
+template <int N, class Polynomial>
+MGDT_PREDICATES_INLINE double size_of(const Differences<N>& d, const Polynomial& polynomial) {
+    Magnitude size[N];
+    each<N>([&](auto i) { size[i].value = std::fabs(d.rounded[i]); });
+    return polynomial(size).value;
+}
+
 // Sign of polynomial(d), or `undecided`.
 template <int N, class Polynomial>
 MGDT_PREDICATES_INLINE int filtered(const Differences<N>& d, const Bound& bound,
                                     const Polynomial& polynomial) {
     if (!(d.largest <= filter_limit)) return undecided;
-    Magnitude size[N];
-    each<N>([&](auto i) { size[i].value = std::fabs(d.rounded[i]); });
-    const double m = d.largest;
-    const double error =
-        bound.relative * polynomial(size).value + bound.underflow * (1 + m * m * m);
-    const double value = polynomial(d.rounded);
-    if (value > error) return 1;
-    if (value < -error) return -1;
-    return undecided;
+    return filtered_value(polynomial(d.rounded), size_of(d, polynomial), d.largest, bound);
 }
 
 }  // namespace mgdt::exact

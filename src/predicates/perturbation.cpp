@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Ties of cospherical points, broken as by Devillers and Teillaud, "Perturbations for Delaunay
 // and weighted Delaunay 3D triangulations", Computational Geometry 44 (2011) 160-168.
+//
+// Every point p is thought of as lifted to |p|^2 + e(p), where the e(p) are positive, infinitely
+// small, and each infinitely larger than that of any lexicographically smaller point. The
+// determinant is linear in the lifts; the first of the points, from the largest down, whose
+// lift has a nonzero coefficient decides. That of q is -orientation(a, b, c, d) < 0, that of a
+// vertex is the orientation with q in the vertex's place: with its sign, the minor by which the
+// vertex's square is multiplied in the determinant. No vertex smaller than q is reached.
+#include "determinants.hpp"
+#include "lattice.hpp"
 #include "predicates.hpp"
+#include "stages.hpp"
+#include "whole.hpp"
 
 namespace mgdt {
 
@@ -13,37 +24,112 @@ int compare_lexicographic(const double* a, const double* b) {
     return 0;
 }
 
-// Every point p is thought of as lifted to |p|^2 + e(p), where the e(p) are positive, infinitely
-// small, and each infinitely larger than that of any lexicographically smaller point. The
-// determinant is linear in the lifts; the first of the points, from the largest down, whose
-// lift has a nonzero coefficient decides. That of q is -orientation(a, b, c, d) < 0, that of a
-// vertex is the orientation with q in the vertex's place.
+namespace exact {
+namespace {
+
+MGDT_PREDICATES_INLINE double larger(double a, double b) {
+    return a > b ? a : b;
+}
+
+// The determinant is exact on a lattice, and passes a filter elsewhere. On a lattice the place of a
+// point relative to q in the lexicographic order is one number, the key, that of q 0; and ties,
+// half of the answers there, are broken without a branch.
+MGDT_PREDICATES_INLINE int doubles(const Differences<12>& v) {
+    const auto minors = SphereDeterminant::minors(v.rounded);
+    const double value = SphereDeterminant::value(v.rounded, minors);
+    if (!is_lattice<sphere_lattice_bits>(v)) {
+        if (!(v.largest <= filter_limit)) return undecided;
+        return filtered_value(value, size_of(v, SphereDeterminant()), v.largest, sphere_bound);
+    }
+    if (value != 0) return value > 0 ? 1 : -1;
+    double inside = 0, outside = 0;  // the largest keys of those that raise q in or out; q itself
+    bool is_vertex = false;
+    each<4>([&](auto i) {
+        const double* const p = v.rounded + 3 * i;
+        const double key = (p[0] * sphere_lattice_base + p[1]) * sphere_lattice_base + p[2];
+        const double coefficient = i % 2 == 0 ? minors.of[i] : -minors.of[i];
+        inside = larger(inside, coefficient > 0 ? key : 0);
+        outside = larger(outside, coefficient < 0 ? key : 0);
+        is_vertex |= key == 0;
+    });
+    if (is_vertex) return 0;
+    return inside > outside ? 1 : -1;
+}
+
+// For a tie in general; coefficient(i) gives the sign of the coefficient of vertex i.
+template <class Coefficient>
+int broken_tie(const double* const (&vertex)[4], const double* q, const Coefficient& coefficient) {
+    const double* largest = q;
+    int side = -1;
+    for (int i = 0; i < 4; ++i) {
+        const int order = compare_lexicographic(vertex[i], q);
+        if (order == 0) return 0;
+        if (order < 0 || compare_lexicographic(vertex[i], largest) < 0) continue;
+        const int s = coefficient(i);
+        if (s == 0) continue;
+        largest = vertex[i];
+        side = s;
+    }
+    return side;
+}
+
+}  // namespace
+
+int perturbed_doubles(const double* a, const double* b, const double* c, const double* d,
+                      const double* q) {
+    return doubles(differences({a, b, c, d}, q));
+}
+
+int perturbed_whole(const double* a, const double* b, const double* c, const double* d,
+                    const double* q) {
+    if constexpr (have_whole) {
+        std::int64_t n[12];
+        if (!to_whole(differences({a, b, c, d}, q), n)) return undecided;
+        const WholeSphere sphere(n);
+        if (sphere.sign != 0) return sphere.sign;
+        // The same as broken_tie(), without a branch.
+        std::int64_t first[3] = {};
+        int side = -1;
+        bool is_vertex = false;
+        each<4>([&](auto i) {
+            const std::int64_t* const p = n + 3 * i;
+            is_vertex |= (p[0] | p[1] | p[2]) == 0;
+            const int s = sphere.minor[i].sign();
+            const bool is_after = (p[0] > first[0]) |
+                                  ((p[0] == first[0]) &
+                                   ((p[1] > first[1]) | ((p[1] == first[1]) & (p[2] > first[2]))));
+            const bool decides = is_after & (s != 0);
+            for (int k = 0; k < 3; ++k) first[k] = decides ? p[k] : first[k];
+            side = decides ? (i % 2 == 0 ? s : -s) : side;
+        });
+        return is_vertex ? 0 : side;
+    }
+    return undecided;
+}
+
+int perturbed_by_parts(const double* a, const double* b, const double* c, const double* d,
+                       const double* q) {
+    const int s = sphere_integer(a, b, c, d, q);
+    if (s != 0) return s;
+    return broken_tie({a, b, c, d}, q, [&](int i) {
+        const double* replaced[4] = {a, b, c, d};
+        replaced[i] = q;
+        return orientation(replaced[0], replaced[1], replaced[2], replaced[3]);
+    });
+}
+
+int perturbed_integers(const double* a, const double* b, const double* c, const double* d,
+                       const double* q) {
+    const int s = perturbed_whole(a, b, c, d, q);
+    return s != undecided ? s : perturbed_by_parts(a, b, c, d, q);
+}
+
+}  // namespace exact
+
 int side_of_sphere_perturbed(const double* a, const double* b, const double* c, const double* d,
                              const double* q) {
-    const int s = side_of_sphere(a, b, c, d, q);
-    if (s != 0) return s;
-
-    // The vertices larger than q, largest first; those smaller than q are never reached.
-    const double* const vertex[4] = {a, b, c, d};
-    int larger[4];
-    int count = 0;
-    for (int v = 0; v < 4; ++v) {
-        const int order = compare_lexicographic(vertex[v], q);
-        if (order == 0) return 0;
-        if (order < 0) continue;
-        int at = count++;
-        for (; at > 0 && compare_lexicographic(vertex[larger[at - 1]], vertex[v]) < 0; --at) {
-            larger[at] = larger[at - 1];
-        }
-        larger[at] = v;
-    }
-    for (int i = 0; i < count; ++i) {
-        const double* replaced[4] = {a, b, c, d};
-        replaced[larger[i]] = q;
-        const int o = orientation(replaced[0], replaced[1], replaced[2], replaced[3]);
-        if (o != 0) return o;
-    }
-    return -1;
+    const int s = exact::perturbed_doubles(a, b, c, d, q);
+    return s != exact::undecided ? s : exact::perturbed_integers(a, b, c, d, q);
 }
 
 }  // namespace mgdt

@@ -29,30 +29,31 @@ Points generated(const char* kind, std::size_t n) {
 struct Kind {
     const char* name;
     Points (*points)(std::size_t n);
-    double exact;   // decisions a point that the filter may leave open
-    double growth;  // of each count, from one size to the next
+    double visited;  // tetrahedra a point
+    double exact;    // decisions a point that the filter may leave open
+    double growth;   // of each count, from one size to the next
 };
 
 constexpr std::size_t million = 1000000;
 const Kind kinds[] = {
-    {"uniform", [](std::size_t n) { return generated("uniform", n); }, 0.01, 1.5},
-    {"lattice", [](std::size_t n) { return generated("lattice", n); }, 80, 1.5},
-    {"sphere", [](std::size_t n) { return generated("sphere", n); }, 80, 1.5},
+    {"uniform", [](std::size_t n) { return generated("uniform", n); }, 3, 0.01, 1.5},
+    {"lattice", [](std::size_t n) { return generated("lattice", n); }, 4, 80, 1.5},
+    {"sphere", [](std::size_t n) { return generated("sphere", n); }, 4, 80, 1.5},
     {"cospherical",
      [](std::size_t n) {
          return integer_sphere(n, n <= 4000 ? 231 : n <= 77000 ? 4389 : 100947);
      },
-     // Every decision is a tie, and walks and stars grow slowly with the set.
-     600, 2.5},
-    {"repeats", [](std::size_t n) { return generated("lattice-repeats", n); }, 80, 1.5},
-    {"layers", layers, 80, 1.5},
+     // Every decision is a tie, and stars grow slowly with the set. Walks go over the hull.
+     12, 300, 2},
+    {"repeats", [](std::size_t n) { return generated("lattice-repeats", n); }, 4, 80, 1.5},
+    {"layers", layers, 4, 80, 1.5},
     // Its triangulation is quadratic.
     {"helix",
      [](std::size_t n) {
          return helix(static_cast<std::size_t>(4 * std::sqrt(static_cast<double>(n))));
      },
-     80, 1.5},
-    {"anisotropic", [](std::size_t n) { return generated("anisotropic", n); }, 80, 1.5},
+     12, 80, 1.5},
+    {"anisotropic", [](std::size_t n) { return generated("anisotropic", n); }, 4, 80, 1.5},
 };
 
 Cost cost_of(const Points& xyz) {
@@ -97,6 +98,7 @@ TEST_P(CostOfAPoint, DoesNotGrow) {
             "exact %6.2f, %6.2f us a point\n",
             kind.name, xyz.size() / 3, static_cast<long long>(c.tetrahedra), c.visited, c.removed,
             c.created, c.exact, 3e6 * c.seconds / static_cast<double>(xyz.size()));
+        EXPECT_LE(c.visited, kind.visited);
         EXPECT_LE(c.exact, kind.exact);
         costs.push_back(c);
     }

@@ -77,9 +77,11 @@ void check(const std::vector<Point>& p) {
     FUZZ_REQUIRE(mgdt::compare_distance(a, b, c) == nearer, text(p));
     FUZZ_REQUIRE(right(exact::orientation_filter(a, b, c, d), solid), text(p));
     FUZZ_REQUIRE(right(exact::orientation_lattice(a, b, c, d), solid), text(p));
+    FUZZ_REQUIRE(right(exact::orientation_whole(a, b, c, d), solid), text(p));
     FUZZ_REQUIRE(exact::orientation_integer(a, b, c, d) == solid, text(p));
     FUZZ_REQUIRE(right(exact::sphere_filter(a, b, c, d, q), sphere), text(p));
     FUZZ_REQUIRE(right(exact::sphere_lattice(a, b, c, d, q), sphere), text(p));
+    FUZZ_REQUIRE(right(exact::sphere_whole(a, b, c, d, q), sphere), text(p));
     FUZZ_REQUIRE(exact::sphere_integer(a, b, c, d, q) == sphere, text(p));
     FUZZ_REQUIRE(right(exact::collinear_filter(a, b, c), line ? exact::undecided : 1), text(p));
     FUZZ_REQUIRE(exact::collinear_integer(a, b, c) == line, text(p));
@@ -104,6 +106,10 @@ void check(const std::vector<Point>& p) {
     const double* t = xyz.data();
     FUZZ_REQUIRE(mgdt::side_of_sphere_perturbed(t, t + 3, t + 6, t + 9, t + 12) == expected,
                  text(p));
+    FUZZ_REQUIRE(right(exact::perturbed_doubles(t, t + 3, t + 6, t + 9, t + 12), expected),
+                 text(p));
+    FUZZ_REQUIRE(right(exact::perturbed_whole(t, t + 3, t + 6, t + 9, t + 12), expected), text(p));
+    FUZZ_REQUIRE(exact::perturbed_by_parts(t, t + 3, t + 6, t + 9, t + 12) == expected, text(p));
 }
 
 }  // namespace

@@ -5,8 +5,11 @@
 
 #include "exact_reference.hpp"
 #include "point_families.hpp"
+#include "predicates/determinants.hpp"
+#include "predicates/lattice.hpp"
 #include "predicates/predicates.hpp"
 #include "predicates/stages.hpp"
+#include "predicates/whole.hpp"
 
 namespace {
 
@@ -39,7 +42,9 @@ TEST(Stages, AgreeOnEveryFamily) {
             EXPECT_TRUE(right(mgdt::exact::sphere_filter(a, b, c, d, q), sphere));
             EXPECT_TRUE(right(mgdt::exact::sphere_lattice(a, b, c, d, q), sphere));
             EXPECT_TRUE(right(mgdt::exact::orientation_filter(a, b, c, d), solid));
+            EXPECT_TRUE(right(mgdt::exact::sphere_whole(a, b, c, d, q), sphere));
             EXPECT_TRUE(right(mgdt::exact::orientation_lattice(a, b, c, d), solid));
+            EXPECT_TRUE(right(mgdt::exact::orientation_whole(a, b, c, d), solid));
             EXPECT_TRUE(right(mgdt::exact::collinear_filter(a, b, c), line ? undecided : 1));
             EXPECT_TRUE(right(mgdt::exact::distance_filter(a, b, c), nearer));
             for (int width : widths) {
@@ -90,34 +95,124 @@ TEST(Stages, LatticeDecidesItsTies) {
     EXPECT_GT(ties, 200);
 }
 
-// The widest differences that the lattice stage takes, and the first beyond.
-TEST(Stages, LatticeEndsWhereItsIntegersEnd) {
-#ifdef __SIZEOF_INT128__
-    const double most = 0x1p24 - 1;
-#else
-    const double most = 0x1p11 - 1;
-#endif
-    for (double unit : {1.0, 0x1p-160, 0x1p180}) {
-        const double m = most * unit, o = 0;
+// The widest differences that the lattice stages take, and the first beyond.
+TEST(Stages, LatticeEndsWhereDoublesEnd) {
+    const auto sphere = [](double m, double unit, double odd) {
+        m *= unit;
         const double a[] = {m, -m, m}, b[] = {-m, m, m}, c[] = {m, m, -m}, d[] = {-m, -m, -m};
-        const double q[] = {o, o, o}, odd[] = {unit, o, o};
-        EXPECT_EQ(mgdt::exact::sphere_lattice(a, b, c, d, q),
-                  mgdt::exact::sphere_integer(a, b, c, d, q));
-        EXPECT_EQ(mgdt::exact::sphere_lattice(a, b, c, d, a), 0);
-        const double half[] = {unit / 2, o, o};
-        EXPECT_NE(mgdt::exact::sphere_lattice(odd, b, c, d, q), undecided);
-        EXPECT_EQ(mgdt::exact::sphere_lattice(half, b, c, d, q), undecided);
+        const double q[] = {odd * unit, 0, 0};
+        const int s = mgdt::exact::sphere_lattice(a, b, c, d, q);
+        EXPECT_TRUE(s == undecided || s == mgdt::exact::sphere_integer(a, b, c, d, q));
+        return s != undecided;
+    };
+    const auto solid = [](double m, double unit, double odd) {
+        m *= unit;
+        const double a[] = {odd * unit, 0, 0}, b[] = {m, -m, m}, c[] = {-m, m, m}, d[] = {m, m, -m};
+        const int s = mgdt::exact::orientation_lattice(a, b, c, d);
+        EXPECT_TRUE(s == undecided || s == mgdt::exact::orientation_integer(a, b, c, d));
+        return s != undecided;
+    };
+    for (double unit : {1.0, 0x1p-180, 0x1p160}) {
+        EXPECT_TRUE(sphere(0x1p9 - 2, unit, 1));
+        EXPECT_FALSE(sphere(0x1p9 - 2, unit, 0.5));
+        EXPECT_FALSE(sphere(0x1p9, unit, 1));
+        EXPECT_TRUE(solid(0x1p16 - 2, unit, 1));
+        EXPECT_FALSE(solid(0x1p16 - 2, unit, 0.5));
+        EXPECT_FALSE(solid(0x1p16, unit, 1));
+    }
+    EXPECT_FALSE(sphere(1, 0x1p-181, 0));
+    EXPECT_FALSE(sphere(1, 0x1p181, 0));
+    // Coordinates so large that the sum with the shifter has another exponent.
+    for (double far : {-0x1p52, 0x1p52, -0x1p53, 0x1p53, -0x1p54, 0x1p54}) {
+        const double x = far + 1;  // where far is large enough, far itself
+        const double a[] = {far, 0, 0}, b[] = {x, 1, 0}, c[] = {far, 1, 1}, d[] = {x, 0, 1};
+        const double q[] = {x, 1, 1};
+        const int s = mgdt::exact::sphere_lattice(a, b, c, d, q);
+        EXPECT_TRUE(s == undecided || s == mgdt::exact::sphere_integer(a, b, c, d, q)) << far;
     }
     // Differences that are not exact, although their rounded values are multiples of one unit.
     const double a[] = {1, 0, 0}, b[] = {0, 1, 0}, c[] = {0, 0, 1}, d[] = {1, 1, 1};
     const double q[] = {0x1p-60, 0, 0};
     EXPECT_EQ(mgdt::exact::sphere_lattice(a, b, c, d, q), undecided);
     EXPECT_EQ(mgdt::exact::orientation_lattice(q, a, b, c), undecided);
-    const double f[] = {1, 1, 0}, g[] = {1, 0, 1};
-    EXPECT_EQ(mgdt::exact::sphere_lattice(a, d, f, g, q), undecided);
     const double e[] = {0x1p-60, 1, 1};  // the same with the small coordinate in front
-    EXPECT_EQ(mgdt::exact::sphere_lattice(e, b, c, q, d), undecided);
+    EXPECT_EQ(mgdt::exact::sphere_lattice(e, b, c, a, d), undecided);
     EXPECT_EQ(mgdt::exact::orientation_lattice(d, e, b, c), undecided);
+}
+
+// With a few bits more, doubles round, and ties come out as something else.
+TEST(Stages, LatticeErrsWithMoreBits) {
+    Random random(9);
+    int sphere = 0, solid = 0, proved = 0;
+    for (int i = 0; i < 2000; ++i) {
+        // Integers on a sphere, and on a plane: d = b + c - a.
+        const int x = random.integer(0, 2000), y = random.integer(0, 2000);
+        Five p;
+        for (auto& v : p) {
+            v = {double(x), double(y), double(random.integer(0, 1) ? 1 : -1) * 1999};
+            std::swap(v[0], v[std::size_t(random.integer(0, 2))]);
+            if (random.integer(0, 1)) v[1] = -v[1];
+        }
+        const auto on_sphere = mgdt::exact::differences(
+            {p[0].data(), p[1].data(), p[2].data(), p[3].data()}, p[4].data());
+        if (mgdt::exact::is_lattice<13>(on_sphere))
+            sphere += mgdt::exact::SphereDeterminant()(on_sphere.rounded) != 0;
+        if (mgdt::exact::is_lattice<mgdt::exact::sphere_lattice_bits>(on_sphere))
+            proved += mgdt::exact::SphereDeterminant()(on_sphere.rounded) != 0;
+        const auto any = [&] { return double(random.integer(-1000000, 1000000)); };
+        const double a[] = {any(), any(), any()}, b[] = {any(), any(), any()},
+                     c[] = {any(), any(), any()};
+        const double d[] = {b[0] + c[0] - a[0], b[1] + c[1] - a[1], b[2] + c[2] - a[2]};
+        const auto on_plane = mgdt::exact::differences({b, c, d}, a);
+        if (mgdt::exact::is_lattice<23>(on_plane))
+            solid += mgdt::exact::OrientationDeterminant()(on_plane.rounded) != 0;
+        if (mgdt::exact::is_lattice<mgdt::exact::orientation_lattice_bits>(on_plane))
+            proved += mgdt::exact::OrientationDeterminant()(on_plane.rounded) != 0;
+    }
+    EXPECT_GT(sphere, 0);
+    EXPECT_GT(solid, 0);
+    EXPECT_EQ(proved, 0);
+}
+
+// The largest native integers, every sign of every coordinate, and the first beyond.
+TEST(Stages, NativeIntegersHoldTheLargest) {
+    if (!mgdt::exact::have_whole) return;
+    Random random(10);
+    for (double unit : {1.0, 0x1p-700, 0x1p700}) {
+        for (int i = 0; i < reference::cases(4000); ++i) {
+            // 53 bits below 2^59, of which pairs of opposite sign differ by nearly 2^60.
+            Five p;
+            for (auto& v : p)
+                for (double& x : v)
+                    x = (random.integer(0, 1) ? 1 : -1) * unit *
+                        (0x1p59 - 64 * (1 + random.integer(0, i % 4 == 0 ? 1 << 20 : 3)));
+            p[4][0] += (random.integer(0, 1) ? 0x1p7 : 0) * unit;
+            const double *a = p[0].data(), *b = p[1].data(), *c = p[2].data(), *d = p[3].data(),
+                         *q = p[4].data();
+            const int s = mgdt::exact::sphere_whole(a, b, c, d, q);
+            ASSERT_NE(s, undecided);
+            ASSERT_EQ(s, mgdt::exact::sphere_integer(a, b, c, d, q));
+            const int o = mgdt::exact::orientation_whole(a, b, c, d);
+            ASSERT_NE(o, undecided);
+            ASSERT_EQ(o, mgdt::exact::orientation_integer(a, b, c, d));
+        }
+    }
+    const double a[] = {0x1p59, 0, 0}, b[] = {0, 0x1p59, 0}, c[] = {0, 0, 0x1p59}, d[] = {1, 1, 1},
+                 half[] = {0.5, 0, 0}, o[] = {0, 0, 0};
+    EXPECT_EQ(mgdt::exact::orientation_whole(d, a, b, c), 1);
+    EXPECT_EQ(mgdt::exact::orientation_whole(half, a, b, c), undecided);
+    const double wide[] = {0x1p60, 0, 0};
+    EXPECT_EQ(mgdt::exact::orientation_whole(d, wide, b, c), undecided);
+    EXPECT_EQ(mgdt::exact::sphere_whole(a, b, c, d, half), undecided);
+    EXPECT_EQ(mgdt::exact::sphere_whole(a, b, c, half, o), undecided);
+    // What underflows in units is not 0.
+    const double tiny[] = {0x1p-1074, 0, 0}, e[] = {0x1p800, 0, 0}, f[] = {0, 0x1p800, 0},
+                 g[] = {0, 0, 0x1p800};
+    EXPECT_EQ(mgdt::exact::orientation_whole(tiny, e, f, g), undecided);
+    EXPECT_EQ(mgdt::exact::sphere_whole(o, e, f, g, tiny), undecided);
+    // -0 is 0.
+    const double minus[] = {-0.0, 1, -0.0}, plus[] = {1, 0, 0}, two[] = {0, 0, 1};
+    EXPECT_EQ(mgdt::exact::orientation_whole(o, plus, minus, two), 1);
 }
 
 TEST(Stages, EveryWidthIsTheLeastForSomePoints) {

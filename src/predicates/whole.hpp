@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Differences as native integers of one unit, and the determinants over them: where coordinates
+// span no more than 62 bits, which is nearly always, the exact sign costs no more than a filter.
+//
+// Longer numbers are sums of digits times powers of 2^62 of which only the last has a sign, and
+// products are added up digit by digit in 128 bits: no carry is looked for until the sum is
+// complete. docs/theory.md has the sizes.
+#pragma once
+
+#include "differences.hpp"
+
+namespace mgdt::exact {
+
+constexpr int whole_bits = 60;       // differences are below 2^whole_bits in magnitude
+constexpr int coordinate_bits = 62;  // and coordinates below 2^coordinate_bits
+
+#ifdef __SIZEOF_INT128__
+constexpr bool have_whole = true;
+#else
+constexpr bool have_whole = false;
+#endif
+
+// The differences in units of a power of two, if coordinates are multiples of it and all fit.
+template <int N>
+MGDT_PREDICATES_INLINE bool to_whole(const Differences<N>& d, std::int64_t (&out)[N]) {
+    double size = 4 * d.largest;
+    const auto cover = [&](const double* p) {
+        const double s = largest_of<0, 3>(p);
+        size = s > size ? s : size;
+    };
+    cover(d.origin);
+    each<N / 3>([&](auto i) { cover(d.point[i]); });
+    if (!(size >= 0x1p-900 && size <= 0x1p900)) return false;
+    // With size < 2 power, coordinates are less than 2^coordinate_bits units.
+    const std::uint64_t power = bits_of(size) & exponent_mask;
+    constexpr std::uint64_t shift = std::uint64_t{coordinate_bits - 1} << 52;
+    const double unit = double_of(power - shift);
+    const double per_unit = double_of((std::uint64_t{2 * 1023} << 52) - (power - shift));
+    // Conversion is towards zero, and what is rounded does not come back. 0 + turns -0 to 0.
+    std::uint64_t off = 0;
+    std::int64_t any = 0;
+    const auto units = [&](double x) {
+        const auto n = static_cast<std::int64_t>(x * per_unit);
+        off |= bits_of(static_cast<double>(n) * unit) ^ bits_of(0 + x);
+        return n;
+    };
+    const std::int64_t o[3] = {units(d.origin[0]), units(d.origin[1]), units(d.origin[2])};
+    each<N>([&](auto i) {
+        const std::int64_t n = units(d.point[i / 3][i % 3]) - o[i % 3];
+        any |= n ^ (n >> 63);
+        out[i] = n;
+    });
+    return (off | static_cast<std::uint64_t>(any >> whole_bits)) == 0;
+}
+
+#ifdef __SIZEOF_INT128__
+
+constexpr int digit_bits = 62;
+constexpr std::int64_t digit_mask = (std::int64_t{1} << digit_bits) - 1;
+
+MGDT_PREDICATES_INLINE std::int64_t low_digit(Widest v) {
+    return static_cast<std::int64_t>(v) & digit_mask;
+}
+
+MGDT_PREDICATES_INLINE Widest product(std::int64_t a, std::int64_t b) {
+    return static_cast<Widest>(a) * b;
+}
+
+// Up to 122 bits.
+struct TwoDigits {
+    std::int64_t d0, d1;
+
+    MGDT_PREDICATES_INLINE explicit TwoDigits(Widest v)
+        : d0(low_digit(v)), d1(static_cast<std::int64_t>(v >> digit_bits)) {}
+};
+
+// Up to 184 bits.
+struct ThreeDigits {
+    std::int64_t d0, d1, d2;
+
+    // From sums of products by place.
+    MGDT_PREDICATES_INLINE ThreeDigits(Widest c0, Widest c1) : d0(low_digit(c0)) {
+        const Widest carried = c1 + (c0 >> digit_bits);
+        d1 = low_digit(carried);
+        d2 = static_cast<std::int64_t>(carried >> digit_bits);
+    }
+    MGDT_PREDICATES_INLINE int sign() const { return d2 < 0 ? -1 : (d0 | d1 | d2) != 0; }
+};
+
+// The sizes in bits, and that every sum by places leaves room for its sign and a carry.
+constexpr int minor_bits = 2 * whole_bits + 1;   // of two products
+constexpr int square_bits = 2 * whole_bits + 2;  // of three
+constexpr int cubic_bits = 3 * whole_bits + 3;   // of three products with a minor, 6 * 2^(3 * 60)
+static_assert(square_bits <= 2 * digit_bits && cubic_bits <= 3 * digit_bits,
+              "two digits hold a minor and a square, three a minor of three rows");
+static_assert(whole_bits + digit_bits + 2 < 127, "three products of a difference and a digit");
+// A square's second digit is a quarter of a digit at most, so the largest sum of a sphere's has
+// four products of two digits, and four of a digit and a quarter of one: 5 * 2^(2 * 62).
+static_assert(square_bits - digit_bits <= digit_bits - 2 && 2 * digit_bits + 3 <= 127,
+              "eight products of digits");
+
+MGDT_PREDICATES_INLINE TwoDigits whole_minor(const std::int64_t* p, const std::int64_t* q) {
+    return TwoDigits(product(p[0], q[1]) - product(q[0], p[1]));
+}
+
+MGDT_PREDICATES_INLINE TwoDigits whole_square(const std::int64_t* p) {
+    return TwoDigits(product(p[0], p[0]) + product(p[1], p[1]) + product(p[2], p[2]));
+}
+
+// z u - z' v + z" w, the third coordinates of three rows and the minors of the others' first two.
+MGDT_PREDICATES_INLINE ThreeDigits whole_cubic(const std::int64_t* p, const TwoDigits& u,
+                                               const std::int64_t* q, const TwoDigits& v,
+                                               const std::int64_t* r, const TwoDigits& w) {
+    return {product(p[2], u.d0) - product(q[2], v.d0) + product(r[2], w.d0),
+            product(p[2], u.d1) - product(q[2], v.d1) + product(r[2], w.d1)};
+}
+
+// Sign of the determinant of three rows.
+MGDT_PREDICATES_INLINE int whole_orientation(const std::int64_t (&v)[9]) {
+    const std::int64_t *b = v, *c = v + 3, *d = v + 6;
+    return whole_cubic(b, whole_minor(c, d), c, whole_minor(b, d), d, whole_minor(b, c)).sign();
+}
+
+// The determinant of SphereDeterminant and its minors.
+struct WholeSphere {
+    ThreeDigits minor[4];
+    int sign;
+
+    MGDT_PREDICATES_INLINE explicit WholeSphere(const std::int64_t (&v)[12])
+        : WholeSphere(v, whole_minor(v, v + 3), whole_minor(v, v + 6), whole_minor(v, v + 9),
+                      whole_minor(v + 3, v + 6), whole_minor(v + 3, v + 9),
+                      whole_minor(v + 6, v + 9)) {}
+
+  private:
+    MGDT_PREDICATES_INLINE WholeSphere(const std::int64_t (&v)[12], const TwoDigits& ab,
+                                       const TwoDigits& ac, const TwoDigits& ad,
+                                       const TwoDigits& bc, const TwoDigits& bd,
+                                       const TwoDigits& cd)
+        : minor{whole_cubic(v + 3, cd, v + 6, bd, v + 9, bc),
+                whole_cubic(v, cd, v + 6, ad, v + 9, ac), whole_cubic(v, bd, v + 3, ad, v + 9, ab),
+                whole_cubic(v, bc, v + 3, ac, v + 6, ab)} {
+        Widest place[4] = {};
+        each<4>([&](auto i) {
+            const TwoDigits s = whole_square(v + 3 * i);
+            const ThreeDigits& m = minor[i];
+            // Of alternating sign, so that no sum grows by the way.
+            const auto add = [&](auto at, std::int64_t x, std::int64_t y) {
+                place[at] += i % 2 == 0 ? product(x, y) : -product(x, y);
+            };
+            add(index<0>(), s.d0, m.d0);
+            add(index<1>(), s.d0, m.d1);
+            add(index<1>(), s.d1, m.d0);
+            add(index<2>(), s.d0, m.d2);
+            add(index<2>(), s.d1, m.d1);
+            add(index<3>(), s.d1, m.d2);
+        });
+        place[1] += place[0] >> digit_bits;
+        place[2] += place[1] >> digit_bits;
+        place[3] += place[2] >> digit_bits;
+        const std::int64_t low = low_digit(place[0]) | low_digit(place[1]) | low_digit(place[2]);
+        sign = static_cast<int>(place[3] >> 127) | ((place[3] | low) != 0);
+    }
+};
+
+#else
+
+// For the compiler: these are not reached.
+struct WholeSphere {
+    struct Minor {
+        int sign() const { return 0; }
+    };
+    explicit WholeSphere(const std::int64_t (&)[12]) {}
+    Minor minor[4];
+    int sign = undecided;
+};
+inline int whole_orientation(const std::int64_t (&)[9]) {
+    return undecided;
+}
+
+#endif
+
+}  // namespace mgdt::exact
