@@ -111,7 +111,7 @@ TEST_P(Ties, OfALatticeAreAllBroken) {
             }
         }
     }
-    EXPECT_GT(ties, 100);
+    EXPECT_GT(ties, reference::cases(100));
 }
 
 // Wide lattices: integers on spheres, of all sizes to beyond those that the vectors take.
@@ -172,7 +172,7 @@ TEST_P(Ties, OfABoxAreBrokenByWhateverKnowsThem) {
         open += is_box && s == undecided;
         others += !is_box && !is_tie;
     }
-    EXPECT_GT(ties, 100);
+    EXPECT_GT(ties, reference::cases(100));
     EXPECT_GT(others, 100);
     if (std::string(GetParam().name) != "baseline") {
         EXPECT_EQ(open, 0);
