@@ -110,6 +110,12 @@ TEST(Integer, ShiftsAMantissaToAnyPlace) {
     }
     EXPECT_EQ(value(mgdt::exact::shifted<63>(-(mantissa << 8), -8)), -mantissa);
     EXPECT_EQ(value(mgdt::exact::shifted<255>(mantissa << 8, -8)), mantissa);
+    // Zero has none but zero bits.
+    for (const int shift : {-63, -64, -2000}) {
+        EXPECT_EQ(value(mgdt::exact::shifted<63>(0, shift)), 0);
+        EXPECT_EQ(value(mgdt::exact::shifted<127>(0, shift)), 0);
+        EXPECT_EQ(value(mgdt::exact::shifted<255>(0, shift)), 0);
+    }
 }
 
 }  // namespace
