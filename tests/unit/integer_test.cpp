@@ -75,6 +75,12 @@ TYPED_TEST(IntegerPair, AgreesWithUnlimitedIntegers) {
     }
 }
 
+TEST(Integer, ASumHasOneBitMoreThanTheLonger) {
+    EXPECT_EQ(mgdt::exact::sum_bits(25, 50), 51);
+    EXPECT_EQ(mgdt::exact::sum_bits(50, 25), 51);
+    EXPECT_EQ(mgdt::exact::sum_bits(64, 64), 65);
+}
+
 // The bound in the type of a result holds at the extremes of the operands.
 TYPED_TEST(IntegerPair, ExtremesFitTheResult) {
     constexpr int n = TypeParam::a, m = TypeParam::b;

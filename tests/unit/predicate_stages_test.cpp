@@ -151,6 +151,19 @@ TEST(Stages, TheLastWidthHoldsTheWholeRange) {
               reference::orientation(point(a), point(b), point(c), point(q)));
 }
 
+// In each plane of coordinates one product of the three tells that points are not on a line.
+TEST(Stages, EachCoordinateOfACrossProductCounts) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        double a[3] = {}, b[3] = {}, c[3] = {};
+        b[(axis + 1) % 3] = 1;
+        c[(axis + 2) % 3] = 1;
+        EXPECT_FALSE(mgdt::exact::collinear_integer(a, b, c)) << axis;
+        c[(axis + 2) % 3] = 0;
+        c[(axis + 1) % 3] = -3;
+        EXPECT_TRUE(mgdt::exact::collinear_integer(a, b, c)) << axis;
+    }
+}
+
 // The two-sum of a difference may overflow within although the rounded difference is finite: where
 // it is rounded up to the next but largest number, what is taken back of it is beyond all.
 TEST(Stages, AnOverflowWithinADifferenceIsSeen) {
