@@ -66,7 +66,7 @@ packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 pytho
     cmake tetgen abigail-tools mandoc groff-base gfortran
     luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev
     libopenmpi-dev openmpi-bin'
-[ $long = no ] || packages="$packages npm gzip gcovr libclang-rt-dev"
+[ $long = no ] || packages="$packages npm gzip llvm libclang-rt-dev"
 
 is_installed() {
     dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed' && return 0
