@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# A fuzzing session: builds the targets in build-fuzz/ and runs each in turn.
+# A round of fuzzing: builds the targets in build-fuzz/ and runs each in turn.
 set -u
 
 usage() {
@@ -10,7 +10,7 @@ usage: sh tests/fuzz.sh [--merge] [seconds [target...]]
 Builds tests/fuzz with clang, libFuzzer and the address and undefined-behaviour sanitizers in
 build-fuzz/, and runs each target (or those named: api, predicates, mesh_check, gmsh, npy, ply, raw,
 tetgen, text, vtu) for so many seconds, 60 unless said otherwise. Inputs are those of
-tests/corpus/fuzz and those of earlier sessions, which stay in build-fuzz/inputs. What is found is
+tests/corpus/fuzz and those of earlier rounds, which stay in build-fuzz/inputs. What is found is
 kept in build-fuzz/findings; then the exit status is 1.
 
   --merge  afterwards adds to tests/corpus/fuzz the inputs that reach more than those in it, and

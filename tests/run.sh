@@ -64,8 +64,9 @@ packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 pytho
     python3-scipy python3-matplotlib python3-meshio python3-mypy python3-setuptools python3-wheel python3-build
     python3-venv libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev
     cmake tetgen abigail-tools mandoc groff-base gfortran
-    luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev'
-[ $long = no ] || packages="$packages npm gzip gcovr libclang-rt-dev"
+    luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev
+    libopenmpi-dev openmpi-bin'
+[ $long = no ] || packages="$packages npm gzip llvm libclang-rt-dev"
 
 is_installed() {
     dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed' && return 0

@@ -75,6 +75,12 @@ TYPED_TEST(IntegerPair, AgreesWithUnlimitedIntegers) {
     }
 }
 
+TEST(Integer, ASumHasOneBitMoreThanTheLonger) {
+    EXPECT_EQ(mgdt::exact::sum_bits(25, 50), 51);
+    EXPECT_EQ(mgdt::exact::sum_bits(50, 25), 51);
+    EXPECT_EQ(mgdt::exact::sum_bits(64, 64), 65);
+}
+
 // The bound in the type of a result holds at the extremes of the operands.
 TYPED_TEST(IntegerPair, ExtremesFitTheResult) {
     constexpr int n = TypeParam::a, m = TypeParam::b;
@@ -110,6 +116,12 @@ TEST(Integer, ShiftsAMantissaToAnyPlace) {
     }
     EXPECT_EQ(value(mgdt::exact::shifted<63>(-(mantissa << 8), -8)), -mantissa);
     EXPECT_EQ(value(mgdt::exact::shifted<255>(mantissa << 8, -8)), mantissa);
+    // Zero has none but zero bits.
+    for (const int shift : {-63, -64, -2000}) {
+        EXPECT_EQ(value(mgdt::exact::shifted<63>(0, shift)), 0);
+        EXPECT_EQ(value(mgdt::exact::shifted<127>(0, shift)), 0);
+        EXPECT_EQ(value(mgdt::exact::shifted<255>(0, shift)), 0);
+    }
 }
 
 }  // namespace

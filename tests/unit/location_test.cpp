@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Corners of location that the public tests seldom come to: trees that grow too deep or out of
 // memory, and points that the scale of the triangulation cannot hold.
+#include <cstdlib>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "query/locate.hpp"
 #include "surgery.hpp"
@@ -46,6 +49,55 @@ TEST(LocationTree, ServesWhenMemoryIsShort) {
     EXPECT_TRUE(tree.is_sound(mesh.vertices.size()));
     const double far[3] = {1e6, 1e6, 1e6};
     EXPECT_LT(tree.near(far), 40u);
+}
+
+// Blocks of one allocator, so that they can be spoiled.
+struct Blocks {
+    static void* take(std::size_t bytes, std::size_t align, void* user) {
+        auto& blocks = static_cast<Blocks*>(user)->all;
+        blocks.emplace_back(std::aligned_alloc(align, (bytes + align - 1) / align * align), bytes);
+        return blocks.back().first;
+    }
+    static void give_back(void* p, std::size_t, std::size_t, void*) { std::free(p); }
+    std::vector<std::pair<void*, std::size_t>> all;
+};
+
+// A tree in spoiled memory is told from a sound one before it is descended: a vertex that is not
+// there, an axis beyond the third, a child that is no node, is a node twice or has become none.
+TEST(LocationTree, IsUnsoundWhenANodeIsSpoiled) {
+    Allocator mesh_allocator;
+    Mesh mesh(mesh_allocator);
+    fill_diagonal(mesh, 1000);
+    const auto vertices = static_cast<std::uint32_t>(mesh.vertices.size());
+    Blocks blocks;
+    Allocator allocator(Blocks::take, Blocks::give_back, &blocks);
+    const LocationTree tree(allocator, mesh, vertices);
+    ASSERT_EQ(blocks.all.size(), 1u);
+    ASSERT_TRUE(tree.is_sound(vertices));
+    // Of each node, in words: the split (two), vertex, axis, two children.
+    constexpr std::size_t node = 6, vertex = 2, axis = 3;
+    constexpr std::uint32_t none = 0xFFFFFFFFu;
+    auto* const words = static_cast<std::uint32_t*>(blocks.all[0].first);
+    const auto nodes = static_cast<std::uint32_t>(blocks.all[0].second / (4 * node));
+    ASSERT_EQ(nodes, (vertices - 2) / 16 + 1);
+    for (std::uint32_t i = 0; i < nodes; ++i) {
+        const auto expect_unsound = [&](std::size_t word, std::uint32_t value) {
+            std::uint32_t& there = words[node * i + word];
+            const std::uint32_t before = std::exchange(there, value);
+            EXPECT_FALSE(tree.is_sound(vertices)) << i << ' ' << word << ' ' << value;
+            there = before;
+        };
+        expect_unsound(vertex, 0);
+        expect_unsound(vertex, vertices);
+        expect_unsound(axis, 3);
+        for (const std::size_t child : {std::size_t{4}, std::size_t{5}}) {
+            const bool was_none = words[node * i + child] == none;
+            for (const std::uint32_t value : {nodes, none - 1, i, nodes / 2})
+                if (value != words[node * i + child]) expect_unsound(child, value);
+            if (!was_none) expect_unsound(child, none);
+        }
+        ASSERT_TRUE(tree.is_sound(vertices));
+    }
 }
 
 Locator locator(const Triangulation& t) {

@@ -246,6 +246,44 @@ TEST(Stages, TheLastWidthHoldsTheWholeRange) {
               reference::orientation(point(a), point(b), point(c), point(q)));
 }
 
+// In each plane of coordinates one product of the three tells that points are not on a line.
+TEST(Stages, EachCoordinateOfACrossProductCounts) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        double a[3] = {}, b[3] = {}, c[3] = {};
+        b[(axis + 1) % 3] = 1;
+        c[(axis + 2) % 3] = 1;
+        EXPECT_FALSE(mgdt::exact::collinear_integer(a, b, c)) << axis;
+        c[(axis + 2) % 3] = 0;
+        c[(axis + 1) % 3] = -3;
+        EXPECT_TRUE(mgdt::exact::collinear_integer(a, b, c)) << axis;
+    }
+}
+
+// The two-sum of a difference may overflow within although the rounded difference is finite: where
+// it is rounded up to the next but largest number, what is taken back of it is beyond all.
+TEST(Stages, AnOverflowWithinADifferenceIsSeen) {
+    const double most = DBL_MAX, little = 3 * 0x1p970;
+    ASSERT_EQ(little - most, -0x1.ffffffffffffep1023);
+    ASSERT_EQ(little - (little - most), HUGE_VAL);
+    const double a[] = {little, 0, -most}, q[] = {most, -most, -little};
+    const mgdt::exact::ExactDifferences<3> d({a}, q);
+    ASSERT_LE(d.bits(), 127);
+    ASSERT_EQ(d.low, 970);
+    const auto in_units = [&](double x) { return static_cast<std::int64_t>(std::ldexp(x, -970)); };
+    for (std::size_t i = 0; i < 3; ++i) {
+        // In 64 bits: the largest double is (2^54 - 2) units.
+        EXPECT_EQ(d.get<127>(i).value, in_units(a[i]) - in_units(q[i])) << i;
+    }
+    const double b[] = {most, most, most}, c[] = {-most, little, 0}, e[] = {little, most, little};
+    const auto point = [](const double* p) { return reference::Point{p[0], p[1], p[2]}; };
+    EXPECT_EQ(mgdt::orientation(a, b, c, q),
+              reference::orientation(point(a), point(b), point(c), point(q)));
+    EXPECT_EQ(mgdt::side_of_sphere(a, b, c, e, q),
+              reference::side_of_sphere(point(a), point(b), point(c), point(e), point(q)));
+    EXPECT_EQ(mgdt::compare_distance(q, a, e),
+              reference::compare_distance(point(q), point(a), point(e)));
+}
+
 // Each filter's constants are tried on points made to be hard for it: with the constants it is
 // never wrong; with either part of the bound too small it is, so that neither the constants nor
 // these points are idle.

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+"""What no test takes of src/kernel and src/predicates, and why: file, text, outcomes, reason.
+
+The text is a condition as it stands in the source, with `true` or `false` for its outcome, or all
+of a line, with `line`. With `sometimes`, tests take it by chance; what is without must not be taken,
+and what is here must be in the source.
+"""
+
+NOT_COVERED = [
+    ("src/kernel/location_tree.cpp", "root_ >= nodes_.size()", "true",
+     "The root is in the tree itself, not in its nodes, and private: made once, by the constructor."),
+    ("src/kernel/select.cpp", "cpu.avx512", "true false sometimes",
+     "The other one is a processor's of another kind."),
+    ("src/kernel/select.cpp", "cpu.avx2", "true false sometimes",
+     "The other one is a processor's of another kind."),
+    ("src/kernel/select.cpp", "kernel", "false sometimes",
+     "Only a processor without AVX-512 lacks a kernel."),
+    ("src/kernel/territory.cpp", "!next_.compare_exchange_weak(begin, begin + static_cast<TetId>(size), "
+     "std::memory_order_relaxed)", "true sometimes",
+     "Two threads take slots within some nanoseconds."),
+    ("src/kernel/territory.hpp", "view_.stamp == 0", "true",
+     "Comes after 2^32 insertions by one thread in one call, of 2^30 points at most."),
+    ("src/predicates/interior_point.hpp", "for (const double* v : v_)", "false",
+     "One of four vertices that span space, as those given have to, is off any plane."),
+    ("src/predicates/interior_point.hpp", "return 0;", "line", "As above."),
+]

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// Parts of the kernel by themselves, where whole insertions come seldom: stars with more vertices
+// than their matrices hold, alone and among others, each kernel by its name, and what a thread
+// among others has of its own.
+#include "kernel/kernel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/triangulation.hpp"
+#include "kernel/territory.hpp"
+
+namespace mgdt {
+namespace {
+
+constexpr const char* names[] = {"baseline", "avx2", "avx512"};
+
+TEST(Kernels, AreFoundByName) {
+    unsigned found = 0;
+    for (const char* name : names) {
+        const Kernel* const kernel = find_kernel(name);
+        if (kernel == nullptr) continue;  // not on this processor
+        EXPECT_STREQ(kernel->isa, name);
+        EXPECT_EQ(find_kernel(kernel->isa), kernel);
+        ++found;
+    }
+    EXPECT_NE(find_kernel("baseline"), nullptr);
+    EXPECT_EQ(find_kernel("avx1024"), nullptr);
+    EXPECT_EQ(find_kernel(""), nullptr);
+    // The best for none: with more than one, not the baseline.
+    ASSERT_NE(find_kernel(nullptr), nullptr);
+    EXPECT_EQ(find_kernel(nullptr) == find_kernel("baseline"), found == 1);
+}
+
+TEST(Kernels, DefaultIsTheOneThatIsNamed) {
+    const char* const set = std::getenv("MGDT_ISA");
+    const std::string before = set ? set : "";
+    setenv("MGDT_ISA", "baseline", 1);
+    EXPECT_EQ(&default_kernel(), find_kernel("baseline"));
+    setenv("MGDT_ISA", "avx1024", 1);
+    EXPECT_EQ(&default_kernel(), find_kernel(nullptr));
+    unsetenv("MGDT_ISA");
+    EXPECT_EQ(&default_kernel(), find_kernel(nullptr));
+    if (set) setenv("MGDT_ISA", before.c_str(), 1);
+}
+
+using Corners = std::array<VertexId, 4>;
+
+// Vertices of each finite tetrahedron, turned about so that they can be compared.
+std::vector<Corners> tetrahedra(const Mesh& mesh) {
+    std::vector<Corners> all;
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+        const Tetrahedron& tet = mesh.tetrahedra[t];
+        if (tet.is_dead() || tet.is_ghost()) continue;
+        Corners v = {tet.v[0], tet.v[1], tet.v[2], tet.v[3]};
+        std::sort(v.begin(), v.end());
+        all.push_back(v);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+// Two skew lines of n points each, which make about n^2 tetrahedra, and one more vertex between
+// them whose cavity has nearly all of the points.
+struct SkewLines {
+    SkewLines(int n, const Kernel& kernel, bool compact) : t(nullptr, nullptr, nullptr) {
+        std::vector<double> xyz;
+        for (int i = 0; i < n; ++i) {
+            const double place = 24.0 * i / n;
+            xyz.insert(xyz.end(), {place - 11.7, 0, -8, 0, place - 11.3, 8});
+        }
+        const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
+        t.set_kernel(kernel);
+        t.set_compact(compact);
+        t.insert(xyz.size() / 3, axis, 3);
+        q = static_cast<VertexId>(mesh().vertices.size());
+        mesh().vertices.push_back({{0.013, 0.017, 0.011}, 2 * static_cast<std::uint32_t>(n), 0});
+        mesh().near.push_back(no_tetrahedron);
+    }
+    Mesh& mesh() { return const_cast<Mesh&>(t.mesh()); }
+
+    Triangulation t;
+    VertexId q;
+};
+
+TEST(Kernels, LargeStarsAloneAndAmongOthers) {
+    constexpr int n = 140;
+    static_assert(2 * n > Workspace::matrix_vertices, "larger than the matrices");
+    std::vector<Corners> expected;
+    for (int way = 0; way < 6; ++way) {
+        const Kernel* const kernel = find_kernel(names[way / 2]);
+        if (kernel == nullptr) continue;
+        const bool compact = way % 2 == 1;
+        SCOPED_TRACE(std::string(names[way / 2]) + (compact ? ", compact" : ""));
+
+        SkewLines alone(n, *kernel, compact);
+        Mesh& mesh = alone.mesh();
+        Workspace workspace(alone.t.allocator());
+        const Insertion inserted =
+            alone.t.calls().insert(mesh, workspace, alone.q, mesh.live_from(0));
+        ASSERT_NE(inserted.tetrahedron, no_tetrahedron);
+        ASSERT_EQ(inserted.duplicate, infinite_vertex);
+        ASSERT_GT(workspace.counters.removed, 4 * Workspace::matrix_vertices);
+        ASSERT_GT(workspace.counters.created, 2 * Workspace::matrix_vertices);
+
+        SkewLines together(n, *kernel, compact);
+        Mesh& shared = together.mesh();
+        Allocator& allocator = together.t.allocator();
+        Workspace own(allocator);
+        BlockOwners owners(allocator, shared.vertices.size(), nullptr);
+        SlotSupply supply(shared, 64);
+        supply.open();
+        {
+            Territory territory(shared, owners, 1, supply);
+            const TetId start = shared.live_from(0);
+            for (const VertexId v :
+                 {together.q, shared.tetrahedra[start].v[0], shared.tetrahedra[start].v[1]}) {
+                if (!territory.claim.mine()(v)) {
+                    ASSERT_TRUE(territory.claim.take(v));
+                }
+            }
+            const Insertion mine =
+                together.t.calls().insert_among_others(shared, own, territory, together.q, start);
+            ASSERT_NE(mine.tetrahedron, no_tetrahedron);
+            supply.close();
+            territory.settle();
+            shared.ghost_count += static_cast<std::size_t>(territory.ghosts);
+        }
+        EXPECT_EQ(own.counters.removed, workspace.counters.removed);
+        EXPECT_EQ(own.counters.created, workspace.counters.created);
+        const std::vector<Corners> found = tetrahedra(mesh);
+        EXPECT_EQ(found.size(), mesh.finite_count());
+        EXPECT_EQ(tetrahedra(shared), found);
+        EXPECT_EQ(shared.finite_count(), mesh.finite_count());
+        if (expected.empty()) expected = found;
+        EXPECT_EQ(found, expected);
+    }
+    EXPECT_FALSE(expected.empty());
+}
+
+// What is in the set, and nothing of what was in it before, however it grows.
+TEST(MarkTable, HasWhatWasPutIn) {
+    Allocator allocator;
+    MarkTable marks(allocator);
+    for (const std::size_t count :
+         {std::size_t{1}, std::size_t{250}, std::size_t{1000}, std::size_t{3}}) {
+        marks.begin(count);
+        std::vector<FacetCode> members;
+        MarkTable::View view = marks.view();
+        for (std::size_t i = 0; i < count; ++i) {
+            // Few hashes, so that many meet.
+            const TetId t = static_cast<TetId>(1 + 4096 * (i / 4) + i % 4);
+            EXPECT_FALSE(view.has(t));
+            EXPECT_EQ(view.put(t, 0), 1u);
+            EXPECT_FALSE(view.has(t));
+            EXPECT_EQ(view.put(t, 1), 1u);
+            EXPECT_TRUE(view.has(t));
+            EXPECT_EQ(view.put(t, 1), 0u);
+            members.push_back(4 * t + 1);
+        }
+        for (const std::size_t room : {count, 2 * count + 300}) {
+            marks.grow(room, members.data(), members.size());
+            view = marks.view();
+            for (const FacetCode code : members) EXPECT_TRUE(view.has(code >> 2)) << room;
+            EXPECT_FALSE(view.has(0));
+            EXPECT_FALSE(view.has(members.back() / 4 + 1));
+        }
+    }
+}
+
+// Slots that are free in the mesh are taken before fresh ones, no slot twice, and what is left goes
+// back.
+TEST(Territory, TakesFreeSlotsFirst) {
+    Allocator allocator;
+    Mesh mesh(allocator);
+    constexpr std::size_t used = 100, freed = 50, capacity = 300;
+    mesh.tetrahedra.reserve(capacity);
+    mesh.tetrahedra.resize(used, Tetrahedron{});
+    mesh.reserve_slots(0, freed);
+    for (TetId t = 0; t < freed; ++t) mesh.free_slot(2 * t);
+    BlockOwners owners(allocator, 1, nullptr);
+    SlotSupply supply(mesh, 64);
+    supply.open();
+    std::set<TetId> taken;
+    {
+        Territory territory(mesh, owners, 1, supply);
+        const auto take = [&](std::size_t count) {
+            std::vector<TetId> slots(count + 16);
+            territory.reserve_slots(count, 0);
+            territory.take_slots(slots.data(), count);
+            taken.insert(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(count));
+        };
+        take(10);
+        EXPECT_EQ(taken.size(), 10u);
+        for (const TetId t : taken) EXPECT_TRUE(t < used && t % 2 == 0) << t;
+        EXPECT_EQ(mesh.free_slots.size(), 0u);
+        territory.reserve_slots(0, 5000);  // many to be listed, none to be taken
+        take(60);
+        EXPECT_EQ(taken.size(), 70u);
+        EXPECT_LT(*taken.rbegin(), capacity);
+        for (const TetId t : taken) EXPECT_TRUE(t >= used || t % 2 == 0) << t;
+        take(100);
+        EXPECT_EQ(taken.size(), 170u);
+        EXPECT_THROW(territory.reserve_slots(capacity, 0), SlotSupply::NoSlots);
+        supply.close();
+        territory.settle();
+    }
+    EXPECT_EQ(mesh.live_count(), used - freed + taken.size());
+    for (const TetId t : mesh.free_slots) EXPECT_EQ(taken.count(t), 0u) << t;
+}
+
+}  // namespace
+}  // namespace mgdt
