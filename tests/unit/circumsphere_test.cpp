@@ -230,7 +230,9 @@ TEST(Circumsphere, OfAGhostHoweverItIsTurned) {
         const double outside[3] = {uniform(random), uniform(random), uniform(random)};
         const Power p = power(ghosts[1], vertices, Query(outside));
         const int side = orientation(vertices[1].x, vertices[2].x, vertices[3].x, outside);
-        if (p.is_decided()) EXPECT_EQ(p.is_conflict(), side > 0);
+        if (p.is_decided()) {
+            EXPECT_EQ(p.is_conflict(), side > 0);
+        }
     }
 }
 
