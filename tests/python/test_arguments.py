@@ -129,6 +129,8 @@ class Wrong(unittest.TestCase):
         self.assertEqual(tri.npoints, len(tri.points))
         self.assertEqual(tri.npoints, len(tri.vertex_to_simplex))
         self.assertEqual(int((tri.point_map >= 0).sum()), len(np.unique(tri.simplices)))
+        tri.add_points(points[1000:1010])
+        tri.check()
 
     def test_compact(self):
         points = random_points(20_000, 5)
@@ -176,8 +178,6 @@ class Wrong(unittest.TestCase):
         tri.release()
         with self.assertRaises(RuntimeError):
             tri.compact = True
-        tri.add_points(points[1000:1010])
-        tri.check()
 
 
 if __name__ == "__main__":
