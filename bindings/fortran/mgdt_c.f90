@@ -90,6 +90,12 @@ module mgdt_c
             type(c_ptr), value :: t
             integer(c_int32_t) :: status
         end function
+        function c_set_compact(t, on) result(status) bind(c, name='mgdt_set_compact')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: on
+            integer(c_int32_t) :: status
+        end function
         function c_set_canonical_output(t, on) result(status) &
             bind(c, name='mgdt_set_canonical_output')
             import :: c_int32_t, c_ptr

@@ -147,6 +147,17 @@ subroutine mgmem(h, bytes, ierr)
     ierr = c_set_memory_limit(handle_of(h), int(bytes, c_int64_t))
 end subroutine
 
+! Compact storage: 1, or 0 (default) for circumspheres that are kept. Since 1.1.
+subroutine mgcomp(h, ion, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: ion
+    integer, intent(out) :: ierr
+
+    ierr = c_set_compact(handle_of(h), to_c(ion))
+end subroutine
+
 ! Subroutine SUB(FRAC, ICANC) hears of progress and may cancel.
 subroutine mgprog(h, sub, ierr)
     use mgdt_f77_support
@@ -542,7 +553,7 @@ subroutine mgisan(h, name, ierr)
     call store_text(c_isa_name(handle_of(h)), name, mgdt_err_null_pointer, ierr)
 end subroutine
 
-! Version of the library, '1.0.0', and of its binary interface, 1.
+! Version of the library, '1.1.0', and of its binary interface, 1.
 subroutine mgvers(text, iabi, ierr)
     use mgdt_f77_support
     implicit none

@@ -13,7 +13,7 @@ module mgdt_names
 
 contains
 
-    ! Version of the library that is running, '1.0.0'.
+    ! Version of the library that is running, '1.1.0'.
     function mgdt_version() result(text)
         character(:), allocatable :: text
 

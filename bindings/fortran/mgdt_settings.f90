@@ -3,9 +3,9 @@
 submodule (mgdt) mgdt_settings
     use, intrinsic :: iso_c_binding, only: c_char, c_funloc, c_int32_t, c_int64_t, c_loc, &
                                            c_null_char, c_null_funptr
-    use mgdt_c, only: c_cancel, c_set_canonical_output, c_set_index_base, c_set_isa, &
-                      c_set_memory_limit, c_set_order_parameter, c_set_order_scheme, &
-                      c_set_progress, c_set_seed, c_set_threads
+    use mgdt_c, only: c_cancel, c_set_canonical_output, c_set_compact, c_set_index_base, &
+                      c_set_isa, c_set_memory_limit, c_set_order_parameter, &
+                      c_set_order_scheme, c_set_progress, c_set_seed, c_set_threads
     use mgdt_callbacks, only: relay
     use mgdt_support, only: finish, make, tell, to_c
     implicit none
@@ -134,6 +134,15 @@ contains
         call make(self%handle, status)
         if (status == mgdt_ok) status = c_cancel(self%handle)
         call finish(self%handle, 'cancel', status, stat, errmsg)
+    end procedure
+
+    module procedure set_compact
+        integer(c_int32_t) :: status
+
+        call make(self%handle, status)
+        if (status == mgdt_ok) &
+            status = c_set_compact(self%handle, merge(1_c_int32_t, 0_c_int32_t, on))
+        call finish(self%handle, 'set_compact', status, stat, errmsg)
     end procedure
 
     module procedure set_canonical_output

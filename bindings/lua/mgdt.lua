@@ -230,6 +230,13 @@ function Triangulation:set_memory_limit(bytes)
     ensure(handle, C.mgdt_set_memory_limit(handle, whole(bytes, "the memory limit")))
 end
 
+--- Compact storage, true or false (default): half of the memory, 10 to 14 percent more time. At any
+--- time; what it gives back, false needs again. Since 1.1.
+function Triangulation:set_compact(on)
+    local handle = handle_of(self)
+    ensure(handle, C.mgdt_set_compact(handle, on and 1 or 0))
+end
+
 --- Makes the output arrays a function of the set of points alone.
 function Triangulation:set_canonical(on)
     local handle = handle_of(self)
@@ -475,17 +482,17 @@ for scheme = 0, 90, 10 do
     if name ~= nil then table.insert(mgdt.order_schemes, ffi.string(name)) end
 end
 
---- Version of the library that is loaded, "1.0.0".
+--- Version of the library that is loaded, "1.1.0".
 function mgdt.version() return ffi.string(C.mgdt_version_string()) end
 
 local setters = {
     order = "set_order", seed = "set_seed", threads = "set_threads", index_base = "set_index_base",
-    memory_limit = "set_memory_limit", canonical = "set_canonical", isa = "set_isa",
-    progress = "set_progress",
+    memory_limit = "set_memory_limit", compact = "set_compact", canonical = "set_canonical",
+    isa = "set_isa", progress = "set_progress",
 }
 
 --- Makes an empty triangulation. Settings, all optional: order, seed, threads, index_base,
---- memory_limit, canonical, isa, progress, and the parameters of the order schemes.
+--- memory_limit, compact, canonical, isa, progress, and the parameters of the order schemes.
 function mgdt.new(settings)
     local out = ffi.new("mgdt_triangulation *[1]")
     local value = C.mgdt_create(out)

@@ -28,6 +28,7 @@
     F(set_threads);             \
     F(set_index_base);          \
     F(set_memory_limit);        \
+    F(set_compact);             \
     F(set_progress);            \
     F(cancel);                  \
     F(set_canonical_output);    \

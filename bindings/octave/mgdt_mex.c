@@ -348,6 +348,8 @@ static void set(mgdt_triangulation* t, const char* name, const mxArray* value) {
         ensure(t, mgdt.set_threads(t, small(value, name)));
     } else if (strcmp(name, "memory_limit") == 0) {
         ensure(t, mgdt.set_memory_limit(t, integer(value, name, 9007199254740992.0)));
+    } else if (strcmp(name, "compact") == 0) {
+        ensure(t, mgdt.set_compact(t, number(value, name) != 0));
     } else if (strcmp(name, "canonical") == 0) {
         ensure(t, mgdt.set_canonical_output(t, number(value, name) != 0));
     } else if (strcmp(name, "isa") == 0) {

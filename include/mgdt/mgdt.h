@@ -33,7 +33,7 @@
 #include <stdint.h>
 
 #define MGDT_VERSION_MAJOR 1
-#define MGDT_VERSION_MINOR 0
+#define MGDT_VERSION_MINOR 1
 #define MGDT_VERSION_PATCH 0
 
 #if defined(_WIN32)

@@ -125,6 +125,8 @@ class Triangulation {
     void set_memory_limit(std::int64_t bytes) {
         require(mgdt_set_memory_limit(handle_.get(), bytes));
     }
+    /** mgdt_set_compact(). @throw OutOfMemory, Error */
+    void set_compact(bool on) { require(mgdt_set_compact(handle_.get(), on ? 1 : 0)); }
     /** mgdt_set_canonical_output(). */
     void set_canonical_output(bool on) {
         require(mgdt_set_canonical_output(handle_.get(), on ? 1 : 0));

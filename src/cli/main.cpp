@@ -99,6 +99,8 @@ void add_triangulation(CLI::App& app, TriangulationOptions& options) {
                    "Most memory of the triangulation, such as 500MB or 4GB")
         ->transform(CLI::AsSizeValue(false))
         ->type_name("SIZE");
+    app.add_flag("--compact", options.compact,
+                 "Half of the memory of the triangulation, in 10 to 14 percent more time");
     app.add_flag("-q,--quiet", options.quiet, "Print nothing but errors and what is asked for");
 }
 
@@ -141,6 +143,7 @@ void add_bench(CLI::App& app, BenchOptions& options) {
         ->delimiter(',')
         ->check(CLI::Range(0, 1 << 20))
         ->type_name("LIST");
+    app.add_flag("--compact", options.plan.compact, "Time compact storage too, in turns");
     app.add_option("--runs", options.plan.runs, "Runs of each (default 3, with --paper 1)")
         ->check(CLI::Range(1, 1000000))
         ->type_name("N");

@@ -47,6 +47,7 @@ Triangulation::Triangulation(const TriangulationOptions& options) : quiet_(optio
         set(mgdt_set_canonical_output(handle_, options.canonical ? 1 : 0), "--canonical");
         set(mgdt_set_memory_limit(handle_, static_cast<std::int64_t>(options.memory_limit)),
             "--memory-limit");
+        set(mgdt_set_compact(handle_, options.compact ? 1 : 0), "--compact");
         parameter(options.points_per_cell, MGDT_PARAMETER_POINTS_PER_CELL, "--points-per-cell");
         parameter(options.threshold, MGDT_PARAMETER_THRESHOLD, "--threshold");
         parameter(options.separation, MGDT_PARAMETER_SEPARATION, "--separation");

@@ -18,6 +18,7 @@ struct TriangulationOptions {
     int threads = 1;
     std::uint64_t seed = 0;
     std::uint64_t memory_limit = 0;  // bytes, 0 for none
+    bool compact = false;
     bool canonical = false;
     bool quiet = false;
     // Of the order schemes; those left out keep the library's defaults.

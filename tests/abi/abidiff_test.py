@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The types of the binary interface, by libabigail: the library has what the baseline of 1.0 says,
-and the comparison notices every kind of change.
+"""The types of the binary interface, by libabigail: the library has what the baseline of a release
+says, and the comparison notices every kind of change.
 
-  abidiff_test.py --library FILE --header FILE --frozen FILE --baseline FILE --suppressions FILE --cc CC
-  abidiff_test.py --write --frozen FILE --baseline FILE --cc CC      makes the baseline
+  abidiff_test.py --library FILE --header FILE --frozen FILE... --baseline FILE --suppressions FILE --cc CC
+  abidiff_test.py --write --frozen FILE... --baseline FILE --cc CC      makes the baseline
 
-The baseline is made of the frozen header: each of its functions, empty, compiled as C. So it holds
-the public types alone, and nothing of the compiler's libraries or of the machine. The library needs
-debug information, or there would be no types to compare.
+Frozen headers are given oldest first; the baseline is that of the last one, and the others tell in
+which version node a function is. A baseline is made of the header: each of its functions, empty,
+compiled as C. So it holds the public types alone, and nothing of the compiler's libraries or of the
+machine. The library needs debug information, or there would be no types to compare.
 """
 import argparse
 import re
@@ -23,7 +24,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 from checks import check, finish, output_of
 import interface
 
-# What a program compiled for 1.0 would not survive: in the header, what becomes of it.
+# What a compiled program would not survive: in the header, what becomes of it.
 INCOMPATIBLE = [
     ("a narrower parameter", r"int64_t n_points", "int32_t n_points"),
     ("a wider parameter", r"int32_t key, double value", "int64_t key, double value"),
@@ -59,17 +60,19 @@ def compare(baseline, library, *options):
 
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("library", "header", "frozen", "baseline", "suppressions"):
+    for name in ("library", "header", "baseline", "suppressions"):
         parser.add_argument(f"--{name}", type=Path)
+    parser.add_argument("--frozen", type=Path, nargs="+", required=True)
     parser.add_argument("--cc", required=True)
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     cc = shlex.split(options.cc)
-    frozen = options.frozen.read_text()
+    frozen = options.frozen[-1].read_text()
+    nodes = interface.nodes_of(options.frozen)
 
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        old = interface.empty_library(cc, frozen, interface.version_script(frozen), folder / "frozen")
+        old = interface.empty_library(cc, frozen, interface.version_script(frozen, nodes), folder / "frozen")
         if options.write:
             options.baseline.write_text(describe(old))
             return 0
@@ -84,11 +87,7 @@ def main():
 
         rules = ["--no-added-syms", "--suppressions", str(options.suppressions)]
         header = options.header.read_text()
-        nodes = ["MGDT_1.0"]
-        added = {n for _, n, _ in interface.functions(header)} - {n for _, n, _ in interface.functions(frozen)}
-        if added:
-            nodes.append("MGDT_LATER")
-        now = interface.empty_library(cc, header, interface.version_script(header, nodes, added), folder / "now")
+        now = interface.empty_library(cc, header, interface.version_script(header, nodes), folder / "now")
         status, report = compare(options.baseline, now, *rules)
         check("the header is compatible with the baseline", report if status else "")
         status, report = compare(options.baseline, options.library, *rules)
@@ -99,7 +98,7 @@ def main():
             if changed == frozen:
                 check(f"{what} is noticed", f"nothing in the header is like {pattern}")
                 continue
-            library = interface.empty_library(cc, changed, interface.version_script(changed), folder / str(k))
+            library = interface.empty_library(cc, changed, interface.version_script(changed, nodes), folder / str(k))
             status, report = compare(options.baseline, library, *rules)
             # An error of abidiff itself (bits 0 and 1) is no change that was noticed.
             check(f"{what} is noticed", "" if status & 12 and not status & 3 else f"status {status}: {report}")
@@ -107,11 +106,11 @@ def main():
         # What may be done: a new function, in a node of its own.
         more = frozen.replace("MGDT_API mgdt_status mgdt_clear(", "MGDT_API mgdt_status mgdt_new(int32_t a);\n"
                               "MGDT_API mgdt_status mgdt_clear(")
-        script = interface.version_script(more, ("MGDT_1.0", "MGDT_1.1"), {"mgdt_new"})
+        script = interface.version_script(more, nodes)
         status, report = compare(options.baseline, interface.empty_library(cc, more, script, folder / "more"), *rules)
         check("a new function is no change", report if status else "")
         # But not a function that moved to another node: programs ask for it by the old one.
-        script = interface.version_script(frozen, ("MGDT_1.0", "MGDT_1.1"), {"mgdt_clear"})
+        script = interface.version_script(frozen, {**nodes, "mgdt_clear": interface.LATER})
         moved = interface.empty_library(cc, frozen, script, folder / "moved")
         status, report = compare(options.baseline, moved, *rules)
         check("a function that moved to another node is noticed",

@@ -56,13 +56,29 @@ def empty_library(compiler, header_text, script_text, folder):
     return folder / "libempty.so"
 
 
-def version_script(header_text, nodes=("MGDT_1.0",), added=()):
-    """Every function in the first node, those that were added in the last."""
-    names = [name for _, name, _ in functions(header_text)]
+def nodes_of(headers):
+    """The version node of each function, by name: that of the first of the headers, oldest first,
+    that declares it. Headers are named mgdt-1.0.h and the like."""
+    nodes = {}
+    for path in headers:
+        node = "MGDT_" + re.fullmatch(r"mgdt-([\d.]+)\.h", path.name)[1]
+        for _, name, _ in functions(path.read_text()):
+            nodes.setdefault(name, node)
+    return nodes
+
+
+LATER = "MGDT_LATER"
+
+
+def version_script(header_text, nodes):
+    """Every function in its node; one that has none in the node of a release to come."""
+    def number(node):
+        return [int(part) for part in re.findall(r"\d+", node)] or [1000000]
+
+    placed = {name: nodes.get(name, LATER) for _, name, _ in functions(header_text)}
     text, before = "", ""
-    for node in nodes:
-        new = node == nodes[-1] and len(nodes) > 1
-        listed = [n for n in names if (n in added) == new]
+    for node in sorted(set(placed.values()), key=number):
+        listed = [name for name in placed if placed[name] == node]
         text += f"{node} {{ global: {' '.join(n + ';' for n in listed)} " + \
             ("" if before else "local: *; ") + f"}} {before};\n"
         before = node

@@ -51,5 +51,6 @@ void test_memory(void);
 void test_progress(void);
 void test_environment(void);
 void test_isa(void);
+void test_compact(void);
 
 #endif

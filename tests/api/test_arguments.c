@@ -27,6 +27,7 @@ static void null_handles(void) {
     CHECK_EQUAL(mgdt_set_threads(NULL, 1), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_set_index_base(NULL, 1), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_set_memory_limit(NULL, 1), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_set_compact(NULL, 1), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_set_progress(NULL, NULL, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_cancel(NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_set_canonical_output(NULL, 1), MGDT_ERR_NULL_POINTER);

@@ -127,8 +127,9 @@ static void consistent(const mgdt_triangulation* t, const double* xyz, const his
 }
 
 /* The scenario with the nth call of the allocator failing; 0 if it has fewer calls. With
- * `all`, every call fails from the nth to the end of the function that met it. */
-static int with_failure(int64_t nth, int all, int32_t scheme, const double* xyz,
+ * `all`, every call fails from the nth to the end of the function that met it. With `switching`,
+ * storage becomes compact, or no longer so, before each batch. */
+static int with_failure(int64_t nth, int all, int switching, int32_t scheme, const double* xyz,
                         const mgdt_triangulation* expected) {
     source s = working();
     mgdt_triangulation* t = (mgdt_triangulation*)&s;
@@ -146,6 +147,16 @@ static int with_failure(int64_t nth, int all, int32_t scheme, const double* xyz,
     }
     CHECK_EQUAL(mgdt_set_order_scheme(t, scheme), MGDT_OK);
     for (b = 0; b < batch_count; ++b) {
+        if (switching) {
+            status = mgdt_set_compact(t, b % 2 == 0);
+            if (status != MGDT_OK) {
+                CHECK_EQUAL(status, MGDT_ERR_OUT_OF_MEMORY);
+                CHECK(b % 2 == 1); /* it only gives memory back */
+                ++failures;
+                fail(&s, 0, 0);
+                consistent(t, xyz, &h);
+            }
+        }
         status = insert(t, batch_begin[b], batch_begin[b + 1], xyz, &h);
         if (status == MGDT_OK) continue;
         CHECK_EQUAL(status, MGDT_ERR_OUT_OF_MEMORY);
@@ -172,12 +183,13 @@ static int with_failure(int64_t nth, int all, int32_t scheme, const double* xyz,
 
 static void every_allocation(int32_t scheme, const double* xyz,
                              const mgdt_triangulation* expected) {
-    int all;
-    for (all = 0; all < 2; ++all) {
-        int64_t nth = 1;
-        while (with_failure(nth, all, scheme, xyz, expected)) ++nth;
-        CHECK(nth > 5); /* the scenario does allocate */
-    }
+    int all, switching;
+    for (all = 0; all < 2; ++all)
+        for (switching = 0; switching < 2; ++switching) {
+            int64_t nth = 1;
+            while (with_failure(nth, all, switching, scheme, xyz, expected)) ++nth;
+            CHECK(nth > 5); /* the scenario does allocate */
+        }
 }
 
 /* ------------------------------------------------------------------- calls that do not insert */
@@ -240,6 +252,8 @@ static void exports(const double* xyz) {
     before = s.calls;
     fail(&s, before + 1, INT64_MAX);
     CHECK_EQUAL(mgdt_reserve(t, 1000000), MGDT_ERR_OUT_OF_MEMORY);
+    CHECK_EQUAL(mgdt_set_compact(t, 1), MGDT_OK); /* gives memory back, so takes none */
+    CHECK_EQUAL(mgdt_check(t, MGDT_CHECK_COMBINATORIAL), MGDT_ERR_OUT_OF_MEMORY);
     CHECK_EQUAL(mgdt_clear(t), MGDT_OK); /* promises no such error */
     fail(&s, 0, 0);
     CHECK_EQUAL(mgdt_insert_points(t, point_count, xyz), MGDT_OK);
@@ -307,6 +321,10 @@ static void accounting(const double* xyz) {
     CHECK_EQUAL(mgdt_create_with_allocator(take, give, &s, &t), MGDT_OK);
     CHECK_EQUAL(memory_of(t, MGDT_STAT_MEMORY_BYTES), s.bytes);
     CHECK_EQUAL(mgdt_insert_points(t, point_count, xyz), MGDT_OK);
+    CHECK_EQUAL(memory_of(t, MGDT_STAT_MEMORY_BYTES), s.bytes);
+    CHECK_EQUAL(mgdt_set_compact(t, 1), MGDT_OK);
+    CHECK_EQUAL(memory_of(t, MGDT_STAT_MEMORY_BYTES), s.bytes);
+    CHECK_EQUAL(mgdt_set_compact(t, 0), MGDT_OK);
     CHECK_EQUAL(memory_of(t, MGDT_STAT_MEMORY_BYTES), s.bytes);
     CHECK(memory_of(t, MGDT_STAT_PEAK_MEMORY_BYTES) >= s.peak - 64);
     CHECK(memory_of(t, MGDT_STAT_PEAK_MEMORY_BYTES) <= s.peak + 64);

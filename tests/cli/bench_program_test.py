@@ -117,6 +117,19 @@ class Tables(BenchTest):
                 field = r[name] if isinstance(value, str) else float(r[name])
                 self.assertEqual(field, value, name)
 
+    def test_compact(self):
+        plan = ["--distributions", "uniform", "--sizes", 20000, "--runs", 2, "--csv", "t.csv"]
+        self.bench(*plan)
+        text = self.bench(*plan, "--compact")
+        self.assertIn("auto+compact", text)
+        rows = self.rows()
+        self.assertEqual([(r["scheme"], r["run"]) for r in rows],
+                         [("auto", "1"), ("auto", "2"), ("auto+compact", "1"), ("auto+compact", "2")])
+        self.assertEqual(len({(r["status"], r["tetrahedra"], r["np"]) for r in rows}), 1)
+        for kept, compact in (rows[0], rows[2]), (rows[1], rows[3]):
+            self.assertLess(float(compact["bytes_per_point"]), float(kept["bytes_per_point"]) - 200)
+        self.assertIn("4 of 4", self.bench(*plan, "--compact") + self.err)
+
     def test_same_run_as_triangulate(self):
         self.mgdt("generate", "spiral", 2000, "--seed", 5, "-o", "p.npy")
         text = self.mgdt("triangulate", "p.npy", "--stats", "--scheme", "random", "--seed", 5).decode()

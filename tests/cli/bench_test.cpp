@@ -85,6 +85,40 @@ TEST(Plan, EveryoneHasATurnInEachRun) {
     }
 }
 
+TEST(Plan, CompactStorageHasATurnToo) {
+    PlanOptions options;
+    options.distributions = {"lattice"};
+    options.sizes = {10};
+    options.schemes = {"auto", "brio"};
+    options.peers = {"qhull"};
+    options.compact = true;
+    options.runs = 1;
+    const Plan plan = make_plan(options);
+    ASSERT_EQ(plan.sets.size(), 1U);
+    EXPECT_EQ(contenders(plan.sets[0]),
+              (std::vector<std::string>{"auto 1 1", "auto+compact 1 1", "brio 1 1",
+                                        "brio+compact 1 1", "qhull 1 1"}));
+    const std::vector<Row>& rows = plan.sets[0].rows;
+    for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(rows[k].compact(), k % 2 == 1);
+        EXPECT_EQ(rows[k].plain_scheme(), k < 2 ? "auto" : "brio");
+        EXPECT_EQ(from_csv(to_csv(rows[k]))->compact(), k % 2 == 1);
+    }
+    EXPECT_FALSE(rows[4].compact());
+    EXPECT_EQ(rows[4].plain_scheme(), "");
+    EXPECT_NE(rows[0].key(), rows[1].key());
+    EXPECT_NE(rows[0].subject(), rows[1].subject());
+    // Both or neither of what would take too long.
+    options = {};
+    options.paper = true;
+    options.compact = true;
+    options.schemes = {"random"};
+    for (const PlannedSet& set : make_plan(options).sets) {
+        EXPECT_EQ(set.rows.size(), 2U);
+        EXPECT_LE(set.name.points, 400000U);
+    }
+}
+
 TEST(Plan, AllCoresHaveANumber) {
     PlanOptions options;
     options.distributions = {"line"};

@@ -334,6 +334,15 @@ class BadOutput(CliTest):
         self.assertEqual(done.returncode, 4)
         self.assertIn(b"Broken pipe", done.stderr)
 
+    def test_compact(self):
+        self.mgdt("generate", "uniform", 20000, "-o", "many.npy")
+        limit = ["--memory-limit", "8MB"]
+        self.fails(5, "triangulate", "many.npy", "-o", "m.npy", *limit, says="memory")
+        self.mgdt("triangulate", "many.npy", "-o", "m.npy", "--canonical", "--compact", *limit)
+        self.mgdt("triangulate", "many.npy", "-o", "n.npy", "--canonical")
+        self.assertEqual(self.get("m.npy"), self.get("n.npy"))
+        self.mgdt("check", "--compact", "many.npy")
+
     def test_out_of_memory(self):
         self.fails(5, "triangulate", "p.npy", "-o", "m.vtu", "--memory-limit", "100KB",
                    says=["p.npy", "memory"])

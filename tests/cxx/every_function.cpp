@@ -50,6 +50,7 @@ int main() {
         t.set_threads(1);
         t.set_index_base(0);
         t.set_memory_limit(0);
+        t.set_compact(true);
         t.set_canonical_output(true);
         t.set_isa(nullptr);
         t.set_progress([](double fraction) { return fraction > 2; });

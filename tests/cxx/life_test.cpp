@@ -71,6 +71,7 @@ void expect_moved_from(Triangulation& t) {
     null([&] { t.set_threads(1); });
     null([&] { t.set_index_base(0); });
     null([&] { t.set_memory_limit(0); });
+    null([&] { t.set_compact(true); });
     null([&] { t.set_canonical_output(true); });
     null([&] { t.set_isa(nullptr); });
     null([&] { t.set_progress([](double) {}); });
@@ -259,4 +260,23 @@ TEST(CxxMemory, TheLimitIsOutOfMemory) {
     t.set_memory_limit(0);
     t.insert(points);
     EXPECT_EQ(t.vertex_count(), 20000);
+}
+
+TEST(CxxMemory, CompactStorageTakesHalf) {
+    const auto memory = [](const Triangulation& t) {
+        return t.statistic(mgdt::Statistic::memory_bytes);
+    };
+    const auto points = points_in_cube(20000);
+    Triangulation t;
+    t.insert(points);
+    const double before = memory(t);
+    t.set_compact(true);
+    EXPECT_LT(memory(t), before - 200 * 20000);
+    t.check();
+    t.set_memory_limit(static_cast<std::int64_t>(memory(t)));
+    EXPECT_THROW(t.set_compact(false), mgdt::OutOfMemory);
+    t.set_memory_limit(0);
+    t.set_compact(false);
+    EXPECT_GT(memory(t), before - 200 * 20000);
+    t.check();
 }

@@ -292,6 +292,8 @@
       CALL GOOD(H, IERR, 'MGTHR')
       CALL MGMEM(H, 1D10, IERR)
       CALL GOOD(H, IERR, 'MGMEM')
+      CALL MGCOMP(H, 1, IERR)
+      CALL GOOD(H, IERR, 'MGCOMP')
       CALL MGISA(H, 'baseline', IERR)
       CALL GOOD(H, IERR, 'MGISA')
       CALL MGISAN(H, NAME, IERR)
@@ -336,7 +338,7 @@
       CHARACTER*4 SHORT
       INCLUDE 'mgdt_f77.inc'
       CALL MGVERS(TEXT, IABI, IERR)
-      CALL EXPECT(TEXT .EQ. '1.0.0' .AND. IABI .EQ. 1, 'MGVERS')
+      CALL EXPECT(TEXT .EQ. '1.1.0' .AND. IABI .EQ. 1, 'MGVERS')
       CALL MGSTNM(MGFWST, TEXT, IERR)
       CALL EXPECT(IERR .EQ. 0 .AND. TEXT .EQ. 'walk steps', 'MGSTNM')
       CALL MGSTNM(MGFWST, SHORT, IERR)
@@ -461,6 +463,8 @@
       CALL EXPECT(IERR .EQ. MGEARG, 'a negative limit')
       CALL MGMEM(H, 1D300, IERR)
       CALL EXPECT(IERR .EQ. MGEARG, 'a limit beyond all')
+      CALL MGCOMP(H, 2, IERR)
+      CALL BAD(H, IERR, MGEARG, 'is 2')
       CALL MGCANO(H, 2, IERR)
       CALL BAD(H, IERR, MGEARG, 'is 2')
       CALL MGISA(H, 'abacus', IERR)

@@ -148,7 +148,8 @@ contains
     subroutine test_settings()
         type(mgdt_triangulation) :: other
         integer(int32), allocatable :: wanted(:, :), got(:, :)
-        integer :: k
+        real(real64) :: before, after
+        integer :: k, stat
 
         call t%set_canonical_output(.true.)
         allocate (wanted(4, t%tetrahedron_count()), got(4, t%tetrahedron_count()))
@@ -175,6 +176,20 @@ contains
             call other%get_tetrahedra(got)
             call expect(all(got == wanted), 'tetrahedra with '//mgdt_order_scheme_name(schemes(k)))
         end do
+        call other%get_stat(mgdt_stat_memory_bytes, before)
+        call other%set_compact(.true.)
+        call other%get_stat(mgdt_stat_memory_bytes, after)
+        call expect(after < before - 200*n, 'compact storage takes less')
+        got = 0
+        call other%get_tetrahedra(got)
+        call expect(all(got == wanted), 'tetrahedra in compact storage')
+        call other%set_memory_limit(1)
+        call other%set_compact(.false., stat)
+        call expect(stat == mgdt_err_out_of_memory, 'no memory for spheres')
+        call other%set_memory_limit(0)
+        call other%set_compact(.false., stat)
+        call other%get_stat(mgdt_stat_memory_bytes, before)
+        call expect(stat == mgdt_ok .and. before > after, 'with spheres again')
         call other%set_isa('baseline')
         call expect(other%isa_name() == 'baseline', 'the baseline')
         call other%set_isa()
@@ -192,7 +207,7 @@ contains
         end do
         call expect(mgdt_order_scheme_name(mgdt_order_multi_grid) == 'multi-grid', 'multi-grid')
         call expect(mgdt_order_scheme_name(5) == '', 'the name of no scheme')
-        call expect(mgdt_version() == '1.0.0', 'version')
+        call expect(mgdt_version() == '1.1.0', 'version')
         call expect(mgdt_abi_version() == 1, 'version of the binary interface')
         call expect(len(mgdt_status_string(mgdt_ok)) > 0, 'success has a text')
         call expect(mgdt_status_string(mgdt_err_not_finite) /= mgdt_status_string(9999), 'texts')

@@ -2,6 +2,7 @@
 // A program of calls on one handle, read from the input: settings, insertions of all shapes, calls
 // that are refused, cancelled or run out of memory, and queries in between. After each call the
 // handle proves itself, and at the end its tetrahedra are those that the points have by other ways.
+#include <optional>
 #include <thread>
 
 #include "capi/handle.hpp"
@@ -126,6 +127,22 @@ class Session {
         canonical_ = b >> 1 & 1;
         ok(mgdt_set_index_base(t_, base_));
         ok(mgdt_set_canonical_output(t_, canonical_));
+        set_compact(b >> 2 & 1);
+    }
+
+    // What is compact gives memory back; what is no longer so may run out, with nothing changed.
+    void set_compact(std::int32_t compact) {
+        const bool grows = compact_ != 0 && compact == 0;
+        std::optional<Snapshot> before;
+        if (grows) before.emplace(*this);
+        refuses_ = memory_.is_armed();
+        const mgdt_status status = mgdt_set_compact(t_, compact);
+        FUZZ_REQUIRE(status == MGDT_OK || (grows && may_run_out(status)), error_of(t_));
+        refuses_ = false;
+        if (before) before->expect_same();
+        if (status != MGDT_OK || compact == compact_) return;
+        compact_ = compact;
+        verify();
     }
 
     void set_limit() {
@@ -483,7 +500,7 @@ class Session {
     bool refuses_ = false;                        // the allocator was armed before the call
     bool cancelled_ = false;
     std::size_t margin_ = 0;
-    int base_ = 0, canonical_ = 0;
+    int base_ = 0, canonical_ = 0, compact_ = 0;
     std::int64_t limit_ = 0;
     unsigned stop_at_ = 0, heard_ = 0;
     bool stops_by_cancel_ = false;

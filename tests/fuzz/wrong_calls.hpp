@@ -84,6 +84,7 @@ inline void wrong_call(Input& in, mgdt_triangulation* t) {
             break;
         case 18:
             expect(expected, mgdt_set_canonical_output(t, unknown));
+            expect(expected, mgdt_set_compact(t, unknown));
             break;
         case 19:
             expect(expected, mgdt_set_isa(t, "pentium"));

@@ -286,6 +286,26 @@ test("the memory limit", function()
     equal(t:check(), true)
 end)
 
+test("compact storage", function()
+    local t = mgdt.new { canonical = true }
+    t:insert(points)
+    local before = t:statistic("memory_bytes")
+    t:set_compact(true)
+    local after = t:statistic("memory_bytes")
+    assert(after < before - 200 * 1000)
+    equal(t:check(), true)
+    t:set_memory_limit(1)
+    refused("out_of_memory", { "memory" }, t.set_compact, t, false)
+    t:set_memory_limit(0)
+    t:set_compact(false)
+    assert(t:statistic("memory_bytes") > after)
+    t = mgdt.new { compact = true, canonical = true }
+    t:insert(points)
+    assert(t:statistic("memory_bytes") < before - 200 * 1000)
+    local expected, length = read("tetrahedra", "int64_t")
+    same(t:tetrahedra(), expected, length, "tetrahedra")
+end)
+
 test("progress, cancelling, errors in the progress function", function()
     local seen, last = 0, -1
     local t = mgdt.new { progress = function(fraction)

@@ -5,7 +5,7 @@
 %   octave-cli --path BINDING --path TESTS --eval 'octave_test ("REFERENCE_FOLDER")'
 function octave_test (folder)
   tests = {@cube, @exports, @as_delaunayn, @front, @ways_to_give_points, @location, @flat, ...
-           @bad_values, @memory_limit, @progress, @handles, @freed, @help_texts};
+           @bad_values, @memory_limit, @compact, @progress, @handles, @freed, @help_texts};
   passed = failed = 0;
   for k = 1:numel (tests)
     try
@@ -249,6 +249,26 @@ function memory_limit (folder)
   t.set ("memory_limit", 0);
   t.insert (points);
   assert (t.vertex_count (), 1000);
+  t.check ();
+end
+
+function compact (folder)
+  points = read_points (folder);
+  t = mgdt_triangulation ();
+  t.insert (points);
+  before = t.statistics ().memory_bytes;
+  t.set ("compact", true);
+  after = t.statistics ().memory_bytes;
+  assert (after < before - 200 * 1000);
+  t.check ();
+  t.set ("memory_limit", 1);
+  refused ("mgdt:out_of_memory", {"memory"}, @() t.set ("compact", false));
+  t.set ("memory_limit", 0);
+  t.set ("compact", false);
+  assert (t.statistics ().memory_bytes > after);
+  t = mgdt_triangulation ("compact", true, "canonical", true);
+  t.insert (points);
+  assert (t.statistics ().memory_bytes < before - 200 * 1000);
   t.check ();
 end
 

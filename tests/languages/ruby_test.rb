@@ -222,6 +222,25 @@ class MgdtTest < Minitest::Test
     assert t.check
   end
 
+  def test_compact
+    t = Mgdt::Triangulation.new
+    t.insert(PACKED)
+    before = t.statistic(:memory_bytes)
+    t.compact = true
+    after = t.statistic(:memory_bytes)
+    assert_operator after, :<, before - 200 * 1000
+    assert t.check
+    t.memory_limit = 1
+    refused(Mgdt::OutOfMemory, "memory") { t.compact = false }
+    t.memory_limit = nil
+    t.compact = false
+    assert_operator t.statistic(:memory_bytes), :>, after
+    t = Mgdt::Triangulation.new(compact: true, canonical: true)
+    t.insert(PACKED)
+    assert_operator t.statistic(:memory_bytes), :<, before - 200 * 1000
+    assert_equal expected(:tetrahedra), t.tetrahedra
+  end
+
   def test_progress
     seen = []
     Mgdt::Triangulation.new.insert(PACKED) { |fraction| seen << fraction }

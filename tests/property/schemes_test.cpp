@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// On every row, all order schemes and splits give the same tetrahedra, and the library's own
-// proof accepts them. This is what runs where CGAL does not, under Valgrind above all.
+// On every row, all order schemes, splits and kinds of storage give the same tetrahedra, and the
+// library's own proof accepts them. This is what runs where CGAL does not, under Valgrind above
+// all.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -19,9 +20,11 @@ TEST_P(Schemes, SameTetrahedra) {
     std::vector<std::int64_t> map;
     std::size_t batches = 1;
     for (std::int32_t scheme : order_schemes) {
+        const std::int32_t compact = scheme / 10 % 3 == 1;
         SCOPED_TRACE(std::string(mgdt_order_scheme_name(scheme)) + ", " + std::to_string(batches) +
-                     " batches");
+                     " batches" + (compact ? ", compact" : ""));
         const property::Handle t = property::create();
+        ASSERT_EQ(mgdt_set_compact(t.get(), compact), MGDT_OK);
         ASSERT_EQ(mgdt_set_order_scheme(t.get(), scheme), MGDT_OK);
         ASSERT_EQ(property::insert(t.get(), xyz, property::equal_batches(xyz.size() / 3, batches)),
                   MGDT_OK)

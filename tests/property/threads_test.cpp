@@ -52,9 +52,10 @@ View look(const mgdt_triangulation* t, const std::vector<double>& queries) {
 TEST(Threads, ConstCallsOnOneHandle) {
     const std::vector<double> xyz = random_points(is_small() ? 200 : 3000, 1),
                               queries = random_points(is_small() ? 50 : 500, 2);
-    for (int canonical = 0; canonical < 2; ++canonical) {
+    for (int k = 0; k < 4; ++k) {
         const property::Handle t = property::create();
-        ASSERT_EQ(mgdt_set_canonical_output(t.get(), canonical), MGDT_OK);
+        ASSERT_EQ(mgdt_set_canonical_output(t.get(), k % 2), MGDT_OK);
+        ASSERT_EQ(mgdt_set_compact(t.get(), k / 2), MGDT_OK);
         ASSERT_EQ(
             mgdt_insert_points(t.get(), static_cast<std::int64_t>(xyz.size() / 3), xyz.data()),
             MGDT_OK);

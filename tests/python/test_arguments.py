@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Every argument, wrong: an error that says what and where, and an object as it was."""
 
+import pickle
 import unittest
 
 import numpy as np
@@ -130,6 +131,53 @@ class Wrong(unittest.TestCase):
         self.assertEqual(int((tri.point_map >= 0).sum()), len(np.unique(tri.simplices)))
         tri.add_points(points[1000:1010])
         tri.check()
+
+    def test_compact(self):
+        points = random_points(20_000, 5)
+
+        def memory(tri):
+            return tri.statistics["memory_bytes"]
+
+        tri = mgdt.Delaunay(points, canonical=True)
+        self.assertIs(tri.compact, False)
+        small = mgdt.Delaunay(points, incremental=True, canonical=True, compact=True)
+        self.assertIs(small.compact, True)
+        self.assertLess(memory(small), 350 * 20_000)
+        self.assertLess(memory(small), memory(tri) - 200 * 20_000)
+        np.testing.assert_array_equal(small.simplices, tri.simplices)
+        small.add_points(points + 2, restart=True)
+        self.assertIs(small.compact, True)
+        self.assertLess(memory(small), 350 * 40_000)
+        again = pickle.loads(pickle.dumps(small))
+        self.assertIs(again.compact, True)
+        self.assertLess(memory(again), 350 * 40_000)
+
+        # What 1.0 pickled does not say.
+        state = small.__getstate__()
+        state["settings"] = {k: v for k, v in state["settings"].items() if k != "compact"}
+        again = mgdt.Delaunay.__new__(mgdt.Delaunay)
+        again.__setstate__(state)
+        self.assertIs(again.compact, False)
+        self.assertEqual(again.npoints, 40_000)
+
+        before = memory(tri)
+        tri.compact = 1
+        self.assertIs(tri.compact, True)
+        after = memory(tri)
+        self.assertLess(after, before - 200 * 20_000)
+        tri.check()
+        tri.memory_limit = int(after)
+        with self.assertRaises(mgdt.OutOfMemoryError):
+            tri.compact = False
+        self.assertIs(tri.compact, True)
+        tri.memory_limit = None
+        tri.compact = False
+        self.assertGreater(memory(tri), after + 200 * 20_000)
+        tri.check()
+        np.testing.assert_array_equal(tri.neighbors, mgdt.Delaunay(points, canonical=True).neighbors)
+        tri.release()
+        with self.assertRaises(RuntimeError):
+            tri.compact = True
 
 
 if __name__ == "__main__":

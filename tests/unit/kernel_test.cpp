@@ -181,7 +181,8 @@ TEST(Territory, TakesFreeSlotsFirst) {
     Mesh mesh(allocator);
     constexpr std::size_t used = 100, freed = 50, capacity = 300;
     mesh.tetrahedra.reserve(capacity);
-    mesh.tetrahedra.resize(used, Tetrahedron{});
+    mesh.tetrahedra.resize(used);
+    for (TetId t = 0; t < used; ++t) mesh.tetrahedra[t] = Tetrahedron{};
     mesh.reserve_slots(0, freed);
     for (TetId t = 0; t < freed; ++t) mesh.free_slot(2 * t);
     BlockOwners owners(allocator, 1, nullptr);

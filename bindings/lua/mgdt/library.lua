@@ -16,6 +16,7 @@ int32_t mgdt_set_seed(mgdt_triangulation *t, uint64_t seed);
 int32_t mgdt_set_threads(mgdt_triangulation *t, int32_t n);
 int32_t mgdt_set_index_base(mgdt_triangulation *t, int32_t base);
 int32_t mgdt_set_memory_limit(mgdt_triangulation *t, int64_t bytes);
+int32_t mgdt_set_compact(mgdt_triangulation *t, int32_t on);
 int32_t mgdt_set_progress(mgdt_triangulation *t, mgdt_progress_fn fn, void *user);
 int32_t mgdt_cancel(mgdt_triangulation *t);
 int32_t mgdt_set_canonical_output(mgdt_triangulation *t, int32_t on);

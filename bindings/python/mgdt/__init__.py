@@ -33,7 +33,7 @@ __all__ = [
     "library_version",
 ]
 
-__version__ = "1.0.0"
+__version__ = "1.1.0"
 
 ORDER_SCHEMES = tuple(_handle.ORDER_SCHEMES)
 """Names of the order schemes, for the parameter ``order`` of `Delaunay`."""
@@ -43,7 +43,7 @@ QhullError = Error
 
 
 def library_version() -> str:
-    """Version of the library in use, such as "1.0.0". Since 1.0."""
+    """Version of the library in use, such as "1.1.0". Since 1.0."""
     return _library.text(_library.library.mgdt_version_string())
 
 

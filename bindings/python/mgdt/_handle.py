@@ -86,6 +86,9 @@ class Handle:
     def set_memory_limit(self, limit: int) -> None:
         self._call("mgdt_set_memory_limit", limit)
 
+    def set_compact(self, on: bool) -> None:
+        self._call("mgdt_set_compact", int(on))
+
     def set_canonical(self, on: bool) -> None:
         self._call("mgdt_set_canonical_output", int(on))
 

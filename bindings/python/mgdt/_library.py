@@ -40,6 +40,7 @@ _SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     "mgdt_set_seed": (_STATUS, [_HANDLE, c_uint64]),
     "mgdt_set_threads": (_STATUS, [_HANDLE, c_int32]),
     "mgdt_set_memory_limit": (_STATUS, [_HANDLE, c_int64]),
+    "mgdt_set_compact": (_STATUS, [_HANDLE, c_int32]),
     "mgdt_set_progress": (_STATUS, [_HANDLE, PROGRESS, c_void_p]),
     "mgdt_cancel": (_STATUS, [_HANDLE]),
     "mgdt_set_canonical_output": (_STATUS, [_HANDLE, c_int32]),
@@ -95,7 +96,7 @@ def _declare(library: ctypes.CDLL) -> None:
         try:
             function = getattr(library, name)
         except AttributeError:
-            raise _Unsuitable(f"it has no function {name}, so it is no mgdt 1.0 or later") from None
+            raise _Unsuitable(f"it has no function {name}, so it is no mgdt 1.1 or later") from None
         function.restype = result
         function.argtypes = parameters
         if name == "mgdt_abi_version" and function() != ABI_VERSION:

@@ -59,6 +59,7 @@ class GrowingTriangulation:
         seed: int = 0,
         threads: int = 1,
         memory_limit: Optional[int] = None,
+        compact: bool = False,
         canonical: bool = False,
         progress: Optional[ProgressFunction] = None,
     ) -> None:
@@ -74,6 +75,7 @@ class GrowingTriangulation:
             "seed": whole(seed, "seed", 0, 2**64 - 1),
             "threads": whole(threads, "threads", 0, 2**31 - 1),
             "memory_limit": self._bytes(memory_limit),
+            "compact": bool(compact),
             "canonical": bool(canonical),
         }
         self._begin(bool(incremental))
@@ -93,6 +95,7 @@ class GrowingTriangulation:
         self._handle.set_seed(settings["seed"])
         self._handle.set_threads(settings["threads"])
         self._handle.set_memory_limit(settings["memory_limit"])
+        self._handle.set_compact(settings["compact"])
         self._handle.set_canonical(settings["canonical"])
 
     # Access: many threads that read, or one that writes.
@@ -256,6 +259,22 @@ class GrowingTriangulation:
             handle.set_memory_limit(limit_in_bytes)
             self._settings["memory_limit"] = limit_in_bytes
 
+    @property
+    def compact(self) -> bool:
+        """Whether storage is compact: half of the memory, 10 to 14 percent more time. May be set.
+
+        The arrays are the same. Set after the last points, it gives memory back; taken back, the
+        library needs that memory again and may raise OutOfMemoryError, with nothing changed. Since
+        1.1.
+        """
+        return bool(self._settings["compact"])
+
+    @compact.setter
+    def compact(self, on: bool) -> None:
+        with self._writing() as handle:
+            handle.set_compact(bool(on))
+            self._settings["compact"] = bool(on)
+
     # What is in
 
     @property
@@ -293,7 +312,7 @@ class GrowingTriangulation:
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.progress = None
-        self._settings = state["settings"]
+        self._settings = {"compact": False, **state["settings"]}  # 1.0 had no such setting
         self._begin(state["incremental"])
         ends = np.cumsum(state["batches"], dtype=np.int64)
         for begin, end in zip(np.concatenate([[0], ends]), ends):

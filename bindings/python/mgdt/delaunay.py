@@ -44,6 +44,9 @@ class Delaunay(GrowingTriangulation):
         How many threads an insertion may use; 0 for all cores. mgdt 1.0 uses one.
     memory_limit : int, optional
         Bytes that the triangulation may hold in the library; None for no limit.
+    compact : bool, optional
+        Whether the library keeps no circumspheres: half of the memory, 10 to 14 percent more time,
+        the same arrays. Since 1.1.
     canonical : bool, optional
         Whether the arrays shall be a function of the set of points alone, byte for byte: sorted,
         each tetrahedron's least vertex first. Takes longer.

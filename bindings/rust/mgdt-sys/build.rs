@@ -59,7 +59,7 @@ fn in_folder(folder: &str) -> Result<Vec<String>, String> {
 /// The folders that pkg-config names; none if the linker looks there by itself.
 fn by_pkg_config() -> Result<Vec<String>, String> {
     let program = env::var("PKG_CONFIG").unwrap_or_else(|_| "pkg-config".to_string());
-    let arguments = ["--libs-only-L", "mgdt >= 1.0"];
+    let arguments = ["--libs-only-L", "mgdt >= 1.1"];
     let asked = format!(
         "MGDT_LIB_DIR is not set; {} {}",
         program,

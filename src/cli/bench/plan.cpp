@@ -118,20 +118,22 @@ Plan make_plan(const PlanOptions& options) {
         row.points = candidate.points;
         row.seed = options.seed;
         for (row.run = 1; row.run <= runs; ++row.run) {
-            const auto add = [&](const std::string& library, const std::string& scheme,
-                                 int threads) {
+            const auto add = [&](const std::string& library, const std::string& scheme, int threads,
+                                 std::string_view suffix = "") {
                 const std::string& name = scheme.empty() ? library : scheme;
                 if (options.paper && is_hopeless(name, candidate.distribution, candidate.points)) {
                     return;
                 }
                 row.library = library;
                 row.scheme = scheme;
+                row.scheme += suffix;
                 row.threads = threads;
                 set.rows.push_back(row);
             };
             for (const std::string& scheme : schemes) {
                 for (const int threads : thread_numbers(options.threads)) {
                     add("mgdt", scheme, threads);
+                    if (options.compact) add("mgdt", scheme, threads, compact_suffix);
                 }
             }
             for (const std::string& peer : distinct(options.peers)) add(peer, "", 1);

@@ -22,6 +22,7 @@ struct PlanOptions {
     std::vector<int> threads;
     std::vector<std::string> peers;
     std::size_t largest = 2000000;  // of the paper's sets
+    bool compact = false;           // each scheme in compact storage too
     int runs = 0;                   // 0: 1 for the paper's sets, else 3
     std::uint64_t seed = 1;
 };

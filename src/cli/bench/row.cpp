@@ -33,6 +33,16 @@ std::vector<std::string_view> split(std::string_view line) {
 
 }  // namespace
 
+bool Row::compact() const {
+    return scheme.size() > compact_suffix.size() &&
+           scheme.compare(scheme.size() - compact_suffix.size(), std::string::npos,
+                          compact_suffix) == 0;
+}
+
+std::string Row::plain_scheme() const {
+    return compact() ? scheme.substr(0, scheme.size() - compact_suffix.size()) : scheme;
+}
+
 std::string Row::subject() const {
     return fmt::format("{},{},{},{},{},{}", distribution, points, seed, library, scheme, threads);
 }

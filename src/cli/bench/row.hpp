@@ -45,18 +45,24 @@ inline constexpr std::array<const char*, figure_count> figure_names{"np",
 // What a library does not tell is empty.
 using Figures = std::array<std::optional<double>, figure_count>;
 
+// Behind the scheme of a run in compact storage.
+inline constexpr std::string_view compact_suffix = "+compact";
+
 struct Row {
     std::string library = "mgdt";  // or a peer's name
     std::string version;
     std::string distribution;
     std::size_t points = 0;  // asked for; a distribution may have fewer
     std::uint64_t seed = 1;
-    std::string scheme;  // empty for peers
+    std::string scheme;  // empty for peers; may have compact_suffix
     int threads = 1;
     int run = 1;
     std::string status = "ok";  // or a word for what failed
     Figures figures{};
 
+    // The scheme without the suffix, and whether it was there.
+    std::string plain_scheme() const;
+    bool compact() const;
     bool ok() const { return status == "ok"; }
     // What was run on what, without its number: the rows that medians are of.
     std::string subject() const;

@@ -71,7 +71,8 @@ Figures figures_of(const mgdt_triangulation* t, double seconds) {
 void triangulate_in_child(int out, const PointSet& set, const Row& row) {
     const std::vector<double> points = set.read();
     TriangulationOptions options;
-    options.scheme = row.scheme;
+    options.scheme = row.plain_scheme();
+    options.compact = row.compact();
     options.threads = row.threads;
     options.seed = row.seed;
     Reporter reporter{out, steady_clock::now()};

@@ -28,7 +28,7 @@ constexpr Column columns[] = {
 constexpr int ratio_width = 12;
 
 std::string heading() {
-    std::string line = fmt::format("{:<15} {:>9} {:<16} {:>7} {:>4}", "distribution", "points",
+    std::string line = fmt::format("{:<15} {:>9} {:<24} {:>7} {:>4}", "distribution", "points",
                                    "scheme", "threads", "run");
     for (const Column& c : columns) line += fmt::format(" {:>{}}", c.title, c.width);
     return line;
@@ -36,7 +36,7 @@ std::string heading() {
 
 // `run` is the run's number, or how many there were.
 std::string cells(const Row& row, const std::string& run) {
-    std::string line = fmt::format("{:<15} {:>9} {:<16} {:>7} {:>4}", row.distribution, row.points,
+    std::string line = fmt::format("{:<15} {:>9} {:<24} {:>7} {:>4}", row.distribution, row.points,
                                    row.contender(), row.threads, run);
     if (!row.ok()) return line + "  " + row.status;
     for (const Column& c : columns) {

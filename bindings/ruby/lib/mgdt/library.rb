@@ -57,6 +57,7 @@ module Mgdt
     attach_function :mgdt_set_threads, %i[pointer int32], :int32
     attach_function :mgdt_set_index_base, %i[pointer int32], :int32
     attach_function :mgdt_set_memory_limit, %i[pointer int64], :int32
+    attach_function :mgdt_set_compact, %i[pointer int32], :int32
     attach_function :mgdt_set_progress, %i[pointer progress pointer], :int32
     attach_function :mgdt_cancel, [:pointer], :int32
     attach_function :mgdt_set_canonical_output, %i[pointer int32], :int32

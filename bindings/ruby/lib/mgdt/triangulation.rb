@@ -14,11 +14,11 @@ module Mgdt
     end.freeze
     # Names of the order schemes.
     ORDER_SCHEMES = (0..90).step(10).filter_map { |k| Library.mgdt_order_scheme_name(k) }.freeze
-    SETTINGS = %i[order seed threads index_base memory_limit canonical isa].freeze
+    SETTINGS = %i[order seed threads index_base memory_limit compact canonical isa].freeze
     private_constant :PARAMETERS, :LEVELS, :STATISTICS, :SETTINGS
 
     # Makes an empty triangulation. Settings: order, seed, threads, index_base, memory_limit,
-    # canonical, isa, and the parameters of the order schemes: points_per_cell, threshold,
+    # compact, canonical, isa, and the parameters of the order schemes: points_per_cell, threshold,
     # separation, round_ratio.
     def initialize(**settings)
       out = FFI::MemoryPointer.new(:pointer)
@@ -108,6 +108,12 @@ module Mgdt
     # The most memory that the triangulation may hold, in bytes; nil or 0 for no limit.
     def memory_limit=(bytes)
       call(:mgdt_set_memory_limit, integer(bytes || 0, "the memory limit", 63))
+    end
+
+    # Whether storage is compact: half of the memory, 10 to 14 percent more time. At any time; what
+    # it gives back, false needs again. Since 1.1.
+    def compact=(flag)
+      call(:mgdt_set_compact, flag ? 1 : 0)
     end
 
     # Whether the output is a function of the set of points alone.

@@ -95,6 +95,7 @@ extern "C" {
     pub fn mgdt_set_threads(t: *mut mgdt_triangulation, n: i32) -> mgdt_status;
     pub fn mgdt_set_index_base(t: *mut mgdt_triangulation, base: i32) -> mgdt_status;
     pub fn mgdt_set_memory_limit(t: *mut mgdt_triangulation, bytes: i64) -> mgdt_status;
+    pub fn mgdt_set_compact(t: *mut mgdt_triangulation, on: i32) -> mgdt_status;
     pub fn mgdt_set_progress(
         t: *mut mgdt_triangulation,
         callback: mgdt_progress_fn,

@@ -174,6 +174,26 @@ fn the_memory_limit() {
 }
 
 #[test]
+fn compact_storage() {
+    let points = random_points(1000, 2);
+    let mut t = Triangulation::new().unwrap();
+    t.insert(&points).unwrap();
+    let tetrahedra = t.tetrahedra().unwrap();
+    let before = t.statistic(Statistic::MemoryBytes);
+    t.set_compact(true).unwrap();
+    let after = t.statistic(Statistic::MemoryBytes);
+    assert!(after < before - 200.0 * 1000.0);
+    t.check(Check::Canonical).unwrap();
+    t.set_memory_limit(Some(1)).unwrap();
+    refused(t.set_compact(false), ErrorKind::OutOfMemory, &["memory"]);
+    t.set_memory_limit(None).unwrap();
+    t.set_compact(false).unwrap();
+    assert!(t.statistic(Statistic::MemoryBytes) > after);
+    assert_eq!(t.tetrahedra().unwrap(), tetrahedra);
+    t.check(Check::Canonical).unwrap();
+}
+
+#[test]
 fn progress_and_stopping() {
     let points = random_points(1000, 3);
     let mut seen = Vec::new();
