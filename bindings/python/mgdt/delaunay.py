@@ -41,7 +41,7 @@ class Delaunay(GrowingTriangulation):
     seed : int, optional
         For the orders that shuffle. From 0 to 2**64 - 1.
     threads : int, optional
-        How many threads an insertion may use; 0 for all cores. mgdt 1.0 uses one.
+        How many threads an insertion may use; 0 for all cores.
     memory_limit : int, optional
         Bytes that the triangulation may hold in the library; None for no limit.
     compact : bool, optional
