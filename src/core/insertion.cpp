@@ -137,7 +137,8 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
     } else {
         copy_vertices(team, batch, schedule, base);
     }
-    if (team.size() == 1 || schedule.rounds.size() == 1) {
+    // Several threads number repeats too, and a vertex has to leave the bit of a mark free.
+    if (team.size() == 1 || schedule.rounds.size() == 1 || base + n > in_cavity) {
         insert_scheduled(batch, schedule, base, done, may_stop);
         return;
     }

@@ -56,7 +56,6 @@ void Triangulation::set_compact(bool compact) {
         mesh_.tetrahedra.make_room_for_spheres();
         set_spheres();
     }
-    mesh_.ready = std::min(mesh_.ready, mesh_.tetrahedra.capacity());
 }
 
 void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrdiff_t stride) {

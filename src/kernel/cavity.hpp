@@ -7,8 +7,9 @@
 // tested through several faces; each is a facet of the boundary.
 //
 // Entering the cavity marks a tetrahedron in its second vertex, so that an insertion can be given
-// up until the star is built. The mark is where no test looks, since a load that may meet a store
-// just made waits for it. Among other threads it is in a table of the thread's own.
+// up until the star is built. The mark is where no test of kept spheres looks, since a load that
+// may meet a store just made waits for it. Among other threads it is in a table of the thread's
+// own.
 #pragma once
 
 #include "kernel/access.hpp"

@@ -76,7 +76,7 @@ class MarkTable {
         std::uint32_t mask = 0;
         std::uint64_t stamp = 0;
     };
-    View view() const noexcept { return view_; }
+    MGDT_ALWAYS_INLINE View view() const noexcept { return view_; }
 
   private:
     void renew(std::size_t members);
@@ -129,7 +129,9 @@ class Territory {
     TetId a_ghost = no_tetrahedron;  // the last one made
 
   private:
-    std::size_t slots_left() const noexcept { return free_slots_.size() + (end_ - fresh_); }
+    MGDT_ALWAYS_INLINE std::size_t slots_left() const noexcept {
+        return free_slots_.size() + (end_ - fresh_);
+    }
     void grow_slots(std::size_t taken, std::size_t freed);
 
     Mesh& mesh_;

@@ -77,7 +77,8 @@ inline TetId walk_hull(Access access, const Mesh& mesh, TetId ghost, const Query
     const auto look = [&](TetId t) {
         const Sphere s = spheres.sphere(t);
         const Power p = power(s, mesh.point(tetrahedra[t].v[0]), q);
-        return View{p, -p.value / std::sqrt(s.w[0] * s.w[0] + s.w[1] * s.w[1] + s.w[2] * s.w[2])};
+        return View{p, -p.value * reciprocal(std::sqrt(s.w[0] * s.w[0] + s.w[1] * s.w[1] +
+                                                       s.w[2] * s.w[2]))};
     };
     const View first = look(ghost);
     if (first.power.is_conflict()) return ghost;

@@ -9,7 +9,7 @@ void TetrahedronStore::drop_spheres() noexcept {
     shift_ = 0;
     lines_.resize_within_capacity(size_);
     try {
-        lines_.set_capacity(size_);
+        lines_.set_capacity(capacity_);
     } catch (const std::bad_alloc&) {
         // A smaller block was refused: keep the larger one.
     }
@@ -17,7 +17,7 @@ void TetrahedronStore::drop_spheres() noexcept {
 
 void TetrahedronStore::make_room_for_spheres() {
     if (shift_ == 1) return;
-    lines_.reserve(2 * size_);
+    lines_.reserve(2 * capacity_);
     shift_ = 1;
     resize_within_capacity(size_);
     for (std::size_t t = size_; t-- > 1;) lines_[2 * t].tetrahedron = lines_[t].tetrahedron;

@@ -40,8 +40,10 @@ class TetrahedronStore {
     }
     bool has_spheres() const noexcept { return shift_ != 0; }
     // Of slot t, if there are spheres.
-    Sphere& sphere(std::size_t t) noexcept { return lines_[2 * t + 1].sphere; }
-    const Sphere& sphere(std::size_t t) const noexcept { return lines_[2 * t + 1].sphere; }
+    MGDT_ALWAYS_INLINE Sphere& sphere(std::size_t t) noexcept { return lines_[2 * t + 1].sphere; }
+    MGDT_ALWAYS_INLINE const Sphere& sphere(std::size_t t) const noexcept {
+        return lines_[2 * t + 1].sphere;
+    }
     template <bool with_spheres>
     MGDT_ALWAYS_INLINE TetrahedronView<with_spheres, HalfLine> view() noexcept {
         return {lines_.data()};
@@ -57,9 +59,13 @@ class TetrahedronStore {
     }
 
     MGDT_ALWAYS_INLINE std::size_t size() const noexcept { return size_; }
-    MGDT_ALWAYS_INLINE std::size_t capacity() const noexcept { return lines_.capacity() >> shift_; }
+    MGDT_ALWAYS_INLINE std::size_t capacity() const noexcept { return capacity_; }
     // As those of Buffer.
-    void reserve(std::size_t capacity) { lines_.reserve(capacity << shift_); }
+    void reserve(std::size_t capacity) {
+        if (capacity <= capacity_) return;
+        lines_.reserve(capacity << shift_);
+        capacity_ = capacity;
+    }
     void prefault(std::size_t begin, std::size_t end) noexcept {
         lines_.prefault(begin << shift_, end << shift_);
     }
@@ -73,14 +79,14 @@ class TetrahedronStore {
     }
     void clear() noexcept { resize_within_capacity(0); }
 
-    // Leaves the spheres out, and gives their memory back where that can be.
+    // Leaves the spheres out, and gives their memory back where that can be. The capacity stays.
     void drop_spheres() noexcept;
     // Makes room for spheres, which are not set. Throws std::bad_alloc with nothing changed.
     void make_room_for_spheres();
 
   private:
     Buffer<HalfLine> lines_;
-    std::size_t size_ = 0;
+    std::size_t size_ = 0, capacity_ = 0;
     unsigned shift_ = 1;
 };
 

@@ -67,7 +67,7 @@ class Claim {
         unsigned shift;
         std::uint8_t who;
     };
-    Mine mine() const noexcept { return {owners_, shift_, who_}; }
+    MGDT_ALWAYS_INLINE Mine mine() const noexcept { return {owners_, shift_, who_}; }
     // Takes the block of an item that is not mine, unless somebody has it.
     bool take(std::uint32_t item) noexcept;
     // Gives back all but the blocks of some items.

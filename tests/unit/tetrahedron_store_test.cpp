@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 namespace mgdt {
 namespace {
 
@@ -40,6 +42,34 @@ TEST(TetrahedronStore, SpheresComeAndGo) {
     EXPECT_TRUE(store.has_spheres());
     EXPECT_GE(store.capacity(), store.size());
     expect_filled(store);
+}
+
+// Nor does the number of slots change, whether the block shrinks or not: it is what limits are
+// compared with, and what was reserved.
+TEST(TetrahedronStore, CapacityIsThatOfSlots) {
+    for (const bool shrinks : {true, false}) {
+        static bool refuses;
+        refuses = false;
+        Allocator allocator(
+            [](std::size_t bytes, std::size_t align, void*) {
+                return refuses ? nullptr
+                               : std::aligned_alloc(align, (bytes + align - 1) / align * align);
+            },
+            [](void* p, std::size_t, std::size_t, void*) { std::free(p); }, nullptr);
+        TetrahedronStore store(allocator);
+        store.reserve(2 * count);
+        fill(store);
+        const std::size_t before = allocator.bytes();
+        refuses = !shrinks;
+        store.drop_spheres();
+        refuses = false;
+        EXPECT_EQ(allocator.bytes(), shrinks ? before / 2 : before);
+        EXPECT_EQ(store.capacity(), 2 * count);
+        expect_filled(store);
+        store.make_room_for_spheres();
+        EXPECT_EQ(store.capacity(), 2 * count);
+        expect_filled(store);
+    }
 }
 
 TEST(TetrahedronStore, NoRoomForSpheresChangesNothing) {

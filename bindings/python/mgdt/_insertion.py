@@ -11,6 +11,7 @@ when that has ended.
 
 from __future__ import annotations
 
+import _thread
 import queue
 import threading
 from typing import Callable, Optional
@@ -39,10 +40,17 @@ class Insertion:
         # next one. Between a call's first report and its last the request concerns that call.
         self._is_inside = False
         self.is_stopped = False
+        # Whoever waited was cut short. No signal comes between the exception and this, so it is
+        # true even where another one cuts `stop` short.
+        self.is_given_up = False
         self._cancel: Callable[[], object] = lambda: None
         self._has_begun = False
         self._has_ended = False
         self._raised: Optional[BaseException] = None
+
+    @property
+    def has_to_end(self) -> bool:
+        return self.is_stopped or self.is_given_up
 
     def attach(self, cancel: Callable[[], object]) -> None:
         """Says how the call is cancelled, before it begins."""
@@ -57,7 +65,7 @@ class Insertion:
         """What the library calls. Nothing may be raised from here."""
         with self._lock:
             self._is_inside = fraction < 1
-            if self.is_stopped:
+            if self.has_to_end:
                 return 1
         if self._progress is None:
             return 0
@@ -94,7 +102,7 @@ class Insertion:
 
     def _do(self, work: Callable[[], None]) -> None:
         with self._lock:
-            if self.is_stopped:
+            if self.has_to_end:
                 return
             self._has_begun = True
         try:
@@ -128,11 +136,14 @@ class Insertion:
 
         self._ask = ask
         try:
-            threading.Thread(target=work_aside, name="mgdt insertion").start()
+            # threading.Thread waits for its thread to begin, in Python; a signal's exception there
+            # leaves its locks in disorder.
+            _thread.start_new_thread(work_aside, ())
             while (fraction := events.get()) is not None:
                 assert self._progress is not None
                 answers.put(bool(self._progress(fraction)))
         except BaseException:
+            self.is_given_up = True
             self.stop()
             answers.put(True)
             # Another Ctrl-C changes nothing: the first is on its way. The last event may be lost

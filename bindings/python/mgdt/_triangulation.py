@@ -139,7 +139,7 @@ class GrowingTriangulation:
 
         # All that must not be left half done, since signals may cut short the thread that waits.
         def work() -> None:
-            with self._gate.writing(caller, lambda: insertion.is_stopped) as got_in:
+            with self._gate.writing(caller, lambda: insertion.has_to_end) as got_in:
                 if not got_in:
                     raise _errors.make(_errors.CANCELLED, "cancelled before the first point")
                 try:
@@ -293,7 +293,7 @@ class GrowingTriangulation:
         with self._reading() as handle:
             return handle.tetrahedron_count
 
-    # Copies for other processes: the same calls again give the same arrays.
+    # Copies for other processes: the same calls again give the same simplices.
 
     def __getstate__(self) -> dict[str, Any]:
         with self._reading() as handle:
