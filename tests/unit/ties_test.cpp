@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 
 #include "exact_reference.hpp"
 #include "platform/cpu.hpp"
@@ -28,6 +29,11 @@ struct Set {
     int (*decide)(const mgdt::Tetrahedron& t, const mgdt::Vertex* vertices, const double* q);
     bool runs;
 };
+
+// GoogleTest would print its bytes, some of which have no value.
+void PrintTo(const Set& set, std::ostream* out) {
+    *out << set.name;
+}
 
 std::vector<Set> sets() {
     std::vector<Set> all = {{"baseline", ties_baseline, true}};
