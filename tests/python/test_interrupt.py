@@ -69,8 +69,9 @@ class Child:
         return time.monotonic()
 
     def end(self):
-        out, errors = self.process.communicate(timeout=60)
-        return self.process.returncode, out, errors
+        # Not communicate(), which does not know what line() has read ahead.
+        out, errors = self.process.stdout.read(), self.process.stderr.read()
+        return self.process.wait(timeout=60), out, errors
 
 
 class Requests(unittest.TestCase):
