@@ -40,7 +40,6 @@ struct Four {
 struct Eight {
     using Vector = __m512d;
     MGDT_ALWAYS_INLINE static Vector all(double x) { return _mm512_set1_pd(x); }
-    MGDT_ALWAYS_INLINE static Vector subtract(Vector a, Vector b) { return _mm512_sub_pd(a, b); }
     MGDT_ALWAYS_INLINE static Vector multiply(Vector a, Vector b) { return _mm512_mul_pd(a, b); }
     MGDT_ALWAYS_INLINE static Vector divide(Vector a, Vector b) { return _mm512_div_pd(a, b); }
     MGDT_ALWAYS_INLINE static Vector multiply_add(Vector a, Vector b, Vector c) {

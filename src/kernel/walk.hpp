@@ -136,14 +136,10 @@ WalkStart start_in_star(const Spheres& from, const Workspace& w, const Query& q,
     return {codes[best] >> 2, powers[best]};
 }
 
-struct NoGhost {
-    TetId operator()() const { return no_tetrahedron; }
-};
-
 // a_ghost() gives a ghost near the start, or no_tetrahedron.
-template <class Access, class Ghost = NoGhost>
+template <class Access, class Ghost>
 inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Query& q,
-                       Counters& counters, Ghost a_ghost = {}) {
+                       Counters& counters, Ghost a_ghost) {
     const typename Access::SphereSource spheres(mesh);
     const auto tetrahedra = spheres.tetrahedra;
     ++counters.walk_steps;

@@ -49,13 +49,18 @@ inline bool contains(const Mesh& mesh, const Tetrahedron& t, const double* q) {
     return true;
 }
 
+// Walks from afar have no ghost at hand.
+inline TetId no_ghost() {
+    return mgdt::no_tetrahedron;
+}
+
 // The library's walk to the first conflict.
 inline Path power_to_conflict(Mesh& mesh, Start from, const Query& q) {
     mgdt::Counters counters;
     mgdt::WalkStart here = mgdt::start_at(mgdt::KeptSpheres(mesh), from.tetrahedron, q, counters);
     if (from.sampled > 0) counters.walk_tests = from.sampled;
     const mgdt::WalkResult found =
-        mgdt::walk(mgdt::Alone<mgdt::KeptSpheres>{mesh}, mesh, here, q, counters);
+        mgdt::walk(mgdt::Alone<mgdt::KeptSpheres>{mesh}, mesh, here, q, counters, no_ghost);
     const std::uint32_t faces = found.start.faces;
     TetId end = found.start.tetrahedron;
     if (faces != 0) end = mesh.tetrahedra[end].n[mgdt::lowest_bit(faces)] >> 2;

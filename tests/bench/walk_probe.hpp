@@ -113,7 +113,7 @@ class Probe {
         mgdt::Counters counters;
         const mgdt::WalkResult found =
             walk(mgdt::Alone<mgdt::KeptSpheres>{mesh}, mesh,
-                 start_at(mgdt::KeptSpheres(mesh), start, q, counters), q, counters);
+                 start_at(mgdt::KeptSpheres(mesh), start, q, counters), q, counters, no_ghost);
         if (found.duplicate != infinite_vertex) return false;
         const Path to = power_to_conflict(mesh, {start, 0}, q);
         dig(mesh, to.end, q, v);

@@ -153,6 +153,33 @@ TEST_P(Ties, OfAWideLatticeAreBrokenOrLeftOpen) {
     }
 }
 
+// What the kernels ask last of all, for a finite tetrahedron too: the same as near ties.
+TEST(ExactConflicts, AgreeWithTies) {
+    Random random(25);
+    mgdt::Allocator allocator;
+    mgdt::Mesh mesh(allocator);
+    mesh.clear();
+    mesh.vertices.resize(6);
+    int inside = 0, outside = 0;
+    for (int i = 0; i < 200; ++i) {
+        Five p;
+        for (auto& v : p)
+            for (double& x : v) x = random.integer(0, 2);
+        const int o = mgdt::orientation(p[0].data(), p[1].data(), p[2].data(), p[3].data());
+        if (o == 0 || std::find(p.begin(), p.begin() + 4, p[4]) != p.begin() + 4) continue;
+        if (o < 0) std::swap(p[0], p[1]);
+        for (unsigned k = 0; k < 5; ++k)
+            std::copy(p[k].begin(), p[k].end(), mesh.vertices[k + 1].x);
+        const mgdt::Tetrahedron t = {{1, 2, 3, 4}, {}};
+        const double* const q = mesh.vertices[5].x;
+        const bool conflict = mgdt::is_conflict_exact(mesh, t, q);
+        EXPECT_EQ(mgdt::is_conflict_near_tie(mesh, t, mgdt::Query(q)), conflict);
+        ++(conflict ? inside : outside);
+    }
+    EXPECT_GT(inside, 10);
+    EXPECT_GT(outside, 10);
+}
+
 // Corners of a box are on one sphere, however long their coordinates; and three values along an
 // axis are no box.
 TEST_P(Ties, OfABoxAreBrokenByWhateverKnowsThem) {
