@@ -153,6 +153,31 @@ TEST_P(Ties, OfAWideLatticeAreBrokenOrLeftOpen) {
     }
 }
 
+#if defined(MGDT_TEST_AVX2)
+// Modulo 2^64 a determinant that is not 0 has its sign, too.
+TEST(Modulo, SignsOfSmallDeterminants) {
+    if (!mgdt::cpu_features().avx2) GTEST_SKIP() << "not on this processor";
+    Random random(26);
+    int inside = 0, outside = 0;
+    for (int i = 0; i < 2000; ++i) {
+        Five p;
+        for (auto& v : p)
+            for (double& x : v) x = random.integer(0, 1 << (1 + i % 10));
+        const int o = mgdt::orientation(p[0].data(), p[1].data(), p[2].data(), p[3].data());
+        if (o == 0 || std::find(p.begin(), p.begin() + 4, p[4]) != p.begin() + 4) continue;
+        if (o < 0) std::swap(p[0], p[1]);
+        alignas(32) mgdt::Vertex vertices[6] = {};
+        for (unsigned k = 0; k < 5; ++k) std::copy(p[k].begin(), p[k].end(), vertices[k + 1].x);
+        const int side = mgdt::exact::perturbed_by_parts(p[0].data(), p[1].data(), p[2].data(),
+                                                         p[3].data(), p[4].data());
+        ASSERT_EQ(modulo_avx2({{1, 2, 3, 4}, {}}, vertices, vertices[5].x), side);
+        ++(side > 0 ? inside : outside);
+    }
+    EXPECT_GT(inside, 50);
+    EXPECT_GT(outside, 50);
+}
+#endif
+
 // What the kernels ask last of all, for a finite tetrahedron too: the same as near ties.
 TEST(ExactConflicts, AgreeWithTies) {
     Random random(25);
