@@ -39,6 +39,13 @@ struct FourRows {
     __m256d first, second, third, fourth;
 };
 
+// Points that are the first three columns, relative to others.
+MGDT_ALWAYS_INLINE PointColumns<Four> relative_to(const FourRows& rows,
+                                                  const PointColumns<Four>& origin) {
+    return {Four::subtract(rows.first, origin.x), Four::subtract(rows.second, origin.y),
+            Four::subtract(rows.third, origin.z)};
+}
+
 }  // namespace MGDT_ISA
 }  // namespace mgdt
 

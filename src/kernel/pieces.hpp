@@ -20,16 +20,6 @@ MGDT_ALWAYS_INLINE std::uint32_t opaque(std::uint32_t x) {
     return x;
 }
 
-inline unsigned lowest_bit(std::uint32_t bits) {
-#if defined(__GNUC__)
-    return static_cast<unsigned>(__builtin_ctz(bits));
-#else
-    unsigned i = 0;
-    while (!(bits >> i & 1)) ++i;
-    return i;
-#endif
-}
-
 #if defined(__AVX2__) && defined(__FMA__)
 
 // outer_face in the first three places.

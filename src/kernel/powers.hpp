@@ -25,10 +25,8 @@ class FourPowers {
     FourPowers(const ComputedSpheres& from, const FacetCode* codes, const Query& q) {
         const FourRows bases = vertices(from, codes, 0);
         const auto local = [&](unsigned i) {
-            const FourRows v = vertices(from, codes, i);
-            return LocalColumns<Four>({Four::subtract(v.first, bases.first),
-                                       Four::subtract(v.second, bases.second),
-                                       Four::subtract(v.third, bases.third)});
+            return LocalColumns<Four>(
+                relative_to(vertices(from, codes, i), {bases.first, bases.second, bases.third}));
         };
         const SphereColumns<Four> s = spheres_through(local(1), local(2), local(3));
         FourRows spheres = {s.x, s.y, s.z, s.e};
@@ -45,9 +43,8 @@ class FourPowers {
         return static_cast<std::uint32_t>(_mm256_movemask_pd(value_));
     }
     MGDT_ALWAYS_INLINE std::uint32_t decided() const {
-        const __m256d magnitude = _mm256_castsi256_pd(_mm256_set1_epi64x(0x7FFFFFFFFFFFFFFF));
-        return static_cast<std::uint32_t>(_mm256_movemask_pd(
-            _mm256_cmp_pd(_mm256_and_pd(value_, magnitude), error_, _CMP_GT_OQ)));
+        return static_cast<std::uint32_t>(
+            _mm256_movemask_pd(_mm256_cmp_pd(Four::magnitude(value_), error_, _CMP_GT_OQ)));
     }
     MGDT_ALWAYS_INLINE Power operator[](unsigned k) const {
         return {element(value_, k), element(error_, k)};
@@ -100,7 +97,6 @@ class FourPowers {
         const __m256d ux = _mm256_sub_pd(_mm256_set1_pd(q.x), bases.first);
         const __m256d uy = _mm256_sub_pd(_mm256_set1_pd(q.y), bases.second);
         const __m256d uz = _mm256_sub_pd(_mm256_set1_pd(q.z), bases.third);
-        const __m256d magnitude = _mm256_castsi256_pd(_mm256_set1_epi64x(0x7FFFFFFFFFFFFFFF));
         const __m256d wx = spheres.first, wy = spheres.second, wz = spheres.third;
         ghost_ = spheres.fourth;
 
@@ -114,9 +110,8 @@ class FourPowers {
             _mm256_fmadd_pd(wz, uz, _mm256_fmadd_pd(wy, uy, _mm256_mul_pd(wx, ux)));
         value_ = _mm256_sub_pd(square, linear);
         const __m256d length = _mm256_add_pd(
-            _mm256_and_pd(uz, magnitude),
-            _mm256_add_pd(_mm256_and_pd(uy, magnitude), _mm256_and_pd(ux, magnitude)));
-        error_ = _mm256_fmadd_pd(_mm256_and_pd(spheres.fourth, magnitude), length,
+            Four::magnitude(uz), _mm256_add_pd(Four::magnitude(uy), Four::magnitude(ux)));
+        error_ = _mm256_fmadd_pd(Four::magnitude(spheres.fourth), length,
                                  _mm256_mul_pd(_mm256_set1_pd(q.quadratic), square));
     }
     MGDT_ALWAYS_INLINE static double element(__m256d of, unsigned k) {

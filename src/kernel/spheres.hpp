@@ -158,12 +158,11 @@ template <class Number>
 MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices, VertexId q,
                                            const Number* as, const Number* bs, const Number* cs,
                                            SphereStore spheres) {
-    const __m256d qx = _mm256_set1_pd(vertices[q].x[0]), qy = _mm256_set1_pd(vertices[q].x[1]),
-                  qz = _mm256_set1_pd(vertices[q].x[2]);
+    const double* const p = vertices[q].x;
+    const PointColumns<Four> base = {Four::all(p[0]), Four::all(p[1]), Four::all(p[2])};
     const auto pick = [&](const Number* numbers) {
         const FourRows rows([&](unsigned k) { return vertices[w.ids.data[numbers[k]]].x; });
-        return LocalColumns<Four>({Four::subtract(rows.first, qx), Four::subtract(rows.second, qy),
-                                   Four::subtract(rows.third, qz)});
+        return LocalColumns<Four>(relative_to(rows, base));
     };
     const std::size_t size = w.boundary_size;
     for (std::size_t begin = 0; begin < size; begin += 4) {

@@ -70,13 +70,12 @@ std::size_t write_ghosts(Access access, Mesh& mesh, const Workspace& w, VertexId
 inline void distrust_extremes(Mesh& mesh, const Workspace& w, VertexId q) {
     const bool extreme = !in_normal_range(mesh.point(q));
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
-        bool trusted = !extreme, ghost = false;
-        const TetId t = w.slots.data[i];
-        for (const VertexId v : mesh.tetrahedra[t].v) {
-            ghost = ghost || v == infinite_vertex;
+        bool trusted = !extreme;
+        const TetId id = w.slots.data[i];
+        const Tetrahedron& t = mesh.tetrahedra[id];
+        for (const VertexId v : t.v)
             trusted = trusted && (v == infinite_vertex || in_normal_range(mesh.point(v)));
-        }
-        if (!trusted) mesh.tetrahedra.sphere(t).e = ghost ? -infinity : infinity;
+        if (!trusted) mesh.tetrahedra.sphere(id).e = t.is_ghost() ? -infinity : infinity;
     }
 }
 

@@ -33,10 +33,6 @@ MGDT_ALWAYS_INLINE double sum_of_elements(__m256d v) {
     return _mm_cvtsd_f64(_mm_add_sd(pair, _mm_unpackhi_pd(pair, pair)));
 }
 
-MGDT_ALWAYS_INLINE __m256d magnitudes(__m256d v) {
-    return _mm256_and_pd(v, _mm256_castsi256_pd(_mm256_set1_epi64x(0x7FFFFFFFFFFFFFFF)));
-}
-
 // a b - c d, or plus where all terms are to be positive.
 template <bool Positive>
 MGDT_ALWAYS_INLINE __m256d difference(__m256d a, __m256d b, __m256d cd) {
@@ -151,9 +147,8 @@ MGDT_PREDICATES_APART inline int decided_modulo(__m256d x, __m256d y, __m256d z,
 inline int perturbed_doubles(const Tetrahedron& t, const Vertex* vertices, const Query& q) {
     const FourRows rows([&](unsigned k) { return vertices[t.v[k]].x; });
     const __m256d qx = _mm256_set1_pd(q.x), qy = _mm256_set1_pd(q.y), qz = _mm256_set1_pd(q.z);
-    const __m256d x = _mm256_sub_pd(rows.first, qx), y = _mm256_sub_pd(rows.second, qy),
-                  z = _mm256_sub_pd(rows.third, qz);
-    const __m256d ax = magnitudes(x), ay = magnitudes(y), az = magnitudes(z);
+    const auto [x, y, z] = relative_to(rows, {qx, qy, qz});
+    const __m256d ax = Four::magnitude(x), ay = Four::magnitude(y), az = Four::magnitude(z);
     const double largest = largest_element(_mm256_max_pd(_mm256_max_pd(ax, ay), az));
     if (!(largest >= exact::lattice_least && largest <= exact::lattice_most))
         return exact::undecided;
@@ -161,7 +156,7 @@ inline int perturbed_doubles(const Tetrahedron& t, const Vertex* vertices, const
     const auto is_lattice = [&](double shifter) {
         const __m256d zero = _mm256_set1_pd(shifter);
         const auto is_off = [&](__m256d v) {
-            const __m256d size = magnitudes(v);
+            const __m256d size = Four::magnitude(v);
             return _mm256_cmp_pd(_mm256_sub_pd(_mm256_add_pd(size, zero), zero), size, _CMP_NEQ_UQ);
         };
         const __m256d off = _mm256_or_pd(_mm256_or_pd(is_off(rows.first), is_off(rows.second)),

@@ -2,6 +2,8 @@
 // Helpers that lean on the compiler, and what the processor can do.
 #pragma once
 
+#include <cstdint>
+
 #if defined(__GNUC__)
 #define MGDT_ALWAYS_INLINE inline __attribute__((always_inline))
 #define MGDT_LIKELY(condition) __builtin_expect(!!(condition), 1)
@@ -21,6 +23,17 @@ MGDT_ALWAYS_INLINE void prefetch(const void* p) {
     __builtin_prefetch(p);
 #else
     static_cast<void>(p);
+#endif
+}
+
+// Number of the lowest bit of x that is set, which some bit must be.
+MGDT_ALWAYS_INLINE unsigned lowest_bit(std::uint64_t x) noexcept {
+#if defined(__GNUC__)
+    return static_cast<unsigned>(__builtin_ctzll(x));
+#else
+    unsigned i = 0;
+    while (!(x >> i & 1)) ++i;
+    return i;
 #endif
 }
 

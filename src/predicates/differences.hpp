@@ -42,19 +42,14 @@ template <std::size_t I>
 using index = std::integral_constant<std::size_t, I>;
 
 template <class F, std::size_t... I>
-MGDT_PREDICATES_INLINE bool all(const F& f, std::index_sequence<I...>) {
-    return (f(index<I>()) && ...);
+MGDT_PREDICATES_INLINE void each(const F& f, std::index_sequence<I...>) {
+    (f(index<I>()), ...);
 }
 
-// f(0) && ... && f(N - 1) with constant indices, so that small arrays become registers.
-template <int N, class F>
-MGDT_PREDICATES_INLINE bool all(const F& f) {
-    return all(f, std::make_index_sequence<static_cast<std::size_t>(N)>());
-}
-
+// f(0), ..., f(N - 1) with constant indices, so that small arrays become registers.
 template <int N, class F>
 MGDT_PREDICATES_INLINE void each(const F& f) {
-    all<N>([&](auto i) { return f(i), true; });
+    each(f, std::make_index_sequence<static_cast<std::size_t>(N)>());
 }
 
 // The differences of N / 3 points and an origin, all finite: x, y, z of the first point first.

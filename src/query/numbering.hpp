@@ -5,6 +5,7 @@
 
 #include "mesh/mesh.hpp"
 #include "parallel/team.hpp"
+#include "platform/cpu.hpp"
 
 namespace mgdt {
 
@@ -13,10 +14,6 @@ inline unsigned popcount(std::uint64_t x) noexcept {
     x = (x & 0x3333333333333333u) + ((x >> 2) & 0x3333333333333333u);
     x = (x + (x >> 4)) & 0x0F0F0F0F0F0F0F0Fu;
     return static_cast<unsigned>((x * 0x0101010101010101u) >> 56);
-}
-// Number of the lowest bit that is set.
-inline unsigned lowest_bit(std::uint64_t x) noexcept {
-    return popcount((x & (~x + 1)) - 1);
 }
 
 // The slots of all ghosts, which are reached from one another. is_new(t) is true when it is asked

@@ -419,7 +419,7 @@ static void setting(void) {
     CHECK_EQUAL(mgdt_set_compact(t, 0), MGDT_OK);
     CHECK(memory_of(t) > held); /* it was still compact */
     CHECK(same_tetrahedra(t, expected, NULL));
-    /* What was announced is for the storage of then; the other has as much as it needs. */
+    /* What was announced stays announced in either storage. */
     CHECK_EQUAL(mgdt_clear(t), MGDT_OK);
     CHECK_EQUAL(mgdt_reserve(t, n), MGDT_OK);
     CHECK_EQUAL(mgdt_set_compact(t, 1), MGDT_OK);

@@ -22,9 +22,9 @@ void pause() {
     std::this_thread::yield();
 }
 
-class Session {
+class Calls {
   public:
-    explicit Session(Input& in) : in_(in) {
+    explicit Calls(Input& in) : in_(in) {
         const unsigned b = in.byte();
         source_.choose_sphere(b);
         margin_ = b & 4 ? 3 : 0;
@@ -37,9 +37,9 @@ class Session {
         FUZZ_REQUIRE((t_ == nullptr) == (status != MGDT_OK), "a handle and a failure");
         memory_.refuse(0, false);
     }
-    ~Session() { mgdt_destroy(t_); }
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
+    ~Calls() { mgdt_destroy(t_); }
+    Calls(const Calls&) = delete;
+    Calls& operator=(const Calls&) = delete;
 
     void run() {
         if (!t_) return;
@@ -161,7 +161,7 @@ class Session {
     }
 
     static std::int32_t progress(double fraction, void* user) {
-        Session& self = *static_cast<Session*>(user);
+        Calls& self = *static_cast<Calls*>(user);
         FUZZ_REQUIRE(fraction >= 0 && fraction <= 1, std::to_string(fraction));
         if (++self.heard_ < self.stop_at_) return 0;
         self.heard_ = 0;
@@ -432,23 +432,23 @@ class Session {
 
     // Looking at the handle must not fail: no limit, no refusal.
     struct Unlimited {
-        explicit Unlimited(Session& s) : session(s), saved(s.memory_.pause()) {
-            session.ok(mgdt_set_memory_limit(session.t_, 0));
+        explicit Unlimited(Calls& s) : calls(s), saved(s.memory_.pause()) {
+            calls.ok(mgdt_set_memory_limit(calls.t_, 0));
         }
         ~Unlimited() {
-            session.memory_.resume(saved);
-            mgdt_set_memory_limit(session.t_, session.limit_);
+            calls.memory_.resume(saved);
+            mgdt_set_memory_limit(calls.t_, calls.limit_);
         }
-        Session& session;
+        Calls& calls;
         CountedMemory::Refusal saved;
     };
 
     struct Snapshot {
-        explicit Snapshot(Session& s) : session(s), exports(s.canonical()) {}
+        explicit Snapshot(Calls& s) : calls(s), exports(s.canonical()) {}
         void expect_same() const {
-            FUZZ_REQUIRE(session.canonical() == exports, "a call that failed changed the handle");
+            FUZZ_REQUIRE(calls.canonical() == exports, "a call that failed changed the handle");
         }
-        Session& session;
+        Calls& calls;
         Exports exports;
     };
 
@@ -512,6 +512,6 @@ class Session {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzz::Input in(data, size);
-    fuzz::Session(in).run();
+    fuzz::Calls(in).run();
     return 0;
 }

@@ -43,34 +43,39 @@ std::vector<Set> sets() {
     return all;
 }
 
+// Positively oriented, the last point none of the first four; false if it cannot be.
+bool prepare(Five& p) {
+    const int o = mgdt::orientation(p[0].data(), p[1].data(), p[2].data(), p[3].data());
+    if (o == 0 || std::find(p.begin(), p.begin() + 4, p[4]) != p.begin() + 4) return false;
+    if (o < 0) std::swap(p[0], p[1]);
+    return true;
+}
+
+int expected(const Five& p) {
+    return mgdt::exact::perturbed_by_parts(p[0].data(), p[1].data(), p[2].data(), p[3].data(),
+                                           p[4].data());
+}
+
+// The tetrahedron of vertices 1 to 4, the last point vertex 5.
+template <class Decide>
+int decide_by(Decide decide, const Five& p) {
+    alignas(32) mgdt::Vertex vertices[6] = {};
+    for (unsigned i = 0; i < 5; ++i) {
+        std::copy(p[i].begin(), p[i].end(), vertices[i + 1].x);
+        vertices[i + 1].index = 0xFFFFFFFF;  // as a double not a number
+        vertices[i + 1].moved_to = 0xFFFFFFFF;
+    }
+    const mgdt::Tetrahedron t = {{1, 2, 3, 4}, {}};
+    return decide(t, vertices, vertices[5].x);
+}
+
 class Ties : public testing::TestWithParam<Set> {
   protected:
     void SetUp() override {
         if (!GetParam().runs) GTEST_SKIP() << "not on this processor";
     }
 
-    // Positively oriented, the last point none of the first four; false if it cannot be.
-    static bool prepare(Five& p) {
-        const int o = mgdt::orientation(p[0].data(), p[1].data(), p[2].data(), p[3].data());
-        if (o == 0 || std::find(p.begin(), p.begin() + 4, p[4]) != p.begin() + 4) return false;
-        if (o < 0) std::swap(p[0], p[1]);
-        return true;
-    }
-    static int decide(const Five& p) {
-        alignas(32) mgdt::Vertex vertices[6] = {};
-        mgdt::Tetrahedron t{};
-        for (unsigned i = 0; i < 5; ++i) {
-            std::copy(p[i].begin(), p[i].end(), vertices[i + 1].x);
-            vertices[i + 1].index = 0xFFFFFFFF;  // as a double not a number
-            vertices[i + 1].moved_to = 0xFFFFFFFF;
-        }
-        for (unsigned i = 0; i < 4; ++i) t.v[i] = i + 1;
-        return GetParam().decide(t, vertices, vertices[5].x);
-    }
-    static int expected(const Five& p) {
-        return mgdt::exact::perturbed_by_parts(p[0].data(), p[1].data(), p[2].data(), p[3].data(),
-                                               p[4].data());
-    }
+    static int decide(const Five& p) { return decide_by(GetParam().decide, p); }
 };
 
 TEST_P(Ties, AreBrokenRightOrLeftOpen) {
@@ -163,14 +168,9 @@ TEST(Modulo, SignsOfSmallDeterminants) {
         Five p;
         for (auto& v : p)
             for (double& x : v) x = random.integer(0, 1 << (1 + i % 10));
-        const int o = mgdt::orientation(p[0].data(), p[1].data(), p[2].data(), p[3].data());
-        if (o == 0 || std::find(p.begin(), p.begin() + 4, p[4]) != p.begin() + 4) continue;
-        if (o < 0) std::swap(p[0], p[1]);
-        alignas(32) mgdt::Vertex vertices[6] = {};
-        for (unsigned k = 0; k < 5; ++k) std::copy(p[k].begin(), p[k].end(), vertices[k + 1].x);
-        const int side = mgdt::exact::perturbed_by_parts(p[0].data(), p[1].data(), p[2].data(),
-                                                         p[3].data(), p[4].data());
-        ASSERT_EQ(modulo_avx2({{1, 2, 3, 4}, {}}, vertices, vertices[5].x), side);
+        if (!prepare(p)) continue;
+        const int side = expected(p);
+        ASSERT_EQ(decide_by(modulo_avx2, p), side);
         ++(side > 0 ? inside : outside);
     }
     EXPECT_GT(inside, 50);
@@ -190,9 +190,7 @@ TEST(ExactConflicts, AgreeWithTies) {
         Five p;
         for (auto& v : p)
             for (double& x : v) x = random.integer(0, 2);
-        const int o = mgdt::orientation(p[0].data(), p[1].data(), p[2].data(), p[3].data());
-        if (o == 0 || std::find(p.begin(), p.begin() + 4, p[4]) != p.begin() + 4) continue;
-        if (o < 0) std::swap(p[0], p[1]);
+        if (!prepare(p)) continue;
         for (unsigned k = 0; k < 5; ++k)
             std::copy(p[k].begin(), p[k].end(), mesh.vertices[k + 1].x);
         const mgdt::Tetrahedron t = {{1, 2, 3, 4}, {}};
