@@ -52,14 +52,13 @@ class CellOrder {
 }  // namespace
 
 // S.H. Lo (2014), section 3.4: over 1000 points a cell, and a regular grid inside each.
-void order_enhanced_kd_tree(Team&, const PointSet& points, const OrderParameters& parameters,
+void order_enhanced_kd_tree(Team& team, const PointSet& points, const OrderParameters& parameters,
                             Schedule& out) {
     const double per_cell = parameters.points_per_cell_or(1000);
-    Buffer<KdPoint> sorted = kd_points(points, out.order.allocator());
+    Buffer<KdPoint> sorted = kd_points(team, points, out.order.allocator());
     const unsigned levels = kd_levels(points.size, per_cell, true);
-    CellOrder order_cell(points, sorted, out);
-    kd_partition(sorted.data(), 0, points.size, box_of(points), levels,
-                 [&](std::size_t begin, std::size_t end) { order_cell(begin, end); });
+    kd_partition(team, sorted, box_of(points), levels,
+                 [&] { return CellOrder(points, sorted, out); });
     out.levels = levels + 1;
 }
 

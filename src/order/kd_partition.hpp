@@ -4,8 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "order/lattice.hpp"
+#include "parallel/team.hpp"
+#include "platform/atomic.hpp"
 
 namespace mgdt {
 
@@ -14,45 +17,74 @@ struct KdPoint {
     std::uint32_t index;
 };
 
-Buffer<KdPoint> kd_points(const PointSet& points, Allocator& allocator);
+Buffer<KdPoint> kd_points(Team& team, const PointSet& points, Allocator& allocator);
 
 // Levels of a tree over n points: log2(n / points_per_cell), S.H. Lo (2014), section 3.2, rounded
 // to the nearest integer, or down where cells are to hold points_per_cell at the least.
 unsigned kd_levels(std::size_t n, double points_per_cell, bool round_down) noexcept;
 
-// Divides points[begin..end) in place: each region is cut across the longest side of its box at
-// the median point, its pivot, which ends up between the two halves. So from left to right the
-// array is the sandwich of section 3.3: cell, pivot, cell, pivot, ..., cell. Calls
-// leaf(begin, end) for each of the 2^levels cells from left to right, empty ones too. The order of
-// points in a cell when leaf is called depends on the C++ library, and leaf must settle it.
-template <class Leaf>
-void kd_partition(KdPoint* points, std::size_t begin, std::size_t end, const Box& region,
-                  unsigned levels, const Leaf& leaf);
+// Divides points in place: each region is cut across the longest side of its box at the median
+// point, its pivot, which ends up between the two halves. So from left to right the array is the
+// sandwich of section 3.3: cell, pivot, cell, pivot, ..., cell. Each member of the team that takes
+// part makes itself a leaf = make_leaf(), of which leaf(begin, end) is called for the cells, empty
+// ones too, in any order. The order of points in a cell then depends on the C++ library, and leaf
+// must settle it.
+template <class MakeLeaf>
+void kd_partition(Team& team, Buffer<KdPoint>& points, const Box& box, unsigned levels,
+                  const MakeLeaf& make_leaf);
 
 namespace kd_detail {
-int longest_side(const Box& region) noexcept;
-void place_median(KdPoint* first, KdPoint* median, KdPoint* last, int axis) noexcept;
-}  // namespace kd_detail
+
+struct Region {
+    std::size_t begin, end;
+    Box box;
+};
+
+// Cuts a region that is not empty; what is left and what is right of the pivot.
+struct Halves {
+    Region left, right;
+};
+Halves cut(KdPoint* points, const Region& region) noexcept;
 
 template <class Leaf>
-void kd_partition(KdPoint* points, std::size_t begin, std::size_t end, const Box& region,
-                  unsigned levels, const Leaf& leaf) {
-    const std::size_t n = end - begin;
-    if (levels == 0 || n == 0) {
-        leaf(begin, end);
+void partition(KdPoint* points, const Region& region, unsigned levels, Leaf& leaf) {
+    if (levels == 0 || region.begin == region.end) {
+        leaf(region.begin, region.end);
         return;
     }
-    // The paper's formula gives an even number's odd half to the right, its worked example of 20
-    // points (5-4-4-4, Figure 10) to the left. This follows the example.
-    const std::size_t pivot = begin + n / 2;
-    const int axis = kd_detail::longest_side(region);
-    kd_detail::place_median(points + begin, points + pivot, points + end, axis);
-    Box half = region;
-    half.high[axis] = points[pivot].x[axis];
-    kd_partition(points, begin, pivot, half, levels - 1, leaf);
-    half = region;
-    half.low[axis] = points[pivot].x[axis];
-    kd_partition(points, pivot + 1, end, half, levels - 1, leaf);
+    const Halves halves = cut(points, region);
+    partition(points, halves.left, levels - 1, leaf);
+    partition(points, halves.right, levels - 1, leaf);
+}
+
+}  // namespace kd_detail
+
+template <class MakeLeaf>
+void kd_partition(Team& team, Buffer<KdPoint>& points, const Box& box, unsigned levels,
+                  const MakeLeaf& make_leaf) {
+    using kd_detail::Region;
+    constexpr std::size_t share = 32768;
+    const unsigned members = team.members_for(points.size(), share);
+    // Level by level to some regions a member, which it then divides alone.
+    Buffer<Region> regions(points.allocator(), 1), next(points.allocator());
+    regions[0] = {0, points.size(), box};
+    for (; levels > 0 && members > 1 && regions.size() < std::size_t{4} * members; --levels) {
+        next.resize(2 * regions.size());
+        team.split(regions.size(), 1, [&](std::size_t begin, std::size_t end, unsigned) {
+            for (std::size_t r = begin; r < end; ++r) {
+                const kd_detail::Halves halves = kd_detail::cut(points.data(), regions[r]);
+                next[2 * r] = halves.left;
+                next[2 * r + 1] = halves.right;
+            }
+        });
+        std::swap(regions, next);
+    }
+    Atomic<std::size_t> taken{0};
+    team.run(members, [&](unsigned) {
+        auto leaf = make_leaf();
+        for (std::size_t r; (r = taken++) < regions.size();)
+            kd_detail::partition(points.data(), regions[r], levels, leaf);
+    });
 }
 
 }  // namespace mgdt

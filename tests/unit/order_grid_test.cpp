@@ -147,10 +147,12 @@ TEST(KdTree, CellsHoldAboutTheNumberAskedFor) {
     const Coordinates xyz = noisy_line(5000);
     const PointSet points = point_set(xyz);
     Allocator allocator;
-    Buffer<KdPoint> sorted = kd_points(points, allocator);
+    Team team;
+    Buffer<KdPoint> sorted = kd_points(team, points, allocator);
     std::vector<std::size_t> sizes;
-    kd_partition(sorted.data(), 0, 5000, box_of(points), 9,
-                 [&](std::size_t begin, std::size_t end) { sizes.push_back(end - begin); });
+    kd_partition(team, sorted, box_of(points), 9, [&] {
+        return [&](std::size_t begin, std::size_t end) { sizes.push_back(end - begin); };
+    });
     EXPECT_EQ(sizes.size(), 512u);
     EXPECT_EQ(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}), 5000 - 511u);
     EXPECT_LE(*std::max_element(sizes.begin(), sizes.end()) -

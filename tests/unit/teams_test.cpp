@@ -103,7 +103,8 @@ TEST(Schedules, AreThoseOfOneThread) {
         for (const auto& [set, xyz] : sets) {
             if (is_small() && set != "line") continue;
             for (const std::int32_t scheme :
-                 {MGDT_ORDER_AUTO, MGDT_ORDER_BRIO, MGDT_ORDER_HILBERT, MGDT_ORDER_REGULAR_GRID}) {
+                 {MGDT_ORDER_AUTO, MGDT_ORDER_BRIO, MGDT_ORDER_HILBERT, MGDT_ORDER_REGULAR_GRID,
+                  MGDT_ORDER_KD_TREE, MGDT_ORDER_ENHANCED_KD_TREE}) {
                 const Result expected = schedule(point_set(xyz), scheme);
                 EXPECT_TRUE(schedule(point_set(xyz), scheme, {}, nullptr, 3) == expected)
                     << n << ' ' << set << ' ' << schemes.at(scheme);
