@@ -10,7 +10,6 @@ class AffineBasis {
     bool add(const double* p);
     // -1 empty, 0 a point, 1 a line, 2 a plane, 3 space.
     int dimension() const { return size_ - 1; }
-    const double* point(int i) const { return points_[i]; }
     void clear() { size_ = 0; }
     // Multiplies the points by 2^change.
     void scale(int change);

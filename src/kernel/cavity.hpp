@@ -28,10 +28,13 @@ struct CavityStart {
     std::uint32_t faces;  // beyond which the neighbours are in conflict; 0: the tetrahedron itself
 };
 
-// The arrays of the workspace and how far they are filled.
+// The arrays of the workspace and how far they are filled. Only parts are passed to what is not in
+// line, so that the rest stays in registers.
 template <class Access>
 class CavityFront {
   public:
+    using Four = FourTetrahedra<Access::SphereSource::are_kept, HalfLine>;
+
     MGDT_ALWAYS_INLINE CavityFront(Access access, Mesh& mesh, Workspace& w, CavityStart start)
         : access_(access),
           workspace_(w),
@@ -45,7 +48,7 @@ class CavityFront {
             // It is entered through no face; face 0 stands in.
             for (unsigned i = 1; i < 4; ++i) w.first_corners[i] = t.v[i];
             w.first_corners[0] = t.v[1];
-            take(4 * start.tetrahedron, 1, 0);
+            take(tetrahedra_[start.tetrahedron], 4 * start.tetrahedron, 1);
             return;
         }
         // Seen from its neighbours, t is outside. With two of them all its vertices are corners.
@@ -54,14 +57,18 @@ class CavityFront {
             w.first_corners[i] = is_one && (start.faces >> i & 1) ? t.v[(i + 1) & 3] : t.v[i];
             boundary_[facets] = 4 * start.tetrahedron + i;
             facets += start.faces >> i & 1;
-            take(t.n[i], start.faces, i);
         }
+        take(four(t.n), t.n, start.faces);
     }
     // Room for one more member's neighbours.
     MGDT_ALWAYS_INLINE void reserve() {
-        if (MGDT_UNLIKELY(members + 4 > workspace_.cavity_capacity)) grow();
+        if (MGDT_UNLIKELY(members + 4 > workspace_.cavity_capacity)) {
+            enlarge(access_, mesh_, workspace_, members, facets);
+            point_to_arrays();
+        }
     }
     MGDT_ALWAYS_INLINE FacetCode member(std::size_t i) const { return cavity_[i]; }
+    MGDT_ALWAYS_INLINE Four four(const FacetCode* codes) const { return tetrahedra_.four(codes); }
     // What tells whether a tetrahedron is in.
     MGDT_ALWAYS_INLINE auto membership() const {
         if constexpr (Access::is_shared)
@@ -70,15 +77,11 @@ class CavityFront {
             return [all = tetrahedra_](FacetCode code) { return all[code >> 2].is_in_cavity(); };
     }
     // Gives the cavity up.
-    void abandon() const {
-        if constexpr (!Access::is_shared) workspace_.restore_cavity(mesh_.tetrahedra, members);
-    }
+    MGDT_ALWAYS_INLINE void abandon() const { give_up(mesh_, workspace_, members); }
     // Takes those of four facets whose bits are set.
     MGDT_ALWAYS_INLINE void add_boundary(const FacetCode* codes, std::uint32_t outside) {
-#if defined(MGDT_HAVE_EIGHT_ROWS)
-        const __m128i all = _mm_load_si128(reinterpret_cast<const __m128i*>(codes));
-        _mm_storeu_si128(reinterpret_cast<__m128i*>(boundary_ + facets),
-                         _mm_maskz_compress_epi32(static_cast<__mmask8>(outside), all));
+#if defined(MGDT_HAVE_FOUR_ROWS)
+        append(boundary_ + facets, codes, outside);
         facets += static_cast<unsigned>(__builtin_popcount(outside));
 #else
         for (unsigned k = 0; k < 4; ++k) {
@@ -87,24 +90,31 @@ class CavityFront {
         }
 #endif
     }
-    // Takes a tetrahedron in if bit k of `conflict` is set, unless it is in already; without a
-    // branch.
-    MGDT_ALWAYS_INLINE void take(FacetCode code, std::uint32_t conflict, unsigned k) {
-        cavity_[members] = code;
-        if constexpr (Access::is_shared) {
-            const std::uint32_t is_in = conflict >> k & 1;
-            members += opaque(is_in & marks_.put(code >> 2, is_in));
-        } else {
-            // The bit goes to where the mark is.
-            Tetrahedron& t = tetrahedra_[code >> 2];
-            const VertexId second = t.v[1];
-            const std::uint32_t mark = opaque(conflict << (31 - k));
-            members += (mark & ~second) >> 31;
-            t.v[1] = second | (mark & in_cavity);
+    // Takes in those of four tetrahedra, reached through these facets, whose bits are set, unless
+    // they are in already; without a branch.
+    MGDT_ALWAYS_INLINE void take(const Four& four, const FacetCode* codes, std::uint32_t conflict) {
+#if defined(MGDT_HAVE_FOUR_ROWS)
+        if constexpr (!Access::is_shared) {
+            const auto second = [&](unsigned k) { return static_cast<int>(four[k].v[1]); };
+            const __m128i before = _mm_setr_epi32(second(0), second(1), second(2), second(3));
+            const std::uint32_t fresh =
+                conflict & ~static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(before)));
+            append(cavity_ + members, codes, fresh);
+            members += static_cast<unsigned>(__builtin_popcount(fresh));
+            const __m128i marks = _mm_and_si128(with_bits_on_top(conflict),
+                                                _mm_set1_epi32(static_cast<int>(in_cavity)));
+            const __m128i after = _mm_or_si128(before, marks);
+            four[0].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 0));
+            four[1].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 1));
+            four[2].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 2));
+            four[3].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 3));
+            return;
         }
+#endif
+        for (unsigned k = 0; k < 4; ++k) take(four[k], codes[k], conflict >> k & 1);
     }
     // `whole`: members of which all four neighbours were tested, and not three.
-    void finish(std::size_t whole) const {
+    MGDT_ALWAYS_INLINE void finish(std::size_t whole) const {
         workspace_.cavity_size = members;
         workspace_.boundary_size = facets;
         workspace_.counters.conflict_tests += 3 * members + whole;
@@ -113,21 +123,36 @@ class CavityFront {
     std::size_t members = 0, facets = 0;
 
   private:
+    MGDT_ALWAYS_INLINE void take(Tetrahedron& t, FacetCode code, std::uint32_t is_in) {
+        cavity_[members] = code;
+        if constexpr (Access::is_shared) {
+            members += opaque(is_in & marks_.put(code >> 2, is_in));
+        } else {
+            // The bit goes to where the mark is.
+            const VertexId second = t.v[1];
+            const std::uint32_t mark = opaque(is_in << 31);
+            members += (mark & ~second) >> 31;
+            t.v[1] = second | mark;
+        }
+    }
     MGDT_ALWAYS_INLINE void point_to_arrays() {
         cavity_ = workspace_.cavity.data;
         boundary_ = workspace_.boundary.data;
         if constexpr (Access::is_shared) marks_ = access_.marks().view();
     }
-    void grow() {
+    static void enlarge(Access access, Mesh& mesh, Workspace& w, std::size_t members,
+                        std::size_t facets) {
         try {
-            workspace_.grow_cavity(members, facets, members + 4);
+            w.grow_cavity(members, facets, members + 4);
             if constexpr (Access::is_shared)
-                access_.marks().grow(workspace_.cavity_capacity, workspace_.cavity.data, members);
+                access.marks().grow(w.cavity_capacity, w.cavity.data, members);
         } catch (...) {
-            abandon();
+            give_up(mesh, w, members);
             throw;
         }
-        point_to_arrays();
+    }
+    static void give_up(Mesh& mesh, Workspace& w, std::size_t members) {
+        if constexpr (!Access::is_shared) w.restore_cavity(mesh.tetrahedra, members);
     }
 
     const Access access_;
@@ -167,6 +192,7 @@ inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart star
     const typename Access::SphereSource spheres(mesh);
     const auto tetrahedra = spheres.tetrahedra;
     CavityFront<Access> front(access, mesh, w, start);
+    const Query query = q;  // no store changes it
     // The first member is entered through no face if it is the start itself.
     std::uint32_t entered = start.faces != 0;
     // Each member's code is read one turn ahead: a load right after the stores that this turn
@@ -181,7 +207,8 @@ inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart star
         const bool is_last = done + 1 == front.members;
         FacetCode next = front.member(done + 1);
         const FacetCode* const n = tetrahedra[member >> 2].n;
-        const FourPowers powers(spheres, n, q);
+        const auto four = front.four(n);
+        const FourPowers powers(spheres, four, query);
         // All but the one that it was reached through.
         const std::uint32_t active = 0xFu & ~(entered << (member & 3));
         entered = 1;
@@ -197,7 +224,7 @@ inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart star
             conflict = (conflict & ~undecided) | decided;
         }
         front.add_boundary(n, active & ~conflict);
-        for (unsigned k = 0; k < 4; ++k) front.take(n[k], conflict, k);
+        front.take(four, n, conflict);
         if (MGDT_UNLIKELY(is_last)) next = opaque(front.member(done + 1));
         member = next;
     }

@@ -2,12 +2,8 @@
 // Small pieces of the cavity and the star.
 #pragma once
 
-#include "kernel/circumsphere.hpp"
+#include "kernel/vector_sphere.hpp"
 #include "kernel/workspace.hpp"
-
-#if defined(__AVX2__) && defined(__FMA__)
-#include <immintrin.h>
-#endif
 
 namespace mgdt {
 inline namespace MGDT_ISA {
@@ -20,7 +16,38 @@ MGDT_ALWAYS_INLINE std::uint32_t opaque(std::uint32_t x) {
     return x;
 }
 
-#if defined(__AVX2__) && defined(__FMA__)
+#if defined(MGDT_HAVE_FOUR_ROWS)
+
+// Four words, the k-th with bit k on top.
+MGDT_ALWAYS_INLINE __m128i with_bits_on_top(std::uint32_t bits) {
+    return _mm_sllv_epi32(_mm_set1_epi32(static_cast<int>(bits)), _mm_setr_epi32(31, 30, 29, 28));
+}
+
+#if !defined(MGDT_HAVE_EIGHT_ROWS)
+// For each choice among four words, where their bytes are.
+struct ChosenBytes {
+    constexpr ChosenBytes() : of() {
+        for (unsigned bits = 0; bits < 16; ++bits)
+            for (unsigned k = 0, to = 0; k < 4; ++k)
+                for (unsigned byte = 0; (bits >> k & 1) && byte < 4; ++byte)
+                    of[bits][to++] = static_cast<std::uint8_t>(4 * k + byte);
+    }
+    alignas(16) std::uint8_t of[16][16];
+};
+inline constexpr ChosenBytes chosen_bytes;
+#endif
+
+// Writes those of four words whose bits are set, and anything in what is left of 16 bytes.
+MGDT_ALWAYS_INLINE void append(std::uint32_t* to, const std::uint32_t* words, std::uint32_t bits) {
+    __m128i w = _mm_load_si128(reinterpret_cast<const __m128i*>(words));
+#if defined(MGDT_HAVE_EIGHT_ROWS)
+    w = _mm_maskz_compress_epi32(static_cast<__mmask8>(bits), w);
+#else
+    w = _mm_shuffle_epi8(w,
+                         _mm_load_si128(reinterpret_cast<const __m128i*>(chosen_bytes.of[bits])));
+#endif
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(to), w);
+}
 
 // outer_face in the first three places.
 alignas(16) constexpr std::int32_t outer_picks[4][4] = {

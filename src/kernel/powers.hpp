@@ -17,23 +17,25 @@ inline namespace MGDT_ISA {
 
 class FourPowers {
   public:
-    // Each tetrahedron is given as any facet code of it.
-    MGDT_ALWAYS_INLINE FourPowers(const KeptSpheres& from, const FacetCode* codes, const Query& q) {
-        set(FourRows([&](unsigned k) { return from.sphere(codes[k] >> 2).w; }),
-            vertices(from, codes, 0), q);
+    template <class Half>
+    MGDT_ALWAYS_INLINE FourPowers(const KeptSpheres& from, const FourTetrahedra<true, Half>& four,
+                                  const Query& q) {
+        set(FourRows([&](unsigned k) { return four.sphere(k).w; }), vertices(from, four, 0), q);
     }
-    FourPowers(const ComputedSpheres& from, const FacetCode* codes, const Query& q) {
-        const FourRows bases = vertices(from, codes, 0);
+    template <class Half>
+    FourPowers(const ComputedSpheres& from, const FourTetrahedra<false, Half>& four,
+               const Query& q) {
+        const FourRows bases = vertices(from, four, 0);
         const auto local = [&](unsigned i) {
             return LocalColumns<Four>(
-                relative_to(vertices(from, codes, i), {bases.first, bases.second, bases.third}));
+                relative_to(vertices(from, four, i), {bases.first, bases.second, bases.third}));
         };
         const SphereColumns<Four> s = spheres_through(local(1), local(2), local(3));
         FourRows spheres = {s.x, s.y, s.z, s.e};
         std::uint32_t special = from.has_extremes ? 0xFu : 0u;
         for (unsigned k = 0; k < 4; ++k)
-            special |= static_cast<std::uint32_t>(from.tetrahedra[codes[k] >> 2].is_ghost()) << k;
-        if (MGDT_UNLIKELY(special != 0)) replace(spheres, special, from, codes);
+            special |= static_cast<std::uint32_t>(four[k].is_ghost()) << k;
+        if (MGDT_UNLIKELY(special != 0)) replace(spheres, special, from, four);
         set(spheres, bases, q);
     }
 
@@ -69,25 +71,24 @@ class FourPowers {
 
   private:
     // The i-th vertex of each. A mark may be on the second.
-    template <class Spheres>
-    MGDT_ALWAYS_INLINE static FourRows vertices(const Spheres& from, const FacetCode* codes,
+    template <class Spheres, class Tetrahedra>
+    MGDT_ALWAYS_INLINE static FourRows vertices(const Spheres& from, const Tetrahedra& four,
                                                 unsigned i) {
         const VertexId mask = i == 1 ? ~in_cavity : ~VertexId{0};
-        return FourRows([&](unsigned k) {
-            return from.vertices[from.tetrahedra[codes[k] >> 2].v[i] & mask].x;
-        });
+        return FourRows([&](unsigned k) { return from.vertices[four[k].v[i] & mask].x; });
     }
     // Ghosts, and all where some vertex is outside the normal range, are rare enough for one by
     // one. The way depends on the tetrahedron alone, so that its power does.
+    template <class Half>
     static void replace(FourRows& spheres, std::uint32_t special, const ComputedSpheres& from,
-                        const FacetCode* codes) {
+                        const FourTetrahedra<false, Half>& four) {
         alignas(32) double columns[4][4];
         __m256d* const column[4] = {&spheres.first, &spheres.second, &spheres.third,
                                     &spheres.fourth};
         for (unsigned i = 0; i < 4; ++i) _mm256_store_pd(columns[i], *column[i]);
         for (unsigned k = 0; k < 4; ++k) {
             if (!(special >> k & 1)) continue;
-            const Sphere s = from.sphere(codes[k] >> 2);
+            const Sphere s = from.sphere(four, k);
             for (unsigned i = 0; i < 3; ++i) columns[i][k] = s.w[i];
             columns[3][k] = s.e;
         }
@@ -127,16 +128,15 @@ class FourPowers {
 
 class FourPowers {
   public:
-    template <class Spheres>
-    MGDT_ALWAYS_INLINE FourPowers(const Spheres& from, const FacetCode* codes, const Query& q) {
+    template <class Spheres, class Tetrahedra>
+    MGDT_ALWAYS_INLINE FourPowers(const Spheres& from, const Tetrahedra& four, const Query& q) {
         for (unsigned k = 0; k < 4; ++k) {
-            const TetId t = codes[k] >> 2;
-            const Power s = power(from, t, q);
+            const Power s = power(from.sphere(four, k), from.vertices[four[k].v[0]].x, q);
             value_[k] = s.value;
             error_[k] = s.error;
             negative_ |= static_cast<std::uint32_t>(s.value < 0) << k;
             decided_ |= static_cast<std::uint32_t>(s.is_decided()) << k;
-            ghosts_ |= static_cast<std::uint32_t>(from.tetrahedra[t].is_ghost()) << k;
+            ghosts_ |= static_cast<std::uint32_t>(four[k].is_ghost()) << k;
         }
     }
     MGDT_ALWAYS_INLINE std::uint32_t negative() const { return negative_; }

@@ -14,6 +14,11 @@ struct KeptSpheres {
     MGDT_ALWAYS_INLINE explicit KeptSpheres(const Mesh& mesh)
         : tetrahedra(mesh.tetrahedra.view<true>()), vertices(mesh.vertices.data()) {}
     MGDT_ALWAYS_INLINE const Sphere& sphere(TetId t) const { return tetrahedra.sphere(t); }
+    template <class Half>
+    MGDT_ALWAYS_INLINE const Sphere& sphere(const FourTetrahedra<true, Half>& four,
+                                            unsigned k) const {
+        return four.sphere(k);
+    }
 
     const TetrahedronView<true, const HalfLine> tetrahedra;
     const Vertex* const vertices;
@@ -27,6 +32,10 @@ struct ComputedSpheres {
           vertices(mesh.vertices.data()),
           has_extremes(mesh.has_extremes) {}
     Sphere sphere(TetId t) const { return circumsphere(tetrahedra[t], vertices); }
+    template <class Half>
+    Sphere sphere(const FourTetrahedra<false, Half>& four, unsigned k) const {
+        return circumsphere(four[k], vertices);
+    }
 
     const TetrahedronView<false, const HalfLine> tetrahedra;
     const Vertex* const vertices;

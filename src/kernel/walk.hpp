@@ -130,7 +130,7 @@ WalkStart start_in_star(const Spheres& from, const Workspace& w, const Query& q,
     constexpr std::size_t sample = 4;
     FacetCode codes[sample];
     for (std::size_t i = 0; i < sample; ++i) codes[i] = 4 * w.slots.data[i * w.slot_count / sample];
-    const FourPowers powers(from, codes, q);
+    const FourPowers powers(from, from.tetrahedra.four(codes), q);
     counters.walk_tests += sample;
     const unsigned best = powers.least_finite(infinity) & 3;
     return {codes[best] >> 2, powers[best]};
@@ -152,7 +152,7 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
             ++counters.exact_calls;
             if (is_conflict_near_tie(mesh, t, q)) return {{here.tetrahedron, 0}, infinite_vertex};
         }
-        const FourPowers powers(spheres, t.n, q);
+        const FourPowers powers(spheres, tetrahedra.four(t.n), q);
         const std::uint32_t decided = powers.decided();
         const std::uint32_t conflict = powers.negative() & decided;
         counters.walk_tests += 4;
@@ -192,7 +192,7 @@ bool locate_step(const Mesh& mesh, LocationWalk& w) {
     const Spheres spheres(mesh);
     const auto tetrahedra = spheres.tetrahedra;
     const FacetCode* const n = tetrahedra[w.tetrahedron].n;
-    const FourPowers powers(spheres, n, Query(w.q));
+    const FourPowers powers(spheres, tetrahedra.four(n), Query(w.q));
     const unsigned next = powers.least_finite(w.value);
     if (next == 4) {
         // Of the finite ones none is less, so only the certainty is missing, and the ghosts.

@@ -45,9 +45,6 @@ struct Mesh {
     std::size_t live_count() const noexcept { return tetrahedra.size() - free_slots.size(); }
     std::size_t finite_count() const noexcept { return live_count() - ghost_count; }
     MGDT_ALWAYS_INLINE const double* point(VertexId v) const noexcept { return vertices[v].x; }
-    MGDT_ALWAYS_INLINE TetId neighbor(TetId t, int face) const noexcept {
-        return tetrahedra[t].n[face] >> 2;
-    }
 
     Buffer<Vertex> vertices;  // slot 0: the vertex at infinity
     // By vertex, once there are tetrahedra: the slot of one that had it, and of one nearby since.

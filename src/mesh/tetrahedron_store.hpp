@@ -15,6 +15,17 @@ union HalfLine {
 };
 static_assert(sizeof(HalfLine) == 32);
 
+// Four tetrahedra, looked up once.
+template <bool has_spheres, class Half>
+struct FourTetrahedra {
+    MGDT_ALWAYS_INLINE auto& operator[](unsigned k) const noexcept { return line[k]->tetrahedron; }
+    MGDT_ALWAYS_INLINE auto& sphere(unsigned k) const noexcept {
+        static_assert(has_spheres);
+        return line[k][1].sphere;
+    }
+    Half* line[4];
+};
+
 // The array for code that is compiled for one of the two ways. Half: HalfLine, maybe const.
 template <bool has_spheres, class Half>
 struct TetrahedronView {
@@ -24,6 +35,15 @@ struct TetrahedronView {
     MGDT_ALWAYS_INLINE auto& sphere(std::size_t t) const noexcept {
         static_assert(has_spheres);
         return lines[2 * t + 1].sphere;
+    }
+    // Each given by any of its facets.
+    MGDT_ALWAYS_INLINE FourTetrahedra<has_spheres, Half> four(
+        const FacetCode* codes) const noexcept {
+        const auto line = [&](unsigned k) {
+            const std::size_t t = codes[k] >> 2;
+            return lines + (has_spheres ? 2 * t : t);
+        };
+        return {{line(0), line(1), line(2), line(3)}};
     }
     Half* lines;
 };

@@ -22,11 +22,12 @@ Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Tea
     for (const TetId t : mesh.free_slots) take_out(t);
     ghosts_of(mesh, allocator, take_out);
     ranks_.resize(words);
+    std::uint32_t size = 0;
     for (std::size_t word = 0; word < words; ++word) {
-        ranks_[word] = static_cast<std::uint32_t>(size_);
-        size_ += popcount(bits_[word]);
+        ranks_[word] = size;
+        size += popcount(bits_[word]);
     }
-    if (canonical && size_ != 0) sort(mesh, team);
+    if (canonical && size != 0) sort(mesh, team);
 }
 
 void Numbering::sort(const Mesh& mesh, Team& team) {

@@ -40,7 +40,6 @@ class Numbering {
   public:
     Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team);
 
-    std::size_t size() const noexcept { return size_; }
     bool is_canonical() const noexcept { return !rank_.empty(); }
     bool is_finite(TetId t) const noexcept { return (bits_[t >> 6] >> (t & 63) & 1) != 0; }
     // Number of a finite tetrahedron.
@@ -87,7 +86,6 @@ class Numbering {
     Buffer<std::uint64_t> bits_;   // which slots hold finite tetrahedra
     Buffer<std::uint32_t> ranks_;  // number of the first of each word of bits_
     Buffer<std::uint32_t> rank_;   // canonical only: by slot
-    std::size_t size_ = 0;
 };
 
 template <class Indices>
