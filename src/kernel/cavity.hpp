@@ -14,6 +14,7 @@
 
 #include "kernel/access.hpp"
 #include "kernel/eight_rows.hpp"
+#include "kernel/marks.hpp"
 #include "kernel/pieces.hpp"
 #include "kernel/powers.hpp"
 #include "kernel/ties.hpp"
@@ -108,10 +109,14 @@ class CavityFront {
             four[1].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 1));
             four[2].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 2));
             four[3].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 3));
-            return;
+        } else {
+            const std::uint32_t fresh = put_four(marks_, codes, conflict);
+            append(cavity_ + members, codes, fresh);
+            members += static_cast<unsigned>(__builtin_popcount(fresh));
         }
-#endif
+#else
         for (unsigned k = 0; k < 4; ++k) take(four[k], codes[k], conflict >> k & 1);
+#endif
     }
     // `whole`: members of which all four neighbours were tested, and not three.
     MGDT_ALWAYS_INLINE void finish(std::size_t whole) const {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Marks of a cavity that is dug among other threads, four at a time.
+#pragma once
+
+#include "kernel/pieces.hpp"
+#include "kernel/territory.hpp"
+
+namespace mgdt {
+inline namespace MGDT_ISA {
+
+#if defined(MGDT_HAVE_FOUR_ROWS)
+
+// Puts those of four different tetrahedra in whose bits are set; returns which of them were not in
+// before.
+MGDT_ALWAYS_INLINE std::uint32_t put_one_by_one(const MarkTable::View& marks,
+                                                const FacetCode* codes, std::uint32_t which) {
+    std::uint32_t fresh = 0;
+    for (unsigned k = 0; k < 4; ++k) {
+        const std::uint32_t is_in = which >> k & 1;
+        fresh |= (is_in & marks.put(codes[k] >> 2, is_in)) << k;
+    }
+    return opaque(fresh);
+}
+
+// The same.
+MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const FacetCode* codes,
+                                          std::uint32_t which) {
+    const __m128i t = _mm_srli_epi32(_mm_load_si128(reinterpret_cast<const __m128i*>(codes)), 2);
+    const auto entry = [&](unsigned k) { return marks.data + (codes[k] >> 2 & marks.mask); };
+    const auto there = [&](unsigned k) { return static_cast<long long>(*entry(k)); };
+    const __m256i before = _mm256_setr_epi64x(there(0), there(1), there(2), there(3));
+    const __m256i keys = _mm256_or_si256(_mm256_cvtepu32_epi64(t),
+                                         _mm256_set1_epi64x(static_cast<long long>(marks.stamp)));
+
+    // Where another tetrahedron of this insertion stands, or two of the four belong, one after the
+    // other. Of each pair of bits the upper one says that the insertion is this one.
+    const auto equal = static_cast<std::uint32_t>(
+        _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpeq_epi32(before, keys))));
+    const __m128i place = _mm_and_si128(t, _mm_set1_epi32(static_cast<int>(marks.mask)));
+    const __m128i same = _mm_or_si128(_mm_cmpeq_epi32(place, _mm_shuffle_epi32(place, 0x39)),
+                                      _mm_cmpeq_epi32(place, _mm_shuffle_epi32(place, 0x4E)));
+    const std::uint32_t taken = equal & ~(equal << 1) & 0xAAu;
+    if (MGDT_UNLIKELY(
+            (taken | static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(same)))) != 0))
+        return put_one_by_one(marks, codes, which);
+
+    const auto is_in = static_cast<std::uint32_t>(
+        _mm256_movemask_pd(_mm256_castsi256_pd(_mm256_cmpeq_epi64(before, keys))));
+    const __m256i chosen = _mm256_sllv_epi64(_mm256_set1_epi64x(static_cast<long long>(which)),
+                                             _mm256_setr_epi64x(63, 62, 61, 60));
+    const __m256i after = _mm256_castpd_si256(_mm256_blendv_pd(
+        _mm256_castsi256_pd(before), _mm256_castsi256_pd(keys), _mm256_castsi256_pd(chosen)));
+    *entry(0) = static_cast<std::uint64_t>(_mm256_extract_epi64(after, 0));
+    *entry(1) = static_cast<std::uint64_t>(_mm256_extract_epi64(after, 1));
+    *entry(2) = static_cast<std::uint64_t>(_mm256_extract_epi64(after, 2));
+    *entry(3) = static_cast<std::uint64_t>(_mm256_extract_epi64(after, 3));
+    return which & ~is_in;
+}
+
+#endif
+
+}  // namespace MGDT_ISA
+}  // namespace mgdt
