@@ -20,7 +20,7 @@ from not_covered import NOT_COVERED
 # tests/not_covered.py says why not.
 COMPLETE = ("kernel", "predicates")
 # Per cent of lines and of branches of all that are reached, less what depends on chance; they only go up.
-FLOORS = {"src": (96.0, 91.5)}
+FLOORS = {"src": (97.5, 92.8)}
 
 
 def within(path, source):

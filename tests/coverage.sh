@@ -94,8 +94,8 @@ if [ $report = no ]; then
         MGDT_ISA=$isa meson test -C $folder --no-rebuild --num-processes "$jobs" --print-errorlogs \
             --timeout-multiplier 8 --no-suite script $(printf -- '--suite %s ' $suites) || status=1
     done
-    # They limit what a process may write and how long it may take, which a profile does not keep to:
-    # how they end says nothing here.
+    # They limit how long a process may take, which one that counts does not keep to: how they end says
+    # nothing here.
     meson test -C $folder --no-rebuild --num-processes "$jobs" --timeout-multiplier 8 \
         program 'bench program' >$folder/program.log 2>&1
     # A profile that was cut short is left out.
