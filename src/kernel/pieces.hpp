@@ -24,17 +24,10 @@ MGDT_ALWAYS_INLINE __m128i with_bits_on_top(std::uint32_t bits) {
 }
 
 #if !defined(MGDT_HAVE_EIGHT_ROWS)
-// For each choice among four words, where their bytes are.
-struct ChosenBytes {
-    constexpr ChosenBytes() : of() {
-        for (unsigned bits = 0; bits < 16; ++bits)
-            for (unsigned k = 0, to = 0; k < 4; ++k)
-                for (unsigned byte = 0; (bits >> k & 1) && byte < 4; ++byte)
-                    of[bits][to++] = static_cast<std::uint8_t>(4 * k + byte);
-    }
-    alignas(16) std::uint8_t of[16][16];
-};
-inline constexpr ChosenBytes chosen_bytes;
+// For each choice among four words, the places of those chosen.
+alignas(16) constexpr std::int32_t chosen_picks[16][4] = {
+    {},  {0},    {1},    {0, 1},    {2},    {0, 2},    {1, 2},    {0, 1, 2},
+    {3}, {0, 3}, {1, 3}, {0, 1, 3}, {2, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 2, 3}};
 #endif
 
 // Writes those of four words whose bits are set, and anything in what is left of 16 bytes.
@@ -43,8 +36,8 @@ MGDT_ALWAYS_INLINE void append(std::uint32_t* to, const std::uint32_t* words, st
 #if defined(MGDT_HAVE_EIGHT_ROWS)
     w = _mm_maskz_compress_epi32(static_cast<__mmask8>(bits), w);
 #else
-    w = _mm_shuffle_epi8(w,
-                         _mm_load_si128(reinterpret_cast<const __m128i*>(chosen_bytes.of[bits])));
+    const __m128i pick = _mm_load_si128(reinterpret_cast<const __m128i*>(chosen_picks[bits]));
+    w = _mm_castps_si128(_mm_permutevar_ps(_mm_castsi128_ps(w), pick));
 #endif
     _mm_storeu_si128(reinterpret_cast<__m128i*>(to), w);
 }
