@@ -3,7 +3,7 @@
 //
 // One array holds the members, each a tetrahedron and the face it is reached through. The
 // neighbours of one are tested together, and no branch is unpredictable: the outcome moves the ends
-// of the arrays by 0 or 1, and only the rare undecided sign branches. A tetrahedron outside may be
+// of the arrays by 0 to 4, and only the rare undecided sign branches. A tetrahedron outside may be
 // tested through several faces; each is a facet of the boundary.
 //
 // Entering the cavity marks a tetrahedron in its second vertex, so that an insertion can be given
@@ -34,7 +34,7 @@ struct CavityStart {
 template <class Access>
 class CavityFront {
   public:
-    using Four = FourTetrahedra<Access::SphereSource::are_kept, HalfLine>;
+    using Neighbors = FourTetrahedra<Access::SphereSource::are_kept, HalfLine>;
 
     MGDT_ALWAYS_INLINE CavityFront(Access access, Mesh& mesh, Workspace& w, CavityStart start)
         : access_(access),
@@ -69,7 +69,9 @@ class CavityFront {
         }
     }
     MGDT_ALWAYS_INLINE FacetCode member(std::size_t i) const { return cavity_[i]; }
-    MGDT_ALWAYS_INLINE Four four(const FacetCode* codes) const { return tetrahedra_.four(codes); }
+    MGDT_ALWAYS_INLINE Neighbors four(const FacetCode* codes) const {
+        return tetrahedra_.four(codes);
+    }
     // What tells whether a tetrahedron is in.
     MGDT_ALWAYS_INLINE auto membership() const {
         if constexpr (Access::is_shared)
@@ -82,8 +84,7 @@ class CavityFront {
     // Takes those of four facets whose bits are set.
     MGDT_ALWAYS_INLINE void add_boundary(const FacetCode* codes, std::uint32_t outside) {
 #if defined(MGDT_HAVE_FOUR_ROWS)
-        append(boundary_ + facets, codes, outside);
-        facets += static_cast<unsigned>(__builtin_popcount(outside));
+        facets += append(boundary_ + facets, codes, outside);
 #else
         for (unsigned k = 0; k < 4; ++k) {
             boundary_[facets] = codes[k];
@@ -93,15 +94,15 @@ class CavityFront {
     }
     // Takes in those of four tetrahedra, reached through these facets, whose bits are set, unless
     // they are in already; without a branch.
-    MGDT_ALWAYS_INLINE void take(const Four& four, const FacetCode* codes, std::uint32_t conflict) {
+    MGDT_ALWAYS_INLINE void take(const Neighbors& four, const FacetCode* codes,
+                                 std::uint32_t conflict) {
 #if defined(MGDT_HAVE_FOUR_ROWS)
         if constexpr (!Access::is_shared) {
             const auto second = [&](unsigned k) { return static_cast<int>(four[k].v[1]); };
             const __m128i before = _mm_setr_epi32(second(0), second(1), second(2), second(3));
             const std::uint32_t fresh =
                 conflict & ~static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(before)));
-            append(cavity_ + members, codes, fresh);
-            members += static_cast<unsigned>(__builtin_popcount(fresh));
+            members += append(cavity_ + members, codes, fresh);
             const __m128i marks = _mm_and_si128(with_bits_on_top(conflict),
                                                 _mm_set1_epi32(static_cast<int>(in_cavity)));
             const __m128i after = _mm_or_si128(before, marks);
@@ -110,9 +111,7 @@ class CavityFront {
             four[2].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 2));
             four[3].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 3));
         } else {
-            const std::uint32_t fresh = put_four(marks_, codes, conflict);
-            append(cavity_ + members, codes, fresh);
-            members += static_cast<unsigned>(__builtin_popcount(fresh));
+            members += append(cavity_ + members, codes, put_four(marks_, codes, conflict));
         }
 #else
         for (unsigned k = 0; k < 4; ++k) take(four[k], codes[k], conflict >> k & 1);

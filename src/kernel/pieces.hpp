@@ -30,8 +30,10 @@ alignas(16) constexpr std::int32_t chosen_picks[16][4] = {
     {3}, {0, 3}, {1, 3}, {0, 1, 3}, {2, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 2, 3}};
 #endif
 
-// Writes those of four words whose bits are set, and anything in what is left of 16 bytes.
-MGDT_ALWAYS_INLINE void append(std::uint32_t* to, const std::uint32_t* words, std::uint32_t bits) {
+// Writes those of four words whose bits are set, and anything in what is left of 16 bytes. Returns
+// how many they are.
+MGDT_ALWAYS_INLINE unsigned append(std::uint32_t* to, const std::uint32_t* words,
+                                   std::uint32_t bits) {
     __m128i w = _mm_load_si128(reinterpret_cast<const __m128i*>(words));
 #if defined(MGDT_HAVE_EIGHT_ROWS)
     w = _mm_maskz_compress_epi32(static_cast<__mmask8>(bits), w);
@@ -40,6 +42,7 @@ MGDT_ALWAYS_INLINE void append(std::uint32_t* to, const std::uint32_t* words, st
     w = _mm_castps_si128(_mm_permutevar_ps(_mm_castsi128_ps(w), pick));
 #endif
     _mm_storeu_si128(reinterpret_cast<__m128i*>(to), w);
+    return static_cast<unsigned>(__builtin_popcount(bits));
 }
 
 // outer_face in the first three places.

@@ -4,7 +4,7 @@
 
 #include "kernel/circumsphere.hpp"
 
-#if defined(__AVX2__) && defined(__FMA__)
+#if defined(__AVX2__) && defined(__FMA__) && defined(__x86_64__)
 #define MGDT_HAVE_FOUR_ROWS 1
 #include <immintrin.h>
 

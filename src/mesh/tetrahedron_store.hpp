@@ -30,20 +30,20 @@ struct FourTetrahedra {
 template <bool has_spheres, class Half>
 struct TetrahedronView {
     MGDT_ALWAYS_INLINE auto& operator[](std::size_t t) const noexcept {
-        return lines[has_spheres ? 2 * t : t].tetrahedron;
+        return line(t)->tetrahedron;
     }
     MGDT_ALWAYS_INLINE auto& sphere(std::size_t t) const noexcept {
         static_assert(has_spheres);
-        return lines[2 * t + 1].sphere;
+        return line(t)[1].sphere;
     }
     // Each given by any of its facets.
     MGDT_ALWAYS_INLINE FourTetrahedra<has_spheres, Half> four(
         const FacetCode* codes) const noexcept {
-        const auto line = [&](unsigned k) {
-            const std::size_t t = codes[k] >> 2;
-            return lines + (has_spheres ? 2 * t : t);
-        };
-        return {{line(0), line(1), line(2), line(3)}};
+        return {
+            {line(codes[0] >> 2), line(codes[1] >> 2), line(codes[2] >> 2), line(codes[3] >> 2)}};
+    }
+    MGDT_ALWAYS_INLINE Half* line(std::size_t t) const noexcept {
+        return lines + (has_spheres ? 2 * t : t);
     }
     Half* lines;
 };

@@ -144,36 +144,6 @@ TEST(Kernels, LargeStarsAloneAndAmongOthers) {
     EXPECT_FALSE(expected.empty());
 }
 
-// What is in the set, and nothing of what was in it before, however it grows.
-TEST(MarkTable, HasWhatWasPutIn) {
-    Allocator allocator;
-    MarkTable marks(allocator);
-    for (const std::size_t count :
-         {std::size_t{1}, std::size_t{250}, std::size_t{1000}, std::size_t{3}}) {
-        marks.begin(count);
-        std::vector<FacetCode> members;
-        MarkTable::View view = marks.view();
-        for (std::size_t i = 0; i < count; ++i) {
-            // Few hashes, so that many meet.
-            const TetId t = static_cast<TetId>(1 + 4096 * (i / 4) + i % 4);
-            EXPECT_FALSE(view.has(t));
-            EXPECT_EQ(view.put(t, 0), 1u);
-            EXPECT_FALSE(view.has(t));
-            EXPECT_EQ(view.put(t, 1), 1u);
-            EXPECT_TRUE(view.has(t));
-            EXPECT_EQ(view.put(t, 1), 0u);
-            members.push_back(4 * t + 1);
-        }
-        for (const std::size_t room : {count, 2 * count + 300}) {
-            marks.grow(room, members.data(), members.size());
-            view = marks.view();
-            for (const FacetCode code : members) EXPECT_TRUE(view.has(code >> 2)) << room;
-            EXPECT_FALSE(view.has(0));
-            EXPECT_FALSE(view.has(members.back() / 4 + 1));
-        }
-    }
-}
-
 // Slots that are free in the mesh are taken before fresh ones, no slot twice, and what is left goes
 // back.
 TEST(Territory, TakesFreeSlotsFirst) {

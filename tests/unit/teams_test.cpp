@@ -92,9 +92,9 @@ TEST(DisjointSets, AreJoinedByManyAtOnce) {
 // Sizes on both sides of those from which one more member gets a part, of points that lie evenly,
 // that crowd, and that are few but come often.
 TEST(Schedules, AreThoseOfOneThread) {
-    constexpr std::size_t share = 65536;
+    constexpr std::size_t share = 65536;  // half of it for kd-trees
     std::vector<std::size_t> sizes = {2 * share};
-    if (!is_small()) sizes = {2 * share - 1, 3 * share + 7};
+    if (!is_small()) sizes = {share - 1, share, 2 * share - 1, 3 * share + 7};
     for (const std::size_t n : sizes) {
         Coordinates often = uniform(n);
         for (double& x : often) x = std::floor(8 * x);
@@ -109,6 +109,20 @@ TEST(Schedules, AreThoseOfOneThread) {
                 EXPECT_TRUE(schedule(point_set(xyz), scheme, {}, nullptr, 3) == expected)
                     << n << ' ' << set << ' ' << schemes.at(scheme);
             }
+        }
+    }
+}
+
+// Fewer cells than regions that the members would take.
+TEST(Schedules, OfFewCellsAreThoseOfOneThread) {
+    const Coordinates xyz = noisy_line(100000);
+    for (const double cells : {1.0, 2.0, 4.0, 8.0, 16.0, 32.0}) {
+        OrderParameters parameters;
+        parameters.points_per_cell = 100000 / cells;
+        for (const std::int32_t scheme : {MGDT_ORDER_KD_TREE, MGDT_ORDER_ENHANCED_KD_TREE}) {
+            const Result expected = schedule(point_set(xyz), scheme, parameters);
+            EXPECT_TRUE(schedule(point_set(xyz), scheme, parameters, nullptr, 3) == expected)
+                << cells << ' ' << schemes.at(scheme);
         }
     }
 }
