@@ -164,7 +164,6 @@ TEST(Perturbation, AgreesWithItsDefinition) {
     EXPECT_GT(ties, 5);
 }
 
-// The answer depends on the tetrahedron, not on how its vertices are numbered.
 // Integers of 64 bits say 0 of a vertex, and nothing of what they cannot hold.
 TEST(Perturbation, OfWholeNumbers) {
     const double a[3] = {0, 0, 0}, b[3] = {4, 0, 0}, c[3] = {0, 4, 0}, d[3] = {0, 0, 4};
@@ -174,6 +173,7 @@ TEST(Perturbation, OfWholeNumbers) {
     EXPECT_EQ(mgdt::exact::perturbed_whole(a, b, c, d, far), mgdt::exact::undecided);
 }
 
+// The answer depends on the tetrahedron, not on how its vertices are numbered.
 TEST(Perturbation, IgnoresEvenPermutations) {
     Random r(14);
     for (int i = 0; i < reference::cases(300); ++i) {
