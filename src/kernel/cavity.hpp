@@ -49,7 +49,11 @@ class CavityFront {
             // It is entered through no face; face 0 stands in.
             for (unsigned i = 1; i < 4; ++i) w.first_corners[i] = t.v[i];
             w.first_corners[0] = t.v[1];
-            take(tetrahedra_[start.tetrahedron], 4 * start.tetrahedron, 1);
+            cavity_[members++] = 4 * start.tetrahedron;
+            if constexpr (Access::is_shared)
+                marks_.put(start.tetrahedron, 1);
+            else
+                tetrahedra_[start.tetrahedron].v[1] |= in_cavity;
             return;
         }
         // Seen from its neighbours, t is outside. With two of them all its vertices are corners.
@@ -83,39 +87,18 @@ class CavityFront {
     MGDT_ALWAYS_INLINE void abandon() const { give_up(mesh_, workspace_, members); }
     // Takes those of four facets whose bits are set.
     MGDT_ALWAYS_INLINE void add_boundary(const FacetCode* codes, std::uint32_t outside) {
-#if defined(MGDT_HAVE_FOUR_ROWS)
         facets += append(boundary_ + facets, codes, outside);
-#else
-        for (unsigned k = 0; k < 4; ++k) {
-            boundary_[facets] = codes[k];
-            facets += outside >> k & 1;
-        }
-#endif
     }
     // Takes in those of four tetrahedra, reached through these facets, whose bits are set, unless
-    // they are in already; without a branch.
+    // they are in already.
     MGDT_ALWAYS_INLINE void take(const Neighbors& four, const FacetCode* codes,
                                  std::uint32_t conflict) {
-#if defined(MGDT_HAVE_FOUR_ROWS)
-        if constexpr (!Access::is_shared) {
-            const auto second = [&](unsigned k) { return static_cast<int>(four[k].v[1]); };
-            const __m128i before = _mm_setr_epi32(second(0), second(1), second(2), second(3));
-            const std::uint32_t fresh =
-                conflict & ~static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(before)));
-            members += append(cavity_ + members, codes, fresh);
-            const __m128i marks = _mm_and_si128(with_bits_on_top(conflict),
-                                                _mm_set1_epi32(static_cast<int>(in_cavity)));
-            const __m128i after = _mm_or_si128(before, marks);
-            four[0].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 0));
-            four[1].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 1));
-            four[2].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 2));
-            four[3].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 3));
-        } else {
-            members += append(cavity_ + members, codes, put_four(marks_, codes, conflict));
-        }
-#else
-        for (unsigned k = 0; k < 4; ++k) take(four[k], codes[k], conflict >> k & 1);
-#endif
+        std::uint32_t fresh;
+        if constexpr (Access::is_shared)
+            fresh = put_four(marks_, codes, conflict);
+        else
+            fresh = mark_four(four, conflict);
+        members += append(cavity_ + members, codes, fresh);
     }
     // `whole`: members of which all four neighbours were tested, and not three.
     MGDT_ALWAYS_INLINE void finish(std::size_t whole) const {
@@ -127,18 +110,6 @@ class CavityFront {
     std::size_t members = 0, facets = 0;
 
   private:
-    MGDT_ALWAYS_INLINE void take(Tetrahedron& t, FacetCode code, std::uint32_t is_in) {
-        cavity_[members] = code;
-        if constexpr (Access::is_shared) {
-            members += opaque(is_in & marks_.put(code >> 2, is_in));
-        } else {
-            // The bit goes to where the mark is.
-            const VertexId second = t.v[1];
-            const std::uint32_t mark = opaque(is_in << 31);
-            members += (mark & ~second) >> 31;
-            t.v[1] = second | mark;
-        }
-    }
     MGDT_ALWAYS_INLINE void point_to_arrays() {
         cavity_ = workspace_.cavity.data;
         boundary_ = workspace_.boundary.data;

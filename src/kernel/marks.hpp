@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Marks of a cavity that is dug among other threads, four at a time.
+// Marks of the members of a cavity, put on four different tetrahedra at a time without a branch: in
+// the tetrahedra themselves, or, among other threads, in a table of the thread's own.
 #pragma once
 
 #include "kernel/pieces.hpp"
@@ -8,10 +9,8 @@
 namespace mgdt {
 inline namespace MGDT_ISA {
 
-#if defined(MGDT_HAVE_FOUR_ROWS)
-
-// Puts those of four different tetrahedra in whose bits are set; returns which of them were not in
-// before. A view by value, which stays in registers elsewhere.
+// Puts those in whose bits are set; returns which of them were not in before. A view by value,
+// which stays in registers elsewhere.
 inline std::uint32_t put_one_by_one(MarkTable::View marks, const FacetCode* codes,
                                     std::uint32_t which) {
     std::uint32_t fresh = 0;
@@ -21,6 +20,8 @@ inline std::uint32_t put_one_by_one(MarkTable::View marks, const FacetCode* code
     }
     return fresh;
 }
+
+#if defined(MGDT_HAVE_FOUR_ROWS)
 
 // The same.
 MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const FacetCode* codes,
@@ -55,6 +56,47 @@ MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const Fa
     *entry(2) = static_cast<std::uint64_t>(_mm256_extract_epi64(after, 2));
     *entry(3) = static_cast<std::uint64_t>(_mm256_extract_epi64(after, 3));
     return which & ~is_in;
+}
+
+// Four words, the k-th with bit k on top.
+MGDT_ALWAYS_INLINE __m128i with_bits_on_top(std::uint32_t bits) {
+    return _mm_sllv_epi32(_mm_set1_epi32(static_cast<int>(bits)), _mm_setr_epi32(31, 30, 29, 28));
+}
+
+// Marks those whose bits are set; returns which of them had no mark before.
+template <class Tetrahedra>
+MGDT_ALWAYS_INLINE std::uint32_t mark_four(const Tetrahedra& four, std::uint32_t which) {
+    const auto second = [&](unsigned k) { return static_cast<int>(four[k].v[1]); };
+    const __m128i before = _mm_setr_epi32(second(0), second(1), second(2), second(3));
+    const auto marked = static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(before)));
+    const __m128i marks =
+        _mm_and_si128(with_bits_on_top(which), _mm_set1_epi32(static_cast<int>(in_cavity)));
+    const __m128i after = _mm_or_si128(before, marks);
+    four[0].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 0));
+    four[1].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 1));
+    four[2].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 2));
+    four[3].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 3));
+    return which & ~marked;
+}
+
+#else
+
+// The same.
+MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const FacetCode* codes,
+                                          std::uint32_t which) {
+    return put_one_by_one(marks, codes, which);
+}
+
+// Marks those whose bits are set; returns which of them had no mark before.
+template <class Tetrahedra>
+MGDT_ALWAYS_INLINE std::uint32_t mark_four(const Tetrahedra& four, std::uint32_t which) {
+    std::uint32_t marked = 0;
+    for (unsigned k = 0; k < 4; ++k) {
+        const VertexId second = four[k].v[1];
+        marked |= second >> 31 << k;
+        four[k].v[1] = second | (opaque(which >> k) << 31);
+    }
+    return which & ~marked;
 }
 
 #endif

@@ -18,11 +18,6 @@ MGDT_ALWAYS_INLINE std::uint32_t opaque(std::uint32_t x) {
 
 #if defined(MGDT_HAVE_FOUR_ROWS)
 
-// Four words, the k-th with bit k on top.
-MGDT_ALWAYS_INLINE __m128i with_bits_on_top(std::uint32_t bits) {
-    return _mm_sllv_epi32(_mm_set1_epi32(static_cast<int>(bits)), _mm_setr_epi32(31, 30, 29, 28));
-}
-
 #if !defined(MGDT_HAVE_EIGHT_ROWS)
 // For each choice among four words, the places of those chosen.
 alignas(16) constexpr std::int32_t chosen_picks[16][4] = {
@@ -63,6 +58,18 @@ MGDT_ALWAYS_INLINE const VertexId* write_vertices(const Tetrahedron& outside, Fa
 }
 
 #else
+
+// Writes those of four words whose bits are set, and anything in what is left of 16 bytes. Returns
+// how many they are.
+MGDT_ALWAYS_INLINE unsigned append(std::uint32_t* to, const std::uint32_t* words,
+                                   std::uint32_t bits) {
+    unsigned count = 0;
+    for (unsigned k = 0; k < 4; ++k) {
+        to[count] = words[k];
+        count += bits >> k & 1;
+    }
+    return count;
+}
 
 MGDT_ALWAYS_INLINE const VertexId* write_vertices(const Tetrahedron& outside, FacetCode code,
                                                   VertexId q, Tetrahedron& out) {
