@@ -12,7 +12,7 @@ HERE = Path(__file__).resolve().parent
 COLUMNS = (
     "library,version,distribution,points,seed,scheme,threads,run,status,np,nr,created,"
     "order_seconds,insert_seconds,total_seconds,bytes_per_point,peak_rss_bytes,inserted,"
-    "duplicates,tetrahedra,levels,rounds"
+    "duplicates,tetrahedra,levels,rounds,system_seconds"
 ).split(",")
 MEASURED = COLUMNS[COLUMNS.index("np") :]
 # Rows that differ in these alone are runs of one thing, and one row of medians.
@@ -103,7 +103,8 @@ class Study:
             if key in self.ours:
                 sys.exit(f"report.py: {figures}: {' '.join(map(str, key))} is there twice")
             self.ours[key] = entry(
-                row, "order_seconds", "insert_seconds", status=row["status"], runs=int(row["run"])
+                row, "order_seconds", "insert_seconds", status=row["status"], runs=int(row["run"]),
+                system=number(row["system_seconds"]),
             )
         with open(paper, newline="", encoding="utf-8") as file:
             for row in csv.DictReader(file):

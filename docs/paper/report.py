@@ -187,18 +187,24 @@ def linear(study):
         known = [(n, study.ours[kind, n, "auto"]) for n in default_sizes(study, kind)]
         known = [(n, e) for n, e in known if e.total is not None]
         if not known:
-            rows.append([kind] + [NOT_RUN] + ["-"] * 6)
+            rows.append([kind] + [NOT_RUN] + ["-"] * 8)
             continue
-        (least, first), (most, last) = known[0], known[-1]
-        each = [1e6 * e.insert / n for n, e in (known[0], known[-1])]
+        (least, first), (most, last) = ends = known[0], known[-1]
+        each = [1e6 * e.insert / n for n, e in ends]
+        system, own = "-", "-"
+        if first.system is not None and last.system is not None:
+            # What the program itself did, order and all.
+            system = short(1e6 * last.system / most)
+            own = grown(*((e.total - e.system) / n for n, e in ends))
         theirs = [study.paper.get((kind, n, "multi-grid")) for n in (least, most)]
         rows.append(
-            [kind, count(least), short(each[0]), count(most), short(each[1])]
-            + [grown(*each)]
+            [kind, count(least), short(each[0]), count(most), short(each[1]), grown(*each)]
+            + [system, own]
             + [grown(*(e.insert / e.points for e in theirs)) if all(theirs) else "-"]
             + [f"{100 * last.order / last.total:.1f}%"]
         )
     heading = ["", "points", "µs a point", "points", "µs a point", "growth"]
+    heading += ["the system's µs of it", "growth without"]
     heading += ["the paper's multi-grid", "grid, share of time"]
     return table(heading, rows)
 

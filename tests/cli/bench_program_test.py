@@ -22,7 +22,7 @@ import cli_test  # noqa: E402  (its tests do not run here)
 
 COLUMNS = ("library,version,distribution,points,seed,scheme,threads,run,status,np,nr,created,"
            "order_seconds,insert_seconds,total_seconds,bytes_per_point,peak_rss_bytes,inserted,"
-           "duplicates,tetrahedra,levels,rounds")
+           "duplicates,tetrahedra,levels,rounds,system_seconds")
 # Walks from end to end of the line at each point, which takes seconds: time enough to interfere.
 SLOW = ["--distributions", "line", "--sizes", "60000", "--schemes", "random,auto", "--runs", "1"]
 
@@ -101,6 +101,10 @@ class Tables(BenchTest):
             spent = float(r["order_seconds"]) + float(r["insert_seconds"])
             self.assertGreater(spent, 0)
             self.assertLessEqual(spent, float(r["total_seconds"]))
+            # Of all threads, and counted in ticks.
+            self.assertGreaterEqual(float(r["system_seconds"]), 0)
+            self.assertLess(float(r["system_seconds"]),
+                            int(r["threads"]) * float(r["total_seconds"]) + 0.02)
             self.assertGreater(float(r["bytes_per_point"]), 300)
             self.assertGreater(float(r["peak_rss_bytes"]), 300 * int(r["points"]))
             self.assertEqual(int(r["inserted"]) + int(r["duplicates"]), int(r["points"]))

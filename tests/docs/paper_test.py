@@ -23,7 +23,7 @@ PAPER = SOURCE / "docs" / "paper"
 HEADING = (
     "library,version,distribution,points,seed,scheme,threads,run,status,np,nr,created,order_seconds,"
     "insert_seconds,total_seconds,bytes_per_point,peak_rss_bytes,inserted,duplicates,tetrahedra,"
-    "levels,rounds"
+    "levels,rounds,system_seconds"
 )
 
 
@@ -126,7 +126,9 @@ class Document(unittest.TestCase):
     def test_medians_ratios_and_growth(self):
         blocks = self.of(
             *[line("line", 400000, "multi-grid", t, run=r) for r, t in ((1, 1.0), (2, 9.0), (3, 2.0))],
-            line("line", 400000, "auto", 0.5), line("line", 800000, "auto", 3.0, nr=23.456),
+            line("line", 400000, "auto", 0.5, system_seconds=0.1),
+            line("line", 800000, "auto", 3.0, nr=23.456, system_seconds=1.4),
+            line("ellipse", 400000, "auto", 1.0), line("ellipse", 800000, "auto", 3.0),
         )
         table = blocks["table 3"]
         ratio = self.cells(table, "time / multi-grid's", "0.4M")
@@ -136,7 +138,8 @@ class Document(unittest.TestCase):
         self.assertEqual(self.cells(table, "NP", "0.4M")[0], "212 / not run")
         self.assertEqual(self.cells(table, "NR", "0.8M")[-1], "23.5")
         # Of the paper's multi-grid: 3.85 s for 0.4M and 8.3 s for 0.8M.
-        self.assertRegex(blocks["linear"], r"\| line .*\| \+200% \| \+8% \| 10.0% \|")
+        self.assertRegex(blocks["linear"], r"\| line .*\| \+200% \| 1.75 \| \+100% \| \+8% \| 10.0% \|")
+        self.assertRegex(blocks["linear"], r"\| ellipse .*\| \+50% \| - \| - \|")
         self.assertIn("| line | 0.8M | 28.9 | 9.06 | 2.00 | 19.0 | 38.3 | 23.5 |", blocks["summary"])
         self.assertIn("| uniform | not run |", blocks["summary"])
         self.assertIn("Abacus, 3 cores, 8 GiB", blocks["header"])

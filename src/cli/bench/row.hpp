@@ -25,6 +25,7 @@ enum Figure : std::size_t {
     tetrahedra,
     levels,
     rounds,
+    system_seconds,  // of the total, those that the system took, for pages above all
     figure_count
 };
 
@@ -40,7 +41,8 @@ inline constexpr std::array<const char*, figure_count> figure_names{"np",
                                                                     "duplicates",
                                                                     "tetrahedra",
                                                                     "levels",
-                                                                    "rounds"};
+                                                                    "rounds",
+                                                                    "system_seconds"};
 
 // What a library does not tell is empty.
 using Figures = std::array<std::optional<double>, figure_count>;

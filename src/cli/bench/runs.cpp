@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -41,7 +42,15 @@ struct Reporter {
     }
 };
 
-Figures figures_of(const mgdt_triangulation* t, double seconds) {
+// What the system spent on this process so far.
+double system_time() {
+    rusage usage = {};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_stime.tv_sec) +
+           1e-6 * static_cast<double>(usage.ru_stime.tv_usec);
+}
+
+Figures figures_of(const mgdt_triangulation* t, double seconds, double system) {
     const auto stat = [t](std::int32_t key) {
         double value = 0;
         mgdt_get_stat(t, key, &value);
@@ -57,6 +66,7 @@ Figures figures_of(const mgdt_triangulation* t, double seconds) {
     f[order_seconds] = stat(MGDT_STAT_ORDER_SECONDS);
     f[insert_seconds] = stat(MGDT_STAT_INSERT_SECONDS);
     f[total_seconds] = seconds;
+    f[system_seconds] = system;
     if (const std::int64_t n = mgdt_point_count(t); n > 0) {
         f[bytes_per_point] = stat(MGDT_STAT_PEAK_MEMORY_BYTES) / static_cast<double>(n);
     }
@@ -76,12 +86,14 @@ void triangulate_in_child(int out, const PointSet& set, const Row& row) {
     options.threads = row.threads;
     options.seed = row.seed;
     Reporter reporter{out, steady_clock::now()};
+    const double system_before = system_time();
     const auto begin = steady_clock::now();
     Triangulation t(options);
     t.insert(points, row.distribution, Reporter::report, &reporter);
     const double seconds = duration<double>(steady_clock::now() - begin).count();
+    const double system = system_time() - system_before;
     std::string line = figures_word;
-    for (const std::optional<double>& figure : figures_of(t.get(), seconds)) {
+    for (const std::optional<double>& figure : figures_of(t.get(), seconds, system)) {
         line += figure ? fmt::format(" {}", *figure) : std::string(" ") + no_figure;
     }
     send(out, line);
