@@ -40,12 +40,6 @@ struct Triangulation::Batch {
         }
     }
 
-    // Asks for the lines of point i ahead of get(i).
-    void prefetch(std::size_t i) const {
-        for (const double* axis : points.axis)
-            mgdt::prefetch(axis + static_cast<std::ptrdiff_t>(i) * points.stride);
-    }
-
     // The caller's index of point i, counted from 0.
     std::uint32_t index(std::size_t i) const {
         return indices.empty() ? static_cast<std::uint32_t>(first_index + i) : indices[i];

@@ -73,7 +73,7 @@ void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule
         constexpr std::size_t ahead = 24;
         bool found = false;
         for (std::size_t k = begin; k < end; ++k) {
-            if (k + ahead < end) batch.prefetch(schedule.order[k + ahead]);
+            if (k + ahead < end) batch.points.prefetch(schedule.order[k + ahead]);
             const std::uint32_t i = schedule.order[k];
             Vertex& v = mesh_.vertices[base + k];
             batch.get(i, v.x);

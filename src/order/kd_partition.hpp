@@ -65,7 +65,7 @@ void kd_partition(Team& team, Buffer<KdPoint>& points, const Box& box, unsigned 
     using kd_detail::Region;
     constexpr std::size_t share = 32768;
     const unsigned members = team.members_for(points.size(), share);
-    // Level by level to some regions a member, which it then divides alone. They are far from empty.
+    // Level by level to some regions a member, which it then divides alone. None is near empty.
     Buffer<Region> regions(points.allocator(), 1), next(points.allocator());
     regions[0] = {0, points.size(), box};
     for (; levels > 0 && members > 1 && regions.size() < std::size_t{4} * members; --levels) {

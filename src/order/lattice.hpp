@@ -41,9 +41,11 @@ inline Box box_of(const PointSet& points) noexcept {
 // Of n >= 1 points chosen by `index(j)`, 0 <= j < n.
 template <class Index>
 Box box_of(const PointSet& points, std::size_t n, Index index) noexcept {
+    constexpr std::size_t ahead = 16;
     Box box;
     for (int k = 0; k < 3; ++k) box.low[k] = box.high[k] = points.coordinate(index(0), k);
     for (std::size_t j = 1; j < n; ++j) {
+        if (j + ahead < n) points.prefetch(index(j + ahead));
         const std::size_t i = index(j);
         const double p[3] = {points.coordinate(i, 0), points.coordinate(i, 1),
                              points.coordinate(i, 2)};

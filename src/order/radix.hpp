@@ -7,6 +7,8 @@
 #include <cstring>
 #include <utility>
 
+#include "platform/cpu.hpp"
+
 namespace mgdt {
 
 struct KeyedIndex {
@@ -46,6 +48,7 @@ namespace radix_detail {
 
 inline constexpr unsigned digit_bits = 11;
 inline constexpr unsigned most_digits = 4;
+inline constexpr std::size_t few = 24;  // an insertion sort is faster
 
 struct Counters {
     std::uint32_t of_digit[most_digits][1u << digit_bits];
@@ -99,7 +102,6 @@ Record* least_digit_first(Record* a, Record* b, std::size_t n, unsigned low, uns
 template <class Record>
 void sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high,
           Counters& counters) noexcept {
-    constexpr std::size_t few = 24;
     if (n <= few) {
         insertion_sort(a, n);
         return;
@@ -123,6 +125,15 @@ void sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high
     }
 }
 
+// Apart from what sorts the few, of which there may be millions: this frame is large, and a stack
+// that is protected is touched all over.
+template <class Record>
+MGDT_NOT_INLINE void sort_many(Record* a, Record* scratch, std::size_t n, unsigned low,
+                               unsigned high) noexcept {
+    Counters counters;
+    sort(a, scratch, n, low, high, counters);
+}
+
 }  // namespace radix_detail
 
 // Sorts n < 2^32 records by bits low..high-1 of their keys; higher bits are the same in all of
@@ -131,8 +142,11 @@ void sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high
 // `scratch` has room for n records. With low = 0, records of equal keys keep their order.
 template <class Record>
 void radix_sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high) noexcept {
-    radix_detail::Counters counters;
-    radix_detail::sort(a, scratch, n, low, high, counters);
+    if (n <= radix_detail::few) {
+        insertion_sort(a, n);
+        return;
+    }
+    radix_detail::sort_many(a, scratch, n, low, high);
 }
 
 }  // namespace mgdt

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "parallel/team.hpp"
+#include "platform/cpu.hpp"
 #include "platform/memory.hpp"
 
 namespace mgdt {
@@ -25,6 +26,10 @@ struct PointSet {
 
     double coordinate(std::size_t i, int k) const noexcept {
         return axis[k][static_cast<std::ptrdiff_t>(i) * stride] * scale;
+    }
+    // Asks for the lines of a point.
+    void prefetch(std::size_t i) const noexcept {
+        for (const double* a : axis) mgdt::prefetch(a + static_cast<std::ptrdiff_t>(i) * stride);
     }
 };
 

@@ -6,11 +6,13 @@
 
 #if defined(__GNUC__)
 #define MGDT_ALWAYS_INLINE inline __attribute__((always_inline))
+#define MGDT_NOT_INLINE __attribute__((noinline))
 #define MGDT_LIKELY(condition) __builtin_expect(!!(condition), 1)
 #define MGDT_UNLIKELY(condition) __builtin_expect(!!(condition), 0)
 #define MGDT_MAY_DIVIDE_BY_ZERO __attribute__((no_sanitize("float-divide-by-zero")))
 #else
 #define MGDT_ALWAYS_INLINE inline
+#define MGDT_NOT_INLINE
 #define MGDT_LIKELY(condition) (condition)
 #define MGDT_UNLIKELY(condition) (condition)
 #define MGDT_MAY_DIVIDE_BY_ZERO
