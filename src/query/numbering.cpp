@@ -8,7 +8,10 @@ namespace mgdt {
 
 // All slots but the free ones and the ghosts: no pass over the records.
 Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team)
-    : bits_(allocator), ranks_(allocator), rank_(allocator) {
+    : bits_(allocator),
+      ranks_(allocator),
+      by_slot_(allocator),
+      is_canonical_(canonical && mesh.finite_count() > 0) {
     const std::size_t slots = mesh.tetrahedra.size(), words = (slots + 63) / 64;
     bits_.resize(words, ~std::uint64_t{0});
     if (slots % 64 != 0) bits_[words - 1] = (std::uint64_t{1} << slots % 64) - 1;
@@ -27,7 +30,16 @@ Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Tea
         ranks_[word] = size;
         size += popcount(bits_[word]);
     }
-    if (canonical && size != 0) sort(mesh, team);
+    // In a small set there are ghosts everywhere, and 4 bytes a slot stay in the nearest cache.
+    constexpr std::size_t few_slots = 16384;
+    if (!is_canonical_ && slots > few_slots) return;
+    by_slot_.resize(slots, no_index);
+    if (is_canonical_)
+        sort(mesh, team);
+    else
+        for_each(0, words, [&](TetId t, std::size_t number) {
+            by_slot_[t] = static_cast<std::uint32_t>(number);
+        });
 }
 
 void Numbering::sort(const Mesh& mesh, Team& team) {
@@ -52,11 +64,10 @@ void Numbering::sort(const Mesh& mesh, Team& team) {
             f(index(0), Rest{std::uint64_t{index(1)} << 32 | index(2), index(3), id});
         });
     };
-    rank_.resize(mesh.tetrahedra.size());
     constexpr std::size_t share = 1024;
     canonical_sort<Rest>(team, allocator, stretches(), share, indices.end(), each,
                          [&](std::size_t, std::size_t place, const Rest& rest) {
-                             rank_[rest.t] = static_cast<std::uint32_t>(place);
+                             by_slot_[rest.t] = static_cast<std::uint32_t>(place);
                          });
 }
 

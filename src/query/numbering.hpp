@@ -40,11 +40,14 @@ class Numbering {
   public:
     Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team);
 
-    bool is_canonical() const noexcept { return !rank_.empty(); }
+    bool is_canonical() const noexcept { return is_canonical_; }
     bool is_finite(TetId t) const noexcept { return (bits_[t >> 6] >> (t & 63) & 1) != 0; }
+    // Whether there is a number for each slot, to be had at once, no_index where there is none.
+    bool is_by_slot() const noexcept { return !by_slot_.empty(); }
+    std::uint32_t number_in(TetId slot) const noexcept { return by_slot_[slot]; }
     // Number of a finite tetrahedron.
     std::size_t rank(TetId t) const noexcept {
-        if (is_canonical()) return rank_[t];
+        if (is_by_slot()) return number_in(t);
         const std::size_t word = t >> 6;
         // Nearly all words are full: what is missing below is counted instead of what is there.
         const std::uint64_t missing = ~bits_[word] & ((std::uint64_t{1} << (t & 63)) - 1);
@@ -59,7 +62,7 @@ class Numbering {
     template <class F>
     void for_each(std::size_t begin, std::size_t end, F f) const {
         if (is_canonical())
-            for_each_slot(begin, end, [&](TetId t) { f(t, std::size_t{rank_[t]}); });
+            for_each_slot(begin, end, [&](TetId t) { f(t, std::size_t{by_slot_[t]}); });
         else if (begin < end)
             for_each_slot(begin, end, [&, number = std::size_t{ranks_[begin]}](TetId t) mutable {
                 f(t, number++);
@@ -83,9 +86,10 @@ class Numbering {
                     f(first + lowest_bit(bits));
         }
     }
-    Buffer<std::uint64_t> bits_;   // which slots hold finite tetrahedra
-    Buffer<std::uint32_t> ranks_;  // number of the first of each word of bits_
-    Buffer<std::uint32_t> rank_;   // canonical only: by slot
+    Buffer<std::uint64_t> bits_;     // which slots hold finite tetrahedra
+    Buffer<std::uint32_t> ranks_;    // number of the first of each word of bits_
+    Buffer<std::uint32_t> by_slot_;  // numbers: canonical ones, or where slots are few
+    const bool is_canonical_;
 };
 
 template <class Indices>
