@@ -204,7 +204,7 @@ def linear(study):
             + [f"{100 * last.order / last.total:.1f}%"]
         )
     heading = ["", "points", "µs a point", "points", "µs a point", "growth"]
-    heading += ["the system's µs of it", "growth without"]
+    heading += ["the system's µs", "growth of all without"]
     heading += ["the paper's multi-grid", "grid, share of time"]
     return table(heading, rows)
 

@@ -47,9 +47,7 @@ mgdt_status locate_points(const mgdt_triangulation* t, int64_t n, const double* 
         const ExportView view = view_of(team, t, true);
         const auto report = [&](std::size_t i, TetId found) {
             tetrahedra[i] = static_cast<Int>(
-                found == no_tetrahedron
-                    ? base - 1
-                    : static_cast<std::int64_t>(view.numbering->rank(found)) + base);
+                (found == no_tetrahedron ? -1 : view.numbering->number(found)) + base);
             if (!weights) return;
             double* const out = weights + 4 * i;
             std::fill(out, out + 4, 0.0);

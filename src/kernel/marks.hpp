@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Marks of the members of a cavity, put on four different tetrahedra at a time without a branch: in
-// the tetrahedra themselves, or, among other threads, in a table of the thread's own.
+// Marks of the members of a cavity, put on four different tetrahedra at a time without a branch
+// that cannot be foretold: in the tetrahedra themselves, or, among other threads, in a table of the
+// thread's own.
 #pragma once
 
 #include "kernel/pieces.hpp"
@@ -58,19 +59,15 @@ MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const Fa
     return which & ~is_in;
 }
 
-// Four words, the k-th with bit k on top.
-MGDT_ALWAYS_INLINE __m128i with_bits_on_top(std::uint32_t bits) {
-    return _mm_sllv_epi32(_mm_set1_epi32(static_cast<int>(bits)), _mm_setr_epi32(31, 30, 29, 28));
-}
-
 // Marks those whose bits are set; returns which of them had no mark before.
 template <class Tetrahedra>
 MGDT_ALWAYS_INLINE std::uint32_t mark_four(const Tetrahedra& four, std::uint32_t which) {
     const auto second = [&](unsigned k) { return static_cast<int>(four[k].v[1]); };
     const __m128i before = _mm_setr_epi32(second(0), second(1), second(2), second(3));
     const auto marked = static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(before)));
-    const __m128i marks =
-        _mm_and_si128(with_bits_on_top(which), _mm_set1_epi32(static_cast<int>(in_cavity)));
+    const __m128i on_top =
+        _mm_sllv_epi32(_mm_set1_epi32(static_cast<int>(which)), _mm_setr_epi32(31, 30, 29, 28));
+    const __m128i marks = _mm_and_si128(on_top, _mm_set1_epi32(static_cast<int>(in_cavity)));
     const __m128i after = _mm_or_si128(before, marks);
     four[0].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 0));
     four[1].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 1));
@@ -87,7 +84,7 @@ MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const Fa
     return put_one_by_one(marks, codes, which);
 }
 
-// Marks those whose bits are set; returns which of them had no mark before.
+// The same.
 template <class Tetrahedra>
 MGDT_ALWAYS_INLINE std::uint32_t mark_four(const Tetrahedra& four, std::uint32_t which) {
     std::uint32_t marked = 0;

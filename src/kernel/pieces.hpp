@@ -59,8 +59,7 @@ MGDT_ALWAYS_INLINE const VertexId* write_vertices(const Tetrahedron& outside, Fa
 
 #else
 
-// Writes those of four words whose bits are set, and anything in what is left of 16 bytes. Returns
-// how many they are.
+// The same.
 MGDT_ALWAYS_INLINE unsigned append(std::uint32_t* to, const std::uint32_t* words,
                                    std::uint32_t bits) {
     unsigned count = 0;

@@ -129,12 +129,7 @@ struct NeighborNumber {
     const Numbering& numbering;
     Int base;
     MGDT_ALWAYS_INLINE Int operator()(const Tetrahedron& t, unsigned i) const {
-        const TetId neighbor = t.n[i] >> 2;
-        if (numbering.is_by_slot())  // no_index is -1
-            return static_cast<Int>(static_cast<std::int32_t>(numbering.number_in(neighbor))) +
-                   base;
-        return numbering.is_finite(neighbor) ? static_cast<Int>(numbering.rank(neighbor)) + base
-                                             : base - 1;
+        return static_cast<Int>(numbering.number(t.n[i] >> 2)) + base;
     }
 };
 

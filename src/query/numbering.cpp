@@ -7,7 +7,8 @@
 namespace mgdt {
 
 // All slots but the free ones and the ghosts: no pass over the records.
-Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team)
+Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team,
+                     std::size_t few)
     : bits_(allocator),
       ranks_(allocator),
       by_slot_(allocator),
@@ -30,15 +31,13 @@ Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Tea
         ranks_[word] = size;
         size += popcount(bits_[word]);
     }
-    // In a small set there are ghosts everywhere, and 4 bytes a slot stay in the nearest cache.
-    constexpr std::size_t few_slots = 16384;
-    if (!is_canonical_ && slots > few_slots) return;
-    by_slot_.resize(slots, no_index);
+    if (!is_canonical_ && slots > few) return;
+    by_slot_.resize(slots, -1);
     if (is_canonical_)
         sort(mesh, team);
     else
         for_each(0, words, [&](TetId t, std::size_t number) {
-            by_slot_[t] = static_cast<std::uint32_t>(number);
+            by_slot_[t] = static_cast<std::int32_t>(number);
         });
 }
 
@@ -67,7 +66,7 @@ void Numbering::sort(const Mesh& mesh, Team& team) {
     constexpr std::size_t share = 1024;
     canonical_sort<Rest>(team, allocator, stretches(), share, indices.end(), each,
                          [&](std::size_t, std::size_t place, const Rest& rest) {
-                             by_slot_[rest.t] = static_cast<std::uint32_t>(place);
+                             by_slot_[rest.t] = static_cast<std::int32_t>(place);
                          });
 }
 

@@ -38,21 +38,24 @@ Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
 
 class Numbering {
   public:
-    Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team);
+    // In a small set there are ghosts everywhere, and numbers by slot stay in a near cache.
+    static constexpr std::size_t few_slots = 16384;
+    Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team,
+              std::size_t few = few_slots);
 
     bool is_canonical() const noexcept { return is_canonical_; }
-    bool is_finite(TetId t) const noexcept { return (bits_[t >> 6] >> (t & 63) & 1) != 0; }
-    // Whether there is a number for each slot, to be had at once, no_index where there is none.
-    bool is_by_slot() const noexcept { return !by_slot_.empty(); }
-    std::uint32_t number_in(TetId slot) const noexcept { return by_slot_[slot]; }
-    // Number of a finite tetrahedron.
-    std::size_t rank(TetId t) const noexcept {
-        if (is_by_slot()) return number_in(t);
+    // Of a finite tetrahedron; -1 of any other slot.
+    MGDT_ALWAYS_INLINE std::int32_t number(TetId t) const noexcept {
+        static_assert(max_tetrahedra <= 1u << 31);
+        if (!by_slot_.empty()) return by_slot_[t];
         const std::size_t word = t >> 6;
+        const std::uint64_t bit = std::uint64_t{1} << (t & 63);
+        if ((bits_[word] & bit) == 0) return -1;
         // Nearly all words are full: what is missing below is counted instead of what is there.
-        const std::uint64_t missing = ~bits_[word] & ((std::uint64_t{1} << (t & 63)) - 1);
-        const std::size_t rank = ranks_[word] + std::size_t{t & 63};
-        return MGDT_UNLIKELY(missing != 0) ? rank - popcount(missing) : rank;
+        const std::uint64_t missing = ~bits_[word] & (bit - 1);
+        const std::uint32_t number = ranks_[word] + (t & 63);
+        return static_cast<std::int32_t>(MGDT_UNLIKELY(missing != 0) ? number - popcount(missing)
+                                                                     : number);
     }
     // Calls f(t, number) for the finite tetrahedra of some of the stretches of 64 slots that the
     // storage is made of, in the order of storage.
@@ -62,7 +65,8 @@ class Numbering {
     template <class F>
     void for_each(std::size_t begin, std::size_t end, F f) const {
         if (is_canonical())
-            for_each_slot(begin, end, [&](TetId t) { f(t, std::size_t{by_slot_[t]}); });
+            for_each_slot(begin, end,
+                          [&](TetId t) { f(t, static_cast<std::size_t>(by_slot_[t])); });
         else if (begin < end)
             for_each_slot(begin, end, [&, number = std::size_t{ranks_[begin]}](TetId t) mutable {
                 f(t, number++);
@@ -86,9 +90,9 @@ class Numbering {
                     f(first + lowest_bit(bits));
         }
     }
-    Buffer<std::uint64_t> bits_;     // which slots hold finite tetrahedra
-    Buffer<std::uint32_t> ranks_;    // number of the first of each word of bits_
-    Buffer<std::uint32_t> by_slot_;  // numbers: canonical ones, or where slots are few
+    Buffer<std::uint64_t> bits_;    // which slots hold finite tetrahedra
+    Buffer<std::uint32_t> ranks_;   // number of the first of each word of bits_
+    Buffer<std::int32_t> by_slot_;  // numbers: canonical ones, or where slots are few
     const bool is_canonical_;
 };
 

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: MIT
-// put_four() of kernel/marks.hpp as it is compiled for AVX2.
+// What takes four tetrahedra into a cavity at a time, of kernel/marks.hpp and kernel/pieces.hpp, as
+// it is compiled for one instruction set.
 #pragma once
 
 #include "kernel/territory.hpp"
 
-std::uint32_t put_four_avx2(const mgdt::MarkTable::View& marks, const mgdt::FacetCode* codes,
-                            std::uint32_t which);
+struct FourAtATime {
+    std::uint32_t (*put_four)(const mgdt::MarkTable::View& marks, const mgdt::FacetCode* codes,
+                              std::uint32_t which);
+    std::uint32_t (*mark_four)(const mgdt::FourTetrahedra<true, mgdt::HalfLine>& four,
+                               std::uint32_t which);
+    unsigned (*append)(std::uint32_t* to, const std::uint32_t* words, std::uint32_t bits);
+};
+
+FourAtATime four_at_a_time_avx2();

@@ -3,7 +3,10 @@
 #include "kernel/marks.hpp"
 #include "marks.hpp"
 
-std::uint32_t put_four_avx2(const mgdt::MarkTable::View& marks, const mgdt::FacetCode* codes,
-                            std::uint32_t which) {
-    return mgdt::put_four(marks, codes, which);
+FourAtATime four_at_a_time_avx2() {
+    return {[](const auto& marks, auto codes, auto which) {
+                return mgdt::put_four(marks, codes, which);
+            },
+            [](const auto& four, auto which) { return mgdt::mark_four(four, which); },
+            [](auto to, auto words, auto bits) { return mgdt::append(to, words, bits); }};
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The marks of a cavity that is dug among other threads.
+// The marks of cavities, and what takes four tetrahedra in at a time.
 #include "marks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
 #include <vector>
 
+#include "kernel/marks.hpp"
 #include "kernel/territory.hpp"
 #include "platform/cpu.hpp"
 
@@ -43,10 +45,32 @@ TEST(MarkTable, HasWhatWasPutIn) {
     }
 }
 
+class Pieces : public testing::TestWithParam<bool> {
+  protected:
+    void SetUp() override {
+        if (!GetParam()) {
+            pieces_ = {[](const auto& marks, auto codes, auto which) {
+                           return put_four(marks, codes, which);
+                       },
+                       [](const auto& four, auto which) { return mark_four(four, which); },
+                       [](auto to, auto words, auto bits) { return append(to, words, bits); }};
+            return;
+        }
+        if (!cpu_features().avx2) GTEST_SKIP() << "not on this processor";
 #if defined(MGDT_TEST_AVX2)
+        pieces_ = four_at_a_time_avx2();
+#else
+        GTEST_SKIP() << "not on this kind of processor";
+#endif
+    }
+    FourAtATime pieces_{};
+};
+INSTANTIATE_TEST_SUITE_P(Sets, Pieces, testing::Bool(), [](const auto& info) {
+    return std::string(info.param ? "avx2" : "baseline");
+});
+
 // Few places, so that the four meet each other, and others that are in or were in another cavity.
-TEST(MarkTable, TakesFourAtATime) {
-    if (!cpu_features().avx2) GTEST_SKIP() << "not on this processor";
+TEST_P(Pieces, PutFour) {
     Allocator allocator;
     MarkTable marks(allocator);
     std::uint64_t state = 1;
@@ -70,7 +94,7 @@ TEST(MarkTable, TakesFourAtATime) {
             std::uint32_t expected = 0;
             for (unsigned k = 0; k < 4; ++k)
                 if ((which >> k & 1) && in.insert(codes[k] >> 2).second) expected |= 1u << k;
-            ASSERT_EQ(put_four_avx2(view, codes, which), expected) << cavity << ' ' << turn;
+            ASSERT_EQ(pieces_.put_four(view, codes, which), expected) << cavity << ' ' << turn;
             before += (which & ~expected) != 0;
             for (const TetId t : four) {
                 ASSERT_EQ(view.has(t), in.count(t) != 0) << cavity << ' ' << turn;
@@ -82,7 +106,39 @@ TEST(MarkTable, TakesFourAtATime) {
     EXPECT_GT(before, 1000u);
     EXPECT_GT(meetings, 1000u);
 }
-#endif
+
+// Every choice, over every choice that was made before.
+TEST_P(Pieces, MarkFour) {
+    for (std::uint32_t before = 0; before < 16; ++before)
+        for (std::uint32_t which = 0; which < 16; ++which) {
+            HalfLine lines[8] = {};
+            FourTetrahedra<true, HalfLine> four = {{lines + 6, lines, lines + 4, lines + 2}};
+            const auto second = [](unsigned k) { return 0x7FFFFFF0u + k; };
+            const auto mark = [](std::uint32_t bits, unsigned k) { return bits >> k << 31; };
+            for (unsigned k = 0; k < 4; ++k)
+                for (unsigned i = 0; i < 4; ++i)
+                    four[k].v[i] = i == 1 ? second(k) | mark(before, k) : 10 * k + i;
+            EXPECT_EQ(pieces_.mark_four(four, which), which & ~before);
+            for (unsigned k = 0; k < 4; ++k)
+                for (unsigned i = 0; i < 4; ++i)
+                    EXPECT_EQ(four[k].v[i],
+                              i == 1 ? second(k) | mark(before | which, k) : 10 * k + i);
+        }
+}
+
+TEST_P(Pieces, Append) {
+    alignas(16) const std::uint32_t words[4] = {0x80000001u, 7, 0xFFFFFFFFu, 9};
+    for (std::uint32_t bits = 0; bits < 16; ++bits) {
+        std::uint32_t to[6] = {1, 1, 1, 1, 1, 1};
+        std::vector<std::uint32_t> chosen;
+        for (unsigned k = 0; k < 4; ++k)
+            if (bits >> k & 1) chosen.push_back(words[k]);
+        ASSERT_EQ(pieces_.append(to + 1, words, bits), chosen.size());
+        EXPECT_EQ(std::vector<std::uint32_t>(to + 1, to + 1 + chosen.size()), chosen);
+        EXPECT_EQ(to[0], 1u);
+        EXPECT_EQ(to[5], 1u);
+    }
+}
 
 }  // namespace
 }  // namespace mgdt

@@ -25,7 +25,7 @@ enum Figure : std::size_t {
     tetrahedra,
     levels,
     rounds,
-    system_seconds,  // of the total, those that the system took, for pages above all
+    system_seconds,  // of processor time, of all threads: pages above all
     figure_count
 };
 
