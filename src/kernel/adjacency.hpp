@@ -41,13 +41,18 @@ class EdgeTable {
         codes_[h] = code;
     }
     FacetCode get(std::uint32_t a, std::uint32_t b) const { return codes_[slot(a, b)]; }
+    // From the upper half of a product, where all bits of both ends meet.
+    static std::size_t hash(std::uint32_t a, std::uint32_t b) {
+        constexpr std::uint64_t golden = 0x9E3779B97F4A7C15u;
+        return static_cast<std::size_t>(((a * golden + b) * golden) >> 32);
+    }
 
   private:
     static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
         return (static_cast<std::uint64_t>(a) << 32) | b;
     }
     std::size_t slot(std::uint32_t a, std::uint32_t b) const {
-        std::size_t h = static_cast<std::size_t>((key(a, b) * 0x9E3779B97F4A7C15u) >> 20) & mask_;
+        std::size_t h = hash(a, b) & mask_;
         while (keys_[h] != key(a, b) && keys_[h] != free) h = (h + 1) & mask_;
         return h;
     }

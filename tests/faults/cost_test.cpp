@@ -47,12 +47,12 @@ const Kind kinds[] = {
      12, 300, 2},
     {"repeats", [](std::size_t n) { return generated("lattice-repeats", n); }, 4, 80, 1.5},
     {"layers", layers, 4, 80, 1.5},
-    // Its triangulation is quadratic, and its stars grow out of the matrices into a hash table.
+    // Its triangulation is quadratic.
     {"helix",
      [](std::size_t n) {
          return helix(static_cast<std::size_t>(4 * std::sqrt(static_cast<double>(n))));
      },
-     12, 80, 2},
+     12, 80, 1.5},
     {"anisotropic", [](std::size_t n) { return generated("anisotropic", n); }, 4, 80, 1.5},
 };
 

@@ -14,10 +14,25 @@
 #include <vector>
 
 #include "core/triangulation.hpp"
+#include "kernel/adjacency.hpp"
 #include "kernel/territory.hpp"
 
 namespace mgdt {
 namespace {
+
+// The edges of large stars, whose facets are three to a vertex and whose vertices have few or very
+// many of them, fill a table half; at random nearly four of ten would meet another one.
+TEST(EdgeTables, SpreadEdges) {
+    for (const std::uint32_t degree : {6u, 60u, 1000u}) {
+        std::set<std::size_t> places;
+        constexpr std::size_t edges = 6000, size = 16384;
+        for (std::uint32_t k = 0; k < edges; ++k) {
+            const std::uint32_t a = k / degree, b = a + 1 + k % degree;
+            places.insert(EdgeTable::hash(a, b) & (size - 1));
+        }
+        EXPECT_GT(places.size(), edges * 3 / 4) << degree;
+    }
+}
 
 constexpr const char* names[] = {"baseline", "avx2", "avx512"};
 
