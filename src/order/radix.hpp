@@ -48,7 +48,6 @@ namespace radix_detail {
 
 inline constexpr unsigned digit_bits = 11;
 inline constexpr unsigned most_digits = 4;
-inline constexpr std::size_t few = 24;  // an insertion sort is faster
 
 struct Counters {
     std::uint32_t of_digit[most_digits][1u << digit_bits];
@@ -69,10 +68,13 @@ struct Digits {
 };
 
 // Stable passes from the least digit of bits low..low+width-1 to the greatest, between a and b;
-// returns the array where the result is.
+// returns the array where the result is. Not in line: a few records, of which there may be
+// millions, are sorted without it, and a stack that is protected is touched all over a frame as
+// large as this.
 template <class Record>
-Record* least_digit_first(Record* a, Record* b, std::size_t n, unsigned low, unsigned width,
-                          Counters& counters) noexcept {
+MGDT_NOT_INLINE Record* least_digit_first(Record* a, Record* b, std::size_t n, unsigned low,
+                                          unsigned width) noexcept {
+    Counters counters;
     const Digits digits(width);
     const std::uint64_t mask = digits.values() - 1;
     for (unsigned d = 0; d < digits.count; ++d) {
@@ -99,9 +101,15 @@ Record* least_digit_first(Record* a, Record* b, std::size_t n, unsigned low, uns
     return a;
 }
 
+}  // namespace radix_detail
+
+// Sorts n < 2^32 records by bits low..high-1 of their keys; higher bits are the same in all of
+// them. Takes the top bits first, as many as n records need, and then sorts what they leave
+// equal, so a set whose keys differ early costs two or three passes whatever the keys' length.
+// `scratch` has room for n records. With low = 0, records of equal keys keep their order.
 template <class Record>
-void sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high,
-          Counters& counters) noexcept {
+void radix_sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high) noexcept {
+    constexpr std::size_t few = 24;
     if (n <= few) {
         insertion_sort(a, n);
         return;
@@ -111,42 +119,18 @@ void sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high
     const unsigned differing = bit_width(differ);
     if (differing < high) high = differing;
     if (high <= low) return;
-    const unsigned width = first_width(n, low, high);
+    const unsigned width = radix_detail::first_width(n, low, high);
     high -= width;
-    const Record* sorted = least_digit_first(a, scratch, n, high, width, counters);
+    const Record* sorted = radix_detail::least_digit_first(a, scratch, n, high, width);
     if (sorted != a) std::memcpy(static_cast<void*>(a), sorted, n * sizeof(Record));
     if (high <= low) return;
     for (std::size_t begin = 0; begin < n;) {
         const std::uint64_t top = radix_key(a[begin]) >> high;
         std::size_t end = begin + 1;
         while (end < n && radix_key(a[end]) >> high == top) ++end;
-        if (end - begin > 1) sort(a + begin, scratch + begin, end - begin, low, high, counters);
+        if (end - begin > 1) radix_sort(a + begin, scratch + begin, end - begin, low, high);
         begin = end;
     }
-}
-
-// Apart from what sorts the few, of which there may be millions: this frame is large, and a stack
-// that is protected is touched all over.
-template <class Record>
-MGDT_NOT_INLINE void sort_many(Record* a, Record* scratch, std::size_t n, unsigned low,
-                               unsigned high) noexcept {
-    Counters counters;
-    sort(a, scratch, n, low, high, counters);
-}
-
-}  // namespace radix_detail
-
-// Sorts n < 2^32 records by bits low..high-1 of their keys; higher bits are the same in all of
-// them. Takes the top bits first, as many as n records need, and then sorts what they leave
-// equal, so a set whose keys differ early costs two or three passes whatever the keys' length.
-// `scratch` has room for n records. With low = 0, records of equal keys keep their order.
-template <class Record>
-void radix_sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high) noexcept {
-    if (n <= radix_detail::few) {
-        insertion_sort(a, n);
-        return;
-    }
-    radix_detail::sort_many(a, scratch, n, low, high);
 }
 
 }  // namespace mgdt

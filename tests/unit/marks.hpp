@@ -3,7 +3,7 @@
 // it is compiled for one instruction set.
 #pragma once
 
-#include "kernel/territory.hpp"
+#include "kernel/marks.hpp"
 
 struct FourAtATime {
     std::uint32_t (*put_four)(const mgdt::MarkTable::View& marks, const mgdt::FacetCode* codes,
@@ -14,3 +14,16 @@ struct FourAtATime {
 };
 
 FourAtATime four_at_a_time_avx2();
+
+namespace mgdt {
+inline namespace MGDT_ISA {
+
+// That of the including file.
+inline FourAtATime four_at_a_time() {
+    return {[](const auto& marks, auto codes, auto which) { return put_four(marks, codes, which); },
+            [](const auto& four, auto which) { return mark_four(four, which); },
+            [](auto to, auto words, auto bits) { return append(to, words, bits); }};
+}
+
+}  // namespace MGDT_ISA
+}  // namespace mgdt
