@@ -45,15 +45,14 @@ class CurveSorter {
         });
         radix_sort(team, allocator_, words, scratch_ + begin, end - begin, index_bits_,
                    index_bits_ + 3 * levels);
-        Runs(allocator_)
-            .for_each(
-                team, end - begin, crowd_ + 1,
-                [&](std::size_t i, std::size_t j) {
-                    return words[i] >> index_bits_ == words[j] >> index_bits_;
-                },
-                [&](Team& t, std::size_t first, std::size_t last) {
-                    refine(t, begin + first, begin + last, lattice, state, depth);
-                });
+        for_each_run(
+            team, allocator_, end - begin, crowd_ + 1,
+            [&](std::size_t i, std::size_t j) {
+                return words[i] >> index_bits_ == words[j] >> index_bits_;
+            },
+            [&](Team& t, std::size_t first, std::size_t last) {
+                refine(t, begin + first, begin + last, lattice, state, depth);
+            });
     }
 
     unsigned levels() const noexcept { return levels_; }
@@ -92,11 +91,15 @@ class CurveSorter {
 CurveOrder sort_along_curve(Team& team, const PointSet& points, Allocator& allocator,
                             std::size_t crowd) {
     const std::size_t n = points.size;
-    CurveOrder order{Buffer<std::uint64_t>(allocator, n), 0, 0};
+    CurveOrder order{Buffer<std::uint64_t>(allocator), 0, 0};
     if (n == 0) return order;
-    Buffer<std::uint64_t> scratch(allocator, n);
+    Buffer<std::uint64_t> scratch(allocator);
+    order.words.resize(n);
+    scratch.resize(n);
     order.index_mask = (std::uint64_t{1} << bit_width(n - 1)) - 1;
     team.split(n, 65536, [&](std::size_t begin, std::size_t end, unsigned) {
+        order.words.prefault(begin, end);
+        scratch.prefault(begin, end);
         for (std::size_t k = begin; k < end; ++k) order.words[k] = k;
     });
     CurveSorter sorter(points, crowd, order, scratch);

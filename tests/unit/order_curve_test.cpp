@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Schemes without cells: input, random, lexicographic, curves and rounds.
+#include "../small.h"
+#include "order/team_radix.hpp"
 #include "order_sets.hpp"
 
 namespace {
@@ -43,6 +45,69 @@ TEST(RadixSort, SortsAsAStableSortDoes) {
             for (std::size_t i = 0; i < n; ++i) {
                 ASSERT_EQ(a[i].key, expected[i].key);
                 ASSERT_EQ(a[i].index, expected[i].index);
+            }
+        }
+    }
+}
+
+// Keys above the index of a word, spread evenly, mostly in one small range, and all the same: by
+// buckets, of which some are large, and without. Words of equal keys keep their order.
+TEST(RadixSort, SortsManyWordsAsAStableSortDoes) {
+    constexpr unsigned index_bits = 20;
+    Random random(6);
+    for (const std::size_t n : {std::size_t{70000}, radix_detail::many + 50000}) {
+        if (is_small() && n > 70000) break;
+        for (const double crowded : {0.0, 0.5, 0.9, 1.0}) {
+            for (const unsigned kept : {3u, 12u, 44u}) {
+                std::vector<std::uint64_t> words(n), scratch(n);
+                const auto limit = static_cast<std::uint64_t>(crowded * 0x1p32);
+                for (std::size_t i = 0; i < n; ++i) {
+                    const std::uint64_t key =
+                        (random.next() >> 32) < limit ? 77 + random.below(2) : random.next() >> 20;
+                    words[i] = (key & ((std::uint64_t{1} << kept) - 1)) << index_bits | i;
+                }
+                std::vector<std::uint64_t> expected = words;
+                std::sort(expected.begin(), expected.end());
+                for (const unsigned members : {1u, 2u, 5u}) {
+                    std::vector<std::uint64_t> a = words;
+                    Allocator allocator;
+                    Team team(members);
+                    radix_sort(team, allocator, a.data(), scratch.data(), n, index_bits, 64);
+                    ASSERT_TRUE(a == expected)
+                        << n << ' ' << crowded << ' ' << kept << ' ' << members;
+                }
+            }
+        }
+    }
+}
+
+// Every run once, from the least length on, whatever the pieces that members take.
+TEST(Runs, AreDealtWhole) {
+    Random random(7);
+    for (const unsigned longest : {1u, 10u, 5000u, 200000u}) {
+        std::vector<std::uint32_t> items, begins;
+        while (items.size() < 300000) {
+            begins.push_back(static_cast<std::uint32_t>(items.size()));
+            items.resize(items.size() + 1 + random.below(longest), begins.back());
+        }
+        begins.push_back(static_cast<std::uint32_t>(items.size()));
+        for (const unsigned members : {1u, 2u, 7u}) {
+            for (const std::size_t least : {1u, 6u}) {
+                std::vector<std::uint32_t> changed = items, ends(items.size(), 0);
+                Allocator allocator;
+                Team team(members);
+                for_each_run(
+                    team, allocator, items.size(), least,
+                    [&](std::size_t i, std::size_t j) { return changed[i] == changed[j]; },
+                    [&](Team&, std::size_t begin, std::size_t end) {
+                        ends[begin] += static_cast<std::uint32_t>(end);
+                        for (std::size_t k = begin; k < end; ++k)
+                            changed[k] = static_cast<std::uint32_t>(k);
+                    });
+                std::vector<std::uint32_t> expected(items.size(), 0);
+                for (std::size_t r = 1; r < begins.size(); ++r)
+                    if (begins[r] - begins[r - 1] >= least) expected[begins[r - 1]] = begins[r];
+                EXPECT_TRUE(ends == expected) << longest << ' ' << members << ' ' << least;
             }
         }
     }
