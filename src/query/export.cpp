@@ -46,25 +46,31 @@ class Rows {
 #endif
 
     void add(Int a, Int b, Int c, Int d) {
-        const Int row[4] = {a, b, c, d};
 #if defined(__SSE2__)
         if (streams_) {
-            for (unsigned i = 0; i < 4; i += 16 / sizeof(Int)) {
-                Wide wide;
-                std::memcpy(&wide, row + i, sizeof wide);
-                _mm_stream_si128(reinterpret_cast<Wide*>(out_ + i), wide);
+            if constexpr (sizeof(Int) == 8) {
+                stream(0, _mm_set_epi64x(b, a));
+                stream(2, _mm_set_epi64x(d, c));
+            } else {
+                stream(0, _mm_set_epi32(d, c, b, a));
             }
             out_ += 4;
             return;
         }
 #endif
-        std::copy(row, row + 4, out_);
+        out_[0] = a;
+        out_[1] = b;
+        out_[2] = c;
+        out_[3] = d;
         out_ += 4;
     }
 
   private:
 #if defined(__SSE2__)
     using Wide = __m128i;
+    void stream(unsigned i, __m128i value) {
+        _mm_stream_si128(reinterpret_cast<__m128i*>(out_ + i), value);
+    }
 #else
     using Wide = Int;
 #endif
@@ -79,16 +85,18 @@ constexpr std::size_t ahead = 32;
 
 // Writes row(t, place) of each finite tetrahedron at its number, the threads side by side. They are
 // read in the order of storage; canonical rows may be written anywhere.
-template <class Int, class Indices, class Row>
-void export_rows(const ExportView& view, const Indices& indices, Int* out, Row row) {
-    const Mesh& mesh = view.mesh;
+template <bool with_spheres, class Int, class Indices, class Row>
+void export_rows(const ExportView& view, const Indices& indices, Int* out, const Row& shared) {
     const Numbering& numbering = *view.numbering;
     const auto write = [&](std::size_t begin, std::size_t end, unsigned) {
         if (begin == end) return;
+        // Copies, which a loop that writes past the type system may keep in registers.
+        const auto tetrahedra = view.mesh.tetrahedra.view<with_spheres>();
+        const Row row = shared;
         if (view.canonical) {
             numbering.for_each(begin, end, [&](TetId id, std::size_t number) {
-                const Tetrahedron& t = mesh.tetrahedra[id];
-                mesh.tetrahedra.prefetch(id + ahead);
+                const Tetrahedron& t = tetrahedra[id];
+                prefetch(&tetrahedra[id + ahead]);
                 unsigned places[4];
                 Numbering::canonical_places(t, indices, places);
                 for (unsigned i = 0; i < 4; ++i) out[4 * number + i] = row(t, places[i]);
@@ -96,13 +104,20 @@ void export_rows(const ExportView& view, const Indices& indices, Int* out, Row r
         } else {
             Rows<Int> rows(out + 4 * numbering.first_number(begin));
             numbering.for_each(begin, end, [&](TetId id, std::size_t) {
-                const Tetrahedron& t = mesh.tetrahedra[id];
-                mesh.tetrahedra.prefetch(id + ahead);
+                const Tetrahedron& t = tetrahedra[id];
+                prefetch(&tetrahedra[id + ahead]);
                 rows.add(row(t, 0), row(t, 1), row(t, 2), row(t, 3));
             });
         }
     };
     view.team.split(numbering.stretches(), stretches_a_thread, write);
+}
+template <class Int, class Indices, class Row>
+void export_rows(const ExportView& view, const Indices& indices, Int* out, const Row& row) {
+    if (view.mesh.tetrahedra.has_spheres())
+        export_rows<true>(view, indices, out, row);
+    else
+        export_rows<false>(view, indices, out, row);
 }
 
 // The ghosts, ascending: sorted by way of a bit for each slot.
@@ -123,14 +138,22 @@ Buffer<TetId> ghosts_by_slot(const ExportView& view) {
     return ghosts;
 }
 
-// In line wherever it stands: a call costs a quarter of the export.
+// In line wherever they stand: a call costs a quarter of the export.
 template <class Int>
-struct NeighborNumber {
-    const Numbering& numbering;
-    Int base;
+struct VertexIndex {
     MGDT_ALWAYS_INLINE Int operator()(const Tetrahedron& t, unsigned i) const {
-        return static_cast<Int>(numbering.number(t.n[i] >> 2)) + base;
+        return static_cast<Int>(indices[t.v[i]]) + base;
     }
+    const std::uint32_t* indices;
+    Int base;
+};
+template <class Int, class Number>
+struct NeighborNumber {
+    MGDT_ALWAYS_INLINE Int operator()(const Tetrahedron& t, unsigned i) const {
+        return static_cast<Int>(number(t.n[i] >> 2)) + base;
+    }
+    Number number;
+    Int base;
 };
 
 struct HullFacet {
@@ -171,18 +194,31 @@ unsigned edges_told(const Tetrahedron& t, TetId id) {
 template <class Int>
 void export_tetrahedra(const ExportView& view, Int* out) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);
-    export_rows(view, indices, out, [&](const Tetrahedron& t, unsigned i) {
-        return static_cast<Int>(indices[t.v[i]]) + static_cast<Int>(view.base);
-    });
+    export_rows(view, indices, out, VertexIndex<Int>{indices.data(), static_cast<Int>(view.base)});
 }
+
+namespace {
+
+template <class Int, class Indices>
+void export_neighbors(const ExportView& view, const Indices& indices, Int* out) {
+    const Numbering& numbering = *view.numbering;
+    const Int base = static_cast<Int>(view.base);
+    if (numbering.is_by_slot())
+        export_rows(view, indices, out,
+                    NeighborNumber<Int, Numbering::BySlot>{numbering.by_slot(), base});
+    else
+        export_rows(view, indices, out,
+                    NeighborNumber<Int, Numbering::ByBits>{numbering.by_bits(), base});
+}
+
+}  // namespace
 
 template <class Int>
 void export_neighbors(const ExportView& view, Int* out) {
-    const NeighborNumber<Int> row{*view.numbering, static_cast<Int>(view.base)};
     if (view.canonical)
-        export_rows(view, VertexIndices(view.team, view.mesh, view.allocator), out, row);
+        export_neighbors(view, VertexIndices(view.team, view.mesh, view.allocator), out);
     else
-        export_rows(view, IndicesInPlace{view.mesh}, out, row);
+        export_neighbors(view, IndicesInPlace{view.mesh}, out);
 }
 
 template <class Int>

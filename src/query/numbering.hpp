@@ -39,23 +39,37 @@ Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
 class Numbering {
   public:
     // In a small set there are ghosts everywhere, and numbers by slot stay in a near cache.
-    static constexpr std::size_t few_slots = 16384;
+    static constexpr std::size_t few_slots = 131072;
     Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team,
               std::size_t few = few_slots);
 
     bool is_canonical() const noexcept { return is_canonical_; }
-    // Of a finite tetrahedron; -1 of any other slot.
+    // The number of a finite tetrahedron, -1 of any other slot: two ways to look it up, for loops
+    // that do so by one of them.
+    struct BySlot {
+        MGDT_ALWAYS_INLINE std::int32_t operator()(TetId t) const noexcept { return numbers[t]; }
+        const std::int32_t* numbers;
+    };
+    struct ByBits {
+        MGDT_ALWAYS_INLINE std::int32_t operator()(TetId t) const noexcept {
+            static_assert(max_tetrahedra <= 1u << 31);
+            const std::size_t word = t >> 6;
+            const std::uint64_t bit = std::uint64_t{1} << (t & 63);
+            if ((bits[word] & bit) == 0) return -1;
+            // Nearly all words are full: what is missing below is counted instead of what is there.
+            const std::uint64_t missing = ~bits[word] & (bit - 1);
+            const std::uint32_t number = ranks[word] + (t & 63);
+            return static_cast<std::int32_t>(
+                MGDT_UNLIKELY(missing != 0) ? number - popcount(missing) : number);
+        }
+        const std::uint64_t* bits;
+        const std::uint32_t* ranks;
+    };
+    bool is_by_slot() const noexcept { return !by_slot_.empty(); }
+    BySlot by_slot() const noexcept { return {by_slot_.data()}; }
+    ByBits by_bits() const noexcept { return {bits_.data(), ranks_.data()}; }
     MGDT_ALWAYS_INLINE std::int32_t number(TetId t) const noexcept {
-        static_assert(max_tetrahedra <= 1u << 31);
-        if (!by_slot_.empty()) return by_slot_[t];
-        const std::size_t word = t >> 6;
-        const std::uint64_t bit = std::uint64_t{1} << (t & 63);
-        if ((bits_[word] & bit) == 0) return -1;
-        // Nearly all words are full: what is missing below is counted instead of what is there.
-        const std::uint64_t missing = ~bits_[word] & (bit - 1);
-        const std::uint32_t number = ranks_[word] + (t & 63);
-        return static_cast<std::int32_t>(MGDT_UNLIKELY(missing != 0) ? number - popcount(missing)
-                                                                     : number);
+        return is_by_slot() ? by_slot()(t) : by_bits()(t);
     }
     // Calls f(t, number) for the finite tetrahedra of some of the stretches of 64 slots that the
     // storage is made of, in the order of storage.

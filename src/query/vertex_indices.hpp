@@ -28,6 +28,7 @@ class VertexIndices {
     }
 
     std::uint32_t operator[](VertexId v) const noexcept { return indices_[v]; }
+    const std::uint32_t* data() const noexcept { return indices_.data(); }
     // One past the greatest.
     std::size_t end() const noexcept { return end_; }
 
