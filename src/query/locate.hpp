@@ -30,7 +30,8 @@ struct Locator {
     // False if there are no steps to take.
     bool begin(const double* q, TetId hint, LocationWalk& walk) const;
     TetId end(const double* q, const LocationWalk& walk, TetId& hint) const;
-    int compare(VertexId a, VertexId b, const double* q) const;
+    friend class NearestVertex;
+    // q in the mesh's scale; false if it has no exact place there.
     bool scale_exactly(const double* q, double* to) const;
     void unscaled(VertexId v, double* to) const;
 };

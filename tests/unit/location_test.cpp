@@ -3,9 +3,11 @@
 // memory, and points that the scale of the triangulation cannot hold.
 #include <cstdlib>
 #include <limits>
+#include <random>
 #include <utility>
 #include <vector>
 
+#include "predicates/predicates.hpp"
 #include "query/locate.hpp"
 #include "surgery.hpp"
 
@@ -137,6 +139,33 @@ TEST(Location, OfPointsThatCannotBeScaled) {
             [&](std::size_t k, TetId t) { found[k] = t; });
         EXPECT_NE(found[0], no_tetrahedron);
         EXPECT_EQ(found[1], no_tetrahedron);
+    }
+}
+
+// Among points whose squared distances are about the least double, and round to anything: multiples
+// of 2^-537 between two spheres, compared before they are made so small.
+TEST(Location, NearestWhereSquaresUnderflow) {
+    Random random(8);
+    std::uniform_real_distribution<double> any(-1, 1);
+    for (int round = 0; round < 20; ++round) {
+        std::vector<double> xyz = {-1, -1, -1, 2, -1, -1, -1, 2, -1, -1, -1, 2}, multiples(12, 4);
+        while (xyz.size() < 3 * 44) {
+            const double m[3] = {any(random), any(random), any(random)};
+            const double square = m[0] * m[0] + m[1] * m[1] + m[2] * m[2];
+            if (square < 0.7 || square > 1) continue;
+            for (const double x : m) {
+                multiples.push_back(static_cast<float>(x));
+                xyz.push_back(multiples.back() * 0x1p-537);
+            }
+        }
+        const Patient p = triangulate(xyz);
+        ASSERT_EQ(p.t->mesh().scale, 0);
+        const double q[3] = {0, 0, 0};
+        std::uint32_t expected = 4;
+        for (std::uint32_t i = 5; i < 44; ++i)
+            if (compare_distance(q, &multiples[3 * i], &multiples[3 * expected]) < 0) expected = i;
+        const VertexId nearest = locator(*p.t).nearest_vertex(q, p.t->allocator());
+        EXPECT_EQ(p.t->mesh().vertices[nearest].index, expected);
     }
 }
 
