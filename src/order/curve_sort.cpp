@@ -4,6 +4,7 @@
 #include "order/hilbert_curve.hpp"
 #include "order/lattice.hpp"
 #include "order/team_radix.hpp"
+#include "order/team_runs.hpp"
 
 namespace mgdt {
 namespace {

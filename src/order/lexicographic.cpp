@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "order/radix.hpp"
+#include "order/runs.hpp"
 #include "order/schemes.hpp"
 
 namespace mgdt {
@@ -26,14 +27,12 @@ void sort_by_axis(const PointSet& points, KeyedIndex* a, KeyedIndex* scratch, st
     }
     radix_sort(a, scratch, n, 0, 64);
     if (axis == 2) return;
-    for (std::size_t begin = 0; begin < n;) {
-        std::size_t end = begin + 1;
-        while (end < n && a[end].key == a[begin].key) ++end;
-        if (end - begin > 1) {
-            sort_by_axis(points, a + begin, scratch + begin, end - begin, axis + 1);
-        }
-        begin = end;
-    }
+    for_each_run(
+        0, n, [&](std::size_t i, std::size_t j) { return a[i].key == a[j].key; },
+        [&](std::size_t begin, std::size_t end) {
+            if (end - begin > 1)
+                sort_by_axis(points, a + begin, scratch + begin, end - begin, axis + 1);
+        });
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ MGDT_NOT_INLINE Record* least_digit_first(Record* a, Record* b, std::size_t n, u
 // More records than that are dealt to buckets first.
 inline constexpr std::size_t many = std::size_t{1} << 19;
 
-// The top bits by which they are.
+// The top bits by which they are dealt.
 inline unsigned bucket_bits(unsigned differing) noexcept {
     return differing < digit_bits ? differing : digit_bits;
 }
@@ -133,7 +133,7 @@ void sort_bucket(Record* a, Record* scratch, std::size_t begin, std::size_t end,
                  unsigned high) noexcept {
     if (begin == end) return;
     std::memcpy(static_cast<void*>(a + begin), scratch + begin, (end - begin) * sizeof(Record));
-    radix_sort(a + begin, scratch + begin, end - begin, low, high);
+    if (low < high) radix_sort(a + begin, scratch + begin, end - begin, low, high);
 }
 
 // Not in line, for the same reason as above.

@@ -19,11 +19,14 @@ inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::
         radix_sort(a, scratch, n, low, high);
         return;
     }
-    const auto first = [&](unsigned member) { return Team::part(n, member, members); };
+    const auto for_each_of = [&](unsigned member, auto f) {
+        const std::size_t end = Team::part(n, member + 1, members);
+        for (std::size_t i = Team::part(n, member, members); i < end; ++i) f(a[i]);
+    };
     Atomic<std::uint64_t> all_differ{0};
     team.run(members, [&](unsigned m) {
         std::uint64_t differ = 0;
-        for (std::size_t i = first(m); i < first(m + 1); ++i) differ |= a[i] ^ a[0];
+        for_each_of(m, [&, any = a[0]](std::uint64_t word) { differ |= word ^ any; });
         all_differ |= differ;
     });
     high = std::min(high, bit_width(all_differ));
@@ -32,12 +35,14 @@ inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::
     // To buckets: a member moves the words of its part to where those of the members before it end.
     const unsigned shift = high - radix_detail::bucket_bits(high - low);
     const std::size_t values = std::size_t{1} << (high - shift);
-    const auto bucket = [&](std::uint64_t word) { return word >> shift & (values - 1); };
+    const auto bucket = [shift, mask = values - 1](std::uint64_t word) {
+        return word >> shift & mask;
+    };
     Buffer<std::uint32_t> counts(allocator, values * members);
     team.run(members, [&](unsigned m) {
         std::uint32_t* const count = counts.data() + m * values;
         std::fill_n(count, values, 0u);
-        for (std::size_t i = first(m); i < first(m + 1); ++i) ++count[bucket(a[i])];
+        for_each_of(m, [count, bucket](std::uint64_t word) { ++count[bucket(word)]; });
     });
     std::uint32_t sum = 0;
     for (std::size_t v = 0; v < values; ++v) {
@@ -50,14 +55,18 @@ inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::
     }
     team.run(members, [&](unsigned m) {
         std::uint32_t* const next = counts.data() + m * values;
-        for (std::size_t i = first(m); i < first(m + 1); ++i) scratch[next[bucket(a[i])]++] = a[i];
+        for_each_of(m, [next, bucket, to = scratch](std::uint64_t word) {
+            to[next[bucket(word)]++] = word;
+        });
     });
 
-    // Each bucket by one member, but for those that are worth more. The last member's words of a
-    // bucket are its last ones.
+    // Each bucket by one member, but for those that would keep it busy when all others are done.
+    // The last member's words of a bucket are its last ones.
     const std::uint32_t* const ends = counts.data() + (members - 1) * values;
     const auto begin_of = [&](std::size_t v) { return v > 0 ? ends[v - 1] : 0; };
-    const std::size_t large = std::max(2 * share, n / (4 * members));
+    // Either half of the members find work in the least of them, or they are at most half as many.
+    const std::size_t large =
+        std::max({2 * share, n / (4 * members), std::min(members * share / 2, 2 * n / members)});
     const auto is_large = [&](std::size_t v) { return ends[v] - begin_of(v) >= large; };
     Atomic<std::size_t> taken{0};
     team.run(members, [&](unsigned) {
@@ -71,7 +80,7 @@ inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::
         team.split(size, share, [&](std::size_t from, std::size_t to, unsigned) {
             std::copy(scratch + begin + from, scratch + begin + to, a + begin + from);
         });
-        radix_sort(team, allocator, a + begin, scratch + begin, size, low, shift);
+        if (low < shift) radix_sort(team, allocator, a + begin, scratch + begin, size, low, shift);
     }
 }
 

@@ -98,7 +98,7 @@ class NearestVertex {
                (comparison == 0 && mesh_.vertices[a].index < mesh_.vertices[b].index);
     }
 
-    // In a Delaunay triangulation some neighbour of a vertex is nearer to q unless none is, so
+    // In a Delaunay triangulation some neighbour of a vertex is nearer to q unless no vertex is, so
     // descending from neighbour to neighbour ends at a nearest vertex. `near` is a tetrahedron of
     // v, then of the vertex returned. `is_only`: no neighbour of that is as near.
     VertexId descend(VertexId v, TetId& near, VisitQueue& star, bool& is_only) const {

@@ -38,7 +38,7 @@ Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
 
 class Numbering {
   public:
-    // In a small set there are ghosts everywhere, and numbers by slot stay in a near cache.
+    // In a small set there are ghosts everywhere, and numbers by slot stay in the second cache.
     static constexpr std::size_t few_slots = 131072;
     Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team,
               std::size_t few = few_slots);

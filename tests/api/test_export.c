@@ -112,6 +112,47 @@ static void vertex_tetrahedra(mgdt_triangulation* t) {
     free(list32);
 }
 
+/* Every neighbour shares the other three vertices, and has this one as its own. Returns how many
+ * facets have none. */
+static int64_t open_facets(int64_t m, const int64_t* v, const int64_t* neighbor) {
+    int64_t i, j, k, open = 0;
+    int good = 1;
+    for (i = 0; i < 4 * m; ++i) {
+        const int64_t other = neighbor[i];
+        int shared = 0, mutual = 0;
+        if (other == -1) {
+            ++open;
+            continue;
+        }
+        if (other < 0 || other >= m || other == i / 4) {
+            good = 0;
+            continue;
+        }
+        for (j = 0; j < 4; ++j) {
+            mutual += neighbor[4 * other + j] == i / 4;
+            for (k = 0; k < 4; ++k) shared += v[4 * (i / 4) + j] == v[4 * other + k] && j != i % 4;
+        }
+        good &= shared == 3 && mutual == 1;
+    }
+    CHECK(good);
+    return open;
+}
+
+/* More tetrahedra than are numbered by a table. */
+static void many_neighbors(void) {
+    const int64_t n = is_small() ? 100 : 30000;
+    double* xyz = random_points(n, 0, 34);
+    mgdt_triangulation* t = make(n, xyz);
+    const int64_t m = mgdt_tetrahedron_count(t);
+    int64_t *v = get_array(mgdt_get_tetrahedra, t, 4 * m),
+            *neighbor = get_array(mgdt_get_neighbors, t, 4 * m);
+    CHECK_EQUAL(open_facets(m, v, neighbor), mgdt_hull_facet_count(t));
+    free(v);
+    free(neighbor);
+    mgdt_destroy(t);
+    free(xyz);
+}
+
 /* On random points, where doubles decide: orientation, hull facets, neighbours, edges. */
 static void meaning(void) {
     const int64_t n = is_small() ? 80 : 300;
@@ -122,7 +163,7 @@ static void meaning(void) {
     int64_t *v = get_array(mgdt_get_tetrahedra, t, 4 * m),
             *neighbor = get_array(mgdt_get_neighbors, t, 4 * m),
             *hull = get_array(mgdt_get_hull_facets, t, 3 * h),
-            *edges = get_array(mgdt_get_edges, t, 2 * e), i, j, k, open = 0, used = 0;
+            *edges = get_array(mgdt_get_edges, t, 2 * e), i, j, k, open, used = 0;
     char* edge = calloc((size_t)(n * n), 1);
     double sum = 0, outside = 0;
     int good = 1;
@@ -133,21 +174,7 @@ static void meaning(void) {
         sum += six;
     }
     CHECK(good);
-    for (i = 0; i < 4 * m; ++i) {
-        const int64_t other = neighbor[i];
-        int shared = 0, mutual = 0;
-        if (other == -1) {
-            ++open;
-            continue;
-        }
-        good &= other >= 0 && other < m && other != i / 4;
-        for (j = 0; j < 4; ++j) {
-            mutual += neighbor[4 * other + j] == i / 4;
-            for (k = 0; k < 4; ++k) shared += v[4 * (i / 4) + j] == v[4 * other + k] && j != i % 4;
-        }
-        good &= shared == 3 && mutual == 1;
-    }
-    CHECK(good);
+    open = open_facets(m, v, neighbor);
     CHECK_EQUAL(open, h);
     /* Outward facets: every cone from the origin has its sign, and they add up to the volume. */
     for (i = 0; i < h; ++i) {
@@ -313,6 +340,7 @@ void test_export(void) {
     mgdt_destroy(t);
     free(xyz);
     meaning();
+    many_neighbors();
     canonical();
     shuffled();
 }

@@ -2,6 +2,7 @@
 // Schemes without cells: input, random, lexicographic, curves and rounds.
 #include "../small.h"
 #include "order/team_radix.hpp"
+#include "order/team_runs.hpp"
 #include "order_sets.hpp"
 
 namespace {
@@ -29,7 +30,9 @@ TEST(Random, DrawsBelowTheBound) {
 
 TEST(RadixSort, SortsAsAStableSortDoes) {
     Random random(5);
-    for (const std::size_t n : {0u, 1u, 2u, 24u, 25u, 100u, 5000u}) {
+    std::vector<std::size_t> sizes = {0, 1, 2, 24, 25, 100, 5000};
+    if (!is_small()) sizes.push_back(radix_detail::many + 1);
+    for (const std::size_t n : sizes) {
         for (const unsigned kept : {0u, 1u, 9u, 33u, 64u}) {  // bits in which keys differ
             std::vector<KeyedIndex> a(n), scratch(n);
             const std::uint64_t mask =
