@@ -48,7 +48,7 @@ void insertion_sort(Record* a, std::size_t n) noexcept {
 namespace radix_detail {
 
 inline constexpr unsigned digit_bits = 11;
-inline constexpr unsigned most_digits = 2;
+inline constexpr unsigned most_digits = 4;
 
 struct Counters {
     std::uint32_t of_digit[most_digits][1u << digit_bits];
@@ -67,16 +67,6 @@ struct Digits {
     const unsigned count, bits;
     std::size_t values() const noexcept { return std::size_t{1} << bits; }
 };
-
-// Turns counts into where each begins.
-inline void to_begins(std::uint32_t* counts, std::size_t values) noexcept {
-    std::uint32_t sum = 0;
-    for (std::size_t v = 0; v < values; ++v) {
-        const std::uint32_t here = counts[v];
-        counts[v] = sum;
-        sum += here;
-    }
-}
 
 // Stable passes from the least digit of bits low..low+width-1 to the greatest, between a and b;
 // returns the array where the result is. Not in line: a few records, of which there may be
@@ -100,63 +90,24 @@ MGDT_NOT_INLINE Record* least_digit_first(Record* a, Record* b, std::size_t n, u
         const unsigned shift = low + d * digits.bits;
         std::uint32_t* next = counters.of_digit[d];
         if (next[(radix_key(a[0]) >> shift) & mask] == n) continue;
-        to_begins(next, mask + 1);
+        std::uint32_t sum = 0;
+        for (std::size_t v = 0; v <= mask; ++v) {
+            const std::uint32_t here = next[v];
+            next[v] = sum;
+            sum += here;
+        }
         for (std::size_t i = 0; i < n; ++i) b[next[(radix_key(a[i]) >> shift) & mask]++] = a[i];
         std::swap(a, b);
     }
     return a;
 }
 
-// More records than that are dealt to buckets first.
-inline constexpr std::size_t many = std::size_t{1} << 19;
-
-// The top bits by which they are dealt.
-inline unsigned bucket_bits(unsigned differing) noexcept {
-    return differing < digit_bits ? differing : digit_bits;
-}
-
 }  // namespace radix_detail
 
 // Sorts n < 2^32 records by bits low..high-1 of their keys; higher bits are the same in all of
-// them. Many are dealt to buckets by their top bits first. A few take the top bits at once, as many
-// as n records need, and then sort what they leave equal, so a set whose keys differ early costs
-// two or three passes whatever the keys' length. `scratch` has room for n records. With low = 0,
-// records of equal keys keep their order.
-template <class Record>
-void radix_sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high) noexcept;
-
-namespace radix_detail {
-
-// Sorts by bits low..high-1 what one bucket of `scratch` holds, to the same place of a.
-template <class Record>
-void sort_bucket(Record* a, Record* scratch, std::size_t begin, std::size_t end, unsigned low,
-                 unsigned high) noexcept {
-    if (begin == end) return;
-    std::memcpy(static_cast<void*>(a + begin), scratch + begin, (end - begin) * sizeof(Record));
-    if (low < high) radix_sort(a + begin, scratch + begin, end - begin, low, high);
-}
-
-// Not in line, for the same reason as above.
-template <class Record>
-MGDT_NOT_INLINE void sort_in_buckets(Record* a, Record* scratch, std::size_t n, unsigned low,
-                                     unsigned high) noexcept {
-    const unsigned shift = high - bucket_bits(high - low);
-    const std::size_t values = std::size_t{1} << (high - shift);
-    const auto bucket = [&](const Record& record) {
-        return (radix_key(record) >> shift) & (values - 1);
-    };
-    std::uint32_t ends[1u << digit_bits];
-    std::memset(ends, 0, sizeof *ends * values);
-    for (std::size_t i = 0; i < n; ++i) ++ends[bucket(a[i])];
-    to_begins(ends, values);
-    for (std::size_t i = 0; i < n; ++i) scratch[ends[bucket(a[i])]++] = a[i];
-    std::size_t begin = 0;
-    for (std::size_t v = 0; v < values; begin = ends[v++])
-        sort_bucket(a, scratch, begin, ends[v], low, shift);
-}
-
-}  // namespace radix_detail
-
+// them. Takes the top bits first, as many as n records need, and then sorts what they leave
+// equal, so a set whose keys differ early costs two or three passes whatever the keys' length.
+// `scratch` has room for n records. With low = 0, records of equal keys keep their order.
 template <class Record>
 void radix_sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high) noexcept {
     constexpr std::size_t few = 24;
@@ -169,10 +120,6 @@ void radix_sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigne
     const unsigned differing = bit_width(differ);
     if (differing < high) high = differing;
     if (high <= low) return;
-    if (n > radix_detail::many) {
-        radix_detail::sort_in_buckets(a, scratch, n, low, high);
-        return;
-    }
     const unsigned width = radix_detail::first_width(n, low, high);
     high -= width;
     const Record* sorted = radix_detail::least_digit_first(a, scratch, n, high, width);
