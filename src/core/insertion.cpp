@@ -218,36 +218,6 @@ void Triangulation::extend_location_tree(std::size_t begin) noexcept {
         location_tree_.forget();
 }
 
-// Vertices from `begin` on of repeats, and of points that are not in, are gaps with no tetrahedron
-// near. The last vertices move there.
-void Triangulation::close_gaps(Team& team, std::size_t begin) noexcept {
-    Buffer<TetId>& near = mesh_.near;
-    std::size_t end = mesh_.vertices.size(), moved = 0;
-    for (std::size_t v = begin; v < end; ++v) {
-        if (near[v] != no_tetrahedron) continue;
-        while (end > v + 1 && near[end - 1] == no_tetrahedron) --end;
-        if (--end == v) break;
-        // Where a vertex goes lies in its old record.
-        mesh_.vertices[v] = mesh_.vertices[end];
-        near[v] = near[end];
-        mesh_.vertices[end].moved_to = static_cast<VertexId>(v);
-        ++moved;
-    }
-    if (moved > 0) {
-        const auto renumber = [&](VertexId& v) {
-            if (v >= end) v = mesh_.vertices[v].moved_to;
-        };
-        team.split(mesh_.tetrahedra.size(), 65536, [&](std::size_t from, std::size_t to, unsigned) {
-            for (std::size_t t = from; t < to; ++t)
-                if (!mesh_.tetrahedra[t].is_dead())
-                    for (VertexId& v : mesh_.tetrahedra[t].v) renumber(v);
-        });
-        for (VertexId& v : point_map_) renumber(v);
-    }
-    mesh_.vertices.resize_within_capacity(end);
-    near.resize_within_capacity(end);
-}
-
 void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
                                      std::size_t done, bool may_stop) {
     const std::size_t n = batch.points.size;

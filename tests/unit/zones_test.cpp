@@ -99,6 +99,27 @@ TEST(Zones, SameAsOneThread) {
     EXPECT_GT(met, rounds);
 }
 
+// Where repeats are few, the last vertices take their places one by one.
+TEST(Zones, FewRepeats) {
+    std::mt19937_64 random(25);
+    for (const unsigned values : {1000000u, 40u}) {
+        const std::size_t n = is_small() ? 4000 : 20000;
+        Points xyz = random_points(random, n, values);
+        for (int i = 0; i < 6; ++i)
+            std::copy_n(&xyz[3 * (random() % n)], 3, &xyz[3 * (random() % n)]);
+        for (const bool is_compact : {false, true}) {
+            Triangulation alone(nullptr, nullptr, nullptr), together(nullptr, nullptr, nullptr);
+            together.set_compact(is_compact);
+            together.settings().threads = 3;
+            together.settings().points_a_thread = 100;
+            for (Triangulation* t : {&alone, &together}) insert(*t, xyz);
+            ASSERT_GT(together.statistics().duplicates, 0u);
+            ASSERT_EQ(outcome(together), outcome(alone));
+            expect_valid(together);
+        }
+    }
+}
+
 // Two skew lines have n^2 tetrahedra; a point between them digs a cavity larger than a thread has
 // room for at first, while others insert at other such pairs.
 TEST(Zones, LargeCavities) {
@@ -213,8 +234,9 @@ void give_back(void* p, std::size_t, std::size_t, void*) {
 
 TEST(Zones, OutOfMemory) {
     std::mt19937_64 random(23);
-    const Points first = random_points(random, 40, 1000000),
-                 xyz = random_points(random, is_small() ? 200 : 800, 1000000);
+    const Points first = random_points(random, 40, 1000000);
+    Points xyz = random_points(random, is_small() ? 200 : 800, 1000000);
+    std::copy_n(&xyz[0], 3, &xyz[3 * (is_small() ? 100 : 400)]);
     bool is_done = false;
     for (long k = 0; !is_done; k += is_small() ? 9 : 1) {
         SCOPED_TRACE(k);

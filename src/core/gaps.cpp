@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Several threads number repeats like vertices; what that leaves is closed when they are done.
+#include "core/triangulation.hpp"
+#include "kernel/walk.hpp"
+
+namespace mgdt {
+namespace {
+
+constexpr std::size_t share = 65536;
+// Tetrahedra that a turn through all of them passes while one vertex is looked for.
+constexpr std::size_t passed = 2048;
+
+// A tetrahedron of vertex v, whose slot is near those of v's.
+TetId tetrahedron_of(const Mesh& mesh, const KernelCalls& calls, VertexId v) {
+    LocationWalk walk;
+    std::copy_n(mesh.point(v), 3, walk.q);
+    walk.tetrahedron = mesh.live_from(mesh.near[v]);
+    calls.locate_begin(mesh, walk);
+    while (calls.locate_step(mesh, walk)) {
+    }
+    Counters unused;
+    return walk_exact(
+        mesh, walk.tetrahedron, walk.q, unused, [](const Tetrahedron&) { return true; },
+        [&](VertexId other, double*) { return mesh.point(other); });
+}
+
+// Gives a vertex another number in all its tetrahedra, of which one is given; star is for lists.
+void renumber_star(Mesh& mesh, TetId first, VertexId from, VertexId to, Buffer<TetId>& star) {
+    star.clear();
+    const auto renumber = [&](TetId t) {
+        for (VertexId& v : mesh.tetrahedra[t].v) {
+            if (v != from) continue;
+            star.push_back(t);
+            v = to;
+        }
+    };
+    renumber(first);
+    for (std::size_t i = 0; i < star.size(); ++i) {
+        const Tetrahedron& t = mesh.tetrahedra[star[i]];
+        for (unsigned face = 0; face < 4; ++face)
+            if (t.v[face] != to) renumber(t.n[face] >> 2);
+    }
+}
+
+// Gives vertices from `end` on that have tetrahedra the numbers in their records.
+void renumber_stars(Mesh& mesh, const KernelCalls& calls, std::size_t end) {
+    Buffer<TetId> star(mesh.near.allocator());
+    for (std::size_t v = end; v < mesh.vertices.size(); ++v) {
+        if (mesh.near[v] == no_tetrahedron) continue;
+        const auto from = static_cast<VertexId>(v);
+        renumber_star(mesh, tetrahedron_of(mesh, calls, from), from, mesh.vertices[v].moved_to,
+                      star);
+    }
+}
+
+void renumber(const Mesh& mesh, std::size_t end, VertexId& v) noexcept {
+    if (v >= end) v = mesh.vertices[v].moved_to;
+}
+
+// The same by a turn through all tetrahedra.
+void renumber_all(Team& team, Mesh& mesh, std::size_t end) {
+    team.split(mesh.tetrahedra.size(), share, [&](std::size_t from, std::size_t to, unsigned) {
+        for (std::size_t t = from; t < to; ++t)
+            if (!mesh.tetrahedra[t].is_dead())
+                for (VertexId& v : mesh.tetrahedra[t].v) renumber(mesh, end, v);
+    });
+}
+
+}  // namespace
+
+// Vertices from `begin` on of repeats, and of points that are not in, are gaps with no tetrahedron
+// near. The last vertices move there.
+void Triangulation::close_gaps(Team& team, std::size_t begin) noexcept {
+    Buffer<TetId>& near = mesh_.near;
+    std::size_t end = mesh_.vertices.size(), moved = 0;
+    for (std::size_t v = begin; v < end; ++v) {
+        if (near[v] != no_tetrahedron) continue;
+        while (end > v + 1 && near[end - 1] == no_tetrahedron) --end;
+        if (--end == v) break;
+        // Where a vertex goes lies in its old record.
+        mesh_.vertices[v] = mesh_.vertices[end];
+        near[v] = near[end];
+        mesh_.vertices[end].moved_to = static_cast<VertexId>(v);
+        ++moved;
+    }
+    if (moved > 0) {
+        bool is_done = moved <= mesh_.tetrahedra.size() / passed;
+        try {
+            if (is_done) renumber_stars(mesh_, calls(), end);
+        } catch (const std::bad_alloc&) {
+            is_done = false;
+        }
+        if (!is_done) renumber_all(team, mesh_, end);
+        team.split(point_map_.size(), share, [&](std::size_t from, std::size_t to, unsigned) {
+            for (std::size_t i = from; i < to; ++i) renumber(mesh_, end, point_map_[i]);
+        });
+    }
+    mesh_.vertices.resize_within_capacity(end);
+    near.resize_within_capacity(end);
+}
+
+}  // namespace mgdt
