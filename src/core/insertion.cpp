@@ -7,6 +7,7 @@
 #include "core/triangulation.hpp"
 #include "core/zonal_insertion.hpp"
 #include "order/deal.hpp"
+#include "platform/loan.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
@@ -68,7 +69,6 @@ void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule
     mesh_.near.resize(base + size);
     Atomic<bool> has_extremes{false};
     team.split(size, 8192, [&](std::size_t begin, std::size_t end, unsigned) {
-        mesh_.vertices.prefault(base + begin, base + end);
         mesh_.near.prefault(base + begin, base + end);
         constexpr std::size_t ahead = 24;
         bool found = false;
@@ -90,7 +90,20 @@ void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule
 void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, bool may_stop) {
     // All that can fail before the mesh changes.
     const std::size_t n = batch.points.size;
-    Schedule schedule(allocator_);
+    const std::size_t base = fresh ? 1 : mesh_.vertices.size();
+    {
+        Stopwatch watch(statistics_.insert_seconds);
+        mesh_.vertices.grow(base + n);
+        mesh_.near.grow(base + n);
+        team.split(n, 8192, [&](std::size_t begin, std::size_t end, unsigned) {
+            mesh_.vertices.prefault(base + begin, base + end);
+        });
+    }
+    // Until the vertices come, the schedule is made where they will be, but for those held till
+    // now.
+    const std::size_t held = std::min(mesh_.vertices.size(), base + n);
+    Loan room(mesh_.vertices.data() + held, (base + n - held) * sizeof(Vertex), allocator_);
+    Schedule schedule(allocator_, room.allocator());
     {
         Stopwatch watch(statistics_.order_seconds);
         const std::int32_t scheme = n <= smallest_schedule ? MGDT_ORDER_INPUT : settings_.scheme;
@@ -104,9 +117,6 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
     }
     if (may_stop) stop_if_cancelled(0, n);
     Stopwatch watch(statistics_.insert_seconds);
-    const std::size_t base = fresh ? 1 : mesh_.vertices.size();
-    mesh_.vertices.grow(base + n);
-    mesh_.near.grow(base + n);
     try {
         mesh_.reserve_tetrahedra(expected_tetrahedra(base + n, mesh_.slot_limit));
     } catch (const std::bad_alloc&) {

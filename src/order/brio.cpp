@@ -11,7 +11,7 @@ namespace mgdt {
 void order_brio(Team& team, const PointSet& points, const OrderParameters& parameters,
                 Schedule& out) {
     const std::size_t n = points.size;
-    Allocator& allocator = out.order.allocator();
+    Allocator& allocator = out.scratch;
     const RandomRounds rounds(n, parameters.round_ratio, parameters.seed);
     const CurveOrder curve = sort_along_curve(team, points, allocator);
     Buffer<std::uint32_t> ends(allocator, rounds.count() + std::size_t{1});

@@ -49,7 +49,7 @@ Deal::Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed) 
 }
 
 void deal_rounds(Team& team, std::uint64_t seed, Schedule& schedule) {
-    Buffer<std::uint32_t> order(schedule.order.allocator(), schedule.order.size());
+    Buffer<std::uint32_t> order(schedule.scratch, schedule.order.size());
     std::copy(schedule.order.begin(), schedule.order.end(), order.begin());
     schedule.hints.clear();
     deal_rounds(

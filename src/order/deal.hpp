@@ -35,7 +35,7 @@ class Deal {
 template <class Index>
 void deal_rounds(Team& team, std::uint64_t seed, Index index, Schedule& out) {
     const std::size_t n = out.order.size();
-    Allocator& allocator = out.order.allocator();
+    Allocator& allocator = out.scratch;
     const Deal deal(team, allocator, n, seed);
     std::uint32_t ends[Deal::most_rounds + 1];
     constexpr std::size_t share = 65536;

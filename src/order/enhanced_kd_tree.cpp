@@ -15,11 +15,7 @@ constexpr double grid_points_per_cell = 8;
 class CellOrder {
   public:
     CellOrder(const PointSet& points, const Buffer<KdPoint>& sorted, Schedule& out)
-        : points_(points),
-          sorted_(sorted),
-          out_(out),
-          path_(out.order.allocator()),
-          ends_(out.order.allocator()) {}
+        : points_(points), sorted_(sorted), out_(out), path_(out.scratch), ends_(out.scratch) {}
 
     void operator()(std::size_t begin, std::size_t end) {
         const std::size_t n = end - begin;
@@ -55,7 +51,7 @@ class CellOrder {
 void order_enhanced_kd_tree(Team& team, const PointSet& points, const OrderParameters& parameters,
                             Schedule& out) {
     const double per_cell = parameters.points_per_cell_or(1000);
-    Buffer<KdPoint> sorted = kd_points(team, points, out.order.allocator());
+    Buffer<KdPoint> sorted = kd_points(team, points, out.scratch);
     const unsigned levels = kd_levels(points.size, per_cell, true);
     kd_partition(team, sorted, box_of(points), levels,
                  [&] { return CellOrder(points, sorted, out); });

@@ -5,7 +5,7 @@
 namespace mgdt {
 
 void order_hilbert(Team& team, const PointSet& points, const OrderParameters&, Schedule& out) {
-    const CurveOrder curve = sort_along_curve(team, points, out.order.allocator());
+    const CurveOrder curve = sort_along_curve(team, points, out.scratch);
     constexpr std::size_t share = 65536;
     team.split(points.size, share, [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t k = begin; k < end; ++k) out.order[k] = curve.index(k);

@@ -10,7 +10,7 @@ namespace mgdt {
 void order_kd_tree(Team& team, const PointSet& points, const OrderParameters& parameters,
                    Schedule& out) {
     const double per_cell = parameters.points_per_cell_or(10);
-    Buffer<KdPoint> sorted = kd_points(team, points, out.order.allocator());
+    Buffer<KdPoint> sorted = kd_points(team, points, out.scratch);
     out.levels = kd_levels(points.size, per_cell, false);
     kd_partition(team, sorted, box_of(points), out.levels, [&] {
         return [&](std::size_t begin, std::size_t end) {

@@ -39,7 +39,7 @@ void sort_by_axis(const PointSet& points, KeyedIndex* a, KeyedIndex* scratch, st
 
 void order_lexicographic(Team&, const PointSet& points, const OrderParameters&, Schedule& out) {
     const std::size_t n = points.size;
-    Allocator& allocator = out.order.allocator();
+    Allocator& allocator = out.scratch;
     Buffer<KeyedIndex> records(allocator, n), scratch(allocator, n);
     for (std::size_t i = 0; i < n; ++i) records[i].index = static_cast<std::uint32_t>(i);
     sort_by_axis(points, records.data(), scratch.data(), n, 0);

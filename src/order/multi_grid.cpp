@@ -20,10 +20,10 @@ class MultiGrid {
           per_cell_(parameters.points_per_cell_or(8)),
           threshold_(parameters.threshold_or(200)),
           out_(out),
-          rank_(out.order.allocator(), points.size),
-          moved_(out.order.allocator(), points.size),
-          ends_(out.order.allocator()),
-          pending_(out.order.allocator()) {}
+          rank_(out.scratch, points.size),
+          moved_(out.scratch, points.size),
+          ends_(out.scratch),
+          pending_(out.scratch) {}
 
     // Puts out.order in the order of the path through the cells that were not divided further,
     // and sets the rank of each position: how many points of the same cell come before it.
@@ -106,9 +106,8 @@ class MultiGrid {
 void order_in_rounds(Team& team, const PointSet& points, const OrderParameters& parameters,
                      Schedule& out) {
     constexpr double crowd = 8;
-    const CurveOrder curve =
-        sort_along_curve(team, points, out.order.allocator(),
-                         static_cast<std::size_t>(parameters.threshold_or(crowd)));
+    const CurveOrder curve = sort_along_curve(
+        team, points, out.scratch, static_cast<std::size_t>(parameters.threshold_or(crowd)));
     out.levels = curve.levels;
     deal_rounds(
         team, parameters.seed, [&](std::size_t k) { return curve.index(k); }, out);

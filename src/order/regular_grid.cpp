@@ -13,7 +13,7 @@ void order_regular_grid(Team& team, const PointSet& points, const OrderParameter
     const std::size_t n = points.size;
     if (n == 0) return;
     const Grid grid(points, box_of(points), n, parameters.points_per_cell_or(8));
-    Allocator& allocator = out.order.allocator();
+    Allocator& allocator = out.scratch;
     Buffer<std::uint32_t> cell(allocator, n), ends(allocator, grid.cells() + 1);
     constexpr std::size_t share = 65536;
     team.split(n, share, [&](std::size_t begin, std::size_t end, unsigned) {

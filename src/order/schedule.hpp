@@ -52,14 +52,15 @@ struct OrderParameters {
 };
 
 struct Schedule {
-    explicit Schedule(Allocator& allocator) noexcept
-        : order(allocator), rounds(allocator), hints(allocator) {}
+    Schedule(Allocator& allocator, Allocator& for_scratch) noexcept
+        : order(allocator), rounds(allocator), hints(allocator), scratch(for_scratch) {}
 
     Buffer<std::uint32_t> order;   // order[k]: the point that goes in k-th; a permutation
     Buffer<std::uint32_t> rounds;  // position where each round begins, ascending; rounds[0] is 0
     // Empty, or for each position an earlier position whose vertex is near and the walk may
     // start from; no_hint starts from the last insertion.
     Buffer<std::uint32_t> hints;
+    Allocator& scratch;   // for what is needed only until the schedule is made
     unsigned levels = 0;  // deepest level of the grids or trees built
 };
 

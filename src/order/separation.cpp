@@ -25,8 +25,7 @@ class Passes {
 
     void apply() {
         const std::size_t n = points_.size;
-        Allocator& allocator = out_.order.allocator();
-        Buffer<std::uint32_t> next(allocator), order(allocator, n);
+        Buffer<std::uint32_t> next(out_.scratch), order(out_.order.allocator(), n);
         count_passes(next);
         out_.hints.resize(n);
         for (std::size_t k = 0; k < n; ++k) {

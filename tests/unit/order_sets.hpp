@@ -29,6 +29,7 @@
 #include "order/random.hpp"
 #include "order/rounds.hpp"
 #include "order/schedule.hpp"
+#include "platform/loan.hpp"
 
 namespace order_test {
 
@@ -63,13 +64,18 @@ struct Result {
     }
 };
 
+// With no allocator given, scratch is lent, and gone before the schedule is read.
 inline Result schedule(const PointSet& points, std::int32_t scheme,
                        const OrderParameters& parameters = {}, Allocator* allocator = nullptr,
                        unsigned members = 1) {
     Allocator own;
-    Schedule out(allocator ? *allocator : own);
+    std::vector<unsigned char> block(12 * points.size);
+    Loan loan(block.data(), block.size(), own);
+    Schedule out(allocator ? *allocator : own, allocator ? *allocator : loan.allocator());
     Team team(members);
     make_schedule(team, points, scheme, parameters, out);
+    EXPECT_EQ(loan.allocator().bytes(), 0u);
+    std::fill(block.begin(), block.end(), static_cast<unsigned char>(0xA5));
     Result result;
     result.order.assign(out.order.begin(), out.order.end());
     result.rounds.assign(out.rounds.begin(), out.rounds.end());
