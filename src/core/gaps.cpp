@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Several threads number repeats like vertices; what that leaves is closed when they are done.
+// Points get the numbers of vertices before they are inserted. Repeats, and points that are not in
+// since a call was given up, leave gaps, which are closed at its end.
 #include "core/triangulation.hpp"
 #include "kernel/walk.hpp"
 
@@ -68,14 +69,19 @@ void renumber_all(Team& team, Mesh& mesh, std::size_t end) {
 
 }  // namespace
 
-// Vertices from `begin` on of repeats, and of points that are not in, are gaps with no tetrahedron
-// near. The last vertices move there.
-void Triangulation::close_gaps(Team& team, std::size_t begin) noexcept {
+// A gap is a vertex from `begin` on with no tetrahedron near. The last vertices move there. Points
+// from `first_point` on may map to these.
+void Triangulation::close_gaps(Team& team, std::size_t begin, std::size_t first_point) noexcept {
     Buffer<TetId>& near = mesh_.near;
+    const auto forget = [&](std::size_t v) {
+        VertexId& of_point = point_map_[mesh_.vertices[v].index];
+        if (of_point == v) of_point = infinite_vertex;
+    };
     std::size_t end = mesh_.vertices.size(), moved = 0;
     for (std::size_t v = begin; v < end; ++v) {
         if (near[v] != no_tetrahedron) continue;
-        while (end > v + 1 && near[end - 1] == no_tetrahedron) --end;
+        forget(v);
+        while (end > v + 1 && near[end - 1] == no_tetrahedron) forget(--end);
         if (--end == v) break;
         // Where a vertex goes lies in its old record.
         mesh_.vertices[v] = mesh_.vertices[end];
@@ -91,9 +97,11 @@ void Triangulation::close_gaps(Team& team, std::size_t begin) noexcept {
             is_done = false;
         }
         if (!is_done) renumber_all(team, mesh_, end);
-        team.split(point_map_.size(), share, [&](std::size_t from, std::size_t to, unsigned) {
-            for (std::size_t i = from; i < to; ++i) renumber(mesh_, end, point_map_[i]);
-        });
+        VertexId* const of_points = point_map_.data() + first_point;
+        team.split(point_map_.size() - first_point, share,
+                   [&](std::size_t from, std::size_t to, unsigned) {
+                       for (std::size_t i = from; i < to; ++i) renumber(mesh_, end, of_points[i]);
+                   });
     }
     mesh_.vertices.resize_within_capacity(end);
     near.resize_within_capacity(end);

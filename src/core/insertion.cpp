@@ -62,6 +62,9 @@ void bring_to_front(Schedule& schedule, const std::size_t positions[4]) {
 
 }  // namespace
 
+// Takes it for granted that every point becomes a vertex; close_gaps() corrects that. To enter each
+// when it is inserted would be a store to anywhere between those of its star, which would all wait
+// for it.
 void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule& schedule,
                                   std::size_t base) {
     const std::size_t size = batch.points.size;
@@ -73,13 +76,18 @@ void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule
         constexpr std::size_t ahead = 24;
         bool found = false;
         for (std::size_t k = begin; k < end; ++k) {
-            if (k + ahead < end) batch.points.prefetch(schedule.order[k + ahead]);
+            if (k + ahead < end) {
+                const std::uint32_t next = schedule.order[k + ahead];
+                batch.points.prefetch(next);
+                prefetch(&point_map_[batch.index(next)]);
+            }
             const std::uint32_t i = schedule.order[k];
             Vertex& v = mesh_.vertices[base + k];
             batch.get(i, v.x);
             v.index = batch.index(i);
             v.moved_to = 0;
             mesh_.near[base + k] = no_tetrahedron;
+            point_map_[v.index] = static_cast<VertexId>(base + k);
             if (!in_normal_range(v.x)) found = true;
         }
         if (found) has_extremes = true;
@@ -147,24 +155,20 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
     } else {
         copy_vertices(team, batch, schedule, base);
     }
-    // Several threads number repeats too, and a vertex has to leave the bit of a mark free.
-    if (team.size() == 1 || schedule.rounds.size() == 1 || base + n > in_cavity) {
-        insert_scheduled(batch, schedule, base, done, may_stop);
-        return;
-    }
     struct Close {
         Triangulation& t;
         Team& team;
-        const std::size_t base;
+        const std::size_t base, first_point;
         ~Close() {
-            t.close_gaps(team, base);
+            t.close_gaps(team, base, first_point);
             t.extend_location_tree(base);
-            // What threads left behind may be gone.
-            t.last_ = t.mesh_.live_from(t.last_);
-            t.workspace_.slot_count = 0;
         }
-    } close{*this, team, base};
-    ZonalInsertion(*this, team, batch, schedule, base, may_stop).run(done);
+    } close{*this, team, base, batch.first_index};
+    // For several threads a vertex has to leave the bit of a mark free.
+    if (team.size() == 1 || schedule.rounds.size() == 1 || base + n > in_cavity)
+        insert_scheduled(batch, schedule, base, done, may_stop);
+    else
+        ZonalInsertion(*this, team, batch, schedule, base, may_stop).run(done);
 }
 
 // Vertices 1 to 4 and the vertex at infinity: one tetrahedron and four ghosts, each the
@@ -201,10 +205,7 @@ void Triangulation::make_first_tetrahedra() {
     mesh_.ghost_count = 4;
     mesh_.a_ghost = 4;
     last_ = 0;
-    for (VertexId i = 1; i <= 4; ++i) {
-        mesh_.near[i] = 0;
-        point_map_[mesh_.vertices[i].index] = i;
-    }
+    for (VertexId i = 1; i <= 4; ++i) mesh_.near[i] = 0;
     statistics_.points_inserted += 4;
 }
 
@@ -231,19 +232,6 @@ void Triangulation::extend_location_tree(std::size_t begin) noexcept {
 void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
                                      std::size_t done, bool may_stop) {
     const std::size_t n = batch.points.size;
-    // Vertices of duplicates are taken out as they turn up: those behind move forward.
-    std::size_t in = done;
-    struct Trim {
-        Triangulation& t;
-        const std::size_t base;
-        const std::size_t& in;
-        ~Trim() {
-            t.mesh_.vertices.resize(base + in);
-            t.mesh_.near.resize(base + in);
-            t.extend_location_tree(base);
-        }
-    } trim{*this, base, in};
-
     const LocationTree* const tree = done == 0 ? tree_for_insertion(base) : nullptr;
     const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
     std::size_t next_report = report_interval;
@@ -254,8 +242,7 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
             report(k, n);
         }
         if (is_due || (may_stop && k % poll_interval == 0)) stop_if_cancelled(k, n);
-        const VertexId q = static_cast<VertexId>(base + in);
-        if (in != k) mesh_.vertices[q] = mesh_.vertices[base + k];
+        const VertexId q = static_cast<VertexId>(base + k);
         TetId start = last_;
         if (!schedule.hints.empty() && schedule.hints[k] != no_hint)
             start = mesh_.live_from(
@@ -267,21 +254,14 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
         if (k == 0) lone_steps_ += workspace_.counters.walk_steps - steps_before;
         last_ = result.tetrahedron;
         note(q, result);
-        if (result.duplicate == infinite_vertex) ++in;
     }
 }
 
 void Triangulation::note(VertexId q, const Insertion& result) {
-    if (result.duplicate == infinite_vertex) {
-        note_vertex(q);
+    if (result.duplicate == infinite_vertex)
         ++statistics_.points_inserted;
-    } else {
+    else
         note_repeat(q, result.duplicate);
-    }
-}
-
-void Triangulation::note_vertex(VertexId q) {
-    point_map_[mesh_.vertices[q].index] = q;
 }
 
 void Triangulation::note_repeat(VertexId q, VertexId vertex) {

@@ -102,11 +102,10 @@ class Triangulation {
     void extend_location_tree(std::size_t begin) noexcept;
     void insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
                           std::size_t done, bool may_stop);
-    void close_gaps(Team& team, std::size_t begin) noexcept;
-    // Enter the outcome of an insertion in the point map and the statistics: q is a vertex, or a
-    // repeat of one.
+    void close_gaps(Team& team, std::size_t begin, std::size_t first_point) noexcept;
+    // Enter the outcome of an insertion in the point map and the statistics: q is a vertex, as the
+    // map has it already, or a repeat of one.
     void note(VertexId q, const Insertion& result);
-    void note_vertex(VertexId q);
     void note_repeat(VertexId q, VertexId vertex);
     void report(std::size_t done, std::size_t total);
     void stop_if_cancelled(std::size_t done, std::size_t total);

@@ -65,6 +65,9 @@ Triangulation::ZonalInsertion::ZonalInsertion(Triangulation& t, Team& team, cons
 }
 
 Triangulation::ZonalInsertion::~ZonalInsertion() {
+    // What threads left behind may be gone.
+    t_.last_ = t_.mesh_.live_from(t_.last_);
+    t_.workspace_.slot_count = 0;
     for (unsigned m = 0; m < member_count_; ++m) {
         if (m > 0) t_.workspace_.counters += members_[m].own.counters;
         t_.statistics_.points_inserted += members_[m].inserted;
@@ -235,12 +238,10 @@ bool Triangulation::ZonalInsertion::try_insert(Member& member, std::size_t k) {
     if (result.tetrahedron == no_tetrahedron) return false;
     member.here = result.tetrahedron;
     member.last = k;
-    if (result.duplicate == infinite_vertex) {
-        t_.note_vertex(q);
+    if (result.duplicate == infinite_vertex)
         ++member.inserted;
-    } else {
+    else
         member.repeats.push_back({q, result.duplicate});
-    }
     return true;
 }
 
