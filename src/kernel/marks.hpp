@@ -34,20 +34,20 @@ MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const Fa
     const __m256i keys = _mm256_or_si256(_mm256_cvtepu32_epi64(t),
                                          _mm256_set1_epi64x(static_cast<long long>(marks.stamp)));
 
-    // Where another tetrahedron of this insertion stands, or two of the four belong, one after the
-    // other. Of each pair of bits the upper one says that the insertion is this one.
-    const auto equal = static_cast<std::uint32_t>(
-        _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpeq_epi32(before, keys))));
+    const auto lanes = [](__m256i equal) {
+        return static_cast<std::uint32_t>(_mm256_movemask_pd(_mm256_castsi256_pd(equal)));
+    };
+    const std::uint32_t is_in = lanes(_mm256_cmpeq_epi64(before, keys));
+    // Where one belongs that another tetrahedron of this insertion holds, as the upper halves tell,
+    // or where two of the four belong, one after the other.
+    const std::uint32_t taken = lanes(_mm256_cmpeq_epi32(before, keys)) & ~is_in & which;
     const __m128i place = _mm_and_si128(t, _mm_set1_epi32(static_cast<int>(marks.mask)));
     const __m128i same = _mm_or_si128(_mm_cmpeq_epi32(place, _mm_shuffle_epi32(place, 0x39)),
                                       _mm_cmpeq_epi32(place, _mm_shuffle_epi32(place, 0x4E)));
-    const std::uint32_t taken = equal & ~(equal << 1) & 0xAAu;
     if (MGDT_UNLIKELY(
             (taken | static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(same)))) != 0))
         return put_one_by_one(marks, codes, which);
 
-    const auto is_in = static_cast<std::uint32_t>(
-        _mm256_movemask_pd(_mm256_castsi256_pd(_mm256_cmpeq_epi64(before, keys))));
     const __m256i chosen = _mm256_sllv_epi64(_mm256_set1_epi64x(static_cast<long long>(which)),
                                              _mm256_setr_epi64x(63, 62, 61, 60));
     const __m256i after = _mm256_castpd_si256(_mm256_blendv_pd(
