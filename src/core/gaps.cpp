@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Points get the numbers of vertices before they are inserted. Repeats, and points that are not in
 // since a call was given up, leave gaps, which are closed at its end.
+#include <algorithm>
+#include <new>
+
 #include "core/triangulation.hpp"
 #include "kernel/walk.hpp"
 

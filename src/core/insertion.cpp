@@ -7,6 +7,7 @@
 #include "core/triangulation.hpp"
 #include "core/zonal_insertion.hpp"
 #include "order/deal.hpp"
+#include "platform/error.hpp"
 #include "platform/loan.hpp"
 #include "predicates/predicates.hpp"
 
@@ -164,8 +165,7 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
             t.extend_location_tree(base);
         }
     } close{*this, team, base, batch.first_index};
-    // For several threads a vertex has to leave the bit of a mark free.
-    if (team.size() == 1 || schedule.rounds.size() == 1 || base + n > in_cavity)
+    if (team.size() == 1 || schedule.rounds.size() == 1 || base + n > mesh_.vertex_limit)
         insert_scheduled(batch, schedule, base, done, may_stop);
     else
         ZonalInsertion(*this, team, batch, schedule, base, may_stop).run(done);
@@ -233,6 +233,9 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
                                      std::size_t done, bool may_stop) {
     const std::size_t n = batch.points.size;
     const LocationTree* const tree = done == 0 ? tree_for_insertion(base) : nullptr;
+    // With more points than vertices can have numbers repeats get none: who comes behind moves up.
+    const bool is_crowded = base + n > mesh_.vertex_limit;
+    std::size_t in = done;
     const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
     std::size_t next_report = report_interval;
     for (std::size_t k = done; k < n; ++k) {
@@ -242,7 +245,13 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
             report(k, n);
         }
         if (is_due || (may_stop && k % poll_interval == 0)) stop_if_cancelled(k, n);
-        const VertexId q = static_cast<VertexId>(base + k);
+        const VertexId q = static_cast<VertexId>(base + (is_crowded ? in : k));
+        if (q >= mesh_.vertex_limit)
+            fail(MGDT_ERR_TOO_LARGE, "more than %u vertices", mesh_.vertex_limit);
+        if (q != base + k) {
+            mesh_.vertices[q] = mesh_.vertices[base + k];
+            point_map_[mesh_.vertices[q].index] = q;
+        }
         TetId start = last_;
         if (!schedule.hints.empty() && schedule.hints[k] != no_hint)
             start = mesh_.live_from(
@@ -254,6 +263,7 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
         if (k == 0) lone_steps_ += workspace_.counters.walk_steps - steps_before;
         last_ = result.tetrahedron;
         note(q, result);
+        in += result.duplicate == infinite_vertex;
     }
 }
 

@@ -47,7 +47,8 @@ struct Mesh {
     MGDT_ALWAYS_INLINE const double* point(VertexId v) const noexcept { return vertices[v].x; }
 
     Buffer<Vertex> vertices;  // slot 0: the vertex at infinity
-    // By vertex, once there are tetrahedra: the slot of one that had it, and of one nearby since.
+    // By vertex, once there are tetrahedra: the slot of one that had it, and of one nearby since;
+    // no_tetrahedron until it is inserted.
     // By themselves, since a thread may write this while others read the coordinates.
     Buffer<TetId> near;
     TetrahedronStore tetrahedra;
@@ -57,7 +58,8 @@ struct Mesh {
     int scale = 0;                   // coordinates carry the factor 2^scale, see mesh/scale.hpp
     // Slots that may be taken without another look; the pages of those beyond are not there yet.
     std::size_t ready = 0;
-    std::uint32_t slot_limit = max_tetrahedra;  // lowered by tests
+    // Lowered by tests. A vertex has to leave the bit of a mark free.
+    std::uint32_t slot_limit = max_tetrahedra, vertex_limit = in_cavity;
     bool has_extremes = false;  // some vertex is outside the range in which filters are proved
 
   private:

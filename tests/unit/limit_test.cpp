@@ -55,6 +55,34 @@ TEST(Limit, KeepsWhatGotIn) {
     EXPECT_NO_THROW(check_triangulation(alone, t.claims(), t.allocator(), MGDT_CHECK_CANONICAL, 0));
 }
 
+// More points than vertices can have numbers, but fewer places: repeats take no number. The limit
+// is lowered here too.
+TEST(Limit, MorePointsThanVertices) {
+    std::mt19937_64 random(2);
+    std::vector<double> xyz(3 * 3000);
+    for (double& x : xyz) x = static_cast<double>(random() % 9);
+    const std::vector<double> first(xyz.begin(), xyz.begin() + 300);
+    const std::vector<double> rest(xyz.begin() + 300, xyz.end());
+    Triangulation expected(nullptr, nullptr, nullptr);
+    insert(expected, xyz);
+    for (const std::int32_t threads : {1, 3}) {
+        Triangulation t(nullptr, nullptr, nullptr);
+        const_cast<Mesh&>(t.mesh()).vertex_limit = 800;  // 9^3 places
+        t.settings().threads = threads;
+        t.settings().points_a_thread = 100;
+        insert(t, first);
+        insert(t, rest);
+        EXPECT_EQ(t.vertex_count(), expected.vertex_count());
+        EXPECT_EQ(t.mesh().finite_count(), expected.mesh().finite_count());
+        for (std::size_t i = 0; i < 3000; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                ASSERT_EQ(t.mesh().point(t.point_map()[i])[k], xyz[3 * i + k]) << i;
+        Team team(2);
+        EXPECT_NO_THROW(
+            check_triangulation(team, t.claims(), t.allocator(), MGDT_CHECK_CANONICAL, 0));
+    }
+}
+
 // A cavity that outgrows the scratch arrays while it is dug: nothing has changed but marks, which
 // are taken back.
 TEST(Limit, CavityOutOfMemory) {

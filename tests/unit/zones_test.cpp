@@ -99,24 +99,39 @@ TEST(Zones, SameAsOneThread) {
     EXPECT_GT(met, rounds);
 }
 
-// Where repeats are few, the last vertices take their places one by one.
-TEST(Zones, FewRepeats) {
+// Each of the points given last is mapped to the vertex at its place.
+void expect_places(const Triangulation& t, const Points& xyz) {
+    const std::size_t n = xyz.size() / 3, first = t.point_map().size() - n;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            ASSERT_EQ(t.mesh().point(t.point_map()[first + i])[k], xyz[3 * i + k]) << i;
+}
+
+// Where repeats are few, the last vertices take their places one by one; where many, in a turn
+// through all tetrahedra. The second batch repeats points of the first too.
+TEST(Zones, RepeatsLeaveNoGaps) {
     std::mt19937_64 random(25);
+    const std::size_t n = is_small() ? 8000 : 30000;
     for (const unsigned values : {1000000u, 40u}) {
-        const std::size_t n = is_small() ? 4000 : 20000;
         Points xyz = random_points(random, n, values);
-        for (int i = 0; i < 6; ++i)
+        for (int i = 0; i < 8; ++i)
             std::copy_n(&xyz[3 * (random() % n)], 3, &xyz[3 * (random() % n)]);
-        for (const bool is_compact : {false, true}) {
-            Triangulation alone(nullptr, nullptr, nullptr), together(nullptr, nullptr, nullptr);
-            together.set_compact(is_compact);
-            together.settings().threads = 3;
-            together.settings().points_a_thread = 100;
-            for (Triangulation* t : {&alone, &together}) insert(*t, xyz);
-            ASSERT_GT(together.statistics().duplicates, 0u);
-            ASSERT_EQ(outcome(together), outcome(alone));
-            expect_valid(together);
-        }
+        const auto middle = xyz.begin() + static_cast<std::ptrdiff_t>(3 * (n / 3));
+        Triangulation expected(nullptr, nullptr, nullptr);
+        insert(expected, xyz);
+        for (const bool is_compact : {false, true})
+            for (const std::int32_t threads : {1, 3}) {
+                Triangulation t(nullptr, nullptr, nullptr);
+                t.set_compact(is_compact);
+                t.settings().threads = threads;
+                t.settings().points_a_thread = 100;
+                insert(t, Points(xyz.begin(), middle));
+                insert(t, Points(middle, xyz.end()));
+                ASSERT_GT(t.statistics().duplicates, 0u);
+                ASSERT_EQ(outcome(t), outcome(expected));
+                expect_places(t, xyz);
+                expect_valid(t);
+            }
     }
 }
 
@@ -183,6 +198,7 @@ void expect_rest_can_follow(Triangulation& t, const Points& xyz) {
     EXPECT_EQ(t.vertex_count(), alone.vertex_count());
     EXPECT_EQ(t.mesh().finite_count(), alone.mesh().finite_count());
     expect_valid(t);
+    expect_places(t, xyz);
 }
 
 void settle_for_threads(Triangulation& t, std::int32_t threads) {
@@ -192,7 +208,8 @@ void settle_for_threads(Triangulation& t, std::int32_t threads) {
 
 TEST(Zones, Cancelled) {
     std::mt19937_64 random(22);
-    const Points xyz = random_points(random, is_small() ? 600 : 4000, 1000000);
+    Points xyz = random_points(random, is_small() ? 600 : 4000, 1000000);
+    std::copy_n(&xyz[0], 3, &xyz[3 * 500]);
     for (int stop = 1; stop < 100; stop += is_small() ? 40 : 4) {
         SCOPED_TRACE(stop);
         Triangulation t(nullptr, nullptr, nullptr);
