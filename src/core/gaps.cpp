@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Points get the numbers of vertices before they are inserted. Repeats, and points that are not in
 // since a call was given up, leave gaps, which are closed at its end.
-#include <algorithm>
 #include <new>
 
 #include "core/triangulation.hpp"
-#include "kernel/walk.hpp"
+#include "query/locate.hpp"
 
 namespace mgdt {
 namespace {
@@ -15,17 +14,11 @@ constexpr std::size_t share = 65536;
 constexpr std::size_t passed = 2048;
 
 // A tetrahedron of vertex v, whose slot is near those of v's.
-TetId tetrahedron_of(const Mesh& mesh, const KernelCalls& calls, VertexId v) {
-    LocationWalk walk;
-    std::copy_n(mesh.point(v), 3, walk.q);
-    walk.tetrahedron = mesh.live_from(mesh.near[v]);
-    calls.locate_begin(mesh, walk);
-    while (calls.locate_step(mesh, walk)) {
-    }
-    Counters unused;
-    return walk_exact(
-        mesh, walk.tetrahedron, walk.q, unused, [](const Tetrahedron&) { return true; },
-        [&](VertexId other, double*) { return mesh.point(other); });
+TetId tetrahedron_of(const Locator& locator, VertexId v) {
+    double q[3];
+    locator.unscaled(v, q);
+    TetId hint = locator.mesh.live_from(locator.mesh.near[v]);
+    return locator.locate(q, hint);
 }
 
 // Gives a vertex another number in all its tetrahedra, of which one is given; star is for lists.
@@ -48,12 +41,12 @@ void renumber_star(Mesh& mesh, TetId first, VertexId from, VertexId to, Buffer<T
 
 // Gives vertices from `end` on that have tetrahedra the numbers in their records.
 void renumber_stars(Mesh& mesh, const KernelCalls& calls, std::size_t end) {
+    const Locator locator{mesh, calls, nullptr};
     Buffer<TetId> star(mesh.near.allocator());
     for (std::size_t v = end; v < mesh.vertices.size(); ++v) {
         if (mesh.near[v] == no_tetrahedron) continue;
         const auto from = static_cast<VertexId>(v);
-        renumber_star(mesh, tetrahedron_of(mesh, calls, from), from, mesh.vertices[v].moved_to,
-                      star);
+        renumber_star(mesh, tetrahedron_of(locator, from), from, mesh.vertices[v].moved_to, star);
     }
 }
 

@@ -165,6 +165,7 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
             t.extend_location_tree(base);
         }
     } close{*this, team, base, batch.first_index};
+    // Several threads cannot do without numbers for repeats.
     if (team.size() == 1 || schedule.rounds.size() == 1 || base + n > mesh_.vertex_limit)
         insert_scheduled(batch, schedule, base, done, may_stop);
     else

@@ -25,6 +25,8 @@ struct Locator {
     void weights(TetId t, const double* q, double w[4]) const;
     // The vertex nearest to q, the lowest index of several; infinite_vertex if there is none.
     VertexId nearest_vertex(const double* q, Allocator& allocator) const;
+    // A vertex as the caller gave it.
+    void unscaled(VertexId v, double* to) const;
 
   private:
     // False if there are no steps to take.
@@ -33,7 +35,6 @@ struct Locator {
     friend class NearestVertex;
     // q in the mesh's scale; false if it has no exact place there.
     bool scale_exactly(const double* q, double* to) const;
-    void unscaled(VertexId v, double* to) const;
 };
 
 template <class PointOf, class Found>
