@@ -28,7 +28,7 @@ Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Tea
     ranks_.resize(words);
     std::uint32_t size = 0;
     for (std::size_t word = 0; word < words; ++word) {
-        ranks_[word] = size;
+        ranks_[word] = bits_[word] == ~std::uint64_t{0} ? size : size | gaps;
         size += popcount(bits_[word]);
     }
     if (!is_canonical_ && slots > few) return;

@@ -52,15 +52,16 @@ class Numbering {
     };
     struct ByBits {
         MGDT_ALWAYS_INLINE std::int32_t operator()(TetId t) const noexcept {
-            static_assert(max_tetrahedra <= 1u << 31);
+            const std::uint32_t rank = ranks[t >> 6], place = t & 63;
+            if (MGDT_UNLIKELY((rank & gaps) != 0)) return among_gaps(t);
+            return static_cast<std::int32_t>(rank + place);
+        }
+        std::int32_t among_gaps(TetId t) const noexcept {
             const std::size_t word = t >> 6;
             const std::uint64_t bit = std::uint64_t{1} << (t & 63);
             if ((bits[word] & bit) == 0) return -1;
-            // Nearly all words are full: what is missing below is counted instead of what is there.
-            const std::uint64_t missing = ~bits[word] & (bit - 1);
-            const std::uint32_t number = ranks[word] + (t & 63);
-            return static_cast<std::int32_t>(
-                MGDT_UNLIKELY(missing != 0) ? number - popcount(missing) : number);
+            return static_cast<std::int32_t>((ranks[word] & ~gaps) +
+                                             popcount(bits[word] & (bit - 1)));
         }
         const std::uint64_t* bits;
         const std::uint32_t* ranks;
@@ -75,14 +76,16 @@ class Numbering {
     // storage is made of, in the order of storage.
     std::size_t stretches() const noexcept { return bits_.size(); }
     // Where they are not canonical: the first number of a stretch.
-    std::size_t first_number(std::size_t stretch) const noexcept { return ranks_[stretch]; }
+    std::size_t first_number(std::size_t stretch) const noexcept {
+        return ranks_[stretch] & ~gaps;
+    }
     template <class F>
     void for_each(std::size_t begin, std::size_t end, F f) const {
         if (is_canonical())
             for_each_slot(begin, end,
                           [&](TetId t) { f(t, static_cast<std::size_t>(by_slot_[t])); });
         else if (begin < end)
-            for_each_slot(begin, end, [&, number = std::size_t{ranks_[begin]}](TetId t) mutable {
+            for_each_slot(begin, end, [&, number = first_number(begin)](TetId t) mutable {
                 f(t, number++);
             });
     }
@@ -104,8 +107,13 @@ class Numbering {
                     f(first + lowest_bit(bits));
         }
     }
+    // In a rank, that slots of its word hold no finite tetrahedra. Few words have such slots, so
+    // that ranks alone are looked at, and fit the second cache.
+    static constexpr std::uint32_t gaps = 1u << 31;
+    static_assert(max_tetrahedra <= gaps);
+
     Buffer<std::uint64_t> bits_;    // which slots hold finite tetrahedra
-    Buffer<std::uint32_t> ranks_;   // number of the first of each word of bits_
+    Buffer<std::uint32_t> ranks_;   // number of the first of each word of bits_, and gaps
     Buffer<std::int32_t> by_slot_;  // numbers: canonical ones, or where slots are few
     const bool is_canonical_;
 };
