@@ -13,31 +13,52 @@
 namespace mgdt {
 namespace {
 
-// From this size on the default allocator maps pages itself, so that growth moves page tables
-// instead of bytes and memory goes back to the system when it is freed.
-constexpr std::size_t map_threshold = std::size_t{1} << 20;
-
 #if MGDT_HAVE_MREMAP
+// Three kinds of blocks. Small ones are the C library's. Large ones are mapped pages, so that
+// growth moves page tables instead of bytes and memory goes back to the system when it is freed.
+// In between, a block that did not grow is the C library's too, which keeps up to so much for the
+// next handle (M_MMAP_THRESHOLD and its maximum); one that grew is mapped.
+constexpr std::size_t page = 4096;
+constexpr std::size_t medium = std::size_t{1} << 20, large = std::size_t{1} << 25;
+// Medium blocks of the C library begin so far behind the beginning of a page, where no mapped
+// block does. Before them is the pointer that free() wants.
+constexpr std::size_t heap_offset = 64;
+
 constexpr std::size_t page_round(std::size_t bytes) {
-    constexpr std::size_t page = 4096;
     return (bytes + page - 1) & ~(page - 1);
 }
-constexpr bool is_mapped(std::size_t bytes, std::size_t align) {
-    return bytes >= map_threshold && align <= 4096;
+constexpr bool is_small(std::size_t bytes, std::size_t align) {
+    return bytes < medium || align > page;
 }
-#else
-constexpr bool is_mapped(std::size_t, std::size_t) {
-    return false;
+bool is_mapped(const void* p, std::size_t bytes, std::size_t align) {
+    return !is_small(bytes, align) && reinterpret_cast<std::uintptr_t>(p) % page == 0;
+}
+
+void* map(std::size_t bytes) noexcept {
+    void* const p = mmap(nullptr, page_round(bytes), PROT_READ | PROT_WRITE,
+                         MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    return p == MAP_FAILED ? nullptr : p;
+}
+
+// By malloc(): aligned_alloc() has glibc map such a block anew each time.
+void* obtain_medium(std::size_t bytes) noexcept {
+    void* const whole = std::malloc(bytes + page + heap_offset);
+    if (!whole) return nullptr;
+    const std::uintptr_t at = page_round(reinterpret_cast<std::uintptr_t>(whole)) + heap_offset;
+    void** const p = reinterpret_cast<void**>(at);
+    p[-1] = whole;
+    return p;
 }
 #endif
 
-void* default_obtain(std::size_t bytes, std::size_t align) noexcept {
+void* default_obtain(std::size_t bytes, std::size_t align, bool grows) noexcept {
 #if MGDT_HAVE_MREMAP
-    if (is_mapped(bytes, align)) {
-        void* p = mmap(nullptr, page_round(bytes), PROT_READ | PROT_WRITE,
-                       MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-        return p == MAP_FAILED ? nullptr : p;
+    if (!is_small(bytes, align)) {
+        if (grows || bytes >= large || align > heap_offset) return map(bytes);
+        return obtain_medium(bytes);
     }
+#else
+    static_cast<void>(grows);
 #endif
     // aligned_alloc wants a size that is a multiple of the alignment.
     return std::aligned_alloc(align, (bytes + align - 1) & ~(align - 1));
@@ -45,10 +66,11 @@ void* default_obtain(std::size_t bytes, std::size_t align) noexcept {
 
 void default_give_back(void* p, std::size_t bytes, std::size_t align) noexcept {
 #if MGDT_HAVE_MREMAP
-    if (is_mapped(bytes, align)) {
+    if (is_mapped(p, bytes, align)) {
         munmap(p, page_round(bytes));
         return;
     }
+    if (!is_small(bytes, align)) p = static_cast<void**>(p)[-1];
 #endif
     static_cast<void>(bytes);
     static_cast<void>(align);
@@ -57,9 +79,9 @@ void default_give_back(void* p, std::size_t bytes, std::size_t align) noexcept {
 
 }  // namespace
 
-void* Allocator::obtain(mgdt_alloc_fn alloc, void* user, std::size_t bytes,
-                        std::size_t align) noexcept {
-    if (!alloc) return default_obtain(bytes, align);
+void* Allocator::obtain(mgdt_alloc_fn alloc, void* user, std::size_t bytes, std::size_t align,
+                        bool grows) noexcept {
+    if (!alloc) return default_obtain(bytes, align, grows);
     const FpEnvironment environment;  // what the callback does to it ends with the callback
     return alloc(bytes, align, user);
 }
@@ -94,9 +116,9 @@ void Allocator::prefault(void* part, std::size_t part_bytes, std::size_t block_b
 #if MGDT_HAVE_MREMAP && defined(MADV_POPULATE_WRITE)
     // For a few pages the call costs more than the faults.
     constexpr std::size_t least = 65536;
-    if (alloc_ || part_bytes < least || !is_mapped(block_bytes, align)) return;
+    if (alloc_ || part_bytes < least || is_small(block_bytes, align)) return;
     // Whole pages from the one that the part begins in; what is there already stays.
-    const std::size_t begin = reinterpret_cast<std::size_t>(part) & ~std::size_t{4095};
+    const std::size_t begin = reinterpret_cast<std::size_t>(part) & ~(page - 1);
     const std::size_t end = reinterpret_cast<std::size_t>(part) + part_bytes;
     madvise(reinterpret_cast<void*>(begin), page_round(end - begin), MADV_POPULATE_WRITE);
 #else
@@ -107,10 +129,10 @@ void Allocator::prefault(void* part, std::size_t part_bytes, std::size_t block_b
 #endif
 }
 
-void* Allocator::allocate(std::size_t bytes, std::size_t align) {
+void* Allocator::allocate(std::size_t bytes, std::size_t align, bool grows) {
     if (bytes == 0) return nullptr;
     count(bytes);
-    void* p = obtain(alloc_, user_, bytes, align);
+    void* p = obtain(alloc_, user_, bytes, align, grows);
     if (!p) {
         discount(bytes);
         throw std::bad_alloc();
@@ -132,7 +154,7 @@ void* Allocator::reallocate(void* p, std::size_t bytes, std::size_t used, std::s
         return nullptr;
     }
 #if MGDT_HAVE_MREMAP
-    if (!alloc_ && is_mapped(bytes, align) && is_mapped(new_bytes, align)) {
+    if (!alloc_ && is_mapped(p, bytes, align) && !is_small(new_bytes, align)) {
         if (new_bytes > bytes) count(new_bytes - bytes);
         void* moved = mremap(p, page_round(bytes), page_round(new_bytes), MREMAP_MAYMOVE);
         if (moved == MAP_FAILED) {
@@ -143,7 +165,7 @@ void* Allocator::reallocate(void* p, std::size_t bytes, std::size_t used, std::s
         return moved;
     }
 #endif
-    void* fresh = allocate(new_bytes, align);
+    void* fresh = allocate(new_bytes, align, new_bytes > bytes);
     std::memcpy(fresh, p, used < new_bytes ? used : new_bytes);
     release(p, bytes, align);
     return fresh;

@@ -27,10 +27,12 @@ class Allocator {
     Allocator(const Allocator&) = delete;
     Allocator& operator=(const Allocator&) = delete;
 
-    void* allocate(std::size_t bytes, std::size_t align);
+    // `grows`: the block takes the place of a smaller one, and may again have to make room for a
+    // larger one.
+    void* allocate(std::size_t bytes, std::size_t align, bool grows = false);
     void release(void* p, std::size_t bytes, std::size_t align) noexcept;
     // Grows or shrinks a block; the first `used` bytes keep their values. Large blocks of the
-    // default allocator move by remapping pages, without a copy.
+    // default allocator, and those that grew before, move by remapping pages, without a copy.
     void* reallocate(void* p, std::size_t bytes, std::size_t used, std::size_t new_bytes,
                      std::size_t align);
 
@@ -46,8 +48,8 @@ class Allocator {
     void count(std::size_t bytes);
 
     // The source itself, without counting: for the handle, which holds the allocator.
-    static void* obtain(mgdt_alloc_fn alloc, void* user, std::size_t bytes,
-                        std::size_t align) noexcept;
+    static void* obtain(mgdt_alloc_fn alloc, void* user, std::size_t bytes, std::size_t align,
+                        bool grows = false) noexcept;
     static void give_back(mgdt_free_fn release, void* user, void* p, std::size_t bytes,
                           std::size_t align) noexcept;
     mgdt_free_fn release_function() const noexcept { return release_; }

@@ -76,18 +76,15 @@ class Numbering {
     // storage is made of, in the order of storage.
     std::size_t stretches() const noexcept { return bits_.size(); }
     // Where they are not canonical: the first number of a stretch.
-    std::size_t first_number(std::size_t stretch) const noexcept {
-        return ranks_[stretch] & ~gaps;
-    }
+    std::size_t first_number(std::size_t stretch) const noexcept { return ranks_[stretch] & ~gaps; }
     template <class F>
     void for_each(std::size_t begin, std::size_t end, F f) const {
         if (is_canonical())
             for_each_slot(begin, end,
                           [&](TetId t) { f(t, static_cast<std::size_t>(by_slot_[t])); });
         else if (begin < end)
-            for_each_slot(begin, end, [&, number = first_number(begin)](TetId t) mutable {
-                f(t, number++);
-            });
+            for_each_slot(begin, end,
+                          [&, number = first_number(begin)](TetId t) mutable { f(t, number++); });
     }
     // The places of a tetrahedron's vertices in its exported record, indices[vertex] deciding.
     template <class Indices>

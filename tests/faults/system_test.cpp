@@ -100,7 +100,7 @@ TEST(System, RefusesThreads) {
     }
 }
 
-// Large blocks are mapped pages.
+// Blocks that grow to 1 MiB are mapped pages; others of that size are the C library's.
 Insertion large(std::int32_t threads) {
     Insertion flow;
     flow.name = "large, " + std::to_string(threads) + " threads";
@@ -117,10 +117,11 @@ TEST(System, RefusesPages) {
         refusals.done_to(large(threads));
         EXPECT_GE(refusals.failed, 1);
     }
-    for (const Call& call : calls) {
-        Refusals refusals{fault_map, false, true};
-        refusals.done_to(call, 6000, 1, true, false);
-    }
+    for (const unsigned what : {fault_map, fault_malloc})
+        for (const Call& call : calls) {
+            Refusals refusals{what, false, true};
+            refusals.done_to(call, 6000, 1, true, false);
+        }
 }
 
 TEST(System, RefusesAdviceOnPages) {

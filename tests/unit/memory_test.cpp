@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "platform/memory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace mgdt {
+namespace {
+
+constexpr std::size_t small = 1000, medium = std::size_t{3} << 20, large = std::size_t{33} << 20;
+
+unsigned char pattern(std::size_t i) {
+    return static_cast<unsigned char>(i * 7 + i / 4096);
+}
+
+// Of any size to any other and to a third, what was in the block stays, and its alignment.
+TEST(Memory, BlocksKeepWhatIsInThem) {
+    std::vector<std::size_t> sizes;
+    for (const std::size_t about : {small, medium / 3, medium, large - medium, large})
+        for (const std::size_t more : {0, 1, 64}) sizes.push_back(about + more);
+    for (const std::size_t align : {8u, 64u, 4096u, 8192u})
+        for (const std::size_t first : sizes)
+            for (const std::size_t second : {small, medium, large}) {
+                Allocator allocator;
+                std::size_t bytes = first;
+                auto* p = static_cast<unsigned char*>(allocator.allocate(bytes, align));
+                for (std::size_t i = 0; i < bytes; ++i) p[i] = pattern(i);
+                std::size_t kept = bytes;
+                for (const std::size_t next : {second, first + 100}) {
+                    p = static_cast<unsigned char*>(
+                        allocator.reallocate(p, bytes, kept, next, align));
+                    bytes = next;
+                    kept = std::min(kept, bytes);
+                    ASSERT_EQ(reinterpret_cast<std::uintptr_t>(p) % align, 0u);
+                    ASSERT_EQ(allocator.bytes(), bytes);
+                    allocator.prefault(p + bytes / 2, bytes - bytes / 2, bytes, align);
+                    std::size_t wrong = 0;
+                    for (std::size_t i = 0; i < kept; ++i) wrong += p[i] != pattern(i);
+                    ASSERT_EQ(wrong, 0u) << first << ' ' << second << ' ' << align;
+                    p[bytes - 1] = 1;
+                    kept = std::min(kept, bytes - 1);
+                }
+                allocator.release(p, bytes, align);
+                ASSERT_EQ(allocator.bytes(), 0u);
+            }
+}
+
+#if defined(__linux__)
+// A block that grew once can grow again in place of a copy; one that did not may be the C
+// library's, which has it ready for the next handle.
+TEST(Memory, BlocksThatGrowAreMapped) {
+    const auto is_mapped = [](void* p) { return reinterpret_cast<std::uintptr_t>(p) % 4096 == 0; };
+    Allocator allocator;
+    void* p = allocator.allocate(medium, 64);
+    EXPECT_FALSE(is_mapped(p));
+    p = allocator.reallocate(p, medium, medium, 2 * medium, 64);
+    EXPECT_TRUE(is_mapped(p));
+    p = allocator.reallocate(p, 2 * medium, medium, medium, 64);
+    EXPECT_TRUE(is_mapped(p));
+    allocator.release(p, medium, 64);
+    p = allocator.allocate(large, 64);
+    EXPECT_TRUE(is_mapped(p));
+    allocator.release(p, large, 64);
+}
+#endif
+
+}  // namespace
+}  // namespace mgdt
