@@ -9,7 +9,7 @@ namespace {
 // Points between two times that a thread gives its blocks back.
 constexpr std::size_t piece_size = 64;
 // At so many times along its zone, but not before so many tries, a thread looks how many failed:
-// with more than half of them it leaves the rest of the round to the others.
+// with more than a quarter of them it leaves the rest of the round to the others.
 constexpr std::size_t trials = 64, least_trial = 512;
 // A point further along the schedule than that is not walked to from the last one.
 constexpr std::size_t far_away = 512;
@@ -209,7 +209,7 @@ bool Triangulation::ZonalInsertion::is_too_crowded(Member& member, std::size_t t
     member.tries += tries;
     member.failures += failures;
     if (member.tries < trial_) return false;
-    const bool is_crowded = member.failures > member.tries / 2;
+    const bool is_crowded = member.failures > member.tries / 4;
     member.tries = member.failures = 0;
     if (!is_crowded) return false;
     // The last one stays.

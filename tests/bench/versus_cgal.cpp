@@ -4,7 +4,9 @@
 //
 //   versus_cgal [points [runs [distribution...]]]
 //
-// Timed is the way from points in memory to the triangulation; taking it down is not. "order s"
+// Timed is the way from points in memory to the triangulation; taking it down is not. "own" is the
+// ratio of processor times less the system's, which depends on how the machine, above all a virtual
+// one, comes by its pages. "order s"
 // and "insert s" are mgdt's seconds for the schedule and for the insertions, and "order" the
 // schedule's share; what is left of "mgdt s" is the scan of the points. NP, NR and NC are the
 // tetrahedra visited by walks, removed and created, "bytes" the peak memory beyond the caller's
@@ -34,16 +36,20 @@ using Point = Triangulation::Point;
 
 /// What was measured of one library, an entry a run.
 struct Costs {
-    std::vector<double> seconds, cycles;
+    std::vector<double> seconds, own, cycles;
 
     template <class Body>
     void add(const bench::CycleCounter& counter, Body body) {
-        cycles.push_back(counter.count([&] { seconds.push_back(bench::seconds(body)); }));
+        const auto timed = [&] { seconds.push_back(bench::seconds(body)); };
+        const auto counted = [&] { cycles.push_back(counter.count(timed)); };
+        own.push_back(bench::own_seconds(counted));
     }
 };
 
 struct Figures {
     Costs ours, theirs;
+    double ratio() const { return median(theirs.seconds) / median(ours.seconds); }
+    double own_ratio() const { return median(theirs.own) / median(ours.own); }
     std::vector<double> order_seconds, insert_seconds;
     // The same in every run.
     double walk_steps, removed, created, bytes;
@@ -105,24 +111,42 @@ bool measure(const std::string& kind, std::size_t points, int runs,
     return true;
 }
 
+class Ratios {
+  public:
+    void add(double ratio) {
+        log_sum_ += std::log(ratio);
+        least_ = std::min(least_, ratio);
+        ++count_;
+    }
+    void print(const char* name) const {
+        std::printf("%s: geometric mean %.2f, least %.2f\n", name, std::exp(log_sum_ / count_),
+                    least_);
+    }
+
+  private:
+    double log_sum_ = 0, least_ = 1e300;
+    int count_ = 0;
+};
+
 std::string cycles_a_point(const Costs& costs, std::size_t points) {
     const double cycles = median(costs.cycles) / static_cast<double>(points);
     return cycles > 0 ? std::to_string(std::llround(cycles)) : "-";
 }
 
 void print_heading() {
-    std::printf("%-9s %7s %7s %6s %6s %6s %6s %6s %8s %8s %6s %7s %11s\n", "set", "mgdt s",
-                "CGAL s", "ratio", "NP", "NR", "NC", "order", "order s", "insert s", "bytes",
+    std::printf("%-9s %7s %7s %6s %6s %6s %6s %6s %6s %8s %8s %6s %7s %11s\n", "set", "mgdt s",
+                "CGAL s", "ratio", "own", "NP", "NR", "NC", "order", "order s", "insert s", "bytes",
                 "cycles", "CGAL cycles");
 }
 
 void print_row(const std::string& kind, std::size_t points, const Figures& f) {
     const double ours = median(f.ours.seconds), theirs = median(f.theirs.seconds);
     const double order = median(f.order_seconds);
-    std::printf("%-9s %7.3f %7.3f %6.2f %6.2f %6.2f %6.2f %5.1f%% %8.4f %8.4f %6.0f %7s %11s\n",
-                kind.c_str(), ours, theirs, theirs / ours, f.walk_steps, f.removed, f.created,
-                100 * order / ours, order, median(f.insert_seconds), f.bytes,
-                cycles_a_point(f.ours, points).c_str(), cycles_a_point(f.theirs, points).c_str());
+    std::printf(
+        "%-9s %7.3f %7.3f %6.2f %6.2f %6.2f %6.2f %6.2f %5.1f%% %8.4f %8.4f %6.0f %7s %11s\n",
+        kind.c_str(), ours, theirs, f.ratio(), f.own_ratio(), f.walk_steps, f.removed, f.created,
+        100 * order / ours, order, median(f.insert_seconds), f.bytes,
+        cycles_a_point(f.ours, points).c_str(), cycles_a_point(f.theirs, points).c_str());
     std::fflush(stdout);
 }
 
@@ -139,16 +163,15 @@ int main(int argc, char** argv) {
     std::printf("%zu points, medians of %d interleaved runs, one thread; cycles %s\n", points, runs,
                 counter.scope());
     print_heading();
-    double log_sum = 0, least = 1e300;
+    Ratios all, own;
     for (const std::string& kind : kinds) {
         Figures figures{};
         if (!measure(kind, points, runs, counter, figures)) return 1;
         print_row(kind, points, figures);
-        const double ratio = median(figures.theirs.seconds) / median(figures.ours.seconds);
-        log_sum += std::log(ratio);
-        least = std::min(least, ratio);
+        all.add(figures.ratio());
+        own.add(figures.own_ratio());
     }
-    std::printf("ratio: geometric mean %.2f, least %.2f\n",
-                std::exp(log_sum / static_cast<double>(kinds.size())), least);
+    all.print("ratio");
+    own.print("own");
     return 0;
 }
