@@ -46,24 +46,38 @@ MGDT_ALWAYS_INLINE void link_star(const Tetrahedra tetrahedra, const Workspace& 
     }
 }
 
-// Facets with the vertex at infinity got the sphere of nonsense; they are ghosts. Returns how many.
-template <class Access>
-std::size_t write_ghosts(Access access, Mesh& mesh, const Workspace& w, VertexId q) {
-    std::size_t ghosts = 0;
+// Lists the ghosts of a star where its boundary was, whose facets are linked. Returns how many.
+template <class Number>
+MGDT_ALWAYS_INLINE std::size_t list_ghosts(Workspace& w, std::uint32_t infinite,
+                                           const Number* const as, const Number* const bs,
+                                           const Number* const cs) {
+    TetId* const ghosts = w.boundary.data;
+    std::size_t count = 0;
+    // Which facets they are cannot be foretold.
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
-        const Tetrahedron& t = mesh.tetrahedra[w.slots.data[i]];
-        if (!t.is_ghost()) continue;
+        ghosts[count] = w.slots.data[i];
+        count += opaque(static_cast<std::uint32_t>(as[i] == infinite) |
+                        static_cast<std::uint32_t>(bs[i] == infinite) |
+                        static_cast<std::uint32_t>(cs[i] == infinite));
+    }
+    return count;
+}
+
+// Facets with the vertex at infinity got the sphere of nonsense; they are ghosts.
+template <class Access>
+void write_ghosts(Access access, Mesh& mesh, const Workspace& w, VertexId q, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const TetId ghost = w.boundary.data[i];
         if constexpr (Access::SphereSource::are_kept) {
+            const Tetrahedron& t = mesh.tetrahedra[ghost];
             // The two vertices that follow the one at infinity in cyclic order.
             const int slot = t.infinite_slot();
             set_normal(relative_to(mesh.point(t.v[slot % 3 + 1]), mesh.point(q)),
                        relative_to(mesh.point(t.v[(slot + 1) % 3 + 1]), mesh.point(q)),
-                       mesh.tetrahedra.sphere(w.slots.data[i]));
+                       mesh.tetrahedra.sphere(ghost));
         }
-        access.made_ghost(w.slots.data[i]);
-        ++ghosts;
+        access.made_ghost(ghost);
     }
-    return ghosts;
 }
 
 // Outside the normal range the bounds prove nothing: leave every test to the predicates.
@@ -109,7 +123,8 @@ inline std::size_t count_ghosts(const Mesh& mesh, const Workspace& w) {
 template <class Access, class Numbers>
 MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, VertexId q,
                                        const Numbers& numbers) {
-    const bool at_hull = numbers.find(infinite_vertex) != no_index;
+    const std::uint32_t infinite = numbers.find(infinite_vertex);
+    const bool at_hull = infinite != no_index;
     const std::size_t ghosts_gone = at_hull ? count_ghosts(mesh, w) : 0;
     choose_slots(access, w);
     constexpr bool has_spheres = Access::SphereSource::are_kept;
@@ -132,7 +147,13 @@ MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, 
         if constexpr (has_spheres)
             set_spheres(w, mesh.vertices.data(), q, numbers.count(), tetrahedra);
     }
-    if (at_hull) access.count_ghosts(write_ghosts(access, mesh, w, q), ghosts_gone);
+    if (at_hull) {
+        const std::size_t ghosts = numbers.count() <= Workspace::SmallStar::most_vertices
+                                       ? list_ghosts(w, infinite, s.a, s.b, s.c)
+                                       : list_ghosts(w, infinite, w.a.data, w.b.data, w.c.data);
+        write_ghosts(access, mesh, w, q, ghosts);
+        access.count_ghosts(ghosts, ghosts_gone);
+    }
 }
 
 // Replaces the cavity by the star of vertex q; returns one of its tetrahedra.
