@@ -19,7 +19,7 @@ unsigned char pattern(std::size_t i) {
 TEST(Memory, BlocksKeepWhatIsInThem) {
     std::vector<std::size_t> sizes;
     for (const std::size_t about : {small, medium / 3, medium, large - medium, large})
-        for (const std::size_t more : {0, 1, 64}) sizes.push_back(about + more);
+        for (const std::size_t more : {0u, 1u, 64u}) sizes.push_back(about + more);
     for (const std::size_t align : {8u, 64u, 4096u, 8192u})
         for (const std::size_t first : sizes)
             for (const std::size_t second : {small, medium, large}) {
