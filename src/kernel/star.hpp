@@ -49,21 +49,20 @@ MGDT_ALWAYS_INLINE void link_star(const Tetrahedra tetrahedra, const Workspace& 
 // Lists the ghosts of a star where its boundary was, whose facets are linked. Returns how many.
 template <class Number>
 MGDT_ALWAYS_INLINE std::size_t list_ghosts(Workspace& w, std::uint32_t infinite,
-                                           const Number* const as, const Number* const bs,
-                                           const Number* const cs) {
+                                           const Number* const bs, const Number* const cs) {
     TetId* const ghosts = w.boundary.data;
     std::size_t count = 0;
-    // Which facets they are cannot be foretold.
+    // The vertex at infinity is one of the last two of its tetrahedron. Which facets have it cannot
+    // be foretold.
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
         ghosts[count] = w.slots.data[i];
-        count += opaque(static_cast<std::uint32_t>(as[i] == infinite) |
-                        static_cast<std::uint32_t>(bs[i] == infinite) |
+        count += opaque(static_cast<std::uint32_t>(bs[i] == infinite) |
                         static_cast<std::uint32_t>(cs[i] == infinite));
     }
     return count;
 }
 
-// Facets with the vertex at infinity got the sphere of nonsense; they are ghosts.
+// Facets with the vertex at infinity got the sphere of nonsense; they are ghosts, and listed.
 template <class Access>
 void write_ghosts(Access access, Mesh& mesh, const Workspace& w, VertexId q, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -149,8 +148,8 @@ MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, 
     }
     if (at_hull) {
         const std::size_t ghosts = numbers.count() <= Workspace::SmallStar::most_vertices
-                                       ? list_ghosts(w, infinite, s.a, s.b, s.c)
-                                       : list_ghosts(w, infinite, w.a.data, w.b.data, w.c.data);
+                                       ? list_ghosts(w, infinite, s.b, s.c)
+                                       : list_ghosts(w, infinite, w.b.data, w.c.data);
         write_ghosts(access, mesh, w, q, ghosts);
         access.count_ghosts(ghosts, ghosts_gone);
     }

@@ -16,8 +16,9 @@ namespace {
 #if MGDT_HAVE_MREMAP
 // Three kinds of blocks. Small ones are the C library's. Large ones are mapped pages, so that
 // growth moves page tables instead of bytes and memory goes back to the system when it is freed.
-// In between, a block that did not grow is the C library's too, which keeps up to so much for the
-// next handle (M_MMAP_THRESHOLD and its maximum); one that grew is mapped.
+// In between, a block is the C library's too, which may keep as much for the next handle (glibc
+// does, on 64 bits), unless it took another's place or there is a limit: then it is mapped, so that
+// growing it takes no more than what it grows by.
 constexpr std::size_t page = 4096;
 constexpr std::size_t medium = std::size_t{1} << 20, large = std::size_t{1} << 25;
 // Medium blocks of the C library begin so far behind the beginning of a page, where no mapped
@@ -40,7 +41,8 @@ void* map(std::size_t bytes) noexcept {
     return p == MAP_FAILED ? nullptr : p;
 }
 
-// By malloc(): aligned_alloc() has glibc map such a block anew each time.
+// By malloc(): for aligned_alloc(), glibc asks itself for more than it learns to keep when such a
+// block is freed, and maps one anew each time.
 void* obtain_medium(std::size_t bytes) noexcept {
     void* const whole = std::malloc(bytes + page + heap_offset);
     if (!whole) return nullptr;
@@ -51,14 +53,14 @@ void* obtain_medium(std::size_t bytes) noexcept {
 }
 #endif
 
-void* default_obtain(std::size_t bytes, std::size_t align, bool grows) noexcept {
+void* default_obtain(std::size_t bytes, std::size_t align, bool remaps) noexcept {
 #if MGDT_HAVE_MREMAP
     if (!is_small(bytes, align)) {
-        if (grows || bytes >= large || align > heap_offset) return map(bytes);
+        if (remaps || bytes >= large || align > heap_offset) return map(bytes);
         return obtain_medium(bytes);
     }
 #else
-    static_cast<void>(grows);
+    static_cast<void>(remaps);
 #endif
     // aligned_alloc wants a size that is a multiple of the alignment.
     return std::aligned_alloc(align, (bytes + align - 1) & ~(align - 1));
@@ -80,8 +82,8 @@ void default_give_back(void* p, std::size_t bytes, std::size_t align) noexcept {
 }  // namespace
 
 void* Allocator::obtain(mgdt_alloc_fn alloc, void* user, std::size_t bytes, std::size_t align,
-                        bool grows) noexcept {
-    if (!alloc) return default_obtain(bytes, align, grows);
+                        bool remaps) noexcept {
+    if (!alloc) return default_obtain(bytes, align, remaps);
     const FpEnvironment environment;  // what the callback does to it ends with the callback
     return alloc(bytes, align, user);
 }
@@ -129,10 +131,10 @@ void Allocator::prefault(void* part, std::size_t part_bytes, std::size_t block_b
 #endif
 }
 
-void* Allocator::allocate(std::size_t bytes, std::size_t align, bool grows) {
+void* Allocator::allocate(std::size_t bytes, std::size_t align, bool remaps) {
     if (bytes == 0) return nullptr;
     count(bytes);
-    void* p = obtain(alloc_, user_, bytes, align, grows);
+    void* p = obtain(alloc_, user_, bytes, align, remaps || limit_ != 0);
     if (!p) {
         discount(bytes);
         throw std::bad_alloc();
@@ -165,7 +167,7 @@ void* Allocator::reallocate(void* p, std::size_t bytes, std::size_t used, std::s
         return moved;
     }
 #endif
-    void* fresh = allocate(new_bytes, align, new_bytes > bytes);
+    void* fresh = allocate(new_bytes, align, true);
     std::memcpy(fresh, p, used < new_bytes ? used : new_bytes);
     release(p, bytes, align);
     return fresh;

@@ -27,17 +27,18 @@ class Allocator {
     Allocator(const Allocator&) = delete;
     Allocator& operator=(const Allocator&) = delete;
 
-    // `grows`: the block takes the place of a smaller one, and may again have to make room for a
-    // larger one.
-    void* allocate(std::size_t bytes, std::size_t align, bool grows = false);
+    // `remaps`: the block takes another's place, and may have to make room for a third.
+    void* allocate(std::size_t bytes, std::size_t align, bool remaps = false);
     void release(void* p, std::size_t bytes, std::size_t align) noexcept;
-    // Grows or shrinks a block; the first `used` bytes keep their values. Large blocks of the
-    // default allocator, and those that grew before, move by remapping pages, without a copy.
+    // Grows or shrinks a block; the first `used` bytes keep their values. Blocks of the
+    // default allocator that are large, or at least 1 MiB and moved before, move by remapping
+    // pages, without a copy.
     void* reallocate(void* p, std::size_t bytes, std::size_t used, std::size_t new_bytes,
                      std::size_t align);
 
     // Has the system provide the pages of part of a block at once, which costs it a third less
-    // than one fault for each. Only a hint, and only for large blocks of the default allocator.
+    // than one fault for each. Only a hint, and only for blocks of 1 MiB or more of the default
+    // allocator.
     void prefault(void* part, std::size_t part_bytes, std::size_t block_bytes,
                   std::size_t align) const noexcept;
 
@@ -49,7 +50,7 @@ class Allocator {
 
     // The source itself, without counting: for the handle, which holds the allocator.
     static void* obtain(mgdt_alloc_fn alloc, void* user, std::size_t bytes, std::size_t align,
-                        bool grows = false) noexcept;
+                        bool remaps = false) noexcept;
     static void give_back(mgdt_free_fn release, void* user, void* p, std::size_t bytes,
                           std::size_t align) noexcept;
     mgdt_free_fn release_function() const noexcept { return release_; }

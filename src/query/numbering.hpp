@@ -104,7 +104,7 @@ class Numbering {
                     f(first + lowest_bit(bits));
         }
     }
-    // In a rank, that slots of its word hold no finite tetrahedra. Few words have such slots, so
+    // In a rank, that some slots of its word hold no finite tetrahedra. Few words have such, so
     // that ranks alone are looked at, and fit the second cache.
     static constexpr std::uint32_t gaps = 1u << 31;
     static_assert(max_tetrahedra <= gaps);

@@ -17,7 +17,8 @@ inline const std::int64_t step = is_small() ? 4 : 1;
 struct Refusals {
     unsigned kinds;
     bool own_allocator;
-    bool can_do_without;  // refusing all that is asked for may leave the call its success
+    bool can_do_without;      // refusing all that is asked for may leave the call its success
+    bool is_limited = false;  // with a limit that is never met, which has large blocks mapped
     std::int64_t tried = 0, failed = 0;
 
     void done_to(const Insertion& flow) {
@@ -44,6 +45,9 @@ struct Refusals {
         const Points xyz = random_points(static_cast<std::size_t>(n), 5);
         const auto begin = [&] {
             Story story(own_allocator, threads, 0, MGDT_ORDER_AUTO);
+            if (is_limited) {
+                EXPECT_EQ(mgdt_set_memory_limit(story.handle(), INT64_MAX / 2), MGDT_OK);
+            }
             story.insert(xyz);
             return story;
         };
