@@ -6,11 +6,10 @@
 //
 // Timed is the way from points in memory to the triangulation; taking it down is not. "own" is the
 // ratio of processor times less the system's, which depends on how the machine, above all a virtual
-// one, comes by its pages. "order s"
-// and "insert s" are mgdt's seconds for the schedule and for the insertions, and "order" the
-// schedule's share; what is left of "mgdt s" is the scan of the points. NP, NR and NC are the
-// tetrahedra visited by walks, removed and created, "bytes" the peak memory beyond the caller's
-// array, "cycles" the processor's, all a point.
+// one, comes by its pages. "order s" and "insert s" are mgdt's seconds for the schedule and for the
+// insertions, and "order" the schedule's share; what is left of "mgdt s" is the scan of the points.
+// NP, NR and NC are the tetrahedra visited by walks, removed and created, "bytes" the peak memory
+// beyond the caller's array, "cycles" the processor's, all a point.
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -48,12 +47,13 @@ struct Costs {
 
 struct Figures {
     Costs ours, theirs;
-    double ratio() const { return median(theirs.seconds) / median(ours.seconds); }
-    double own_ratio() const { return median(theirs.own) / median(ours.own); }
     std::vector<double> order_seconds, insert_seconds;
     // The same in every run.
     double walk_steps, removed, created, bytes;
     long long our_tetrahedra, their_tetrahedra;
+
+    double ratio() const { return median(theirs.seconds) / median(ours.seconds); }
+    double own_ratio() const { return median(theirs.own) / median(ours.own); }
 };
 
 mgdt_status run_mgdt(const std::vector<double>& xyz, const bench::CycleCounter& counter,

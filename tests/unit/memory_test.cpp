@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
+
+#include "../small.h"
 
 namespace mgdt {
 namespace {
@@ -24,7 +25,7 @@ TEST(Memory, BlocksKeepWhatIsInThem) {
         for (const std::size_t more : {0u, 1u, 64u}) sizes.push_back(about + more);
     // Under tools that take ten times as long, what nearly all blocks have.
     std::vector<std::size_t> aligns = {64};
-    if (!std::getenv("MGDT_TEST_SMALL")) aligns = {8, 64, 4096, 8192};
+    if (!is_small()) aligns = {8, 64, 4096, 8192};
     for (const std::size_t align : aligns)
         for (const std::size_t first : sizes)
             for (const std::size_t second : {small, medium, large}) {
@@ -53,15 +54,20 @@ TEST(Memory, BlocksKeepWhatIsInThem) {
 }
 
 #if defined(__linux__)
-// A block that grew once can grow again in place of a copy; one that did not may be the C
-// library's, which has it ready for the next handle.
-TEST(Memory, BlocksThatGrowAreMapped) {
+// A block that took another's place can grow in place of a copy, and goes back to the system; one
+// that did not may be the C library's, which has it ready for the next handle.
+TEST(Memory, BlocksThatMoveAreMapped) {
     const auto is_mapped = [](void* p) { return reinterpret_cast<std::uintptr_t>(p) % 4096 == 0; };
     Allocator allocator;
     void* p = allocator.allocate(medium, 64);
     EXPECT_FALSE(is_mapped(p));
     p = allocator.reallocate(p, medium, medium, 2 * medium, 64);
     EXPECT_TRUE(is_mapped(p));
+    p = allocator.reallocate(p, 2 * medium, medium, medium, 64);
+    EXPECT_TRUE(is_mapped(p));
+    allocator.release(p, medium, 64);
+    p = allocator.allocate(2 * medium, 64);
+    EXPECT_FALSE(is_mapped(p));
     p = allocator.reallocate(p, 2 * medium, medium, medium, 64);
     EXPECT_TRUE(is_mapped(p));
     allocator.release(p, medium, 64);
