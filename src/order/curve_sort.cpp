@@ -23,7 +23,7 @@ class CurveSorter {
           allocator_(order.words.allocator()),
           words_(order.words.data()),
           scratch_(scratch.data()) {
-        index_bits_ = bit_width(order.index_mask);
+        index_bits_ = order.index_bits;
         steps_ = (64 - index_bits_) / (3 * HilbertCurve::levels_per_step);
         if (steps_ > most_steps) steps_ = most_steps;
     }
@@ -92,12 +92,13 @@ class CurveSorter {
 CurveOrder sort_along_curve(Team& team, const PointSet& points, Allocator& allocator,
                             std::size_t crowd) {
     const std::size_t n = points.size;
-    CurveOrder order{Buffer<std::uint64_t>(allocator), 0, 0};
+    CurveOrder order{Buffer<std::uint64_t>(allocator), 0, 0, 0};
     if (n == 0) return order;
     Buffer<std::uint64_t> scratch(allocator);
     order.words.resize(n);
     scratch.resize(n);
-    order.index_mask = (std::uint64_t{1} << bit_width(n - 1)) - 1;
+    order.index_bits = bit_width(n - 1);
+    order.index_mask = (std::uint64_t{1} << order.index_bits) - 1;
     team.split(n, 65536, [&](std::size_t begin, std::size_t end, unsigned) {
         order.words.prefault(begin, end);
         scratch.prefault(begin, end);

@@ -3,20 +3,44 @@
 
 #include <algorithm>
 
+#include "order/random.hpp"
+
 namespace mgdt {
 namespace {
 
 // Places of a round that is not the last: one of so many consecutive ones.
 constexpr std::size_t block = 12;
-// The one is drawn from the middle of the block, so that a round's points keep their distance.
+// The one is of the middle of the block, so that a round's points keep their distance.
 constexpr unsigned middle_bits = 3;
-constexpr std::size_t margin = (block - (std::size_t{1} << middle_bits)) / 2;
+constexpr std::size_t middle = std::size_t{1} << middle_bits, margin = (block - middle) / 2;
+static_assert(margin > 0);  // all have neighbours in their block
 constexpr std::size_t largest_first = 64;
 constexpr std::size_t share = 65536;
 
+// Which of the middle ones is farthest from both of its neighbours along the curve; place(i) is
+// that of the i-th of them, from -1 on. Of equal ones the first from `first` on, cyclically.
+template <class Place>
+std::size_t loneliest(const CurveOrder& curve, std::size_t first, Place place) {
+    unsigned apart[middle + 1];
+    for (std::size_t i = 0; i <= middle; ++i) apart[i] = curve.levels_apart(place(i - 1), place(i));
+    std::size_t best = first;
+    unsigned most = 0;
+    for (std::size_t k = 0; k < middle; ++k) {
+        const std::size_t i = (first + k) % middle;
+        const unsigned alone = std::min(apart[i], apart[i + 1]);
+        if (alone > most) {
+            most = alone;
+            best = i;
+        }
+    }
+    return best;
+}
+
 }  // namespace
 
-Deal::Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed) : back_(allocator) {
+Deal::Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed,
+           const CurveOrder* curve)
+    : back_(allocator) {
     back_.resize(n);
     team.split(n, share, [&](std::size_t begin, std::size_t end, unsigned) {
         std::fill(back_.begin() + begin, back_.begin() + end, std::uint8_t{0});
@@ -26,12 +50,17 @@ Deal::Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed) 
     std::size_t left = n;
     while (left > largest_first) {
         const std::size_t blocks = left / block;
+        const auto place_of = [&](std::size_t k) {
+            return rounds_ == 0 ? static_cast<std::uint32_t>(k) : chosen[k];
+        };
         const auto choose = [&](std::size_t begin, std::size_t end, unsigned) {
             for (std::size_t b = begin; b < end; ++b) {
-                const std::uint64_t draw = Random::at(seed, drawn + b) >> (64 - middle_bits);
-                const std::size_t at = b * block + margin + static_cast<std::size_t>(draw);
-                const std::uint32_t place =
-                    rounds_ == 0 ? static_cast<std::uint32_t>(at) : chosen[at];
+                const std::size_t from = b * block + margin;
+                auto at =
+                    static_cast<std::size_t>(Random::at(seed, drawn + b) >> (64 - middle_bits));
+                if (curve)
+                    at = loneliest(*curve, at, [&](std::size_t i) { return place_of(from + i); });
+                const std::uint32_t place = place_of(from + at);
                 back_[place] = static_cast<std::uint8_t>(rounds_ + 1);
                 chosen[b] = place;
             }

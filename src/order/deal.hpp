@@ -2,16 +2,17 @@
 // Rounds dealt along an order whose consecutive points are near each other.
 #pragma once
 
-#include "order/random.hpp"
+#include "order/curve_sort.hpp"
 #include "order/schedule.hpp"
 #include "parallel/team_lists.hpp"
 
 namespace mgdt {
 
-// The round of each place of an order.
+// The round of each place of an order. Where that is a curve, it tells which points stand alone.
 class Deal {
   public:
-    Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed);
+    Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed,
+         const CurveOrder* curve = nullptr);
 
     static constexpr unsigned most_rounds = 16;
 
@@ -31,12 +32,19 @@ class Deal {
 // many as BRIO with one of eight), but what was built before is visited the less often. Twelve
 // removes no more than the paper's multi-grid plus one on an ellipsoid; sixteen does.
 //
+// Along a curve the one is not any of the twelve but, of those in the middle, the one that lies
+// farthest from the next along the curve; which of several that lie equally far, or of all where
+// there is no curve, is drawn. On thin sets these are the points that stick out, and what comes
+// later falls between them: 5% fewer removals on a spiral and on diagonals, 4% on a line, fewer
+// than in random order; on a uniform set, where they are any, as many.
+//
 // Fills order and rounds of a schedule; index(k) is the point at place k of the order.
 template <class Index>
-void deal_rounds(Team& team, std::uint64_t seed, Index index, Schedule& out) {
+void deal_rounds(Team& team, std::uint64_t seed, Index index, Schedule& out,
+                 const CurveOrder* curve = nullptr) {
     const std::size_t n = out.order.size();
     Allocator& allocator = out.scratch;
-    const Deal deal(team, allocator, n, seed);
+    const Deal deal(team, allocator, n, seed, curve);
     std::uint32_t ends[Deal::most_rounds + 1];
     constexpr std::size_t share = 65536;
     make_lists(

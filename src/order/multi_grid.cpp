@@ -102,7 +102,7 @@ class MultiGrid {
 // Keeps what the paper's multi-grid is for, and goes about it another way: grids of cubes, as fine
 // as keys allow, and one more in each crowded cell; a path through all of them along a Hilbert
 // curve that enters a grid and leaves it where its cell is entered and left; and separation by
-// rounds of one point in twelve.
+// rounds of one point in twelve, those first that stand alone on the curve.
 void order_in_rounds(Team& team, const PointSet& points, const OrderParameters& parameters,
                      Schedule& out) {
     constexpr double crowd = 8;
@@ -110,7 +110,7 @@ void order_in_rounds(Team& team, const PointSet& points, const OrderParameters& 
         team, points, out.scratch, static_cast<std::size_t>(parameters.threshold_or(crowd)));
     out.levels = curve.levels;
     deal_rounds(
-        team, parameters.seed, [&](std::size_t k) { return curve.index(k); }, out);
+        team, parameters.seed, [&](std::size_t k) { return curve.index(k); }, out, &curve);
 }
 
 }  // namespace

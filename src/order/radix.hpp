@@ -25,6 +25,9 @@ inline std::uint64_t radix_key(const KeyedIndex& record) noexcept {
 }
 
 inline unsigned bit_width(std::uint64_t x) noexcept {
+#if defined(__GNUC__)
+    return x ? 64 - static_cast<unsigned>(__builtin_clzll(x)) : 0;
+#else
     unsigned bits = 0;
     for (unsigned step = 32; step; step /= 2) {
         if (x >> step) {
@@ -33,6 +36,7 @@ inline unsigned bit_width(std::uint64_t x) noexcept {
         }
     }
     return bits + (x ? 1 : 0);
+#endif
 }
 
 template <class Record>

@@ -18,6 +18,7 @@ void* Loan::obtain(std::size_t bytes, std::size_t align, void* loan) {
         }
     } while (!from.taken_.compare_exchange_weak(taken, begin + bytes, std::memory_order_acquire,
                                                 std::memory_order_relaxed));
+    receive(&from.taken_);
     return from.begin_ + begin;
 }
 
@@ -31,6 +32,7 @@ void Loan::give_back(void* p, std::size_t bytes, std::size_t align, void* loan) 
     }
     // The last one serves again.
     std::size_t end = address - begin + bytes;
+    hand_over(&from.taken_);
     from.taken_.compare_exchange_strong(end, address - begin, std::memory_order_release,
                                         std::memory_order_relaxed);
 }

@@ -164,10 +164,13 @@ TEST(Perturbation, AgreesWithItsDefinition) {
     EXPECT_GT(ties, 5);
 }
 
-// Integers of 64 bits say 0 of a vertex, and nothing of what they cannot hold.
+// All say 0 of a vertex, and integers of 64 bits nothing of what they cannot hold.
 TEST(Perturbation, OfWholeNumbers) {
     const double a[3] = {0, 0, 0}, b[3] = {4, 0, 0}, c[3] = {0, 4, 0}, d[3] = {0, 0, 4};
-    for (const double* v : {a, b, c, d}) EXPECT_EQ(mgdt::exact::perturbed_whole(a, b, c, d, v), 0);
+    for (const double* v : {a, b, c, d}) {
+        EXPECT_EQ(mgdt::exact::perturbed_whole(a, b, c, d, v), 0);
+        EXPECT_EQ(mgdt::exact::perturbed_by_parts(a, b, c, d, v), 0);
+    }
     const double inside[3] = {1, 1, 1}, far[3] = {0x1p300, 1, 0x1p-300};
     EXPECT_EQ(mgdt::exact::perturbed_whole(a, b, c, d, inside), 1);
     EXPECT_EQ(mgdt::exact::perturbed_whole(a, b, c, d, far), mgdt::exact::undecided);
