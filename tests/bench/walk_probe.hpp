@@ -163,8 +163,10 @@ class Probe {
                    VertexId v, TetId start) {
         // Before the first insertion there is no star.
         const TetId last_one = w.slot_count != 0 ? w.slots.data[0] : start;
+        // A repeat's vertex is nowhere, and has no place in the mesh when the batch is in.
         const auto at = [&](VertexId near) {
-            return Start{near == infinite_vertex ? last_one : mesh.live_from(mesh.near[near]), 0};
+            const bool is_in = near != infinite_vertex && mesh.near[near] != mgdt::no_tetrahedron;
+            return Start{is_in ? mesh.live_from(mesh.near[near]) : last_one, 0};
         };
         switch (kind) {
             case in_star: {
