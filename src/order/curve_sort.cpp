@@ -23,8 +23,7 @@ class CurveSorter {
           allocator_(order.words.allocator()),
           words_(order.words.data()),
           scratch_(scratch.data()) {
-        index_bits_ = order.index_bits;
-        steps_ = (64 - index_bits_) / (3 * HilbertCurve::levels_per_step);
+        steps_ = (64 - order.index_bits) / (3 * HilbertCurve::levels_per_step);
         if (steps_ > most_steps) steps_ = most_steps;
     }
 
@@ -40,16 +39,16 @@ class CurveSorter {
         team.split(end - begin, share, [&](std::size_t first, std::size_t last, unsigned) {
             for (std::size_t k = first; k < last; ++k) {
                 unsigned to = state;
-                const std::uint64_t index = words[k] & order_.index_mask;
-                words[k] = key(lattice, index, to) << index_bits_ | index;
+                const std::uint64_t index = words[k] & order_.index_mask();
+                words[k] = key(lattice, index, to) << order_.index_bits | index;
             }
         });
-        radix_sort(team, allocator_, words, scratch_ + begin, end - begin, index_bits_,
-                   index_bits_ + 3 * levels);
+        radix_sort(team, allocator_, words, scratch_ + begin, end - begin, order_.index_bits,
+                   order_.index_bits + 3 * levels);
         for_each_run(
             team, allocator_, end - begin, crowd_ + 1,
             [&](std::size_t i, std::size_t j) {
-                return words[i] >> index_bits_ == words[j] >> index_bits_;
+                return words[i] >> order_.index_bits == words[j] >> order_.index_bits;
             },
             [&](Team& t, std::size_t first, std::size_t last) {
                 refine(t, begin + first, begin + last, lattice, state, depth);
@@ -83,7 +82,7 @@ class CurveSorter {
     Allocator& allocator_;
     std::uint64_t* words_;
     std::uint64_t* scratch_;
-    unsigned index_bits_, steps_;
+    unsigned steps_;
     Atomic<unsigned> levels_{0};
 };
 
@@ -92,13 +91,12 @@ class CurveSorter {
 CurveOrder sort_along_curve(Team& team, const PointSet& points, Allocator& allocator,
                             std::size_t crowd) {
     const std::size_t n = points.size;
-    CurveOrder order{Buffer<std::uint64_t>(allocator), 0, 0, 0};
+    CurveOrder order{Buffer<std::uint64_t>(allocator), 0, 0};
     if (n == 0) return order;
     Buffer<std::uint64_t> scratch(allocator);
     order.words.resize(n);
     scratch.resize(n);
     order.index_bits = bit_width(n - 1);
-    order.index_mask = (std::uint64_t{1} << order.index_bits) - 1;
     team.split(n, 65536, [&](std::size_t begin, std::size_t end, unsigned) {
         order.words.prefault(begin, end);
         scratch.prefault(begin, end);

@@ -2,7 +2,6 @@
 // Sorts points along a Hilbert curve that is as fine as the points are close.
 #pragma once
 
-#include "order/radix.hpp"
 #include "order/schedule.hpp"
 
 namespace mgdt {
@@ -10,12 +9,12 @@ namespace mgdt {
 // The points of a set along the curve. Word k holds the index of the k-th one in its low bits.
 struct CurveOrder {
     Buffer<std::uint64_t> words;
-    std::uint64_t index_mask;
     unsigned index_bits;
     unsigned levels;  // how deep curves lie within cells of curves, 1 if no cell is crowded
 
+    std::uint64_t index_mask() const noexcept { return (std::uint64_t{1} << index_bits) - 1; }
     std::uint32_t index(std::size_t k) const noexcept {
-        return static_cast<std::uint32_t>(words[k] & index_mask);
+        return static_cast<std::uint32_t>(words[k] & index_mask());
     }
     // How far the i-th point is from the k-th along the curve, roughly: levels of the smallest of
     // its cells that is as long. Any number where a curve inside a cell begins or ends between.

@@ -35,8 +35,8 @@ class Deal {
 // Along a curve the one is not any of the twelve but, of those in the middle, the one that lies
 // farthest from the next along the curve; which of several that lie equally far, or of all where
 // there is no curve, is drawn. On thin sets these are the points that stick out, and what comes
-// later falls between them: 5% fewer removals on a spiral and on diagonals, 4% on a line, fewer
-// than in random order; on a uniform set, where they are any, as many.
+// later falls between them: 4% fewer removals on a spiral, on diagonals and on a line, fewer than
+// in random order; on a uniform set, where they are any, as many.
 //
 // Fills order and rounds of a schedule; index(k) is the point at place k of the order.
 template <class Index>

@@ -24,21 +24,6 @@ inline std::uint64_t radix_key(const KeyedIndex& record) noexcept {
     return record.key;
 }
 
-inline unsigned bit_width(std::uint64_t x) noexcept {
-#if defined(__GNUC__)
-    return x ? 64 - static_cast<unsigned>(__builtin_clzll(x)) : 0;
-#else
-    unsigned bits = 0;
-    for (unsigned step = 32; step; step /= 2) {
-        if (x >> step) {
-            x >>= step;
-            bits += step;
-        }
-    }
-    return bits + (x ? 1 : 0);
-#endif
-}
-
 template <class Record>
 void insertion_sort(Record* a, std::size_t n) noexcept {
     for (std::size_t i = 1; i < n; ++i) {

@@ -39,6 +39,17 @@ MGDT_ALWAYS_INLINE unsigned lowest_bit(std::uint64_t x) noexcept {
 #endif
 }
 
+// How many bits x has up to its highest that is set.
+MGDT_ALWAYS_INLINE unsigned bit_width(std::uint64_t x) noexcept {
+#if defined(__GNUC__)
+    return x ? 64 - static_cast<unsigned>(__builtin_clzll(x)) : 0;
+#else
+    unsigned bits = 0;
+    for (; x; x >>= 1) ++bits;
+    return bits;
+#endif
+}
+
 struct CpuFeatures {
     bool avx2 = false;    // and FMA, BMI 1 and 2, LZCNT, POPCNT
     bool avx512 = false;  // F, VL, DQ, BW, and all of avx2

@@ -273,47 +273,46 @@ TEST(Auto, EarlierRoundsTakeOneOfTwelveAlongTheCurve) {
     EXPECT_EQ(std::count(early.begin(), early.end(), 1), static_cast<long>(n / 12));
 }
 
-// Keys a unit apart but for one point of every twelve, which is `alone` from the next.
-CurveOrder along_a_curve(Allocator& allocator, std::size_t n, std::uint64_t alone,
-                         std::vector<bool>& is_alone) {
-    const unsigned index_bits = bit_width(n - 1);
-    CurveOrder curve{Buffer<std::uint64_t>(allocator, n), (std::uint64_t{1} << index_bits) - 1,
-                     index_bits, 1};
-    is_alone.assign(n, false);
-    for (std::size_t b = 0; b < n / 12; ++b) is_alone[12 * b + 2 + 5 * b % 8] = true;
-    std::uint64_t key = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-        key += is_alone[k] || (k > 0 && is_alone[k - 1]) ? alone : 1;
-        curve.words[k] = key << index_bits | k;
-    }
-    return curve;
-}
+class DealAlongACurve : public ::testing::Test {
+  protected:
+    static constexpr std::size_t n = 1728;
 
-TEST(Deal, TakesFirstWhoStandsAloneOnACurve) {
-    Allocator allocator;
-    Team team(2);
-    const std::size_t n = 1728;
-    std::vector<bool> is_alone;
-    const CurveOrder curve = along_a_curve(allocator, n, 64, is_alone);
+    // Keys a unit apart but for one point of every twelve, which is `alone` from the next.
+    CurveOrder curve(std::uint64_t alone) {
+        CurveOrder result{Buffer<std::uint64_t>(allocator_, n), bit_width(n - 1), 1};
+        std::uint64_t key = 0;
+        for (std::size_t k = 0; k < n; ++k) {
+            key += is_alone(k) || (k > 0 && is_alone(k - 1)) ? alone : 1;
+            result.words[k] = key << result.index_bits | k;
+        }
+        return result;
+    }
+    static bool is_alone(std::size_t k) { return k % 12 == 2 + k / 12 * 5 % 8; }
+    Deal deal(std::uint64_t seed, const CurveOrder* curve) {
+        return Deal(team_, allocator_, n, seed, curve);
+    }
+
+  private:
+    Allocator allocator_;
+    Team team_{2};
+};
+
+TEST_F(DealAlongACurve, TakesFirstWhoStandsAlone) {
+    const CurveOrder some_alone = curve(64);
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
-        const Deal deal(team, allocator, n, seed, &curve);
-        ASSERT_EQ(deal.rounds(), 3U);
-        for (std::size_t k = 0; k < n; ++k) EXPECT_EQ(deal.round(k) < 2, is_alone[k]) << k;
+        const Deal dealt = deal(seed, &some_alone);
+        ASSERT_EQ(dealt.rounds(), 3U);
+        for (std::size_t k = 0; k < n; ++k) EXPECT_EQ(dealt.round(k) < 2, is_alone(k)) << k;
     }
 }
 
-TEST(Deal, DrawsAmongThoseWhoStandAlike) {
-    Allocator allocator;
-    Team team(2);
-    const std::size_t n = 1728;
-    std::vector<bool> is_alone;
-    // Less than a level apart.
-    const CurveOrder curve = along_a_curve(allocator, n, 2, is_alone);
-    const CurveOrder* const curves[] = {&curve, nullptr};
+TEST_F(DealAlongACurve, DrawsAmongThoseWhoStandAlike) {
+    const CurveOrder all_alike = curve(2);  // less than a level apart
+    const CurveOrder* const curves[] = {&all_alike, nullptr};
     for (const CurveOrder* along : curves) {
-        const Deal deal(team, allocator, n, 1, along);
+        const Deal dealt = deal(1, along);
         std::vector<int> taken(12, 0);
-        for (std::size_t k = 0; k < n; ++k) taken[k % 12] += deal.round(k) < 2;
+        for (std::size_t k = 0; k < n; ++k) taken[k % 12] += dealt.round(k) < 2;
         for (std::size_t k = 0; k < 12; ++k) {
             // Of 144 draws among 8 places: 18, give or take 4.
             const bool is_middle = k >= 2 && k < 10;
