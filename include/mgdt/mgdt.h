@@ -232,11 +232,12 @@ MGDT_API mgdt_status mgdt_set_index_base(mgdt_triangulation *t, int32_t base);
 MGDT_API mgdt_status mgdt_set_memory_limit(mgdt_triangulation *t, int64_t bytes);
 
 /** Chooses between speed and memory. A triangulation keeps the circumsphere of every tetrahedron,
- *  which is half of its memory. In compact storage spheres are computed from the vertices whenever
- *  they are wanted: insertions and locations take longer (docs/performance.md), the tetrahedra are
- *  the same, so are the calls; the order of storage may differ (mgdt_set_canonical_output()). May be
- *  called at any time: with 1 after the last insertion it gives half of the memory back, where the
- *  allocator can shrink a block within the memory limit; with 0 it computes the spheres again.
+ *  which is three tenths of its memory. In compact storage spheres are computed from the vertices
+ *  whenever they are wanted: insertions and locations take longer (docs/performance.md), the
+ *  tetrahedra are the same, so are the calls; the order of storage may differ
+ *  (mgdt_set_canonical_output()). May be called at any time: with 1 after the last insertion it
+ *  gives that memory back, where the allocator can shrink a block within the memory limit; with 0
+ *  it computes the spheres again.
  *  @param on  1 for compact storage, 0 (default) for spheres that are kept
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_OUT_OF_MEMORY (for
  *          0; nothing has changed then)

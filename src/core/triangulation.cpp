@@ -130,7 +130,8 @@ void Triangulation::set_scale(const ExponentRange& range) {
 void Triangulation::set_spheres() noexcept {
     for (TetId t = 0; t < mesh_.tetrahedra.size(); ++t)
         if (!mesh_.tetrahedra[t].is_dead())
-            mesh_.tetrahedra.sphere(t) = circumsphere(mesh_.tetrahedra[t], mesh_.vertices.data());
+            mesh_.tetrahedra.sphere(t) =
+                rounded(circumsphere(mesh_.tetrahedra[t], mesh_.vertices.data()));
 }
 
 // How many of the batch's first points it takes, with those held, to span space; all of them if

@@ -20,7 +20,7 @@ struct Alone {
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
         mesh.reserve_slots(taken, freed);
     }
-    MGDT_ALWAYS_INLINE void take_slots(TetId* slots, std::size_t count) const noexcept {
+    MGDT_ALWAYS_INLINE void take_slots(FacetCode* slots, std::size_t count) const noexcept {
         mesh.take_slots(slots, count);
     }
     MGDT_ALWAYS_INLINE void free_slot(TetId t) const noexcept { mesh.free_slot(t); }
@@ -52,7 +52,7 @@ class Shared {
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
         territory_.reserve_slots(taken, freed);
     }
-    MGDT_ALWAYS_INLINE void take_slots(TetId* slots, std::size_t count) const noexcept {
+    MGDT_ALWAYS_INLINE void take_slots(FacetCode* slots, std::size_t count) const noexcept {
         territory_.take_slots(slots, count);
     }
     MGDT_ALWAYS_INLINE void free_slot(TetId t) const noexcept { territory_.free_slot(t); }

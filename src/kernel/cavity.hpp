@@ -34,7 +34,8 @@ struct CavityStart {
 template <class Access>
 class CavityFront {
   public:
-    using Neighbors = FourTetrahedra<Access::SphereSource::are_kept, HalfLine>;
+    using Record = TetrahedronStore::Record<Access::SphereSource::are_kept>;
+    using Neighbors = FourTetrahedra<Record>;
 
     MGDT_ALWAYS_INLINE CavityFront(Access access, Mesh& mesh, Workspace& w, CavityStart start)
         : access_(access),
@@ -81,7 +82,7 @@ class CavityFront {
         if constexpr (Access::is_shared)
             return [marks = marks_](FacetCode code) { return marks.has(code >> 2); };
         else
-            return [all = tetrahedra_](FacetCode code) { return all[code >> 2].is_in_cavity(); };
+            return [all = tetrahedra_](FacetCode code) { return all.of(code).is_in_cavity(); };
     }
     // Gives the cavity up.
     MGDT_ALWAYS_INLINE void abandon() const { give_up(mesh_, workspace_, members); }
@@ -133,7 +134,7 @@ class CavityFront {
     const Access access_;
     Workspace& workspace_;
     Mesh& mesh_;
-    const TetrahedronView<Access::SphereSource::are_kept, HalfLine> tetrahedra_;
+    const TetrahedronView<Record> tetrahedra_;
     FacetCode *cavity_, *boundary_;
     MarkTable::View marks_;  // used among other threads
 };
@@ -174,14 +175,14 @@ inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart star
     // makes would wait for all of them, and the turns would not overlap.
     FacetCode member = front.member(0);
     for (std::size_t done = 0; done < front.members; ++done) {
-        if (MGDT_UNLIKELY(!access.enter(tetrahedra[member >> 2]))) {
+        if (MGDT_UNLIKELY(!access.enter(tetrahedra.of(member)))) {
             front.abandon();
             return false;
         }
         front.reserve();
         const bool is_last = done + 1 == front.members;
         FacetCode next = front.member(done + 1);
-        const FacetCode* const n = tetrahedra[member >> 2].n;
+        const FacetCode* const n = tetrahedra.of(member).n;
         const auto four = front.four(n);
         const FourPowers powers(spheres, four, query);
         // All but the one that it was reached through.

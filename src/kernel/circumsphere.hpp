@@ -34,6 +34,10 @@ struct FilterBounds {
 };
 inline constexpr FilterBounds proved_bounds{};
 inline constexpr double unit_roundoff = 0x1p-53;
+// What the rounding of a sphere that is kept adds to its bound, as a part of its largest
+// coefficient: 2^-21, and what is cut off the bound itself. In docs/theory.md, "Spheres that are
+// kept".
+inline constexpr double kept_roundoff = 0x1.00004p-21;
 // As the bound of a sphere: leaves every test to the exact predicates.
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -142,6 +146,25 @@ inline void set_normal(const LocalVertex& a, const LocalVertex& b, Sphere& s,
     s.w[1] = a.z * b.x - a.x * b.z;
     s.w[2] = a.x * b.y - a.y * b.x;
     s.e = -(bounds.normal * unit_roundoff * a.largest * b.largest);
+}
+
+// The double whose upper half is x rounded to nearest.
+MGDT_ALWAYS_INLINE double to_upper_half(double x) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    bits += 0x80000000u;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+// To be kept.
+inline KeptSphere rounded(const Sphere& s, double roundoff = kept_roundoff) {
+    const double e = std::fabs(s.e) + max_magnitude(s.w[0], s.w[1], s.w[2]) * roundoff;
+    // Where nothing is trusted w may be no number.
+    const double sound = std::fabs(s.e) < infinity ? e : infinity;
+    return {{upper_half(to_upper_half(s.w[0])), upper_half(to_upper_half(s.w[1])),
+             upper_half(to_upper_half(s.w[2]))},
+            upper_half(std::copysign(sound, s.e))};
 }
 
 }  // namespace MGDT_ISA

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Four rows of four doubles as columns, and the other way: for AVX2.
+// Four rows of four doubles, or of their upper halves, as columns, and the other way: for AVX2.
 #pragma once
 
 #include "kernel/vector_sphere.hpp"
@@ -24,17 +24,39 @@ struct FourRows {
         third = _mm256_permute2f128_pd(odd_low, odd_high, 0x31);
         fourth = _mm256_permute2f128_pd(even_low, even_high, 0x31);
     }
-    // Writes the four rows whose columns these are, the k-th to row(k).
+    // The same from upper halves, aligned to 16 bytes.
     template <class Row>
-    MGDT_ALWAYS_INLINE void store_rows(Row row) const {
-        const __m256d even_low = _mm256_unpacklo_pd(first, second),
-                      odd_low = _mm256_unpackhi_pd(first, second),
-                      even_high = _mm256_unpacklo_pd(third, fourth),
-                      odd_high = _mm256_unpackhi_pd(third, fourth);
-        _mm256_store_pd(row(0), _mm256_permute2f128_pd(even_low, even_high, 0x20));
-        _mm256_store_pd(row(1), _mm256_permute2f128_pd(odd_low, odd_high, 0x20));
-        _mm256_store_pd(row(2), _mm256_permute2f128_pd(even_low, even_high, 0x31));
-        _mm256_store_pd(row(3), _mm256_permute2f128_pd(odd_low, odd_high, 0x31));
+    MGDT_ALWAYS_INLINE static FourRows of_upper_halves(Row row) {
+        const auto two = [&](unsigned low, unsigned high) {
+            const auto load = [&](unsigned k) {
+                return _mm_load_si128(reinterpret_cast<const __m128i*>(row(k)));
+            };
+            return _mm256_inserti128_si256(_mm256_castsi128_si256(load(low)), load(high), 1);
+        };
+        const __m256i even = two(0, 2), odd = two(1, 3), zero = _mm256_setzero_si256();
+        const __m256i low = _mm256_unpacklo_epi32(even, odd),
+                      high = _mm256_unpackhi_epi32(even, odd);
+        return {_mm256_castsi256_pd(_mm256_unpacklo_epi32(zero, low)),
+                _mm256_castsi256_pd(_mm256_unpackhi_epi32(zero, low)),
+                _mm256_castsi256_pd(_mm256_unpacklo_epi32(zero, high)),
+                _mm256_castsi256_pd(_mm256_unpackhi_epi32(zero, high))};
+    }
+    // Writes the upper halves of the four rows whose columns these are, the k-th to row(k).
+    template <class Row>
+    MGDT_ALWAYS_INLINE void store_upper_halves(Row row) const {
+        const auto pairs = [](__m256d low, __m256d high) {
+            return _mm256_castps_pd(_mm256_blend_ps(_mm256_movehdup_ps(_mm256_castpd_ps(low)),
+                                                    _mm256_castpd_ps(high), 0xAA));
+        };
+        const __m256d left = pairs(first, second), right = pairs(third, fourth);
+        const auto store = [&](unsigned k, __m256d two) {
+            const __m256i rows = _mm256_castpd_si256(two);
+            _mm_store_si128(reinterpret_cast<__m128i*>(row(k)), _mm256_castsi256_si128(rows));
+            _mm_store_si128(reinterpret_cast<__m128i*>(row(k + 2)),
+                            _mm256_extracti128_si256(rows, 1));
+        };
+        store(0, _mm256_unpacklo_pd(left, right));
+        store(1, _mm256_unpackhi_pd(left, right));
     }
     __m256d first, second, third, fourth;
 };

@@ -16,7 +16,7 @@ MGDT_ALWAYS_INLINE Insertion insert_with(Access access, Mesh& mesh, Workspace& w
                                          TetId start) {
     const Query query(mesh.point(q));
     const typename Access::SphereSource spheres(mesh);
-    const bool is_in_star = w.slot_count != 0 && start == w.slots.data[0];
+    const bool is_in_star = w.slot_count != 0 && start == w.slots.data[0] >> 2;
     const WalkResult found = walk(
         access, mesh,
         is_in_star ? start_in_star(spheres, w, query, w.counters)

@@ -13,7 +13,7 @@ inline namespace MGDT_ISA {
 template <class Tetrahedra>
 MGDT_ALWAYS_INLINE VertexId corner(const Tetrahedra& tetrahedra, FacetCode code) {
     // A mark may be on the second.
-    return tetrahedra[code >> 2].v[code & 3] & ~in_cavity;
+    return tetrahedra.of(code).v[code & 3] & ~in_cavity;
 }
 
 // One byte a vertex, found by its hash alone: right for nearly all cavities. Two vertices with

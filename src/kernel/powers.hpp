@@ -17,20 +17,20 @@ inline namespace MGDT_ISA {
 
 class FourPowers {
   public:
-    template <class Half>
-    MGDT_ALWAYS_INLINE FourPowers(const KeptSpheres& from, const FourTetrahedra<true, Half>& four,
-                                  const Query& q) {
-        set(FourRows([&](unsigned k) { return four.sphere(k).w; }), vertices(from, four, 0), q);
+    template <class Tetrahedra>
+    MGDT_ALWAYS_INLINE FourPowers(const KeptSpheres& from, const Tetrahedra& four, const Query& q) {
+        set(FourRows::of_upper_halves([&](unsigned k) { return four.sphere(k).w; }),
+            vertices(from, four, 0), q);
     }
-    template <class Half>
-    FourPowers(const ComputedSpheres& from, const FourTetrahedra<false, Half>& four,
-               const Query& q) {
+    template <class Tetrahedra>
+    FourPowers(const ComputedSpheres& from, const Tetrahedra& four, const Query& q) {
         const FourRows bases = vertices(from, four, 0);
         const auto local = [&](unsigned i) {
             return LocalColumns<Four>(
                 relative_to(vertices(from, four, i), {bases.first, bases.second, bases.third}));
         };
-        const SphereColumns<Four> s = spheres_through(local(1), local(2), local(3));
+        const SphereColumns<Four> s =
+            SpheresThrough<Four>(local(1), local(2), local(3)).unrounded();
         FourRows spheres = {s.x, s.y, s.z, s.e};
         std::uint32_t special = from.has_extremes ? 0xFu : 0u;
         for (unsigned k = 0; k < 4; ++k)
@@ -79,9 +79,9 @@ class FourPowers {
     }
     // Ghosts, and all where some vertex is outside the normal range, are rare enough for one by
     // one. The way depends on the tetrahedron alone, so that its power does.
-    template <class Half>
+    template <class Tetrahedra>
     static void replace(FourRows& spheres, std::uint32_t special, const ComputedSpheres& from,
-                        const FourTetrahedra<false, Half>& four) {
+                        const Tetrahedra& four) {
         alignas(32) double columns[4][4];
         __m256d* const column[4] = {&spheres.first, &spheres.second, &spheres.third,
                                     &spheres.fourth};

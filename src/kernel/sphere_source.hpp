@@ -13,18 +13,17 @@ struct KeptSpheres {
     static constexpr bool are_kept = true;
     MGDT_ALWAYS_INLINE explicit KeptSpheres(const Mesh& mesh)
         : tetrahedra(mesh.tetrahedra.view<true>()), vertices(mesh.vertices.data()) {}
-    MGDT_ALWAYS_INLINE const Sphere& sphere(TetId t) const { return tetrahedra.sphere(t); }
-    template <class Half>
-    MGDT_ALWAYS_INLINE const Sphere& sphere(const FourTetrahedra<true, Half>& four,
-                                            unsigned k) const {
-        return four.sphere(k);
+    MGDT_ALWAYS_INLINE Sphere sphere(TetId t) const { return tetrahedra.sphere(t).in_doubles(); }
+    template <class Tetrahedra>
+    MGDT_ALWAYS_INLINE Sphere sphere(const Tetrahedra& four, unsigned k) const {
+        return four.sphere(k).in_doubles();
     }
 
-    const TetrahedronView<true, const HalfLine> tetrahedra;
+    const TetrahedronView<const TetrahedronAndSphere> tetrahedra;
     const Vertex* const vertices;
 };
 
-// From the vertices, each time: a mesh of half the size.
+// From the vertices, each time: a mesh of two thirds the size.
 struct ComputedSpheres {
     static constexpr bool are_kept = false;
     MGDT_ALWAYS_INLINE explicit ComputedSpheres(const Mesh& mesh)
@@ -32,12 +31,12 @@ struct ComputedSpheres {
           vertices(mesh.vertices.data()),
           has_extremes(mesh.has_extremes) {}
     Sphere sphere(TetId t) const { return circumsphere(tetrahedra[t], vertices); }
-    template <class Half>
-    Sphere sphere(const FourTetrahedra<false, Half>& four, unsigned k) const {
+    template <class Tetrahedra>
+    Sphere sphere(const Tetrahedra& four, unsigned k) const {
         return circumsphere(four[k], vertices);
     }
 
-    const TetrahedronView<false, const HalfLine> tetrahedra;
+    const TetrahedronView<const TetrahedronAlone> tetrahedra;
     const Vertex* const vertices;
     const bool has_extremes;
 };

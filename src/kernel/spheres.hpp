@@ -12,7 +12,7 @@
 namespace mgdt {
 inline namespace MGDT_ISA {
 
-using SphereStore = TetrahedronView<true, HalfLine>;
+using SphereStore = TetrahedronView<TetrahedronAndSphere>;
 
 // Coordinates relative to q of the vertices of the cavity, by local number.
 inline void set_coordinates(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count) {
@@ -32,8 +32,11 @@ void set_spheres_scalar(Workspace& w, const Vertex* vertices, VertexId q, std::u
     const auto vertex = [&](std::size_t i) {
         return local_vertex(w.x.data[i], w.y.data[i], w.z.data[i]);
     };
-    for (std::size_t i = 0; i < w.boundary_size; ++i)
-        set_sphere(vertex(a[i]), vertex(b[i]), vertex(c[i]), spheres.sphere(w.slots.data[i]));
+    for (std::size_t i = 0; i < w.boundary_size; ++i) {
+        Sphere s;
+        set_sphere(vertex(a[i]), vertex(b[i]), vertex(c[i]), s);
+        spheres.record(w.slots.data[i])->sphere = rounded(s);
+    }
 }
 
 #if defined(MGDT_HAVE_EIGHT_ROWS)
@@ -104,33 +107,32 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertice
     const std::size_t size = w.boundary_size;
     for (std::size_t begin = 0; begin < size; begin += 8) {
         using Local = LocalColumns<Eight>;
-        const SphereColumns<Eight> sphere =
-            spheres_through(Local(vertices.pick(as + begin)), Local(vertices.pick(bs + begin)),
-                            Local(vertices.pick(cs + begin)));
+        const SpheresThrough<Eight> through(Local(vertices.pick(as + begin)),
+                                            Local(vertices.pick(bs + begin)),
+                                            Local(vertices.pick(cs + begin)));
+        const SphereColumns<Eight> s = through.rounded();
 
-        // Transposed, each 256 bits are a sphere.
-        const __m512d xy_even = _mm512_unpacklo_pd(sphere.x, sphere.y),
-                      xy_odd = _mm512_unpackhi_pd(sphere.x, sphere.y);
-        const __m512d ze_even = _mm512_unpacklo_pd(sphere.z, sphere.e),
-                      ze_odd = _mm512_unpackhi_pd(sphere.z, sphere.e);
-        const __m512i first = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11);
-        const __m512i second = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
-        const __m512d out02 = _mm512_permutex2var_pd(xy_even, first, ze_even);
-        const __m512d out46 = _mm512_permutex2var_pd(xy_even, second, ze_even);
-        const __m512d out13 = _mm512_permutex2var_pd(xy_odd, first, ze_odd);
-        const __m512d out57 = _mm512_permutex2var_pd(xy_odd, second, ze_odd);
-        const auto store = [&](std::size_t k, __m256d half) {
-            Sphere& s = begin + k < size ? spheres.sphere(w.slots.data[begin + k]) : w.beyond;
-            _mm256_store_pd(s.w, half);
+        // Each 128 bits are the upper halves of a sphere.
+        const auto pairs = [](__m512d low, __m512d high) {
+            return _mm512_castps_pd(
+                _mm512_mask_movehdup_ps(_mm512_castpd_ps(high), 0x5555, _mm512_castpd_ps(low)));
         };
-        store(0, _mm512_castpd512_pd256(out02));
-        store(1, _mm512_castpd512_pd256(out13));
-        store(2, _mm512_extractf64x4_pd(out02, 1));
-        store(3, _mm512_extractf64x4_pd(out13, 1));
-        store(4, _mm512_castpd512_pd256(out46));
-        store(5, _mm512_castpd512_pd256(out57));
-        store(6, _mm512_extractf64x4_pd(out46, 1));
-        store(7, _mm512_extractf64x4_pd(out57, 1));
+        const __m512d left = pairs(s.x, s.y), right = pairs(s.z, s.e);
+        const auto store = [&](std::size_t k, __m128i sphere) {
+            KeptSphere& to =
+                begin + k < size ? spheres.record(w.slots.data[begin + k])->sphere : w.beyond;
+            _mm_store_si128(reinterpret_cast<__m128i*>(to.w), sphere);
+        };
+        const __m512i even = _mm512_castpd_si512(_mm512_unpacklo_pd(left, right)),
+                      odd = _mm512_castpd_si512(_mm512_unpackhi_pd(left, right));
+        store(0, _mm512_castsi512_si128(even));
+        store(1, _mm512_castsi512_si128(odd));
+        store(2, _mm512_extracti32x4_epi32(even, 1));
+        store(3, _mm512_extracti32x4_epi32(odd, 1));
+        store(4, _mm512_extracti32x4_epi32(even, 2));
+        store(5, _mm512_extracti32x4_epi32(odd, 2));
+        store(6, _mm512_extracti32x4_epi32(even, 3));
+        store(7, _mm512_extracti32x4_epi32(odd, 3));
     }
 }
 
@@ -166,13 +168,13 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices,
     };
     const std::size_t size = w.boundary_size;
     for (std::size_t begin = 0; begin < size; begin += 4) {
-        const SphereColumns<Four> s =
-            spheres_through(pick(as + begin), pick(bs + begin), pick(cs + begin));
-        const auto place = [&](std::size_t k) {
-            return begin + k < size ? spheres.sphere(w.slots.data[begin + k]).w : w.beyond.w;
-        };
+        const SpheresThrough<Four> through(pick(as + begin), pick(bs + begin), pick(cs + begin));
+        const SphereColumns<Four> s = through.rounded();
         const FourRows columns = {s.x, s.y, s.z, s.e};
-        columns.store_rows(place);
+        columns.store_upper_halves([&](std::size_t k) {
+            return begin + k < size ? spheres.record(w.slots.data[begin + k])->sphere.w
+                                    : w.beyond.w;
+        });
     }
 }
 

@@ -19,13 +19,13 @@ MGDT_ALWAYS_INLINE void link_star(const Tetrahedra tetrahedra, const Workspace& 
                                   const Numbers& numbers, Edges edges, Number* const as,
                                   Number* const bs, Number* const cs) {
     const FacetCode* const boundary = w.boundary.data;
-    const TetId* const slots = w.slots.data;
+    const FacetCode* const slots = w.slots.data;
     const std::size_t size = w.boundary_size;
     for (std::size_t i = 0; i < size; ++i) {
         const FacetCode code = boundary[i];
-        const FacetCode mine = 4 * slots[i];
-        Tetrahedron& outside = tetrahedra[code >> 2];
-        Tetrahedron& t = tetrahedra[slots[i]];
+        const FacetCode mine = slots[i];
+        Tetrahedron& outside = tetrahedra.of(code);
+        Tetrahedron& t = tetrahedra.record(mine)->tetrahedron;
         const VertexId* const v = write_vertices(outside, code, q, t);
         t.n[0] = code;
         outside.n[code & 3] = mine;
@@ -39,7 +39,7 @@ MGDT_ALWAYS_INLINE void link_star(const Tetrahedra tetrahedra, const Workspace& 
     }
     for (std::size_t i = 0; i < size; ++i) {
         const std::uint32_t a = as[i], b = bs[i], c = cs[i];
-        Tetrahedron& t = tetrahedra[slots[i]];
+        Tetrahedron& t = tetrahedra.record(slots[i])->tetrahedron;
         t.n[1] = edges.get(c, b);
         t.n[2] = edges.get(a, c);
         t.n[3] = edges.get(b, a);
@@ -55,7 +55,7 @@ MGDT_ALWAYS_INLINE std::size_t list_ghosts(Workspace& w, std::uint32_t infinite,
     // The vertex at infinity is one of the last two of its tetrahedron. Which facets have it cannot
     // be foretold.
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
-        ghosts[count] = w.slots.data[i];
+        ghosts[count] = w.slots.data[i] >> 2;
         count += opaque(static_cast<std::uint32_t>(bs[i] == infinite) |
                         static_cast<std::uint32_t>(cs[i] == infinite));
     }
@@ -71,9 +71,10 @@ void write_ghosts(Access access, Mesh& mesh, const Workspace& w, VertexId q, std
             const Tetrahedron& t = mesh.tetrahedra[ghost];
             // The two vertices that follow the one at infinity in cyclic order.
             const int slot = t.infinite_slot();
+            Sphere s;
             set_normal(relative_to(mesh.point(t.v[slot % 3 + 1]), mesh.point(q)),
-                       relative_to(mesh.point(t.v[(slot + 1) % 3 + 1]), mesh.point(q)),
-                       mesh.tetrahedra.sphere(ghost));
+                       relative_to(mesh.point(t.v[(slot + 1) % 3 + 1]), mesh.point(q)), s);
+            mesh.tetrahedra.sphere(ghost) = rounded(s);
         }
         access.made_ghost(ghost);
     }
@@ -84,11 +85,12 @@ inline void distrust_extremes(Mesh& mesh, const Workspace& w, VertexId q) {
     const bool extreme = !in_normal_range(mesh.point(q));
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
         bool trusted = !extreme;
-        const TetId id = w.slots.data[i];
+        const TetId id = w.slots.data[i] >> 2;
         const Tetrahedron& t = mesh.tetrahedra[id];
         for (const VertexId v : t.v)
             trusted = trusted && (v == infinite_vertex || in_normal_range(mesh.point(v)));
-        if (!trusted) mesh.tetrahedra.sphere(id).e = t.is_ghost() ? -infinity : infinity;
+        if (!trusted)
+            mesh.tetrahedra.sphere(id).e = upper_half(t.is_ghost() ? -infinity : infinity);
     }
 }
 
@@ -96,15 +98,15 @@ inline void distrust_extremes(Mesh& mesh, const Workspace& w, VertexId q) {
 template <class Access>
 MGDT_ALWAYS_INLINE void choose_slots(Access access, Workspace& w) {
     const std::size_t removed = w.cavity_size, created = w.boundary_size;
-    TetId* const slots = w.slots.data;
+    FacetCode* const slots = w.slots.data;
     // In blocks that are nearly always enough: past the end they do no harm, and the number of
     // turns can be foretold.
     constexpr std::size_t block = 32;
     const FacetCode* const cavity = w.cavity.data;
     for (std::size_t i = 0; i < removed; i += block)
-        for (std::size_t k = i; k < i + block; ++k) slots[k] = cavity[k] >> 2;
+        for (std::size_t k = i; k < i + block; ++k) slots[k] = cavity[k] & ~3u;
     if (MGDT_UNLIKELY(created < removed)) {
-        for (std::size_t i = created; i < removed; ++i) access.free_slot(slots[i]);
+        for (std::size_t i = created; i < removed; ++i) access.free_slot(slots[i] >> 2);
     } else {
         access.take_slots(slots + removed, created - removed);
     }
@@ -189,10 +191,11 @@ TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
 
     // With the new vertex a few of its neighbours learn where they are now; every vertex has its
     // turn often enough to stay near its slot.
-    for (const VertexId v : mesh.tetrahedra[w.slots.data[0]].v) access.set_near(v, w.slots.data[0]);
+    const TetId first = w.slots.data[0] >> 2;
+    for (const VertexId v : mesh.tetrahedra[first].v) access.set_near(v, first);
     w.counters.removed += removed;
     w.counters.created += created;
-    return w.slots.data[0];
+    return first;
 }
 
 }  // namespace MGDT_ISA

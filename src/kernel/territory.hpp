@@ -104,9 +104,9 @@ class Territory {
         if (MGDT_UNLIKELY(taken > slots_left() || slots_left() + freed > most_free_))
             grow_slots(taken, freed);
     }
-    MGDT_ALWAYS_INLINE void take_slots(TetId* slots, std::size_t count) noexcept {
+    MGDT_ALWAYS_INLINE void take_slots(FacetCode* slots, std::size_t count) noexcept {
         while (count > 0 && !free_slots_.empty()) {
-            *slots++ = free_slots_.back();
+            *slots++ = 4 * free_slots_.back();
             free_slots_.pop_back();
             --count;
         }

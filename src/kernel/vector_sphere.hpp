@@ -32,6 +32,11 @@ struct Four {
     MGDT_ALWAYS_INLINE static Vector where_above(Vector a, Vector b, Vector x, Vector y) {
         return _mm256_blendv_pd(y, x, _mm256_cmp_pd(a, b, _CMP_GT_OQ));
     }
+    // Numbers whose upper halves are these rounded to nearest.
+    MGDT_ALWAYS_INLINE static Vector to_upper_half(Vector a) {
+        return _mm256_castsi256_pd(
+            _mm256_add_epi64(_mm256_castpd_si256(a), _mm256_set1_epi64x(0x80000000)));
+    }
 };
 
 #if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__)
@@ -52,6 +57,10 @@ struct Eight {
     MGDT_ALWAYS_INLINE static Vector larger(Vector a, Vector b) { return _mm512_max_pd(a, b); }
     MGDT_ALWAYS_INLINE static Vector where_above(Vector a, Vector b, Vector x, Vector y) {
         return _mm512_mask_blend_pd(_mm512_cmp_pd_mask(a, b, _CMP_GT_OQ), y, x);
+    }
+    MGDT_ALWAYS_INLINE static Vector to_upper_half(Vector a) {
+        return _mm512_castsi512_pd(
+            _mm512_add_epi64(_mm512_castpd_si512(a), _mm512_set1_epi64(0x80000000)));
     }
 };
 
@@ -80,44 +89,62 @@ struct LocalColumns : PointColumns<R> {
     Vector square, largest;
 };
 
+// w of the spheres through the base vertex and three others, and what bounds its error.
 template <class R>
-MGDT_ALWAYS_INLINE SphereColumns<R> spheres_through(const LocalColumns<R>& a,
-                                                    const LocalColumns<R>& b,
-                                                    const LocalColumns<R>& c) {
+class SpheresThrough {
+  public:
     using Vector = typename R::Vector;
-    const auto minor = [](Vector p, Vector q, Vector r, Vector s) {
-        return R::multiply_subtract(p, q, R::multiply(r, s));
-    };
-    const auto dot = [](Vector p, Vector q, Vector r, Vector s, Vector t, Vector u) {
-        return R::multiply_add(t, u, R::multiply_add(r, s, R::multiply(p, q)));
-    };
-    const Vector bcx = minor(b.y, c.z, b.z, c.y), bcy = minor(b.z, c.x, b.x, c.z),
-                 bcz = minor(b.x, c.y, b.y, c.x);
-    const Vector cax = minor(c.y, a.z, c.z, a.y), cay = minor(c.z, a.x, c.x, a.z),
-                 caz = minor(c.x, a.y, c.y, a.x);
-    const Vector abx = minor(a.y, b.z, a.z, b.y), aby = minor(a.z, b.x, a.x, b.z),
-                 abz = minor(a.x, b.y, a.y, b.x);
-    const Vector det = dot(a.x, bcx, a.y, bcy, a.z, bcz);
-    const Vector inverse = R::divide(R::all(1.0), det);
-    SphereColumns<R> s;
-    s.x = R::multiply(inverse, dot(a.square, bcx, b.square, cax, c.square, abx));
-    s.y = R::multiply(inverse, dot(a.square, bcy, b.square, cay, c.square, aby));
-    s.z = R::multiply(inverse, dot(a.square, bcz, b.square, caz, c.square, abz));
 
-    const Vector lbc = R::multiply(b.largest, c.largest), lca = R::multiply(c.largest, a.largest),
-                 lab = R::multiply(a.largest, b.largest);
-    const Vector sum = dot(a.square, lbc, b.square, lca, c.square, lab);
-    const Vector product =
-        R::multiply(R::all(proved_bounds.sphere_det * unit_roundoff), R::multiply(a.largest, lbc));
-    const Vector largest =
-        R::larger(R::magnitude(s.x), R::larger(R::magnitude(s.y), R::magnitude(s.z)));
-    const Vector bound = R::multiply(
-        inverse,
-        R::multiply_add(product, largest,
-                        R::multiply(R::all(proved_bounds.sphere_sum * unit_roundoff), sum)));
-    s.e = R::where_above(det, product, bound, R::all(infinity));
-    return s;
-}
+    MGDT_ALWAYS_INLINE SpheresThrough(const LocalColumns<R>& a, const LocalColumns<R>& b,
+                                      const LocalColumns<R>& c) {
+        const auto minor = [](Vector p, Vector q, Vector r, Vector s) {
+            return R::multiply_subtract(p, q, R::multiply(r, s));
+        };
+        const auto dot = [](Vector p, Vector q, Vector r, Vector s, Vector t, Vector u) {
+            return R::multiply_add(t, u, R::multiply_add(r, s, R::multiply(p, q)));
+        };
+        const Vector bcx = minor(b.y, c.z, b.z, c.y), bcy = minor(b.z, c.x, b.x, c.z),
+                     bcz = minor(b.x, c.y, b.y, c.x);
+        const Vector cax = minor(c.y, a.z, c.z, a.y), cay = minor(c.z, a.x, c.x, a.z),
+                     caz = minor(c.x, a.y, c.y, a.x);
+        const Vector abx = minor(a.y, b.z, a.z, b.y), aby = minor(a.z, b.x, a.x, b.z),
+                     abz = minor(a.x, b.y, a.y, b.x);
+        det_ = dot(a.x, bcx, a.y, bcy, a.z, bcz);
+        inverse_ = R::divide(R::all(1.0), det_);
+        x_ = R::multiply(inverse_, dot(a.square, bcx, b.square, cax, c.square, abx));
+        y_ = R::multiply(inverse_, dot(a.square, bcy, b.square, cay, c.square, aby));
+        z_ = R::multiply(inverse_, dot(a.square, bcz, b.square, caz, c.square, abz));
+        largest_ = R::larger(R::magnitude(x_), R::larger(R::magnitude(y_), R::magnitude(z_)));
+
+        const Vector lbc = R::multiply(b.largest, c.largest),
+                     lca = R::multiply(c.largest, a.largest),
+                     lab = R::multiply(a.largest, b.largest);
+        sum_ = R::multiply(R::all(proved_bounds.sphere_sum * unit_roundoff),
+                           dot(a.square, lbc, b.square, lca, c.square, lab));
+        product_ = R::multiply(R::all(proved_bounds.sphere_det * unit_roundoff),
+                               R::multiply(a.largest, lbc));
+    }
+    MGDT_ALWAYS_INLINE SphereColumns<R> unrounded() const {
+        return {x_, y_, z_, if_sound(R::multiply(inverse_, numerator()))};
+    }
+    // Their upper halves are what rounded() gives.
+    MGDT_ALWAYS_INLINE SphereColumns<R> rounded() const {
+        const Vector e =
+            R::multiply_add(inverse_, numerator(), R::multiply(largest_, R::all(kept_roundoff)));
+        return {R::to_upper_half(x_), R::to_upper_half(y_), R::to_upper_half(z_), if_sound(e)};
+    }
+
+  private:
+    // Of the bound of the error of w.
+    MGDT_ALWAYS_INLINE Vector numerator() const {
+        return R::multiply_add(product_, largest_, sum_);
+    }
+    MGDT_ALWAYS_INLINE Vector if_sound(Vector e) const {
+        return R::where_above(det_, product_, e, R::all(infinity));
+    }
+
+    Vector x_, y_, z_, largest_, det_, inverse_, sum_, product_;
+};
 
 }  // namespace MGDT_ISA
 }  // namespace mgdt

@@ -116,8 +116,10 @@ WalkStart start_at(const Spheres& from, TetId t, const Query& q, Counters& count
 
 // A ghost of the star built last, if it has one.
 inline TetId ghost_of_star(const Mesh& mesh, const Workspace& w) {
-    for (std::size_t i = 0; i < w.slot_count; ++i)
-        if (mesh.tetrahedra[w.slots.data[i]].is_ghost()) return w.slots.data[i];
+    for (std::size_t i = 0; i < w.slot_count; ++i) {
+        const TetId t = w.slots.data[i] >> 2;
+        if (mesh.tetrahedra[t].is_ghost()) return t;
+    }
     return no_tetrahedron;
 }
 
@@ -129,7 +131,7 @@ WalkStart start_in_star(const Spheres& from, const Workspace& w, const Query& q,
                         Counters& counters) {
     constexpr std::size_t sample = 4;
     FacetCode codes[sample];
-    for (std::size_t i = 0; i < sample; ++i) codes[i] = 4 * w.slots.data[i * w.slot_count / sample];
+    for (std::size_t i = 0; i < sample; ++i) codes[i] = w.slots.data[i * w.slot_count / sample];
     const FourPowers powers(from, from.tetrahedra.four(codes), q);
     counters.walk_tests += sample;
     const unsigned best = powers.least_finite(infinity) & 3;
@@ -203,7 +205,7 @@ bool locate_step(const Mesh& mesh, LocationWalk& w) {
     w.tetrahedron = n[next] >> 2;
     w.value = there.value;
     w.error = there.error;
-    for (const FacetCode code : tetrahedra[w.tetrahedron].n) prefetch(&tetrahedra[code >> 2]);
+    for (const FacetCode code : tetrahedra[w.tetrahedron].n) prefetch(&tetrahedra.of(code));
     return true;
 }
 

@@ -79,7 +79,7 @@ struct Workspace {
     Scratch<VertexId> ids;           // by local number
     Scratch<double> x, y, z;         // by local number, relative to the new vertex
     Scratch<std::uint32_t> a, b, c;  // facets of a star that is not small
-    Scratch<TetId> slots;            // of the new tetrahedra
+    Scratch<FacetCode> slots;        // of the new tetrahedra, by their first facets
     std::size_t slot_count = 0;
     static constexpr std::uint32_t medium_vertices = 64;   // two sizes of matrices
     static constexpr std::uint32_t matrix_vertices = 256;  // a larger star uses the edge table
@@ -93,7 +93,7 @@ struct Workspace {
     }
     std::size_t star_removed = 0, star_created = 0;  // what there is room for
 
-    Sphere beyond;  // takes what a vector writes past the last facet
+    KeptSphere beyond;  // takes what a vector writes past the last facet
     Counters counters;
 };
 

@@ -41,7 +41,7 @@ void Mesh::grow_slots(std::size_t taken, std::size_t freed) {
     const std::size_t needed = tetrahedra.size() + taken - std::min(taken, free_slots.size());
     reserve_tetrahedra(needed);
     if (needed <= ready) return;
-    // A stretch of storage at a time: 4 MiB, or what there is.
+    // A stretch of storage at a time: 3 MiB, or what there is.
     constexpr std::size_t stretch = 65536;
     const std::size_t end = std::min(tetrahedra.capacity(), needed + stretch);
     tetrahedra.prefault(ready, end);

@@ -7,12 +7,13 @@
 
 namespace mgdt {
 
-// Writes `count` consecutive numbers, in blocks whose turns can be foretold: the array has room for
-// 16 more.
-MGDT_ALWAYS_INLINE void write_run(TetId* slots, TetId first, std::size_t count) noexcept {
+// Writes the first facets of consecutive slots, in blocks whose turns can be foretold: the array
+// has room for 16 more.
+MGDT_ALWAYS_INLINE void write_run(FacetCode* slots, TetId first, std::size_t count) noexcept {
     constexpr std::size_t block = 16;
     for (std::size_t i = 0; i < count; i += block)
-        for (std::size_t k = i; k < i + block; ++k) slots[k] = first + static_cast<TetId>(k);
+        for (std::size_t k = i; k < i + block; ++k)
+            slots[k] = 4 * first + 4 * static_cast<TetId>(k);
 }
 
 struct Mesh {
@@ -38,8 +39,8 @@ struct Mesh {
     }
     // Storage for so many tetrahedra, growing by more than asked for, never beyond the limit.
     void reserve_tetrahedra(std::size_t count);
-    // The array has room for 16 more than count.
-    void take_slots(TetId* slots, std::size_t count) noexcept;
+    // Writes the first facet of each. The array has room for 16 more than count.
+    void take_slots(FacetCode* slots, std::size_t count) noexcept;
     void free_slot(TetId t) noexcept;
 
     std::size_t live_count() const noexcept { return tetrahedra.size() - free_slots.size(); }
@@ -66,10 +67,10 @@ struct Mesh {
     void grow_slots(std::size_t taken, std::size_t freed);
 };
 
-MGDT_ALWAYS_INLINE void Mesh::take_slots(TetId* slots, std::size_t count) noexcept {
+MGDT_ALWAYS_INLINE void Mesh::take_slots(FacetCode* slots, std::size_t count) noexcept {
     if (MGDT_UNLIKELY(!free_slots.empty())) {
         while (count > 0 && !free_slots.empty()) {
-            *slots++ = free_slots.back();
+            *slots++ = 4 * free_slots.back();
             free_slots.pop_back();
             --count;
         }

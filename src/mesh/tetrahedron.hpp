@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include "platform/cpu.hpp"
 
@@ -35,7 +36,7 @@ static_assert(sizeof(Vertex) == 32);
 // v[0], the base vertex, was inserted last of the four, and v[1] before it: so the newest vertex of
 // face 0 is v[1], that of any other face v[0]. Finite: positively oriented. Ghost: v[2] or v[3] is
 // the vertex at infinity and stands beyond the hull facet of the other three.
-struct alignas(32) Tetrahedron {
+struct alignas(16) Tetrahedron {
     VertexId v[4];
     FacetCode n[4];
 
@@ -55,13 +56,38 @@ static_assert(sizeof(Tetrahedron) == 32);
 
 // The circumsphere of a tetrahedron. The power of q with respect to it is |u|^2 - w.u with
 // u = q - v[0]; the "power" of a ghost is -w.u. See kernel/circumsphere.hpp.
-struct alignas(32) Sphere {
+struct Sphere {
     double w[3];
     double e;  // bound of the error of w; its sign bit is set in a ghost
 
     MGDT_ALWAYS_INLINE bool is_ghost() const noexcept { return std::signbit(e); }
 };
-static_assert(sizeof(Sphere) == 32);
+
+// The upper half of a double has its range, and 21 significant bits; the rest is cut off.
+MGDT_ALWAYS_INLINE std::uint32_t upper_half(double x) noexcept {
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return static_cast<std::uint32_t>(bits >> 32);
+}
+MGDT_ALWAYS_INLINE double from_upper_half(std::uint32_t half) noexcept {
+    const std::uint64_t bits = std::uint64_t{half} << 32;
+    double x;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+// A sphere as a mesh keeps it, in upper halves: half the memory, and few tests that it leaves open.
+struct alignas(16) KeptSphere {
+    std::uint32_t w[3];
+    std::uint32_t e;  // bounds the rounding of w as well
+
+    MGDT_ALWAYS_INLINE bool is_ghost() const noexcept { return e >> 31 != 0; }
+    MGDT_ALWAYS_INLINE Sphere in_doubles() const noexcept {
+        return {{from_upper_half(w[0]), from_upper_half(w[1]), from_upper_half(w[2])},
+                from_upper_half(e)};
+    }
+};
+static_assert(sizeof(KeptSphere) == 16);
 
 // Face f of a positively oriented tetrahedron, its vertices in the order that makes
 // (q, a, b, c) positive for a point q beyond the face.

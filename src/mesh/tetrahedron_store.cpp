@@ -4,23 +4,33 @@
 namespace mgdt {
 
 void TetrahedronStore::drop_spheres() noexcept {
-    if (shift_ == 0) return;
-    for (std::size_t t = 0; t < size_; ++t) lines_[t].tetrahedron = lines_[2 * t].tetrahedron;
-    shift_ = 0;
-    lines_.resize_within_capacity(size_);
+    if (!has_spheres()) return;
+    const auto from = view<true>();
+    const auto to = view<false>();
+    for (std::size_t t = 0; t < size_; ++t) {
+        const Tetrahedron moved = from[t];
+        to[t] = moved;
+    }
+    sphere_ = 0;
+    resize_within_capacity(size_);
     try {
-        lines_.set_capacity(capacity_);
+        pieces_.set_capacity(capacity_ * stride());
     } catch (const std::bad_alloc&) {
         // A smaller block was refused: keep the larger one.
     }
 }
 
 void TetrahedronStore::make_room_for_spheres() {
-    if (shift_ == 1) return;
-    lines_.reserve(2 * capacity_);
-    shift_ = 1;
+    if (has_spheres()) return;
+    pieces_.reserve(capacity_ * (stride() + 1));
+    sphere_ = 1;
     resize_within_capacity(size_);
-    for (std::size_t t = size_; t-- > 1;) lines_[2 * t].tetrahedron = lines_[t].tetrahedron;
+    const auto from = view<false>();
+    const auto to = view<true>();
+    for (std::size_t t = size_; t-- > 0;) {
+        const Tetrahedron moved = from[t];
+        to[t] = moved;
+    }
 }
 
 }  // namespace mgdt

@@ -1,81 +1,92 @@
 // SPDX-License-Identifier: MIT
-// The array of tetrahedra: with the sphere of each beside it, the two on one cache line; or, for
-// half the memory, without.
+// The array of tetrahedra: with the sphere of each beside it; or, for two thirds of the memory,
+// without.
 #pragma once
+
+#include <type_traits>
 
 #include "mesh/tetrahedron.hpp"
 #include "platform/memory.hpp"
 
 namespace mgdt {
 
-// Half a cache line.
-union HalfLine {
+// Three quarters of a cache line. What a test looks at, the sphere and the base vertex, are next to
+// each other: of four in a row one has them on two lines.
+struct TetrahedronAndSphere {
+    KeptSphere sphere;
     Tetrahedron tetrahedron;
-    Sphere sphere;
 };
-static_assert(sizeof(HalfLine) == 32);
+static_assert(sizeof(TetrahedronAndSphere) == 48);
 
-// Four tetrahedra, looked up once.
-template <bool has_spheres, class Half>
+struct TetrahedronAlone {
+    Tetrahedron tetrahedron;
+};
+static_assert(sizeof(TetrahedronAlone) == 32);
+
+// Four tetrahedra, looked up once. Record: one of the two above, maybe const.
+template <class Record>
 struct FourTetrahedra {
-    MGDT_ALWAYS_INLINE auto& operator[](unsigned k) const noexcept { return line[k]->tetrahedron; }
-    MGDT_ALWAYS_INLINE auto& sphere(unsigned k) const noexcept {
-        static_assert(has_spheres);
-        return line[k][1].sphere;
+    MGDT_ALWAYS_INLINE auto& operator[](unsigned k) const noexcept {
+        return record[k]->tetrahedron;
     }
-    Half* line[4];
+    MGDT_ALWAYS_INLINE auto& sphere(unsigned k) const noexcept { return record[k]->sphere; }
+    Record* record[4];
 };
 
-// The array for code that is compiled for one of the two ways. Half: HalfLine, maybe const.
-template <bool has_spheres, class Half>
+// The array for code that is compiled for one of the two ways.
+template <class Record>
 struct TetrahedronView {
     MGDT_ALWAYS_INLINE auto& operator[](std::size_t t) const noexcept {
-        return line(t)->tetrahedron;
+        return records[t].tetrahedron;
     }
-    MGDT_ALWAYS_INLINE auto& sphere(std::size_t t) const noexcept {
-        static_assert(has_spheres);
-        return line(t)[1].sphere;
+    MGDT_ALWAYS_INLINE auto& sphere(std::size_t t) const noexcept { return records[t].sphere; }
+    // Given by any of its facets, four likewise; or by the first one, in an instruction less.
+    MGDT_ALWAYS_INLINE auto& of(FacetCode code) const noexcept {
+        return record(code & ~3u)->tetrahedron;
     }
-    // Each given by any of its facets.
-    MGDT_ALWAYS_INLINE FourTetrahedra<has_spheres, Half> four(
-        const FacetCode* codes) const noexcept {
-        return {
-            {line(codes[0] >> 2), line(codes[1] >> 2), line(codes[2] >> 2), line(codes[3] >> 2)}};
+    MGDT_ALWAYS_INLINE FourTetrahedra<Record> four(const FacetCode* codes) const noexcept {
+        return {{record(codes[0] & ~3u), record(codes[1] & ~3u), record(codes[2] & ~3u),
+                 record(codes[3] & ~3u)}};
     }
-    MGDT_ALWAYS_INLINE Half* line(std::size_t t) const noexcept {
-        return lines + (has_spheres ? 2 * t : t);
+    MGDT_ALWAYS_INLINE Record* record(FacetCode first) const noexcept {
+        using Byte = std::conditional_t<std::is_const_v<Record>, const char, char>;
+        return reinterpret_cast<Record*>(reinterpret_cast<Byte*>(records) +
+                                         std::size_t{first} * (sizeof(Record) / 4));
     }
-    Half* lines;
+    Record* records;
 };
 
 class TetrahedronStore {
   public:
-    explicit TetrahedronStore(Allocator& allocator) noexcept : lines_(allocator) {}
+    template <bool with_spheres>
+    using Record = std::conditional_t<with_spheres, TetrahedronAndSphere, TetrahedronAlone>;
+
+    explicit TetrahedronStore(Allocator& allocator) noexcept : pieces_(allocator) {}
 
     MGDT_ALWAYS_INLINE Tetrahedron& operator[](std::size_t t) noexcept {
-        return lines_[t << shift_].tetrahedron;
+        return *reinterpret_cast<Tetrahedron*>(tetrahedron(t));
     }
     MGDT_ALWAYS_INLINE const Tetrahedron& operator[](std::size_t t) const noexcept {
-        return lines_[t << shift_].tetrahedron;
+        return *reinterpret_cast<const Tetrahedron*>(tetrahedron(t));
     }
-    bool has_spheres() const noexcept { return shift_ != 0; }
+    bool has_spheres() const noexcept { return sphere_ != 0; }
     // Of slot t, if there are spheres.
-    MGDT_ALWAYS_INLINE Sphere& sphere(std::size_t t) noexcept { return lines_[2 * t + 1].sphere; }
-    MGDT_ALWAYS_INLINE const Sphere& sphere(std::size_t t) const noexcept {
-        return lines_[2 * t + 1].sphere;
+    MGDT_ALWAYS_INLINE KeptSphere& sphere(std::size_t t) noexcept { return view<true>().sphere(t); }
+    MGDT_ALWAYS_INLINE const KeptSphere& sphere(std::size_t t) const noexcept {
+        return view<true>().sphere(t);
     }
     template <bool with_spheres>
-    MGDT_ALWAYS_INLINE TetrahedronView<with_spheres, HalfLine> view() noexcept {
-        return {lines_.data()};
+    MGDT_ALWAYS_INLINE TetrahedronView<Record<with_spheres>> view() noexcept {
+        return {reinterpret_cast<Record<with_spheres>*>(pieces_.data())};
     }
     template <bool with_spheres>
-    MGDT_ALWAYS_INLINE TetrahedronView<with_spheres, const HalfLine> view() const noexcept {
-        return {lines_.data()};
+    MGDT_ALWAYS_INLINE TetrahedronView<const Record<with_spheres>> view() const noexcept {
+        return {reinterpret_cast<const Record<with_spheres>*>(pieces_.data())};
     }
 
     // Of a slot that need not be there.
     MGDT_ALWAYS_INLINE void prefetch(std::size_t t) const noexcept {
-        mgdt::prefetch(lines_.data() + (t << shift_));
+        mgdt::prefetch(tetrahedron(t));
     }
 
     MGDT_ALWAYS_INLINE std::size_t size() const noexcept { return size_; }
@@ -83,11 +94,11 @@ class TetrahedronStore {
     // As those of Buffer.
     void reserve(std::size_t capacity) {
         if (capacity <= capacity_) return;
-        lines_.reserve(capacity << shift_);
+        pieces_.reserve(capacity * stride());
         capacity_ = capacity;
     }
     void prefault(std::size_t begin, std::size_t end) noexcept {
-        lines_.prefault(begin << shift_, end << shift_);
+        pieces_.prefault(begin * stride(), end * stride());
     }
     void resize(std::size_t size) {
         reserve(size);
@@ -95,7 +106,7 @@ class TetrahedronStore {
     }
     MGDT_ALWAYS_INLINE void resize_within_capacity(std::size_t size) noexcept {
         size_ = size;
-        lines_.resize_within_capacity(size << shift_);
+        pieces_.resize_within_capacity(size * stride());
     }
     void clear() noexcept { resize_within_capacity(0); }
 
@@ -105,9 +116,20 @@ class TetrahedronStore {
     void make_room_for_spheres();
 
   private:
-    Buffer<HalfLine> lines_;
+    struct alignas(16) Piece {
+        unsigned char bytes[16];
+    };
+    MGDT_ALWAYS_INLINE std::size_t stride() const noexcept { return 2 + sphere_; }
+    MGDT_ALWAYS_INLINE Piece* tetrahedron(std::size_t t) noexcept {
+        return pieces_.data() + (t * stride() + sphere_);
+    }
+    MGDT_ALWAYS_INLINE const Piece* tetrahedron(std::size_t t) const noexcept {
+        return pieces_.data() + (t * stride() + sphere_);
+    }
+
+    Buffer<Piece> pieces_;
     std::size_t size_ = 0, capacity_ = 0;
-    unsigned shift_ = 1;
+    std::size_t sphere_ = 1;  // pieces that one takes: 0 where there are none
 };
 
 }  // namespace mgdt

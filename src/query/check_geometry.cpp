@@ -115,7 +115,8 @@ void Checker::delaunay(bool canonical) const {
 void Checker::spheres() const {
     if (!mesh_.tetrahedra.has_spheres()) return;
     for_each_live([&](TetId id) {
-        if (!sphere_is_within_bound(mesh_.tetrahedra.sphere(id), tet(id), mesh_.vertices.data()))
+        if (!sphere_is_within_bound(mesh_.tetrahedra.sphere(id).in_doubles(), tet(id),
+                                    mesh_.vertices.data()))
             reject(id, tet(id).is_ghost() ? "its normal is off by more than its bound"
                                           : "its circumsphere is off by more than its bound");
     });

@@ -69,7 +69,7 @@ bool is_close_enough(const Sphere& s, const Tetrahedron& t, const Vertex* vertic
         const Twofold numerator = aa * bc.x[i] + bb * ca.x[i] + cc * ab.x[i];
         const Twofold off = numerator - det * Twofold{s.w[i], 0};
         const double allowed = (s.e - 5 * unit_roundoff * largest) * det.high;
-        if (!(std::fabs(off.high) < 0.999 * allowed)) return false;
+        if (!(std::fabs(off.high) < (1 - 0x1p-40) * allowed)) return false;
     }
     return true;
 }

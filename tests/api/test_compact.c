@@ -338,11 +338,11 @@ static void memory(void) {
     int64_t limit;
     printf("  bytes a point: %.0f, compact %.0f\n", before / points, small / points);
     CHECK(small < 300 * points);
-    CHECK(before > small + 200 * points);
+    CHECK(before > small + 100 * points);
     /* After the fact. */
     CHECK_EQUAL(mgdt_set_compact(kept, 1), MGDT_OK);
     after = memory_of(kept);
-    CHECK(after <= before - 200 * points);
+    CHECK(after <= before - 100 * points);
     CHECK(after < 300 * points);
     CHECK_EQUAL(mgdt_set_compact(kept, 1), MGDT_OK);
     CHECK(memory_of(kept) == after);
@@ -368,7 +368,7 @@ static void memory(void) {
     CHECK_EQUAL(mgdt_insert_points(kept, 0, NULL), MGDT_OK);
     CHECK(same_tetrahedra(kept, compact, NULL));
     CHECK_EQUAL(mgdt_set_compact(kept, 0), MGDT_OK);
-    CHECK(memory_of(kept) > after + 200 * points);
+    CHECK(memory_of(kept) > after + 100 * points);
     CHECK(memory_of(kept) == before + numbers);
     CHECK(same_tetrahedra(kept, compact, NULL));
 

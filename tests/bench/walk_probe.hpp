@@ -162,7 +162,7 @@ class Probe {
     Start start_of(StartKind kind, const Mesh& mesh, const mgdt::Workspace& w, const Query& q,
                    VertexId v, TetId start) {
         // Before the first insertion there is no star.
-        const TetId last_one = w.slot_count != 0 ? w.slots.data[0] : start;
+        const TetId last_one = w.slot_count != 0 ? w.slots.data[0] >> 2 : start;
         // A repeat's vertex is nowhere, and has no place in the mesh when the batch is in.
         const auto at = [&](VertexId near) {
             const bool is_in = near != infinite_vertex && mesh.near[near] != mgdt::no_tetrahedron;

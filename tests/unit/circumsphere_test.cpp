@@ -24,6 +24,8 @@ int size_of_test(int full) {
     return is_small() ? full / 50 : full;
 }
 
+constexpr double origin[3] = {0, 0, 0}, half_way_up[3] = {0, 0, 0.5};
+
 class Samples {
   public:
     explicit Samples(unsigned seed) : random_(seed) {}
@@ -95,7 +97,14 @@ struct Outcome {
     int wrong = 0, decided = 0;
 };
 
-Outcome try_spheres(const FilterBounds& bounds, int samples) {
+// Spheres and normals as they are computed, or as they are kept.
+constexpr auto as_computed = [](const Sphere& s) { return s; };
+auto as_kept(double roundoff) {
+    return [=](const Sphere& s) { return rounded(s, roundoff).in_doubles(); };
+}
+
+template <class Kept>
+Outcome try_spheres(const FilterBounds& bounds, int samples, Kept kept) {
     Outcome outcome;
     Samples source(1);
     Sample s;
@@ -103,7 +112,7 @@ Outcome try_spheres(const FilterBounds& bounds, int samples) {
         if (!source.next(s)) continue;
         Query q(s.vertices[5].x);
         q.quadratic = bounds.quadratic * unit_roundoff;
-        const Power p = power(sphere_of(s, bounds), s.vertices[1].x, q);
+        const Power p = power(kept(sphere_of(s, bounds)), s.vertices[1].x, q);
         if (!p.is_decided()) continue;
         ++outcome.decided;
         const int side = side_of_sphere(s.vertices[1].x, s.vertices[2].x, s.vertices[3].x,
@@ -114,7 +123,7 @@ Outcome try_spheres(const FilterBounds& bounds, int samples) {
 }
 
 TEST(Filter, DecidesPowersCorrectly) {
-    const Outcome outcome = try_spheres(proved_bounds, size_of_test(400000));
+    const Outcome outcome = try_spheres(proved_bounds, size_of_test(400000), as_computed);
     EXPECT_EQ(outcome.wrong, 0);
 }
 
@@ -127,10 +136,10 @@ TEST(Filter, FailsWithSmallerCoefficients) {
     all.sphere_sum /= divisor;
     all.sphere_det /= divisor;
     all.quadratic /= divisor;
-    EXPECT_GT(try_spheres(all, size_of_test(400000)).wrong, 0);
+    EXPECT_GT(try_spheres(all, size_of_test(400000), as_computed).wrong, 0);
     FilterBounds sphere;
     sphere.sphere_sum = sphere.sphere_det = 0.01;
-    EXPECT_GT(try_spheres(sphere, size_of_test(400000)).wrong, 0);
+    EXPECT_GT(try_spheres(sphere, size_of_test(400000), as_computed).wrong, 0);
 }
 
 TEST(Filter, DecidesTypicalPowers) {
@@ -150,7 +159,8 @@ TEST(Filter, DecidesTypicalPowers) {
 }
 
 // A ghost's normal, with q within rounding of the facet's plane.
-Outcome try_normals(const FilterBounds& bounds, int samples) {
+template <class Kept>
+Outcome try_normals(const FilterBounds& bounds, int samples, Kept kept) {
     Outcome outcome;
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> uniform(-1, 1);
@@ -167,7 +177,7 @@ Outcome try_normals(const FilterBounds& bounds, int samples) {
         Sphere ghost;
         set_normal(relative_to(vertices[2].x, vertices[1].x),
                    relative_to(vertices[3].x, vertices[1].x), ghost, bounds);
-        const Power p = power(ghost, vertices[1].x, Query(vertices[4].x));
+        const Power p = power(kept(ghost), vertices[1].x, Query(vertices[4].x));
         if (!p.is_decided()) continue;
         ++outcome.decided;
         const int side = orientation(vertices[1].x, vertices[2].x, vertices[3].x, vertices[4].x);
@@ -177,10 +187,53 @@ Outcome try_normals(const FilterBounds& bounds, int samples) {
 }
 
 TEST(Filter, DecidesNormalsCorrectly) {
-    EXPECT_EQ(try_normals(proved_bounds, size_of_test(400000)).wrong, 0);
+    EXPECT_EQ(try_normals(proved_bounds, size_of_test(400000), as_computed).wrong, 0);
     FilterBounds small;
     small.normal /= 64;
-    EXPECT_GT(try_normals(small, size_of_test(400000)).wrong, 0);
+    EXPECT_GT(try_normals(small, size_of_test(400000), as_computed).wrong, 0);
+}
+
+// Rounding is all the error there is beside what it adds to the bound, so less must be wrong soon.
+TEST(Filter, DecidesWithWhatIsKept) {
+    const int samples = size_of_test(400000);
+    EXPECT_EQ(try_spheres(proved_bounds, samples, as_kept(kept_roundoff)).wrong, 0);
+    EXPECT_EQ(try_normals(proved_bounds, samples, as_kept(kept_roundoff)).wrong, 0);
+    EXPECT_GT(try_spheres(proved_bounds, samples, as_kept(kept_roundoff / 4)).wrong, 0);
+    EXPECT_GT(try_normals(proved_bounds, samples, as_kept(kept_roundoff / 4)).wrong, 0);
+}
+
+// w is off by no more than the bound has for that, and w = 1 + 2^-21, half way between two upper
+// halves, is off by all but 2^-17 of it.
+TEST(Filter, KeepsSpheresWithinTheirBounds) {
+    std::mt19937_64 random(4);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    for (int i = 0; i < 10000; ++i) {
+        Sphere s;
+        for (double& w : s.w)
+            w = std::ldexp(uniform(random), static_cast<int>(uniform(random) * 9));
+        const double scale = std::ldexp(1.0, static_cast<int>(uniform(random) * 200));
+        for (double& w : s.w) w *= scale;
+        s.e = std::ldexp(uniform(random), -40) * scale;
+        const Sphere k = rounded(s).in_doubles();
+        EXPECT_EQ(k.is_ghost(), s.is_ghost());
+        for (int j = 0; j < 3; ++j)
+            EXPECT_LE(std::fabs(k.w[j] - s.w[j]) + (1 - 0x1p-19) * std::fabs(s.e), std::fabs(k.e));
+    }
+    const Sphere half_way = {{1 + 0x1p-21, 0, 0}, 0};
+    const Sphere k = rounded(half_way).in_doubles();
+    EXPECT_EQ(std::fabs(k.w[0] - half_way.w[0]), 0x1p-21);
+    EXPECT_GE(k.e, 0x1p-21);
+    EXPECT_LE(k.e, 0x1p-21 * (1 + 0x1p-17));
+}
+
+TEST(Filter, KeepsWhatIsNotTrusted) {
+    for (const double w : {1.0, infinity, std::nan("")})
+        for (const double e : {infinity, -infinity}) {
+            const KeptSphere k = rounded({{w, 0, -w}, e});
+            EXPECT_EQ(k.in_doubles().e, e);
+            EXPECT_EQ(k.is_ghost(), e < 0);
+            EXPECT_FALSE(power(k.in_doubles(), half_way_up, Query(origin)).is_decided());
+        }
 }
 
 TEST(Filter, LeavesExtremesOpen) {

@@ -45,7 +45,7 @@ inline double any_double(Random& random) {
 inline bool pick_trusted(Patient& p, Random& random, bool ghost, TetId& found) {
     for (int tries = 0; tries < 100; ++tries) {
         found = p.any(random, ghost);
-        if (std::isfinite(p.mesh().tetrahedra.sphere(found).e)) return true;
+        if (std::isfinite(p.sphere(found).e)) return true;
     }
     return false;
 }
@@ -166,62 +166,62 @@ inline const std::vector<Corruption>& corruptions() {
         // Spheres, normals, bounds.
         {"sign of a finite bound", 1, "wrongly marked as ghost or finite",
          [](Patient& p, Random& r) {
-             double& e = p.mesh().tetrahedra.sphere(p.any(r, false)).e;
-             e = -e;
+             p.change_sphere(p.any(r, false), [](Sphere& s) { s.e = -s.e; });
              return true;
          }},
         {"sign of a ghost's bound", 1, "wrongly marked as ghost or finite",
          [](Patient& p, Random& r) {
-             double& e = p.mesh().tetrahedra.sphere(p.any(r, true)).e;
-             e = -e;
+             p.change_sphere(p.any(r, true), [](Sphere& s) { s.e = -s.e; });
              return true;
          }},
         {"signs of bounds exchanged", 1, "wrongly marked as ghost or finite",
          [](Patient& p, Random& r) {
-             double &e = p.mesh().tetrahedra.sphere(p.any(r, true)).e,
-                    &f = p.mesh().tetrahedra.sphere(p.any(r, false)).e;
-             e = -e;
-             f = -f;
+             for (const bool ghost : {true, false})
+                 p.change_sphere(p.any(r, ghost), [](Sphere& s) { s.e = -s.e; });
              return true;
          }},
         {"a sphere's coefficient anything", 2, "circumsphere is off",
          [](Patient& p, Random& r) {
              TetId t;
              if (!pick_trusted(p, r, false, t)) return false;
-             double& w = p.mesh().tetrahedra.sphere(t).w[below(r, 3)];
-             const double before = std::exchange(w, any_double(r));
-             return !(std::fabs(w - before) <= 3 * p.mesh().tetrahedra.sphere(t).e);
+             const Sphere before = p.sphere(t);
+             const std::size_t i = below(r, 3);
+             p.change_sphere(t, [&](Sphere& s) { s.w[i] = any_double(r); });
+             return !(std::fabs(p.sphere(t).w[i] - before.w[i]) <= 4 * before.e);
          }},
-        {"a sphere's coefficient off by thrice its bound", 2, "circumsphere is off",
+        {"a sphere's coefficient off by four times its bound", 2, "circumsphere is off",
          [](Patient& p, Random& r) {
              TetId id;
              if (!pick_trusted(p, r, false, id)) return false;
-             Sphere& s = p.mesh().tetrahedra.sphere(id);
-             s.w[below(r, 3)] += (below(r, 2) ? 3 : -3) * s.e;
+             p.change_sphere(id,
+                             [&](Sphere& s) { s.w[below(r, 3)] += (below(r, 2) ? 4 : -4) * s.e; });
              return true;
          }},
-        {"a normal's coefficient off by thrice its bound", 2, "normal is off",
+        {"a normal's coefficient off by four times its bound", 2, "normal is off",
          [](Patient& p, Random& r) {
              TetId id;
              if (!pick_trusted(p, r, true, id)) return false;
-             Sphere& s = p.mesh().tetrahedra.sphere(id);
-             s.w[below(r, 3)] += (below(r, 2) ? 3 : -3) * s.e;
+             p.change_sphere(id,
+                             [&](Sphere& s) { s.w[below(r, 3)] += (below(r, 2) ? 4 : -4) * s.e; });
              return true;
          }},
         {"a bound too small", 2, "circumsphere is off",
          [](Patient& p, Random& r) {
              TetId id;
              if (!pick_trusted(p, r, false, id)) return false;
-             p.mesh().tetrahedra.sphere(id).e *=
-                 std::ldexp(1.0, -3 - static_cast<int>(below(r, 60)));
+             // That of a sphere which is not rounded is nearly used up.
+             p.change_sphere(id, [&](Sphere& s) {
+                 s.e = std::ldexp(p.exact_sphere(id).e, -3 - static_cast<int>(below(r, 60)));
+             });
              return true;
          }},
         {"a normal's bound too small", 2, "normal is off",
          [](Patient& p, Random& r) {
              TetId id;
              if (!pick_trusted(p, r, true, id)) return false;
-             p.mesh().tetrahedra.sphere(id).e *=
-                 std::ldexp(1.0, -1 - static_cast<int>(below(r, 60)));
+             p.change_sphere(id, [&](Sphere& s) {
+                 s.e = std::ldexp(p.exact_sphere(id).e, -1 - static_cast<int>(below(r, 60)));
+             });
              return true;
          }},
         {"no bound", 2, "is off by more than its bound",
@@ -229,23 +229,24 @@ inline const std::vector<Corruption>& corruptions() {
              TetId id;
              const bool ghost = below(r, 2) == 0;
              if (!pick_trusted(p, r, ghost, id)) return false;
-             p.mesh().tetrahedra.sphere(id).e = ghost ? -0.0 : 0.0;
+             p.change_sphere(id, [&](Sphere& s) { s.e = ghost ? -0.0 : 0.0; });
              return true;
          }},
         {"a bound that is no number", 2, "is off by more than its bound",
          [](Patient& p, Random& r) {
              TetId id;
              if (!pick_trusted(p, r, false, id)) return false;
-             p.mesh().tetrahedra.sphere(id).e = std::fabs(std::numeric_limits<double>::quiet_NaN());
+             p.change_sphere(
+                 id, [&](Sphere& s) { s.e = std::fabs(std::numeric_limits<double>::quiet_NaN()); });
              return true;
          }},
         {"extreme coordinates trusted", 2, "circumsphere is off",
          [](Patient& p, Random&) {
              bool found = false;
              p.for_each_live([&](TetId t) {
-                 double& e = p.mesh().tetrahedra.sphere(t).e;
+                 const double e = p.sphere(t).e;
                  if (found || std::signbit(e) || !std::isinf(e)) return;
-                 e = 1e-17;
+                 p.change_sphere(t, [&](Sphere& s) { s.e = 1e-17; });
                  found = true;
              });
              return found;

@@ -72,7 +72,7 @@ TEST(Corruptions, NothingIsFollowedBlindly) {
             for (std::size_t fields = 1 + below(random, 8); fields-- > 0;) {
                 const std::size_t id = below(random, m.tetrahedra.size());
                 Tetrahedron& t = m.tetrahedra[id];
-                Sphere& s = m.tetrahedra.sphere(id);
+                KeptSphere& s = m.tetrahedra.sphere(id);
                 Vertex& v = m.vertices[below(random, m.vertices.size())];
                 switch (below(random, 9)) {
                     case 0:
@@ -82,10 +82,10 @@ TEST(Corruptions, NothingIsFollowedBlindly) {
                         spoil(t.n[below(random, 4)], 4 * m.tetrahedra.size());
                         break;
                     case 2:
-                        s.w[below(random, 3)] = any_double(random);
+                        s.w[below(random, 3)] = upper_half(any_double(random));
                         break;
                     case 3:
-                        s.e = any_double(random);
+                        s.e = upper_half(any_double(random));
                         break;
                     case 4:
                         v.x[below(random, 3)] = any_double(random);
@@ -124,20 +124,24 @@ TEST(Corruptions, HarmlessOnesPass) {
         m.has_extremes = true;
         for (std::size_t id = 0; id < m.tetrahedra.size(); ++id) {
             Tetrahedron& t = m.tetrahedra[id];
-            Sphere& s = m.tetrahedra.sphere(id);
+            KeptSphere& s = m.tetrahedra.sphere(id);
+            const double e = from_upper_half(s.e);
             if (t.is_dead()) {
                 for (int i = 0; i < 4; ++i) {
                     t.n[i] = static_cast<FacetCode>(random());
                     if (i > 0) t.v[i] = static_cast<VertexId>(random());
                 }
-                s.e = any_double(random);
+                s.e = upper_half(any_double(random));
             } else if (below(random, 4) == 0) {
                 // Larger bounds leave more to the exact predicates, infinite ones all.
-                s.e *= below(random, 2) ? 2 : std::numeric_limits<double>::infinity();
-                if (std::isnan(s.e)) s.e = std::numeric_limits<double>::infinity();
-            } else if (!t.is_ghost()) {
-                // An ulp of a normal may be a fifth of its bound, all that is to spare.
-                for (double& w : s.w) w = std::nextafter(w, below(random, 2) ? 1e300 : -1e300);
+                s.e = upper_half(below(random, 2)
+                                     ? 2 * e
+                                     : std::copysign(std::numeric_limits<double>::infinity(), e));
+            } else {
+                // The last bit of an upper half is twice what its rounding adds to the bound.
+                s.e = upper_half(4 * e);
+                for (std::uint32_t& w : s.w)
+                    if ((w & 0x7FFFFFFFu) != 0) w += below(random, 2) ? 1u : ~0u;
             }
         }
         EXPECT_EQ(p.complaint(3), "") << family.name;

@@ -177,10 +177,10 @@ TEST(Territory, TakesFreeSlotsFirst) {
     {
         Territory territory(mesh, owners, 1, supply);
         const auto take = [&](std::size_t count) {
-            std::vector<TetId> slots(count + 16);
+            std::vector<FacetCode> slots(count + 16);
             territory.reserve_slots(count, 0);
             territory.take_slots(slots.data(), count);
-            taken.insert(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(count));
+            for (std::size_t i = 0; i < count; ++i) taken.insert(slots[i] >> 2);
         };
         take(10);
         EXPECT_EQ(taken.size(), 10u);

@@ -8,7 +8,7 @@
 struct FourAtATime {
     std::uint32_t (*put_four)(const mgdt::MarkTable::View& marks, const mgdt::FacetCode* codes,
                               std::uint32_t which);
-    std::uint32_t (*mark_four)(const mgdt::FourTetrahedra<true, mgdt::HalfLine>& four,
+    std::uint32_t (*mark_four)(const mgdt::FourTetrahedra<mgdt::TetrahedronAndSphere>& four,
                                std::uint32_t which);
     unsigned (*append)(std::uint32_t* to, const std::uint32_t* words, std::uint32_t bits);
 };

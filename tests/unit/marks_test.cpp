@@ -109,8 +109,9 @@ TEST_P(Pieces, PutFour) {
 TEST_P(Pieces, MarkFour) {
     for (std::uint32_t before = 0; before < 16; ++before)
         for (std::uint32_t which = 0; which < 16; ++which) {
-            HalfLine lines[8] = {};
-            FourTetrahedra<true, HalfLine> four = {{lines + 6, lines, lines + 4, lines + 2}};
+            TetrahedronAndSphere records[4] = {};
+            FourTetrahedra<TetrahedronAndSphere> four = {
+                {records + 3, records, records + 2, records + 1}};
             const auto second = [](unsigned k) { return 0x7FFFFFF0u + k; };
             const auto mark = [](std::uint32_t bits, unsigned k) { return bits >> k << 31; };
             for (unsigned k = 0; k < 4; ++k)

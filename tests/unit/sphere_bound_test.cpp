@@ -103,7 +103,7 @@ TEST(SphereBound, AcceptsOtherRoundings) {
         for (double& w : c.s.w) w += 0.1 * c.s.e * uniform(random);
         c.s.e *= 1 + 0x1p-50 * uniform(random);
         EXPECT_EQ(sphere_is_within_bound(c.s, c.t, c.vertices),
-                  c.needed() < Rational(0.999 * c.s.e));
+                  c.needed() < Rational((1 - 0x1p-40) * c.s.e));
     }
 }
 

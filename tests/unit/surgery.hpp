@@ -107,9 +107,24 @@ struct Patient {
         });
         return all;
     }
-    void set_sphere(TetId t0) {
-        mesh().tetrahedra.sphere(t0) = circumsphere(mesh().tetrahedra[t0], mesh().vertices.data());
+    Sphere sphere(TetId t0) { return mesh().tetrahedra.sphere(t0).in_doubles(); }
+    // With the bound as it is.
+    void keep_sphere(TetId t0, const Sphere& s) {
+        KeptSphere& kept = mesh().tetrahedra.sphere(t0);
+        for (int i = 0; i < 3; ++i) kept.w[i] = upper_half(to_upper_half(s.w[i]));
+        kept.e = upper_half(s.e);
     }
+    template <class Change>
+    void change_sphere(TetId t0, Change change) {
+        Sphere s = sphere(t0);
+        change(s);
+        keep_sphere(t0, s);
+    }
+    // As it is before it is rounded.
+    Sphere exact_sphere(TetId t0) {
+        return circumsphere(mesh().tetrahedra[t0], mesh().vertices.data());
+    }
+    void set_sphere(TetId t0) { mesh().tetrahedra.sphere(t0) = rounded(exact_sphere(t0)); }
     void set_spheres() {
         for_each_live([&](TetId t0) { set_sphere(t0); });
     }

@@ -30,13 +30,16 @@ TEST(TetrahedronStore, SpheresComeAndGo) {
     TetrahedronStore store(allocator);
     fill(store);
     EXPECT_TRUE(store.has_spheres());
-    for (std::uint32_t t = 0; t < count; ++t) store.sphere(t) = {{1.0 * t, 2, 3}, -4};
+    for (std::uint32_t t = 0; t < count; ++t) store.sphere(t) = {{t, 2, 3}, 4};
     expect_filled(store);
-    for (std::uint32_t t = 0; t < count; ++t) ASSERT_EQ(store.sphere(t).w[0], t);
+    for (std::uint32_t t = 0; t < count; ++t) {
+        ASSERT_EQ(store.sphere(t).w[0], t);
+        ASSERT_EQ(store.sphere(t).e, 4u);
+    }
     const std::size_t before = allocator.bytes();
     store.drop_spheres();
     EXPECT_FALSE(store.has_spheres());
-    EXPECT_LE(2 * allocator.bytes(), before);
+    EXPECT_LE(3 * allocator.bytes(), 2 * before);
     expect_filled(store);
     store.make_room_for_spheres();
     EXPECT_TRUE(store.has_spheres());
@@ -63,7 +66,7 @@ TEST(TetrahedronStore, CapacityIsThatOfSlots) {
         refuses = !shrinks;
         store.drop_spheres();
         refuses = false;
-        EXPECT_EQ(allocator.bytes(), shrinks ? before / 2 : before);
+        EXPECT_EQ(allocator.bytes(), shrinks ? before / 3 * 2 : before);
         EXPECT_EQ(store.capacity(), 2 * count);
         expect_filled(store);
         store.make_room_for_spheres();
@@ -86,20 +89,33 @@ TEST(TetrahedronStore, NoRoomForSpheresChangesNothing) {
     expect_filled(store);
 }
 
-// With its sphere a tetrahedron is on one cache line; the view is of the same places.
-TEST(TetrahedronStore, OneLineEach) {
+// A sphere and the base vertex, which tests look at, are on one cache line but for every fourth
+// tetrahedron; the view is of the same places.
+TEST(TetrahedronStore, SpheresBesideTheirTetrahedra) {
     Allocator allocator;
     TetrahedronStore store(allocator);
     fill(store);
     for (std::uint32_t t = 0; t < count; t += 999) {
-        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(&store[t]) % 64, 0u);
-        EXPECT_EQ(reinterpret_cast<char*>(&store.sphere(t)) - reinterpret_cast<char*>(&store[t]),
-                  32);
-        EXPECT_EQ(&store.view<true>()[t], &store[t]);
-        EXPECT_EQ(&store.view<true>().sphere(t), &store.sphere(t));
+        const auto sphere = reinterpret_cast<std::uintptr_t>(&store.sphere(t)),
+                   base = reinterpret_cast<std::uintptr_t>(&store[t].v[0]);
+        EXPECT_EQ(sphere % 16, 0u);
+        EXPECT_EQ(base, sphere + 16);
+        EXPECT_EQ(sphere / 64 != base / 64, t % 4 == 1) << t;
+        const auto view = store.view<true>();
+        EXPECT_EQ(&view[t], &store[t]);
+        EXPECT_EQ(&view.sphere(t), &store.sphere(t));
+        EXPECT_EQ(&view.of(4 * t + 3), &store[t]);
+        EXPECT_EQ(&view.record(4 * t)->sphere, &store.sphere(t));
+        const FacetCode codes[4] = {4 * t, 1, 4 * t + 2, 7};
+        const auto four = view.four(codes);
+        EXPECT_EQ(&four[0], &store[t]);
+        EXPECT_EQ(&four[1], &store[0]);
+        EXPECT_EQ(&four.sphere(2), &store.sphere(t));
+        EXPECT_EQ(&four[3], &store[1]);
     }
     store.drop_spheres();
     EXPECT_EQ(&store.view<false>()[7], &store[7]);
+    EXPECT_EQ(&store.view<false>().of(29), &store[7]);
 }
 
 }  // namespace
