@@ -250,7 +250,7 @@ module mgdt
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine
-        ! Whether to keep no circumspheres beside the tetrahedra: a third less memory, 20 to 40
+        ! Whether to keep no circumspheres beside the tetrahedra: three tenths less memory, 20 to 40
         ! percent more time. At any time; .false. (default) computes them again, which may be
         ! refused memory. Since 1.1.
         module subroutine set_compact(self, on, stat, errmsg)

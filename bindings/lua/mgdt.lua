@@ -230,7 +230,7 @@ function Triangulation:set_memory_limit(bytes)
     ensure(handle, C.mgdt_set_memory_limit(handle, whole(bytes, "the memory limit")))
 end
 
---- Compact storage, true or false (default): a third less memory, 20 to 40 percent more time. At any
+--- Compact storage, true or false (default): 30 % less memory, 20 to 40 % more time. At any
 --- time; what it gives back, false needs again. Since 1.1.
 function Triangulation:set_compact(on)
     local handle = handle_of(self)

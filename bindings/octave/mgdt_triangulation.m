@@ -19,7 +19,7 @@ classdef mgdt_triangulation < handle
   %   "seed"          of the schemes that shuffle
   %   "threads"       0 for all cores
   %   "memory_limit"  bytes; 0 for none
-  %   "compact"       true: a third less memory, 20 to 40 percent more time; at any time
+  %   "compact"       true: 30 % less memory, 20 to 40 % more time; at any time
   %   "canonical"     true: the output is a function of the set of points alone
   %   "isa"           instruction set; "" for the best
   %   "progress"      function of the fraction done, 0 to 1; a true result stops the insertion

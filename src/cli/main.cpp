@@ -100,7 +100,7 @@ void add_triangulation(CLI::App& app, TriangulationOptions& options) {
         ->transform(CLI::AsSizeValue(false))
         ->type_name("SIZE");
     app.add_flag("--compact", options.compact,
-                 "A third less memory for the triangulation, in 20 to 40 percent more time");
+                 "Three tenths less memory for the triangulation, in 20 to 40 percent more time");
     app.add_flag("-q,--quiet", options.quiet, "Print nothing but errors and what is asked for");
 }
 

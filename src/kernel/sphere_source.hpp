@@ -23,7 +23,7 @@ struct KeptSpheres {
     const Vertex* const vertices;
 };
 
-// From the vertices, each time: a mesh of two thirds the size.
+// From the vertices, each time: tetrahedra of two thirds the size.
 struct ComputedSpheres {
     static constexpr bool are_kept = false;
     MGDT_ALWAYS_INLINE explicit ComputedSpheres(const Mesh& mesh)

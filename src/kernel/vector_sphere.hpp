@@ -127,7 +127,7 @@ class SpheresThrough {
     MGDT_ALWAYS_INLINE SphereColumns<R> unrounded() const {
         return {x_, y_, z_, if_sound(R::multiply(inverse_, numerator()))};
     }
-    // Their upper halves are what rounded() gives.
+    // To be kept, as upper halves.
     MGDT_ALWAYS_INLINE SphereColumns<R> rounded() const {
         const Vector e =
             R::multiply_add(inverse_, numerator(), R::multiply(largest_, R::all(kept_roundoff)));

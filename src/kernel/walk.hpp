@@ -205,7 +205,7 @@ bool locate_step(const Mesh& mesh, LocationWalk& w) {
     w.tetrahedron = n[next] >> 2;
     w.value = there.value;
     w.error = there.error;
-    for (const FacetCode code : tetrahedra[w.tetrahedron].n) prefetch(&tetrahedra.of(code));
+    for (const FacetCode code : tetrahedra[w.tetrahedron].n) tetrahedra.prefetch_of(code);
     return true;
 }
 

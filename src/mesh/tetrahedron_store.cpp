@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/tetrahedron_store.hpp"
 
+#include <cstring>
+
 namespace mgdt {
 
 void TetrahedronStore::drop_spheres() noexcept {
     if (!has_spheres()) return;
     const auto from = view<true>();
     const auto to = view<false>();
-    for (std::size_t t = 0; t < size_; ++t) {
-        const Tetrahedron moved = from[t];
-        to[t] = moved;
-    }
+    for (std::size_t t = 0; t < size_; ++t) std::memmove(&to[t], &from[t], sizeof(Tetrahedron));
     sphere_ = 0;
     resize_within_capacity(size_);
     try {
@@ -27,10 +26,7 @@ void TetrahedronStore::make_room_for_spheres() {
     resize_within_capacity(size_);
     const auto from = view<false>();
     const auto to = view<true>();
-    for (std::size_t t = size_; t-- > 0;) {
-        const Tetrahedron moved = from[t];
-        to[t] = moved;
-    }
+    for (std::size_t t = size_; t-- > 0;) std::memmove(&to[t], &from[t], sizeof(Tetrahedron));
 }
 
 }  // namespace mgdt

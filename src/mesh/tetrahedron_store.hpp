@@ -48,6 +48,12 @@ struct TetrahedronView {
         return {{record(codes[0] & ~3u), record(codes[1] & ~3u), record(codes[2] & ~3u),
                  record(codes[3] & ~3u)}};
     }
+    // All of it, which may be on two lines.
+    MGDT_ALWAYS_INLINE void prefetch_of(FacetCode code) const noexcept {
+        const Record* const r = record(code & ~3u);
+        mgdt::prefetch(r);
+        if constexpr (sizeof(Record) > sizeof(Tetrahedron)) mgdt::prefetch(&r->tetrahedron.n);
+    }
     MGDT_ALWAYS_INLINE Record* record(FacetCode first) const noexcept {
         using Byte = std::conditional_t<std::is_const_v<Record>, const char, char>;
         return reinterpret_cast<Record*>(reinterpret_cast<Byte*>(records) +

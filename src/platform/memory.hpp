@@ -168,7 +168,7 @@ class Buffer {
     }
 
   private:
-    // A cache line: records of 64 bytes stay on one, vectors load without crossing.
+    // A cache line: records of 32 bytes stay on one, vectors load without crossing.
     static constexpr std::size_t alignment = 64;
 
     Allocator* allocator_;

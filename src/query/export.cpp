@@ -96,7 +96,7 @@ void export_rows(const ExportView& view, const Indices& indices, Int* out, const
         if (view.canonical) {
             numbering.for_each(begin, end, [&](TetId id, std::size_t number) {
                 const Tetrahedron& t = tetrahedra[id];
-                prefetch(tetrahedra.records + (id + ahead));
+                prefetch(&tetrahedra[id + ahead]);
                 unsigned places[4];
                 Numbering::canonical_places(t, indices, places);
                 for (unsigned i = 0; i < 4; ++i) out[4 * number + i] = row(t, places[i]);
@@ -105,7 +105,7 @@ void export_rows(const ExportView& view, const Indices& indices, Int* out, const
             Rows<Int> rows(out + 4 * numbering.first_number(begin));
             numbering.for_each(begin, end, [&](TetId id, std::size_t) {
                 const Tetrahedron& t = tetrahedra[id];
-                prefetch(tetrahedra.records + (id + ahead));
+                prefetch(&tetrahedra[id + ahead]);
                 rows.add(row(t, 0), row(t, 1), row(t, 2), row(t, 3));
             });
         }

@@ -68,7 +68,7 @@ bool is_close_enough(const Sphere& s, const Tetrahedron& t, const Vertex* vertic
     for (int i = 0; i < 3; ++i) {
         const Twofold numerator = aa * bc.x[i] + bb * ca.x[i] + cc * ab.x[i];
         const Twofold off = numerator - det * Twofold{s.w[i], 0};
-        const double allowed = (s.e - 5 * unit_roundoff * largest) * det.high;
+        const double allowed = (s.e - 6 * unit_roundoff * largest) * det.high;
         if (!(std::fabs(off.high) < (1 - 0x1p-40) * allowed)) return false;
     }
     return true;
@@ -79,8 +79,8 @@ bool is_close_enough(const Sphere& s, const Tetrahedron& t, const Vertex* vertic
 bool sphere_is_within_bound(const Sphere& s, const Tetrahedron& t, const Vertex* vertices) {
     if (std::isinf(s.e)) return true;
     const Sphere again = circumsphere(t, vertices);
-    // What was computed now is proved to be within 0.97 (of a normal: 0.8) of its bound.
-    const double error = (t.is_ghost() ? 0.81 : 0.98) * std::fabs(again.e);
+    // What was computed now is proved to be within 0.981 (of a normal: 0.8) of its bound.
+    const double error = (t.is_ghost() ? 0.81 : 0.99) * std::fabs(again.e);
     bool agrees = true;
     for (int i = 0; i < 3; ++i)
         agrees = agrees && std::fabs(s.w[i] - again.w[i]) + error <= std::fabs(s.e);

@@ -82,7 +82,7 @@ class BenchTest(cli_test.CliTest):
 
 class Tables(BenchTest):
     def test_what_the_system_takes(self):
-        # 150 MB of fresh pages are more than a tick.
+        # 110 MB of fresh pages are more than a tick.
         self.bench("--distributions", "uniform", "--sizes", "3e5", "--schemes", "auto",
                    "--runs", 1, "--csv", "t.csv")
         self.assertGreater(float(self.rows()[0]["system_seconds"]), 0)

@@ -179,7 +179,7 @@ contains
         call other%get_stat(mgdt_stat_memory_bytes, before)
         call other%set_compact(.true.)
         call other%get_stat(mgdt_stat_memory_bytes, after)
-        call expect(after < before - 200*n, 'compact storage takes less')
+        call expect(after < before - 100*n, 'compact storage takes less')
         got = 0
         call other%get_tetrahedra(got)
         call expect(all(got == wanted), 'tetrahedra in compact storage')

@@ -259,7 +259,7 @@ function compact (folder)
   before = t.statistics ().memory_bytes;
   t.set ("compact", true);
   after = t.statistics ().memory_bytes;
-  assert (after < before - 200 * 1000);
+  assert (after < before - 100 * 1000);
   t.check ();
   t.set ("memory_limit", 1);
   refused ("mgdt:out_of_memory", {"memory"}, @() t.set ("compact", false));
@@ -268,7 +268,7 @@ function compact (folder)
   assert (t.statistics ().memory_bytes > after);
   t = mgdt_triangulation ("compact", true, "canonical", true);
   t.insert (points);
-  assert (t.statistics ().memory_bytes < before - 200 * 1000);
+  assert (t.statistics ().memory_bytes < before - 100 * 1000);
   t.check ();
 end
 

@@ -228,7 +228,7 @@ class MgdtTest < Minitest::Test
     before = t.statistic(:memory_bytes)
     t.compact = true
     after = t.statistic(:memory_bytes)
-    assert_operator after, :<, before - 200 * 1000
+    assert_operator after, :<, before - 100 * 1000
     assert t.check
     t.memory_limit = 1
     refused(Mgdt::OutOfMemory, "memory") { t.compact = false }
@@ -237,7 +237,7 @@ class MgdtTest < Minitest::Test
     assert_operator t.statistic(:memory_bytes), :>, after
     t = Mgdt::Triangulation.new(compact: true, canonical: true)
     t.insert(PACKED)
-    assert_operator t.statistic(:memory_bytes), :<, before - 200 * 1000
+    assert_operator t.statistic(:memory_bytes), :<, before - 100 * 1000
     assert_equal expected(:tetrahedra), t.tetrahedra
   end
 

@@ -143,7 +143,7 @@ class Wrong(unittest.TestCase):
         small = mgdt.Delaunay(points, incremental=True, canonical=True, compact=True)
         self.assertIs(small.compact, True)
         self.assertLess(memory(small), 350 * 20_000)
-        self.assertLess(memory(small), memory(tri) - 200 * 20_000)
+        self.assertLess(memory(small), memory(tri) - 100 * 20_000)
         np.testing.assert_array_equal(small.simplices, tri.simplices)
         small.add_points(points + 2, restart=True)
         self.assertIs(small.compact, True)
@@ -164,7 +164,7 @@ class Wrong(unittest.TestCase):
         tri.compact = 1
         self.assertIs(tri.compact, True)
         after = memory(tri)
-        self.assertLess(after, before - 200 * 20_000)
+        self.assertLess(after, before - 100 * 20_000)
         tri.check()
         tri.memory_limit = int(after)
         with self.assertRaises(mgdt.OutOfMemoryError):
@@ -172,7 +172,7 @@ class Wrong(unittest.TestCase):
         self.assertIs(tri.compact, True)
         tri.memory_limit = None
         tri.compact = False
-        self.assertGreater(memory(tri), after + 200 * 20_000)
+        self.assertGreater(memory(tri), after + 100 * 20_000)
         tri.check()
         np.testing.assert_array_equal(tri.neighbors, mgdt.Delaunay(points, canonical=True).neighbors)
         tri.release()

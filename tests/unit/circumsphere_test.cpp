@@ -224,6 +224,9 @@ TEST(Filter, KeepsSpheresWithinTheirBounds) {
     EXPECT_EQ(std::fabs(k.w[0] - half_way.w[0]), 0x1p-21);
     EXPECT_GE(k.e, 0x1p-21);
     EXPECT_LE(k.e, 0x1p-21 * (1 + 0x1p-17));
+    // Of this bound all is cut off that can be.
+    const Sphere cut = {{1 + 0x1p-21, 0, 0}, 0x1.cp-43};
+    EXPECT_GE(rounded(cut).in_doubles().e, 0x1p-21 + (1 - 0x1p-19) * cut.e);
 }
 
 TEST(Filter, KeepsWhatIsNotTrusted) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // More tetrahedra than facet codes can number: a status, and nothing lost. The limit is lowered,
-// since 2^30 tetrahedra fill 64 GiB.
+// since 2^30 tetrahedra fill 48 GiB.
 #include <gtest/gtest.h>
 
 #include <random>

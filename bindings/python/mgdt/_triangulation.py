@@ -261,7 +261,7 @@ class GrowingTriangulation:
 
     @property
     def compact(self) -> bool:
-        """Whether storage is compact: a third less memory, 20 to 40 percent more time. May be set.
+        """Whether storage is compact: 30 % less memory, 20 to 40 % more time. May be set.
 
         The arrays are the same. Set after the last points, it gives memory back; taken back, the
         library needs that memory again and may raise OutOfMemoryError, with nothing changed. Since

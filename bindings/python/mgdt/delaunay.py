@@ -45,7 +45,7 @@ class Delaunay(GrowingTriangulation):
     memory_limit : int, optional
         Bytes that the triangulation may hold in the library; None for no limit.
     compact : bool, optional
-        Whether the library keeps no circumspheres: a third less memory, 20 to 40 percent more time,
+        Whether the library keeps no circumspheres: 30 % less memory, 20 to 40 % more time,
         the same arrays. Since 1.1.
     canonical : bool, optional
         Whether the arrays shall be a function of the set of points alone, byte for byte: sorted,

@@ -110,7 +110,7 @@ module Mgdt
       call(:mgdt_set_memory_limit, integer(bytes || 0, "the memory limit", 63))
     end
 
-    # Whether storage is compact: a third less memory, 20 to 40 percent more time. At any time; what
+    # Whether storage is compact: 30 % less memory, 20 to 40 % more time. At any time; what
     # it gives back, false needs again. Since 1.1.
     def compact=(flag)
       call(:mgdt_set_compact, flag ? 1 : 0)

@@ -173,7 +173,7 @@ impl Triangulation {
         self.ensure(status)
     }
 
-    /// Compact storage: a third less memory, 20 to 40 percent more time. At any time; what it gives
+    /// Compact storage: 30 % less memory, 20 to 40 % more time. At any time; what it gives
     /// back, `false` needs again, and if that is refused nothing has changed. Since 1.1.
     pub fn set_compact(&mut self, on: bool) -> Result<(), Error> {
         let status = unsafe { sys::mgdt_set_compact(self.raw_mut(), i32::from(on)) };

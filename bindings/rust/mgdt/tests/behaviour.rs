@@ -182,7 +182,7 @@ fn compact_storage() {
     let before = t.statistic(Statistic::MemoryBytes);
     t.set_compact(true).unwrap();
     let after = t.statistic(Statistic::MemoryBytes);
-    assert!(after < before - 200.0 * 1000.0);
+    assert!(after < before - 100.0 * 1000.0);
     t.check(Check::Canonical).unwrap();
     t.set_memory_limit(Some(1)).unwrap();
     refused(t.set_compact(false), ErrorKind::OutOfMemory, &["memory"]);
