@@ -38,7 +38,27 @@ constexpr std::size_t million = 1000000;
 const Kind kinds[] = {
     {"uniform", [](std::size_t n) { return generated("uniform", n); }, 3, 0.01, 1.5},
     {"lattice", [](std::size_t n) { return generated("lattice", n); }, 4, 80, 1.5},
-    {"sphere", [](std::size_t n) { return generated("sphere", n); }, 4, 80, 1.5},
+    {"sphere", [](std::size_t n) { return generated("sphere", n); }, 4, 1, 1.5},
+    // Too close to one sphere for the 21 bits of those that are kept.
+    {"coarse",
+     [](std::size_t n) {
+         Points xyz = generated("uniform", n);
+         for (std::size_t i = 0; i < xyz.size(); i += 3) {
+             double* const p = &xyz[i];
+             const double length = std::hypot(p[0] - 0.5, p[1] - 0.5, p[2] - 0.5);
+             for (int k = 0; k < 3; ++k)
+                 p[k] = static_cast<double>(static_cast<float>((p[k] - 0.5) / length));
+         }
+         return xyz;
+     },
+     4, 25, 1.5},
+    {"slab",
+     [](std::size_t n) {
+         Points xyz = generated("uniform", n);
+         for (std::size_t i = 2; i < xyz.size(); i += 3) xyz[i] *= 1e-6;
+         return xyz;
+     },
+     4, 12, 1.5},
     {"cospherical",
      [](std::size_t n) {
          return integer_sphere(n, n <= 4000 ? 231 : n <= 77000 ? 4389 : 100947);
