@@ -29,8 +29,7 @@ class FourPowers {
             return LocalColumns<Four>(
                 relative_to(vertices(from, four, i), {bases.first, bases.second, bases.third}));
         };
-        const SphereColumns<Four> s =
-            SpheresThrough<Four>(local(1), local(2), local(3)).unrounded();
+        const SphereColumns<Four> s = spheres_through<false>(local(1), local(2), local(3));
         FourRows spheres = {s.x, s.y, s.z, s.e};
         std::uint32_t special = from.has_extremes ? 0xFu : 0u;
         for (unsigned k = 0; k < 4; ++k)

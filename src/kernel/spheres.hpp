@@ -107,10 +107,9 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertice
     const std::size_t size = w.boundary_size;
     for (std::size_t begin = 0; begin < size; begin += 8) {
         using Local = LocalColumns<Eight>;
-        const SpheresThrough<Eight> through(Local(vertices.pick(as + begin)),
-                                            Local(vertices.pick(bs + begin)),
-                                            Local(vertices.pick(cs + begin)));
-        const SphereColumns<Eight> s = through.rounded();
+        const SphereColumns<Eight> s = spheres_through<true>(Local(vertices.pick(as + begin)),
+                                                             Local(vertices.pick(bs + begin)),
+                                                             Local(vertices.pick(cs + begin)));
 
         // Each 128 bits are the upper halves of a sphere.
         const auto pairs = [](__m512d low, __m512d high) {
@@ -168,8 +167,8 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices,
     };
     const std::size_t size = w.boundary_size;
     for (std::size_t begin = 0; begin < size; begin += 4) {
-        const SpheresThrough<Four> through(pick(as + begin), pick(bs + begin), pick(cs + begin));
-        const SphereColumns<Four> s = through.rounded();
+        const SphereColumns<Four> s =
+            spheres_through<true>(pick(as + begin), pick(bs + begin), pick(cs + begin));
         const FourRows columns = {s.x, s.y, s.z, s.e};
         columns.store_upper_halves([&](std::size_t k) {
             return begin + k < size ? spheres.record(w.slots.data[begin + k])->sphere.w

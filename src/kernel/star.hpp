@@ -25,7 +25,7 @@ MGDT_ALWAYS_INLINE void link_star(const Tetrahedra tetrahedra, const Workspace& 
         const FacetCode code = boundary[i];
         const FacetCode mine = slots[i];
         Tetrahedron& outside = tetrahedra.of(code);
-        Tetrahedron& t = tetrahedra.record(mine)->tetrahedron;
+        Tetrahedron& t = tetrahedra.of_first(mine);
         const VertexId* const v = write_vertices(outside, code, q, t);
         t.n[0] = code;
         outside.n[code & 3] = mine;
@@ -39,7 +39,7 @@ MGDT_ALWAYS_INLINE void link_star(const Tetrahedra tetrahedra, const Workspace& 
     }
     for (std::size_t i = 0; i < size; ++i) {
         const std::uint32_t a = as[i], b = bs[i], c = cs[i];
-        Tetrahedron& t = tetrahedra.record(slots[i])->tetrahedron;
+        Tetrahedron& t = tetrahedra.of_first(slots[i]);
         t.n[1] = edges.get(c, b);
         t.n[2] = edges.get(a, c);
         t.n[3] = edges.get(b, a);

@@ -89,62 +89,52 @@ struct LocalColumns : PointColumns<R> {
     Vector square, largest;
 };
 
-// w of the spheres through the base vertex and three others, and what bounds its error.
-template <class R>
-class SpheresThrough {
-  public:
+// The spheres through the base vertex and three others; with what rounding adds if they are to be
+// kept, as upper halves.
+template <bool to_keep, class R>
+MGDT_ALWAYS_INLINE SphereColumns<R> spheres_through(const LocalColumns<R>& a,
+                                                    const LocalColumns<R>& b,
+                                                    const LocalColumns<R>& c) {
     using Vector = typename R::Vector;
+    const auto minor = [](Vector p, Vector q, Vector r, Vector s) {
+        return R::multiply_subtract(p, q, R::multiply(r, s));
+    };
+    const auto dot = [](Vector p, Vector q, Vector r, Vector s, Vector t, Vector u) {
+        return R::multiply_add(t, u, R::multiply_add(r, s, R::multiply(p, q)));
+    };
+    const Vector bcx = minor(b.y, c.z, b.z, c.y), bcy = minor(b.z, c.x, b.x, c.z),
+                 bcz = minor(b.x, c.y, b.y, c.x);
+    const Vector cax = minor(c.y, a.z, c.z, a.y), cay = minor(c.z, a.x, c.x, a.z),
+                 caz = minor(c.x, a.y, c.y, a.x);
+    const Vector abx = minor(a.y, b.z, a.z, b.y), aby = minor(a.z, b.x, a.x, b.z),
+                 abz = minor(a.x, b.y, a.y, b.x);
+    const Vector det = dot(a.x, bcx, a.y, bcy, a.z, bcz);
+    const Vector inverse = R::divide(R::all(1.0), det);
+    SphereColumns<R> s;
+    s.x = R::multiply(inverse, dot(a.square, bcx, b.square, cax, c.square, abx));
+    s.y = R::multiply(inverse, dot(a.square, bcy, b.square, cay, c.square, aby));
+    s.z = R::multiply(inverse, dot(a.square, bcz, b.square, caz, c.square, abz));
 
-    MGDT_ALWAYS_INLINE SpheresThrough(const LocalColumns<R>& a, const LocalColumns<R>& b,
-                                      const LocalColumns<R>& c) {
-        const auto minor = [](Vector p, Vector q, Vector r, Vector s) {
-            return R::multiply_subtract(p, q, R::multiply(r, s));
-        };
-        const auto dot = [](Vector p, Vector q, Vector r, Vector s, Vector t, Vector u) {
-            return R::multiply_add(t, u, R::multiply_add(r, s, R::multiply(p, q)));
-        };
-        const Vector bcx = minor(b.y, c.z, b.z, c.y), bcy = minor(b.z, c.x, b.x, c.z),
-                     bcz = minor(b.x, c.y, b.y, c.x);
-        const Vector cax = minor(c.y, a.z, c.z, a.y), cay = minor(c.z, a.x, c.x, a.z),
-                     caz = minor(c.x, a.y, c.y, a.x);
-        const Vector abx = minor(a.y, b.z, a.z, b.y), aby = minor(a.z, b.x, a.x, b.z),
-                     abz = minor(a.x, b.y, a.y, b.x);
-        det_ = dot(a.x, bcx, a.y, bcy, a.z, bcz);
-        inverse_ = R::divide(R::all(1.0), det_);
-        x_ = R::multiply(inverse_, dot(a.square, bcx, b.square, cax, c.square, abx));
-        y_ = R::multiply(inverse_, dot(a.square, bcy, b.square, cay, c.square, aby));
-        z_ = R::multiply(inverse_, dot(a.square, bcz, b.square, caz, c.square, abz));
-        largest_ = R::larger(R::magnitude(x_), R::larger(R::magnitude(y_), R::magnitude(z_)));
-
-        const Vector lbc = R::multiply(b.largest, c.largest),
-                     lca = R::multiply(c.largest, a.largest),
-                     lab = R::multiply(a.largest, b.largest);
-        sum_ = R::multiply(R::all(proved_bounds.sphere_sum * unit_roundoff),
-                           dot(a.square, lbc, b.square, lca, c.square, lab));
-        product_ = R::multiply(R::all(proved_bounds.sphere_det * unit_roundoff),
-                               R::multiply(a.largest, lbc));
+    const Vector lbc = R::multiply(b.largest, c.largest), lca = R::multiply(c.largest, a.largest),
+                 lab = R::multiply(a.largest, b.largest);
+    const Vector sum = dot(a.square, lbc, b.square, lca, c.square, lab);
+    const Vector product =
+        R::multiply(R::all(proved_bounds.sphere_det * unit_roundoff), R::multiply(a.largest, lbc));
+    const Vector largest =
+        R::larger(R::magnitude(s.x), R::larger(R::magnitude(s.y), R::magnitude(s.z)));
+    const Vector numerator = R::multiply_add(
+        product, largest, R::multiply(R::all(proved_bounds.sphere_sum * unit_roundoff), sum));
+    if constexpr (to_keep) {
+        s.e = R::multiply_add(inverse, numerator, R::multiply(largest, R::all(kept_roundoff)));
+        s.x = R::to_upper_half(s.x);
+        s.y = R::to_upper_half(s.y);
+        s.z = R::to_upper_half(s.z);
+    } else {
+        s.e = R::multiply(inverse, numerator);
     }
-    MGDT_ALWAYS_INLINE SphereColumns<R> unrounded() const {
-        return {x_, y_, z_, if_sound(R::multiply(inverse_, numerator()))};
-    }
-    // To be kept, as upper halves.
-    MGDT_ALWAYS_INLINE SphereColumns<R> rounded() const {
-        const Vector e =
-            R::multiply_add(inverse_, numerator(), R::multiply(largest_, R::all(kept_roundoff)));
-        return {R::to_upper_half(x_), R::to_upper_half(y_), R::to_upper_half(z_), if_sound(e)};
-    }
-
-  private:
-    // Of the bound of the error of w.
-    MGDT_ALWAYS_INLINE Vector numerator() const {
-        return R::multiply_add(product_, largest_, sum_);
-    }
-    MGDT_ALWAYS_INLINE Vector if_sound(Vector e) const {
-        return R::where_above(det_, product_, e, R::all(infinity));
-    }
-
-    Vector x_, y_, z_, largest_, det_, inverse_, sum_, product_;
-};
+    s.e = R::where_above(det, product, s.e, R::all(infinity));
+    return s;
+}
 
 }  // namespace MGDT_ISA
 }  // namespace mgdt

@@ -12,8 +12,7 @@ namespace mgdt {
 MGDT_ALWAYS_INLINE void write_run(FacetCode* slots, TetId first, std::size_t count) noexcept {
     constexpr std::size_t block = 16;
     for (std::size_t i = 0; i < count; i += block)
-        for (std::size_t k = i; k < i + block; ++k)
-            slots[k] = 4 * first + 4 * static_cast<TetId>(k);
+        for (std::size_t k = i; k < i + block; ++k) slots[k] = 4 * (first + static_cast<TetId>(k));
 }
 
 struct Mesh {

@@ -40,9 +40,10 @@ struct TetrahedronView {
         return records[t].tetrahedron;
     }
     MGDT_ALWAYS_INLINE auto& sphere(std::size_t t) const noexcept { return records[t].sphere; }
-    // Given by any of its facets, four likewise; or by the first one, in an instruction less.
-    MGDT_ALWAYS_INLINE auto& of(FacetCode code) const noexcept {
-        return record(code & ~3u)->tetrahedron;
+    // Given by any of its facets, four likewise; by the first one in an instruction less.
+    MGDT_ALWAYS_INLINE auto& of(FacetCode code) const noexcept { return of_first(code & ~3u); }
+    MGDT_ALWAYS_INLINE auto& of_first(FacetCode code) const noexcept {
+        return record(code)->tetrahedron;
     }
     MGDT_ALWAYS_INLINE FourTetrahedra<Record> four(const FacetCode* codes) const noexcept {
         return {{record(codes[0] & ~3u), record(codes[1] & ~3u), record(codes[2] & ~3u),

@@ -108,17 +108,14 @@ struct Patient {
         return all;
     }
     Sphere sphere(TetId t0) { return mesh().tetrahedra.sphere(t0).in_doubles(); }
-    // With the bound as it is.
-    void keep_sphere(TetId t0, const Sphere& s) {
-        KeptSphere& kept = mesh().tetrahedra.sphere(t0);
-        for (int i = 0; i < 3; ++i) kept.w[i] = upper_half(to_upper_half(s.w[i]));
-        kept.e = upper_half(s.e);
-    }
+    // And keeps it with the bound as it is.
     template <class Change>
     void change_sphere(TetId t0, Change change) {
         Sphere s = sphere(t0);
         change(s);
-        keep_sphere(t0, s);
+        KeptSphere& kept = mesh().tetrahedra.sphere(t0);
+        for (int i = 0; i < 3; ++i) kept.w[i] = upper_half(to_upper_half(s.w[i]));
+        kept.e = upper_half(s.e);
     }
     // As it is before it is rounded.
     Sphere exact_sphere(TetId t0) {
