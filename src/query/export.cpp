@@ -39,11 +39,12 @@ class Rows {
   public:
     explicit Rows(Int* out)
         : out_(out), streams_(reinterpret_cast<std::uintptr_t>(out) % sizeof(Wide) == 0) {}
+    // Once a thread, after its last row.
+    static void finish() {
 #if defined(__SSE2__)
-    ~Rows() {
         _mm_sfence();
-    }
 #endif
+    }
 
     void add(Int a, Int b, Int c, Int d) {
 #if defined(__SSE2__)
@@ -102,12 +103,17 @@ void export_rows(const ExportView& view, const Indices& indices, Int* out, const
                 for (unsigned i = 0; i < 4; ++i) out[4 * number + i] = row(t, places[i]);
             });
         } else {
-            Rows<Int> rows(out + 4 * numbering.first_number(begin));
-            numbering.for_each(begin, end, [&](TetId id, std::size_t) {
-                const Tetrahedron& t = tetrahedra[id];
-                prefetch(&tetrahedra[id + ahead]);
-                rows.add(row(t, 0), row(t, 1), row(t, 2), row(t, 3));
+            // A loop of its own for each run: with the end of `out` anywhere but in a register, or
+            // a call for each row, half of the time would go there.
+            numbering.for_each_run(begin, end, [&](TetId first, TetId last, std::size_t number) {
+                Rows<Int> rows(out + 4 * number);
+                for (TetId id = first; id < last; ++id) {
+                    const Tetrahedron& t = tetrahedra[id];
+                    prefetch(&tetrahedra[id + ahead]);
+                    rows.add(row(t, 0), row(t, 1), row(t, 2), row(t, 3));
+                }
             });
+            Rows<Int>::finish();
         }
     };
     view.team.split(numbering.stretches(), stretches_a_thread, write);

@@ -27,11 +27,14 @@ Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Tea
     ghosts_of(mesh, allocator, take_out);
     ranks_.resize(words);
     std::uint32_t size = 0;
+    std::size_t with_gaps = 0;
     for (std::size_t word = 0; word < words; ++word) {
-        ranks_[word] = bits_[word] == ~std::uint64_t{0} ? size : size | gaps;
+        const bool is_full = bits_[word] == ~std::uint64_t{0};
+        ranks_[word] = is_full ? size : size | gaps;
+        with_gaps += is_full ? 0 : 1;
         size += popcount(bits_[word]);
     }
-    if (!is_canonical_ && slots > few) return;
+    if (!is_canonical_ && slots > few && with_gaps < words / 8) return;
     by_slot_.resize(slots, -1);
     if (is_canonical_)
         sort(mesh, team);
@@ -55,12 +58,14 @@ void Numbering::sort(const Mesh& mesh, Team& team) {
     Allocator& allocator = bits_.allocator();
     const VertexIndices indices(team, mesh, allocator);
     const auto each = [&](std::size_t begin, std::size_t end, auto f) {
-        for_each_slot(begin, end, [&](TetId id) {
-            const Tetrahedron& t = mesh.tetrahedra[id];
-            unsigned places[4];
-            canonical_places(t, indices, places);
-            const auto index = [&](unsigned i) { return indices[t.v[places[i]]]; };
-            f(index(0), Rest{std::uint64_t{index(1)} << 32 | index(2), index(3), id});
+        for_each_run(begin, end, [&](TetId first, TetId last, std::size_t) {
+            for (TetId id = first; id < last; ++id) {
+                const Tetrahedron& t = mesh.tetrahedra[id];
+                unsigned places[4];
+                canonical_places(t, indices, places);
+                const auto index = [&](unsigned i) { return indices[t.v[places[i]]]; };
+                f(index(0), Rest{std::uint64_t{index(1)} << 32 | index(2), index(3), id});
+            }
         });
     };
     constexpr std::size_t share = 1024;

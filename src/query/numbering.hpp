@@ -38,7 +38,8 @@ Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
 
 class Numbering {
   public:
-    // In a small set there are ghosts everywhere, and numbers by slot stay in the second cache.
+    // In a small set there are ghosts everywhere, and numbers by slot stay in the second cache. In
+    // larger ones they are slower than bits unless every eighth stretch has ghosts or free slots.
     static constexpr std::size_t few_slots = 131072;
     Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team,
               std::size_t few = few_slots);
@@ -75,17 +76,17 @@ class Numbering {
     // Calls f(t, number) for the finite tetrahedra of some of the stretches of 64 slots that the
     // storage is made of, in the order of storage.
     std::size_t stretches() const noexcept { return bits_.size(); }
-    // Where they are not canonical: the first number of a stretch.
-    std::size_t first_number(std::size_t stretch) const noexcept { return ranks_[stretch] & ~gaps; }
     template <class F>
     void for_each(std::size_t begin, std::size_t end, F f) const {
-        if (is_canonical())
-            for_each_slot(begin, end,
-                          [&](TetId t) { f(t, static_cast<std::size_t>(by_slot_[t])); });
-        else if (begin < end)
-            for_each_slot(begin, end,
-                          [&, number = first_number(begin)](TetId t) mutable { f(t, number++); });
+        for_each_run(begin, end, [&](TetId first, TetId last, std::size_t number) {
+            for (TetId t = first; t < last; ++t, ++number)
+                f(t, is_canonical() ? static_cast<std::size_t>(by_slot_[t]) : number);
+        });
     }
+    // Likewise f(first, last, number) for each run of slots, the last one excluded, that hold
+    // finite tetrahedra; `number` is that of the first one where they are not canonical.
+    template <class F>
+    void for_each_run(std::size_t begin, std::size_t end, F f) const;
     // The places of a tetrahedron's vertices in its exported record, indices[vertex] deciding.
     template <class Indices>
     static void canonical_places(const Tetrahedron& t, const Indices& indices, unsigned places[4]);
@@ -93,17 +94,6 @@ class Numbering {
   private:
     void sort(const Mesh& mesh, Team& team);
 
-    template <class F>
-    void for_each_slot(std::size_t begin, std::size_t end, F f) const {
-        for (std::size_t word = begin; word < end; ++word) {
-            const TetId first = static_cast<TetId>(word * 64);
-            if (bits_[word] == ~std::uint64_t{0})
-                for (TetId t = first; t < first + 64; ++t) f(t);
-            else
-                for (std::uint64_t bits = bits_[word]; bits != 0; bits &= bits - 1)
-                    f(first + lowest_bit(bits));
-        }
-    }
     // In a rank, that some slots of its word hold no finite tetrahedra. Few words have such, so
     // that ranks alone are looked at, and fit the second cache.
     static constexpr std::uint32_t gaps = 1u << 31;
@@ -111,9 +101,34 @@ class Numbering {
 
     Buffer<std::uint64_t> bits_;    // which slots hold finite tetrahedra
     Buffer<std::uint32_t> ranks_;   // number of the first of each word of bits_, and gaps
-    Buffer<std::int32_t> by_slot_;  // numbers: canonical ones, or where slots are few
+    Buffer<std::int32_t> by_slot_;  // numbers: canonical ones, or where slots are few or gaps many
     const bool is_canonical_;
 };
+
+template <class F>
+void Numbering::for_each_run(std::size_t begin, std::size_t end, F f) const {
+    if (begin == end) return;
+    constexpr std::uint64_t all = ~std::uint64_t{0};
+    std::size_t number = ranks_[begin] & ~gaps;
+    for (std::size_t word = begin; word < end;) {
+        const TetId slot = static_cast<TetId>(word * 64);
+        std::uint64_t bits = bits_[word++];
+        while (bits != 0) {
+            const TetId first = slot + lowest_bit(bits);
+            bits |= bits - 1;  // from the word's beginning to the end of this run
+            TetId last = slot + 64;
+            if (bits != all) {
+                last = slot + lowest_bit(~bits);
+                bits &= bits + 1;
+            } else {
+                for (; word < end && bits_[word] == all; ++word) last += 64;
+                bits = 0;
+            }
+            f(first, last, number);
+            number += last - first;
+        }
+    }
+}
 
 template <class Indices>
 void Numbering::canonical_places(const Tetrahedron& t, const Indices& indices, unsigned places[4]) {

@@ -20,26 +20,66 @@ TEST(Numbering, CountsFiniteTetrahedra) {
         mesh.reserve_slots(0, 8);
         for (std::size_t k = 0; k < n / 12 && k < 8; ++k) mesh.free_slot(p.any(random, false));
         const std::size_t slots = mesh.tetrahedra.size();
-        for (const std::size_t few : {slots, slots - 1}) {
-            const Numbering numbering(p.t->allocator(), mesh, false, team, few);
-            EXPECT_FALSE(numbering.is_canonical());
-            std::vector<std::int32_t> expected;
-            std::int32_t count = 0;
-            for (TetId t = 0; t < slots; ++t) {
-                const Tetrahedron& record = mesh.tetrahedra[t];
-                expected.push_back(record.is_dead() || record.is_ghost() ? -1 : count++);
-                ASSERT_EQ(numbering.number(t), expected[t]) << n << ' ' << few << ' ' << t;
-            }
-            TetId next = 0;
-            numbering.for_each(0, numbering.stretches(), [&](TetId t, std::size_t number) {
-                while (expected[next] < 0) ++next;
-                ASSERT_EQ(t, next);
-                ASSERT_EQ(number, static_cast<std::size_t>(expected[next++]));
-            });
-            while (next < slots && expected[next] < 0) ++next;
-            EXPECT_EQ(next, slots);
+        std::vector<std::int32_t> expected;
+        std::int32_t count = 0;
+        for (TetId t = 0; t < slots; ++t) {
+            const Tetrahedron& record = mesh.tetrahedra[t];
+            expected.push_back(record.is_dead() || record.is_ghost() ? -1 : count++);
         }
+        const Numbering numbering(p.t->allocator(), mesh, false, team, slots);
+        EXPECT_FALSE(numbering.is_canonical());
+        ASSERT_TRUE(numbering.is_by_slot());
+        for (TetId t = 0; t < slots; ++t) {
+            ASSERT_EQ(numbering.by_slot()(t), expected[t]) << n << ' ' << t;
+            ASSERT_EQ(numbering.by_bits()(t), expected[t]) << n << ' ' << t;
+            ASSERT_EQ(numbering.number(t), expected[t]) << n << ' ' << t;
+        }
+        // Runs of any stretches: all of their finite tetrahedra, in runs that end at gaps or
+        // stretches.
+        for (std::size_t begin = 0; begin < numbering.stretches(); ++begin)
+            for (std::size_t end = begin; end <= numbering.stretches(); ++end) {
+                const std::size_t slots_end = std::min(64 * end, slots);
+                std::size_t next = 64 * begin;
+                const auto pass_others = [&] {
+                    while (next < slots_end && expected[next] < 0) ++next;
+                };
+                numbering.for_each_run(
+                    begin, end, [&](TetId first, TetId last, std::size_t number) {
+                        pass_others();
+                        ASSERT_EQ(first, next);
+                        ASSERT_GT(last, first);
+                        ASSERT_LE(last, slots_end);
+                        for (; next < last; ++next, ++number)
+                            ASSERT_EQ(static_cast<std::int64_t>(number), expected[next]);
+                        ASSERT_TRUE(next % 64 == 0 || next == slots_end || expected[next] < 0);
+                    });
+                pass_others();
+                ASSERT_EQ(next, slots_end) << n << ' ' << begin << ' ' << end;
+            }
+        std::size_t next = 0;
+        numbering.for_each(0, numbering.stretches(), [&](TetId t, std::size_t number) {
+            while (expected[next] < 0) ++next;
+            ASSERT_EQ(t, next);
+            ASSERT_EQ(static_cast<std::int64_t>(number), expected[next++]);
+        });
+        while (next < slots && expected[next] < 0) ++next;
+        EXPECT_EQ(next, slots);
     }
+}
+
+// Where slots are many, numbers by slot are for sets with ghosts everywhere.
+TEST(Numbering, BySlotWhereFewOrAmongGhosts) {
+    Random random(3);
+    Team team;
+    const auto is_by_slot = [&](const std::vector<double>& points, std::size_t few) {
+        Patient p = triangulate(points);
+        const Mesh& mesh = p.mesh();
+        return Numbering(p.t->allocator(), mesh, false, team, few).is_by_slot();
+    };
+    const std::vector<double> many = uniform_points(100000, random);
+    EXPECT_FALSE(is_by_slot(many, Numbering::few_slots));
+    EXPECT_TRUE(is_by_slot(many, 100 * many.size()));
+    EXPECT_TRUE(is_by_slot(uniform_points(400, random), 0));
 }
 
 TEST(Numbering, CanonicalNumbersAreAPermutation) {
