@@ -24,7 +24,12 @@ class DirectNumbers {
     DirectNumbers(const DirectNumbers&) = delete;
     DirectNumbers& operator=(const DirectNumbers&) = delete;
     MGDT_ALWAYS_INLINE ~DirectNumbers() {
-        for (std::uint32_t i = 0; i < count_; ++i) table_[hash(ids_[i])] = Workspace::direct_free;
+        // In blocks, so that the number of turns can be foretold: what follows are vertices of
+        // cavities before, which are free.
+        constexpr std::uint32_t block = 16;
+        for (std::uint32_t i = 0; i < count_; i += block)
+            for (std::uint32_t k = i; k < i + block; ++k)
+                table_[hash(ids_[k])] = Workspace::direct_free;
     }
 
     template <class Tetrahedra>

@@ -52,33 +52,45 @@ MGDT_ALWAYS_INLINE EightVertices load_vertices(const Vertex* vertices, const Ver
             _mm512_sub_pd(rows.third(), _mm512_set1_pd(vertices[q].x[2]))};
 }
 
-// Up to 32 vertices in registers; picking by number is two permutations and a blend.
-template <bool few>
-class RegisterVertices {
+MGDT_ALWAYS_INLINE __m512i load_numbers(const std::uint8_t* numbers) {
+    return _mm512_cvtepu8_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(numbers)));
+}
+
+// Up to 16 vertices in registers, with what LocalVertex has; picking by number is one permutation.
+class SixteenVertices {
   public:
-    MGDT_ALWAYS_INLINE RegisterVertices(const Vertex* vertices, const VertexId* ids, VertexId q)
-        : v0_(load_vertices(vertices, ids, q)), v1_(load_vertices(vertices, ids + 8, q)) {
-        if constexpr (!few) {
-            v2_ = load_vertices(vertices, ids + 16, q);
-            v3_ = load_vertices(vertices, ids + 24, q);
-        }
+    MGDT_ALWAYS_INLINE SixteenVertices(const Vertex* vertices, const VertexId* ids, VertexId q)
+        : v0_(load_vertices(vertices, ids, q)), v1_(load_vertices(vertices, ids + 8, q)) {}
+    MGDT_ALWAYS_INLINE LocalColumns<Eight> pick(const std::uint8_t* numbers) const {
+        const __m512i i = load_numbers(numbers);
+        const auto one = [&](__m512d a, __m512d b) { return _mm512_permutex2var_pd(a, i, b); };
+        return {{one(v0_.x, v1_.x), one(v0_.y, v1_.y), one(v0_.z, v1_.z)},
+                one(v0_.square, v1_.square),
+                one(v0_.largest, v1_.largest)};
     }
-    MGDT_ALWAYS_INLINE EightVertices pick(const std::uint8_t* numbers) const {
-        const __m512i i =
-            _mm512_cvtepu8_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(numbers)));
-        if constexpr (few) {
-            return {_mm512_permutex2var_pd(v0_.x, i, v1_.x),
-                    _mm512_permutex2var_pd(v0_.y, i, v1_.y),
-                    _mm512_permutex2var_pd(v0_.z, i, v1_.z)};
-        } else {
-            const __mmask8 upper = _mm512_test_epi64_mask(i, _mm512_set1_epi64(16));
-            const auto one = [&](__m512d a, __m512d b, __m512d c, __m512d d) {
-                return _mm512_mask_blend_pd(upper, _mm512_permutex2var_pd(a, i, b),
-                                            _mm512_permutex2var_pd(c, i, d));
-            };
-            return {one(v0_.x, v1_.x, v2_.x, v3_.x), one(v0_.y, v1_.y, v2_.y, v3_.y),
-                    one(v0_.z, v1_.z, v2_.z, v3_.z)};
-        }
+
+  private:
+    LocalColumns<Eight> v0_, v1_;
+};
+
+// Up to 32: two permutations and a blend, so that the rest is sooner computed than picked.
+class ThirtyTwoVertices {
+  public:
+    MGDT_ALWAYS_INLINE ThirtyTwoVertices(const Vertex* vertices, const VertexId* ids, VertexId q)
+        : v0_(load_vertices(vertices, ids, q)),
+          v1_(load_vertices(vertices, ids + 8, q)),
+          v2_(load_vertices(vertices, ids + 16, q)),
+          v3_(load_vertices(vertices, ids + 24, q)) {}
+    MGDT_ALWAYS_INLINE LocalColumns<Eight> pick(const std::uint8_t* numbers) const {
+        const __m512i i = load_numbers(numbers);
+        const __mmask8 upper = _mm512_test_epi64_mask(i, _mm512_set1_epi64(16));
+        const auto one = [&](__m512d a, __m512d b, __m512d c, __m512d d) {
+            return _mm512_mask_blend_pd(upper, _mm512_permutex2var_pd(a, i, b),
+                                        _mm512_permutex2var_pd(c, i, d));
+        };
+        return LocalColumns<Eight>({one(v0_.x, v1_.x, v2_.x, v3_.x),
+                                    one(v0_.y, v1_.y, v2_.y, v3_.y),
+                                    one(v0_.z, v1_.z, v2_.z, v3_.z)});
     }
 
   private:
@@ -89,10 +101,10 @@ class RegisterVertices {
 class MemoryVertices {
   public:
     explicit MemoryVertices(const Workspace& w) : x_(w.x.data), y_(w.y.data), z_(w.z.data) {}
-    MGDT_ALWAYS_INLINE EightVertices pick(const std::uint32_t* numbers) const {
+    MGDT_ALWAYS_INLINE LocalColumns<Eight> pick(const std::uint32_t* numbers) const {
         const __m256i i = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers));
-        return {_mm512_i32gather_pd(i, x_, 8), _mm512_i32gather_pd(i, y_, 8),
-                _mm512_i32gather_pd(i, z_, 8)};
+        return LocalColumns<Eight>({_mm512_i32gather_pd(i, x_, 8), _mm512_i32gather_pd(i, y_, 8),
+                                    _mm512_i32gather_pd(i, z_, 8)});
     }
 
   private:
@@ -106,10 +118,8 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertice
                                            SphereStore spheres) {
     const std::size_t size = w.boundary_size;
     for (std::size_t begin = 0; begin < size; begin += 8) {
-        using Local = LocalColumns<Eight>;
-        const SphereColumns<Eight> s = spheres_through<true>(Local(vertices.pick(as + begin)),
-                                                             Local(vertices.pick(bs + begin)),
-                                                             Local(vertices.pick(cs + begin)));
+        const SphereColumns<Eight> s = spheres_through<true>(
+            vertices.pick(as + begin), vertices.pick(bs + begin), vertices.pick(cs + begin));
 
         // Each 128 bits are the upper halves of a sphere.
         const auto pairs = [](__m512d low, __m512d high) {
@@ -139,11 +149,9 @@ inline void set_spheres_small(Workspace& w, const Vertex* vertices, VertexId q, 
                               SphereStore spheres) {
     const Workspace::SmallStar& s = w.small;
     if (count <= 16)
-        set_spheres_vector(w, RegisterVertices<true>(vertices, w.ids.data, q), s.a, s.b, s.c,
-                           spheres);
+        set_spheres_vector(w, SixteenVertices(vertices, w.ids.data, q), s.a, s.b, s.c, spheres);
     else
-        set_spheres_vector(w, RegisterVertices<false>(vertices, w.ids.data, q), s.a, s.b, s.c,
-                           spheres);
+        set_spheres_vector(w, ThirtyTwoVertices(vertices, w.ids.data, q), s.a, s.b, s.c, spheres);
 }
 
 inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,

@@ -82,6 +82,8 @@ struct SphereColumns {
 template <class R>
 struct LocalColumns : PointColumns<R> {
     using Vector = typename R::Vector;
+    MGDT_ALWAYS_INLINE LocalColumns(const PointColumns<R>& v, Vector s, Vector l)
+        : PointColumns<R>(v), square(s), largest(l) {}
     MGDT_ALWAYS_INLINE explicit LocalColumns(const PointColumns<R>& v) : PointColumns<R>(v) {
         square = R::multiply_add(v.z, v.z, R::multiply_add(v.y, v.y, R::multiply(v.x, v.x)));
         largest = R::larger(R::magnitude(v.x), R::larger(R::magnitude(v.y), R::magnitude(v.z)));

@@ -8,19 +8,26 @@
 namespace mgdt {
 namespace {
 
-// Places of a round that is not the last: one of so many consecutive ones.
-constexpr std::size_t block = 12;
-// The one is of the middle of the block, so that a round's points keep their distance.
-constexpr unsigned middle_bits = 3;
-constexpr std::size_t middle = std::size_t{1} << middle_bits, margin = (block - middle) / 2;
-static_assert(margin > 0);  // all have neighbours in their block
+// Of so many consecutive places one is chosen for the round before, of those in the middle, so that
+// a round's points keep their distance.
+template <std::size_t places, unsigned bits>
+struct Block {
+    static constexpr std::size_t size = places;
+    static constexpr unsigned middle_bits = bits;
+    static constexpr std::size_t middle = std::size_t{1} << bits, margin = (size - middle) / 2;
+    static_assert(margin > 0);  // all have neighbours in their block
+};
+using BlockOfMany = Block<12, 3>;
+using BlockOfFew = Block<4, 1>;
+constexpr std::size_t few = 4096;
 constexpr std::size_t largest_first = 64;
 constexpr std::size_t share = 65536;
 
 // Which of the middle ones is farthest from both of its neighbours along the curve; place(i) is
 // that of the i-th of them, from -1 on. Of equal ones the first from `first` on, cyclically.
-template <class Place>
+template <class Block, class Place>
 std::size_t loneliest(const CurveOrder& curve, std::size_t first, Place place) {
+    constexpr std::size_t middle = Block::middle;
     unsigned apart[middle + 1];
     for (std::size_t i = 0; i <= middle; ++i) apart[i] = curve.levels_apart(place(i - 1), place(i));
     std::size_t best = first;
@@ -45,21 +52,24 @@ Deal::Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed,
     team.split(n, share, [&](std::size_t begin, std::size_t end, unsigned) {
         std::fill(back_.begin() + begin, back_.begin() + end, std::uint8_t{0});
     });
-    Buffer<std::uint32_t> chosen(allocator, (n + block - 1) / block);
+    Buffer<std::uint32_t> chosen(allocator, n / (n > few ? BlockOfMany::size : BlockOfFew::size));
     std::uint64_t drawn = 0;
     std::size_t left = n;
-    while (left > largest_first) {
-        const std::size_t blocks = left / block;
+    // Chooses the round before from those that are left.
+    const auto add_round = [&](auto kind) {
+        using Block = decltype(kind);
+        const std::size_t blocks = left / Block::size;
         const auto place_of = [&](std::size_t k) {
             return rounds_ == 0 ? static_cast<std::uint32_t>(k) : chosen[k];
         };
         const auto choose = [&](std::size_t begin, std::size_t end, unsigned) {
             for (std::size_t b = begin; b < end; ++b) {
-                const std::size_t from = b * block + margin;
-                auto at =
-                    static_cast<std::size_t>(Random::at(seed, drawn + b) >> (64 - middle_bits));
+                const std::size_t from = b * Block::size + Block::margin;
+                auto at = static_cast<std::size_t>(Random::at(seed, drawn + b) >>
+                                                   (64 - Block::middle_bits));
                 if (curve)
-                    at = loneliest(*curve, at, [&](std::size_t i) { return place_of(from + i); });
+                    at = loneliest<Block>(*curve, at,
+                                          [&](std::size_t i) { return place_of(from + i); });
                 const std::uint32_t place = place_of(from + at);
                 back_[place] = static_cast<std::uint8_t>(rounds_ + 1);
                 chosen[b] = place;
@@ -73,7 +83,9 @@ Deal::Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed,
         drawn += blocks;
         ++rounds_;
         left = blocks;
-    }
+    };
+    while (left > few) add_round(BlockOfMany());
+    while (left > largest_first) add_round(BlockOfFew());
     ++rounds_;
 }
 

@@ -30,7 +30,8 @@ class Deal {
 // fewer tetrahedra are built to be removed again, and fewer rounds do. A million points take 20.5
 // removals an insertion with one of eight, 21.1 with one of twelve, 21.5 with one of sixteen (as
 // many as BRIO with one of eight), but what was built before is visited the less often. Twelve
-// removes no more than the paper's multi-grid plus one on an ellipsoid; sixteen does.
+// removes no more than the paper's multi-grid plus one on an ellipsoid; sixteen does. Of up to 4,096
+// points, which stay in the cache, it is one of four.
 //
 // Along a curve the one is not any of the twelve but, of those in the middle, the one that lies
 // farthest from the next along the curve; which of several that lie equally far, or of all where

@@ -257,39 +257,47 @@ TEST(Brio, SmallSetsHaveOneRound) {
     EXPECT_EQ(result.order, schedule(xyz, MGDT_ORDER_HILBERT).order);
 }
 
-TEST(Auto, EarlierRoundsTakeOneOfTwelveAlongTheCurve) {
-    const std::size_t n = 12 * 12 * 12 * 8;
+TEST(Auto, EarlierRoundsTakeOneOfTwelveAlongTheCurveOfFewOneOfFour) {
+    const std::size_t n = 12 * 12 * 4 * 4 * 32;
     const Coordinates xyz = uniform(n);
     const Result result = schedule(xyz, MGDT_ORDER_AUTO);
-    EXPECT_EQ(result.rounds, (Order{0, 8, 96, 1152}));
+    EXPECT_EQ(result.rounds, (Order{0, 32, 128, 512, 6144}));
     Order place(n);
     const Order curve = schedule(xyz, MGDT_ORDER_HILBERT).order;
     for (std::uint32_t k = 0; k < n; ++k) place[curve[k]] = k;
-    for (std::uint32_t k = 0; k < 8; ++k) {
-        EXPECT_EQ(place[result.order[k]] / 1728, k);
+    for (std::size_t round = 1; round < result.rounds.size(); ++round) {
+        // One of each block of what is left along the curve, the first rounds in its order.
+        const std::size_t end = result.rounds[round], of = n / end;
+        std::vector<int> early(end, 0);
+        for (std::size_t k = 0; k < end; ++k) ++early[place[result.order[k]] / of];
+        EXPECT_EQ(std::count(early.begin(), early.end(), 1), static_cast<long>(end)) << end;
     }
-    std::vector<int> early(n / 12, 0);
-    for (std::size_t k = 0; k < 1152; ++k) ++early[place[result.order[k]] / 12];
-    EXPECT_EQ(std::count(early.begin(), early.end(), 1), static_cast<long>(n / 12));
+    for (std::uint32_t k = 0; k < 32; ++k) EXPECT_EQ(place[result.order[k]] / (n / 32), k);
 }
 
 class DealAlongACurve : public ::testing::Test {
   protected:
-    static constexpr std::size_t n = 1728;
+    struct Sizes {
+        std::size_t n, block, margin, middle;
+    };
+    static constexpr Sizes many = {20736, 12, 2, 8}, few = {2048, 4, 1, 2};
 
-    // Keys a unit apart but for one point of every twelve, which is `alone` from the next.
-    CurveOrder curve(std::uint64_t alone) {
+    // Keys a unit apart but for one point of every block, which is `alone` from the next.
+    CurveOrder curve(const Sizes& sizes, std::uint64_t alone) {
+        const std::size_t n = sizes.n;
         CurveOrder result{Buffer<std::uint64_t>(allocator_, n), bit_width(n - 1), 1};
         std::uint64_t key = 0;
         for (std::size_t k = 0; k < n; ++k) {
-            key += is_alone(k) || (k > 0 && is_alone(k - 1)) ? alone : 1;
+            key += is_alone(sizes, k) || (k > 0 && is_alone(sizes, k - 1)) ? alone : 1;
             result.words[k] = key << result.index_bits | k;
         }
         return result;
     }
-    static bool is_alone(std::size_t k) { return k % 12 == 2 + k / 12 * 5 % 8; }
-    Deal deal(std::uint64_t seed, const CurveOrder* curve) {
-        return Deal(team_, allocator_, n, seed, curve);
+    static bool is_alone(const Sizes& sizes, std::size_t k) {
+        return k % sizes.block == sizes.margin + k / sizes.block * 5 % sizes.middle;
+    }
+    Deal deal(const Sizes& sizes, std::uint64_t seed, const CurveOrder* curve) {
+        return Deal(team_, allocator_, sizes.n, seed, curve);
     }
 
   private:
@@ -298,26 +306,34 @@ class DealAlongACurve : public ::testing::Test {
 };
 
 TEST_F(DealAlongACurve, TakesFirstWhoStandsAlone) {
-    const CurveOrder some_alone = curve(64);
-    for (std::uint64_t seed = 0; seed < 5; ++seed) {
-        const Deal dealt = deal(seed, &some_alone);
-        ASSERT_EQ(dealt.rounds(), 3U);
-        for (std::size_t k = 0; k < n; ++k) EXPECT_EQ(dealt.round(k) < 2, is_alone(k)) << k;
+    for (const Sizes& sizes : {many, few}) {
+        const CurveOrder some_alone = curve(sizes, 64);
+        for (std::uint64_t seed = 0; seed < 5; ++seed) {
+            const Deal dealt = deal(sizes, seed, &some_alone);
+            const unsigned last = dealt.rounds() - 1;
+            ASSERT_GE(last, 2U);
+            for (std::size_t k = 0; k < sizes.n; ++k)
+                ASSERT_EQ(dealt.round(k) < last, is_alone(sizes, k)) << sizes.n << ' ' << k;
+        }
     }
 }
 
 TEST_F(DealAlongACurve, DrawsAmongThoseWhoStandAlike) {
-    const CurveOrder all_alike = curve(2);  // less than a level apart
-    const CurveOrder* const curves[] = {&all_alike, nullptr};
-    for (const CurveOrder* along : curves) {
-        const Deal dealt = deal(1, along);
-        std::vector<int> taken(12, 0);
-        for (std::size_t k = 0; k < n; ++k) taken[k % 12] += dealt.round(k) < 2;
-        for (std::size_t k = 0; k < 12; ++k) {
-            // Of 144 draws among 8 places: 18, give or take 4.
-            const bool is_middle = k >= 2 && k < 10;
-            EXPECT_GE(taken[k], is_middle ? 4 : 0) << k;
-            EXPECT_LE(taken[k], is_middle ? 40 : 0) << k;
+    for (const Sizes& sizes : {many, few}) {
+        const CurveOrder all_alike = curve(sizes, 2);  // less than a level apart
+        const CurveOrder* const curves[] = {&all_alike, nullptr};
+        for (const CurveOrder* along : curves) {
+            const Deal dealt = deal(sizes, 1, along);
+            std::vector<std::size_t> taken(sizes.block, 0);
+            for (std::size_t k = 0; k < sizes.n; ++k)
+                taken[k % sizes.block] += dealt.round(k) < dealt.rounds() - 1 ? 1 : 0;
+            // 1,728 draws among 8 places, 512 among 2.
+            const std::size_t fair = sizes.n / sizes.block / sizes.middle;
+            for (std::size_t k = 0; k < sizes.block; ++k) {
+                const bool is_middle = k >= sizes.margin && k < sizes.margin + sizes.middle;
+                EXPECT_GE(taken[k], is_middle ? fair * 3 / 4 : 0) << k;
+                EXPECT_LE(taken[k], is_middle ? fair * 5 / 4 : 0) << k;
+            }
         }
     }
 }
