@@ -113,10 +113,15 @@ MGDT_ALWAYS_INLINE void choose_slots(Access access, Workspace& w) {
     w.slot_count = created;
 }
 
-inline std::size_t count_ghosts(const Mesh& mesh, const Workspace& w) {
+// Members of the cavity that are ghosts; which are, cannot be foretold.
+template <class Tetrahedra>
+MGDT_ALWAYS_INLINE std::size_t count_ghosts(const Tetrahedra tetrahedra, const Workspace& w) {
     std::size_t ghosts = 0;
-    for (std::size_t i = 0; i < w.cavity_size; ++i)
-        ghosts += mesh.tetrahedra[w.cavity.data[i] >> 2].is_ghost();
+    for (std::size_t i = 0; i < w.cavity_size; ++i) {
+        const VertexId* const v = tetrahedra.of(w.cavity.data[i]).v;
+        ghosts += opaque(static_cast<std::uint32_t>(v[2] == infinite_vertex) |
+                         static_cast<std::uint32_t>(v[3] == infinite_vertex));
+    }
     return ghosts;
 }
 
@@ -126,10 +131,10 @@ MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, 
                                        const Numbers& numbers) {
     const std::uint32_t infinite = numbers.find(infinite_vertex);
     const bool at_hull = infinite != no_index;
-    const std::size_t ghosts_gone = at_hull ? count_ghosts(mesh, w) : 0;
-    choose_slots(access, w);
     constexpr bool has_spheres = Access::SphereSource::are_kept;
     const auto tetrahedra = mesh.tetrahedra.view<has_spheres>();
+    const std::size_t ghosts_gone = at_hull ? count_ghosts(tetrahedra, w) : 0;
+    choose_slots(access, w);
     Workspace::SmallStar& s = w.small;
     if (numbers.count() <= Workspace::SmallStar::most_vertices) {
         link_star(tetrahedra, w, q, numbers, EdgeMatrix<5>(s.edges), s.a, s.b, s.c);
