@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The circumspheres of a star: for each facet (a, b, c) of local numbers, w and e of its new
-// tetrahedron.
+// tetrahedron; for a ghost, where b or c is the vertex at infinity, its normal. `infinite` is the
+// number of that vertex, or no_index.
 #pragma once
 
 #include "kernel/circumsphere.hpp"
@@ -27,17 +28,41 @@ inline void set_coordinates(Workspace& w, const Vertex* vertices, VertexId q, st
 
 template <class Number>
 void set_spheres_scalar(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
-                        const Number* a, const Number* b, const Number* c, SphereStore spheres) {
+                        std::uint32_t infinite, const Number* a, const Number* b, const Number* c,
+                        SphereStore spheres) {
     set_coordinates(w, vertices, q, count);
     const auto vertex = [&](std::size_t i) {
         return local_vertex(w.x.data[i], w.y.data[i], w.z.data[i]);
     };
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
         Sphere s;
-        set_sphere(vertex(a[i]), vertex(b[i]), vertex(c[i]), s);
+        if (b[i] == infinite)
+            set_normal(vertex(c[i]), vertex(a[i]), s);
+        else if (c[i] == infinite)
+            set_normal(vertex(a[i]), vertex(b[i]), s);
+        else
+            set_sphere(vertex(a[i]), vertex(b[i]), vertex(c[i]), s);
         spheres.record(w.slots.data[i])->sphere = rounded(s);
     }
 }
+
+#if defined(MGDT_HAVE_FOUR_ROWS)
+
+// Of as many facets as a vector has elements; bs and cs are the numbers of b and c.
+template <bool at_hull, class R, class Number>
+MGDT_ALWAYS_INLINE SphereColumns<R> star_spheres(const LocalColumns<R>& a, const LocalColumns<R>& b,
+                                                 const LocalColumns<R>& c, const Number* bs,
+                                                 const Number* cs, std::uint32_t infinite) {
+    if constexpr (at_hull) {
+        const auto at_b = R::equal(bs, infinite), at_c = R::equal(cs, infinite);
+        return spheres_through<true>(a, b.infinite_where(at_b), c.infinite_where(at_c),
+                                     R::either(at_b, at_c));
+    } else {
+        return spheres_through<true>(a, b, c);
+    }
+}
+
+#endif
 
 #if defined(MGDT_HAVE_EIGHT_ROWS)
 
@@ -112,14 +137,16 @@ class MemoryVertices {
 };
 
 // set_sphere() for eight facets at a time. The arrays of numbers may be read past their ends.
-template <class Vertices, class Number>
-MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertices, const Number* as,
+template <bool at_hull, class Vertices, class Number>
+MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertices,
+                                           std::uint32_t infinite, const Number* as,
                                            const Number* bs, const Number* cs,
                                            SphereStore spheres) {
     const std::size_t size = w.boundary_size;
     for (std::size_t begin = 0; begin < size; begin += 8) {
-        const SphereColumns<Eight> s = spheres_through<true>(
-            vertices.pick(as + begin), vertices.pick(bs + begin), vertices.pick(cs + begin));
+        const SphereColumns<Eight> s =
+            star_spheres<at_hull>(vertices.pick(as + begin), vertices.pick(bs + begin),
+                                  vertices.pick(cs + begin), bs + begin, cs + begin, infinite);
 
         // Each 128 bits are the upper halves of a sphere.
         const auto pairs = [](__m512d low, __m512d high) {
@@ -145,27 +172,41 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertice
     }
 }
 
+template <class Vertices, class Number>
+MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertices,
+                                           std::uint32_t infinite, const Number* as,
+                                           const Number* bs, const Number* cs,
+                                           SphereStore spheres) {
+    if (infinite == no_index)
+        set_spheres_vector<false>(w, vertices, infinite, as, bs, cs, spheres);
+    else
+        set_spheres_vector<true>(w, vertices, infinite, as, bs, cs, spheres);
+}
+
 inline void set_spheres_small(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
-                              SphereStore spheres) {
+                              std::uint32_t infinite, SphereStore spheres) {
     const Workspace::SmallStar& s = w.small;
     if (count <= 16)
-        set_spheres_vector(w, SixteenVertices(vertices, w.ids.data, q), s.a, s.b, s.c, spheres);
+        set_spheres_vector(w, SixteenVertices(vertices, w.ids.data, q), infinite, s.a, s.b, s.c,
+                           spheres);
     else
-        set_spheres_vector(w, ThirtyTwoVertices(vertices, w.ids.data, q), s.a, s.b, s.c, spheres);
+        set_spheres_vector(w, ThirtyTwoVertices(vertices, w.ids.data, q), infinite, s.a, s.b, s.c,
+                           spheres);
 }
 
 inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
-                        SphereStore spheres) {
+                        std::uint32_t infinite, SphereStore spheres) {
     set_coordinates(w, vertices, q, count);
-    set_spheres_vector(w, MemoryVertices(w), w.a.data, w.b.data, w.c.data, spheres);
+    set_spheres_vector(w, MemoryVertices(w), infinite, w.a.data, w.b.data, w.c.data, spheres);
 }
 
 #elif defined(MGDT_HAVE_FOUR_ROWS)
 
 // set_sphere() for four facets at a time. The arrays of numbers may be read past their ends.
-template <class Number>
+template <bool at_hull, class Number>
 MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices, VertexId q,
-                                           const Number* as, const Number* bs, const Number* cs,
+                                           std::uint32_t infinite, const Number* as,
+                                           const Number* bs, const Number* cs,
                                            SphereStore spheres) {
     const double* const p = vertices[q].x;
     const PointColumns<Four> base = {Four::all(p[0]), Four::all(p[1]), Four::all(p[2])};
@@ -175,8 +216,8 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices,
     };
     const std::size_t size = w.boundary_size;
     for (std::size_t begin = 0; begin < size; begin += 4) {
-        const SphereColumns<Four> s =
-            spheres_through<true>(pick(as + begin), pick(bs + begin), pick(cs + begin));
+        const SphereColumns<Four> s = star_spheres<at_hull>(
+            pick(as + begin), pick(bs + begin), pick(cs + begin), bs + begin, cs + begin, infinite);
         const FourRows columns = {s.x, s.y, s.z, s.e};
         columns.store_upper_halves([&](std::size_t k) {
             return begin + k < size ? spheres.record(w.slots.data[begin + k])->sphere.w
@@ -185,26 +226,36 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices,
     }
 }
 
+template <class Number>
+inline void set_spheres_vector(Workspace& w, const Vertex* vertices, VertexId q,
+                               std::uint32_t infinite, const Number* as, const Number* bs,
+                               const Number* cs, SphereStore spheres) {
+    if (infinite == no_index)
+        set_spheres_vector<false>(w, vertices, q, infinite, as, bs, cs, spheres);
+    else
+        set_spheres_vector<true>(w, vertices, q, infinite, as, bs, cs, spheres);
+}
+
 inline void set_spheres_small(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t,
-                              SphereStore spheres) {
-    set_spheres_vector(w, vertices, q, w.small.a, w.small.b, w.small.c, spheres);
+                              std::uint32_t infinite, SphereStore spheres) {
+    set_spheres_vector(w, vertices, q, infinite, w.small.a, w.small.b, w.small.c, spheres);
 }
 
 inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t,
-                        SphereStore spheres) {
-    set_spheres_vector(w, vertices, q, w.a.data, w.b.data, w.c.data, spheres);
+                        std::uint32_t infinite, SphereStore spheres) {
+    set_spheres_vector(w, vertices, q, infinite, w.a.data, w.b.data, w.c.data, spheres);
 }
 
 #else
 
 inline void set_spheres_small(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
-                              SphereStore spheres) {
-    set_spheres_scalar(w, vertices, q, count, w.small.a, w.small.b, w.small.c, spheres);
+                              std::uint32_t infinite, SphereStore spheres) {
+    set_spheres_scalar(w, vertices, q, count, infinite, w.small.a, w.small.b, w.small.c, spheres);
 }
 
 inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
-                        SphereStore spheres) {
-    set_spheres_scalar(w, vertices, q, count, w.a.data, w.b.data, w.c.data, spheres);
+                        std::uint32_t infinite, SphereStore spheres) {
+    set_spheres_scalar(w, vertices, q, count, infinite, w.a.data, w.b.data, w.c.data, spheres);
 }
 
 #endif

@@ -5,6 +5,8 @@
 // small arrays. Everything that may run out of memory happens before the mesh changes.
 #pragma once
 
+#include <algorithm>
+
 #include "kernel/adjacency.hpp"
 #include "kernel/numbering.hpp"
 #include "kernel/spheres.hpp"
@@ -46,38 +48,24 @@ MGDT_ALWAYS_INLINE void link_star(const Tetrahedra tetrahedra, const Workspace& 
     }
 }
 
-// Lists the ghosts of a star where its boundary was, whose facets are linked. Returns how many.
-template <class Number>
-MGDT_ALWAYS_INLINE std::size_t list_ghosts(Workspace& w, std::uint32_t infinite,
-                                           const Number* const bs, const Number* const cs) {
-    TetId* const ghosts = w.boundary.data;
-    std::size_t count = 0;
-    // The vertex at infinity is one of the last two of its tetrahedron. Which facets have it cannot
-    // be foretold.
-    for (std::size_t i = 0; i < w.boundary_size; ++i) {
-        ghosts[count] = w.slots.data[i] >> 2;
-        count += opaque(static_cast<std::uint32_t>(bs[i] == infinite) |
-                        static_cast<std::uint32_t>(cs[i] == infinite));
-    }
-    return count;
-}
+struct GhostsOfStar {
+    std::size_t count;
+    TetId last;
+};
 
-// Facets with the vertex at infinity got the sphere of nonsense; they are ghosts, and listed.
-template <class Access>
-void write_ghosts(Access access, Mesh& mesh, const Workspace& w, VertexId q, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const TetId ghost = w.boundary.data[i];
-        if constexpr (Access::SphereSource::are_kept) {
-            const Tetrahedron& t = mesh.tetrahedra[ghost];
-            // The two vertices that follow the one at infinity in cyclic order.
-            const int slot = t.infinite_slot();
-            Sphere s;
-            set_normal(relative_to(mesh.point(t.v[slot % 3 + 1]), mesh.point(q)),
-                       relative_to(mesh.point(t.v[(slot + 1) % 3 + 1]), mesh.point(q)), s);
-            mesh.tetrahedra.sphere(ghost) = rounded(s);
-        }
-        access.made_ghost(ghost);
+// A facet's last two vertices tell whether its tetrahedron is a ghost; which are, cannot be
+// foretold.
+template <class Number>
+MGDT_ALWAYS_INLINE GhostsOfStar ghosts_of_star(const Workspace& w, std::uint32_t infinite,
+                                               const Number* const bs, const Number* const cs) {
+    std::uint32_t count = 0, last = 0;
+    for (std::size_t i = 0; i < w.boundary_size; ++i) {
+        const std::uint32_t is_ghost = static_cast<std::uint32_t>(bs[i] == infinite) |
+                                       static_cast<std::uint32_t>(cs[i] == infinite);
+        count += is_ghost;
+        last = std::max(last, is_ghost * static_cast<std::uint32_t>(i));
     }
+    return {count, w.slots.data[last] >> 2};
 }
 
 // Outside the normal range the bounds prove nothing: leave every test to the predicates.
@@ -139,7 +127,7 @@ MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, 
     if (numbers.count() <= Workspace::SmallStar::most_vertices) {
         link_star(tetrahedra, w, q, numbers, EdgeMatrix<5>(s.edges), s.a, s.b, s.c);
         if constexpr (has_spheres)
-            set_spheres_small(w, mesh.vertices.data(), q, numbers.count(), tetrahedra);
+            set_spheres_small(w, mesh.vertices.data(), q, numbers.count(), infinite, tetrahedra);
     } else {
         const auto link = [&](auto edges) {
             link_star(tetrahedra, w, q, numbers, edges, w.a.data, w.b.data, w.c.data);
@@ -151,14 +139,14 @@ MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, 
         else
             link(EdgeTable(w));
         if constexpr (has_spheres)
-            set_spheres(w, mesh.vertices.data(), q, numbers.count(), tetrahedra);
+            set_spheres(w, mesh.vertices.data(), q, numbers.count(), infinite, tetrahedra);
     }
     if (at_hull) {
-        const std::size_t ghosts = numbers.count() <= Workspace::SmallStar::most_vertices
-                                       ? list_ghosts(w, infinite, s.b, s.c)
-                                       : list_ghosts(w, infinite, w.b.data, w.c.data);
-        write_ghosts(access, mesh, w, q, ghosts);
-        access.count_ghosts(ghosts, ghosts_gone);
+        const GhostsOfStar ghosts = numbers.count() <= Workspace::SmallStar::most_vertices
+                                        ? ghosts_of_star(w, infinite, s.b, s.c)
+                                        : ghosts_of_star(w, infinite, w.b.data, w.c.data);
+        access.made_ghost(ghosts.last);
+        access.count_ghosts(ghosts.count, ghosts_gone);
     }
 }
 

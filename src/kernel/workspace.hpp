@@ -58,7 +58,7 @@ struct Workspace {
     // The cavity.
     Scratch<FacetCode> cavity;    // tetrahedra in conflict, each as the facet it is reached through
     VertexId first_corners[4];    // with the vertices opposite those faces, all of the cavity's
-    Scratch<FacetCode> boundary;  // facets, on the side that stays; at last, ghosts of the star
+    Scratch<FacetCode> boundary;  // facets, on the side that stays
     std::size_t cavity_capacity = 0;
     std::size_t cavity_size = 0, boundary_size = 0;
 

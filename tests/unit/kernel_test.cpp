@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <set>
 #include <string>
@@ -15,6 +16,7 @@
 
 #include "core/triangulation.hpp"
 #include "kernel/adjacency.hpp"
+#include "kernel/circumsphere.hpp"
 #include "kernel/territory.hpp"
 
 namespace mgdt {
@@ -157,6 +159,74 @@ TEST(Kernels, LargeStarsAloneAndAmongOthers) {
         EXPECT_EQ(found, expected);
     }
     EXPECT_FALSE(expected.empty());
+}
+
+// Points about the edges of a box, so near them that between two of them and a third the bound of a
+// hull facet's normal is more than what rounding it for keeps adds; and skew lines, whose stars
+// have many vertices.
+std::vector<std::vector<double>> thin_hulls() {
+    std::uint64_t state = 7;
+    const auto noise = [&] {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        return static_cast<double>(state >> 40) * 0x1p-24;
+    };
+    std::vector<std::vector<double>> sets(2);
+    for (int i = 0; i < 600; ++i) {
+        double x[3];
+        for (double& c : x) c = noise() < 0.5 ? 0x1p-36 * noise() : 1 - 0x1p-36 * noise();
+        x[i % 3] = noise();
+        sets[0].insert(sets[0].end(), x, x + 3);
+    }
+    for (int i = 0; i < 140; ++i)
+        sets[1].insert(sets[1].end(),
+                       {i + noise(), 0x1p-34 * noise(), -80, 0x1p-34 * noise(), i + noise(), 80});
+    return sets;
+}
+
+TEST(Kernels, NormalsOfGhostsAreWithinTheirBounds) {
+    for (const char* name : names) {
+        const Kernel* const kernel = find_kernel(name);
+        if (kernel == nullptr) continue;
+        for (const std::vector<double>& xyz : thin_hulls()) {
+            SCOPED_TRACE(name);
+            Triangulation t(nullptr, nullptr, nullptr);
+            t.set_kernel(*kernel);
+            const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
+            t.insert(xyz.size() / 3, axis, 3);
+            const Mesh& mesh = t.mesh();
+            std::size_t thin = 0;
+            for (TetId id = 0; id < mesh.tetrahedra.size(); ++id) {
+                const Tetrahedron& ghost = mesh.tetrahedra[id];
+                if (ghost.is_dead() || !ghost.is_ghost()) continue;
+                const int slot = ghost.infinite_slot();
+                const double* const base = mesh.point(ghost.v[0]);
+                const double* const ends[2] = {mesh.point(ghost.v[slot % 3 + 1]),
+                                               mesh.point(ghost.v[(slot + 1) % 3 + 1])};
+                long double x[2][3], size[2] = {0, 0};
+                for (int k = 0; k < 2; ++k)
+                    for (int i = 0; i < 3; ++i) {
+                        x[k][i] = static_cast<long double>(ends[k][i]) - base[i];
+                        size[k] = std::max(size[k], std::fabs(x[k][i]));
+                    }
+                const long double unit = unit_roundoff * size[0] * size[1];
+                const Sphere s = mesh.tetrahedra.sphere(id).in_doubles();
+                long double largest = 0, off = 0;
+                for (int i = 0; i < 3; ++i) {
+                    const int j = (i + 1) % 3, k = (i + 2) % 3;
+                    const long double n = x[0][j] * x[1][k] - x[0][k] * x[1][j];
+                    largest = std::max(largest, std::fabs(n));
+                    off = std::max(off, std::fabs(n - s.w[i]));
+                }
+                ASSERT_TRUE(s.is_ghost());
+                // In docs/theory.md, "Ghosts": 8 units for the normal, as many for its power.
+                ASSERT_LE(off, 8 * unit + 0x1p-21L * largest) << id;
+                ASSERT_GE(-s.e, 16 * unit + 0x1p-21L * largest) << id;
+                ASSERT_LE(-s.e, 41 * unit + 0x1.001p-21L * largest) << id;
+                thin += 16 * unit > 0x1p-21L * largest;
+            }
+            EXPECT_GT(thin, 20u);
+        }
+    }
 }
 
 // Slots that are free in the mesh are taken before fresh ones, no slot twice, and what is left goes
