@@ -108,8 +108,8 @@ enum {
     MGDT_PARAMETER_THRESHOLD = 20,
     /** Regular grid and multi-grid: 0 empties a cell before the next, 1 takes one point from a
      *  cell at a time (the paper's separation control), 2 deals the points along the path through
-     *  the cells into rounds, one of twelve before the others; the path of multi-grid is then a
-     *  Hilbert curve. Default 2. */
+     *  the cells into rounds, one of twelve before the others (of up to 4,096, one of four); the
+     *  path of multi-grid is then a Hilbert curve. Default 2. */
     MGDT_PARAMETER_SEPARATION = 30,
     /** BRIO: each round holds this many times the points of all rounds before it, plus one.
      *  Default 7.5, range above 1 to 1e6; 0 gives the default back. */

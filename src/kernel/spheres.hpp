@@ -136,7 +136,8 @@ class MemoryVertices {
     const double *x_, *y_, *z_;
 };
 
-// set_sphere() for eight facets at a time. The arrays of numbers may be read past their ends.
+// set_sphere(), and normals of ghosts, for eight facets at a time. The arrays of numbers may be
+// read past their ends.
 template <bool at_hull, class Vertices, class Number>
 MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertices,
                                            std::uint32_t infinite, const Number* as,
@@ -202,7 +203,8 @@ inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::u
 
 #elif defined(MGDT_HAVE_FOUR_ROWS)
 
-// set_sphere() for four facets at a time. The arrays of numbers may be read past their ends.
+// set_sphere(), and normals of ghosts, for four facets at a time. The arrays of numbers may be read
+// past their ends.
 template <bool at_hull, class Number>
 MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices, VertexId q,
                                            std::uint32_t infinite, const Number* as,

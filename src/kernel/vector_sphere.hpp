@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// set_sphere() for as many tetrahedra at a time as a vector has doubles.
+// set_sphere(), and normals of ghosts, for as many tetrahedra at a time as a vector has doubles.
 #pragma once
 
 #include <cstring>
@@ -64,7 +64,7 @@ struct Four {
     }
 };
 
-#if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__)
+#if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__) && defined(__AVX512BW__)
 #define MGDT_HAVE_EIGHT_ROWS 1
 
 struct Eight {

@@ -102,7 +102,7 @@ class MultiGrid {
 // Keeps what the paper's multi-grid is for, and goes about it another way: grids of cubes, as fine
 // as keys allow, and one more in each crowded cell; a path through all of them along a Hilbert
 // curve that enters a grid and leaves it where its cell is entered and left; and separation by
-// rounds of one point in twelve, those first that stand alone on the curve.
+// rounds (order/deal.hpp), those points first that stand alone on the curve.
 void order_in_rounds(Team& team, const PointSet& points, const OrderParameters& parameters,
                      Schedule& out) {
     constexpr double crowd = 8;

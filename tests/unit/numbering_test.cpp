@@ -2,6 +2,8 @@
 // The numbers of tetrahedra, by slot and by bits and counts, against a scan of the records.
 #include "query/numbering.hpp"
 
+#include <algorithm>
+
 #include "surgery.hpp"
 
 namespace mgdt {
@@ -71,15 +73,27 @@ TEST(Numbering, CountsFiniteTetrahedra) {
 TEST(Numbering, BySlotWhereFewOrAmongGhosts) {
     Random random(3);
     Team team;
-    const auto is_by_slot = [&](const std::vector<double>& points, std::size_t few) {
-        Patient p = triangulate(points);
-        const Mesh& mesh = p.mesh();
-        return Numbering(p.t->allocator(), mesh, false, team, few).is_by_slot();
+    const auto is_by_slot = [&](const Mesh& mesh, std::size_t few) {
+        Allocator allocator;
+        const Numbering one(allocator, mesh, false, team, few);
+        const Numbering other(allocator, mesh, false, team, mesh.tetrahedra.size());
+        for (TetId t = 0; t < mesh.tetrahedra.size(); ++t)
+            if (one.number(t) != other.by_slot()(t)) ADD_FAILURE() << t;
+        std::size_t longest = 0, counted = 0;
+        one.for_each_run(0, one.stretches(), [&](TetId first, TetId last, std::size_t number) {
+            EXPECT_EQ(number, counted);
+            counted += last - first;
+            longest = std::max<std::size_t>(longest, last - first);
+        });
+        EXPECT_EQ(counted, mesh.finite_count());
+        EXPECT_GT(longest, 64u);  // over a word without gaps
+        return one.is_by_slot();
     };
-    const std::vector<double> many = uniform_points(100000, random);
-    EXPECT_FALSE(is_by_slot(many, Numbering::few_slots));
-    EXPECT_TRUE(is_by_slot(many, 100 * many.size()));
-    EXPECT_TRUE(is_by_slot(uniform_points(400, random), 0));
+    Patient many = triangulate(uniform_points(100000, random));
+    EXPECT_FALSE(is_by_slot(many.mesh(), Numbering::few_slots));
+    EXPECT_TRUE(is_by_slot(many.mesh(), many.mesh().tetrahedra.size()));
+    Patient few = triangulate(uniform_points(400, random));
+    EXPECT_TRUE(is_by_slot(few.mesh(), 0));
 }
 
 TEST(Numbering, CanonicalNumbersAreAPermutation) {
