@@ -41,22 +41,21 @@ struct FourRows {
                 _mm256_castsi256_pd(_mm256_unpacklo_epi32(zero, high)),
                 _mm256_castsi256_pd(_mm256_unpackhi_epi32(zero, high))};
     }
-    // Writes the upper halves of the four rows whose columns these are, the k-th to row(k).
-    template <class Row>
-    MGDT_ALWAYS_INLINE void store_upper_halves(Row row) const {
+    // Hands over the upper halves of the rows whose columns these are, one after the other, until
+    // store(k, row) is false.
+    template <class Store>
+    MGDT_ALWAYS_INLINE void store_upper_halves(Store store) const {
         const auto pairs = [](__m256d low, __m256d high) {
             return _mm256_castps_pd(_mm256_blend_ps(_mm256_movehdup_ps(_mm256_castpd_ps(low)),
                                                     _mm256_castpd_ps(high), 0xAA));
         };
         const __m256d left = pairs(first, second), right = pairs(third, fourth);
-        const auto store = [&](unsigned k, __m256d two) {
-            const __m256i rows = _mm256_castpd_si256(two);
-            _mm_store_si128(reinterpret_cast<__m128i*>(row(k)), _mm256_castsi256_si128(rows));
-            _mm_store_si128(reinterpret_cast<__m128i*>(row(k + 2)),
-                            _mm256_extracti128_si256(rows, 1));
-        };
-        store(0, _mm256_unpacklo_pd(left, right));
-        store(1, _mm256_unpackhi_pd(left, right));
+        const __m256i even = _mm256_castpd_si256(_mm256_unpacklo_pd(left, right)),
+                      odd = _mm256_castpd_si256(_mm256_unpackhi_pd(left, right));
+        static_cast<void>(store(0, _mm256_castsi256_si128(even)) &&
+                          store(1, _mm256_castsi256_si128(odd)) &&
+                          store(2, _mm256_extracti128_si256(even, 1)) &&
+                          store(3, _mm256_extracti128_si256(odd, 1)));
     }
     __m256d first, second, third, fourth;
 };

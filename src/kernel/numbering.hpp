@@ -17,7 +17,7 @@ MGDT_ALWAYS_INLINE VertexId corner(const Tetrahedra& tetrahedra, FacetCode code)
 }
 
 // One byte a vertex, found by its hash alone: right for nearly all cavities. Two vertices with
-// one hash, or too many, and it gives up.
+// one hash get one number, or there are too many, and it gives up.
 class DirectNumbers {
   public:
     MGDT_ALWAYS_INLINE explicit DirectNumbers(Workspace& w) : table_(w.direct), ids_(w.ids.data) {}
@@ -35,20 +35,21 @@ class DirectNumbers {
     template <class Tetrahedra>
     MGDT_ALWAYS_INLINE bool add_cavity(const Workspace& w, const Tetrahedra& tetrahedra) {
         if (MGDT_UNLIKELY(w.cavity_size > Workspace::direct_most)) return false;
-        std::uint32_t clashes = 0, added = 0;
+        static_assert(Workspace::direct_free == 255);
+        std::uint32_t added = 0;
         const auto add = [&](VertexId v) {
-            const std::uint32_t h = hash(v);
-            const std::uint32_t there = table_[h];
-            const std::uint32_t fresh = opaque(there == Workspace::direct_free);
-            clashes |= (fresh - 1) & (ids_[there] ^ v);
-            table_[h] = static_cast<std::uint8_t>(there ^ ((there ^ added) & (0 - fresh)));
+            std::uint8_t& place = table_[hash(v)];
+            const std::uint32_t there = place, fresh = (there + 1) >> 8;
+            place = static_cast<std::uint8_t>(there & (added | (fresh - 1)));
             ids_[added] = v;
             added += fresh;
         };
         for (const VertexId v : w.first_corners) add(v);
         for (std::size_t i = 0; i < w.cavity_size; ++i) add(corner(tetrahedra, w.cavity.data[i]));
         count_ = added;
-        return clashes == 0;
+        // All of the cavity's vertices are on its boundary, a sphere: by Euler, one with F
+        // triangles has F / 2 + 2 vertices.
+        return 2 * std::size_t{added} == w.boundary_size + 4;
     }
     MGDT_ALWAYS_INLINE std::uint32_t count() const { return count_; }
     MGDT_ALWAYS_INLINE std::uint32_t operator[](VertexId v) const { return table_[hash(v)]; }

@@ -26,6 +26,15 @@ inline void set_coordinates(Workspace& w, const Vertex* vertices, VertexId q, st
     }
 }
 
+// What else is to be done with each new tetrahedron, by its facet: link(i, t).
+template <class Tetrahedra, class Link>
+MGDT_ALWAYS_INLINE void link_each(const Tetrahedra tetrahedra, const Workspace& w, Link link) {
+    for (std::size_t i = 0; i < w.boundary_size; ++i) link(i, tetrahedra.of_first(w.slots.data[i]));
+}
+struct NoLinks {
+    MGDT_ALWAYS_INLINE void operator()(std::size_t, Tetrahedron&) const {}
+};
+
 template <class Number>
 void set_spheres_scalar(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
                         std::uint32_t infinite, const Number* a, const Number* b, const Number* c,
@@ -60,6 +69,18 @@ MGDT_ALWAYS_INLINE SphereColumns<R> star_spheres(const LocalColumns<R>& a, const
     } else {
         return spheres_through<true>(a, b, c);
     }
+}
+
+// Sets the sphere of the i-th facet's tetrahedron, and does what else there is to be done with it,
+// unless they have ended. Where they do cannot be foretold, so that one branch has to tell.
+template <class Link>
+MGDT_ALWAYS_INLINE bool finish(const Workspace& w, SphereStore spheres, std::size_t i,
+                               __m128i sphere, Link link) {
+    if (i == w.boundary_size) return false;
+    TetrahedronAndSphere& to = *spheres.record(w.slots.data[i]);
+    link(i, to.tetrahedron);
+    _mm_store_si128(reinterpret_cast<__m128i*>(to.sphere.w), sphere);
+    return true;
 }
 
 #endif
@@ -136,13 +157,14 @@ class MemoryVertices {
     const double *x_, *y_, *z_;
 };
 
-// set_sphere(), and normals of ghosts, for eight facets at a time. The arrays of numbers may be
-// read past their ends.
-template <bool at_hull, class Vertices, class Number>
+// set_sphere(), and normals of ghosts, for eight facets at a time, with what else is to be done
+// with their tetrahedra: its instructions go in while these wait for arithmetic. The arrays of
+// numbers may be read past their ends.
+template <bool at_hull, class Vertices, class Number, class Link>
 MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertices,
                                            std::uint32_t infinite, const Number* as,
-                                           const Number* bs, const Number* cs,
-                                           SphereStore spheres) {
+                                           const Number* bs, const Number* cs, SphereStore spheres,
+                                           Link link) {
     const std::size_t size = w.boundary_size;
     for (std::size_t begin = 0; begin < size; begin += 8) {
         const SphereColumns<Eight> s =
@@ -156,60 +178,59 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertice
         };
         const __m512d left = pairs(s.x, s.y), right = pairs(s.z, s.e);
         const auto store = [&](std::size_t k, __m128i sphere) {
-            KeptSphere& to =
-                begin + k < size ? spheres.record(w.slots.data[begin + k])->sphere : w.beyond;
-            _mm_store_si128(reinterpret_cast<__m128i*>(to.w), sphere);
+            return finish(w, spheres, begin + k, sphere, link);
         };
         const __m512i even = _mm512_castpd_si512(_mm512_unpacklo_pd(left, right)),
                       odd = _mm512_castpd_si512(_mm512_unpackhi_pd(left, right));
-        store(0, _mm512_castsi512_si128(even));
-        store(1, _mm512_castsi512_si128(odd));
-        store(2, _mm512_extracti32x4_epi32(even, 1));
-        store(3, _mm512_extracti32x4_epi32(odd, 1));
-        store(4, _mm512_extracti32x4_epi32(even, 2));
-        store(5, _mm512_extracti32x4_epi32(odd, 2));
-        store(6, _mm512_extracti32x4_epi32(even, 3));
-        store(7, _mm512_extracti32x4_epi32(odd, 3));
+        static_cast<void>(store(0, _mm512_castsi512_si128(even)) &&
+                          store(1, _mm512_castsi512_si128(odd)) &&
+                          store(2, _mm512_extracti32x4_epi32(even, 1)) &&
+                          store(3, _mm512_extracti32x4_epi32(odd, 1)) &&
+                          store(4, _mm512_extracti32x4_epi32(even, 2)) &&
+                          store(5, _mm512_extracti32x4_epi32(odd, 2)) &&
+                          store(6, _mm512_extracti32x4_epi32(even, 3)) &&
+                          store(7, _mm512_extracti32x4_epi32(odd, 3)));
     }
 }
 
-template <class Vertices, class Number>
+template <class Vertices, class Number, class Link>
 MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertices,
                                            std::uint32_t infinite, const Number* as,
-                                           const Number* bs, const Number* cs,
-                                           SphereStore spheres) {
+                                           const Number* bs, const Number* cs, SphereStore spheres,
+                                           Link link) {
     if (infinite == no_index)
-        set_spheres_vector<false>(w, vertices, infinite, as, bs, cs, spheres);
+        set_spheres_vector<false>(w, vertices, infinite, as, bs, cs, spheres, link);
     else
-        set_spheres_vector<true>(w, vertices, infinite, as, bs, cs, spheres);
+        set_spheres_vector<true>(w, vertices, infinite, as, bs, cs, spheres, link);
 }
 
+template <class Link>
 inline void set_spheres_small(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
-                              std::uint32_t infinite, SphereStore spheres) {
+                              std::uint32_t infinite, SphereStore spheres, Link link) {
     const Workspace::SmallStar& s = w.small;
     if (count <= 16)
         set_spheres_vector(w, SixteenVertices(vertices, w.ids.data, q), infinite, s.a, s.b, s.c,
-                           spheres);
+                           spheres, link);
     else
         set_spheres_vector(w, ThirtyTwoVertices(vertices, w.ids.data, q), infinite, s.a, s.b, s.c,
-                           spheres);
+                           spheres, link);
 }
 
 inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
                         std::uint32_t infinite, SphereStore spheres) {
     set_coordinates(w, vertices, q, count);
-    set_spheres_vector(w, MemoryVertices(w), infinite, w.a.data, w.b.data, w.c.data, spheres);
+    set_spheres_vector(w, MemoryVertices(w), infinite, w.a.data, w.b.data, w.c.data, spheres,
+                       NoLinks());
 }
 
 #elif defined(MGDT_HAVE_FOUR_ROWS)
 
-// set_sphere(), and normals of ghosts, for four facets at a time. The arrays of numbers may be read
-// past their ends.
-template <bool at_hull, class Number>
+// The same for four facets at a time.
+template <bool at_hull, class Number, class Link>
 MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices, VertexId q,
                                            std::uint32_t infinite, const Number* as,
-                                           const Number* bs, const Number* cs,
-                                           SphereStore spheres) {
+                                           const Number* bs, const Number* cs, SphereStore spheres,
+                                           Link link) {
     const double* const p = vertices[q].x;
     const PointColumns<Four> base = {Four::all(p[0]), Four::all(p[1]), Four::all(p[2])};
     const auto pick = [&](const Number* numbers) {
@@ -221,37 +242,39 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices,
         const SphereColumns<Four> s = star_spheres<at_hull>(
             pick(as + begin), pick(bs + begin), pick(cs + begin), bs + begin, cs + begin, infinite);
         const FourRows columns = {s.x, s.y, s.z, s.e};
-        columns.store_upper_halves([&](std::size_t k) {
-            return begin + k < size ? spheres.record(w.slots.data[begin + k])->sphere.w
-                                    : w.beyond.w;
+        columns.store_upper_halves([&](std::size_t k, __m128i sphere) {
+            return finish(w, spheres, begin + k, sphere, link);
         });
     }
 }
 
-template <class Number>
+template <class Number, class Link>
 inline void set_spheres_vector(Workspace& w, const Vertex* vertices, VertexId q,
                                std::uint32_t infinite, const Number* as, const Number* bs,
-                               const Number* cs, SphereStore spheres) {
+                               const Number* cs, SphereStore spheres, Link link) {
     if (infinite == no_index)
-        set_spheres_vector<false>(w, vertices, q, infinite, as, bs, cs, spheres);
+        set_spheres_vector<false>(w, vertices, q, infinite, as, bs, cs, spheres, link);
     else
-        set_spheres_vector<true>(w, vertices, q, infinite, as, bs, cs, spheres);
+        set_spheres_vector<true>(w, vertices, q, infinite, as, bs, cs, spheres, link);
 }
 
+template <class Link>
 inline void set_spheres_small(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t,
-                              std::uint32_t infinite, SphereStore spheres) {
-    set_spheres_vector(w, vertices, q, infinite, w.small.a, w.small.b, w.small.c, spheres);
+                              std::uint32_t infinite, SphereStore spheres, Link link) {
+    set_spheres_vector(w, vertices, q, infinite, w.small.a, w.small.b, w.small.c, spheres, link);
 }
 
 inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t,
                         std::uint32_t infinite, SphereStore spheres) {
-    set_spheres_vector(w, vertices, q, infinite, w.a.data, w.b.data, w.c.data, spheres);
+    set_spheres_vector(w, vertices, q, infinite, w.a.data, w.b.data, w.c.data, spheres, NoLinks());
 }
 
 #else
 
+template <class Link>
 inline void set_spheres_small(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count,
-                              std::uint32_t infinite, SphereStore spheres) {
+                              std::uint32_t infinite, SphereStore spheres, Link link) {
+    link_each(spheres, w, link);
     set_spheres_scalar(w, vertices, q, count, infinite, w.small.a, w.small.b, w.small.c, spheres);
 }
 

@@ -15,11 +15,11 @@ namespace mgdt {
 inline namespace MGDT_ISA {
 
 // Writes the vertices of the new tetrahedra, (q, a, b, c) for a facet (a, b, c) seen from inside,
-// and links them with what stays and with each other.
+// and links them with what stays. What link_inside() wants is in `edges` then.
 template <class Tetrahedra, class Numbers, class Edges, class Number>
-MGDT_ALWAYS_INLINE void link_star(const Tetrahedra tetrahedra, const Workspace& w, VertexId q,
-                                  const Numbers& numbers, Edges edges, Number* const as,
-                                  Number* const bs, Number* const cs) {
+MGDT_ALWAYS_INLINE void link_outside(const Tetrahedra tetrahedra, const Workspace& w, VertexId q,
+                                     const Numbers& numbers, Edges edges, Number* const as,
+                                     Number* const bs, Number* const cs) {
     const FacetCode* const boundary = w.boundary.data;
     const FacetCode* const slots = w.slots.data;
     const std::size_t size = w.boundary_size;
@@ -39,13 +39,15 @@ MGDT_ALWAYS_INLINE void link_star(const Tetrahedra tetrahedra, const Workspace& 
         edges.put(c, a, mine + 2);
         edges.put(a, b, mine + 3);
     }
-    for (std::size_t i = 0; i < size; ++i) {
-        const std::uint32_t a = as[i], b = bs[i], c = cs[i];
-        Tetrahedron& t = tetrahedra.of_first(slots[i]);
-        t.n[1] = edges.get(c, b);
-        t.n[2] = edges.get(a, c);
-        t.n[3] = edges.get(b, a);
-    }
+}
+
+// Links the new tetrahedron of a facet (a, b, c) with others of the star.
+template <class Edges>
+MGDT_ALWAYS_INLINE void link_inside(const Edges& edges, std::uint32_t a, std::uint32_t b,
+                                    std::uint32_t c, Tetrahedron& t) {
+    t.n[1] = edges.get(c, b);
+    t.n[2] = edges.get(a, c);
+    t.n[3] = edges.get(b, a);
 }
 
 struct GhostsOfStar {
@@ -125,12 +127,22 @@ MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, 
     choose_slots(access, w);
     Workspace::SmallStar& s = w.small;
     if (numbers.count() <= Workspace::SmallStar::most_vertices) {
-        link_star(tetrahedra, w, q, numbers, EdgeMatrix<5>(s.edges), s.a, s.b, s.c);
+        const EdgeMatrix<5> edges(s.edges);
+        link_outside(tetrahedra, w, q, numbers, edges, s.a, s.b, s.c);
+        const auto link = [&](std::size_t i, Tetrahedron& t) {
+            link_inside(edges, s.a[i], s.b[i], s.c[i], t);
+        };
         if constexpr (has_spheres)
-            set_spheres_small(w, mesh.vertices.data(), q, numbers.count(), infinite, tetrahedra);
+            set_spheres_small(w, mesh.vertices.data(), q, numbers.count(), infinite, tetrahedra,
+                              link);
+        else
+            link_each(tetrahedra, w, link);
     } else {
         const auto link = [&](auto edges) {
-            link_star(tetrahedra, w, q, numbers, edges, w.a.data, w.b.data, w.c.data);
+            link_outside(tetrahedra, w, q, numbers, edges, w.a.data, w.b.data, w.c.data);
+            link_each(tetrahedra, w, [&](std::size_t i, Tetrahedron& t) {
+                link_inside(edges, w.a.data[i], w.b.data[i], w.c.data[i], t);
+            });
         };
         if (numbers.count() <= Workspace::medium_vertices)
             link(EdgeMatrix<6>(w.edge_codes.data));

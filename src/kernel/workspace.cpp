@@ -19,8 +19,7 @@ Workspace::Workspace(Allocator& allocator)
       c(allocator),
       slots(allocator),
       edge_codes(allocator),
-      edge_keys(allocator),
-      beyond() {
+      edge_keys(allocator) {
     std::fill_n(direct, direct_size, direct_free);
 }
 
@@ -45,7 +44,7 @@ void Workspace::grow_star(std::size_t removed, std::size_t created) {
     created = generous(std::max(created, 2 * least), star_created);
     const std::size_t vertices = removed + 3, facets = std::max(removed, created);
     star_removed = star_created = 0;
-    ids.reserve(std::max<std::size_t>(vertices + past, direct_free + 1), 0);
+    ids.reserve(vertices + past, 0);
     std::fill_n(ids.data, ids.buffer.capacity(), infinite_vertex);
     for (Scratch<double>* s : {&x, &y, &z}) {
         s->reserve(vertices + past, 0);

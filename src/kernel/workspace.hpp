@@ -93,7 +93,6 @@ struct Workspace {
     }
     std::size_t star_removed = 0, star_created = 0;  // what there is room for
 
-    KeptSphere beyond;  // takes what a vector writes past the last facet
     Counters counters;
 };
 
