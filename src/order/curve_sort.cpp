@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "order/curve_sort.hpp"
 
+#include <algorithm>
+
 #include "order/hilbert_curve.hpp"
 #include "order/lattice.hpp"
 #include "order/team_radix.hpp"
@@ -10,9 +12,9 @@ namespace mgdt {
 namespace {
 
 // A word is a key on top of an index: what is left of 64 bits when the index has its share is 9
-// to 15 levels of the curve, more than points without crowds need. Where points crowd in one of
-// the finest cells, the curve goes on inside it over the least cube that holds them, so
-// its resolution follows the points down to the last bit of their coordinates.
+// to 15 levels of the curve, more than points without crowds need; a few points get less. Where
+// points crowd in one of the finest cells, the curve goes on inside it over the least cube that
+// holds them, so its resolution follows the points down to the last bit of their coordinates.
 class CurveSorter {
   public:
     CurveSorter(const PointSet& points, std::size_t crowd, CurveOrder& order,
@@ -23,8 +25,10 @@ class CurveSorter {
           allocator_(order.words.allocator()),
           words_(order.words.data()),
           scratch_(scratch.data()) {
-        steps_ = (64 - order.index_bits) / (3 * HilbertCurve::levels_per_step);
-        if (steps_ > most_steps) steps_ = most_steps;
+        const unsigned room = (64 - order.index_bits) / (3 * HilbertCurve::levels_per_step);
+        // A cell for one to four points along an edge of the cube: those of a line are told apart.
+        const unsigned wanted = std::max(1u, order.index_bits / HilbertCurve::levels_per_step);
+        steps_ = std::min({room, wanted, most_steps});
     }
 
     // Each call divides the extent by 2^9 at least, so calls nest at most (1024 + 1074) / 9 deep.

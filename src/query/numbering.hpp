@@ -22,17 +22,21 @@ template <class IsNew>
 Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
     Buffer<TetId> ghosts(allocator);
     if (mesh.live_count() == 0) return ghosts;
-    ghosts.reserve(mesh.ghost_count);
+    // One place more, for those that are not new: which are, cannot be foretold.
+    ghosts.resize(mesh.ghost_count + 1);
+    std::size_t size = 0;
     const auto push = [&](TetId t) {
-        if (is_new(t)) ghosts.push_back(t);
+        ghosts[size] = t;
+        size += is_new(t) ? 1 : 0;
     };
     push(mesh.a_ghost);
-    for (std::size_t i = 0; i < ghosts.size(); ++i) {
+    for (std::size_t i = 0; i < size; ++i) {
         const Tetrahedron& t = mesh.tetrahedra[ghosts[i]];
-        const int slot = t.infinite_slot();
-        for (int f = 0; f < 4; ++f)
-            if (f != slot) push(t.n[f] >> 2);
+        push(t.n[0] >> 2);
+        push(t.n[1] >> 2);
+        push(t.n[t.infinite_slot() ^ 1] >> 2);
     }
+    ghosts.resize(size);
     return ghosts;
 }
 
