@@ -3,7 +3,7 @@
 // vertex records, so that two threads may have one vertex in their cavities.
 #pragma once
 
-#include "kernel/pieces.hpp"
+#include "kernel/isa.hpp"
 #include "kernel/workspace.hpp"
 
 namespace mgdt {
@@ -16,8 +16,8 @@ MGDT_ALWAYS_INLINE VertexId corner(const Tetrahedra& tetrahedra, FacetCode code)
     return tetrahedra.of(code).v[code & 3] & ~in_cavity;
 }
 
-// One byte a vertex, found by its hash alone: right for nearly all cavities. Two vertices with
-// one hash get one number, or there are too many, and it gives up.
+// One byte a vertex, found by its hash alone: right for nearly all cavities. It gives up where two
+// vertices have one hash, which makes one number of them, or where there are too many.
 class DirectNumbers {
   public:
     MGDT_ALWAYS_INLINE explicit DirectNumbers(Workspace& w) : table_(w.direct), ids_(w.ids.data) {}
@@ -35,7 +35,7 @@ class DirectNumbers {
     template <class Tetrahedra>
     MGDT_ALWAYS_INLINE bool add_cavity(const Workspace& w, const Tetrahedra& tetrahedra) {
         if (MGDT_UNLIKELY(w.cavity_size > Workspace::direct_most)) return false;
-        static_assert(Workspace::direct_free == 255);
+        static_assert(Workspace::direct_free == 255);  // the only byte that one more carries from
         std::uint32_t added = 0;
         const auto add = [&](VertexId v) {
             std::uint8_t& place = table_[hash(v)];
@@ -47,8 +47,8 @@ class DirectNumbers {
         for (const VertexId v : w.first_corners) add(v);
         for (std::size_t i = 0; i < w.cavity_size; ++i) add(corner(tetrahedra, w.cavity.data[i]));
         count_ = added;
-        // All of the cavity's vertices are on its boundary, a sphere: by Euler, one with F
-        // triangles has F / 2 + 2 vertices.
+        // All of the cavity's vertices are on its boundary, a sphere: by Euler, one of F triangles
+        // has F / 2 + 2 vertices. Fewer numbers: two have one hash.
         return 2 * std::size_t{added} == w.boundary_size + 4;
     }
     MGDT_ALWAYS_INLINE std::uint32_t count() const { return count_; }

@@ -71,8 +71,8 @@ MGDT_ALWAYS_INLINE SphereColumns<R> star_spheres(const LocalColumns<R>& a, const
     }
 }
 
-// Sets the sphere of the i-th facet's tetrahedron, and does what else there is to be done with it,
-// unless they have ended. Where they do cannot be foretold, so that one branch has to tell.
+// Sets the sphere of the i-th facet's tetrahedron, and does what else is to be done with it; false
+// past the last facet, which no other branch shall look for, since it cannot be foretold.
 template <class Link>
 MGDT_ALWAYS_INLINE bool finish(const Workspace& w, SphereStore spheres, std::size_t i,
                                __m128i sphere, Link link) {
@@ -158,7 +158,7 @@ class MemoryVertices {
 };
 
 // set_sphere(), and normals of ghosts, for eight facets at a time, with what else is to be done
-// with their tetrahedra: its instructions go in while these wait for arithmetic. The arrays of
+// with their tetrahedra, for which the processor has time while it computes spheres. The arrays of
 // numbers may be read past their ends.
 template <bool at_hull, class Vertices, class Number, class Link>
 MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertices,
@@ -225,7 +225,7 @@ inline void set_spheres(Workspace& w, const Vertex* vertices, VertexId q, std::u
 
 #elif defined(MGDT_HAVE_FOUR_ROWS)
 
-// The same for four facets at a time.
+// As with AVX-512, for four facets at a time.
 template <bool at_hull, class Number, class Link>
 MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices, VertexId q,
                                            std::uint32_t infinite, const Number* as,

@@ -9,13 +9,14 @@
 
 #include "kernel/adjacency.hpp"
 #include "kernel/numbering.hpp"
+#include "kernel/pieces.hpp"
 #include "kernel/spheres.hpp"
 
 namespace mgdt {
 inline namespace MGDT_ISA {
 
 // Writes the vertices of the new tetrahedra, (q, a, b, c) for a facet (a, b, c) seen from inside,
-// and links them with what stays. What link_inside() wants is in `edges` then.
+// and links them with what stays. Fills `edges` for link_inside().
 template <class Tetrahedra, class Numbers, class Edges, class Number>
 MGDT_ALWAYS_INLINE void link_outside(const Tetrahedra tetrahedra, const Workspace& w, VertexId q,
                                      const Numbers& numbers, Edges edges, Number* const as,

@@ -11,8 +11,8 @@
 namespace mgdt {
 namespace {
 
-// A word is a key on top of an index: what is left of 64 bits when the index has its share is 9
-// to 15 levels of the curve, more than points without crowds need; a few points get less. Where
+// A word is a key on top of an index: what is left of 64 bits when the index has its share takes 9
+// to 15 levels of the curve, of which up to 16,384 points get fewer than there is room for. Where
 // points crowd in one of the finest cells, the curve goes on inside it over the least cube that
 // holds them, so its resolution follows the points down to the last bit of their coordinates.
 class CurveSorter {
@@ -26,8 +26,9 @@ class CurveSorter {
           words_(order.words.data()),
           scratch_(scratch.data()) {
         const unsigned room = (64 - order.index_bits) / (3 * HilbertCurve::levels_per_step);
-        // A cell for one to four points along an edge of the cube: those of a line are told apart.
-        const unsigned wanted = std::max(1u, order.index_bits / HilbertCurve::levels_per_step);
+        // Along an edge a cell for every four points at least, so that few of a line share one.
+        const unsigned wanted =
+            std::max(least_steps, order.index_bits / HilbertCurve::levels_per_step);
         steps_ = std::min({room, wanted, most_steps});
     }
 
@@ -62,7 +63,7 @@ class CurveSorter {
     unsigned levels() const noexcept { return levels_; }
 
   private:
-    static constexpr unsigned most_steps = 5;
+    static constexpr unsigned least_steps = 3, most_steps = 5;
     static constexpr std::size_t share = 32768;
 
     std::uint64_t key(const Lattice& lattice, std::uint64_t index, unsigned& state) const noexcept {

@@ -34,7 +34,7 @@ Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
         const Tetrahedron& t = mesh.tetrahedra[ghosts[i]];
         push(t.n[0] >> 2);
         push(t.n[1] >> 2);
-        push(t.n[t.infinite_slot() ^ 1] >> 2);
+        push(t.n[t.infinite_slot() ^ 1] >> 2);  // the other of 2 and 3
     }
     ghosts.resize(size);
     return ghosts;
