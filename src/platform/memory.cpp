@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t page = 4096;
 constexpr std::size_t medium = std::size_t{1} << 20, large = std::size_t{1} << 25;
 // Medium blocks of the C library begin so far behind the beginning of a page, where no mapped
-// block does. Before them is the pointer that free() wants.
+// block does.
 constexpr std::size_t heap_offset = 64;
 
 constexpr std::size_t page_round(std::size_t bytes) {
@@ -40,30 +40,34 @@ void* map(std::size_t bytes) noexcept {
                          MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     return p == MAP_FAILED ? nullptr : p;
 }
+#endif
 
-// By malloc(): for aligned_alloc(), glibc asks itself for more than it learns to keep when such a
-// block is freed, and maps one anew each time.
-void* obtain_medium(std::size_t bytes) noexcept {
-    void* const whole = std::malloc(bytes + page + heap_offset);
+// A block of the C library's, `offset` behind a multiple of `align`; before it is the pointer that
+// free() wants. By malloc(), since glibc's aligned_alloc() cuts such blocks out of larger ones,
+// which takes ten times as long, and asks for more than it learns to keep when a medium one is
+// freed.
+void* obtain_on_heap(std::size_t bytes, std::size_t align, std::size_t offset = 0) noexcept {
+    if (align < alignof(void*)) align = alignof(void*);
+    const std::size_t more = sizeof(void*) + align + offset;
+    if (bytes > static_cast<std::size_t>(-1) - more) return nullptr;
+    void* const whole = std::malloc(bytes + more);
     if (!whole) return nullptr;
-    const std::uintptr_t at = page_round(reinterpret_cast<std::uintptr_t>(whole)) + heap_offset;
-    void** const p = reinterpret_cast<void**>(at);
+    const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(whole) + sizeof(void*);
+    void** const p = reinterpret_cast<void**>(((first + align - 1) & ~(align - 1)) + offset);
     p[-1] = whole;
     return p;
 }
-#endif
 
 void* default_obtain(std::size_t bytes, std::size_t align, bool remaps) noexcept {
 #if MGDT_HAVE_MREMAP
     if (!is_small(bytes, align)) {
         if (remaps || bytes >= large || align > heap_offset) return map(bytes);
-        return obtain_medium(bytes);
+        return obtain_on_heap(bytes, page, heap_offset);
     }
 #else
     static_cast<void>(remaps);
 #endif
-    // aligned_alloc wants a size that is a multiple of the alignment.
-    return std::aligned_alloc(align, (bytes + align - 1) & ~(align - 1));
+    return obtain_on_heap(bytes, align);
 }
 
 void default_give_back(void* p, std::size_t bytes, std::size_t align) noexcept {
@@ -72,11 +76,10 @@ void default_give_back(void* p, std::size_t bytes, std::size_t align) noexcept {
         munmap(p, page_round(bytes));
         return;
     }
-    if (!is_small(bytes, align)) p = static_cast<void**>(p)[-1];
 #endif
     static_cast<void>(bytes);
     static_cast<void>(align);
-    std::free(p);
+    std::free(static_cast<void**>(p)[-1]);
 }
 
 }  // namespace
