@@ -2,107 +2,169 @@
 #include "kernel/location_tree.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace mgdt {
 namespace {
+
+// Where unused places of a leaf are.
+constexpr float unused = std::numeric_limits<float>::infinity();
 
 double square_distance(const double* a, const double* b) {
     const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
     return x * x + y * y + z * z;
 }
 
-}  // namespace
-
-LocationTree::LocationTree(Allocator& allocator, const Mesh& mesh, std::size_t end)
-    : nodes_(allocator) {
-    nodes_.resize((end - 2) / stride + 1);
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-        nodes_[i] = {0, static_cast<VertexId>(1 + i * stride), 0, {none, none}};
-    root_ = build(mesh, 0, static_cast<std::uint32_t>(nodes_.size()));
-}
-
-// The root of a range is in its middle.
-std::uint32_t LocationTree::build(const Mesh& mesh, std::uint32_t begin, std::uint32_t end) {
-    if (begin == end) return none;
+// The middle of a range that is put in order along its longest extent, as far as the middle has
+// nothing above it before it and nothing below it behind.
+template <class Sample>
+Sample* divide(Sample* begin, Sample* end, std::uint32_t& axis) {
     double low[3], high[3];
-    for (int k = 0; k < 3; ++k) low[k] = high[k] = mesh.point(nodes_[begin].vertex)[k];
-    for (std::uint32_t i = begin + 1; i < end; ++i) {
-        const double* p = mesh.point(nodes_[i].vertex);
+    for (int k = 0; k < 3; ++k) low[k] = high[k] = begin->x[k];
+    for (const Sample* s = begin + 1; s < end; ++s) {
         for (int k = 0; k < 3; ++k) {
-            low[k] = p[k] < low[k] ? p[k] : low[k];
-            high[k] = p[k] > high[k] ? p[k] : high[k];
+            low[k] = s->x[k] < low[k] ? s->x[k] : low[k];
+            high[k] = s->x[k] > high[k] ? s->x[k] : high[k];
         }
     }
-    std::uint32_t axis = 0;
+    axis = 0;
     for (std::uint32_t k = 1; k < 3; ++k)
         if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
-    const std::uint32_t middle = begin + (end - begin) / 2;
-    std::nth_element(nodes_.begin() + begin, nodes_.begin() + middle, nodes_.begin() + end,
-                     [&](const Node& a, const Node& b) {
-                         const double x = mesh.point(a.vertex)[axis],
-                                      y = mesh.point(b.vertex)[axis];
-                         return x < y || (x == y && a.vertex < b.vertex);
-                     });
-    const std::uint32_t below = build(mesh, begin, middle), above = build(mesh, middle + 1, end);
-    Node& node = nodes_[middle];
-    node.axis = axis;
-    node.split = mesh.point(node.vertex)[axis];
-    node.child[0] = below;
-    node.child[1] = above;
+    Sample* const middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end, [k = axis](const Sample& a, const Sample& b) {
+        return a.x[k] < b.x[k] || (a.x[k] == b.x[k] && a.vertex < b.vertex);
+    });
     return middle;
 }
 
+}  // namespace
+
+LocationTree::LocationTree(Allocator& allocator, const Mesh& mesh, std::size_t end)
+    : nodes_(allocator), leaves_(allocator) {
+    Buffer<Sample> samples(allocator, (end - 2) / stride + 1);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        samples[i] = sample(mesh, static_cast<VertexId>(1 + i * stride));
+    // A leaf has half of what a new one may have at least, if it is not the only one.
+    const std::size_t most_leaves = 2 * samples.size() / most_in_new_leaf + 1;
+    nodes_.reserve(most_leaves);
+    leaves_.reserve(most_leaves);
+    root_ = build(samples.begin(), samples.end());
+}
+
+LocationTree::Sample LocationTree::sample(const Mesh& mesh, VertexId v) {
+    const double* const p = mesh.point(v);
+    return {{p[0], p[1], p[2]}, v};
+}
+
+LocationTree::Leaf::Leaf(const Sample* begin, const Sample* end) {
+    const Sample none = {{unused, unused, unused}, infinite_vertex};
+    for (std::ptrdiff_t i = 0; i < most_in_leaf; ++i) put(i, i < end - begin ? begin[i] : none);
+}
+
+void LocationTree::Leaf::put(std::ptrdiff_t i, const Sample& s) {
+    vertices[i] = s.vertex;
+    for (int k = 0; k < 3; ++k) x[k][i] = static_cast<float>(s.x[k]);
+}
+
+LocationTree::Child LocationTree::build(Sample* begin, Sample* end) {
+    if (end - begin <= most_in_new_leaf) {
+        leaves_.push_back(Leaf(begin, end));
+        return leaf_child(leaves_.size() - 1);
+    }
+    std::uint32_t axis;
+    Sample* const middle = divide(begin, end, axis);
+    const std::size_t node = nodes_.size();
+    nodes_.push_back({middle->x[axis], axis, {}});
+    const Child below = build(begin, middle), above = build(middle, end);
+    nodes_[node].child[0] = below;
+    nodes_[node].child[1] = above;
+    return node_child(node);
+}
+
+// The leaf keeps the lower half.
+LocationTree::Child LocationTree::split_leaf(const Mesh& mesh, std::size_t leaf,
+                                             const Sample& another) {
+    Sample samples[most_in_leaf + 1];
+    for (std::ptrdiff_t i = 0; i < most_in_leaf; ++i)
+        samples[i] = sample(mesh, leaves_[leaf].vertices[i]);
+    samples[most_in_leaf] = another;
+    Sample* const end = samples + most_in_leaf + 1;
+    std::uint32_t axis;
+    const Sample* const middle = divide(samples, end, axis);
+    leaves_[leaf] = Leaf(samples, middle);
+    leaves_.push_back(Leaf(middle, end));
+    nodes_.push_back({middle->x[axis], axis, {leaf_child(leaf), leaf_child(leaves_.size() - 1)}});
+    return node_child(nodes_.size() - 1);
+}
+
 void LocationTree::add(const Mesh& mesh, std::size_t begin, std::size_t end) noexcept {
-    for (std::size_t v = (begin + stride - 1) / stride * stride; v < end; v += stride) {
-        const VertexId vertex = static_cast<VertexId>(v);
-        const double* const p = mesh.point(vertex);
-        std::uint32_t at = root_;
-        for (unsigned depth = 0;; ++depth) {
-            if (depth == deepest) break;  // it serves without this vertex
-            const Node& node = nodes_[at];
-            const unsigned side = p[node.axis] < node.split ? 0 : 1;
-            if (node.child[side] == none) {
-                const std::uint32_t axis = (node.axis + 1) % 3;
-                const std::uint32_t leaf = static_cast<std::uint32_t>(nodes_.size());
-                try {
-                    nodes_.push_back({p[axis], vertex, axis, {none, none}});
-                } catch (const std::bad_alloc&) {
-                    return;
-                }
-                nodes_[at].child[side] = leaf;
-                break;
-            }
-            at = node.child[side];
+    for (std::size_t v = begin; v < end; v += stride) {
+        try {
+            nodes_.grow(nodes_.size() + 1);
+            leaves_.grow(leaves_.size() + 1);
+        } catch (const std::bad_alloc&) {
+            return;
         }
+        const Sample s = sample(mesh, static_cast<VertexId>(v));
+        Child* child = &root_;
+        unsigned depth = 0;
+        for (; !is_leaf(*child); ++depth) child = &nodes_[index(*child)].side(s.x);
+        Leaf& leaf = leaves_[index(*child)];
+        const std::ptrdiff_t free =
+            std::find(leaf.vertices, leaf.vertices + most_in_leaf, infinite_vertex) - leaf.vertices;
+        if (free < most_in_leaf)
+            leaf.put(free, s);
+        else if (depth < deepest)  // it serves without this vertex
+            *child = split_leaf(mesh, index(*child), s);
     }
 }
 
-// Each node but the root is the child of one, and all are reached: it is a tree.
+// Each node and leaf is reached once: it is a tree.
 bool LocationTree::is_sound(std::size_t vertices) const {
-    if (root_ >= nodes_.size()) return false;
-    Buffer<std::uint32_t> reached(nodes_.allocator());
-    reached.reserve(nodes_.size());
-    reached.push_back(root_);
+    const std::size_t counts[2] = {nodes_.size(), leaves_.size()};
+    Buffer<Child> reached(nodes_.allocator());
+    reached.reserve(counts[0] + counts[1]);
+    Buffer<bool> is_reached(nodes_.allocator());
+    is_reached.resize(2 * std::max(counts[0], counts[1]), false);
+    const auto reach = [&](Child child) {
+        if (index(child) >= counts[is_leaf(child)] || is_reached[child]) return false;
+        is_reached[child] = true;
+        reached.push_back(child);
+        return true;
+    };
+    if (!reach(root_)) return false;
     for (std::size_t i = 0; i < reached.size(); ++i) {
-        const Node& node = nodes_[reached[i]];
-        if (node.vertex == infinite_vertex || node.vertex >= vertices || node.axis > 2)
-            return false;
-        for (const std::uint32_t child : node.child) {
-            if (child == none) continue;
-            if (child >= nodes_.size() || reached.size() == nodes_.size()) return false;
-            reached.push_back(child);
+        if (!is_leaf(reached[i])) {
+            const Node& node = nodes_[index(reached[i])];
+            if (node.axis > 2 || !reach(node.child[0]) || !reach(node.child[1])) return false;
+            continue;
+        }
+        const Leaf& leaf = leaves_[index(reached[i])];
+        if (leaf.vertices[0] == infinite_vertex) return false;
+        for (std::ptrdiff_t k = 0; k < most_in_leaf; ++k) {
+            const VertexId v = leaf.vertices[k];
+            if (v >= vertices || (v == infinite_vertex && leaf.x[0][k] != unused)) return false;
         }
     }
-    return reached.size() == nodes_.size();
+    return reached.size() == counts[0] + counts[1];
 }
 
 VertexId LocationTree::near(const double* q) const noexcept {
-    for (std::uint32_t at = root_;;) {
-        const Node& node = nodes_[at];
-        const std::uint32_t next = node.child[q[node.axis] < node.split ? 0 : 1];
-        if (next == none) return node.vertex;
-        at = next;
+    Child child = root_;
+    while (!is_leaf(child)) child = nodes_[index(child)].side(q);
+    const Leaf& leaf = leaves_[index(child)];
+    const float x = static_cast<float>(q[0]), y = static_cast<float>(q[1]),
+                z = static_cast<float>(q[2]);
+    float squares[most_in_leaf];
+    for (std::ptrdiff_t i = 0; i < most_in_leaf; ++i) {
+        const float a = leaf.x[0][i] - x, b = leaf.x[1][i] - y, c = leaf.x[2][i] - z;
+        squares[i] = a * a + b * b + c * c;
     }
+    // The first one where floats cannot tell.
+    std::ptrdiff_t nearest = 0;
+    for (std::ptrdiff_t i = 1; i < most_in_leaf; ++i)
+        nearest = squares[i] < squares[nearest] ? i : nearest;
+    return leaf.vertices[nearest];
 }
 
 TetId start_of_walk(const Mesh& mesh, const LocationTree* tree, TetId last, const double* q) {

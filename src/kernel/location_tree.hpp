@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a walk to any place begins: a kd-tree over a sample of the vertices. It follows the points
-// wherever they crowd, and takes vertices in as they are inserted.
+// Where a walk to any place begins: a kd-tree over a sample of the vertices, a few of them in each
+// leaf. It follows the points wherever they crowd, and takes vertices in as they are inserted.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -11,13 +11,15 @@ class LocationTree {
   public:
     // Below this many vertices a walk is short from anywhere.
     static constexpr std::size_t smallest = 512;
+    // Of vertices that come together it takes one of so many.
+    static constexpr std::size_t stride = 16;
 
-    // Over one of every `stride` of the vertices before `end`, which are in the mesh; one at least.
+    // Over the vertices before `end`, which are in the mesh; at least one.
     // Linear but for a logarithm.
     LocationTree(Allocator& allocator, const Mesh& mesh, std::size_t end);
 
-    // Takes in one of every `stride` of the vertices from `begin` to `end`, as far as memory and
-    // depth allow.
+    // Takes in the vertices from `begin` to `end`, each of them if they come alone, as far as
+    // memory and depth allow.
     void add(const Mesh& mesh, std::size_t begin, std::size_t end) noexcept;
     // A vertex near q.
     VertexId near(const double* q) const noexcept;
@@ -26,20 +28,45 @@ class LocationTree {
     bool is_sound(std::size_t vertices) const;
 
   private:
-    static constexpr std::size_t stride = 16;
-    static constexpr unsigned deepest = 64;
-    static constexpr std::uint32_t none = 0xFFFFFFFFu;
+    static constexpr unsigned deepest = 128;
+    static constexpr std::ptrdiff_t most_in_leaf = 8, most_in_new_leaf = 6;
+
+    struct Sample {
+        double x[3];
+        VertexId vertex;
+    };
+    static Sample sample(const Mesh& mesh, VertexId v);
+
+    // Twice the number of a node, or of a leaf and one more.
+    using Child = std::uint32_t;
+    static Child node_child(std::size_t i) { return static_cast<Child>(2 * i); }
+    static Child leaf_child(std::size_t i) { return static_cast<Child>(2 * i + 1); }
+    static bool is_leaf(Child c) { return (c & 1) != 0; }
+    static std::size_t index(Child c) { return c / 2; }
 
     struct Node {
         double split;
-        VertexId vertex;
         std::uint32_t axis;
-        std::uint32_t child[2];  // below the split, and not
+        Child child[2];  // below the split, and not
+        Child& side(const double* q) { return child[q[axis] < split ? 0 : 1]; }
+        Child side(const double* q) const { return child[q[axis] < split ? 0 : 1]; }
     };
-    std::uint32_t build(const Mesh& mesh, std::uint32_t begin, std::uint32_t end);
+    // The first places are used, the others are at infinity. Coordinates are to choose by, for
+    // which floats will do: so a leaf is on two lines.
+    struct Leaf {
+        Leaf(const Sample* begin, const Sample* end);
+        void put(std::ptrdiff_t i, const Sample& s);
+        float x[3][most_in_leaf];
+        VertexId vertices[most_in_leaf];
+    };
+
+    Child build(Sample* begin, Sample* end);
+    // Makes a node of a full leaf and another vertex. There is room.
+    Child split_leaf(const Mesh& mesh, std::size_t leaf, const Sample& another);
 
     Buffer<Node> nodes_;
-    std::uint32_t root_;
+    Buffer<Leaf> leaves_;
+    Child root_;
 };
 
 // The live tetrahedron to start a walk to q from: near the tree's vertex, or `last` where that is

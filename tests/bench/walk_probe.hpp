@@ -102,7 +102,7 @@ class Probe {
         if (v >= 2 * tree_made_ && v >= mgdt::LocationTree::smallest) {
             tree_.emplace(allocator_, mesh, v + std::size_t{1});
             tree_made_ = v;
-        } else if (tree_) {
+        } else if (tree_ && v % mgdt::LocationTree::stride == 0) {
             tree_->add(mesh, v, v + std::size_t{1});
         }
     }

@@ -28,16 +28,16 @@ void fill_diagonal(Mesh& mesh, std::size_t n) {
 TEST(LocationTree, ServesWhenTooDeep) {
     Allocator allocator;
     Mesh mesh(allocator);
-    fill_diagonal(mesh, 4000);
+    fill_diagonal(mesh, 20000);
     LocationTree tree(allocator, mesh, 20);
     tree.add(mesh, 20, mesh.vertices.size());
     EXPECT_TRUE(tree.is_sound(mesh.vertices.size()));
     EXPECT_FALSE(tree.is_sound(1000));
     const double far[3] = {1e6, 1e6, 1e6}, first[3] = {0, 0, 0};
-    // 64 levels of every sixteenth vertex, and nothing beyond.
-    EXPECT_GT(tree.near(far), 900u);
-    EXPECT_LT(tree.near(far), 1100u);
-    EXPECT_LT(tree.near(first), 20u);
+    // Of every sixteenth vertex four go to each of 128 levels, and nothing beyond.
+    EXPECT_GT(tree.near(far), 8000u);
+    EXPECT_LT(tree.near(far), 8500u);
+    EXPECT_EQ(tree.near(first), 1u);
 }
 
 TEST(LocationTree, ServesWhenMemoryIsShort) {
@@ -50,7 +50,43 @@ TEST(LocationTree, ServesWhenMemoryIsShort) {
     allocator.set_limit(0);
     EXPECT_TRUE(tree.is_sound(mesh.vertices.size()));
     const double far[3] = {1e6, 1e6, 1e6};
-    EXPECT_LT(tree.near(far), 40u);
+    EXPECT_LT(tree.near(far), 200u);
+}
+
+// Takes the vertices of a diagonal in one at a time, as calls for single points do.
+void add_each(LocationTree& tree, const Mesh& mesh, std::size_t begin) {
+    for (std::size_t v = begin; v < mesh.vertices.size(); ++v) tree.add(mesh, v, v + 1);
+}
+
+// Every vertex that came alone is found at its own place; where floats cannot tell it from its
+// neighbours, one of its leaf is.
+TEST(LocationTree, TakesInEachThatComesAlone) {
+    struct {
+        double low, size;
+        std::size_t found;
+    } const cubes[] = {{0, 1, 2950}, {1e9, 1, 500}, {0, 1e200, 500}};
+    Random random(5);
+    std::uniform_real_distribution<double> any(0, 1);
+    for (const auto& cube : cubes) {
+        Allocator allocator;
+        Mesh mesh(allocator);
+        fill_diagonal(mesh, 20);
+        while (mesh.vertices.size() < 3000) {
+            Vertex v = {{0, 0, 0}, 0, 0};
+            for (double& x : v.x) x = cube.low + cube.size * any(random);
+            mesh.vertices.push_back(v);
+        }
+        LocationTree tree(allocator, mesh, 20);
+        add_each(tree, mesh, 20);
+        EXPECT_TRUE(tree.is_sound(mesh.vertices.size()));
+        std::size_t found = 0;
+        for (VertexId v = 20; v < mesh.vertices.size(); ++v) {
+            const VertexId near = tree.near(mesh.point(v));
+            ASSERT_NE(near, infinite_vertex);
+            found += near == v;
+        }
+        EXPECT_GT(found, cube.found);
+    }
 }
 
 // Blocks of one allocator, so that they can be spoiled.
@@ -65,8 +101,9 @@ struct Blocks {
 };
 
 // A tree in spoiled memory is told from a sound one before it is descended: a vertex that is not
-// there, an axis beyond the third, a child that is no node, is a node twice or has become none.
-TEST(LocationTree, IsUnsoundWhenANodeIsSpoiled) {
+// there, a leaf without any, a place that only seems to be used, an axis beyond the third, a child
+// that is no node or leaf, or is one twice.
+TEST(LocationTree, IsUnsoundWhenSpoiled) {
     Allocator mesh_allocator;
     Mesh mesh(mesh_allocator);
     fill_diagonal(mesh, 1000);
@@ -74,31 +111,39 @@ TEST(LocationTree, IsUnsoundWhenANodeIsSpoiled) {
     Blocks blocks;
     Allocator allocator(Blocks::take, Blocks::give_back, &blocks);
     const LocationTree tree(allocator, mesh, vertices);
-    ASSERT_EQ(blocks.all.size(), 1u);
+    // What it is made from, which is gone, its nodes and its leaves.
+    ASSERT_EQ(blocks.all.size(), 3u);
     ASSERT_TRUE(tree.is_sound(vertices));
-    // Of each node, in words: the split (two), vertex, axis, two children.
-    constexpr std::size_t node = 6, vertex = 2, axis = 3;
-    constexpr std::uint32_t none = 0xFFFFFFFFu;
-    auto* const words = static_cast<std::uint32_t*>(blocks.all[0].first);
-    const auto nodes = static_cast<std::uint32_t>(blocks.all[0].second / (4 * node));
-    ASSERT_EQ(nodes, (vertices - 2) / 16 + 1);
-    for (std::uint32_t i = 0; i < nodes; ++i) {
-        const auto expect_unsound = [&](std::size_t word, std::uint32_t value) {
-            std::uint32_t& there = words[node * i + word];
-            const std::uint32_t before = std::exchange(there, value);
-            EXPECT_FALSE(tree.is_sound(vertices)) << i << ' ' << word << ' ' << value;
-            there = before;
-        };
-        expect_unsound(vertex, 0);
-        expect_unsound(vertex, vertices);
-        expect_unsound(axis, 3);
-        for (const std::size_t child : {std::size_t{4}, std::size_t{5}}) {
-            const bool was_none = words[node * i + child] == none;
-            for (const std::uint32_t value : {nodes, none - 1, i, nodes / 2})
-                if (value != words[node * i + child]) expect_unsound(child, value);
-            if (!was_none) expect_unsound(child, none);
-        }
+    auto* const nodes = static_cast<std::uint32_t*>(blocks.all[1].first);
+    auto* const leaves = static_cast<std::uint32_t*>(blocks.all[2].first);
+    const auto expect_unsound = [&](std::uint32_t& word, std::uint32_t value) {
+        const std::uint32_t before = std::exchange(word, value);
+        EXPECT_FALSE(tree.is_sound(vertices)) << before << ' ' << value;
+        word = before;
         ASSERT_TRUE(tree.is_sound(vertices));
+    };
+    // 63 samples, halved four times. Of each node, in words: the split (two), axis, two children.
+    constexpr std::uint32_t node_count = 15, leaf_count = 16;
+    constexpr std::size_t node = 6, axis = 2;
+    for (std::size_t i = 0; i < node_count; ++i) {
+        expect_unsound(nodes[node * i + axis], 3);
+        for (const std::size_t child : {std::size_t{3}, std::size_t{4}}) {
+            std::uint32_t& there = nodes[node * i + child];
+            for (const std::uint32_t value :
+                 {2 * node_count, 2 * leaf_count + 1, 0xFFFFFFFFu, there ^ 2, 0u, 1u})
+                if (value != there) expect_unsound(there, value);
+        }
+    }
+    // Of each leaf: eight x, eight y, eight z, eight vertices, of which three or four are used.
+    constexpr std::size_t leaf = 32, most = 8, first_vertex = 24;
+    for (std::size_t i = 0; i < leaf_count; ++i) {
+        std::uint32_t* const words = leaves + leaf * i;
+        expect_unsound(words[first_vertex], 0);
+        expect_unsound(words[first_vertex], vertices);
+        for (std::size_t k = first_vertex + most / 2; k < leaf; ++k) {
+            expect_unsound(words[k], vertices);
+            expect_unsound(words[k - first_vertex], 0);
+        }
     }
 }
 
