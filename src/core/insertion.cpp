@@ -19,14 +19,23 @@ constexpr std::size_t smallest_schedule = 16;
 // Points between two looks at the cancel flag.
 constexpr std::size_t poll_interval = 1024;
 
+// Adds the time that passes to one of the statistics, and from count_for() on to another: to look
+// at the clock is a fiftieth of inserting a point.
 class Stopwatch {
   public:
-    explicit Stopwatch(double& seconds) : seconds_(seconds), start_(clock::now()) {}
-    ~Stopwatch() { seconds_ += std::chrono::duration<double>(clock::now() - start_).count(); }
+    explicit Stopwatch(double& seconds) : seconds_(&seconds), start_(clock::now()) {}
+    ~Stopwatch() { count_for(*seconds_); }
+
+    void count_for(double& seconds) {
+        const clock::time_point now = clock::now();
+        *seconds_ += std::chrono::duration<double>(now - start_).count();
+        seconds_ = &seconds;
+        start_ = now;
+    }
 
   private:
     using clock = std::chrono::steady_clock;
-    double& seconds_;
+    double* seconds_;
     clock::time_point start_;
 };
 
@@ -100,32 +109,29 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
     // All that can fail before the mesh changes.
     const std::size_t n = batch.points.size;
     const std::size_t base = fresh ? 1 : mesh_.vertices.size();
-    {
-        Stopwatch watch(statistics_.insert_seconds);
-        mesh_.vertices.grow(base + n);
-        mesh_.near.grow(base + n);
-        team.split(n, 8192, [&](std::size_t begin, std::size_t end, unsigned) {
-            mesh_.vertices.prefault(base + begin, base + end);
-        });
-    }
+    Stopwatch watch(statistics_.insert_seconds);
+    mesh_.vertices.grow(base + n);
+    mesh_.near.grow(base + n);
+    team.split(n, 8192, [&](std::size_t begin, std::size_t end, unsigned) {
+        mesh_.vertices.prefault(base + begin, base + end);
+    });
     // Until the vertices come, the schedule is made where they will be, but for those held till
     // now.
     const std::size_t held = std::min(mesh_.vertices.size(), base + n);
     Loan room(mesh_.vertices.data() + held, (base + n - held) * sizeof(Vertex), allocator_);
     Schedule schedule(allocator_, room.allocator());
-    {
-        Stopwatch watch(statistics_.order_seconds);
-        const std::int32_t scheme = n <= smallest_schedule ? MGDT_ORDER_INPUT : settings_.scheme;
-        make_schedule(team, batch.points, scheme, settings_.order, schedule);
-        // Several threads need rounds, so that the space is divided before they start.
-        if (team.size() > 1 && schedule.rounds.size() == 1 && scheme != MGDT_ORDER_RANDOM)
-            deal_rounds(team, settings_.order.seed, schedule);
-        statistics_.levels = schedule.levels;
-        statistics_.rounds = static_cast<double>(schedule.rounds.size());
-        statistics_.threads = team.size();
-    }
+    const bool is_short = n <= smallest_schedule;
+    if (!is_short) watch.count_for(statistics_.order_seconds);
+    const std::int32_t scheme = is_short ? MGDT_ORDER_INPUT : settings_.scheme;
+    make_schedule(team, batch.points, scheme, settings_.order, schedule);
+    // Several threads need rounds, so that the space is divided before they start.
+    if (team.size() > 1 && schedule.rounds.size() == 1 && scheme != MGDT_ORDER_RANDOM)
+        deal_rounds(team, settings_.order.seed, schedule);
+    if (!is_short) watch.count_for(statistics_.insert_seconds);
+    statistics_.levels = schedule.levels;
+    statistics_.rounds = static_cast<double>(schedule.rounds.size());
+    statistics_.threads = team.size();
     if (may_stop) stop_if_cancelled(0, n);
-    Stopwatch watch(statistics_.insert_seconds);
     try {
         mesh_.reserve_tetrahedra(expected_tetrahedra(base + n, mesh_.slot_limit));
     } catch (const std::bad_alloc&) {

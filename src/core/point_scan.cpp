@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/point_scan.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <mutex>
@@ -46,9 +47,9 @@ struct Extremes {
     }
     void add(const Extremes& other) {
         for (std::size_t j = 0; j < width; ++j) {
-            low[j] = std::fmin(low[j], other.low[j]);
-            high[j] = std::fmax(high[j], other.high[j]);
-            least[j] = std::fmin(least[j], other.least[j]);
+            low[j] = std::min(low[j], other.low[j]);
+            high[j] = std::max(high[j], other.high[j]);
+            least[j] = std::min(least[j], other.least[j]);
             poison[j] += other.poison[j];
         }
     }
@@ -77,15 +78,16 @@ PointScan::PointScan(Team& team, std::size_t n, const double* const axis[3], std
                     x[j] = coordinate(i + 1 < end ? i + j / 3 : i, j % 3);
             part.add(source);
         }
-        const std::lock_guard<std::mutex> lock(mutex);
+        std::unique_lock<std::mutex> lock(mutex, std::defer_lock);
+        if (team.size() > 1) lock.lock();
         extremes.add(part);
     });
     double least = largest, greatest = 0, poison = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        low[k] = std::fmin(extremes.low[k], extremes.low[k + 3]);
-        high[k] = std::fmax(extremes.high[k], extremes.high[k + 3]);
-        greatest = std::fmax(greatest, std::fmax(std::fabs(low[k]), std::fabs(high[k])));
-        least = std::fmin(least, std::fmin(extremes.least[k], extremes.least[k + 3]));
+        low[k] = std::min(extremes.low[k], extremes.low[k + 3]);
+        high[k] = std::max(extremes.high[k], extremes.high[k + 3]);
+        greatest = std::max({greatest, std::fabs(low[k]), std::fabs(high[k])});
+        least = std::min({least, extremes.least[k], extremes.least[k + 3]});
         poison += extremes.poison[k] + extremes.poison[k + 3];
     }
     if (!is_finite(poison)) {

@@ -54,6 +54,7 @@ Team::Team(unsigned size) {
 }
 
 Team::~Team() {
+    if (!threads_) return;
     {
         const std::lock_guard<std::mutex> lock(mutex_);
         is_over_ = true;
