@@ -119,8 +119,9 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
     // now.
     const std::size_t held = std::min(mesh_.vertices.size(), base + n);
     Loan room(mesh_.vertices.data() + held, (base + n - held) * sizeof(Vertex), allocator_);
-    Schedule schedule(allocator_, room.allocator());
+    Schedule full(allocator_, room.allocator());
     const bool is_short = n <= smallest_schedule;
+    Schedule& schedule = is_short ? short_schedule_ : full;
     if (!is_short) watch.count_for(statistics_.order_seconds);
     const std::int32_t scheme = is_short ? MGDT_ORDER_INPUT : settings_.scheme;
     make_schedule(team, batch.points, scheme, settings_.order, schedule);
@@ -196,15 +197,20 @@ void Triangulation::make_first_tetrahedra() {
                                    b > c ? c : infinite_vertex};
         std::copy(ghost, ghost + 4, all[f + 1].v);
     }
-    for (unsigned t = 0; t < 5; ++t) {
-        // The neighbour opposite a vertex is the one tetrahedron that does not have it.
+    const auto slot = [&](TetId t, VertexId of) {
+        return static_cast<FacetCode>(std::find(all[t].v, all[t].v + 4, of) - all[t].v);
+    };
+    for (FacetCode f = 0; f < 4; ++f) {
+        Tetrahedron& ghost = all[f + 1];
         for (unsigned i = 0; i < 4; ++i) {
-            for (unsigned m = 0; m < 5; ++m) {
-                const VertexId* others = all[m].v;
-                if (std::find(others, others + 4, all[t].v[i]) != others + 4) continue;
-                for (unsigned j = 0; j < 4; ++j)
-                    if (std::find(all[t].v, all[t].v + 4, others[j]) == all[t].v + 4)
-                        all[t].n[i] = 4 * m + j;
+            if (ghost.v[i] == infinite_vertex) {
+                ghost.n[i] = f;
+                all[0].n[f] = 4 * (f + 1) + i;
+            } else {
+                // Beyond the other two of the facet is the ghost that lacks this vertex and has
+                // the one that this ghost lacks.
+                const TetId other = slot(0, ghost.v[i]) + 1;
+                ghost.n[i] = 4 * other + slot(other, v[f]);
             }
         }
     }

@@ -63,11 +63,9 @@ PointScan::PointScan(Team& team, std::size_t n, const double* const axis[3], std
         return axis[k][static_cast<std::ptrdiff_t>(i) * stride];
     };
     const bool is_packed = n > 0 && stride == 3 && axis[1] == axis[0] + 1 && axis[2] == axis[0] + 2;
-    Extremes extremes;
-    std::mutex mutex;
-    team.split(n, 65536, [&](std::size_t begin, std::size_t end, unsigned) {
+    const auto scan = [&](std::size_t begin, std::size_t end, Extremes& to) {
         // Two points at a time.
-        Extremes part;
+        Extremes part = to;
         for (std::size_t i = begin; i < end; i += 2) {
             double x[Extremes::width];
             const double* source = x;
@@ -78,10 +76,21 @@ PointScan::PointScan(Team& team, std::size_t n, const double* const axis[3], std
                     x[j] = coordinate(i + 1 < end ? i + j / 3 : i, j % 3);
             part.add(source);
         }
-        std::unique_lock<std::mutex> lock(mutex, std::defer_lock);
-        if (team.size() > 1) lock.lock();
-        extremes.add(part);
-    });
+        to = part;
+    };
+    Extremes extremes;
+    constexpr std::size_t share = 65536;
+    if (team.members_for(n, share) == 1) {
+        scan(0, n, extremes);
+    } else {
+        std::mutex mutex;
+        team.split(n, share, [&](std::size_t begin, std::size_t end, unsigned) {
+            Extremes part;
+            scan(begin, end, part);
+            const std::lock_guard<std::mutex> lock(mutex);
+            extremes.add(part);
+        });
+    }
     double least = largest, greatest = 0, poison = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         low[k] = std::min(extremes.low[k], extremes.low[k + 3]);

@@ -16,6 +16,7 @@ Triangulation::Triangulation(mgdt_alloc_fn alloc, mgdt_free_fn release, void* us
       kernel_(&default_kernel()),
       mesh_(allocator_),
       workspace_(allocator_),
+      short_schedule_(allocator_, allocator_),
       point_map_(allocator_),
       held_(allocator_),
       numbering_(allocator_),

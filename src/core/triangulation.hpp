@@ -115,6 +115,7 @@ class Triangulation {
     const Kernel* kernel_;
     Mesh mesh_;
     Workspace workspace_;
+    Schedule short_schedule_;  // of batches that need none: its memory is kept
     Buffer<VertexId> point_map_;
     HeldPoints held_;
     AffineBasis basis_;

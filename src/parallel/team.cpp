@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "parallel/team.hpp"
 
+#include <condition_variable>
+#include <exception>
+#include <mutex>
 #include <new>
 #include <system_error>
+#include <thread>
 
 #include "platform/fp_environment.hpp"
 
@@ -36,15 +40,32 @@ class SignalsBlocked {
 
 }  // namespace
 
-Team::Team(unsigned size) {
+struct Team::Crew {
+    void work(unsigned member) noexcept;
+    void perform(unsigned member) noexcept;
+
+    std::thread threads[most - 1];
+
+    std::mutex mutex;
+    std::condition_variable begin, end;
+    const FunctionRef<void(unsigned)>* body = nullptr;
+    unsigned long long turn = 0;  // counts the calls of start()
+    unsigned members = 0;         // of this turn
+    unsigned busy = 0;            // members that have not finished, but for the calling thread
+    bool is_over = false;
+    std::exception_ptr failure;
+    unsigned failed = most;  // member whose failure that is
+};
+
+void Team::assemble(unsigned size) {
     if (size > most) size = most;
-    if (size <= 1) return;
-    threads_ = new (std::nothrow) std::thread[size - 1];
-    if (!threads_) return;
+    crew_ = new (std::nothrow) Crew;
+    if (!crew_) return;
     const SignalsBlocked blocked;
     try {
         for (unsigned member = 1; member < size; ++member) {
-            threads_[member - 1] = std::thread([this, member] { work(member); });
+            crew_->threads[member - 1] =
+                std::thread([crew = crew_, member] { crew->work(member); });
             ++size_;
         }
     } catch (const std::system_error&) {
@@ -53,63 +74,63 @@ Team::Team(unsigned size) {
     }
 }
 
-Team::~Team() {
-    if (!threads_) return;
+void Team::dismiss() noexcept {
     {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        is_over_ = true;
+        const std::lock_guard<std::mutex> lock(crew_->mutex);
+        crew_->is_over = true;
     }
-    begin_.notify_all();
-    for (unsigned member = 1; member < size_; ++member) threads_[member - 1].join();
-    delete[] threads_;
+    crew_->begin.notify_all();
+    for (unsigned member = 1; member < size_; ++member) crew_->threads[member - 1].join();
+    delete crew_;
 }
 
 void Team::start(unsigned members, FunctionRef<void(unsigned)> body) {
+    Crew& c = *crew_;
     {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        body_ = &body;
-        members_ = members;
-        busy_ = members - 1;
-        ++turn_;
+        const std::lock_guard<std::mutex> lock(c.mutex);
+        c.body = &body;
+        c.members = members;
+        c.busy = members - 1;
+        ++c.turn;
     }
-    begin_.notify_all();
-    perform(0);
-    std::unique_lock<std::mutex> lock(mutex_);
-    end_.wait(lock, [&] { return busy_ == 0; });
-    body_ = nullptr;
-    failed_ = most;
-    if (failure_) {
-        const std::exception_ptr failure = failure_;
-        failure_ = nullptr;
+    c.begin.notify_all();
+    c.perform(0);
+    std::unique_lock<std::mutex> lock(c.mutex);
+    c.end.wait(lock, [&] { return c.busy == 0; });
+    c.body = nullptr;
+    c.failed = most;
+    if (c.failure) {
+        const std::exception_ptr failure = c.failure;
+        c.failure = nullptr;
         std::rethrow_exception(failure);
     }
 }
 
-void Team::work(unsigned member) noexcept {
+void Team::Crew::work(unsigned member) noexcept {
     const FpEnvironment environment;
     unsigned long long seen = 0;
     for (;;) {
         {
-            std::unique_lock<std::mutex> lock(mutex_);
-            begin_.wait(lock, [&] { return is_over_ || turn_ != seen; });
-            if (is_over_) return;
-            seen = turn_;
-            if (member >= members_) continue;
+            std::unique_lock<std::mutex> lock(mutex);
+            begin.wait(lock, [&] { return is_over || turn != seen; });
+            if (is_over) return;
+            seen = turn;
+            if (member >= members) continue;
         }
         perform(member);
-        const std::lock_guard<std::mutex> lock(mutex_);
-        if (--busy_ == 0) end_.notify_one();
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (--busy == 0) end.notify_one();
     }
 }
 
-void Team::perform(unsigned member) noexcept {
+void Team::Crew::perform(unsigned member) noexcept {
     try {
-        (*body_)(member);
+        (*body)(member);
     } catch (...) {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        if (member < failed_) {
-            failed_ = member;
-            failure_ = std::current_exception();
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (member < failed) {
+            failed = member;
+            failure = std::current_exception();
         }
     }
 }

@@ -4,11 +4,7 @@
 // that forks, unloads the library or has its own threads.
 #pragma once
 
-#include <condition_variable>
 #include <cstddef>
-#include <exception>
-#include <mutex>
-#include <thread>
 
 #include "platform/memory.hpp"
 
@@ -38,10 +34,14 @@ class Team {
     static constexpr unsigned most = 254;
 
     // Of `size` members, or of as many as the system has threads for; with a size of 1 it is free.
-    explicit Team(unsigned size = 1);
+    explicit Team(unsigned size = 1) {
+        if (size > 1) assemble(size);
+    }
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
-    ~Team();
+    ~Team() {
+        if (crew_) dismiss();
+    }
 
     unsigned size() const noexcept { return size_; }
 
@@ -75,22 +75,14 @@ class Team {
     }
 
   private:
+    // The other members, and what all share.
+    struct Crew;
+    void assemble(unsigned size);
+    void dismiss() noexcept;
     void start(unsigned members, FunctionRef<void(unsigned)> body);
-    void work(unsigned member) noexcept;
-    void perform(unsigned member) noexcept;
 
-    std::thread* threads_ = nullptr;
+    Crew* crew_ = nullptr;
     unsigned size_ = 1;
-
-    std::mutex mutex_;
-    std::condition_variable begin_, end_;
-    const FunctionRef<void(unsigned)>* body_ = nullptr;
-    unsigned long long turn_ = 0;  // counts the calls of start()
-    unsigned members_ = 0;         // of this turn
-    unsigned busy_ = 0;            // members that have not finished, but for the calling thread
-    bool is_over_ = false;
-    std::exception_ptr failure_;
-    unsigned failed_ = most;  // member whose failure that is
 };
 
 }  // namespace mgdt

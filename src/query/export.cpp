@@ -32,13 +32,14 @@ void export_places(const ExportView& view, const Tetrahedron& t, unsigned places
 
 namespace {
 
-// Four values at a time, past the cache where that can be: what is written is not read here, and
-// fetching the lines first would cost as much again.
+// Four values at a time. Those of large arrays go past the cache where that can be: they are not
+// read here, and fetching the lines first would cost as much again.
 template <class Int>
 class Rows {
   public:
-    explicit Rows(Int* out)
-        : out_(out), streams_(reinterpret_cast<std::uintptr_t>(out) % sizeof(Wide) == 0) {}
+    Rows(Int* out, bool is_large)
+        : out_(out),
+          streams_(is_large && reinterpret_cast<std::uintptr_t>(out) % sizeof(Wide) == 0) {}
     // Once a thread, after its last row.
     static void finish() {
 #if defined(__SSE2__)
@@ -81,6 +82,8 @@ class Rows {
 
 // Stretches of the numbering that a thread should have at least.
 constexpr std::size_t stretches_a_thread = 1024;
+// Bytes of an array that a cache will not hold beside what it is written from.
+constexpr std::size_t large_array = std::size_t{1} << 20;
 // Records between one that is read and one that is asked for.
 constexpr std::size_t ahead = 32;
 
@@ -89,6 +92,7 @@ constexpr std::size_t ahead = 32;
 template <bool with_spheres, class Int, class Indices, class Row>
 void export_rows(const ExportView& view, const Indices& indices, Int* out, const Row& shared) {
     const Numbering& numbering = *view.numbering;
+    const bool is_large = view.mesh.finite_count() >= large_array / (4 * sizeof(Int));
     const auto write = [&](std::size_t begin, std::size_t end, unsigned) {
         if (begin == end) return;
         // Copies, which a loop that writes past the type system may keep in registers.
@@ -106,7 +110,7 @@ void export_rows(const ExportView& view, const Indices& indices, Int* out, const
             // A loop of its own for each run: with the end of `out` anywhere but in a register, or
             // a call for each row, half of the time would go there.
             numbering.for_each_run(begin, end, [&](TetId first, TetId last, std::size_t number) {
-                Rows<Int> rows(out + 4 * number);
+                Rows<Int> rows(out + 4 * number, is_large);
                 for (TetId id = first; id < last; ++id) {
                     const Tetrahedron& t = tetrahedra[id];
                     prefetch(&tetrahedra[id + ahead]);

@@ -14,7 +14,8 @@ class VertexIndices {
   public:
     VertexIndices(Team& team, const Mesh& mesh, Allocator& allocator)
         : indices_(allocator, mesh.vertices.size()) {
-        std::uint32_t ends[Team::most] = {};
+        std::uint32_t ends[Team::most];
+        std::fill_n(ends, team.size(), 0u);
         constexpr std::size_t share = 65536;
         team.split(indices_.size(), share, [&](std::size_t begin, std::size_t end, unsigned m) {
             std::uint32_t last = 0;
@@ -24,7 +25,7 @@ class VertexIndices {
             }
             ends[m] = last;
         });
-        end_ = *std::max_element(ends, ends + Team::most);
+        end_ = *std::max_element(ends, ends + team.size());
     }
 
     std::uint32_t operator[](VertexId v) const noexcept { return indices_[v]; }

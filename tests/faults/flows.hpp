@@ -198,8 +198,9 @@ inline std::vector<Insertion> insertions() {
     const Points six(some.begin(), some.begin() + 18), ten(others.begin(), others.begin() + 30);
     add("another scale", six, scaled(ten, 1e200));
     add("extreme", scaled(six, 1e-300), scaled(ten, 1e300));
+    // So many that the next needs memory: room for vertices grows by half whenever it is full.
     Insertion& lone =
-        add("one by one", random_points(600, 8), Points(some.begin(), some.begin() + 3));
+        add("one by one", random_points(710, 8), Points(some.begin(), some.begin() + 3));
     lone.one_by_one = true;
     for (const std::int32_t scheme : order_schemes) {
         if (scheme == MGDT_ORDER_AUTO) continue;
