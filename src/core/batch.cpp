@@ -8,6 +8,8 @@ namespace mgdt {
 void Triangulation::Batch::use(const PointScan& scan, std::size_t n, const double* const axis[3],
                                std::ptrdiff_t stride, int scale_exponent, std::size_t first) {
     exponent = scale_exponent;
+    is_normal = scan.greatest == 0 || (in_normal_range(scaled(scan.least, exponent)) &&
+                                       in_normal_range(scaled(scan.greatest, exponent)));
     first_index = first;
     // Schedules need no exactness: a scale that is no double itself is cut.
     points = scan.point_set(n, axis, stride,

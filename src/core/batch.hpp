@@ -47,6 +47,7 @@ struct Triangulation::Batch {
 
     PointSet points;
     int exponent;
+    bool is_normal;                 // all coordinates are in the range in which filters are proved
     std::size_t first_index;        // of point 0, where there are no indices
     Buffer<double> gathered;        // coordinates
     Buffer<std::uint32_t> indices;  // empty, or of each point

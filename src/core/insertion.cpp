@@ -80,29 +80,29 @@ void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule
     const std::size_t size = batch.points.size;
     mesh_.vertices.resize(base + size);
     mesh_.near.resize(base + size);
-    Atomic<bool> has_extremes{false};
     team.split(size, 8192, [&](std::size_t begin, std::size_t end, unsigned) {
         mesh_.near.prefault(base + begin, base + end);
         constexpr std::size_t ahead = 24;
-        bool found = false;
+        // Copies, which stores cannot change.
+        Vertex* const vertices = mesh_.vertices.data() + base;
+        TetId* const near = mesh_.near.data() + base;
+        VertexId* const of_points = point_map_.data();
+        const std::uint32_t* const order = schedule.order.data();
         for (std::size_t k = begin; k < end; ++k) {
             if (k + ahead < end) {
-                const std::uint32_t next = schedule.order[k + ahead];
+                const std::uint32_t next = order[k + ahead];
                 batch.points.prefetch(next);
-                prefetch(&point_map_[batch.index(next)]);
+                prefetch(&of_points[batch.index(next)]);
             }
-            const std::uint32_t i = schedule.order[k];
-            Vertex& v = mesh_.vertices[base + k];
-            batch.get(i, v.x);
-            v.index = batch.index(i);
-            v.moved_to = 0;
-            mesh_.near[base + k] = no_tetrahedron;
-            point_map_[v.index] = static_cast<VertexId>(base + k);
-            if (!in_normal_range(v.x)) found = true;
+            const std::uint32_t i = order[k], index = batch.index(i);
+            batch.get(i, vertices[k].x);
+            vertices[k].index = index;
+            vertices[k].moved_to = 0;
+            near[k] = no_tetrahedron;
+            of_points[index] = static_cast<VertexId>(base + k);
         }
-        if (found) has_extremes = true;
     });
-    if (has_extremes) mesh_.has_extremes = true;
+    if (!batch.is_normal) mesh_.has_extremes = true;
 }
 
 void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, bool may_stop) {

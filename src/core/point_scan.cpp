@@ -21,8 +21,8 @@ bool is_finite(double x) {
 
 constexpr double largest = 1.7976931348623157e308;
 
-// Extremes of a stream of coordinates, of which every third belongs to one axis. The three arrays
-// of six are three registers of two each, and no operation waits for the one before it.
+// Extremes of a stream of coordinates, of which every third belongs to one axis. No operation waits
+// for the one before it.
 struct Extremes {
     static constexpr std::size_t width = 6;
     double low[width], high[width];
@@ -38,10 +38,11 @@ struct Extremes {
     }
     MGDT_ALWAYS_INLINE void add(const double* x) {
         for (std::size_t j = 0; j < width; ++j) {
-            low[j] = x[j] < low[j] ? x[j] : low[j];
-            high[j] = x[j] > high[j] ? x[j] : high[j];
-            const double magnitude = x[j] == 0 ? largest : std::fabs(x[j]);
-            least[j] = magnitude < least[j] ? magnitude : least[j];
+            // In this order each is one instruction.
+            low[j] = low[j] < x[j] ? low[j] : x[j];
+            high[j] = high[j] > x[j] ? high[j] : x[j];
+            const double magnitude = std::fabs(x[j]);
+            if (magnitude != 0) least[j] = least[j] < magnitude ? least[j] : magnitude;
             poison[j] += x[j] - x[j];
         }
     }
@@ -91,7 +92,8 @@ PointScan::PointScan(Team& team, std::size_t n, const double* const axis[3], std
             extremes.add(part);
         });
     }
-    double least = largest, greatest = 0, poison = 0;
+    double poison = 0;
+    least = largest;
     for (std::size_t k = 0; k < 3; ++k) {
         low[k] = std::min(extremes.low[k], extremes.low[k + 3]);
         high[k] = std::max(extremes.high[k], extremes.high[k + 3]);

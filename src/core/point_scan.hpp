@@ -20,6 +20,8 @@ struct PointScan {
                        double scale) const;
 
     double low[3], high[3];
+    // Magnitudes, of coordinates that are not 0.
+    double least, greatest = 0;
     ExponentRange exponents;
 };
 

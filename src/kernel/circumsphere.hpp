@@ -52,11 +52,12 @@ inline bool in_normal_range(const double* x) {
 
 // A point that powers are taken of. `quadratic` is infinite for a point outside the normal range.
 struct Query {
-    explicit Query(const double* point)
+    explicit Query(const double* point) : Query(point, in_normal_range(point)) {}
+    Query(const double* point, bool is_normal)
         : x(point[0]),
           y(point[1]),
           z(point[2]),
-          quadratic(in_normal_range(point) ? proved_bounds.quadratic * unit_roundoff : infinity),
+          quadratic(is_normal ? proved_bounds.quadratic * unit_roundoff : infinity),
           point(point) {}
     double x, y, z;
     double quadratic;

@@ -14,7 +14,9 @@ inline namespace MGDT_ISA {
 template <class Access>
 MGDT_ALWAYS_INLINE Insertion insert_with(Access access, Mesh& mesh, Workspace& w, VertexId q,
                                          TetId start) {
-    const Query query(mesh.point(q));
+    // A vertex outside the normal range is told of when it is copied.
+    const double* const point = mesh.point(q);
+    const Query query(point, MGDT_LIKELY(!mesh.has_extremes) || in_normal_range(point));
     const typename Access::SphereSource spheres(mesh);
     const bool is_in_star = w.slot_count != 0 && start == w.slots.data[0] >> 2;
     const WalkResult found = walk(

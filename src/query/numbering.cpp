@@ -39,8 +39,11 @@ Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Tea
     if (is_canonical_)
         sort(mesh, team);
     else
-        for_each(0, words, [&](TetId t, std::size_t number) {
-            by_slot_[t] = static_cast<std::int32_t>(number);
+        for_each_run(0, words, [&](TetId first, TetId last, std::size_t number) {
+            std::int32_t* const numbers = by_slot_.data() + first;
+            const auto count = static_cast<std::int32_t>(last - first),
+                       from = static_cast<std::int32_t>(number);
+            for (std::int32_t i = 0; i < count; ++i) numbers[i] = from + i;
         });
 }
 
