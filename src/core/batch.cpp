@@ -13,7 +13,7 @@ void Triangulation::Batch::use(const PointScan& scan, std::size_t n, const doubl
     first_index = first;
     // Schedules need no exactness: a scale that is no double itself is cut.
     points = scan.point_set(n, axis, stride,
-                            std::ldexp(1.0, std::min(std::max(scale_exponent, -1022), 1023)));
+                            scaled(1.0, std::min(std::max(scale_exponent, -1022), 1023)));
 }
 
 void Triangulation::Batch::gather(const Mesh& mesh, const Buffer<VertexId>& point_map,

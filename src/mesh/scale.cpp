@@ -36,6 +36,7 @@ int choose_scale(const ExponentRange& range, int current) {
 }
 
 double scaled(double x, int k) {
+    if (k == 0) return x;
     const int half = k / 2;
     return std::ldexp(std::ldexp(x, half), k - half);
 }
