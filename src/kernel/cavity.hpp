@@ -29,114 +29,99 @@ struct CavityStart {
     std::uint32_t faces;  // beyond which the neighbours are in conflict; 0: the tetrahedron itself
 };
 
-// The arrays of the workspace and how far they are filled. Only parts are passed to what is not in
-// line, so that the rest stays in registers.
+// How far the arrays of the workspace are filled. Its copies stay in registers where nothing is
+// called that is not in line.
 template <class Access>
-class CavityFront {
-  public:
+struct CavityFront {
     using Record = TetrahedronStore::Record<Access::SphereSource::are_kept>;
     using Neighbors = FourTetrahedra<Record>;
 
-    MGDT_ALWAYS_INLINE CavityFront(Access access, Mesh& mesh, Workspace& w, CavityStart start)
-        : access_(access),
-          workspace_(w),
-          mesh_(mesh),
-          tetrahedra_(mesh.tetrahedra.view<Access::SphereSource::are_kept>()) {
-        if (MGDT_UNLIKELY(w.cavity_capacity == 0)) w.grow_cavity(0, 0, 64);
-        if constexpr (Access::is_shared) access_.marks().begin(w.cavity_capacity);
-        point_to_arrays();
-        const Tetrahedron& t = tetrahedra_[start.tetrahedron];
+    MGDT_ALWAYS_INLINE CavityFront(Access access, Mesh& mesh, Workspace& w)
+        : tetrahedra(mesh.tetrahedra.view<Access::SphereSource::are_kept>()),
+          next(w.cavity.data),
+          end(w.cavity.data),
+          limit(w.cavity.data + w.cavity_capacity - 4),
+          boundary_end(w.boundary.data) {
+        if constexpr (Access::is_shared) marks = access.marks().view();
+    }
+    // Where the cavity begins.
+    MGDT_ALWAYS_INLINE void begin(Workspace& w, CavityStart start) {
+        const Tetrahedron& t = tetrahedra[start.tetrahedron];
         if (start.faces == 0) {
             // It is entered through no face; face 0 stands in.
             for (unsigned i = 1; i < 4; ++i) w.first_corners[i] = t.v[i];
             w.first_corners[0] = t.v[1];
-            cavity_[members++] = 4 * start.tetrahedron;
+            *end++ = 4 * start.tetrahedron;
             if constexpr (Access::is_shared)
-                marks_.put(start.tetrahedron, 1);
+                marks.put(start.tetrahedron, 1);
             else
-                tetrahedra_[start.tetrahedron].v[1] |= in_cavity;
+                tetrahedra[start.tetrahedron].v[1] |= in_cavity;
             return;
         }
         // Seen from its neighbours, t is outside. With two of them all its vertices are corners.
         const bool is_one = (start.faces & (start.faces - 1)) == 0;
         for (unsigned i = 0; i < 4; ++i) {
             w.first_corners[i] = is_one && (start.faces >> i & 1) ? t.v[(i + 1) & 3] : t.v[i];
-            boundary_[facets] = 4 * start.tetrahedron + i;
-            facets += start.faces >> i & 1;
+            *boundary_end = 4 * start.tetrahedron + i;
+            boundary_end += start.faces >> i & 1;
         }
-        take(four(t.n), t.n, start.faces);
-    }
-    // Room for one more member's neighbours.
-    MGDT_ALWAYS_INLINE void reserve() {
-        if (MGDT_UNLIKELY(members + 4 > workspace_.cavity_capacity)) {
-            enlarge(access_, mesh_, workspace_, members, facets);
-            point_to_arrays();
-        }
-    }
-    MGDT_ALWAYS_INLINE FacetCode member(std::size_t i) const { return cavity_[i]; }
-    MGDT_ALWAYS_INLINE Neighbors four(const FacetCode* codes) const {
-        return tetrahedra_.four(codes);
+        take(tetrahedra.four(t.n), t.n, start.faces);
     }
     // What tells whether a tetrahedron is in.
     MGDT_ALWAYS_INLINE auto membership() const {
         if constexpr (Access::is_shared)
-            return [marks = marks_](FacetCode code) { return marks.has(code >> 2); };
+            return [m = marks](FacetCode code) { return m.has(code >> 2); };
         else
-            return [all = tetrahedra_](FacetCode code) { return all.of(code).is_in_cavity(); };
+            return [all = tetrahedra](FacetCode code) { return all.of(code).is_in_cavity(); };
     }
-    // Gives the cavity up.
-    MGDT_ALWAYS_INLINE void abandon() const { give_up(mesh_, workspace_, members); }
-    // Takes those of four facets whose bits are set.
-    MGDT_ALWAYS_INLINE void add_boundary(const FacetCode* codes, std::uint32_t outside) {
-        facets += append(boundary_ + facets, codes, outside);
+    // Of four neighbours that were tested, through facets with these codes, takes those in conflict
+    // in, unless they are in already; the facets of the others are the boundary's.
+    MGDT_ALWAYS_INLINE void settle(const Neighbors& four, const FacetCode* codes,
+                                   std::uint32_t active, std::uint32_t conflict) {
+        boundary_end += append(boundary_end, codes, active & ~conflict);
+        take(four, codes, conflict);
     }
-    // Takes in those of four tetrahedra, reached through these facets, whose bits are set, unless
-    // they are in already.
     MGDT_ALWAYS_INLINE void take(const Neighbors& four, const FacetCode* codes,
                                  std::uint32_t conflict) {
         std::uint32_t fresh;
         if constexpr (Access::is_shared)
-            fresh = put_four(marks_, codes, conflict);
+            fresh = put_four(marks, codes, conflict);
         else
             fresh = mark_four(four, conflict);
-        members += append(cavity_ + members, codes, fresh);
+        end += append(end, codes, fresh);
     }
-    // `whole`: members of which all four neighbours were tested, and not three.
-    MGDT_ALWAYS_INLINE void finish(std::size_t whole) const {
-        workspace_.cavity_size = members;
-        workspace_.boundary_size = facets;
-        workspace_.counters.conflict_tests += 3 * members + whole;
+    MGDT_ALWAYS_INLINE std::size_t members(const Workspace& w) const {
+        return static_cast<std::size_t>(end - w.cavity.data);
     }
-
-    std::size_t members = 0, facets = 0;
-
-  private:
-    MGDT_ALWAYS_INLINE void point_to_arrays() {
-        cavity_ = workspace_.cavity.data;
-        boundary_ = workspace_.boundary.data;
-        if constexpr (Access::is_shared) marks_ = access_.marks().view();
-    }
-    static void enlarge(Access access, Mesh& mesh, Workspace& w, std::size_t members,
-                        std::size_t facets) {
+    // Room for one more member's neighbours.
+    void enlarge(Access access, Mesh& mesh, Workspace& w) {
+        const std::size_t passed = static_cast<std::size_t>(next - w.cavity.data),
+                          size = members(w),
+                          facets = static_cast<std::size_t>(boundary_end - w.boundary.data);
         try {
-            w.grow_cavity(members, facets, members + 4);
+            w.grow_cavity(size, facets, size + 4);
             if constexpr (Access::is_shared)
-                access.marks().grow(w.cavity_capacity, w.cavity.data, members);
+                access.marks().grow(w.cavity_capacity, w.cavity.data, size);
         } catch (...) {
-            give_up(mesh, w, members);
+            give_up(mesh, w, size);
             throw;
         }
+        if constexpr (Access::is_shared) marks = access.marks().view();
+        next = w.cavity.data + passed;
+        end = w.cavity.data + size;
+        limit = w.cavity.data + w.cavity_capacity - 4;
+        boundary_end = w.boundary.data + facets;
     }
     static void give_up(Mesh& mesh, Workspace& w, std::size_t members) {
         if constexpr (!Access::is_shared) w.restore_cavity(mesh.tetrahedra, members);
     }
 
-    const Access access_;
-    Workspace& workspace_;
-    Mesh& mesh_;
-    const TetrahedronView<Record> tetrahedra_;
-    FacetCode *cavity_, *boundary_;
-    MarkTable::View marks_;  // used among other threads
+    TetrahedronView<Record> tetrahedra;
+    FacetCode* next;  // the first member whose neighbours are still to be tested
+    FacetCode* end;
+    FacetCode* limit;  // the last end that leaves room for the neighbours of one
+    FacetCode* boundary_end;
+    MarkTable::View marks;  // used among other threads
 };
 
 constexpr std::uint32_t not_entered = 16;
@@ -164,47 +149,73 @@ MGDT_PREDICATES_APART std::uint32_t decide(Access access, const Mesh& mesh, Work
 
 // Whether the cavity was dug: not if a tetrahedron of it may not be entered.
 template <class Access>
-inline bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart start, const Query& q) {
-    const typename Access::SphereSource spheres(mesh);
-    const auto tetrahedra = spheres.tetrahedra;
-    CavityFront<Access> front(access, mesh, w, start);
-    const Query query = q;  // no store changes it
-    // The first member is entered through no face if it is the start itself.
-    std::uint32_t entered = start.faces != 0;
-    // Each member's code is read one turn ahead: a load right after the stores that this turn
-    // makes would wait for all of them, and the turns would not overlap.
-    FacetCode member = front.member(0);
-    for (std::size_t done = 0; done < front.members; ++done) {
-        if (MGDT_UNLIKELY(!access.enter(tetrahedra.of(member)))) {
-            front.abandon();
+MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart start,
+                                const Query& q) {
+    if (MGDT_UNLIKELY(w.cavity_capacity == 0)) w.grow_cavity(0, 0, 64);
+    if constexpr (Access::is_shared) access.marks().begin(w.cavity_capacity);
+    CavityFront<Access> kept(access, mesh, w);
+    kept.begin(w, start);
+    // All neighbours of a member but the one that it was reached through: of the start itself all.
+    const auto others = [](FacetCode code) { return 0xFu ^ (1u << (code & 3)); };
+    std::uint32_t active = start.faces == 0 ? 0xFu : others(*kept.next);
+    // The inner loop is left for all that is rare, which takes what it needs from memory: what
+    // lives across a call has few registers.
+    for (;;) {
+        CavityFront<Access> front = kept;
+        const typename Access::SphereSource spheres(mesh);
+        const QueryRows query(q);
+        std::uint32_t conflict = 0, undecided = 0;
+        bool may_enter = true;
+        // Each member's code is read one turn ahead: a load right after the stores that this turn
+        // makes would wait for all of them, and the turns would not overlap.
+        FacetCode member = *front.next;
+        while (front.end <= front.limit) {
+            if (MGDT_UNLIKELY(!access.enter(front.tetrahedra.of(member)))) {
+                may_enter = false;
+                break;
+            }
+            const FacetCode* const n = front.tetrahedra.of(member).n;
+            const auto four = front.tetrahedra.four(n);
+            const FourPowers powers(spheres, four, query);
+            conflict = powers.negative() & active;
+            undecided = active & ~powers.decided();
+            if (MGDT_UNLIKELY(undecided != 0)) break;
+            ++front.next;
+            FacetCode following = *front.next;
+            const bool is_last = front.next == front.end;
+            front.settle(four, n, active, conflict);
+            if (MGDT_UNLIKELY(is_last)) {
+                if (front.next == front.end) break;
+                following = opaque(*front.next);
+            }
+            member = following;
+            active = others(member);
+        }
+        kept = front;
+        if (kept.next == kept.end) break;
+        if (!may_enter) {
+            kept.give_up(mesh, w, kept.members(w));
             return false;
         }
-        front.reserve();
-        const bool is_last = done + 1 == front.members;
-        FacetCode next = front.member(done + 1);
-        const FacetCode* const n = tetrahedra.of(member).n;
-        const auto four = front.four(n);
-        const FourPowers powers(spheres, four, query);
-        // All but the one that it was reached through.
-        const std::uint32_t active = 0xFu & ~(entered << (member & 3));
-        entered = 1;
-        std::uint32_t conflict = powers.negative() & active;
-        const std::uint32_t undecided = active & ~powers.decided();
-        if (MGDT_UNLIKELY(undecided != 0)) {
-            const std::uint32_t decided =
-                decide(access, mesh, w, front.membership(), n, undecided, q);
-            if (decided == not_entered) {
-                front.abandon();
-                return false;
-            }
-            conflict = (conflict & ~undecided) | decided;
+        if (undecided == 0) {
+            kept.enlarge(access, mesh, w);
+            continue;
         }
-        front.add_boundary(n, active & ~conflict);
-        front.take(four, n, conflict);
-        if (MGDT_UNLIKELY(is_last)) next = opaque(front.member(done + 1));
-        member = next;
+        const FacetCode* const n = kept.tetrahedra.of(*kept.next).n;
+        const std::uint32_t decided = decide(access, mesh, w, kept.membership(), n, undecided, q);
+        if (decided == not_entered) {
+            kept.give_up(mesh, w, kept.members(w));
+            return false;
+        }
+        ++kept.next;
+        kept.settle(kept.tetrahedra.four(n), n, active, (conflict & ~undecided) | decided);
+        if (kept.next == kept.end) break;
+        active = others(*kept.next);
     }
-    front.finish(start.faces == 0 ? 1 : 0);
+    w.cavity_size = kept.members(w);
+    w.boundary_size = static_cast<std::size_t>(kept.boundary_end - w.boundary.data);
+    // Of the start all four neighbours were tested, if it is in, and three of each other member.
+    w.counters.conflict_tests += 3 * w.cavity_size + (start.faces == 0 ? 1 : 0);
     return true;
 }
 

@@ -15,15 +15,29 @@ inline namespace MGDT_ISA {
 
 #if defined(MGDT_HAVE_FOUR_ROWS)
 
+// A point four times.
+struct QueryRows {
+    MGDT_ALWAYS_INLINE explicit QueryRows(const Query& q)
+        : x(_mm256_set1_pd(q.x)),
+          y(_mm256_set1_pd(q.y)),
+          z(_mm256_set1_pd(q.z)),
+          quadratic(_mm256_set1_pd(q.quadratic)) {}
+    __m256d x, y, z, quadratic;
+};
+
 class FourPowers {
   public:
+    template <class Spheres, class Tetrahedra>
+    MGDT_ALWAYS_INLINE FourPowers(const Spheres& from, const Tetrahedra& four, const Query& q)
+        : FourPowers(from, four, QueryRows(q)) {}
     template <class Tetrahedra>
-    MGDT_ALWAYS_INLINE FourPowers(const KeptSpheres& from, const Tetrahedra& four, const Query& q) {
+    MGDT_ALWAYS_INLINE FourPowers(const KeptSpheres& from, const Tetrahedra& four,
+                                  const QueryRows& q) {
         set(FourRows::of_upper_halves([&](unsigned k) { return four.sphere(k).w; }),
             vertices(from, four, 0), q);
     }
     template <class Tetrahedra>
-    FourPowers(const ComputedSpheres& from, const Tetrahedra& four, const Query& q) {
+    FourPowers(const ComputedSpheres& from, const Tetrahedra& four, const QueryRows& q) {
         const FourRows bases = vertices(from, four, 0);
         const auto local = [&](unsigned i) {
             return LocalColumns<Four>(
@@ -93,10 +107,11 @@ class FourPowers {
         }
         for (unsigned i = 0; i < 4; ++i) *column[i] = _mm256_load_pd(columns[i]);
     }
-    MGDT_ALWAYS_INLINE void set(const FourRows& spheres, const FourRows& bases, const Query& q) {
-        const __m256d ux = _mm256_sub_pd(_mm256_set1_pd(q.x), bases.first);
-        const __m256d uy = _mm256_sub_pd(_mm256_set1_pd(q.y), bases.second);
-        const __m256d uz = _mm256_sub_pd(_mm256_set1_pd(q.z), bases.third);
+    MGDT_ALWAYS_INLINE void set(const FourRows& spheres, const FourRows& bases,
+                                const QueryRows& q) {
+        const __m256d ux = _mm256_sub_pd(q.x, bases.first);
+        const __m256d uy = _mm256_sub_pd(q.y, bases.second);
+        const __m256d uz = _mm256_sub_pd(q.z, bases.third);
         const __m256d wx = spheres.first, wy = spheres.second, wz = spheres.third;
         ghost_ = spheres.fourth;
 
@@ -112,7 +127,7 @@ class FourPowers {
         const __m256d length = _mm256_add_pd(
             Four::magnitude(uz), _mm256_add_pd(Four::magnitude(uy), Four::magnitude(ux)));
         error_ = _mm256_fmadd_pd(Four::magnitude(spheres.fourth), length,
-                                 _mm256_mul_pd(_mm256_set1_pd(q.quadratic), square));
+                                 _mm256_mul_pd(q.quadratic, square));
     }
     MGDT_ALWAYS_INLINE static double element(__m256d of, unsigned k) {
         alignas(32) double all[4];
@@ -124,6 +139,8 @@ class FourPowers {
 };
 
 #else
+
+using QueryRows = Query;
 
 class FourPowers {
   public:
