@@ -37,22 +37,30 @@ class DirectNumbers {
         if (MGDT_UNLIKELY(w.cavity_size > Workspace::direct_most)) return false;
         static_assert(Workspace::direct_free == 255);  // the only byte that one more carries from
         std::uint32_t added = 0;
+        // Copies, which no store of a byte can change.
+        std::uint8_t* const table = table_;
+        VertexId* const ids = ids_;
+        const FacetCode* const end = w.cavity.data + w.cavity_size;
         const auto add = [&](VertexId v) {
-            std::uint8_t& place = table_[hash(v)];
+            std::uint8_t& place = table[hash(v)];
             const std::uint32_t there = place, fresh = (there + 1) >> 8;
             place = static_cast<std::uint8_t>(there & (added | (fresh - 1)));
-            ids_[added] = v;
+            ids[added] = v;
             added += fresh;
         };
         for (const VertexId v : w.first_corners) add(v);
-        for (std::size_t i = 0; i < w.cavity_size; ++i) add(corner(tetrahedra, w.cavity.data[i]));
+        for (const FacetCode* code = w.cavity.data; code != end; ++code)
+            add(corner(tetrahedra, *code));
         count_ = added;
         // All of the cavity's vertices are on its boundary, a sphere: by Euler, one of F triangles
         // has F / 2 + 2 vertices. Fewer numbers: two have one hash.
         return 2 * std::size_t{added} == w.boundary_size + 4;
     }
     MGDT_ALWAYS_INLINE std::uint32_t count() const { return count_; }
-    MGDT_ALWAYS_INLINE std::uint32_t operator[](VertexId v) const { return table_[hash(v)]; }
+    // What gives the number of a vertex that is there, by itself for loops that write bytes.
+    MGDT_ALWAYS_INLINE auto lookup() const {
+        return [table = table_](VertexId v) { return std::uint32_t{table[hash(v)]}; };
+    }
     // The number of a vertex, or no_index.
     MGDT_ALWAYS_INLINE std::uint32_t find(VertexId v) const {
         const std::uint32_t number = table_[hash(v)];
@@ -96,11 +104,13 @@ class ProbedNumbers {
         for (std::size_t i = 0; i < w.cavity_size; ++i) add(corner(tetrahedra, w.cavity.data[i]));
     }
     std::uint32_t count() const { return count_; }
-    // Of a vertex that is there.
-    MGDT_ALWAYS_INLINE std::uint32_t operator[](VertexId v) const {
-        std::uint32_t h = v & mask_;
-        while (MGDT_UNLIKELY(ids_[table_[h]] != v)) h = (h + 1) & mask_;
-        return table_[h];
+    // As above.
+    MGDT_ALWAYS_INLINE auto lookup() const {
+        return [table = table_, ids = ids_, mask = mask_](VertexId v) {
+            std::uint32_t h = v & mask;
+            while (MGDT_UNLIKELY(ids[table[h]] != v)) h = (h + 1) & mask;
+            return table[h];
+        };
     }
     std::uint32_t find(VertexId v) const { return table_[place(v)]; }
 

@@ -74,10 +74,10 @@ MGDT_ALWAYS_INLINE SphereColumns<R> star_spheres(const LocalColumns<R>& a, const
 // Sets the sphere of the i-th facet's tetrahedron, and does what else is to be done with it; false
 // past the last facet, which no other branch shall look for, since it cannot be foretold.
 template <class Link>
-MGDT_ALWAYS_INLINE bool finish(const Workspace& w, SphereStore spheres, std::size_t i,
-                               __m128i sphere, Link link) {
-    if (i == w.boundary_size) return false;
-    TetrahedronAndSphere& to = *spheres.record(w.slots.data[i]);
+MGDT_ALWAYS_INLINE bool finish(const FacetCode* slots, std::size_t size, SphereStore spheres,
+                               std::size_t i, __m128i sphere, Link link) {
+    if (i == size) return false;
+    TetrahedronAndSphere& to = *spheres.record(slots[i]);
     link(i, to.tetrahedron);
     _mm_store_si128(reinterpret_cast<__m128i*>(to.sphere.w), sphere);
     return true;
@@ -166,6 +166,7 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertice
                                            const Number* bs, const Number* cs, SphereStore spheres,
                                            Link link) {
     const std::size_t size = w.boundary_size;
+    const FacetCode* const slots = w.slots.data;
     for (std::size_t begin = 0; begin < size; begin += 8) {
         const SphereColumns<Eight> s =
             star_spheres<at_hull>(vertices.pick(as + begin), vertices.pick(bs + begin),
@@ -178,7 +179,7 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertice
         };
         const __m512d left = pairs(s.x, s.y), right = pairs(s.z, s.e);
         const auto store = [&](std::size_t k, __m128i sphere) {
-            return finish(w, spheres, begin + k, sphere, link);
+            return finish(slots, size, spheres, begin + k, sphere, link);
         };
         const __m512i even = _mm512_castpd_si512(_mm512_unpacklo_pd(left, right)),
                       odd = _mm512_castpd_si512(_mm512_unpackhi_pd(left, right));
@@ -238,12 +239,13 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices,
         return LocalColumns<Four>(relative_to(rows, base));
     };
     const std::size_t size = w.boundary_size;
+    const FacetCode* const slots = w.slots.data;
     for (std::size_t begin = 0; begin < size; begin += 4) {
         const SphereColumns<Four> s = star_spheres<at_hull>(
             pick(as + begin), pick(bs + begin), pick(cs + begin), bs + begin, cs + begin, infinite);
         const FourRows columns = {s.x, s.y, s.z, s.e};
         columns.store_upper_halves([&](std::size_t k, __m128i sphere) {
-            return finish(w, spheres, begin + k, sphere, link);
+            return finish(slots, size, spheres, begin + k, sphere, link);
         });
     }
 }

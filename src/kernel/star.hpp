@@ -15,12 +15,32 @@
 namespace mgdt {
 inline namespace MGDT_ISA {
 
+// Where the numbers of the facets' vertices go: those of a small star, and of any.
+struct SmallCorners {
+    Workspace::SmallStar* star;
+    MGDT_ALWAYS_INLINE void put(std::size_t i, std::uint32_t a, std::uint32_t b,
+                                std::uint32_t c) const {
+        star->a[i] = static_cast<std::uint8_t>(a);
+        star->b[i] = static_cast<std::uint8_t>(b);
+        star->c[i] = static_cast<std::uint8_t>(c);
+    }
+};
+struct Corners {
+    std::uint32_t *as, *bs, *cs;
+    MGDT_ALWAYS_INLINE void put(std::size_t i, std::uint32_t a, std::uint32_t b,
+                                std::uint32_t c) const {
+        as[i] = a;
+        bs[i] = b;
+        cs[i] = c;
+    }
+};
+
 // Writes the vertices of the new tetrahedra, (q, a, b, c) for a facet (a, b, c) seen from inside,
-// and links them with what stays. Fills `edges` for link_inside().
-template <class Tetrahedra, class Numbers, class Edges, class Number>
-MGDT_ALWAYS_INLINE void link_outside(const Tetrahedra tetrahedra, const Workspace& w, VertexId q,
-                                     const Numbers& numbers, Edges edges, Number* const as,
-                                     Number* const bs, Number* const cs) {
+// and links them with what stays. Fills `edges` for link_inside(). By itself, so that the loop has
+// all registers.
+template <class Tetrahedra, class Lookup, class Edges, class CornersOf>
+MGDT_NOT_INLINE void link_outside(const Tetrahedra tetrahedra, const Workspace& w, VertexId q,
+                                  Lookup number, Edges edges, CornersOf corners) {
     const FacetCode* const boundary = w.boundary.data;
     const FacetCode* const slots = w.slots.data;
     const std::size_t size = w.boundary_size;
@@ -32,10 +52,8 @@ MGDT_ALWAYS_INLINE void link_outside(const Tetrahedra tetrahedra, const Workspac
         const VertexId* const v = write_vertices(outside, code, q, t);
         t.n[0] = code;
         outside.n[code & 3] = mine;
-        const std::uint32_t a = numbers[v[0]], b = numbers[v[1]], c = numbers[v[2]];
-        as[i] = static_cast<Number>(a);
-        bs[i] = static_cast<Number>(b);
-        cs[i] = static_cast<Number>(c);
+        const std::uint32_t a = number(v[0]), b = number(v[1]), c = number(v[2]);
+        corners.put(i, a, b, c);
         edges.put(b, c, mine + 1);
         edges.put(c, a, mine + 2);
         edges.put(a, b, mine + 3);
@@ -129,9 +147,9 @@ MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, 
     Workspace::SmallStar& s = w.small;
     if (numbers.count() <= Workspace::SmallStar::most_vertices) {
         const EdgeMatrix<5> edges(s.edges);
-        link_outside(tetrahedra, w, q, numbers, edges, s.a, s.b, s.c);
-        const auto link = [&](std::size_t i, Tetrahedron& t) {
-            link_inside(edges, s.a[i], s.b[i], s.c[i], t);
+        link_outside(tetrahedra, w, q, numbers.lookup(), edges, SmallCorners{&s});
+        const auto link = [edges, star = &s](std::size_t i, Tetrahedron& t) {
+            link_inside(edges, star->a[i], star->b[i], star->c[i], t);
         };
         if constexpr (has_spheres)
             set_spheres_small(w, mesh.vertices.data(), q, numbers.count(), infinite, tetrahedra,
@@ -140,7 +158,8 @@ MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, 
             link_each(tetrahedra, w, link);
     } else {
         const auto link = [&](auto edges) {
-            link_outside(tetrahedra, w, q, numbers, edges, w.a.data, w.b.data, w.c.data);
+            link_outside(tetrahedra, w, q, numbers.lookup(), edges,
+                         Corners{w.a.data, w.b.data, w.c.data});
             link_each(tetrahedra, w, [&](std::size_t i, Tetrahedron& t) {
                 link_inside(edges, w.a.data[i], w.b.data[i], w.c.data[i], t);
             });
