@@ -129,7 +129,7 @@ enum {
     MGDT_STAT_EXACT_CALLS = 40,         /**< Decisions that the floating-point filter left open. */
     MGDT_STAT_PUT_OFF = 45,             /**< Insertions that met another thread; tried again. */
     MGDT_STAT_INSERTED_ALONE = 46,      /**< Points inserted while other threads had no work. */
-    MGDT_STAT_ORDER_SECONDS = 50,       /**< Time spent on schedules. */
+    MGDT_STAT_ORDER_SECONDS = 50,       /**< Time spent on schedules, of more than 16 points. */
     MGDT_STAT_INSERT_SECONDS = 51,      /**< Time spent inserting. */
     MGDT_STAT_GRID_LEVELS = 60,         /**< Deepest level of grids or trees in the last schedule. */
     MGDT_STAT_ROUNDS = 61,              /**< Rounds in the last schedule. */

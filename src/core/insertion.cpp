@@ -236,10 +236,11 @@ void Triangulation::extend_location_tree(std::size_t begin) noexcept {
     if (!tree) return;
     const std::size_t end = mesh_.vertices.size();
     // Many at a time are better taken together, when somebody asks.
-    if (end - begin < begin / 16)
-        tree->add(mesh_, begin, end);
-    else
-        location_tree_.forget();
+    const bool are_many = end - begin >= begin / 16;
+    if (!are_many) tree->add(mesh_, begin, end);
+    if (!are_many && !tree->is_outgrown()) return;
+    location_tree_.forget();
+    if (!are_many) location_tree(end);
 }
 
 void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,

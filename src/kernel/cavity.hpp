@@ -153,15 +153,15 @@ MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityS
                                 const Query& q) {
     if (MGDT_UNLIKELY(w.cavity_capacity == 0)) w.grow_cavity(0, 0, 64);
     if constexpr (Access::is_shared) access.marks().begin(w.cavity_capacity);
-    CavityFront<Access> kept(access, mesh, w);
-    kept.begin(w, start);
+    CavityFront<Access> saved(access, mesh, w);
+    saved.begin(w, start);
     // All neighbours of a member but the one that it was reached through: of the start itself all.
     const auto others = [](FacetCode code) { return 0xFu ^ (1u << (code & 3)); };
-    std::uint32_t active = start.faces == 0 ? 0xFu : others(*kept.next);
+    std::uint32_t active = start.faces == 0 ? 0xFu : others(*saved.next);
     // The inner loop is left for all that is rare, which takes what it needs from memory: what
     // lives across a call has few registers.
     for (;;) {
-        CavityFront<Access> front = kept;
+        CavityFront<Access> front = saved;
         const typename Access::SphereSource spheres(mesh);
         const QueryRows query(q);
         std::uint32_t conflict = 0, undecided = 0;
@@ -191,29 +191,29 @@ MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityS
             member = following;
             active = others(member);
         }
-        kept = front;
-        if (kept.next == kept.end) break;
+        saved = front;
+        if (saved.next == saved.end) break;
         if (!may_enter) {
-            kept.give_up(mesh, w, kept.members(w));
+            saved.give_up(mesh, w, saved.members(w));
             return false;
         }
         if (undecided == 0) {
-            kept.enlarge(access, mesh, w);
+            saved.enlarge(access, mesh, w);
             continue;
         }
-        const FacetCode* const n = kept.tetrahedra.of(*kept.next).n;
-        const std::uint32_t decided = decide(access, mesh, w, kept.membership(), n, undecided, q);
+        const FacetCode* const n = saved.tetrahedra.of(*saved.next).n;
+        const std::uint32_t decided = decide(access, mesh, w, saved.membership(), n, undecided, q);
         if (decided == not_entered) {
-            kept.give_up(mesh, w, kept.members(w));
+            saved.give_up(mesh, w, saved.members(w));
             return false;
         }
-        ++kept.next;
-        kept.settle(kept.tetrahedra.four(n), n, active, (conflict & ~undecided) | decided);
-        if (kept.next == kept.end) break;
-        active = others(*kept.next);
+        ++saved.next;
+        saved.settle(saved.tetrahedra.four(n), n, active, (conflict & ~undecided) | decided);
+        if (saved.next == saved.end) break;
+        active = others(*saved.next);
     }
-    w.cavity_size = kept.members(w);
-    w.boundary_size = static_cast<std::size_t>(kept.boundary_end - w.boundary.data);
+    w.cavity_size = saved.members(w);
+    w.boundary_size = static_cast<std::size_t>(saved.boundary_end - w.boundary.data);
     // Of the start all four neighbours were tested, if it is in, and three of each other member.
     w.counters.conflict_tests += 3 * w.cavity_size + (start.faces == 0 ? 1 : 0);
     return true;

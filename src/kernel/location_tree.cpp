@@ -44,11 +44,12 @@ LocationTree::LocationTree(Allocator& allocator, const Mesh& mesh, std::size_t e
     Buffer<Sample> samples(allocator, (end - 2) / stride + 1);
     for (std::size_t i = 0; i < samples.size(); ++i)
         samples[i] = sample(mesh, static_cast<VertexId>(1 + i * stride));
-    // A leaf has half of what a new one may have at least, if it is not the only one.
+    // Each leaf but an only one has at least half of what a new one may have.
     const std::size_t most_leaves = 2 * samples.size() / most_in_new_leaf + 1;
     nodes_.reserve(most_leaves);
     leaves_.reserve(most_leaves);
     root_ = build(samples.begin(), samples.end());
+    made_over_ = samples.size();
 }
 
 LocationTree::Sample LocationTree::sample(const Mesh& mesh, VertexId v) {
@@ -98,25 +99,40 @@ LocationTree::Child LocationTree::split_leaf(const Mesh& mesh, std::size_t leaf,
 }
 
 void LocationTree::add(const Mesh& mesh, std::size_t begin, std::size_t end) noexcept {
-    for (std::size_t v = begin; v < end; v += stride) {
-        try {
-            nodes_.grow(nodes_.size() + 1);
-            leaves_.grow(leaves_.size() + 1);
-        } catch (const std::bad_alloc&) {
-            return;
-        }
-        const Sample s = sample(mesh, static_cast<VertexId>(v));
-        Child* child = &root_;
-        unsigned depth = 0;
-        for (; !is_leaf(*child); ++depth) child = &nodes_[index(*child)].side(s.x);
-        Leaf& leaf = leaves_[index(*child)];
-        const std::ptrdiff_t free =
-            std::find(leaf.vertices, leaf.vertices + most_in_leaf, infinite_vertex) - leaf.vertices;
-        if (free < most_in_leaf)
-            leaf.put(free, s);
-        else if (depth < deepest)  // it serves without this vertex
-            *child = split_leaf(mesh, index(*child), s);
+    const std::size_t step = end - begin == 1 ? stride_of_lone : stride;
+    for (std::size_t v = (begin + step - 1) / step * step; v < end; v += step)
+        add(mesh, sample(mesh, static_cast<VertexId>(v)));
+}
+
+void LocationTree::add(const Mesh& mesh, const Sample& s) noexcept {
+    constexpr std::size_t none = ~std::size_t{0};
+    std::size_t parent = none;
+    unsigned side = 0, depth = 0;
+    Child child = root_;
+    for (; !is_leaf(child); ++depth) {
+        parent = index(child);
+        side = nodes_[parent].side(s.x);
+        child = nodes_[parent].child[side];
     }
+    Leaf& leaf = leaves_[index(child)];
+    const std::ptrdiff_t free =
+        std::find(leaf.vertices, leaf.vertices + most_in_leaf, infinite_vertex) - leaf.vertices;
+    if (free < most_in_leaf) {
+        leaf.put(free, s);
+        return;
+    }
+    if (depth == deepest) {
+        ++missed_;
+        return;
+    }
+    try {
+        nodes_.grow(nodes_.size() + 1);
+        leaves_.grow(leaves_.size() + 1);
+    } catch (const std::bad_alloc&) {
+        return;  // it serves without this vertex
+    }
+    const Child made = split_leaf(mesh, index(child), s);
+    (parent == none ? root_ : nodes_[parent].child[side]) = made;
 }
 
 // Each node and leaf is reached once: it is a tree.
@@ -151,7 +167,10 @@ bool LocationTree::is_sound(std::size_t vertices) const {
 
 VertexId LocationTree::near(const double* q) const noexcept {
     Child child = root_;
-    while (!is_leaf(child)) child = nodes_[index(child)].side(q);
+    while (!is_leaf(child)) {
+        const Node& node = nodes_[index(child)];
+        child = node.child[node.side(q)];
+    }
     const Leaf& leaf = leaves_[index(child)];
     const float x = static_cast<float>(q[0]), y = static_cast<float>(q[1]),
                 z = static_cast<float>(q[2]);

@@ -11,16 +11,18 @@ class LocationTree {
   public:
     // Below this many vertices a walk is short from anywhere.
     static constexpr std::size_t smallest = 512;
-    // Of vertices that come together it takes one of so many.
-    static constexpr std::size_t stride = 16;
+    // Of vertices that come together, and of those that come alone, it takes one of so many.
+    static constexpr std::size_t stride = 16, stride_of_lone = 4;
 
     // Over the vertices before `end`, which are in the mesh; at least one.
     // Linear but for a logarithm.
     LocationTree(Allocator& allocator, const Mesh& mesh, std::size_t end);
 
-    // Takes in the vertices from `begin` to `end`, each of them if they come alone, as far as
-    // memory and depth allow.
+    // Takes in the vertices from `begin` to `end`, as far as memory and depth allow.
     void add(const Mesh& mesh, std::size_t begin, std::size_t end) noexcept;
+    // Whether it had to leave out so many, as of points that advance along a line, that it is time
+    // to make another.
+    bool is_outgrown() const noexcept { return missed_ > made_over_ / 2; }
     // A vertex near q.
     VertexId near(const double* q) const noexcept;
 
@@ -48,8 +50,7 @@ class LocationTree {
         double split;
         std::uint32_t axis;
         Child child[2];  // below the split, and not
-        Child& side(const double* q) { return child[q[axis] < split ? 0 : 1]; }
-        Child side(const double* q) const { return child[q[axis] < split ? 0 : 1]; }
+        unsigned side(const double* q) const { return q[axis] < split ? 0 : 1; }
     };
     // The first places are used, the others are at infinity. Coordinates are to choose by, for
     // which floats will do: so a leaf is on two lines.
@@ -61,12 +62,14 @@ class LocationTree {
     };
 
     Child build(Sample* begin, Sample* end);
+    void add(const Mesh& mesh, const Sample& s) noexcept;
     // Makes a node of a full leaf and another vertex. There is room.
     Child split_leaf(const Mesh& mesh, std::size_t leaf, const Sample& another);
 
     Buffer<Node> nodes_;
     Buffer<Leaf> leaves_;
     Child root_;
+    std::size_t made_over_ = 0, missed_ = 0;  // vertices
 };
 
 // The live tetrahedron to start a walk to q from: near the tree's vertex, or `last` where that is

@@ -57,7 +57,8 @@ class DirectNumbers {
         return 2 * std::size_t{added} == w.boundary_size + 4;
     }
     MGDT_ALWAYS_INLINE std::uint32_t count() const { return count_; }
-    // What gives the number of a vertex that is there, by itself for loops that write bytes.
+    // A function that gives the number of a vertex that is there. It holds all that it looks at, so
+    // that a loop that writes bytes need not read this object again.
     MGDT_ALWAYS_INLINE auto lookup() const {
         return [table = table_](VertexId v) { return std::uint32_t{table[hash(v)]}; };
     }
@@ -104,7 +105,7 @@ class ProbedNumbers {
         for (std::size_t i = 0; i < w.cavity_size; ++i) add(corner(tetrahedra, w.cavity.data[i]));
     }
     std::uint32_t count() const { return count_; }
-    // As above.
+    // Likewise.
     MGDT_ALWAYS_INLINE auto lookup() const {
         return [table = table_, ids = ids_, mask = mask_](VertexId v) {
             std::uint32_t h = v & mask;

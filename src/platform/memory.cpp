@@ -57,6 +57,26 @@ void* obtain_on_heap(std::size_t bytes, std::size_t align, std::size_t offset = 
     p[-1] = whole;
     return p;
 }
+void give_back_to_heap(void* p) noexcept {
+    std::free(static_cast<void**>(p)[-1]);
+}
+
+// Of the address sanitizer's own where it is there, so that it sees where the block ends.
+#if defined(__SANITIZE_ADDRESS__) || MGDT_HAS_FEATURE(address_sanitizer)
+void* obtain_small(std::size_t bytes, std::size_t align) noexcept {
+    return std::aligned_alloc(align, (bytes + align - 1) & ~(align - 1));
+}
+void give_back_small(void* p) noexcept {
+    std::free(p);
+}
+#else
+void* obtain_small(std::size_t bytes, std::size_t align) noexcept {
+    return obtain_on_heap(bytes, align);
+}
+void give_back_small(void* p) noexcept {
+    give_back_to_heap(p);
+}
+#endif
 
 void* default_obtain(std::size_t bytes, std::size_t align, bool remaps) noexcept {
 #if MGDT_HAVE_MREMAP
@@ -67,7 +87,7 @@ void* default_obtain(std::size_t bytes, std::size_t align, bool remaps) noexcept
 #else
     static_cast<void>(remaps);
 #endif
-    return obtain_on_heap(bytes, align);
+    return obtain_small(bytes, align);
 }
 
 void default_give_back(void* p, std::size_t bytes, std::size_t align) noexcept {
@@ -76,10 +96,14 @@ void default_give_back(void* p, std::size_t bytes, std::size_t align) noexcept {
         munmap(p, page_round(bytes));
         return;
     }
+    if (!is_small(bytes, align)) {
+        give_back_to_heap(p);
+        return;
+    }
 #endif
     static_cast<void>(bytes);
     static_cast<void>(align);
-    std::free(static_cast<void**>(p)[-1]);
+    give_back_small(p);
 }
 
 }  // namespace

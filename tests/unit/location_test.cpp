@@ -53,18 +53,18 @@ TEST(LocationTree, ServesWhenMemoryIsShort) {
     EXPECT_LT(tree.near(far), 200u);
 }
 
-// Takes the vertices of a diagonal in one at a time, as calls for single points do.
+// Takes vertices in one at a time, as calls for single points do.
 void add_each(LocationTree& tree, const Mesh& mesh, std::size_t begin) {
     for (std::size_t v = begin; v < mesh.vertices.size(); ++v) tree.add(mesh, v, v + 1);
 }
 
-// Every vertex that came alone is found at its own place; where floats cannot tell it from its
-// neighbours, one of its leaf is.
-TEST(LocationTree, TakesInEachThatComesAlone) {
+// Of vertices that came alone every fourth is found at its own place; where floats cannot tell it
+// from its neighbours, one of its leaf is.
+TEST(LocationTree, TakesInVerticesThatComeAlone) {
     struct {
         double low, size;
         std::size_t found;
-    } const cubes[] = {{0, 1, 2950}, {1e9, 1, 500}, {0, 1e200, 500}};
+    } const cubes[] = {{0, 1, 735}, {1e9, 1, 120}, {0, 1e200, 120}};
     Random random(5);
     std::uniform_real_distribution<double> any(0, 1);
     for (const auto& cube : cubes) {
@@ -80,12 +80,27 @@ TEST(LocationTree, TakesInEachThatComesAlone) {
         add_each(tree, mesh, 20);
         EXPECT_TRUE(tree.is_sound(mesh.vertices.size()));
         std::size_t found = 0;
-        for (VertexId v = 20; v < mesh.vertices.size(); ++v) {
+        for (VertexId v = 20; v < mesh.vertices.size(); v += 4) {
             const VertexId near = tree.near(mesh.point(v));
             ASSERT_NE(near, infinite_vertex);
             found += near == v;
         }
         EXPECT_GT(found, cube.found);
+    }
+}
+
+// Points that advance along a rod, one in a call, find places in the tree down to its depth only:
+// it is made again before too many have none.
+TEST(LocationTree, IsMadeAgainWhereVerticesAdvance) {
+    std::vector<double> rod;
+    for (int i = 0; i < 12000; ++i) rod.insert(rod.end(), {i + 0.0, 0.1 * (i % 7), 0.1 * (i % 5)});
+    Patient p = triangulate({rod.begin(), rod.begin() + 3 * 600});
+    ASSERT_NE(p.t->location_tree(), nullptr);
+    for (std::size_t i = 3 * 600; i < rod.size(); i += 3)
+        insert(*p.t, {rod[i], rod[i + 1], rod[i + 2]});
+    for (const double x : {300.0, 3000.0, 9000.0, 11999.0}) {
+        const double q[3] = {x, 0.3, 0.2};
+        EXPECT_NEAR(p.t->mesh().point(p.t->location_tree()->near(q))[0], x, 12000 / 8 + 100);
     }
 }
 
