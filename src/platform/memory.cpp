@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t page = 4096;
 constexpr std::size_t medium = std::size_t{1} << 20, large = std::size_t{1} << 25;
 // Medium blocks of the C library begin so far behind the beginning of a page, where no mapped
-// block does.
+// block does. Before them is the pointer that free() wants.
 constexpr std::size_t heap_offset = 64;
 
 constexpr std::size_t page_round(std::size_t bytes) {
@@ -40,41 +40,16 @@ void* map(std::size_t bytes) noexcept {
                          MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     return p == MAP_FAILED ? nullptr : p;
 }
-#endif
 
-// A block of the C library's, `offset` behind a multiple of `align`; before it is the pointer that
-// free() wants. By malloc(), since glibc's aligned_alloc() cuts such blocks out of larger ones,
-// which takes ten times as long, and asks for more than it learns to keep when a medium one is
-// freed.
-void* obtain_on_heap(std::size_t bytes, std::size_t align, std::size_t offset = 0) noexcept {
-    if (align < alignof(void*)) align = alignof(void*);
-    const std::size_t more = sizeof(void*) + align + offset;
-    if (bytes > static_cast<std::size_t>(-1) - more) return nullptr;
-    void* const whole = std::malloc(bytes + more);
+// By malloc(): for aligned_alloc(), glibc asks itself for more than it learns to keep when such a
+// block is freed, and maps one anew each time.
+void* obtain_medium(std::size_t bytes) noexcept {
+    void* const whole = std::malloc(bytes + page + heap_offset);
     if (!whole) return nullptr;
-    const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(whole) + sizeof(void*);
-    void** const p = reinterpret_cast<void**>(((first + align - 1) & ~(align - 1)) + offset);
+    const std::uintptr_t at = page_round(reinterpret_cast<std::uintptr_t>(whole)) + heap_offset;
+    void** const p = reinterpret_cast<void**>(at);
     p[-1] = whole;
     return p;
-}
-void give_back_to_heap(void* p) noexcept {
-    std::free(static_cast<void**>(p)[-1]);
-}
-
-// Of the address sanitizer's own where it is there, so that it sees where the block ends.
-#if defined(__SANITIZE_ADDRESS__) || MGDT_HAS_FEATURE(address_sanitizer)
-void* obtain_small(std::size_t bytes, std::size_t align) noexcept {
-    return std::aligned_alloc(align, (bytes + align - 1) & ~(align - 1));
-}
-void give_back_small(void* p) noexcept {
-    std::free(p);
-}
-#else
-void* obtain_small(std::size_t bytes, std::size_t align) noexcept {
-    return obtain_on_heap(bytes, align);
-}
-void give_back_small(void* p) noexcept {
-    give_back_to_heap(p);
 }
 #endif
 
@@ -82,12 +57,13 @@ void* default_obtain(std::size_t bytes, std::size_t align, bool remaps) noexcept
 #if MGDT_HAVE_MREMAP
     if (!is_small(bytes, align)) {
         if (remaps || bytes >= large || align > heap_offset) return map(bytes);
-        return obtain_on_heap(bytes, page, heap_offset);
+        return obtain_medium(bytes);
     }
 #else
     static_cast<void>(remaps);
 #endif
-    return obtain_small(bytes, align);
+    // aligned_alloc wants a size that is a multiple of the alignment.
+    return std::aligned_alloc(align, (bytes + align - 1) & ~(align - 1));
 }
 
 void default_give_back(void* p, std::size_t bytes, std::size_t align) noexcept {
@@ -96,14 +72,11 @@ void default_give_back(void* p, std::size_t bytes, std::size_t align) noexcept {
         munmap(p, page_round(bytes));
         return;
     }
-    if (!is_small(bytes, align)) {
-        give_back_to_heap(p);
-        return;
-    }
+    if (!is_small(bytes, align)) p = static_cast<void**>(p)[-1];
 #endif
     static_cast<void>(bytes);
     static_cast<void>(align);
-    give_back_small(p);
+    std::free(p);
 }
 
 }  // namespace
