@@ -10,13 +10,13 @@ usage: sh tests/fuzz.sh [--merge] [seconds [target...]]
 Builds tests/fuzz with clang, libFuzzer and the address and undefined-behaviour sanitizers in
 build-fuzz/, and runs each target (or those named: api, predicates, mesh_check, gmsh, npy, ply, raw,
 tetgen, text, vtu) for so many seconds, 60 unless said otherwise. Inputs are those of
-tests/corpus/fuzz and those of earlier rounds, which stay in build-fuzz/inputs. What is found is
+tests/corpus/fuzz, a packed file for each target (tests/fuzz/corpus.py), and those of earlier rounds,
+which stay in build-fuzz/inputs. What is found is
 kept in build-fuzz/findings; then the exit status is 1.
 
-  --merge  afterwards adds to tests/corpus/fuzz the inputs that reach more than those in it, and
-           takes out those that others have made superfluous
+  --merge  afterwards packs the smallest set of inputs that reaches as much into tests/corpus/fuzz
 
-Needs clang, libclang-rt-dev (for libFuzzer), meson, ninja-build, libboost-dev, libcli11-dev and
+Needs clang, libclang-rt-dev (for libFuzzer), python3, meson, ninja-build, libboost-dev, libcli11-dev and
 libfmt-dev, and takes up to five minutes to build the first time.
 END
 }
@@ -37,6 +37,7 @@ cd "$(dirname "$0")/.." || exit 1
 root=$(pwd)
 build=$root/build-fuzz
 corpus=$root/tests/corpus/fuzz
+unpacked=$build/corpus
 
 if [ ! -e "$build/build.ninja" ]; then
     CC=${CC:-clang} CXX=${CXX:-clang++} meson setup "$build" "$root" -Dbuildtype=debugoptimized \
@@ -62,30 +63,31 @@ dictionary() {
     [ ! -e "$root/tests/fuzz/$1.dict" ] || echo "-dict=$root/tests/fuzz/$1.dict"
 }
 
-# Inputs beside the corpus that reach what the corpus does not, the smallest that do. Files whose
-# names say what they once showed stay.
+# Packs the smallest inputs that reach what all of them reach. Those with a name stay.
 merge_into_corpus() {
     target=$1
     rm -rf "$build/merged"
     mkdir -p "$build/merged"
     # shellcheck disable=SC2046
     "$build/tests/fuzz/${target}_fuzz" -merge=1 -use_counters=0 $(limits "$target") "$build/merged" \
-        "$corpus/$target" "$build/inputs/$target" >>"$build/logs/$target.log" 2>&1 || return 1
+        "$unpacked/$target" "$build/inputs/$target" >>"$build/logs/$target.log" 2>&1 || return 1
     # LibFuzzer names inputs by 40 hexadecimal digits.
-    find "$corpus/$target" -type f | grep -E '/[0-9a-f]{40}$' | xargs -r rm
-    for f in "$build/merged"/*; do
-        [ "$(wc -c <"$f")" -gt 2048 ] || cp "$f" "$corpus/$target/"
-    done
+    find "$unpacked/$target" -type f | grep -vE '/[0-9a-f]{40}$' |
+        xargs -r -I{} cp {} "$build/merged/"
+    find "$build/merged" -type f -size +2048c -delete
+    python3 "$root/tests/fuzz/corpus.py" pack "$build/merged" "$corpus/$target.corpus"
 }
 
 found=no
 mkdir -p "$build/logs" "$build/findings"
 for target in "$@"; do
     inputs=$build/inputs/$target
-    mkdir -p "$inputs" "$corpus/$target"
+    mkdir -p "$inputs"
+    rm -rf "${unpacked:?}/$target"
+    python3 "$root/tests/fuzz/corpus.py" unpack "$corpus/$target.corpus" "$unpacked/$target" || exit 2
     echo "== $target, $seconds s"
     # shellcheck disable=SC2046
-    if "$build/tests/fuzz/${target}_fuzz" "$inputs" "$corpus/$target" $(limits "$target") \
+    if "$build/tests/fuzz/${target}_fuzz" "$inputs" "$unpacked/$target" $(limits "$target") \
         $(dictionary "$target") -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 \
         -print_final_stats=1 -artifact_prefix="$build/findings/$target-" \
         >"$build/logs/$target.log" 2>&1; then

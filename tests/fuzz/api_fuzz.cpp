@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A program of calls on one handle, read from the input: settings, insertions of all shapes, calls
-// that are refused, cancelled or run out of memory, and queries in between. After each call the
+// that are refused, cancelled or run out of memory, queries in between, and callbacks that call the
+// handle. After each call the
 // handle proves itself, and at the end its tetrahedra are those that the points have by other ways.
+#include <atomic>
 #include <optional>
 #include <thread>
 
+#include "../reproduction.h"
 #include "capi/handle.hpp"
 #include "comparison.hpp"
 #include "counted_memory.hpp"
@@ -36,6 +39,7 @@ class Calls {
                      mgdt_status_string(status));
         FUZZ_REQUIRE((t_ == nullptr) == (status != MGDT_OK), "a handle and a failure");
         memory_.refuse(0, false);
+        memory_.set_handle(t_);
     }
     ~Calls() { mgdt_destroy(t_); }
     Calls(const Calls&) = delete;
@@ -63,7 +67,7 @@ class Calls {
                 set_limit();
                 break;
             case 4:
-                memory_.refuse(in_.byte(), in_.flag());
+                set_memory();
                 break;
             case 5:
                 set_progress();
@@ -153,16 +157,37 @@ class Calls {
         ok(mgdt_set_memory_limit(t_, limit_));
     }
 
+    // An allocator that refuses, or that calls the handle from whatever thread it is asked on.
+    void set_memory() {
+        const unsigned n = in_.byte(), b = in_.byte();
+        memory_.refuse(n, (b & 1) != 0);
+        memory_.set_visitor((b & 2) != 0 ? visit : nullptr, this);
+    }
+
+    static void visit(void* user) {
+        Calls& self = *static_cast<Calls*>(user);
+        busy_call(self.visits_++, self.t_);
+    }
+
     void set_progress() {
         heard_ = 0;
         stop_at_ = in_.byte();
-        stops_by_cancel_ = in_.flag();
+        const unsigned b = in_.byte();
+        stops_by_cancel_ = (b & 1) != 0;
+        calls_handle_ = (b & 2) != 0;
         ok(mgdt_set_progress(t_, stop_at_ == 0 ? nullptr : progress, this));
     }
 
     static std::int32_t progress(double fraction, void* user) {
         Calls& self = *static_cast<Calls*>(user);
         FUZZ_REQUIRE(fraction >= 0 && fraction <= 1, std::to_string(fraction));
+        if (self.calls_handle_) {
+            const unsigned which = self.visits_++;
+            if (which % 2 == 0)
+                busy_call(which / 2, self.t_);
+            else
+                busy_query(which / 2, self.t_);
+        }
         if (++self.heard_ < self.stop_at_) return 0;
         self.heard_ = 0;
         self.stopped_ = self.stopped_ || fraction < 1;
@@ -350,7 +375,12 @@ class Calls {
             double sum = 0;
             for (std::size_t k = 0; k < 4; ++k) sum += w[4 * i + k];
             const double expected = found[i] < base_ ? 0 : 1;
-            FUZZ_REQUIRE(std::fabs(sum - expected) <= 1e-9, "weights " + std::to_string(sum));
+            FUZZ_REQUIRE(std::fabs(sum - expected) <= 1e-15, "weights " + std::to_string(sum));
+            if (found[i] < base_) continue;
+            const std::int64_t* v = &now.tetrahedra[4 * static_cast<std::size_t>(found[i] - base_)];
+            const double* vertices[4] = {at(v[0]), at(v[1]), at(v[2]), at(v[3])};
+            FUZZ_REQUIRE(reproduces(vertices, &xyz[3 * i], &w[4 * i]),
+                         "the weights of point " + std::to_string(i));
         }
     }
 
@@ -503,8 +533,9 @@ class Calls {
     int base_ = 0, canonical_ = 0, compact_ = 0;
     std::int64_t limit_ = 0;
     unsigned stop_at_ = 0, heard_ = 0;
-    bool stops_by_cancel_ = false;
-    bool stopped_ = false;  // the callback asked to stop before the end
+    bool stops_by_cancel_ = false, calls_handle_ = false;
+    std::atomic<unsigned> visits_{0};  // calls of callbacks on the handle
+    bool stopped_ = false;             // the callback asked to stop before the end
 };
 
 }  // namespace

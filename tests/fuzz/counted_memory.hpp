@@ -30,8 +30,16 @@ class CountedMemory {
     Refusal pause() { return std::exchange(refusal_, Refusal()); }
     void resume(Refusal refusal) { refusal_ = refusal; }
 
+    // Is called at each request and for each block that comes back, but for the handle's own.
+    void set_visitor(void (*visit)(void* user), void* user) {
+        visit_ = visit;
+        user_ = user;
+    }
+    void set_handle(const void* handle) { handle_ = handle; }
+
     static void* obtain(std::size_t size, std::size_t align, void* user) {
         CountedMemory& self = *static_cast<CountedMemory*>(user);
+        if (self.visit_) self.visit_(self.user_);
         const std::lock_guard<std::mutex> lock(self.mutex_);
         FUZZ_REQUIRE(align != 0 && (align & (align - 1)) == 0, std::to_string(align));
         if (self.refusal_.left == 1) {
@@ -48,6 +56,7 @@ class CountedMemory {
 
     static void release(void* p, std::size_t size, std::size_t align, void* user) {
         CountedMemory& self = *static_cast<CountedMemory*>(user);
+        if (self.visit_ && p != self.handle_) self.visit_(self.user_);
         const std::lock_guard<std::mutex> lock(self.mutex_);
         const auto found = self.live_.find(p);
         FUZZ_REQUIRE(found != self.live_.end(), "a block is freed that was not given");
@@ -64,6 +73,9 @@ class CountedMemory {
     std::mutex mutex_;
     std::unordered_map<void*, Block> live_;
     Refusal refusal_;
+    void (*visit_)(void* user) = nullptr;
+    void* user_ = nullptr;
+    const void* handle_ = nullptr;
 };
 
 }  // namespace fuzz

@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include "../property/oracle.hpp"
+#include "../reproduction.h"
 #include "../unit/exact_reference.hpp"
 #include "points.hpp"
+#include "predicates/barycentric.hpp"
 #include "predicates/predicates.hpp"
 #include "predicates/stages.hpp"
 
@@ -62,6 +64,24 @@ std::string text(const std::vector<Point>& points) {
     return out;
 }
 
+// The weights at the last of five points, the others positively oriented: 0 and negative where the
+// place is on and beyond the plane of a facet, and those that give it again within.
+void check_weights(const std::vector<Point>& p, const double* t) {
+    const double *a = t, *b = t + 3, *c = t + 6, *d = t + 9, *q = t + 12;
+    double w[4], native[4], least[4];
+    mgdt::barycentric_weights({a, b, c, d}, q, w);
+    exact::barycentric_integer({a, b, c, d}, q, least);
+    FUZZ_REQUIRE(std::equal(w, w + 4, least), text(p));
+    FUZZ_REQUIRE(!exact::barycentric_whole({a, b, c, d}, q, native) || std::equal(w, w + 4, native),
+                 text(p));
+    const int side[4] = {mgdt::orientation(q, b, c, d), mgdt::orientation(a, q, c, d),
+                         mgdt::orientation(a, b, q, d), mgdt::orientation(a, b, c, q)};
+    for (int i = 0; i < 4; ++i)
+        FUZZ_REQUIRE(side[i] > 0 ? w[i] >= 0 : (side[i] < 0 ? w[i] <= 0 : w[i] == 0), text(p));
+    const double* vertices[4] = {a, b, c, d};
+    FUZZ_REQUIRE(*std::min_element(side, side + 4) < 0 || reproduces(vertices, q, w), text(p));
+}
+
 void check(const std::vector<Point>& p) {
     const double *a = p[0].data(), *b = p[1].data(), *c = p[2].data(), *d = p[3].data(),
                  *q = p[4].data();
@@ -78,14 +98,24 @@ void check(const std::vector<Point>& p) {
     FUZZ_REQUIRE(right(exact::orientation_filter(a, b, c, d), solid), text(p));
     FUZZ_REQUIRE(right(exact::orientation_lattice(a, b, c, d), solid), text(p));
     FUZZ_REQUIRE(right(exact::orientation_whole(a, b, c, d), solid), text(p));
+    FUZZ_REQUIRE(right(exact::orientation_scaled(a, b, c, d), solid), text(p));
+    FUZZ_REQUIRE(right(exact::orientation_ranged(a, b, c, d), solid), text(p));
+    FUZZ_REQUIRE(right(exact::orientation_sparse(a, b, c, d, exact::Terms::any, 0), solid),
+                 text(p));
     FUZZ_REQUIRE(exact::orientation_integer(a, b, c, d) == solid, text(p));
     FUZZ_REQUIRE(right(exact::sphere_filter(a, b, c, d, q), sphere), text(p));
     FUZZ_REQUIRE(right(exact::sphere_lattice(a, b, c, d, q), sphere), text(p));
     FUZZ_REQUIRE(right(exact::sphere_whole(a, b, c, d, q), sphere), text(p));
+    FUZZ_REQUIRE(right(exact::sphere_scaled(a, b, c, d, q), sphere), text(p));
+    FUZZ_REQUIRE(right(exact::sphere_ranged(a, b, c, d, q), sphere), text(p));
+    FUZZ_REQUIRE(right(exact::sphere_sparse(a, b, c, d, q, exact::Terms::any, nullptr, 0), sphere),
+                 text(p));
     FUZZ_REQUIRE(exact::sphere_integer(a, b, c, d, q) == sphere, text(p));
     FUZZ_REQUIRE(right(exact::collinear_filter(a, b, c), line ? exact::undecided : 1), text(p));
+    FUZZ_REQUIRE(right(exact::collinear_ranged(a, b, c), line ? 0 : 1), text(p));
     FUZZ_REQUIRE(exact::collinear_integer(a, b, c) == line, text(p));
     FUZZ_REQUIRE(right(exact::distance_filter(a, b, c), nearer), text(p));
+    FUZZ_REQUIRE(right(exact::distance_ranged(a, b, c), nearer), text(p));
     FUZZ_REQUIRE(exact::distance_integer(a, b, c) == nearer, text(p));
 
     const auto less = [](const Point& u, const Point& v) { return u < v ? -1 : (v < u ? 1 : 0); };
@@ -109,7 +139,11 @@ void check(const std::vector<Point>& p) {
     FUZZ_REQUIRE(right(exact::perturbed_doubles(t, t + 3, t + 6, t + 9, t + 12), expected),
                  text(p));
     FUZZ_REQUIRE(right(exact::perturbed_whole(t, t + 3, t + 6, t + 9, t + 12), expected), text(p));
+    FUZZ_REQUIRE(
+        right(exact::perturbed_sparse(t, t + 3, t + 6, t + 9, t + 12, exact::Terms::any), expected),
+        text(p));
     FUZZ_REQUIRE(exact::perturbed_by_parts(t, t + 3, t + 6, t + 9, t + 12) == expected, text(p));
+    check_weights(p, t);
 }
 
 }  // namespace

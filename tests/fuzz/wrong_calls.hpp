@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Calls that must be refused for their arguments, with the status that is documented and without
-// touching an output.
+// Calls that must be refused, with the status that is documented and without touching an output:
+// for their arguments, or because the handle is inside another call.
 #pragma once
 
 #include <limits>
@@ -144,6 +144,82 @@ inline void wrong_call(Input& in, mgdt_triangulation* t) {
     FUZZ_REQUIRE(!error_of(t).empty(), "no message");
     FUZZ_REQUIRE(out.is_untouched() && narrow.is_untouched() && weights.is_untouched(),
                  "an output is touched");
+}
+
+// What a callback must not call on the handle that it serves. Any of these would change it.
+inline void busy_call(unsigned which, mgdt_triangulation* t) {
+    const double xyz[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    mgdt_status status = MGDT_ERR_BUSY;
+    switch (which % 10) {
+        case 0:
+            status = mgdt_insert_points(t, 4, xyz);
+            break;
+        case 1:
+            status = mgdt_insert_points_strided(t, -1, xyz, nullptr, xyz, 1);
+            break;
+        case 2:
+            status = mgdt_clear(t);
+            break;
+        case 3:
+            status = mgdt_reserve(t, 1000);
+            break;
+        case 4:
+            status = mgdt_set_compact(t, static_cast<std::int32_t>(which / 10 % 2));
+            break;
+        case 5:
+            status = mgdt_set_index_base(t, static_cast<std::int32_t>(which / 10 % 2));
+            break;
+        case 6:
+            status = mgdt_set_canonical_output(t, static_cast<std::int32_t>(which / 10 % 2));
+            break;
+        case 7:
+            status = mgdt_set_progress(t, nullptr, nullptr);
+            break;
+        case 8:
+            status = mgdt_set_memory_limit(t, 1);
+            break;
+        default:
+            mgdt_destroy(t);
+            break;
+    }
+    FUZZ_REQUIRE(status == MGDT_ERR_BUSY, mgdt_status_string(status));
+    FUZZ_REQUIRE(!error_of(t).empty(), "no message");
+}
+
+// What a callback must not read of a handle that is being changed.
+inline void busy_query(unsigned which, const mgdt_triangulation* t) {
+    const double xyz[3] = {0, 0, 0};
+    Exact<std::int64_t> out(8, 2);
+    Exact<double> value(1, 2);
+    mgdt_status status = MGDT_ERR_BUSY;
+    switch (which % 7) {
+        case 0:
+            status = mgdt_get_tetrahedra(t, 8, out.data());
+            break;
+        case 1:
+            status = mgdt_get_vertex_tetrahedra(t, 4, out.data(), 4, out.data() + 4);
+            break;
+        case 2:
+            status = mgdt_locate(t, xyz, out.data());
+            break;
+        case 3:
+            status = mgdt_nearest_vertex(t, xyz, out.data());
+            break;
+        case 4:
+            status = mgdt_check(t, MGDT_CHECK_CANONICAL);
+            break;
+        case 5:
+            status = mgdt_get_stat(t, MGDT_STAT_MEMORY_BYTES, value.data());
+            break;
+        default:
+            FUZZ_REQUIRE(mgdt_point_count(t) == 0 && mgdt_vertex_count(t) == 0 &&
+                             mgdt_tetrahedron_count(t) == 0 && mgdt_edge_count(t) == 0 &&
+                             mgdt_hull_facet_count(t) == 0 && mgdt_dimension(t) == -1,
+                         "a count of a handle that is being changed");
+            break;
+    }
+    FUZZ_REQUIRE(status == MGDT_ERR_BUSY, mgdt_status_string(status));
+    FUZZ_REQUIRE(out.is_untouched() && value.is_untouched(), "an output is touched");
 }
 
 }  // namespace fuzz
