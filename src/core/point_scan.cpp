@@ -64,9 +64,11 @@ PointScan::PointScan(Team& team, std::size_t n, const double* const axis[3], std
         return axis[k][static_cast<std::ptrdiff_t>(i) * stride];
     };
     const bool is_packed = n > 0 && stride == 3 && axis[1] == axis[0] + 1 && axis[2] == axis[0] + 2;
-    const auto scan = [&](std::size_t begin, std::size_t end, Extremes& to) {
+    Extremes extremes;
+    std::mutex mutex;
+    team.split(n, 65536, [&](std::size_t begin, std::size_t end, unsigned) {
         // Two points at a time.
-        Extremes part = to;
+        Extremes part;
         for (std::size_t i = begin; i < end; i += 2) {
             double x[Extremes::width];
             const double* source = x;
@@ -77,21 +79,9 @@ PointScan::PointScan(Team& team, std::size_t n, const double* const axis[3], std
                     x[j] = coordinate(i + 1 < end ? i + j / 3 : i, j % 3);
             part.add(source);
         }
-        to = part;
-    };
-    Extremes extremes;
-    constexpr std::size_t share = 65536;
-    if (team.members_for(n, share) == 1) {
-        scan(0, n, extremes);
-    } else {
-        std::mutex mutex;
-        team.split(n, share, [&](std::size_t begin, std::size_t end, unsigned) {
-            Extremes part;
-            scan(begin, end, part);
-            const std::lock_guard<std::mutex> lock(mutex);
-            extremes.add(part);
-        });
-    }
+        const std::lock_guard<std::mutex> lock(mutex);
+        extremes.add(part);
+    });
     double poison = 0;
     least = largest;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -113,6 +103,23 @@ PointScan::PointScan(Team& team, std::size_t n, const double* const axis[3], std
         exponents.add(greatest);
         exponents.add(least);
     }
+}
+
+int PointScan::typical_exponent(std::size_t n, const double* const axis[3], std::ptrdiff_t stride) {
+    constexpr std::size_t sample = 85;
+    int exponents[3 * sample];
+    std::size_t size = 0;
+    const std::size_t count = std::min(n, sample);
+    for (std::size_t j = 0; j < count; ++j) {
+        const auto i = static_cast<std::ptrdiff_t>(n / count * j + n % count * j / count);
+        for (int k = 0; k < 3; ++k) {
+            const double x = axis[k][i * stride];
+            if (x != 0) exponents[size++] = std::ilogb(x);
+        }
+    }
+    if (size == 0) return 0;
+    std::nth_element(exponents, exponents + size / 2, exponents + size);
+    return exponents[size / 2];
 }
 
 PointSet PointScan::point_set(std::size_t n, const double* const axis[3], std::ptrdiff_t stride,

@@ -15,6 +15,8 @@ struct PointScan {
     PointScan(Team& team, std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
               long long first_index);
 
+    // The median exponent of a sample of the coordinates that are not 0; 0 where there are none.
+    static int typical_exponent(std::size_t n, const double* const axis[3], std::ptrdiff_t stride);
     // Those points, or some of them, for a schedule, multiplied by `scale`.
     PointSet point_set(std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
                        double scale) const;

@@ -8,11 +8,20 @@ namespace {
 // squares of such lengths; down to 2^-40 likewise.
 constexpr int ordinary = 40;
 
+bool is_ordinary_exponent(int exponent) {
+    return exponent <= ordinary && exponent >= -ordinary;
+}
+
+}  // namespace
+
 bool is_exact(const ExponentRange& range, int k) {
     return range.highest + k <= 1023 && range.lowest_bit + k >= -1074;
 }
 
-}  // namespace
+bool is_normal(const ExponentRange& range, int k) {
+    // The last bit of a double is 52 places below its first, or it is subnormal.
+    return is_exact(range, k) && range.highest + k < 150 && range.lowest_bit + 52 + k >= -150;
+}
 
 void ExponentRange::add(double x) {
     if (x == 0) return;
@@ -26,17 +35,19 @@ void ExponentRange::add(double x) {
 
 int choose_scale(const ExponentRange& range, int current) {
     if (range.empty()) return current;
-    const auto is_ordinary = [&](int k) {
-        return range.highest + k <= ordinary && range.highest + k >= -ordinary;
-    };
+    const auto is_ordinary = [&](int k) { return is_ordinary_exponent(range.highest + k); };
     if (is_exact(range, current) && is_ordinary(current)) return current;
     if (is_ordinary(0)) return 0;
     const int k = -range.highest;
     return is_exact(range, k) ? k : 0;
 }
 
-double scaled(double x, int k) {
-    if (k == 0) return x;
+int choose_scale_of_most(const ExponentRange& range, int typical) {
+    return is_ordinary_exponent(typical) || !is_exact(range, -typical) ? 0 : -typical;
+}
+
+// 2^k itself may overflow.
+double scaled_by_two_factors(double x, int k) {
     const int half = k / 2;
     return std::ldexp(std::ldexp(x, half), k - half);
 }

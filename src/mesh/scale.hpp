@@ -27,8 +27,21 @@ struct ExponentRange {
 // where it will do, since changing it costs a pass over the mesh.
 int choose_scale(const ExponentRange& range, int current);
 
-// x times 2^k for any k that a scale can be. Two factors, since 2^k itself may overflow.
-double scaled(double x, int k);
+// The same where no factor brings all coordinates into the range in which filters are proved:
+// `typical`, the exponent of most of them, decides, so that few are left outside.
+int choose_scale_of_most(const ExponentRange& range, int typical);
+
+// Whether 2^k times every coordinate is exact and within 2^-150 to 2^150, where the filters of
+// kernel/circumsphere.hpp are proved.
+bool is_normal(const ExponentRange& range, int k);
+// Whether 2^k times every coordinate is exact.
+bool is_exact(const ExponentRange& range, int k);
+
+// x times 2^k for any k that a scale can be.
+double scaled_by_two_factors(double x, int k);
+inline double scaled(double x, int k) {
+    return k == 0 ? x : scaled_by_two_factors(x, k);
+}
 
 // Whether scaling the coordinate forth and back gives it again.
 bool scales_exactly(double x, int k);

@@ -6,14 +6,47 @@
 
 namespace mgdt::exact {
 
+// Sums of products, which the determinants are made of. Those of long integers are apart, so that
+// the stack holds what is between for one of them at a time: see docs/theory.md.
+template <class T>
+constexpr bool is_long = false;
+template <int Bits>
+constexpr bool is_long<Integer<Bits>> = (Bits > 511);
+
+template <class F>
+MGDT_PREDICATES_APART auto apart(const F& f) {
+    return f();
+}
+
+// x u - y v
+template <class X, class U>
+MGDT_PREDICATES_INLINE auto two_products(const X& x, const U& u, const X& y, const U& v) {
+    if constexpr (is_long<X>) {
+        return apart([&] { return x * u - y * v; });
+    } else {
+        return x * u - y * v;
+    }
+}
+
+// (x u - y v) + z w
+template <class X, class U>
+MGDT_PREDICATES_INLINE auto three_products(const X& x, const U& u, const X& y, const U& v,
+                                           const X& z, const U& w) {
+    if constexpr (is_long<X>) {
+        return apart([&] { return two_products(x, u, y, v) + z * w; });
+    } else {
+        return (x * u - y * v) + z * w;
+    }
+}
+
 // Determinant of the rows b - a, c - a, d - a.
 struct OrientationDeterminant {
     template <class T>
     MGDT_PREDICATES_INLINE auto operator()(const T (&v)[9]) const {
-        const auto cd = v[3] * v[7] - v[6] * v[4];
-        const auto bd = v[0] * v[7] - v[6] * v[1];
-        const auto bc = v[0] * v[4] - v[3] * v[1];
-        return (v[2] * cd - v[5] * bd) + v[8] * bc;
+        const auto cd = two_products(v[3], v[7], v[6], v[4]);
+        const auto bd = two_products(v[0], v[7], v[6], v[1]);
+        const auto bc = two_products(v[0], v[4], v[3], v[1]);
+        return three_products(v[2], cd, v[5], bd, v[8], bc);
     }
 };
 
@@ -28,12 +61,16 @@ struct SphereMinors {
 struct SphereDeterminant {
     template <class T>
     static MGDT_PREDICATES_INLINE auto square(const T* p) {
-        return (p[0] * p[0] + p[1] * p[1]) + p[2] * p[2];
+        if constexpr (is_long<T>) {
+            return apart([&] { return (p[0] * p[0] + p[1] * p[1]) + p[2] * p[2]; });
+        } else {
+            return (p[0] * p[0] + p[1] * p[1]) + p[2] * p[2];
+        }
     }
 
     template <class T>
     static MGDT_PREDICATES_INLINE auto minor(const T* p, const T* q) {
-        return p[0] * q[1] - q[0] * p[1];
+        return two_products(p[0], q[1], q[0], p[1]);
     }
 
     // [bcd], [acd], [abd], [abc]
@@ -46,23 +83,27 @@ struct SphereDeterminant {
         const auto bc = minor(b, c);
         const auto bd = minor(b, d);
         const auto cd = minor(c, d);
-        const auto bcd = (b[2] * cd - c[2] * bd) + d[2] * bc;
-        const auto acd = (a[2] * cd - c[2] * ad) + d[2] * ac;
-        const auto abd = (a[2] * bd - b[2] * ad) + d[2] * ab;
-        const auto abc = (a[2] * bc - b[2] * ac) + c[2] * ab;
-        using Minor = std::remove_const_t<decltype(bcd)>;
-        return SphereMinors<Minor>{{bcd, acd, abd, abc}};
+        using Minor = decltype(three_products(b[2], cd, c[2], bd, d[2], bc));
+        return SphereMinors<Minor>{{three_products(b[2], cd, c[2], bd, d[2], bc),
+                                    three_products(a[2], cd, c[2], ad, d[2], ac),
+                                    three_products(a[2], bd, b[2], ad, d[2], ab),
+                                    three_products(a[2], bc, b[2], ac, c[2], ab)}};
     }
 
     template <class T, class Minor>
     static MGDT_PREDICATES_INLINE auto value(const T (&v)[12], const SphereMinors<Minor>& m) {
-        return (square(v) * m.of[0] - square(v + 3) * m.of[1]) +
-               (square(v + 6) * m.of[2] - square(v + 9) * m.of[3]);
+        return two_products(square(v), m.of[0], square(v + 3), m.of[1]) +
+               two_products(square(v + 6), m.of[2], square(v + 9), m.of[3]);
     }
 
     template <class T>
     MGDT_PREDICATES_INLINE auto operator()(const T (&v)[12]) const {
-        return value(v, minors(v));
+        if constexpr (is_long<T>) {
+            const auto m = apart([&] { return minors(v); });
+            return apart([&] { return value(v, m); });
+        } else {
+            return value(v, minors(v));
+        }
     }
 };
 

@@ -85,20 +85,34 @@ MGDT_PREDICATES_INLINE Differences<3 * Points> differences(const double* const (
     return d;
 }
 
-// Each difference as an exact sum of two doubles, and the bits they span together: all are
+// v is mantissa * 2^exponent.
+inline void take_apart(double v, std::int64_t& mantissa, int& exponent) {
+    const std::uint64_t bits = bits_of(v);
+    const int biased = static_cast<int>((bits & exponent_mask) >> 52);
+    const std::uint64_t size = (bits & fraction_mask) | (biased != 0 ? std::uint64_t{1} << 52 : 0);
+    mantissa = static_cast<std::int64_t>(size);
+    if (bits >> 63) mantissa = -mantissa;
+    exponent = (biased != 0 ? biased : 1) - 1075;
+}
+
+inline int trailing_zeros(std::uint64_t v) {
+#if defined(__GNUC__)
+    return __builtin_ctzll(v);
+#else
+    int n = 0;
+    for (; (v & 1U) == 0; v >>= 1) ++n;
+    return n;
+#endif
+}
+
+// N differences, each as an exact sum of two doubles, and the bits they span together: all are
 // multiples of 2^low and smaller than 2^high in magnitude.
 template <int N>
-struct ExactDifferences {
+struct ExactPairs {
     double first[N];
     double second[N];
-    int low;
-    int high;
-
-    ExactDifferences(const double* const (&p)[N / 3], const double* origin) {
-        low = 2000;
-        high = -2000;
-        for (std::size_t i = 0; i < N; ++i) split(p[i / 3][i % 3], origin[i % 3], i);
-    }
+    int low = 2000;
+    int high = -2000;
 
     // Bits of an Integer<Bits> that holds every difference in units of 2^low.
     int bits() const { return high - low + 2; }
@@ -110,9 +124,9 @@ struct ExactDifferences {
         return narrowed<Bits>(a + b);
     }
 
-  private:
-    // Knuth's two-sum where nothing overflows; else the coordinates as they are.
-    void split(double a, double b, std::size_t i) {
+    // Makes a - b the difference i: by Knuth's two-sum where nothing overflows; else the
+    // coordinates as they are.
+    void set(std::size_t i, double a, double b) {
         const double rounded = a - b;
         const double b_virtual = a - rounded;
         const double a_virtual = rounded + b_virtual;
@@ -125,17 +139,7 @@ struct ExactDifferences {
         cover(second[i]);
     }
 
-    // v is mantissa * 2^exponent.
-    static void take_apart(double v, std::int64_t& mantissa, int& exponent) {
-        const std::uint64_t bits = bits_of(v);
-        const int biased = static_cast<int>((bits & exponent_mask) >> 52);
-        const std::uint64_t size =
-            (bits & fraction_mask) | (biased != 0 ? std::uint64_t{1} << 52 : 0);
-        mantissa = static_cast<std::int64_t>(size);
-        if (bits >> 63) mantissa = -mantissa;
-        exponent = (biased != 0 ? biased : 1) - 1075;
-    }
-
+  private:
     void cover(double v) {
         if (v == 0) return;
         std::int64_t mantissa;
@@ -145,16 +149,6 @@ struct ExactDifferences {
         const int bottom = exponent + trailing_zeros(static_cast<std::uint64_t>(mantissa));
         if (top > high) high = top;
         if (bottom < low) low = bottom;
-    }
-
-    static int trailing_zeros(std::uint64_t v) {
-#if defined(__GNUC__)
-        return __builtin_ctzll(v);
-#else
-        int n = 0;
-        for (; (v & 1U) == 0; v >>= 1) ++n;
-        return n;
-#endif
     }
 
     template <int Bits>
@@ -167,15 +161,55 @@ struct ExactDifferences {
     }
 };
 
+// The exact differences of points and an origin, x, y, z of the first point first.
+template <int N>
+struct ExactDifferences : ExactPairs<N> {
+    static constexpr int count = N;
+
+    ExactDifferences(const double* const (&p)[N / 3], const double* origin) {
+        for (std::size_t i = 0; i < N; ++i) this->set(i, p[i / 3][i % 3], origin[i % 3]);
+    }
+};
+
+// The same where each axis has a unit of its own: for what depends on ratios of determinants alone,
+// since a factor common to a column is common to all of them.
+template <int N>
+struct ExactDifferencesByAxis {
+    static constexpr int count = N;
+    ExactPairs<N / 3> axis[3];
+
+    ExactDifferencesByAxis(const double* const (&p)[N / 3], const double* origin) {
+        for (std::size_t i = 0; i < N; ++i) axis[i % 3].set(i / 3, p[i / 3][i % 3], origin[i % 3]);
+    }
+
+    int bits() const {
+        const int x = axis[0].bits(), y = axis[1].bits(), z = axis[2].bits();
+        return x > y ? (x > z ? x : z) : (y > z ? y : z);
+    }
+
+    template <int Bits>
+    Integer<Bits> get(std::size_t i) const {
+        return axis[i % 3].template get<Bits>(i / 3);
+    }
+};
+
 // Widths of the integers for the general case. One limb less a bit, then doubling: with
 // Bits = 64 k - 1 the products of a degree-5 determinant fill 5 k limbs to the last bits. The
 // last holds every difference of doubles: 1024 + 1074 + 2 = 2100 bits.
 constexpr int widths[] = {63, 127, 255, 511, 1023, 2111};
 
-// Calls polynomial with the differences as integers of the least width that holds them, at least
-// `least`.
-template <int Index = 0, int N, class Polynomial>
-inline int with_integers(const ExactDifferences<N>& d, int least, const Polynomial& polynomial) {
+// Calls polynomial with the differences as integers of this width. Apart, so that of all widths
+// only the one that is used takes its room on the stack.
+template <int Bits, class Exact, class Polynomial>
+MGDT_PREDICATES_APART int with_integers_of(const Exact& d, const Polynomial& polynomial) {
+    Integer<Bits> v[Exact::count];
+    for (std::size_t i = 0; i < Exact::count; ++i) v[i] = d.template get<Bits>(i);
+    return polynomial(v);
+}
+
+// The same with the least width that holds them, at least `least`.
+template <int Index = 0, class Exact, class Polynomial>
+inline int with_integers(const Exact& d, int least, const Polynomial& polynomial) {
     constexpr int bits = widths[Index];
     constexpr bool last = Index + 1 == sizeof widths / sizeof *widths;
     if constexpr (!last) {
@@ -183,9 +217,7 @@ inline int with_integers(const ExactDifferences<N>& d, int least, const Polynomi
             return with_integers<Index + 1>(d, least, polynomial);
         }
     }
-    Integer<bits> v[N];
-    for (std::size_t i = 0; i < N; ++i) v[i] = d.template get<bits>(i);
-    return polynomial(v);
+    return with_integers_of<bits>(d, polynomial);
 }
 
 }  // namespace mgdt::exact

@@ -42,13 +42,15 @@ MGDT_PREDICATES_INLINE int cross_filter(const Differences<6>& v, const exact::Bo
 }  // namespace
 
 bool collinear(const double* a, const double* b, const double* c) {
-    const int s = cross_filter(exact::differences({b, c}, a), exact::collinear_bound);
-    return s == exact::undecided && exact::collinear_integer(a, b, c);
+    int s = cross_filter(exact::differences({b, c}, a), exact::collinear_bound);
+    if (s == exact::undecided) s = exact::collinear_ranged(a, b, c);
+    return s == exact::undecided ? exact::collinear_integer(a, b, c) : s == 0;
 }
 
 int compare_distance(const double* q, const double* a, const double* b) {
     // Differences from q: their signs do not matter to the squares.
-    const int s = square_filter(exact::differences({a, b}, q), exact::distance_bound);
+    int s = square_filter(exact::differences({a, b}, q), exact::distance_bound);
+    if (s == exact::undecided) s = exact::distance_ranged(q, a, b);
     return s != exact::undecided ? s : exact::distance_integer(q, a, b);
 }
 
@@ -56,6 +58,15 @@ namespace exact {
 
 int collinear_filter(const double* a, const double* b, const double* c, const Bound& bound) {
     return cross_filter(differences({b, c}, a), bound);
+}
+
+int collinear_ranged(const double* a, const double* b, const double* c, double bound) {
+    const RangedDifferences<6> v({b, c}, a);
+    const int x = v.sign(Cross<0>(), bound), y = v.sign(Cross<1>(), bound),
+              z = v.sign(Cross<2>(), bound);
+    if (x == 0 && y == 0 && z == 0) return 0;
+    const auto is_sure = [](int s) { return s == 1 || s == -1; };
+    return is_sure(x) || is_sure(y) || is_sure(z) ? 1 : undecided;
 }
 
 bool collinear_integer(const double* a, const double* b, const double* c, int least_width) {
@@ -67,6 +78,10 @@ bool collinear_integer(const double* a, const double* b, const double* c, int le
 
 int distance_filter(const double* q, const double* a, const double* b, const Bound& bound) {
     return square_filter(differences({a, b}, q), bound);
+}
+
+int distance_ranged(const double* q, const double* a, const double* b, double bound) {
+    return RangedDifferences<6>({a, b}, q).sign(SquareDifference(), bound);
 }
 
 int distance_integer(const double* q, const double* a, const double* b, int least_width) {

@@ -96,12 +96,34 @@ inline void subtract_masked(Limb* r, const Limb* b, int n, Limb mask) {
     for (int i = 0; i < n; ++i) borrow = subtract_with_borrow(r[i], b[i] & mask, borrow);
 }
 
-// Longer ones share these bodies: r += b; r -= b; r = x * y, where r is zero at first and has
-// room for n + m limbs.
+// Longer ones share these bodies, modulo the size of r: r[0 .. n) += b[0 .. m); r -= b;
+// r[0 .. size) = x[0 .. n) * y[0 .. m), where size is n + m or one less.
 constexpr int inline_limbs = 10;
-void add(Limb* r, const Limb* b, int n);
-void subtract(Limb* r, const Limb* b, int n);
-void multiply(const Limb* x, int n, const Limb* y, int m, Limb* r);
+void add(Limb* r, int n, const Limb* b, int m);
+void subtract(Limb* r, int n, const Limb* b, int m);
+void multiply(const Limb* x, int n, const Limb* y, int m, Limb* r, int size);
+
+// The limbs of an integer where they are; a native one has them made.
+template <int Bits, bool Native = (Bits <= widest_bits)>
+struct Limbs {
+    static constexpr int size = limb_count(Bits);
+    explicit Limbs(const Integer<Bits>& a) : data(a.limb) {}
+    const Limb* data;
+};
+template <int Bits>
+struct Limbs<Bits, true> {
+    static constexpr int size = limb_count(Bits);
+    explicit Limbs(const Integer<Bits>& a) { to_limbs(a, data); }
+    Limb data[size];
+};
+
+// A number rounded to nearest, as value * 2^exponent: the value is a whole number of magnitude at
+// most 2^64. The limbs are overwritten.
+struct Rounded {
+    double value;
+    int exponent;
+};
+Rounded rounded(Limb* a, int n);
 
 constexpr int sum_bits(int a, int b) {
     return (a > b ? a : b) + 1;
@@ -113,12 +135,13 @@ inline Integer<sum_bits(A, B)> operator+(const Integer<A>& a, const Integer<B>& 
     if constexpr (sum_bits(A, B) <= widest_bits) {
         r.value = static_cast<decltype(r.value)>(a.value) + b.value;
     } else {
-        Limb other[r.size];
         to_limbs(a, r.limb);
-        to_limbs(b, other);
         if constexpr (r.size > inline_limbs) {
-            add(r.limb, other, r.size);
+            const Limbs<B> other(b);
+            add(r.limb, r.size, other.data, other.size);
         } else {
+            Limb other[r.size];
+            to_limbs(b, other);
             Limb carry = 0;
             for (int i = 0; i < r.size; ++i) carry = add_with_carry(r.limb[i], other[i], carry);
         }
@@ -132,12 +155,13 @@ inline Integer<sum_bits(A, B)> operator-(const Integer<A>& a, const Integer<B>& 
     if constexpr (sum_bits(A, B) <= widest_bits) {
         r.value = static_cast<decltype(r.value)>(a.value) - b.value;
     } else {
-        Limb other[r.size];
         to_limbs(a, r.limb);
-        to_limbs(b, other);
         if constexpr (r.size > inline_limbs) {
-            subtract(r.limb, other, r.size);
+            const Limbs<B> other(b);
+            subtract(r.limb, r.size, other.data, other.size);
         } else {
+            Limb other[r.size];
+            to_limbs(b, other);
             Limb borrow = 0;
             for (int i = 0; i < r.size; ++i) {
                 borrow = subtract_with_borrow(r.limb[i], other[i], borrow);
@@ -168,17 +192,19 @@ inline Integer<A + B - 1> operator*(const Integer<A>& a, const Integer<B>& b) {
     } else {
         constexpr int n = limb_count(A), m = limb_count(B);
         static_assert(r.size == n + m || r.size == n + m - 1, "the product fills its limbs");
-        Limb x[n], y[m], product[n + m] = {};
-        to_limbs(a, x);
-        to_limbs(b, y);
         if constexpr (n + m > inline_limbs) {
-            multiply(x, n, y, m, product);
+            const Limbs<A> x(a);
+            const Limbs<B> y(b);
+            multiply(x.data, n, y.data, m, r.limb, r.size);
         } else {
+            Limb x[n], y[m], product[n + m] = {};
+            to_limbs(a, x);
+            to_limbs(b, y);
             for (int i = 0; i < n; ++i) product[i + m] = add_row(product + i, x[i], y, m);
             subtract_masked(product + n, y, m, extension(a));
             subtract_masked(product + m, x, n, extension(b));
+            for (int i = 0; i < r.size; ++i) r.limb[i] = product[i];
         }
-        for (int i = 0; i < r.size; ++i) r.limb[i] = product[i];
     }
     return r;
 }
@@ -193,6 +219,13 @@ inline int sign(const Integer<Bits>& a) {
         for (int i = 0; i < a.size; ++i) any |= a.limb[i];
         return any != 0;
     }
+}
+
+template <int Bits>
+inline Rounded rounded(const Integer<Bits>& a) {
+    Limb limb[limb_count(Bits)];
+    to_limbs(a, limb);
+    return rounded(limb, limb_count(Bits));
 }
 
 // mantissa * 2^shift; a negative shift drops only zero bits.
@@ -247,6 +280,39 @@ inline Integer<Bits> narrowed(const Integer<A>& a) {
         to_limbs(a, r.limb);
     }
     return r;
+}
+
+// a * 2^shift, which fits.
+template <int Bits>
+inline Integer<Bits> shifted_left(const Integer<Bits>& a, int shift) {
+    Integer<Bits> r;
+    if constexpr (Bits <= widest_bits) {
+        using Unsigned = std::conditional_t<Bits <= 64, std::uint64_t, DoubleLimb>;
+        r.value =
+            static_cast<typename Integer<Bits>::Value>(static_cast<Unsigned>(a.value) << shift);
+    } else {
+        const int limbs = shift / limb_bits, bits = shift % limb_bits;
+        for (int i = a.size - 1; i >= 0; --i) {
+            const Limb high = i >= limbs ? a.limb[i - limbs] : 0;
+            const Limb low = i > limbs ? a.limb[i - limbs - 1] : 0;
+            r.limb[i] =
+                bits == 0 ? high : static_cast<Limb>(high << bits | low >> (limb_bits - bits));
+        }
+    }
+    return r;
+}
+
+// How many bits the magnitude has, or one less: |a| <= 2^length(a).
+template <int Bits>
+inline int length(const Integer<Bits>& a) {
+    Limb limb[limb_count(Bits)];
+    to_limbs(a, limb);
+    const Limb sign = extension(a);
+    int i = limb_count(Bits) - 1;
+    while (i > 0 && limb[i] == sign) --i;
+    int bits = i * limb_bits;
+    for (Limb top = limb[i] ^ sign; top != 0; top >>= 1) ++bits;
+    return bits;
 }
 
 }  // namespace mgdt::exact

@@ -54,6 +54,10 @@ int orientation(const double* a, const double* b, const double* c, const double*
     int s = exact::filter(v, exact::orientation_bound);
     if (s == exact::undecided) s = exact::lattice(v);
     if (s == exact::undecided) s = exact::whole(v);
+    if (s == exact::undecided) s = exact::orientation_scaled(a, b, c, d);
+    if (s == exact::undecided) s = exact::orientation_sparse(a, b, c, d, exact::Terms::single);
+    if (s == exact::undecided) s = exact::orientation_ranged(a, b, c, d);
+    if (s == exact::undecided) s = exact::orientation_sparse(a, b, c, d);
     if (s == exact::undecided) s = exact::orientation_integer(a, b, c, d);
     return s;
 }

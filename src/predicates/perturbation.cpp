@@ -107,6 +107,14 @@ int perturbed_whole(const double* a, const double* b, const double* c, const dou
     return undecided;
 }
 
+int perturbed_sparse(const double* a, const double* b, const double* c, const double* d,
+                     const double* q, Terms terms) {
+    int minors[4];
+    const int s = sphere_sparse(a, b, c, d, q, terms, minors);
+    if (s != 0) return s;
+    return broken_tie({a, b, c, d}, q, [&](int i) { return i % 2 == 0 ? minors[i] : -minors[i]; });
+}
+
 int perturbed_by_parts(const double* a, const double* b, const double* c, const double* d,
                        const double* q) {
     const int s = sphere_integer(a, b, c, d, q);
@@ -120,7 +128,12 @@ int perturbed_by_parts(const double* a, const double* b, const double* c, const 
 
 int perturbed_integers(const double* a, const double* b, const double* c, const double* d,
                        const double* q) {
-    const int s = perturbed_whole(a, b, c, d, q);
+    int s = perturbed_whole(a, b, c, d, q);
+    if (s == undecided) s = sphere_scaled(a, b, c, d, q);
+    if (s == undecided) s = perturbed_sparse(a, b, c, d, q, Terms::single);
+    if (s == undecided) s = sphere_ranged(a, b, c, d, q);
+    // A filter that finds a tie leaves it open here.
+    if (s == undecided || s == 0) s = perturbed_sparse(a, b, c, d, q, Terms::any);
     return s != undecided ? s : perturbed_by_parts(a, b, c, d, q);
 }
 

@@ -57,6 +57,10 @@ int side_of_sphere(const double* a, const double* b, const double* c, const doub
     if (s == exact::undecided) {
         s = exact::have_whole ? exact::whole(v) : exact::lattice(v);
     }
+    if (s == exact::undecided) s = exact::sphere_scaled(a, b, c, d, q);
+    if (s == exact::undecided) s = exact::sphere_sparse(a, b, c, d, q, exact::Terms::single);
+    if (s == exact::undecided) s = exact::sphere_ranged(a, b, c, d, q);
+    if (s == exact::undecided) s = exact::sphere_sparse(a, b, c, d, q);
     if (s == exact::undecided) s = exact::sphere_integer(a, b, c, d, q);
     return s;
 }

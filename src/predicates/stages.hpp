@@ -5,6 +5,7 @@
 #pragma once
 
 #include "filter.hpp"
+#include "ranged.hpp"
 
 namespace mgdt::exact {
 
@@ -12,6 +13,18 @@ int orientation_filter(const double* a, const double* b, const double* c, const 
                        const Bound& bound = orientation_bound);
 int orientation_lattice(const double* a, const double* b, const double* c, const double* d);
 int orientation_whole(const double* a, const double* b, const double* c, const double* d);
+// Of sparse integers, where the differences span at least so many bits.
+enum class Terms { single, any };  // what each difference may be
+constexpr int sparse_least = 512;  // below it plain integers are as fast
+MGDT_PREDICATES_APART int orientation_sparse(const double* a, const double* b, const double* c,
+                                             const double* d, Terms terms = Terms::any,
+                                             int least = sparse_least);
+MGDT_PREDICATES_APART int orientation_scaled(const double* a, const double* b, const double* c,
+                                             const double* d,
+                                             const Bound& bound = orientation_bound);
+MGDT_PREDICATES_APART int orientation_ranged(const double* a, const double* b, const double* c,
+                                             const double* d,
+                                             double bound = ranged_orientation_bound);
 // Integers of the least of `widths` that fits and is at least least_width.
 MGDT_PREDICATES_APART int orientation_integer(const double* a, const double* b, const double* c,
                                               const double* d, int least_width = 0);
@@ -22,12 +35,25 @@ int sphere_lattice(const double* a, const double* b, const double* c, const doub
                    const double* q);
 int sphere_whole(const double* a, const double* b, const double* c, const double* d,
                  const double* q);
+// For a tie also gives the signs of the 3 x 3 minors [bcd], [acd], [abd], [abc], if asked for.
+MGDT_PREDICATES_APART int sphere_sparse(const double* a, const double* b, const double* c,
+                                        const double* d, const double* q, Terms terms = Terms::any,
+                                        int minor_signs[4] = nullptr, int least = sparse_least);
+MGDT_PREDICATES_APART int sphere_scaled(const double* a, const double* b, const double* c,
+                                        const double* d, const double* q,
+                                        const Bound& bound = sphere_bound);
+MGDT_PREDICATES_APART int sphere_ranged(const double* a, const double* b, const double* c,
+                                        const double* d, const double* q,
+                                        double bound = ranged_sphere_bound);
 MGDT_PREDICATES_APART int sphere_integer(const double* a, const double* b, const double* c,
                                          const double* d, const double* q, int least_width = 0);
 
 // +1: surely not collinear.
 int collinear_filter(const double* a, const double* b, const double* c,
                      const Bound& bound = collinear_bound);
+// 1: surely not collinear, 0: surely collinear.
+MGDT_PREDICATES_APART int collinear_ranged(const double* a, const double* b, const double* c,
+                                           double bound = collinear_bound.relative);
 MGDT_PREDICATES_APART bool collinear_integer(const double* a, const double* b, const double* c,
                                              int least_width = 0);
 
@@ -37,6 +63,8 @@ int perturbed_doubles(const double* a, const double* b, const double* c, const d
                       const double* q);
 int perturbed_whole(const double* a, const double* b, const double* c, const double* d,
                     const double* q);
+int perturbed_sparse(const double* a, const double* b, const double* c, const double* d,
+                     const double* q, Terms terms);
 int perturbed_by_parts(const double* a, const double* b, const double* c, const double* d,
                        const double* q);
 int perturbed_integers(const double* a, const double* b, const double* c, const double* d,
@@ -44,6 +72,8 @@ int perturbed_integers(const double* a, const double* b, const double* c, const 
 
 int distance_filter(const double* q, const double* a, const double* b,
                     const Bound& bound = distance_bound);
+MGDT_PREDICATES_APART int distance_ranged(const double* q, const double* a, const double* b,
+                                          double bound = distance_bound.relative);
 MGDT_PREDICATES_APART int distance_integer(const double* q, const double* a, const double* b,
                                            int least_width = 0);
 

@@ -20,6 +20,30 @@ constexpr bool have_whole = true;
 constexpr bool have_whole = false;
 #endif
 
+// Where units and their reciprocals are normal numbers.
+constexpr double least_size = 0x1p-900, most_size = 0x1p900;
+
+// The power of two of which numbers up to `size` in magnitude are fewer than 2^Bits.
+template <int Bits>
+struct WholeUnit {
+    double unit, per_unit;
+
+    MGDT_PREDICATES_INLINE explicit WholeUnit(double size) {
+        const std::uint64_t power = bits_of(size) & exponent_mask;  // size < 2 power
+        constexpr std::uint64_t shift = std::uint64_t{Bits - 1} << 52;
+        unit = double_of(power - shift);
+        per_unit = double_of((std::uint64_t{2 * 1023} << 52) - (power - shift));
+    }
+
+    // x in units; `off` becomes other than 0 if that is no whole number.
+    MGDT_PREDICATES_INLINE std::int64_t count(double x, std::uint64_t& off) const {
+        // Conversion is towards zero, and what is rounded does not come back. 0 + turns -0 to 0.
+        const auto n = static_cast<std::int64_t>(x * per_unit);
+        off |= bits_of(static_cast<double>(n) * unit) ^ bits_of(0 + x);
+        return n;
+    }
+};
+
 // The differences in units of a power of two, if coordinates are multiples of it and all fit.
 template <int N>
 MGDT_PREDICATES_INLINE bool to_whole(const Differences<N>& d, std::int64_t (&out)[N]) {
@@ -30,20 +54,11 @@ MGDT_PREDICATES_INLINE bool to_whole(const Differences<N>& d, std::int64_t (&out
     };
     cover(d.origin);
     each<N / 3>([&](auto i) { cover(d.point[i]); });
-    if (!(size >= 0x1p-900 && size <= 0x1p900)) return false;
-    // With size < 2 power, coordinates are less than 2^coordinate_bits units.
-    const std::uint64_t power = bits_of(size) & exponent_mask;
-    constexpr std::uint64_t shift = std::uint64_t{coordinate_bits - 1} << 52;
-    const double unit = double_of(power - shift);
-    const double per_unit = double_of((std::uint64_t{2 * 1023} << 52) - (power - shift));
-    // Conversion is towards zero, and what is rounded does not come back. 0 + turns -0 to 0.
+    if (!(size >= least_size && size <= most_size)) return false;
+    const WholeUnit<coordinate_bits> in(size);
     std::uint64_t off = 0;
     std::int64_t any = 0;
-    const auto units = [&](double x) {
-        const auto n = static_cast<std::int64_t>(x * per_unit);
-        off |= bits_of(static_cast<double>(n) * unit) ^ bits_of(0 + x);
-        return n;
-    };
+    const auto units = [&](double x) { return in.count(x, off); };
     const std::int64_t o[3] = {units(d.origin[0]), units(d.origin[1]), units(d.origin[2])};
     each<N>([&](auto i) {
         const std::int64_t n = units(d.point[i / 3][i % 3]) - o[i % 3];
@@ -107,12 +122,24 @@ MGDT_PREDICATES_INLINE TwoDigits whole_square(const std::int64_t* p) {
     return TwoDigits(product(p[0], p[0]) + product(p[1], p[1]) + product(p[2], p[2]));
 }
 
-// z u - z' v + z" w, the third coordinates of three rows and the minors of the others' first two.
+// z u - z' v + z" w, the third coordinates of three rows and the minors of the others' first two,
+// as sums of products by place.
+struct WholePlaces {
+    Widest c0, c1;
+};
+
+MGDT_PREDICATES_INLINE WholePlaces whole_places(const std::int64_t* p, const TwoDigits& u,
+                                                const std::int64_t* q, const TwoDigits& v,
+                                                const std::int64_t* r, const TwoDigits& w) {
+    return {product(p[2], u.d0) - product(q[2], v.d0) + product(r[2], w.d0),
+            product(p[2], u.d1) - product(q[2], v.d1) + product(r[2], w.d1)};
+}
+
 MGDT_PREDICATES_INLINE ThreeDigits whole_cubic(const std::int64_t* p, const TwoDigits& u,
                                                const std::int64_t* q, const TwoDigits& v,
                                                const std::int64_t* r, const TwoDigits& w) {
-    return {product(p[2], u.d0) - product(q[2], v.d0) + product(r[2], w.d0),
-            product(p[2], u.d1) - product(q[2], v.d1) + product(r[2], w.d1)};
+    const WholePlaces places = whole_places(p, u, q, v, r, w);
+    return {places.c0, places.c1};
 }
 
 // Sign of the determinant of three rows.

@@ -105,6 +105,37 @@ TYPED_TEST(IntegerPair, ExtremesFitTheResult) {
     EXPECT_EQ(value(minus * minus), x * x);
 }
 
+// To the nearest double, of two as near the even one.
+TYPED_TEST(IntegerPair, RoundsToNearest) {
+    Random r(6);
+    for (int i = 0; i < reference::cases(2000); ++i) {
+        auto a = some<TypeParam::a>(r);
+        // Often a mantissa of 53 bits, or at the middle of two, and nothing or little after it.
+        if (i % 2 == 0 && TypeParam::a > 120) {
+            const std::int64_t half = (std::int64_t{1} << 53) + 2 * r.integer(0, 1 << 20) + 1;
+            const auto leading = mgdt::exact::shifted<TypeParam::a>(
+                i % 3 == 0 ? -half : half, r.integer(2, TypeParam::a - 57));
+            const auto rest = mgdt::exact::shifted<TypeParam::a>(r.integer(-1, 1), 0);
+            a = mgdt::exact::narrowed<TypeParam::a>(leading + rest);
+        }
+        const auto rounded = mgdt::exact::rounded(a);
+        const Big x = value(a);
+        const Big near = Big(rounded.value) << rounded.exponent;
+        if (x == 0) {
+            ASSERT_EQ(rounded.value, 0);
+            continue;
+        }
+        const int length = static_cast<int>(msb(abs(x))) + 1;
+        const Big twice_error = 2 * abs(x - near);
+        ASSERT_LE(twice_error << 53, Big(1) << length);
+        if ((twice_error << 53) == (Big(1) << length)) {
+            int exponent;
+            const double mantissa = std::frexp(rounded.value, &exponent);
+            ASSERT_EQ(std::fmod(std::ldexp(mantissa, 53), 2), 0);
+        }
+    }
+}
+
 TEST(Integer, ShiftsAMantissaToAnyPlace) {
     const std::int64_t mantissa = 0x1234567890abc;
     for (int shift = 0; shift < 2047; ++shift) {

@@ -8,6 +8,7 @@
 #include "predicates/determinants.hpp"
 #include "predicates/lattice.hpp"
 #include "predicates/predicates.hpp"
+#include "predicates/sparse.hpp"
 #include "predicates/stages.hpp"
 #include "predicates/whole.hpp"
 
@@ -16,6 +17,7 @@ namespace {
 using families::Five;
 using families::Random;
 using mgdt::exact::Bound;
+using mgdt::exact::Terms;
 using mgdt::exact::undecided;
 using mgdt::exact::widths;
 
@@ -47,6 +49,17 @@ TEST(Stages, AgreeOnEveryFamily) {
             EXPECT_TRUE(right(mgdt::exact::orientation_whole(a, b, c, d), solid));
             EXPECT_TRUE(right(mgdt::exact::collinear_filter(a, b, c), line ? undecided : 1));
             EXPECT_TRUE(right(mgdt::exact::distance_filter(a, b, c), nearer));
+            EXPECT_TRUE(right(mgdt::exact::sphere_scaled(a, b, c, d, q), sphere));
+            EXPECT_TRUE(right(mgdt::exact::sphere_ranged(a, b, c, d, q), sphere));
+            EXPECT_TRUE(right(mgdt::exact::orientation_scaled(a, b, c, d), solid));
+            EXPECT_TRUE(right(mgdt::exact::orientation_ranged(a, b, c, d), solid));
+            EXPECT_TRUE(right(mgdt::exact::distance_ranged(a, b, c), nearer));
+            EXPECT_TRUE(right(mgdt::exact::collinear_ranged(a, b, c), line ? 0 : 1));
+            for (const Terms terms : {Terms::single, Terms::any}) {
+                EXPECT_TRUE(
+                    right(mgdt::exact::sphere_sparse(a, b, c, d, q, terms, nullptr, 0), sphere));
+                EXPECT_TRUE(right(mgdt::exact::orientation_sparse(a, b, c, d, terms, 0), solid));
+            }
             for (int width : widths) {
                 EXPECT_EQ(mgdt::exact::sphere_integer(a, b, c, d, q, width), sphere) << width;
                 EXPECT_EQ(mgdt::exact::orientation_integer(a, b, c, d, width), solid) << width;
@@ -172,6 +185,94 @@ TEST(Stages, LatticeErrsWithMoreBits) {
     EXPECT_GT(sphere, 0);
     EXPECT_GT(solid, 0);
     EXPECT_EQ(proved, 0);
+}
+
+// The integers that span the whole range of doubles cost a hundred times as much as what comes
+// before them. Sets that occur are not left to them.
+TEST(Stages, WideIntegersAreSeldomReached) {
+    Random random(12);
+    for (const char* name :
+         {"axes of other sizes", "lattice with axes of other sizes", "terrain with a floor",
+          "lattice terrain with a floor", "lattice at an extreme scale",
+          "sphere at an extreme scale", "subnormal"}) {
+        int open = 0, cases = 0;
+        for (int i = 0; i < 1000; ++i) {
+            const Five p = family(name).make(random);
+            const double *a = p[0].data(), *b = p[1].data(), *c = p[2].data(), *d = p[3].data(),
+                         *q = p[4].data();
+            const mgdt::exact::ExactDifferences<12> v({a, b, c, d}, q);
+            if (v.bits() <= 511) continue;  // narrower ones are cheap
+            ++cases;
+            int s = mgdt::exact::sphere_scaled(a, b, c, d, q);
+            if (s == undecided) s = mgdt::exact::sphere_ranged(a, b, c, d, q);
+            if (s == undecided) s = mgdt::exact::sphere_sparse(a, b, c, d, q);
+            int o = mgdt::exact::orientation_scaled(a, b, c, d);
+            if (o == undecided) o = mgdt::exact::orientation_ranged(a, b, c, d);
+            if (o == undecided) o = mgdt::exact::orientation_sparse(a, b, c, d);
+            open += s == undecided || o == undecided;
+        }
+        EXPECT_LE(open, cases / 100) << name;
+    }
+}
+
+// Scaling the axes is what decides where one axis is far longer than another, without ties.
+TEST(Stages, ScaledAxesDecideGenericPoints) {
+    Random random(13);
+    int open = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const Five p = family("axes of other sizes").make(random);
+        open += mgdt::exact::sphere_scaled(p[0].data(), p[1].data(), p[2].data(), p[3].data(),
+                                           p[4].data()) == undecided;
+        open += mgdt::exact::orientation_scaled(p[0].data(), p[1].data(), p[2].data(),
+                                                p[3].data()) == undecided;
+    }
+    EXPECT_LE(open, 20);
+}
+
+// Sums of terms that overlap, touch, cancel, and lie far apart.
+TEST(Sparse, SignsAreThoseOfTheSum) {
+    Random random(14);
+    using mgdt::exact::Sparse;
+    for (int i = 0; i < reference::cases(20000); ++i) {
+        Sparse<60> a;
+        reference::Big sum = 0;
+        const int terms = random.integer(0, 5);
+        const int spread = random.integer(0, 1) ? 100 : 2000;
+        for (int t = 0; t < terms; ++t) {
+            const int e = random.integer(0, spread);
+            const long long f = static_cast<long long>(random.integer(-1000000, 1000000))
+                                << random.integer(0, 30);
+            a.add(e, mgdt::exact::shifted<60>(f, 0));
+            sum += reference::Big(f) << e;
+        }
+        EXPECT_EQ(mgdt::exact::sign(a), sum.sign());
+        const auto square = a * a;
+        EXPECT_EQ(mgdt::exact::sign(square), sum == 0 ? 0 : 1);
+        EXPECT_EQ(mgdt::exact::sign(square - square), 0);
+        EXPECT_EQ(mgdt::exact::sign(a - square), reference::Big(sum - sum * sum).sign());
+        EXPECT_EQ(mgdt::exact::sign(a + square), reference::Big(sum + sum * sum).sign());
+    }
+    // One unit above what all lower terms can take away, and one below.
+    for (const int sign : {-1, 1}) {
+        Sparse<60> a;
+        a.add(59, mgdt::exact::shifted<60>(sign, 0));
+        for (int e = 0; e < 10; ++e) a.add(e, mgdt::exact::shifted<60>(-sign, 49));
+        EXPECT_EQ(mgdt::exact::sign(a), sign);
+        a.add(49, mgdt::exact::shifted<60>(-sign, 1));
+        EXPECT_EQ(mgdt::exact::sign(a), -sign);
+    }
+}
+
+TEST(Sparse, TooManyTermsAreNoNumber) {
+    mgdt::exact::Sparse<60> a;
+    for (int e = 0; e < mgdt::exact::Sparse<60>::capacity; ++e)
+        a.add(100 * e, mgdt::exact::shifted<60>(1, 0));
+    EXPECT_EQ(mgdt::exact::sign(a), 1);
+    EXPECT_EQ(mgdt::exact::sign(a * a), undecided);
+    EXPECT_EQ(mgdt::exact::sign(a + a * a), undecided);
+    a.add(-1, mgdt::exact::shifted<60>(1, 0));
+    EXPECT_EQ(mgdt::exact::sign(a), undecided);
+    EXPECT_EQ(mgdt::exact::sign(a - a), undecided);
 }
 
 // The largest native integers, every sign of every coordinate, and the first beyond.
@@ -404,6 +505,68 @@ TEST(FilterConstants, Sphere) {
     EXPECT_GT(wrong(on_a_sphere, with_relative_part_over(16, bound)), 0);
     EXPECT_EQ(wrong(tiny, bound), 0);
     EXPECT_GT(wrong(tiny, without_underflow(bound)), 0);
+}
+
+// Each point moved by a power of two along an axis of its own scale.
+Five with_other_axes(Five five, Random& r) {
+    const int e[3] = {r.integer(-900, 900), r.integer(-900, 900), r.integer(-900, 900)};
+    for (auto& p : five)
+        for (std::size_t k = 0; k < 3; ++k) p[k] = std::ldexp(p[k], e[k]);
+    return five;
+}
+
+// A tie of the coordinates along the longest axis, and of the others beside it.
+TEST(FilterConstants, ScaledAxes) {
+    const auto on_a_sphere_scaled = [](Random& r) { return scaled(on_a_sphere(r), -900); };
+    const auto flat = [](Random& r) { return with_other_axes(on_a_plane(r), r); };
+    const auto sphere = [](Bound b) {
+        return [b](const Five& p) {
+            return mgdt::exact::sphere_scaled(p[0].data(), p[1].data(), p[2].data(), p[3].data(),
+                                              p[4].data(), b);
+        };
+    };
+    const auto solid = [](Bound b) {
+        return [b](const Five& p) {
+            return mgdt::exact::orientation_scaled(p[0].data(), p[1].data(), p[2].data(),
+                                                   p[3].data(), b);
+        };
+    };
+    const Bound s = mgdt::exact::sphere_bound, o = mgdt::exact::orientation_bound;
+    EXPECT_EQ(wrong_answers(on_a_sphere_scaled, sphere(s), sphere_exact), 0);
+    EXPECT_GT(
+        wrong_answers(on_a_sphere_scaled, sphere(with_relative_part_over(16, s)), sphere_exact), 0);
+    EXPECT_EQ(wrong_answers(flat, solid(o), orientation_exact), 0);
+    EXPECT_GT(wrong_answers(flat, solid(with_relative_part_over(12, o)), orientation_exact), 0);
+}
+
+TEST(FilterConstants, Ranged) {
+    const auto tiny = [](Random& r) { return scaled(on_a_sphere(r), -1000); };
+    const auto flat = [](Random& r) { return with_other_axes(on_a_plane(r), r); };
+    const auto sphere = [](double b) {
+        return [b](const Five& p) {
+            return mgdt::exact::sphere_ranged(p[0].data(), p[1].data(), p[2].data(), p[3].data(),
+                                              p[4].data(), b);
+        };
+    };
+    const auto solid = [](double b) {
+        return [b](const Five& p) {
+            return mgdt::exact::orientation_ranged(p[0].data(), p[1].data(), p[2].data(),
+                                                   p[3].data(), b);
+        };
+    };
+    const auto distance = [](double b) {
+        return [b](const Five& p) {
+            return mgdt::exact::distance_ranged(p[0].data(), p[1].data(), p[2].data(), b);
+        };
+    };
+    const double s = mgdt::exact::ranged_sphere_bound, o = mgdt::exact::ranged_orientation_bound,
+                 d = mgdt::exact::distance_bound.relative;
+    EXPECT_EQ(wrong_answers(tiny, sphere(s), sphere_exact), 0);
+    EXPECT_GT(wrong_answers(tiny, sphere(s / 16), sphere_exact), 0);
+    EXPECT_EQ(wrong_answers(flat, solid(o), orientation_exact), 0);
+    EXPECT_GT(wrong_answers(flat, solid(o / 12), orientation_exact), 0);
+    EXPECT_EQ(wrong_answers(equidistant, distance(d), distance_exact), 0);
+    EXPECT_GT(wrong_answers(equidistant, distance(d / 8), distance_exact), 0);
 }
 
 TEST(FilterConstants, Orientation) {

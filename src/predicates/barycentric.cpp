@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "barycentric.hpp"
+
+#include <cmath>
+
+#include "determinants.hpp"
+#include "whole.hpp"
+
+namespace mgdt {
+namespace exact {
+namespace {
+
+// A vertex's weight is the volume with q in its place over the whole one. With vertices a, b, c, d
+// relative to q these volumes are [bcd], -[acd], [abd], -[abc], and the whole one is their sum.
+// A common factor cancels, also one of a column of coordinates, so each axis has its own unit.
+
+#ifdef __SIZEOF_INT128__
+
+// Coordinates along an axis are below 2^axis_bits units, so differences are below 2^whole_bits.
+constexpr int axis_bits = whole_bits - 1;
+
+// Differences along an axis as whole numbers: every third of n. False if there is no unit.
+MGDT_PREDICATES_INLINE bool axis_to_whole(const double* const (&p)[4], const double* q,
+                                          std::size_t axis, std::int64_t* n) {
+    const double x[5] = {p[0][axis], p[1][axis], p[2][axis], p[3][axis], q[axis]};
+    const double size = largest_of<0, 5>(x);
+    if (!(size >= least_size && size <= most_size)) return false;
+    const WholeUnit<axis_bits> in(size);
+    std::uint64_t off = 0;
+    const std::int64_t origin = in.count(x[4], off);
+    each<4>([&](auto i) { n[3 * i] = in.count(x[i], off) - origin; });
+    return off == 0;
+}
+
+MGDT_PREDICATES_INLINE WholePlaces negative(const WholePlaces& v) {
+    return {-v.c0, -v.c1};
+}
+
+static_assert(whole_bits + digit_bits + 4 < 127,
+              "the places of four volumes hold twelve products of a difference and a digit");
+
+// To the nearest double.
+MGDT_PREDICATES_INLINE double rounded(Widest v) {
+    const auto narrow = static_cast<std::int64_t>(v);
+    if (v == narrow) return static_cast<double>(narrow);
+    // The leading 64 bits decide, but for whether any after them is set. That goes to the last of
+    // them, which is far below those that a double keeps.
+    const int shift = __builtin_clrsbll(static_cast<std::int64_t>(v >> 64));
+    const DoubleLimb aligned = static_cast<DoubleLimb>(v) << shift;
+    const auto leading = static_cast<std::int64_t>(aligned >> 64);
+    const bool rest = static_cast<std::uint64_t>(aligned) != 0;
+    const double power = double_of(static_cast<std::uint64_t>(1023 + 64 - shift) << 52);
+    return static_cast<double>(leading | rest) * power;
+}
+
+MGDT_PREDICATES_INLINE double rounded(const WholePlaces& v) {
+    const Widest upper = v.c1 + (v.c0 >> digit_bits);
+    const std::int64_t lower = low_digit(v.c0);
+    constexpr Widest few = Widest{1} << 60;
+    if (-few < upper && upper < few) return rounded(upper * (Widest{1} << digit_bits) + lower);
+    return rounded(upper | (lower != 0)) * 0x1p62;
+}
+
+MGDT_PREDICATES_INLINE void whole_weights(const std::int64_t (&v)[12], double (&w)[4]) {
+    const std::int64_t *a = v, *b = v + 3, *c = v + 6, *d = v + 9;
+    const TwoDigits ab = whole_minor(a, b), ac = whole_minor(a, c), ad = whole_minor(a, d),
+                    bc = whole_minor(b, c), bd = whole_minor(b, d), cd = whole_minor(c, d);
+    const WholePlaces volume[4] = {
+        whole_places(b, cd, c, bd, d, bc), negative(whole_places(a, cd, c, ad, d, ac)),
+        whole_places(a, bd, b, ad, d, ab), negative(whole_places(a, bc, b, ac, c, ab))};
+    WholePlaces sum = {0, 0};
+    each<4>([&](auto i) {
+        sum.c0 += volume[i].c0;
+        sum.c1 += volume[i].c1;
+    });
+    const double all = rounded(sum);
+    each<4>([&](auto i) { w[i] = rounded(volume[i]) / all; });
+}
+
+#endif
+
+// The ratio may be subnormal.
+double quotient(const Rounded& a, const Rounded& b) {
+    return a.value == 0 ? 0 : std::ldexp(a.value / b.value, a.exponent - b.exponent);
+}
+
+}  // namespace
+
+bool barycentric_whole(const double* const (&p)[4], const double* q, double (&w)[4]) {
+#ifdef __SIZEOF_INT128__
+    std::int64_t n[12];
+    if (!axis_to_whole(p, q, 0, n) || !axis_to_whole(p, q, 1, n + 1) ||
+        !axis_to_whole(p, q, 2, n + 2))
+        return false;
+    whole_weights(n, w);
+    return true;
+#else
+    (void)p, (void)q, (void)w;
+    return false;
+#endif
+}
+
+void barycentric_integer(const double* const (&p)[4], const double* q, double (&w)[4],
+                         int least_width) {
+    const auto divide = [&](const auto& v) {
+        const auto minors = SphereDeterminant::minors(v);
+        const auto& m = minors.of;
+        const Rounded all = rounded((m[0] - m[1]) + (m[2] - m[3]));
+        for (int i = 0; i < 4; ++i) {
+            const double weight = quotient(rounded(m[i]), all);
+            w[i] = i % 2 == 0 || weight == 0 ? weight : -weight;
+        }
+        return 0;
+    };
+    with_integers(ExactDifferencesByAxis<12>(p, q), least_width, divide);
+}
+
+}  // namespace exact
+
+void barycentric_weights(const double* const (&p)[4], const double* q, double (&w)[4]) {
+    if (!exact::barycentric_whole(p, q, w)) exact::barycentric_integer(p, q, w);
+}
+
+}  // namespace mgdt

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Orientation and the sphere predicate over sparse integers: exact where coordinates lie at a few
+// scales far apart, at a small part of the cost of integers that span the distance.
+#include "determinants.hpp"
+#include "sparse.hpp"
+#include "stages.hpp"
+
+namespace mgdt::exact {
+
+template <int Bits>
+constexpr bool is_long<Sparse<Bits>> = true;
+
+namespace {
+
+// Calls f with the differences as sparse integers of this width; gives `undecided` if they do not
+// fit, or if each must be a single term and one is not. Apart, so that the stack holds the numbers
+// of one width at a time.
+template <int Bits, int N, class F>
+MGDT_PREDICATES_APART int with_sparse_of(const ExactDifferences<N>& d, Terms terms, const F& f) {
+    const SparseDifferences<N, Bits> v(d);
+    if (!v.is_good() || (terms == Terms::single && !v.is_single())) return undecided;
+    return f(v.value);
+}
+
+// The same with the least width that holds them.
+template <int N, class F>
+int with_sparse(const ExactDifferences<N>& d, Terms terms, const F& f) {
+    const int s = with_sparse_of<60>(d, terms, f);
+    return s != undecided || terms == Terms::single ? s : with_sparse_of<124>(d, terms, f);
+}
+
+}  // namespace
+
+int orientation_sparse(const double* a, const double* b, const double* c, const double* d,
+                       Terms terms, int least) {
+    const ExactDifferences<9> v({b, c, d}, a);
+    if (v.bits() < least) return undecided;
+    return with_sparse(v, terms, [](const auto& x) { return sign(OrientationDeterminant()(x)); });
+}
+
+int sphere_sparse(const double* a, const double* b, const double* c, const double* d,
+                  const double* q, Terms terms, int minor_signs[4], int least) {
+    const ExactDifferences<12> v({a, b, c, d}, q);
+    if (v.bits() < least) return undecided;
+    return with_sparse(v, terms, [&](const auto& x) {
+        const auto minors = apart([&] { return SphereDeterminant::minors(x); });
+        const int s = apart([&] { return sign(SphereDeterminant::value(x, minors)); });
+        if (s == 0 && minor_signs)
+            for (int i = 0; i < 4; ++i) minor_signs[i] = sign(minors.of[i]);
+        return s;
+    });
+}
+
+}  // namespace mgdt::exact
