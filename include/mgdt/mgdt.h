@@ -14,10 +14,15 @@
  * - The library never prints, exits, throws, installs a signal handler, or writes to an array
  *   that is not documented as output. It gives the floating-point environment back as it was;
  *   callbacks run in the default one, and what they change of it ends with them.
+ * - No call is a cancellation point of POSIX threads, whatever its callbacks do: pthread_cancel()
+ *   of the calling thread acts after the call. Cancellation is disabled during the call, and its
+ *   state comes back as it was. A thread of the asynchronous type (PTHREAD_CANCEL_ASYNCHRONOUS) is
+ *   cancelled as the call ends; the handle then has all that the call did.
  * - Coordinates are in any one unit of length; every finite double is accepted.
  * - Indices start at the handle's index base (0, or 1 for Fortran): the k-th point ever given
  *   to the handle, k = 0, 1, ..., has index k + base, and tetrahedra are numbered likewise.
- *   "None" is base - 1. Numbers of tetrahedra hold until the next call that changes the handle.
+ *   "None" is base - 1. Numbers of tetrahedra hold until the next insertion, mgdt_clear(),
+ *   mgdt_set_index_base() or mgdt_set_canonical_output().
  * - Output arrays are the caller's. Their capacity is counted in array elements, not bytes
  *   and not tetrahedra; one that is too small gets MGDT_ERR_BUFFER_TOO_SMALL and is not touched.
  * - Functions ending in _i32 are their 64-bit namesakes with 32-bit integers in the arrays; an
@@ -25,6 +30,20 @@
  * - Thread rule: calls that take a `const mgdt_triangulation *` may run on one handle from many
  *   threads at once. A call that takes a non-const handle needs that handle to itself, except
  *   mgdt_cancel(). Different handles are independent.
+ * - Callbacks (progress and allocator) must not call the handle that they serve, except
+ *   mgdt_cancel() and mgdt_get_error().
+ * - A call that breaks one of these two rules gets MGDT_ERR_BUSY, changes nothing and writes no
+ *   output; the message names the call that is inside. While a call that takes a non-const handle
+ *   is inside, all others are refused: counts are those of an empty handle, mgdt_isa_name() gives
+ *   an empty string, and mgdt_destroy() does nothing. While a call that takes a const handle is
+ *   inside, those that take a non-const one are refused, and mgdt_destroy() does nothing. One case
+ *   is not noticed: such a call from another thread during mgdt_locate(), mgdt_nearest_vertex(),
+ *   mgdt_get_stat() or a count. (Since 1.2; before, all of this was undefined.)
+ * - Callbacks must return: no longjmp(), no pthread_exit(). They should not throw; an exception of
+ *   the progress callback counts as a nonzero result, one of an mgdt_alloc_fn as NULL, and one of
+ *   an mgdt_free_fn is dropped.
+ * - A call takes less than 32 KiB of stack, of its own thread and of each that it starts, whatever
+ *   the points; callbacks take theirs on top of that.
  */
 #ifndef MGDT_MGDT_H
 #define MGDT_MGDT_H
@@ -33,7 +52,7 @@
 #include <stdint.h>
 
 #define MGDT_VERSION_MAJOR 1
-#define MGDT_VERSION_MINOR 1
+#define MGDT_VERSION_MINOR 2
 #define MGDT_VERSION_PATCH 0
 
 #if defined(_WIN32)
@@ -75,6 +94,10 @@ enum {
     MGDT_ERR_OUT_OF_MEMORY = 30,    /**< The allocator or the memory limit refused. */
     MGDT_ERR_TOO_LARGE = 31,        /**< More points or tetrahedra than the format can number. */
     MGDT_ERR_CANCELLED = 40,        /**< mgdt_cancel() or the progress callback asked to stop. */
+    MGDT_ERR_BUSY = 41,             /**< Another call is inside the handle: a callback called its
+                                     *   own handle, or two threads broke the thread rule. Every
+                                     *   function that takes a handle may return it, except
+                                     *   mgdt_cancel() and mgdt_get_error(). Since 1.2. */
     MGDT_ERR_CHECK_FAILED = 60,     /**< mgdt_check() found a defect. */
     MGDT_ERR_INTERNAL = 90          /**< A defect in mgdt itself; please report it. */
 };
@@ -150,8 +173,8 @@ enum {
 typedef void *(*mgdt_alloc_fn)(size_t size, size_t align, void *user);
 /** Takes memory back; `size` and `align` are those of the allocation. */
 typedef void (*mgdt_free_fn)(void *p, size_t size, size_t align, void *user);
-/** Progress of the running call, `fraction` from 0 to 1, on the calling thread. A nonzero return
- *  value cancels. It must not call the handle, except mgdt_cancel(). */
+/** Progress of the running insertion, `fraction` from 0 to 1, on the calling thread. A nonzero
+ *  return value cancels. It must not call the handle, except mgdt_cancel() and mgdt_get_error(). */
 typedef int32_t (*mgdt_progress_fn)(double fraction, void *user);
 
 /* ------------------------------------------------------------------------------- life --- */
@@ -172,12 +195,13 @@ MGDT_API mgdt_status mgdt_create(mgdt_triangulation **out);
 MGDT_API mgdt_status mgdt_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release,
                                                 void *user, mgdt_triangulation **out);
 
-/** Frees the handle and all it holds. NULL is fine.
+/** Frees the handle and all it holds. NULL is fine. While a call is inside the handle, as in a
+ *  callback, it does nothing: the handle stays and has to be destroyed after that call.
  *  @since 1.0 */
 MGDT_API void mgdt_destroy(mgdt_triangulation *t);
 
-/** Takes all points out; settings stay, statistics start again at zero. Withdraws a request to stop
- *  that no call has heard, see mgdt_cancel().
+/** Takes all points out; settings stay, statistics start again at zero. Withdraws a pending request
+ *  to stop, see mgdt_cancel().
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_clear(mgdt_triangulation *t);
@@ -225,7 +249,10 @@ MGDT_API mgdt_status mgdt_set_threads(mgdt_triangulation *t, int32_t n);
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_index_base(mgdt_triangulation *t, int32_t base);
 
-/** Limits the memory that the handle may hold; what would pass it gets MGDT_ERR_OUT_OF_MEMORY.
+/** Limits the memory that the handle may hold; what would pass it gets MGDT_ERR_OUT_OF_MEMORY. The
+ *  working memory of a call counts as long as the call runs. A limit below what is held takes
+ *  nothing away: the next call that needs more memory is refused, be it an insertion or an export,
+ *  and the handle stays as it is.
  *  @param bytes  at least 0; 0 (default) for no limit
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
@@ -234,17 +261,22 @@ MGDT_API mgdt_status mgdt_set_memory_limit(mgdt_triangulation *t, int64_t bytes)
 /** Chooses between speed and memory. A triangulation keeps the circumsphere of every tetrahedron,
  *  which is three tenths of its memory. In compact storage spheres are computed from the vertices
  *  whenever they are wanted: insertions and locations take longer (docs/performance.md), the
- *  tetrahedra are the same, so are the calls; the order of storage may differ
- *  (mgdt_set_canonical_output()). May be called at any time: with 1 after the last insertion it
- *  gives that memory back, where the allocator can shrink a block within the memory limit; with 0
- *  it computes the spheres again.
+ *  tetrahedra are the same, so are the calls; the order in which later insertions store them may
+ *  differ (mgdt_set_canonical_output()). May be called between any two calls: with 1 after the last
+ *  insertion it gives that memory back, where the allocator can shrink a block within the memory
+ *  limit; with 0 it computes the spheres again. Neither moves a tetrahedron: their numbers hold,
+ *  and exports are the same byte for byte.
  *  @param on  1 for compact storage, 0 (default) for spheres that are kept
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_OUT_OF_MEMORY (for
  *          0; nothing has changed then)
  *  @since 1.1 */
 MGDT_API mgdt_status mgdt_set_compact(mgdt_triangulation *t, int32_t on);
 
-/** Sets the callback that hears of progress, about a hundred times a call, and may cancel.
+/** Sets the callback that hears of progress and may cancel. mgdt_insert_points() and
+ *  mgdt_insert_points_strided() call it if they are given points: with 0 before the first point,
+ *  about a hundred times on the way (less often for fewer points), and with 1 when all are in,
+ *  where it is too late to cancel. No other function calls it: exports, locations, mgdt_check(),
+ *  mgdt_reserve() and mgdt_set_compact() cannot be cancelled.
  *  @param fn  NULL for none (default)
  *  @param user  passed to it
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
@@ -419,9 +451,14 @@ MGDT_API mgdt_status mgdt_locate(const mgdt_triangulation *t, const double *xyz,
  *  @param xyz              3 n coordinates
  *  @param[out] tetrahedra  n numbers
  *  @param[out] weights     4 n barycentric coordinates, in the order of the tetrahedron's
- *                          vertices in mgdt_get_tetrahedra(), for interpolation (rounded; they
- *                          add up to 1 within rounding; zeros where there is no tetrahedron);
- *                          or NULL
+ *                          vertices in mgdt_get_tetrahedra(), for interpolation; zeros where
+ *                          there is no tetrahedron; or NULL. Each is between 0 and 1, has a
+ *                          relative error of at most 3.01 * 2^-53, plus 2^-1075 if it is
+ *                          subnormal, and is 0 if the point is on the facet opposite. So the
+ *                          weighted sum of the vertices, computed in doubles, is the point:
+ *                          along each axis it differs by at most 7.01 * 2^-53 times the largest
+ *                          magnitude among the vertices, plus 2^-1073, in every tetrahedron,
+ *                          however flat
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_NOT_FINITE (the
  *  message names the point; nothing is written), MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.0 */
@@ -471,7 +508,7 @@ MGDT_API const char *mgdt_status_string(mgdt_status s);
 
 /** Copies the message of the last call that failed on the handle, NUL-terminated and cut to
  *  capacity; an empty string if none has failed. With calls from several threads it is the last
- *  of any of them.
+ *  of any of them. Never busy: callbacks and other threads may call it at any time.
  *  @param capacity     bytes in buffer, at least 1
  *  @param[out] buffer  256 bytes hold every message
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT

@@ -6,13 +6,15 @@
  * "none", batches and threads holds here; each function below names the C function that it calls.
  *
  * - Failures are exceptions: mgdt::Error carries the status and the library's message,
- *   mgdt::Cancelled is the one for MGDT_ERR_CANCELLED, and running out of memory is
- *   mgdt::OutOfMemory, a std::bad_alloc. The state after each is what mgdt.h promises.
+ *   mgdt::Cancelled is the one for MGDT_ERR_CANCELLED, mgdt::Busy that for MGDT_ERR_BUSY, and
+ *   running out of memory is mgdt::OutOfMemory, a std::bad_alloc. The state after each is what
+ *   mgdt.h promises.
  * - Points come from any contiguous container without a copy: of doubles (three a point), of
  *   std::array<double, 3>, of double[3], or of your own type (see mgdt::is_point).
  * - Results are std::vectors, or go to a buffer of yours, of 64-bit or 32-bit integers.
  * - Const member functions may run on one object from many threads at once. The others need the
- *   object to themselves, except cancel().
+ *   object to themselves, except cancel(). Callbacks may call cancel() alone; the object must not
+ *   be destroyed, moved from or assigned to in one.
  * - An object that was moved from is empty: counts are 0, the dimension is -1, whatever can throw
  *   throws an Error with MGDT_ERR_NULL_POINTER. It may be destroyed and assigned to.
  *
@@ -93,9 +95,11 @@ class Triangulation {
     /** The handle, for calls of the C interface; it stays this object's. */
     [[nodiscard]] mgdt_triangulation* handle() noexcept { return handle_.get(); }
     [[nodiscard]] const mgdt_triangulation* handle() const noexcept { return handle_.get(); }
-    /** Gives the handle up, to be freed by mgdt_destroy(). A callback set here is taken off. */
+    /** Gives the handle up, to be freed by mgdt_destroy(). A callback set here is taken off. NULL,
+     *  and nothing is given up, in a callback of the object's own. */
     [[nodiscard]] mgdt_triangulation* release() noexcept {
-        if (progress_) mgdt_set_progress(handle_.get(), nullptr, nullptr);
+        if (progress_ && mgdt_set_progress(handle_.get(), nullptr, nullptr) != MGDT_OK)
+            return nullptr;
         progress_.reset();
         return handle_.release();
     }
@@ -302,7 +306,8 @@ class Triangulation {
         locate_points(points, found);
         return found;
     }
-    /** The same, with weights for interpolation. */
+    /** The same, with weights for interpolation, which give each point again (see
+     *  mgdt_locate_points()). */
     template <class Int = std::int64_t>
     [[nodiscard]] Located<Int> locate_with_weights(Points points) const {
         Located<Int> result;
@@ -414,6 +419,7 @@ class Triangulation {
         std::string text = t ? message_of(t) : std::string(mgdt_status_string(status));
         if (!t && status == MGDT_ERR_NULL_POINTER) text = "the triangulation was moved from";
         if (status == MGDT_ERR_CANCELLED) throw Cancelled(status, text);
+        if (status == MGDT_ERR_BUSY) throw Busy(status, text);
         throw Error(status, text);
     }
     void require(mgdt_status status) const { require(status, handle_.get()); }

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The handle behind the C interface, and the guard that every entry point passes: it sets up the
-// floating-point environment, catches everything, and turns it into a status and a message.
+// The handle behind the C interface, and the guards that the entry points pass: they refuse a call
+// that would meet another one, disable cancellation, set up the floating-point environment, catch
+// everything, and turn it into a status and a message.
 #pragma once
 
+#include <cstdio>
 #include <cstring>
+#include <limits>
 #include <new>
 
+#include "capi/call_lock.hpp"
 #include "core/triangulation.hpp"
 #include "mgdt/mgdt.h"
 #include "platform/atomic.hpp"
+#include "platform/cancellation.hpp"
 #include "platform/error.hpp"
 #include "platform/fp_environment.hpp"
 #include "query/export.hpp"
@@ -17,15 +22,29 @@ struct mgdt_triangulation {
     mgdt_triangulation(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
         : core(alloc, release, user) {}
 
-    mgdt::Triangulation core;
+    // Whether calls that only read the handle run functions of the host's.
+    bool has_callbacks() const noexcept { return core.allocator().release_function() != nullptr; }
+
+    // The status of a call that cannot enter.
+    mgdt_status refuse(const char* name) const noexcept {
+        char message[mgdt::Error::message_size];
+        if (const char* const other = calls.name())
+            std::snprintf(message, sizeof message, "%s() is refused: the handle is busy in %s()",
+                          name, other);
+        else
+            std::snprintf(message, sizeof message,
+                          "%s() is refused: the handle is busy in calls that read it", name);
+        remember(message);
+        return MGDT_ERR_BUSY;
+    }
 
     // The message of the last failure. Const calls on several threads may fail at once.
     void remember(const char* message) const noexcept {
-        const Lock lock(busy_);
+        const Lock lock(message_lock_);
         copy(message, message_, sizeof message_);
     }
     void recall(char* to, std::size_t capacity) const noexcept {
-        const Lock lock(busy_);
+        const Lock lock(message_lock_);
         copy(message_, to, capacity);
     }
 
@@ -48,16 +67,25 @@ struct mgdt_triangulation {
         }
         mgdt::Atomic<bool>& flag_;
     };
-    mutable mgdt::Atomic<bool> busy_{false};
+    mutable mgdt::Atomic<bool> message_lock_{false};
     mutable char message_[mgdt::Error::message_size] = {};
+
+  public:
+    mutable mgdt::CallLock calls;
+    // The last member, so the first to be destroyed: callbacks that take its memory back may still
+    // call the handle, and are refused.
+    mgdt::Triangulation core;
 };
 
 namespace mgdt {
 
-// Runs `body` for a handle and returns its status.
-template <class Handle, class Body>
-mgdt_status guard(Handle* t, Body body) noexcept {
-    if (!t) return MGDT_ERR_NULL_POINTER;
+// Runs `body` for a handle that the call has entered and returns its status.
+//
+// It is never inlined, for the sake of threads of the asynchronous cancellation type. A request
+// that came during the call acts when the guards below give the cancellation state back. It unwinds
+// their frames, which is possible because they have nothing to clean up and are not noexcept.
+template <class Body>
+MGDT_NOT_INLINE mgdt_status run_inside(const mgdt_triangulation* t, Body& body) noexcept {
     const FpEnvironment environment;
     try {
         body();
@@ -72,6 +100,40 @@ mgdt_status guard(Handle* t, Body body) noexcept {
         t->remember("internal error");
         return MGDT_ERR_INTERNAL;
     }
+}
+
+// A call that changes the handle.
+template <class Body>
+mgdt_status guard(mgdt_triangulation* t, Body body, const char* name = __builtin_FUNCTION()) {
+    if (!t) return MGDT_ERR_NULL_POINTER;
+    const CancellationDisabled uninterrupted;
+    if (!t->calls.try_enter_alone(name)) return t->refuse(name);
+    const mgdt_status status = run_inside(t, body);
+    t->calls.leave_alone();
+    return status;
+}
+
+// A call that reads the handle for long: others must not change it meanwhile.
+template <class Body>
+mgdt_status guard(const mgdt_triangulation* t, Body body, const char* name = __builtin_FUNCTION()) {
+    if (!t) return MGDT_ERR_NULL_POINTER;
+    const CancellationDisabled uninterrupted;
+    if (!t->calls.try_enter_together()) return t->refuse(name);
+    const mgdt_status status = run_inside(t, body);
+    t->calls.leave_together();
+    return status;
+}
+
+// A call that reads the handle for a microsecond. Counting it would take a good part of that where
+// many threads call. It is counted where it runs callbacks, which may call the handle.
+template <class Body>
+mgdt_status guard_short(const mgdt_triangulation* t, Body body,
+                        const char* name = __builtin_FUNCTION()) {
+    if (!t) return MGDT_ERR_NULL_POINTER;
+    if (t->has_callbacks()) return guard(t, body, name);
+    const CancellationDisabled uninterrupted;
+    if (t->calls.is_held_alone()) return t->refuse(name);
+    return run_inside(t, body);
 }
 
 // What the exports and queries of a handle read. Tetrahedra are numbered when that is asked for the
@@ -90,10 +152,15 @@ inline void require_pointer(const void* p, const char* name) {
     if (!p) fail(MGDT_ERR_NULL_POINTER, "%s is NULL", name);
 }
 
-inline void require_count(std::int64_t n) {
+// A number of points that a call is given.
+inline std::size_t require_count(std::int64_t n) {
     if (n < 0)
         fail(MGDT_ERR_INVALID_ARGUMENT, "the number of points is negative (%lld)",
              static_cast<long long>(n));
+    if (static_cast<std::uint64_t>(n) > std::numeric_limits<std::size_t>::max())  // of 32 bits
+        fail(MGDT_ERR_TOO_LARGE, "%lld points are more than memory can hold",
+             static_cast<long long>(n));
+    return static_cast<std::size_t>(n);
 }
 
 inline void require_capacity(std::int64_t capacity, std::size_t needed, const char* name) {

@@ -3,6 +3,37 @@
 
 using namespace mgdt;
 
+namespace {
+
+constexpr std::size_t handle_size = sizeof(mgdt_triangulation),
+                      handle_align = alignof(mgdt_triangulation);
+
+// As run_inside() of handle.hpp, for the calls that make a handle and free it.
+MGDT_NOT_INLINE mgdt_status create(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user,
+                                   mgdt_triangulation** out) noexcept {
+    const FpEnvironment environment;
+    void* memory = Allocator::obtain(alloc, user, handle_size, handle_align);
+    if (!memory) return MGDT_ERR_OUT_OF_MEMORY;
+    try {
+        mgdt_triangulation* t = new (memory) mgdt_triangulation(alloc, release, user);
+        t->core.allocator().count(handle_size);
+        *out = t;
+        return MGDT_OK;
+    } catch (...) {
+        Allocator::give_back(release, user, memory, handle_size, handle_align);
+        return MGDT_ERR_OUT_OF_MEMORY;
+    }
+}
+
+MGDT_NOT_INLINE void destroy(mgdt_triangulation* t) noexcept {
+    const mgdt_free_fn release = t->core.allocator().release_function();
+    void* const user = t->core.allocator().user();
+    t->~mgdt_triangulation();
+    Allocator::give_back(release, user, t, handle_size, handle_align);
+}
+
+}  // namespace
+
 extern "C" mgdt_status mgdt_create(mgdt_triangulation** out) {
     return mgdt_create_with_allocator(nullptr, nullptr, nullptr, out);
 }
@@ -12,27 +43,18 @@ extern "C" mgdt_status mgdt_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free
     if (!out) return MGDT_ERR_NULL_POINTER;
     *out = nullptr;
     if ((alloc == nullptr) != (release == nullptr)) return MGDT_ERR_INVALID_ARGUMENT;
-    constexpr std::size_t size = sizeof(mgdt_triangulation), align = alignof(mgdt_triangulation);
-    const FpEnvironment environment;
-    void* memory = Allocator::obtain(alloc, user, size, align);
-    if (!memory) return MGDT_ERR_OUT_OF_MEMORY;
-    try {
-        mgdt_triangulation* t = new (memory) mgdt_triangulation(alloc, release, user);
-        t->core.allocator().count(size);
-        *out = t;
-        return MGDT_OK;
-    } catch (...) {
-        Allocator::give_back(release, user, memory, size, align);
-        return MGDT_ERR_OUT_OF_MEMORY;
-    }
+    const CancellationDisabled uninterrupted;
+    return create(alloc, release, user, out);
 }
 
+// A handle that a call is inside of stays: the call would go on in memory that is gone.
 extern "C" void mgdt_destroy(mgdt_triangulation* t) {
     if (!t) return;
-    const mgdt_free_fn release = t->core.allocator().release_function();
-    void* const user = t->core.allocator().user();
-    t->~mgdt_triangulation();
-    Allocator::give_back(release, user, t, sizeof *t, alignof(mgdt_triangulation));
+    const CancellationDisabled uninterrupted;
+    if (t->calls.try_enter_alone("mgdt_destroy"))
+        destroy(t);
+    else
+        t->refuse("mgdt_destroy");
 }
 
 extern "C" mgdt_status mgdt_clear(mgdt_triangulation* t) {
@@ -40,8 +62,5 @@ extern "C" mgdt_status mgdt_clear(mgdt_triangulation* t) {
 }
 
 extern "C" mgdt_status mgdt_reserve(mgdt_triangulation* t, int64_t n_points) {
-    return guard(t, [&] {
-        require_count(n_points);
-        t->core.reserve(static_cast<std::size_t>(n_points));
-    });
+    return guard(t, [&] { t->core.reserve(require_count(n_points)); });
 }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include "capi/counts.hpp"
 #include "capi/handle.hpp"
 
 using namespace mgdt;
 
 extern "C" mgdt_status mgdt_insert_points(mgdt_triangulation* t, int64_t n, const double* xyz) {
     return guard(t, [&] {
-        require_count(n);
-        if (n == 0) return;
+        const std::size_t count = require_count(n);
+        if (count == 0) return;
         require_pointer(xyz, "xyz");
         const double* const axis[3] = {xyz, xyz + 1, xyz + 2};
-        t->core.insert(static_cast<std::size_t>(n), axis, 3);
+        t->core.insert(count, axis, 3);
     });
 }
 
@@ -17,40 +18,57 @@ extern "C" mgdt_status mgdt_insert_points_strided(mgdt_triangulation* t, int64_t
                                                   const double* y, const double* z,
                                                   int64_t stride) {
     return guard(t, [&] {
-        require_count(n);
-        if (n == 0) return;
+        const std::size_t count = require_count(n);
+        if (count == 0) return;
         require_pointer(x, "x");
         require_pointer(y, "y");
         require_pointer(z, "z");
         const double* const axis[3] = {x, y, z};
-        t->core.insert(static_cast<std::size_t>(n), axis, static_cast<std::ptrdiff_t>(stride));
+        const auto step = static_cast<std::ptrdiff_t>(stride);
+        if (step != stride && count > 1)  // of 32 bits
+            fail(MGDT_ERR_INVALID_ARGUMENT, "a stride of %lld takes the points beyond all memory",
+                 static_cast<long long>(stride));
+        t->core.insert(count, axis, step);
     });
 }
 
+// Counts of a handle that is being changed would be of no use: they are those of an empty one.
+namespace {
+
+const Triangulation* unchanging(const mgdt_triangulation* t) {
+    return t && !t->calls.is_held_alone() ? &t->core : nullptr;
+}
+
+}  // namespace
+
 extern "C" int64_t mgdt_point_count(const mgdt_triangulation* t) {
-    return t ? static_cast<int64_t>(t->core.point_map().size()) : 0;
+    const Triangulation* const core = unchanging(t);
+    return core ? point_count(*core) : 0;
 }
 
 extern "C" int64_t mgdt_vertex_count(const mgdt_triangulation* t) {
-    return t ? static_cast<int64_t>(t->core.vertex_count()) : 0;
+    const Triangulation* const core = unchanging(t);
+    return core ? vertex_count(*core) : 0;
 }
 
 extern "C" int32_t mgdt_dimension(const mgdt_triangulation* t) {
-    return t ? t->core.dimension() : -1;
+    const Triangulation* const core = unchanging(t);
+    return core ? core->dimension() : -1;
 }
 
 extern "C" int64_t mgdt_tetrahedron_count(const mgdt_triangulation* t) {
-    return t ? static_cast<int64_t>(t->core.mesh().finite_count()) : 0;
+    const Triangulation* const core = unchanging(t);
+    return core ? tetrahedron_count(*core) : 0;
 }
 
 extern "C" int64_t mgdt_hull_facet_count(const mgdt_triangulation* t) {
-    return t ? static_cast<int64_t>(t->core.mesh().ghost_count) : 0;
+    const Triangulation* const core = unchanging(t);
+    return core ? hull_facet_count(*core) : 0;
 }
 
 extern "C" int64_t mgdt_edge_count(const mgdt_triangulation* t) {
-    // Euler: V - E + F - T = 1 for a ball, with 2 F = 4 T + H.
-    if (mgdt_tetrahedron_count(t) == 0) return 0;
-    return mgdt_vertex_count(t) + mgdt_tetrahedron_count(t) + mgdt_hull_facet_count(t) / 2 - 1;
+    const Triangulation* const core = unchanging(t);
+    return core ? edge_count(*core) : 0;
 }
 
 extern "C" int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation* t) {

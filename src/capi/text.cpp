@@ -96,6 +96,8 @@ extern "C" const char* mgdt_status_string(mgdt_status s) {
             return "more points or tetrahedra than can be numbered";
         case MGDT_ERR_CANCELLED:
             return "cancelled";
+        case MGDT_ERR_BUSY:
+            return "another call is inside the handle";
         case MGDT_ERR_CHECK_FAILED:
             return "the check found a defect";
         case MGDT_ERR_INTERNAL:
@@ -108,6 +110,7 @@ extern "C" const char* mgdt_status_string(mgdt_status s) {
 extern "C" mgdt_status mgdt_get_error(const mgdt_triangulation* t, int64_t capacity, char* buffer) {
     if (!t || !buffer) return MGDT_ERR_NULL_POINTER;
     if (capacity < 1) return MGDT_ERR_INVALID_ARGUMENT;
+    const CancellationDisabled uninterrupted;
     t->recall(buffer, static_cast<std::size_t>(capacity));
     return MGDT_OK;
 }
@@ -129,7 +132,7 @@ extern "C" mgdt_status mgdt_order_scheme_from_name(const char* name, int32_t* sc
 }
 
 extern "C" mgdt_status mgdt_get_stat(const mgdt_triangulation* t, int32_t key, double* value) {
-    return guard(t, [&] {
+    return guard_short(t, [&] {
         require_pointer(value, "value");
         const NamedStatistic* s = find_statistic(key);
         if (!s) fail(MGDT_ERR_UNKNOWN_KEY, "there is no statistic %d", static_cast<int>(key));
@@ -151,5 +154,5 @@ extern "C" int32_t mgdt_abi_version(void) {
 }
 
 extern "C" const char* mgdt_isa_name(const mgdt_triangulation* t) {
-    return t ? t->core.kernel().isa : "";
+    return t && !t->calls.is_held_alone() ? t->core.kernel().isa : "";
 }

@@ -25,7 +25,7 @@ Mesh read_pair(const CheckOptions& options) {
         const std::int64_t v = mesh.tetrahedra[i];
         if (v < 0 || v >= n) {
             file.source().fail(fmt::format("row {}: vertex {}, but {} has {} points", i / 4,
-                                           v + options.index_base, options.points, n));
+                                           v + options.index_base, printable(options.points), n));
         }
     }
     return mesh;

@@ -11,13 +11,45 @@
 #include "cli/errors.hpp"
 
 namespace mgdt::cli {
+namespace {
+
+// Whether there is nothing to read: no bytes, or a byte order mark and blanks alone.
+bool holds_nothing(std::string_view bytes) {
+    if (bytes.substr(0, 3) == "\xef\xbb\xbf") bytes.remove_prefix(3);
+    return bytes.find_first_not_of(" \t\n\v\f\r") == std::string_view::npos;
+}
+
+}  // namespace
 
 Mesh read_input(const InputOptions& options, const Format** format) {
     const InputFile file(options.path);
     const Source source = file.source();
-    const Format& f = input_format(source, options.from);
+    const bool blank = holds_nothing(source.bytes);
+    const Format& f =
+        input_format(blank ? Source{source.name, source.path, ""} : source, options.from);
     if (format) *format = &f;
-    return f.read(source, options.read);
+    Mesh mesh;
+    // Bare doubles may have the bytes of blanks.
+    if (!blank || (&f == &raw_format() && !source.bytes.empty())) {
+        mesh = f.read(source, options.read);
+    } else if (options.allow_empty) {
+        mesh.detail = "empty";
+    } else {
+        source.fail(
+            "is empty, as after a program that failed to write it; --allow-empty takes it as no "
+            "points");
+    }
+    if (file.identity()) mesh.inputs.push_back(*file.identity());
+    return mesh;
+}
+
+std::vector<FileIdentity> data_files(const std::vector<std::string>& names,
+                                     const std::string& directory) {
+    std::vector<FileIdentity> files;
+    for (const std::string& name : names) {
+        if (const auto file = identity_of_input(data_path(name, directory))) files.push_back(*file);
+    }
+    return files;
 }
 
 void check_terminal(const OutputOptions& options, const Format& format) {

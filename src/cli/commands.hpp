@@ -17,6 +17,7 @@ struct InputOptions {
     std::string path;
     std::string from;  // format; empty: by extension, then by content
     ReadOptions read;
+    bool allow_empty = false;  // take a file of nothing as no points
 };
 
 struct OutputOptions {
@@ -69,6 +70,10 @@ int run_bench(const BenchOptions& options);
 
 // Reads an input; `format` receives the format it was read as.
 Mesh read_input(const InputOptions& options, const Format** format = nullptr);
+
+// The data files that points of these distributions are made from.
+std::vector<FileIdentity> data_files(const std::vector<std::string>& names,
+                                     const std::string& directory);
 
 // Refuses to send bytes to a terminal.
 void check_terminal(const OutputOptions& options, const Format& format);

@@ -139,16 +139,11 @@ Points galaxy(Random& random, std::size_t n, double power) {
 constexpr Focus kOilHole{{0, 0, 103}, 25};
 constexpr Focus kPier{{29, 5.5, 3}, 8};
 
-Points refined(const GenerateOptions& options, const char* file, const Focus& focus,
-               std::size_t n) {
-    const std::string directory = options.data_directory.empty() ? "." : options.data_directory;
-    return refine(read_element_mesh(directory + "/" + file), focus, n);
-}
-
 struct Request {
     Random& random;
     std::size_t n;
     const GenerateOptions& options;
+    std::string data_path;
 
     double width(double own) const { return options.width != 0 ? options.width : own; }
     double power(double own) const { return options.power != 0 ? options.power : own; }
@@ -167,6 +162,11 @@ Points mixed(const Request& r) {
 template <Points (*make_points)(Random&, std::size_t)>
 Points hard(const Request& r) {
     return make_points(r.random, r.n);
+}
+
+template <const Focus& focus>
+Points refined(const Request& r) {
+    return refine(read_element_mesh(r.data_path), focus, r.n);
 }
 
 struct Kind {
@@ -190,10 +190,11 @@ const std::vector<Kind>& kinds() {
         {{"mixdiag", "half uniform, half along the diagonals, width 1e-2"}, mixed<diagonal_point>},
         {{"mixsphere", "half uniform, half near the sphere, width 1e-2"}, mixed<sphere_point>},
         {{"mixspiral", "half uniform, half along the spiral, width 1e-2"}, mixed<spiral_point>},
-        {{"machine", "nodes of a finite-element mesh of a bearing bracket, locally refined"},
-         [](const Request& r) { return refined(r.options, "machine.msh", kOilHole, r.n); }},
-        {{"church", "nodes of a finite-element mesh of a church, locally refined"},
-         [](const Request& r) { return refined(r.options, "church.msh", kPier, r.n); }},
+        {{"machine", "nodes of a finite-element mesh of a bearing bracket, locally refined",
+          "machine.msh"},
+         refined<kOilHole>},
+        {{"church", "nodes of a finite-element mesh of a church, locally refined", "church.msh"},
+         refined<kPier>},
         {{"lattice", "integer points of a cube"}, hard<hostile::lattice>},
         {{"integer-sphere", "integer points of the sphere of radius 1105 (6630 at most)"},
          hard<hostile::integer_sphere>},
@@ -212,6 +213,13 @@ const std::vector<Kind>& kinds() {
     return all;
 }
 
+const Kind* find_kind(const std::string& name) {
+    for (const Kind& k : kinds()) {
+        if (name == k.distribution.name) return &k;
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 const std::vector<Distribution>& distributions() {
@@ -223,19 +231,22 @@ const std::vector<Distribution>& distributions() {
     return all;
 }
 
+std::string data_path(const std::string& name, const std::string& data_directory) {
+    const Kind* const kind = find_kind(name);
+    if (kind == nullptr || kind->distribution.data_file == nullptr) return "";
+    return (data_directory.empty() ? "." : data_directory) + "/" + kind->distribution.data_file;
+}
+
 std::vector<double> generate(const std::string& name, std::size_t n,
                              const GenerateOptions& options) {
-    const Kind* kind = nullptr;
-    for (const Kind& k : kinds()) {
-        if (name == k.distribution.name) kind = &k;
-    }
+    const Kind* const kind = find_kind(name);
     if (kind == nullptr) {
         std::string message = "unknown kind of points '" + name + "'; known are";
         for (const Kind& k : kinds()) message += std::string(" ") + k.distribution.name;
         throw std::invalid_argument(message);
     }
     Random random(options.seed);
-    const Points points = kind->make({random, n, options});
+    const Points points = kind->make({random, n, options, data_path(name, options.data_directory)});
     std::vector<double> xyz;
     xyz.reserve(3 * points.size());
     for (const Point& p : points) {

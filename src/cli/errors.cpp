@@ -3,23 +3,74 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <system_error>
 
 namespace mgdt::cli {
+namespace {
+
+// A character of UTF-8 at the beginning of a text; of length 1 and no value where the bytes are not
+// UTF-8.
+struct Character {
+    std::size_t length;
+    std::uint32_t value;
+};
+constexpr std::uint32_t not_utf8 = ~std::uint32_t{0};
+
+Character first_character(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned lead = byte(0);
+    if (lead < 0x80) return {1, lead};
+    const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+    if (lead < 0xc0 || lead >= 0xf8 || text.size() < length) return {1, not_utf8};
+    std::uint32_t value = lead & (0x7fu >> length);
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xc0u) != 0x80) return {1, not_utf8};
+        value = value << 6 | (byte(i) & 0x3fu);
+    }
+    // The shortest form of a character that is not half of a pair of UTF-16.
+    constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    const bool is_half = value >= 0xd800 && value < 0xe000;
+    if (value < least[length] || is_half || value > 0x10ffff) return {1, not_utf8};
+    return {length, value};
+}
+
+// Control characters drive terminals and end lines; marks of direction change what a reader sees.
+bool is_printable(std::uint32_t c) {
+    const bool is_control = c < 0x20 || (c >= 0x7f && c < 0xa0);
+    const bool ends_line = c == 0x2028 || c == 0x2029;
+    const bool turns = c == 0x061c || c == 0x200e || c == 0x200f || (c >= 0x202a && c <= 0x202e) ||
+                       (c >= 0x2066 && c <= 0x2069);
+    return c != not_utf8 && !is_control && !ends_line && !turns;
+}
+
+// Appends what may be shown of the first character; returns how many bytes it has.
+std::size_t append_first(std::string& out, std::string_view text) {
+    const Character c = first_character(text);
+    for (const char byte : text.substr(0, c.length)) {
+        if (is_printable(c.value)) {
+            out += byte;
+        } else {
+            out += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+        }
+    }
+    return c.length;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+    std::string out;
+    while (!text.empty()) text.remove_prefix(append_first(out, text));
+    return out;
+}
 
 std::string quote(std::string_view text) {
     constexpr std::size_t longest = 40;
     std::string out = "'";
-    for (std::size_t i = 0; i < text.size() && i < longest; ++i) {
-        const auto c = static_cast<unsigned char>(text[i]);
-        // Bytes of UTF-8 pass; control characters could drive the reader's terminal.
-        if (c < 0x20 || c == 0x7f) {
-            out += fmt::format("\\x{:02x}", c);
-        } else {
-            out += text[i];
-        }
-    }
-    if (text.size() > longest) out += "...";
+    std::size_t taken = 0;
+    while (taken < text.size() && taken < longest) taken += append_first(out, text.substr(taken));
+    if (taken < text.size()) out += "...";
     return out + "'";
 }
 

@@ -29,6 +29,11 @@ class Error : public std::runtime_error {
     int code_;
 };
 
+// Text that is not the program's own, such as the name of a file, as it may be shown in a message:
+// control characters, marks of direction and what is no UTF-8 as \xNN. Applied again it changes
+// nothing.
+std::string printable(std::string_view text);
+
 // Text of a file as it may be shown in a message: printable, and short.
 std::string quote(std::string_view text);
 

@@ -21,6 +21,7 @@ int generate_points(const GenerateCommandOptions& options) {
     }
     check_terminal(output, format);
     check_writable(output.path);
+    require_apart(data_files({options.kind}, options.generate.data_directory), {output.path});
     std::vector<double> points;
     try {
         points = generate(options.kind, count, options.generate);
@@ -33,7 +34,8 @@ int generate_points(const GenerateCommandOptions& options) {
     format.write_points(points, outputs.open(output.path), output.write);
     outputs.commit();
     if (!options.quiet && output.path != "-") {
-        fmt::print("{}: {}\n", counted(points.size() / 3, "point", "points"), output.path);
+        fmt::print("{}: {}\n", counted(points.size() / 3, "point", "points"),
+                   printable(output.path));
     }
     return exit_ok;
 }

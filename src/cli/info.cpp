@@ -50,7 +50,7 @@ int info(const InputOptions& options) {
     const Format* format = nullptr;
     const Mesh mesh = read_input(options, &format);
     const auto line = [](const char* name, const std::string& value) {
-        fmt::print("{:<14} {}\n", name, value);
+        fmt::print("{:<14} {}\n", name, printable(value));
     };
     line("file", input_name(options.path));
     line("format", fmt::format("{} ({}{}{})", format->name, format->description,

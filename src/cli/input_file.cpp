@@ -66,7 +66,7 @@ std::string remedy(int error) {
 }  // namespace
 
 std::string input_name(const std::string& path) {
-    return path == "-" ? "standard input" : path;
+    return path == "-" ? "standard input" : printable(path);
 }
 
 InputFile::InputFile(const std::string& path) {
@@ -78,6 +78,7 @@ InputFile::InputFile(const std::string& path) {
     struct stat status = {};
     if (fstat(file.fd, &status) != 0) fail_reading(name_, errno);
     if (S_ISDIR(status.st_mode)) fail_reading(name_, EISDIR);
+    identity_ = identity_of(name_, status);
 
     // The size is a hint: pipes have none, and a file may grow while it is read.
     std::size_t wanted = std::size_t{1} << 16;

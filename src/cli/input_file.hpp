@@ -5,8 +5,11 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "cli/file_identity.hpp"
 
 namespace mgdt::cli {
 
@@ -21,7 +24,7 @@ struct Source {
     [[noreturn]] void fail_at_byte(std::size_t offset, const std::string& what) const;
 };
 
-// The name of an input as messages say it: "-" is standard input.
+// The name of an input as messages say it: printable, and "-" is standard input.
 std::string input_name(const std::string& path);
 
 class InputFile {
@@ -29,12 +32,15 @@ class InputFile {
     // "-" is standard input.
     explicit InputFile(const std::string& path);
     Source source() const { return {name_, path_, {data_.get(), size_}}; }
+    // Nothing for terminals and their like.
+    const std::optional<FileIdentity>& identity() const { return identity_; }
 
   private:
     struct Free {
         void operator()(char* p) const noexcept;
     };
     std::string name_, path_;
+    std::optional<FileIdentity> identity_;
     std::unique_ptr<char, Free> data_;
     std::size_t size_ = 0;
 };

@@ -66,6 +66,8 @@ std::string data_directory() {
 void add_input(CLI::App& app, InputOptions& options, const char* description) {
     app.add_option("input", options.path, description)->required()->type_name("FILE");
     app.add_option("--from", options.from, "Format of the input")->type_name("FORMAT");
+    app.add_flag("--allow-empty", options.allow_empty,
+                 "Take an input without any text or bytes as no points");
     app.add_option_function<std::vector<int>>(
            "--columns",
            [&options](const std::vector<int>& c) {
@@ -299,9 +301,14 @@ int run(int argc, char** argv) {
     return info(i);
 }
 
+// Messages may quote arguments and names that no place before this has made printable.
 int fail(int code, const char* message) {
     std::fflush(stdout);
-    fmt::print(stderr, "mgdt: {}\n", message);
+    try {
+        fmt::print(stderr, "mgdt: {}\n", printable(message));
+    } catch (const std::exception&) {
+        // Nobody reads standard error, or memory is short: the status has to do.
+    }
     return code;
 }
 

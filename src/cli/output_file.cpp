@@ -46,11 +46,24 @@ std::string remedy(int error) {
 }
 
 [[noreturn]] void fail_writing(const std::string& name, int error) {
-    throw Error(exit_output,
-                fmt::format("{}: cannot write: {}{}", name, system_message(error), remedy(error)));
+    throw Error(exit_output, fmt::format("{}: cannot write: {}{}", printable(name),
+                                         system_message(error), remedy(error)));
 }
 
-// The file that a chain of symbolic links leads to, so that a link stays a link.
+// Whether the path is there and is a device, pipe or socket, which cannot be renamed over.
+bool is_special(const std::string& path) {
+    struct stat status = {};
+    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+mode_t default_mode() {
+    const mode_t mask = umask(0);
+    umask(mask);
+    return 0666 & ~mask;
+}
+
+}  // namespace
+
 std::string follow_links(const std::string& path) {
     std::string target = path;
     for (int depth = 0; depth < 40; ++depth) {
@@ -73,20 +86,6 @@ std::string directory_of(const std::string& path) {
     if (slash == std::string::npos) return ".";
     return slash == 0 ? "/" : path.substr(0, slash);
 }
-
-// Whether the path is there and is a device, pipe or socket, which cannot be renamed over.
-bool is_special(const std::string& path) {
-    struct stat status = {};
-    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
-}
-
-mode_t default_mode() {
-    const mode_t mask = umask(0);
-    umask(mask);
-    return 0666 & ~mask;
-}
-
-}  // namespace
 
 void check_writable(const std::string& path) {
     if (path == "-") return;

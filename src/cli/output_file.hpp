@@ -45,7 +45,7 @@ class OutputFile {
     void flush();
     [[noreturn]] void fail(int error) const;
 
-    std::string name_;    // as messages say it
+    std::string name_;
     std::string target_;  // where links lead
     std::string temporary_;
     std::unique_ptr<TemporaryName> guard_;
@@ -69,6 +69,12 @@ class OutputSet {
   private:
     std::list<OutputFile> files_;
 };
+
+// The file that a chain of symbolic links leads to, so that a link stays a link.
+std::string follow_links(const std::string& path);
+
+// The part of a path before its last slash.
+std::string directory_of(const std::string& path);
 
 // Throws if `path` could not be written, so that a mistyped directory is not found out after an
 // hour's work.

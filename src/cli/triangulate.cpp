@@ -65,6 +65,7 @@ const char* shape(std::int32_t dimension) {
 int triangulate(const TriangulateOptions& options) {
     const OutputOptions& output = options.output;
     const Format* format = nullptr;
+    std::vector<std::string> files;
     if (!output.path.empty()) {
         format = &output_format(output.path, output.to);
         if (!format->write_mesh) {
@@ -74,31 +75,35 @@ int triangulate(const TriangulateOptions& options) {
                                     format->name, format->description));
         }
         check_terminal(output, *format);
-        check_writable(output.path);
+        files = format->mesh_files ? format->mesh_files(output.path)
+                                   : std::vector<std::string>{output.path};
     } else if (options.neighbors.empty() && !options.statistics && options.check_level == 0) {
         throw Error(exit_usage,
                     "nothing to do; say where to write with -o, or ask for --stats or "
                     "--check");
     }
     if (!options.neighbors.empty()) {
-        check_writable(options.neighbors);
         if (options.neighbors == output.path) {
             throw Error(exit_usage, "-o and --neighbors name the same file");
         }
+        files.push_back(options.neighbors);
     }
+    for (const std::string& file : files) check_writable(file);
     // Standard output carries the file when it is asked to.
     std::FILE* text = output.path == "-" || options.neighbors == "-" ? stderr : stdout;
 
     Mesh mesh = read_input(options.input);
+    require_apart(mesh.inputs, files);
+    const std::string name = input_name(options.input.path);
     const auto begin = std::chrono::steady_clock::now();
     double seconds = 0;
     {
         Triangulation t(options.triangulation);
-        t.insert(mesh.points, input_name(options.input.path));
+        t.insert(mesh.points, name);
         seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         const std::int32_t dimension = mgdt_dimension(t.get());
         if (dimension < 3 && !options.triangulation.quiet) {
-            fmt::print(stderr, "mgdt: {}: {}, so there are no tetrahedra\n", options.input.path,
+            fmt::print(stderr, "mgdt: {}: {}, so there are no tetrahedra\n", name,
                        shape(dimension));
         }
         if (options.statistics) print_statistics(text, t, options);
@@ -107,7 +112,7 @@ int triangulate(const TriangulateOptions& options) {
             if (!defect.empty()) {
                 throw Error(exit_check_failed,
                             fmt::format("{}: check at level {} failed: {}; nothing was written",
-                                        options.input.path, options.check_level, defect));
+                                        name, options.check_level, defect));
             }
             if (!options.triangulation.quiet) {
                 fmt::print(text, "check at level {} passed\n", options.check_level);
@@ -130,7 +135,7 @@ int triangulate(const TriangulateOptions& options) {
     if (!options.triangulation.quiet && text == stdout) {
         fmt::print("{}, {}, {:.2f} s{}{}\n", counted(mesh.point_count(), "point", "points"),
                    counted(mesh.tetrahedron_count(), "tetrahedron", "tetrahedra"), seconds,
-                   format ? ": " : "", output.path);
+                   format ? ": " : "", printable(output.path));
     }
     return exit_ok;
 }

@@ -36,7 +36,7 @@ struct Triangulation::Batch {
     void get(std::size_t i, double p[3]) const {
         for (int k = 0; k < 3; ++k) {
             const double x = points.axis[k][static_cast<std::ptrdiff_t>(i) * points.stride];
-            p[k] = (exponent == 0 ? x : scaled(x, exponent)) + 0.0;
+            p[k] = scaled(x, exponent) + 0.0;
         }
     }
 

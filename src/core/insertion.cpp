@@ -236,11 +236,15 @@ void Triangulation::extend_location_tree(std::size_t begin) noexcept {
     if (!tree) return;
     const std::size_t end = mesh_.vertices.size();
     // Many at a time are better taken together, when somebody asks.
-    const bool are_many = end - begin >= begin / 16;
-    if (!are_many) tree->add(mesh_, begin, end);
-    if (!are_many && !tree->is_outgrown()) return;
-    location_tree_.forget();
-    if (!are_many) location_tree(end);
+    if (end - begin >= begin / 16) {
+        location_tree_.forget();
+        return;
+    }
+    tree->add(mesh_, begin, end);
+    if (tree->is_outgrown()) {
+        location_tree_.forget();
+        location_tree(end);
+    }
 }
 
 void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
@@ -272,6 +276,7 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
                 mesh_.near[point_map_[batch.index(schedule.order[schedule.hints[k]])]]);
         else if (k == 0)
             start = start_of_walk(mesh_, tree, last_, mesh_.point(q));
+        workspace_.may_jump = k == 0;
         const std::uint64_t steps_before = workspace_.counters.walk_steps;
         const Insertion result = calls().insert(mesh_, workspace_, q, start);
         if (k == 0) lone_steps_ += workspace_.counters.walk_steps - steps_before;

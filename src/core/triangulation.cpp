@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "core/batch.hpp"
+#include "platform/callback.hpp"
 #include "platform/error.hpp"
-#include "platform/fp_environment.hpp"
 
 namespace mgdt {
 
@@ -84,7 +84,7 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
     point_map_.grow(first + n);
     forget_numbering();
     exponents_.add(scan.exponents);
-    set_scale(exponents_);
+    set_scale(scale_for(n, axis, stride));
     point_map_.resize(first + n, infinite_vertex);
 
     report(0, n);
@@ -109,8 +109,18 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
     report(n, n);
 }
 
-void Triangulation::set_scale(const ExponentRange& range) {
-    const int scale = choose_scale(range, mesh_.scale);
+// The scale for all points so far, which `exponents_` knows, and the n that come in.
+int Triangulation::scale_for(std::size_t n, const double* const axis[3],
+                             std::ptrdiff_t stride) const {
+    const int scale = choose_scale(exponents_, mesh_.scale);
+    if (is_normal(exponents_, scale) || exponents_.empty()) return scale;
+    // Some will be outside the filters' range. A change is a pass over the mesh: only for batches
+    // that are as large.
+    if (n < vertex_count() && is_exact(exponents_, mesh_.scale)) return mesh_.scale;
+    return choose_scale_of_most(exponents_, PointScan::typical_exponent(n, axis, stride));
+}
+
+void Triangulation::set_scale(int scale) {
     if (scale == mesh_.scale) return;
     const int change = scale - mesh_.scale;
     mesh_.scale = scale;
@@ -181,8 +191,9 @@ unsigned Triangulation::threads_for(std::size_t work, std::size_t share) const n
 void Triangulation::report(std::size_t done, std::size_t total) {
     if (!settings_.progress) return;
     const double fraction = static_cast<double>(done) / static_cast<double>(total);
-    const FpEnvironment environment;  // what the callback does to it ends with the callback
-    if (settings_.progress(fraction, settings_.progress_user) != 0) cancel();
+    const std::int32_t cancels = call_back<std::int32_t>(
+        1, [&] { return settings_.progress(fraction, settings_.progress_user); });
+    if (cancels != 0) cancel();
 }
 
 void Triangulation::stop_if_cancelled(std::size_t done, std::size_t total) {

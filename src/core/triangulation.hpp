@@ -89,7 +89,8 @@ class Triangulation {
     struct Batch;
     class ZonalInsertion;
 
-    void set_scale(const ExponentRange& range);
+    int scale_for(std::size_t n, const double* const axis[3], std::ptrdiff_t stride) const;
+    void set_scale(int scale);
     void set_spheres() noexcept;
     std::size_t points_to_span_space(const Batch& batch, AffineBasis& basis) const;
     void hold(const Batch& batch, const AffineBasis& basis);

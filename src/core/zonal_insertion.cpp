@@ -2,6 +2,9 @@
 #include "core/zonal_insertion.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
 
 namespace mgdt {
 namespace {
@@ -9,11 +12,19 @@ namespace {
 // Points between two times that a thread gives its blocks back.
 constexpr std::size_t piece_size = 64;
 // At so many times along its zone, but not before so many tries, a thread looks how many failed:
-// with more than a quarter of them it leaves the rest of the round to the others.
+// with more than a quarter of them it waits, since the thread that it meets may be about to go on
+// or suspended by the system. When waiting, each time twice as long, has not helped so many times
+// in a row, it leaves the rest of the round to the others.
 constexpr std::size_t trials = 64, least_trial = 512;
+constexpr unsigned most_waits = 4;
+constexpr std::chrono::microseconds first_wait{100};
 // A point further along the schedule than that is not walked to from the last one.
 constexpr std::size_t far_away = 512;
 constexpr std::uint32_t most_slots_at_once = 16384;
+// A point whose cavity has grown so large when it comes to what another thread owns is a hub, which
+// has an edge to most of the vertices around. It cannot go in among others, and until it is in,
+// what goes in is made in its place: so all stop for it, unless that is too often.
+constexpr std::size_t least_hub = 1024, most_stops = 16;
 
 }  // namespace
 
@@ -39,7 +50,9 @@ struct Triangulation::ZonalInsertion::Member {
     };
     Buffer<Repeat> repeats;
     Buffer<std::uint32_t> put_off, left;
+    std::uint32_t hub = no_index;         // position of one that all have stopped for
     std::size_t tries = 0, failures = 0;  // of the trial that goes on
+    unsigned waits = 0;                   // in a row, after trials of which too many failed
     std::uint64_t inserted = 0, times_put_off = 0;
 };
 
@@ -55,6 +68,7 @@ Triangulation::ZonalInsertion::ZonalInsertion(Triangulation& t, Team& team, cons
       owners_(t.allocator_, base + batch.points.size, t.settings_.pause),
       supply_(t.mesh_, static_cast<std::uint32_t>(std::min<std::size_t>(
                            most_slots_at_once, 64 + batch.points.size / (4 * team.size())))),
+      queue_(t.allocator_, team.size()),
       left_(t.allocator_) {
     const std::size_t bytes = team.size() * sizeof(Member);
     members_ = static_cast<Member*>(t.allocator_.allocate(bytes, alignof(Member)));
@@ -92,9 +106,14 @@ void Triangulation::ZonalInsertion::insert_round(std::size_t begin, std::size_t 
     unsigned members = team_.members_for(end - begin, share);
     Items items{begin, end - begin, nullptr};
     Buffer<std::uint32_t> list(t_.allocator_);
+    std::size_t stops = 0;
     while (members > 1) {
+        may_stop_for_hubs_ = stops < most_stops;
         insert_together(items, members);
-        if (no_slots_) {
+        const std::size_t hubs = insert_hubs();
+        if (hubs > 0) {
+            ++stops;
+        } else if (no_slots_) {
             Mesh& mesh = t_.mesh_;
             const std::size_t more = members * std::size_t{2} * most_slots_at_once;
             try {
@@ -120,24 +139,40 @@ void Triangulation::ZonalInsertion::insert_round(std::size_t begin, std::size_t 
 void Triangulation::ZonalInsertion::insert_together(const Items& items, unsigned members) {
     const std::size_t piece =
         std::min(piece_size, std::max<std::size_t>(1, items.size / (members * 4)));
-    WorkQueue queue(items.size, piece, members);
+    queue_.deal(items.size, piece, members);
     stop_ = no_slots_ = false;
+    for (unsigned m = 0; m < members; ++m) members_[m].hub = no_index;
     active_ = members;
     trial_ = std::max(least_trial, items.size / (members * trials));
-    for (unsigned m = 0; m < members; ++m) members_[m].tries = members_[m].failures = 0;
+    for (unsigned m = 0; m < members; ++m)
+        members_[m].tries = members_[m].failures = members_[m].waits = 0;
     supply_.open();
     try {
-        team_.run(members, [&](unsigned m) { work(members_[m], queue, items); });
+        team_.run(members, [&](unsigned m) { work(members_[m], items); });
     } catch (...) {
-        settle(members, queue, items);
+        settle(members, items);
         throw;
     }
-    settle(members, queue, items);
+    settle(members, items);
     poll(done_);
 }
 
+// Inserts those that all have stopped for, and takes them from the list of what is left.
+std::size_t Triangulation::ZonalInsertion::insert_hubs() {
+    std::size_t hubs = 0;
+    for (unsigned m = 0; m < member_count_; ++m) {
+        const std::uint32_t k = std::exchange(members_[m].hub, no_index);
+        if (k == no_index) continue;
+        insert_alone(k, false);
+        *std::find(left_.begin(), left_.end(), k) = left_.back();
+        left_.pop_back();
+        ++hubs;
+    }
+    return hubs;
+}
+
 // When the threads are done: hands to the mesh what was theirs, and lists the points that are left.
-void Triangulation::ZonalInsertion::settle(unsigned members, WorkQueue& queue, const Items& items) {
+void Triangulation::ZonalInsertion::settle(unsigned members, const Items& items) {
     supply_.close();
     Mesh& mesh = t_.mesh_;
     for (unsigned m = 0; m < members; ++m) {
@@ -159,12 +194,12 @@ void Triangulation::ZonalInsertion::settle(unsigned members, WorkQueue& queue, c
         members_[m].left.clear();
     }
     unsigned from = 0;
-    for (WorkQueue::Piece piece; queue.next(0, from, piece);)
+    for (WorkQueue::Piece piece; queue_.next(0, from, piece);)
         for (std::size_t i = piece.begin; i < piece.end; ++i)
             left_.push_back(static_cast<std::uint32_t>(items[i]));
 }
 
-void Triangulation::ZonalInsertion::work(Member& member, WorkQueue& queue, const Items& items) {
+void Triangulation::ZonalInsertion::work(Member& member, const Items& items) {
     const unsigned number = static_cast<unsigned>(&member - members_);
     struct GiveBack {
         ZonalInsertion& z;
@@ -176,7 +211,7 @@ void Triangulation::ZonalInsertion::work(Member& member, WorkQueue& queue, const
     } at_the_end{*this, member};
     unsigned from = number;
     try {
-        for (WorkQueue::Piece piece; !stop_ && queue.next(number, from, piece);) {
+        for (WorkQueue::Piece piece; !stop_ && queue_.next(number, from, piece);) {
             const std::size_t size = piece.end - piece.begin;
             for (std::size_t i = 0; i < size; ++i) {
                 const std::size_t k = items[piece.is_stolen ? piece.end - 1 - i : piece.begin + i];
@@ -211,7 +246,14 @@ bool Triangulation::ZonalInsertion::is_too_crowded(Member& member, std::size_t t
     if (member.tries < trial_) return false;
     const bool is_crowded = member.failures > member.tries / 4;
     member.tries = member.failures = 0;
-    if (!is_crowded) return false;
+    if (!is_crowded) {
+        member.waits = 0;
+        return false;
+    }
+    if (member.waits < most_waits) {
+        std::this_thread::sleep_for(first_wait * (1 << member.waits++));
+        return false;
+    }
     // The last one stays.
     unsigned active = active_;
     while (active > 1)
@@ -227,6 +269,7 @@ bool Triangulation::ZonalInsertion::try_insert(Member& member, std::size_t k) {
     const std::size_t distance = k > member.last ? k - member.last : member.last - k;
     if ((member.here == no_tetrahedron || distance > far_away) && !arrive(member, k)) return false;
     Insertion result;
+    member.workspace.given_up = 0;
     try {
         result = t_.calls().insert_among_others(t_.mesh_, member.workspace, member.territory, q,
                                                 member.here);
@@ -235,7 +278,13 @@ bool Triangulation::ZonalInsertion::try_insert(Member& member, std::size_t k) {
         stop_ = true;
         return false;
     }
-    if (result.tetrahedron == no_tetrahedron) return false;
+    if (result.tetrahedron == no_tetrahedron) {
+        if (may_stop_for_hubs_ && member.workspace.given_up >= least_hub) {
+            member.hub = static_cast<std::uint32_t>(k);
+            stop_ = true;
+        }
+        return false;
+    }
     member.here = result.tetrahedron;
     member.last = k;
     if (result.duplicate == infinite_vertex)

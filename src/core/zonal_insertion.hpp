@@ -38,12 +38,13 @@ class Triangulation::ZonalInsertion {
     void insert_round(std::size_t begin, std::size_t end);
     // Inserts items on so many threads and lists those that are left.
     void insert_together(const Items& items, unsigned members);
-    void work(Member& member, WorkQueue& queue, const Items& items);
+    void work(Member& member, const Items& items);
     bool is_too_crowded(Member& member, std::size_t tries, std::size_t failures);
     bool try_insert(Member& member, std::size_t k);
     bool arrive(Member& member, std::size_t k);
     void give_back(Member& member);
-    void settle(unsigned members, WorkQueue& queue, const Items& items);
+    void settle(unsigned members, const Items& items);
+    std::size_t insert_hubs();
     void insert_alone(std::size_t k, bool is_next);
 
     template <class F>
@@ -60,12 +61,14 @@ class Triangulation::ZonalInsertion {
 
     BlockOwners owners_;
     SlotSupply supply_;
+    WorkQueue queue_;
     Member* members_ = nullptr;
     unsigned member_count_ = 0;
     Buffer<std::uint32_t> left_;
 
-    std::size_t trial_ = 0;         // tries after which a thread may leave
-    Atomic<unsigned> active_{0};    // threads that go on
+    std::size_t trial_ = 0;       // tries after which a thread may leave
+    Atomic<unsigned> active_{0};  // threads that go on
+    bool may_stop_for_hubs_ = false;
     Atomic<bool> stop_{false};      // all threads end soon
     Atomic<bool> no_slots_{false};  // why they do: the storage must grow
     Atomic<std::size_t> done_{0};   // positions dealt with

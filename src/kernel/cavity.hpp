@@ -12,6 +12,8 @@
 // own.
 #pragma once
 
+#include <algorithm>
+
 #include "kernel/access.hpp"
 #include "kernel/eight_rows.hpp"
 #include "kernel/marks.hpp"
@@ -40,9 +42,14 @@ struct CavityFront {
         : tetrahedra(mesh.tetrahedra.view<Access::SphereSource::are_kept>()),
           next(w.cavity.data),
           end(w.cavity.data),
-          limit(w.cavity.data + w.cavity_capacity - 4),
+          limit(limit_of(access, w)),
           boundary_end(w.boundary.data) {
         if constexpr (Access::is_shared) marks = access.marks().view();
+    }
+    static FacetCode* limit_of(Access access, const Workspace& w) {
+        std::size_t most = w.cavity_capacity;
+        if constexpr (Access::is_shared) most = std::min(most, access.marks().capacity());
+        return w.cavity.data + most - 4;
     }
     // Where the cavity begins.
     MGDT_ALWAYS_INLINE void begin(Workspace& w, CavityStart start) {
@@ -99,9 +106,9 @@ struct CavityFront {
                           size = members(w),
                           facets = static_cast<std::size_t>(boundary_end - w.boundary.data);
         try {
-            w.grow_cavity(size, facets, size + 4);
+            if (size + 4 > w.cavity_capacity) w.grow_cavity(size, facets, size + 4);
             if constexpr (Access::is_shared)
-                access.marks().grow(w.cavity_capacity, w.cavity.data, size);
+                access.marks().grow(std::min(w.cavity_capacity, 4 * size), w.cavity.data, size);
         } catch (...) {
             give_up(mesh, w, size);
             throw;
@@ -109,10 +116,11 @@ struct CavityFront {
         if constexpr (Access::is_shared) marks = access.marks().view();
         next = w.cavity.data + passed;
         end = w.cavity.data + size;
-        limit = w.cavity.data + w.cavity_capacity - 4;
+        limit = limit_of(access, w);
         boundary_end = w.boundary.data + facets;
     }
     static void give_up(Mesh& mesh, Workspace& w, std::size_t members) {
+        w.given_up = members;
         if constexpr (!Access::is_shared) w.restore_cavity(mesh.tetrahedra, members);
     }
 
@@ -152,7 +160,7 @@ template <class Access>
 MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart start,
                                 const Query& q) {
     if (MGDT_UNLIKELY(w.cavity_capacity == 0)) w.grow_cavity(0, 0, 64);
-    if constexpr (Access::is_shared) access.marks().begin(w.cavity_capacity);
+    if constexpr (Access::is_shared) access.marks().begin(MarkTable::least_capacity);
     CavityFront<Access> saved(access, mesh, w);
     saved.begin(w, start);
     // All neighbours of a member but the one that it was reached through: of the start itself all.

@@ -22,7 +22,11 @@ struct LocationWalk {
     double q[3];
     TetId tetrahedron;  // before the first step: any
     double value, error;
-    bool is_certain;  // after the last step: whether it is certain that this one contains q
+    // After the last step: whether it is certain that this one contains q, or is a ghost beyond
+    // whose facet q is.
+    bool is_certain;
+    bool may_end_outside;     // whether such a ghost will do, however far away it is
+    std::size_t steps_taken;  // counted by who calls locate_step()
 };
 
 struct KernelCalls {
@@ -36,6 +40,8 @@ struct KernelCalls {
     // A location's first power, and its next step; false where it ends. See walk.hpp.
     void (*locate_begin)(const Mesh& mesh, LocationWalk& walk);
     bool (*locate_step)(const Mesh& mesh, LocationWalk& walk);
+    // Takes a walk that has become long on from the best of so many tetrahedra all over the mesh.
+    void (*locate_jump)(const Mesh& mesh, LocationWalk& walk, std::size_t tries);
 };
 
 struct Kernel {

@@ -23,7 +23,8 @@ MGDT_ALWAYS_INLINE Insertion insert_with(Access access, Mesh& mesh, Workspace& w
         access, mesh,
         is_in_star ? start_in_star(spheres, w, query, w.counters)
                    : start_at(spheres, start, query, w.counters),
-        query, w.counters, [&] { return is_in_star ? ghost_of_star(mesh, w) : no_tetrahedron; });
+        query, w.counters, [&] { return is_in_star ? ghost_of_star(mesh, w) : no_tetrahedron; },
+        w.may_jump);
     if (found.duplicate != infinite_vertex) return {found.start.tetrahedron, found.duplicate};
     if (found.start.tetrahedron == no_tetrahedron ||
         !dig_cavity(access, mesh, w, found.start, query))
@@ -44,7 +45,8 @@ Insertion insert_among_others(Mesh& mesh, Workspace& w, Territory& territory, Ve
 
 template <class Spheres>
 constexpr KernelCalls kernel_calls = {insert<Spheres>, insert_among_others<Spheres>,
-                                      locate_begin<Spheres>, locate_step<Spheres>};
+                                      locate_begin<Spheres>, locate_step<Spheres>,
+                                      locate_jump<Spheres>};
 
 }  // namespace MGDT_ISA
 }  // namespace mgdt

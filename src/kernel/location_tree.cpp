@@ -15,8 +15,9 @@ double square_distance(const double* a, const double* b) {
     return x * x + y * y + z * z;
 }
 
-// The middle of a range that is put in order along its longest extent, as far as the middle has
-// nothing above it before it and nothing below it behind.
+// Divides a range of two vertices or more along its longest extent, in the middle as far as that
+// keeps equal coordinates together: the other half of them would never be found. Neither part is
+// empty; the first coordinate of the second part is the least of it.
 template <class Sample>
 Sample* divide(Sample* begin, Sample* end, std::uint32_t& axis) {
     double low[3], high[3];
@@ -30,11 +31,21 @@ Sample* divide(Sample* begin, Sample* end, std::uint32_t& axis) {
     axis = 0;
     for (std::uint32_t k = 1; k < 3; ++k)
         if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
-    Sample* const middle = begin + (end - begin) / 2;
-    std::nth_element(begin, middle, end, [k = axis](const Sample& a, const Sample& b) {
+    const auto is_less = [k = axis](const Sample& a, const Sample& b) {
         return a.x[k] < b.x[k] || (a.x[k] == b.x[k] && a.vertex < b.vertex);
-    });
-    return middle;
+    };
+    Sample* const middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end, is_less);
+    const double split = middle->x[axis];
+    if (split > low[axis])
+        return std::partition(begin, middle,
+                              [=, k = axis](const Sample& s) { return s.x[k] < split; });
+    // All before the middle are equal to it.
+    Sample* const above =
+        std::partition(middle, end, [=, k = axis](const Sample& s) { return s.x[k] == split; });
+    if (above == end) return middle;  // no two vertices are at one place
+    std::iter_swap(above, std::min_element(above, end, is_less));
+    return above;
 }
 
 }  // namespace
@@ -44,7 +55,8 @@ LocationTree::LocationTree(Allocator& allocator, const Mesh& mesh, std::size_t e
     Buffer<Sample> samples(allocator, (end - 2) / stride + 1);
     for (std::size_t i = 0; i < samples.size(); ++i)
         samples[i] = sample(mesh, static_cast<VertexId>(1 + i * stride));
-    // Each leaf but an only one has at least half of what a new one may have.
+    // Each leaf but an only one has at least half of what a new one may have, unless coordinates
+    // are equal.
     const std::size_t most_leaves = 2 * samples.size() / most_in_new_leaf + 1;
     nodes_.reserve(most_leaves);
     leaves_.reserve(most_leaves);

@@ -52,14 +52,17 @@ class FourPowers {
         set(spheres, bases, q);
     }
 
-    // As bits, the first tetrahedron in the lowest: where the power is negative, and where it is
-    // certain whether it is.
+    // As bits, the first tetrahedron in the lowest: where the power is negative, where it is
+    // certain whether it is, and which are ghosts.
     MGDT_ALWAYS_INLINE std::uint32_t negative() const {
         return static_cast<std::uint32_t>(_mm256_movemask_pd(value_));
     }
     MGDT_ALWAYS_INLINE std::uint32_t decided() const {
         return static_cast<std::uint32_t>(
             _mm256_movemask_pd(_mm256_cmp_pd(Four::magnitude(value_), error_, _CMP_GT_OQ)));
+    }
+    MGDT_ALWAYS_INLINE std::uint32_t ghosts() const {
+        return static_cast<std::uint32_t>(_mm256_movemask_pd(ghost_));
     }
     MGDT_ALWAYS_INLINE Power operator[](unsigned k) const {
         return {element(value_, k), element(error_, k)};
@@ -157,6 +160,7 @@ class FourPowers {
     }
     MGDT_ALWAYS_INLINE std::uint32_t negative() const { return negative_; }
     MGDT_ALWAYS_INLINE std::uint32_t decided() const { return decided_; }
+    MGDT_ALWAYS_INLINE std::uint32_t ghosts() const { return ghosts_; }
     MGDT_ALWAYS_INLINE Power operator[](unsigned k) const { return {value_[k], error_[k]}; }
     MGDT_ALWAYS_INLINE std::uint32_t above(Power other) const {
         std::uint32_t bits = 0;

@@ -134,6 +134,18 @@ MGDT_ALWAYS_INLINE std::size_t count_ghosts(const Tetrahedra tetrahedra, const W
     return ghosts;
 }
 
+// A small star changes the place of its vertices by a few tetrahedra, but the slots of a large one
+// may end up as far apart as it is wide: each of its vertices learns where it is.
+template <class Access, class Tetrahedra>
+MGDT_NOT_INLINE void set_near_of_star(Access access, const Tetrahedra tetrahedra,
+                                      const Workspace& w) {
+    for (std::size_t i = 0; i < w.boundary_size; ++i) {
+        const FacetCode slot = w.slots.data[i];
+        const VertexId* const v = tetrahedra.of_first(slot).v;
+        for (unsigned k = 1; k < 4; ++k) access.set_near(v[k], slot >> 2);
+    }
+}
+
 // Replaces the cavity, whose vertices are numbered, by the star of q.
 template <class Access, class Numbers>
 MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, VertexId q,
@@ -172,6 +184,7 @@ MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, 
             link(EdgeTable(w));
         if constexpr (has_spheres)
             set_spheres(w, mesh.vertices.data(), q, numbers.count(), infinite, tetrahedra);
+        if (numbers.count() > Workspace::medium_vertices) set_near_of_star(access, tetrahedra, w);
     }
     if (at_hull) {
         const GhostsOfStar ghosts = numbers.count() <= Workspace::SmallStar::most_vertices

@@ -16,17 +16,23 @@ bool MarkTable::View::has(TetId t) const noexcept {
     return *find(t) == (stamp | t);
 }
 
-void MarkTable::renew(std::size_t members) {
+void MarkTable::resize(std::size_t members) {
     std::size_t size = least;
     while (size < 4 * members) size *= 2;
-    entries_.clear();
-    entries_.resize(size, 0);
-    view_ = {entries_.data(), static_cast<std::uint32_t>(size - 1), std::uint64_t{1} << 32};
+    if (size > entries_.size() || view_.stamp == 0) {
+        const std::size_t larger = std::max(size, entries_.size());
+        entries_.clear();
+        entries_.resize(larger, 0);
+        view_.stamp = std::uint64_t{1} << 32;
+    }
+    view_.data = entries_.data();
+    view_.mask = static_cast<std::uint32_t>(size - 1);
 }
 
 void MarkTable::grow(std::size_t members, const FacetCode* codes, std::size_t marked) {
-    if (4 * members <= entries_.size()) return;
-    renew(members);
+    if (members <= capacity()) return;
+    view_.stamp += std::uint64_t{1} << 32;  // what is in has other places now
+    resize(members);
     for (std::size_t i = 0; i < marked; ++i) view_.put(codes[i] >> 2, 1);
 }
 

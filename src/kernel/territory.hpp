@@ -49,13 +49,21 @@ class SlotSupply {
 class MarkTable {
   public:
     explicit MarkTable(Allocator& allocator) noexcept : entries_(allocator) {}
-    // Empties the set and makes room for so many.
+    // Empties the set and makes room for so many. It is no larger than they want, however large it
+    // has been: entries all over a large one would leave the cache.
     MGDT_ALWAYS_INLINE void begin(std::size_t members) {
         view_.stamp += std::uint64_t{1} << 32;
-        if (MGDT_UNLIKELY(4 * members > entries_.size() || view_.stamp == 0)) renew(members);
+        view_.mask = least - 1;
+        if (MGDT_UNLIKELY(4 * members > least || entries_.empty() || view_.stamp == 0))
+            resize(members);
     }
     // Room for more; the first `marked` members are in.
     void grow(std::size_t members, const FacetCode* codes, std::size_t marked);
+    // How many there is room for.
+    MGDT_ALWAYS_INLINE std::size_t capacity() const noexcept {
+        return (std::size_t{view_.mask} + 1) / 4;
+    }
+    static constexpr std::size_t least_capacity = 256;
     // The set, by value: nothing that is written elsewhere changes where it is.
     struct View {
         bool has(TetId t) const noexcept;
@@ -79,9 +87,10 @@ class MarkTable {
     MGDT_ALWAYS_INLINE View view() const noexcept { return view_; }
 
   private:
-    void renew(std::size_t members);
+    // Entries for so many, none of them with the stamp.
+    void resize(std::size_t members);
 
-    static constexpr std::size_t least = 1024;
+    static constexpr std::size_t least = 4 * least_capacity;
     Buffer<std::uint64_t> entries_;
     View view_;
 };

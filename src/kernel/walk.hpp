@@ -11,6 +11,7 @@
 
 #include "kernel/cavity.hpp"
 #include "kernel/kernel.hpp"
+#include "kernel/rough_walk.hpp"
 #include "kernel/workspace.hpp"
 #include "predicates/predicates.hpp"
 
@@ -32,6 +33,7 @@ inline constexpr WalkResult no_way = {{no_tetrahedron, 0}, infinite_vertex};
 template <class Enter, class PointOf>
 TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters, Enter enter,
                  PointOf point_of) {
+    unsigned from = 4;  // the face that it came through, which q is not beyond
     for (unsigned turn = 0;; ++turn) {
         const Tetrahedron& tet = mesh.tetrahedra[t];
         ++counters.walk_steps;
@@ -52,11 +54,12 @@ TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters,
         } else {
             for (unsigned i = 0; i < 4 && through == 4; ++i) {
                 const unsigned face = (i + turn) & 3;
-                if (side(face) < 0) through = face;
+                if (face != from && side(face) < 0) through = face;
             }
         }
         if (through == 4) return t;
         t = tet.n[through] >> 2;
+        from = tet.n[through] & 3;
         if (!enter(mesh.tetrahedra[t])) return no_tetrahedron;
     }
 }
@@ -138,14 +141,44 @@ WalkStart start_in_star(const Spheres& from, const Workspace& w, const Query& q,
     return {codes[best] >> 2, powers[best]};
 }
 
-// a_ghost() gives a ghost near the start, or no_tetrahedron.
+// A walk that has become long looks at as many tetrahedra all over the mesh as it has taken steps,
+// and goes on from that of least power if it is less than where it is. So a walk past all
+// tetrahedra of a chain or a fan takes the square root of their number.
+template <class Spheres>
+MGDT_NOT_INLINE void jump(const Mesh& mesh, WalkStart& here, const Query& q, std::size_t tries,
+                          Counters& counters) {
+    const Spheres spheres(mesh);
+    const auto tetrahedra = spheres.tetrahedra;
+    const TetId start = here.tetrahedron;
+    std::uint64_t random = start;
+    counters.walk_tests += tries;
+    for (std::size_t i = 0; i < tries; i += 4) {
+        FacetCode codes[4];
+        for (FacetCode& code : codes) {
+            random = random * 0x5851F42D4C957F2Du + 0x14057B7EF767814Fu;
+            const auto t = static_cast<TetId>((random >> 32) * mesh.tetrahedra.size() >> 32);
+            code = 4 * (tetrahedra[t].is_dead() ? start : t);
+        }
+        const FourPowers powers(spheres, tetrahedra.four(codes), q);
+        const unsigned best = powers.least_finite(here.power.value);
+        if (best < 4) here = {codes[best] >> 2, powers[best]};
+    }
+}
+
+// The number of steps after which a walk is long: jumps come after as many, twice and four times as
+// many, and so on.
+constexpr std::uint64_t long_walk = 64;
+
+// a_ghost() gives a ghost near the start, or no_tetrahedron. Where the walk may not jump, it goes
+// step by step however long it becomes.
 template <class Access, class Ghost>
 inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Query& q,
-                       Counters& counters, Ghost a_ghost) {
+                       Counters& counters, Ghost a_ghost, bool may_jump = false) {
     const typename Access::SphereSource spheres(mesh);
     const auto tetrahedra = spheres.tetrahedra;
     ++counters.walk_steps;
     if (here.power.is_conflict()) return {{here.tetrahedron, 0}, infinite_vertex};
+    std::uint64_t steps = 0, next_jump = may_jump ? long_walk : 0;
     for (;;) {
         const Tetrahedron& t = tetrahedra[here.tetrahedron];
         if (MGDT_UNLIKELY(!here.power.is_decided())) {
@@ -172,29 +205,43 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
         if (next == 4) break;
         here = {t.n[next] >> 2, powers[next]};
         if (MGDT_UNLIKELY(!access.enter(tetrahedra[here.tetrahedron]))) return no_way;
+        if constexpr (!Access::is_shared) {
+            if (MGDT_UNLIKELY(++steps == next_jump)) {
+                jump<typename Access::SphereSource>(mesh, here, q, steps, counters);
+                if (here.power.is_conflict()) return {{here.tetrahedron, 0}, infinite_vertex};
+                next_jump *= 2;
+            }
+        }
     }
     const TetId ghost = a_ghost();
     if (ghost != no_tetrahedron && access.enter(tetrahedra[ghost])) {
         const TetId found = walk_hull(access, mesh, ghost, q, counters);
         if (found != no_tetrahedron) return {{found, 0}, infinite_vertex};
     }
-    const TetId t = walk_exact(
-        mesh, here.tetrahedron, q.point, counters,
-        [&](const Tetrahedron& t) { return access.enter(t); },
-        [&](VertexId v, double*) { return mesh.point(v); });
+    const auto enter = [&](const Tetrahedron& t) { return access.enter(t); };
+    const TetId t =
+        walk_exact(mesh, walk_roughly(mesh, here.tetrahedron, q.point, counters, enter), q.point,
+                   counters, enter, [&](VertexId v, double*) { return mesh.point(v); });
     if (t == no_tetrahedron) return no_way;
     return {{t, 0}, vertex_at(mesh, mesh.tetrahedra[t], q.point)};
 }
 
 // One step of a location: to the neighbour of least power, if that is less. Returns whether there
 // was one. If not, the tetrahedron contains q if that is certain, since the difference of two
-// neighbours' powers changes sign on their facet.
+// neighbours' powers changes sign on their facet. A location also ends at a ghost that is certainly
+// in conflict, because q is beyond its facet of the hull then.
 template <class Spheres>
 bool locate_step(const Mesh& mesh, LocationWalk& w) {
     const Spheres spheres(mesh);
     const auto tetrahedra = spheres.tetrahedra;
     const FacetCode* const n = tetrahedra[w.tetrahedron].n;
     const FourPowers powers(spheres, tetrahedra.four(n), Query(w.q));
+    const std::uint32_t outside = powers.ghosts() & powers.negative() & powers.decided();
+    if (MGDT_UNLIKELY(outside != 0) && w.may_end_outside) {
+        w.tetrahedron = n[lowest_bit(outside)] >> 2;
+        w.is_certain = true;
+        return false;
+    }
     const unsigned next = powers.least_finite(w.value);
     if (next == 4) {
         // Of the finite ones none is less, so only the certainty is missing, and the ghosts.
@@ -207,6 +254,16 @@ bool locate_step(const Mesh& mesh, LocationWalk& w) {
     w.error = there.error;
     for (const FacetCode code : tetrahedra[w.tetrahedron].n) tetrahedra.prefetch_of(code);
     return true;
+}
+
+template <class Spheres>
+void locate_jump(const Mesh& mesh, LocationWalk& w, std::size_t tries) {
+    Counters unused;
+    WalkStart here = {w.tetrahedron, {w.value, w.error}};
+    jump<Spheres>(mesh, here, Query(w.q), tries, unused);
+    w.tetrahedron = here.tetrahedron;
+    w.value = here.power.value;
+    w.error = here.power.error;
 }
 
 template <class Spheres>

@@ -61,6 +61,7 @@ struct Workspace {
     Scratch<FacetCode> boundary;  // facets, on the side that stays
     std::size_t cavity_capacity = 0;
     std::size_t cavity_size = 0, boundary_size = 0;
+    std::size_t given_up = 0;  // members of the cavity that was given up last
 
     // The star: its vertices numbered locally, and facets over those numbers. Nearly all stars are
     // small, and for those everything lies together at fixed places.
@@ -93,6 +94,7 @@ struct Workspace {
     }
     std::size_t star_removed = 0, star_created = 0;  // what there is room for
 
+    bool may_jump = false;  // whether a walk that has become long may go on elsewhere
     Counters counters;
 };
 

@@ -11,10 +11,23 @@
 namespace mgdt {
 namespace {
 
+// Whether two words that are sorted have points in one cell.
+struct InOneCell {
+    const std::uint64_t* words;
+    unsigned index_bits;
+    bool operator()(std::size_t i, std::size_t j) const noexcept {
+        return (words[i] ^ words[j]) >> index_bits == 0;
+    }
+};
+
 // A word is a key on top of an index: what is left of 64 bits when the index has its share takes 9
 // to 15 levels of the curve, of which up to 16,384 points get fewer than there is room for. Where
 // points crowd in one of the finest cells, the curve goes on inside it over the least cube that
 // holds them, so its resolution follows the points down to the last bit of their coordinates.
+//
+// A curve inside a cell divides the extent by 2^9 at least, so they lie up to (1024 + 1074) / 9
+// deep in one another. Cells that wait are listed in the handle's memory: the stack does not depend
+// on the points.
 class CurveSorter {
   public:
     CurveSorter(const PointSet& points, std::size_t crowd, CurveOrder& order,
@@ -32,32 +45,34 @@ class CurveSorter {
         steps_ = std::min({room, wanted, most_steps});
     }
 
-    // Each call divides the extent by 2^9 at least, so calls nest at most (1024 + 1074) / 9 deep.
-    void sort(Team& team, std::size_t begin, std::size_t end, const Box& box, unsigned state,
-              unsigned depth) {
-        unsigned deepest = levels_;
-        while (depth > deepest && !levels_.compare_exchange_weak(deepest, depth)) {
+    // Crowded cells with few points are taken from there by one thread each, side by side, those
+    // with many by the whole team, one after another.
+    void sort(Team& team) {
+        Buffer<Cell> large(allocator_);
+        Buffer<Run> runs(allocator_);
+        Cell cell{0, points_.size, HilbertCurve::first_state, 1};
+        Box box = box_of(points_);
+        for (;;) {
+            const Lattice lattice = sort_cell(team, cell, box);
+            runs.clear();
+            for_each_run(
+                team, allocator_, cell.begin, cell.end, crowd_ + 1,
+                InOneCell{words_, order_.index_bits},
+                [&] {
+                    return [&, open = Buffer<Level>(allocator_)](std::size_t begin,
+                                                                 std::size_t end) mutable {
+                        sort_inside(open, lattice, cell, begin, end);
+                    };
+                },
+                runs);
+            for (const Run& run : runs) large.push_back(inside(lattice, cell, run.begin, run.end));
+            do {
+                if (large.empty()) return;
+                cell = large.back();
+                large.pop_back();
+                box = box_of_points(cell);
+            } while (!(box.longest() > 0));  // one point repeated
         }
-        const unsigned levels = HilbertCurve::levels_per_step * steps_;
-        const Lattice lattice = Lattice::cubes(points_, box, 1u << levels);
-        std::uint64_t* const words = words_ + begin;
-        team.split(end - begin, share, [&](std::size_t first, std::size_t last, unsigned) {
-            for (std::size_t k = first; k < last; ++k) {
-                unsigned to = state;
-                const std::uint64_t index = words[k] & order_.index_mask();
-                words[k] = key(lattice, index, to) << order_.index_bits | index;
-            }
-        });
-        radix_sort(team, allocator_, words, scratch_ + begin, end - begin, order_.index_bits,
-                   order_.index_bits + 3 * levels);
-        for_each_run(
-            team, allocator_, end - begin, crowd_ + 1,
-            [&](std::size_t i, std::size_t j) {
-                return words[i] >> order_.index_bits == words[j] >> order_.index_bits;
-            },
-            [&](Team& t, std::size_t first, std::size_t last) {
-                refine(t, begin + first, begin + last, lattice, state, depth);
-            });
     }
 
     unsigned levels() const noexcept { return levels_; }
@@ -66,19 +81,88 @@ class CurveSorter {
     static constexpr unsigned least_steps = 3, most_steps = 5;
     static constexpr std::size_t share = 32768;
 
+    struct Cell {
+        std::size_t begin, end;  // places of its points
+        unsigned state;          // of the curve in it
+        unsigned depth;          // 1 for the whole
+    };
+    // A cell that is sorted, but not what is before `begin` inside its own finest cells.
+    struct Level {
+        Cell cell;
+        Lattice lattice;
+    };
+
     std::uint64_t key(const Lattice& lattice, std::uint64_t index, unsigned& state) const noexcept {
         const auto i = static_cast<std::size_t>(index);
         return hilbert_curve.key(lattice.step(points_, i, 0), lattice.step(points_, i, 1),
                                  lattice.step(points_, i, 2), steps_, state);
     }
 
-    void refine(Team& team, std::size_t begin, std::size_t end, const Lattice& lattice,
-                unsigned state, unsigned depth) {
-        const Box box =
-            box_of(points_, end - begin, [&](std::size_t j) { return order_.index(begin + j); });
-        if (!(box.longest() > 0)) return;  // one point repeated
+    Box box_of_points(const Cell& cell) const noexcept {
+        return box_of(points_, cell.end - cell.begin,
+                      [&](std::size_t j) { return order_.index(cell.begin + j); });
+    }
+
+    // One of the finest cells of a cell that is sorted.
+    Cell inside(const Lattice& lattice, const Cell& cell, std::size_t begin,
+                std::size_t end) const noexcept {
+        unsigned state = cell.state;
         key(lattice, order_.index(begin), state);
-        sort(team, begin, end, box, state, depth + 1);
+        return {begin, end, state, cell.depth + 1};
+    }
+
+    // Sorts the points of a cell by keys over its lattice, which is returned.
+    Lattice sort_cell(Team& team, const Cell& cell, const Box& box) {
+        unsigned deepest = levels_;
+        while (cell.depth > deepest && !levels_.compare_exchange_weak(deepest, cell.depth)) {
+        }
+        const unsigned levels = HilbertCurve::levels_per_step * steps_;
+        const Lattice lattice = Lattice::cubes(points_, box, 1u << levels);
+        const std::size_t size = cell.end - cell.begin;
+        const unsigned state = cell.state;
+        std::uint64_t* const words = words_ + cell.begin;
+        team.split(size, share, [&](std::size_t first, std::size_t last, unsigned) {
+            for (std::size_t k = first; k < last; ++k) {
+                unsigned to = state;
+                const std::uint64_t index = words[k] & order_.index_mask();
+                words[k] = key(lattice, index, to) << order_.index_bits | index;
+            }
+        });
+        radix_sort(team, allocator_, words, scratch_ + cell.begin, size, order_.index_bits,
+                   order_.index_bits + 3 * levels);
+        return lattice;
+    }
+
+    // Sorts what lies in one of the finest cells of a cell, down to the last curve inside it.
+    // `open` is empty before and after.
+    void sort_inside(Buffer<Level>& open, const Lattice& lattice, const Cell& cell,
+                     std::size_t begin, std::size_t end) {
+        Team alone;
+        enter(alone, open, inside(lattice, cell, begin, end));
+        while (!open.empty()) {
+            Level& level = open.back();
+            const std::size_t stop = level.cell.end;
+            std::size_t first = level.cell.begin, last = first;
+            for (; first < stop; first = last) {
+                last = end_of_run(first, stop, InOneCell{words_, order_.index_bits});
+                if (last - first > crowd_) break;
+            }
+            if (first < stop) {
+                level.cell.begin = last;
+                enter(alone, open, inside(level.lattice, level.cell, first, last));
+            } else {
+                open.pop_back();
+            }
+        }
+    }
+
+    void enter(Team& alone, Buffer<Level>& open, const Cell& cell) {
+        const Box box = box_of_points(cell);
+        if (!(box.longest() > 0)) return;  // one point repeated
+        open.grow(open.size() + 1);
+        const Lattice lattice = sort_cell(alone, cell, box);
+        open.resize_within_capacity(open.size() + 1);
+        open.back() = {cell, lattice};
     }
 
     const PointSet& points_;
@@ -108,7 +192,7 @@ CurveOrder sort_along_curve(Team& team, const PointSet& points, Allocator& alloc
         for (std::size_t k = begin; k < end; ++k) order.words[k] = k;
     });
     CurveSorter sorter(points, crowd, order, scratch);
-    sorter.sort(team, 0, n, box_of(points), HilbertCurve::first_state, 1);
+    sorter.sort(team);
     order.levels = sorter.levels();
     return order;
 }

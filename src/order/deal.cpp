@@ -15,7 +15,7 @@ struct Block {
     static constexpr std::size_t size = places;
     static constexpr unsigned middle_bits = bits;
     static constexpr std::size_t middle = std::size_t{1} << bits, margin = (size - middle) / 2;
-    static_assert(margin > 0);  // all have neighbours in their block
+    static_assert(margin > 0);  // those in the middle have neighbours in their block
 };
 using BlockOfMany = Block<12, 3>;
 using BlockOfFew = Block<4, 1>;
@@ -23,10 +23,15 @@ constexpr std::size_t few = 4096;
 constexpr std::size_t largest_first = 64;
 constexpr std::size_t share = 65536;
 
-// Which of the middle ones is farthest from both of its neighbours along the curve; place(i) is
-// that of the i-th of them, from -1 on. Of equal ones the first from `first` on, cyclically.
+// Which of the middle ones is farthest from both of its neighbours along the curve, and by how many
+// levels; place(i) is that of the i-th of them, from -1 on. Of equal ones the first from `first`
+// on, cyclically.
+struct Loneliest {
+    std::size_t i;
+    unsigned levels;
+};
 template <class Block, class Place>
-std::size_t loneliest(const CurveOrder& curve, std::size_t first, Place place) {
+Loneliest loneliest(const CurveOrder& curve, std::size_t first, Place place) {
     constexpr std::size_t middle = Block::middle;
     unsigned apart[middle + 1];
     for (std::size_t i = 0; i <= middle; ++i) apart[i] = curve.levels_apart(place(i - 1), place(i));
@@ -40,7 +45,30 @@ std::size_t loneliest(const CurveOrder& curve, std::size_t first, Place place) {
             best = i;
         }
     }
-    return best;
+    return {best, most};
+}
+
+// A point beside the middle of its block is chosen where it lies so many levels farther from its
+// neighbours: the centre of a sphere, an apex above a plane. Such a point has an edge to most of
+// the others. The later it comes, the more tetrahedra are made in its place and removed again.
+constexpr unsigned levels_of_a_hub = 3;
+
+// The loneliest from `begin` to `end` if it is one of these, else `otherwise`; of `count` places.
+template <class Place>
+std::size_t hub_or(std::size_t otherwise, unsigned levels, const CurveOrder& curve,
+                   std::size_t begin, std::size_t end, std::size_t count, Place place) {
+    unsigned before = begin == 0 ? ~0u : curve.levels_apart(place(begin - 1), place(begin));
+    unsigned most = levels + levels_of_a_hub - 1;
+    for (std::size_t k = begin; k < end; ++k) {
+        const unsigned after = k + 1 == count ? ~0u : curve.levels_apart(place(k), place(k + 1));
+        const unsigned alone = std::min(before, after);
+        if (alone > most) {
+            most = alone;
+            otherwise = k;
+        }
+        before = after;
+    }
+    return otherwise;
 }
 
 }  // namespace
@@ -64,13 +92,20 @@ Deal::Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed,
         };
         const auto choose = [&](std::size_t begin, std::size_t end, unsigned) {
             for (std::size_t b = begin; b < end; ++b) {
-                const std::size_t from = b * Block::size + Block::margin;
-                auto at = static_cast<std::size_t>(Random::at(seed, drawn + b) >>
-                                                   (64 - Block::middle_bits));
-                if (curve)
-                    at = loneliest<Block>(*curve, at,
-                                          [&](std::size_t i) { return place_of(from + i); });
-                const std::uint32_t place = place_of(from + at);
+                const std::size_t first = b * Block::size, from = first + Block::margin;
+                // What is left behind the last block is part of it.
+                const std::size_t last = b + 1 == blocks ? left : first + Block::size;
+                const auto drawn_one = static_cast<std::size_t>(Random::at(seed, drawn + b) >>
+                                                                (64 - Block::middle_bits));
+                std::size_t at = from + drawn_one;
+                if (curve) {
+                    const Loneliest found = loneliest<Block>(
+                        *curve, drawn_one, [&](std::size_t i) { return place_of(from + i); });
+                    at = hub_or(from + found.i, found.levels, *curve, first, from, left, place_of);
+                    at = hub_or(at, found.levels, *curve, from + Block::middle, last, left,
+                                place_of);
+                }
+                const std::uint32_t place = place_of(at);
                 back_[place] = static_cast<std::uint8_t>(rounds_ + 1);
                 chosen[b] = place;
             }

@@ -2,6 +2,7 @@
 // A radix sort by 64-bit keys that reads no more of the keys than it takes to tell them apart.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -37,16 +38,16 @@ void insertion_sort(Record* a, std::size_t n) noexcept {
 namespace radix_detail {
 
 inline constexpr unsigned digit_bits = 11;
-inline constexpr unsigned most_digits = 4;
+inline constexpr unsigned most_digits = 2;  // 16 KiB of counters on the stack
 
 struct Counters {
     std::uint32_t of_digit[most_digits][1u << digit_bits];
 };
 
-// How many of the bits low..high-1 to sort n records by first: as many as they need.
+// How many of the bits low..high-1 to sort n records by first: as many as they need, and are told
+// apart in two passes.
 inline unsigned first_width(std::size_t n, unsigned low, unsigned high) noexcept {
-    const unsigned wanted = bit_width(n) + 2;
-    return wanted < high - low ? wanted : high - low;
+    return std::min({bit_width(n) + 2, high - low, most_digits * digit_bits});
 }
 
 // So many bits in digits of equal width.
@@ -95,7 +96,7 @@ MGDT_NOT_INLINE Record* least_digit_first(Record* a, Record* b, std::size_t n, u
 
 // Sorts n < 2^32 records by bits low..high-1 of their keys; higher bits are the same in all of
 // them. Takes the top bits first, as many as n records need, and then sorts what they leave
-// equal, so a set whose keys differ early costs two or three passes whatever the keys' length.
+// equal, so a set whose keys differ early costs two passes whatever the keys' length.
 // `scratch` has room for n records. With low = 0, records of equal keys keep their order.
 template <class Record>
 void radix_sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high) noexcept {

@@ -6,12 +6,19 @@
 
 namespace mgdt {
 
+// Where the run of items that begins at `begin` ends, before `end`.
+template <class Equal>
+std::size_t end_of_run(std::size_t begin, std::size_t end, Equal equal) {
+    std::size_t next = begin + 1;
+    while (next < end && equal(begin, next)) ++next;
+    return next;
+}
+
 // Calls each(begin, end) for the runs of items begin..end-1 with equal(i, j).
 template <class Equal, class Each>
 void for_each_run(std::size_t begin, std::size_t end, Equal equal, Each each) {
     for (std::size_t k = begin; k < end;) {
-        std::size_t next = k + 1;
-        while (next < end && equal(k, next)) ++next;
+        const std::size_t next = end_of_run(k, end, equal);
         each(k, next);
         k = next;
     }

@@ -10,18 +10,24 @@
 
 namespace mgdt {
 
-// Calls each(team, begin, end) for the runs of items 0..n-1 with equal(i, j) from `least` items on:
-// the members side by side, each as a team of its own, for the small ones; then once with all of
-// `team` for each large one. each() may change the items of its run.
-template <class Equal, class Each>
-void for_each_run(Team& team, Allocator& allocator, std::size_t n, std::size_t least, Equal equal,
-                  Each each) {
+struct Run {
+    std::size_t begin, end;
+};
+
+// Finds the runs of items begin..end-1 with equal(i, j) from `least` items on. Each member of the
+// team that takes part makes itself each = make_each() and calls each(begin, end) for small runs,
+// whose items that may change. The large ones are added to `large`, in any order, for all of the
+// team to take one after another; with one member all are small.
+template <class Equal, class MakeEach>
+void for_each_run(Team& team, Allocator& allocator, std::size_t begin, std::size_t end,
+                  std::size_t least, Equal equal, const MakeEach& make_each, Buffer<Run>& large) {
     constexpr std::size_t share = 32768;
+    const std::size_t n = end - begin;
     const unsigned members = team.members_for(n, share);
     if (members == 1) {
-        Team alone;
-        for_each_run(0, n, equal, [&](std::size_t begin, std::size_t end) {
-            if (end - begin >= least) each(alone, begin, end);
+        auto each = make_each();
+        for_each_run(begin, end, equal, [&](std::size_t first, std::size_t last) {
+            if (last - first >= least) each(first, last);
         });
         return;
     }
@@ -30,33 +36,28 @@ void for_each_run(Team& team, Allocator& allocator, std::size_t n, std::size_t l
     // Where each piece's runs begin, before any of them may be changed.
     Buffer<std::size_t> first(allocator);
     first.resize(pieces + 1);
-    first[pieces] = n;
-    for (std::size_t p = pieces, next = n; p-- > 0;) {
-        const std::size_t begin = n / pieces * p + n % pieces * p / pieces;
-        std::size_t k = begin;
-        while (k > 0 && k < next && equal(k - 1, k)) ++k;
+    first[pieces] = end;
+    for (std::size_t p = pieces, next = end; p-- > 0;) {
+        const std::size_t from = begin + n / pieces * p + n % pieces * p / pieces;
+        std::size_t k = from;
+        while (k > begin && k < next && equal(k - 1, k)) ++k;
         first[p] = k < next ? k : first[p + 1];
-        next = begin;
+        next = from;
     }
-    struct Run {
-        std::size_t begin, end;
-    };
-    Buffer<Run> large(allocator);
     std::mutex mutex;
     Atomic<std::size_t> taken{0};
     team.run(members, [&](unsigned) {
-        Team alone;
+        auto each = make_each();
         for (std::size_t p = taken++; p < pieces; p = taken++)
-            for_each_run(first[p], first[p + 1], equal, [&](std::size_t begin, std::size_t end) {
-                if (end - begin >= 2 * share) {
+            for_each_run(first[p], first[p + 1], equal, [&](std::size_t k, std::size_t next) {
+                if (next - k >= 2 * share) {
                     const std::lock_guard<std::mutex> lock(mutex);
-                    large.push_back({begin, end});
-                } else if (end - begin >= least) {
-                    each(alone, begin, end);
+                    large.push_back({k, next});
+                } else if (next - k >= least) {
+                    each(k, next);
                 }
             });
     });
-    for (const Run& run : large) each(team, run.begin, run.end);
 }
 
 }  // namespace mgdt

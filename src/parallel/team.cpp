@@ -8,6 +8,7 @@
 #include <system_error>
 #include <thread>
 
+#include "platform/cancellation.hpp"
 #include "platform/fp_environment.hpp"
 
 #if defined(__unix__)
@@ -107,6 +108,7 @@ void Team::start(unsigned members, FunctionRef<void(unsigned)> body) {
 }
 
 void Team::Crew::work(unsigned member) noexcept {
+    CancellationDisabled::for_good();  // callbacks may tell others which thread this is
     const FpEnvironment environment;
     unsigned long long seen = 0;
     for (;;) {

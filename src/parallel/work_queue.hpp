@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
+#include "parallel/atomic_array.hpp"
 #include "parallel/team.hpp"
-#include "platform/atomic.hpp"
 
 namespace mgdt {
 
@@ -17,14 +17,19 @@ class WorkQueue {
         bool is_stolen;  // from the end of another member's part, so the next one lies before it
     };
 
-    // Items 0..n-1 in pieces of `size`.
-    WorkQueue(std::size_t n, std::size_t size, unsigned members) noexcept
-        : n_(n), size_(size), members_(members) {
+    // Empty, for up to so many members.
+    WorkQueue(Allocator& allocator, unsigned most_members)
+        : ends_(allocator, std::size_t{stride} * most_members) {}
+
+    // Items 0..n-1 in pieces of `size`, while no member takes any.
+    void deal(std::size_t n, std::size_t size, unsigned members) noexcept {
+        n_ = n;
+        size_ = size;
+        members_ = members;
         const std::size_t pieces = (n + size - 1) / size;
         for (unsigned m = 0; m < members; ++m)
-            parts_[m].ends.store(
-                pack(Team::part(pieces, m, members), Team::part(pieces, m + 1, members)),
-                std::memory_order_relaxed);
+            ends(m).store(pack(Team::part(pieces, m, members), Team::part(pieces, m + 1, members)),
+                          std::memory_order_relaxed);
     }
 
     // The next piece for a member; false if there is none. `from` is the member that it took from
@@ -40,7 +45,7 @@ class WorkQueue {
             // The one who has most left.
             std::size_t most = 0;
             for (unsigned m = 0; m < members_; ++m) {
-                const std::size_t left = size_of(parts_[m].ends.load(std::memory_order_relaxed));
+                const std::size_t left = size_of(ends(m).load(std::memory_order_relaxed));
                 if (left > most) {
                     most = left;
                     from = m;
@@ -62,33 +67,35 @@ class WorkQueue {
     }
 
     bool take_first(unsigned member, std::size_t& k) noexcept {
-        Atomic<std::uint64_t>& ends = parts_[member].ends;
-        std::uint64_t now = ends.load(std::memory_order_relaxed);
+        Atomic<std::uint64_t>& left = ends(member);
+        std::uint64_t now = left.load(std::memory_order_relaxed);
         do {
             if (size_of(now) == 0) return false;
             k = first_of(now);
         } while (
-            !ends.compare_exchange_weak(now, pack(k + 1, end_of(now)), std::memory_order_relaxed));
+            !left.compare_exchange_weak(now, pack(k + 1, end_of(now)), std::memory_order_relaxed));
         return true;
     }
     bool take_last(unsigned member, std::size_t& k) noexcept {
-        Atomic<std::uint64_t>& ends = parts_[member].ends;
-        std::uint64_t now = ends.load(std::memory_order_relaxed);
+        Atomic<std::uint64_t>& left = ends(member);
+        std::uint64_t now = left.load(std::memory_order_relaxed);
         do {
             if (size_of(now) == 0) return false;
             k = end_of(now) - 1;
         } while (
-            !ends.compare_exchange_weak(now, pack(first_of(now), k), std::memory_order_relaxed));
+            !left.compare_exchange_weak(now, pack(first_of(now), k), std::memory_order_relaxed));
         return true;
     }
 
-    // Each on a cache line of its own.
-    struct alignas(64) Part {
-        Atomic<std::uint64_t> ends{0};
-    };
-    const std::size_t n_, size_;
-    const unsigned members_;
-    Part parts_[Team::most];
+    // Of each member's part, on a cache line of its own.
+    static constexpr unsigned stride = 64 / sizeof(std::uint64_t);
+    Atomic<std::uint64_t>& ends(unsigned member) noexcept {
+        return ends_[std::size_t{stride} * member];
+    }
+
+    AtomicArray<std::uint64_t> ends_;
+    std::size_t n_ = 0, size_ = 1;
+    unsigned members_ = 0;
 };
 
 }  // namespace mgdt

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "platform/fp_environment.hpp"
+#include "platform/callback.hpp"
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -84,8 +84,7 @@ void default_give_back(void* p, std::size_t bytes, std::size_t align) noexcept {
 void* Allocator::obtain(mgdt_alloc_fn alloc, void* user, std::size_t bytes, std::size_t align,
                         bool remaps) noexcept {
     if (!alloc) return default_obtain(bytes, align, remaps);
-    const FpEnvironment environment;  // what the callback does to it ends with the callback
-    return alloc(bytes, align, user);
+    return call_back<void*>(nullptr, [&] { return alloc(bytes, align, user); });
 }
 
 void Allocator::give_back(mgdt_free_fn release, void* user, void* p, std::size_t bytes,
@@ -94,8 +93,10 @@ void Allocator::give_back(mgdt_free_fn release, void* user, void* p, std::size_t
         default_give_back(p, bytes, align);
         return;
     }
-    const FpEnvironment environment;
-    release(p, bytes, align, user);
+    call_back(0, [&] {
+        release(p, bytes, align, user);
+        return 0;
+    });
 }
 
 void Allocator::count(std::size_t bytes) {

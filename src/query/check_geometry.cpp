@@ -37,7 +37,7 @@ void Checker::coordinates() const {
         for (std::size_t v = std::max<std::size_t>(begin, 1); v < end; ++v) {
             const double* const x = mesh_.vertices[v].x;
             for (int k = 0; k < 3; ++k) {
-                const double given = scale == 0 ? x[k] : scaled(x[k], -scale);
+                const double given = scaled(x[k], -scale);
                 if (!std::isfinite(x[k]) || !std::isfinite(given))
                     fail(MGDT_ERR_CHECK_FAILED, "point %lld has a coordinate that is not finite",
                          index(static_cast<VertexId>(v)));

@@ -14,7 +14,7 @@ struct Locator {
 
     // The finite tetrahedron whose closure contains q (unscaled), or no_tetrahedron outside the
     // hull. The walk starts at `hint`, or where the tree says if there is none; `hint` becomes a
-    // tetrahedron near q.
+    // tetrahedron near q, or for q outside a ghost that q is beyond.
     TetId locate(const double* q, TetId& hint) const;
     // Locates n points, the k-th of them point_of(k), and calls found(k, tetrahedron) for each, in
     // any order. Several are on their way at a time, each stretch of the sequence from its own last
@@ -22,18 +22,28 @@ struct Locator {
     template <class PointOf, class Found>
     void locate_sequence(std::size_t n, PointOf point_of, Found found) const;
     // Barycentric coordinates of q in the order of the tetrahedron's stored vertices.
-    void weights(TetId t, const double* q, double w[4]) const;
+    void weights(TetId t, const double* q, double (&w)[4]) const;
     // The vertex nearest to q, the lowest index of several; infinite_vertex if there is none.
     VertexId nearest_vertex(const double* q, Allocator& allocator) const;
     // A vertex as the caller gave it.
     void unscaled(VertexId v, double* to) const;
 
   private:
+    TetId locate(const double* q, TetId& hint, bool may_end_outside) const;
     // False if there are no steps to take.
     bool begin(const double* q, TetId hint, LocationWalk& walk) const;
+    // False if that was the last step.
+    bool step(LocationWalk& walk) const {
+        if (!kernel.locate_step(mesh, walk)) return false;
+        constexpr std::size_t long_walk = 64;
+        const std::size_t steps = ++walk.steps_taken;
+        if (MGDT_UNLIKELY(steps >= long_walk && (steps & (steps - 1)) == 0))
+            kernel.locate_jump(mesh, walk, steps);
+        return true;
+    }
     TetId end(const double* q, const LocationWalk& walk, TetId& hint) const;
     friend class NearestVertex;
-    // q in the mesh's scale; false if it has no exact place there.
+    // q in the mesh's scale; false if it has no exact place there, and `to` is rounded.
     bool scale_exactly(const double* q, double* to) const;
 };
 
@@ -51,6 +61,7 @@ void Locator::locate_sequence(std::size_t n, PointOf point_of, Found found) cons
     for (std::size_t s = 0; s < count; ++s) {
         streams[s].next = n * s / count;
         streams[s].end = n * (s + 1) / count;
+        streams[s].walk.may_end_outside = true;
     }
     std::size_t left = n;
     while (left > 0) {
@@ -62,7 +73,7 @@ void Locator::locate_sequence(std::size_t n, PointOf point_of, Found found) cons
                 stream.walks = mesh.live_count() != 0 &&
                                begin(point_of(stream.next), stream.hint, stream.walk);
                 if (stream.walks) continue;
-            } else if (kernel.locate_step(mesh, stream.walk)) {
+            } else if (step(stream.walk)) {
                 continue;
             }
             stream.walks = false;

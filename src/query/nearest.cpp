@@ -1,61 +1,84 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
 #include "predicates/predicates.hpp"
 #include "query/locate.hpp"
 
 namespace mgdt {
 namespace {
 
-// A set of numbers that keeps the order in which they came: a queue of what is still to visit.
+// A set of numbers that keeps the order in which they came: a queue of what is still to visit. A
+// few numbers take no memory but its own.
 class VisitQueue {
   public:
-    explicit VisitQueue(Allocator& allocator) : items_(allocator), table_(allocator) {
-        items_.reserve(least / 2);
-    }
+    explicit VisitQueue(Allocator& allocator) : more_items_(allocator), more_slots_(allocator) {}
     void clear() {
-        items_.clear();
-        table_.clear();
-        table_.resize(least, no_index);
+        items_ = few_items_;
+        slots_ = few_slots_;
+        size_ = 0;
+        bits_ = few_bits;
+        std::fill_n(slots_, slot_count(), no_index);
     }
-    std::size_t size() const { return items_.size(); }
+    std::size_t size() const { return size_; }
     std::uint32_t operator[](std::size_t i) const { return items_[i]; }
-    void push(std::uint32_t item) {
-        if (2 * items_.size() >= table_.size()) {
-            const std::size_t larger = 4 * table_.size();
-            table_.clear();
-            table_.resize(larger, no_index);
-            for (const std::uint32_t old : items_) table_[slot(old)] = old;
-        }
+    // Returns whether it was not in.
+    bool push(std::uint32_t item) {
+        if (2 * size_ == slot_count()) grow();
         const std::size_t at = slot(item);
-        if (table_[at] == item) return;
-        table_[at] = item;
-        items_.push_back(item);
+        if (slots_[at] == item) return false;
+        slots_[at] = item;
+        items_[size_++] = item;
+        return true;
     }
 
   private:
-    static constexpr std::size_t least = 128;  // a vertex has 27 tetrahedra in the mean
+    static constexpr unsigned few_bits = 7;  // a vertex has 27 tetrahedra in the mean
 
+    std::size_t slot_count() const { return std::size_t{1} << bits_; }
+    // The upper bits of a product depend on all bits of the item.
     std::size_t slot(std::uint32_t item) const {
-        const std::size_t mask = table_.size() - 1;
-        std::size_t h = (item * 0x9E3779B1u) & mask;
-        while (table_[h] != no_index && table_[h] != item) h = (h + 1) & mask;
+        std::size_t h = (item * 0x9E3779B1u) >> (32 - bits_);
+        while (slots_[h] != no_index && slots_[h] != item) h = (h + 1) & (slot_count() - 1);
         return h;
     }
-    Buffer<std::uint32_t> items_;
-    Buffer<std::uint32_t> table_;
+    void grow() {
+        more_items_.resize(2 * slot_count());
+        if (items_ == few_items_) std::copy_n(items_, size_, more_items_.data());
+        more_slots_.clear();
+        more_slots_.resize(4 * slot_count(), no_index);
+        items_ = more_items_.data();
+        slots_ = more_slots_.data();
+        bits_ += 2;
+        for (std::size_t i = 0; i < size_; ++i) slots_[slot(items_[i])] = items_[i];
+    }
+
+    std::uint32_t few_items_[1u << (few_bits - 1)], few_slots_[1u << few_bits];
+    Buffer<std::uint32_t> more_items_, more_slots_;
+    std::uint32_t *items_ = few_items_, *slots_ = few_slots_;
+    std::size_t size_ = 0;
+    unsigned bits_ = few_bits;
 };
 
-// Calls f for the finite neighbours of v, some more than once, with a tetrahedron that has both;
-// the first one of v's is given.
+// Calls f(vertex, tetrahedron that has both) for the finite neighbours of v, for some more than
+// once; `near` is a tetrahedron of v.
 template <class F>
-void for_each_neighbor(const Mesh& mesh, VertexId v, TetId first, VisitQueue& star, F f) {
+void for_each_neighbor(const Mesh& mesh, VertexId v, TetId near, VisitQueue& star, F f) {
+    // The finite ones around v are connected, since the hull is convex.
+    const Tetrahedron& given = mesh.tetrahedra[near];
+    const TetId first = given.is_ghost() ? given.n[given.infinite_slot()] >> 2 : near;
+    for (const VertexId other : mesh.tetrahedra[first].v)
+        if (other != v) f(other, first);
     star.clear();
     star.push(first);
     for (std::size_t i = 0; i < star.size(); ++i) {
         const Tetrahedron& t = mesh.tetrahedra[star[i]];
-        for (int face = 0; face < 4; ++face) {
+        for (unsigned face = 0; face < 4; ++face) {
             if (t.v[face] == v) continue;
-            if (t.v[face] != infinite_vertex) f(t.v[face], star[i]);
-            star.push(t.n[face] >> 2);
+            const FacetCode code = t.n[face];
+            const Tetrahedron& next = mesh.tetrahedra[code >> 2];
+            // Of its vertices one has not been met through this facet.
+            if (!next.is_ghost() && star.push(code >> 2)) f(next.v[code & 3], code >> 2);
         }
     }
 }
@@ -86,7 +109,12 @@ class NearestVertex {
     // The sign of a's distance less b's.
     int compare(VertexId a, VertexId b) const {
         // Scaling by a power of two changes no comparison, where it is exact.
-        if (has_place_) return compare_distance(p_, mesh_.point(a), mesh_.point(b));
+        if (has_place_) {
+            double squares[2];
+            if (has_exact_square(a, squares[0]) && has_exact_square(b, squares[1]))
+                return (squares[0] > squares[1]) - (squares[0] < squares[1]);
+            return compare_distance(p_, mesh_.point(a), mesh_.point(b));
+        }
         double pa[3], pb[3];
         locator_.unscaled(a, pa);
         locator_.unscaled(b, pb);
@@ -106,7 +134,7 @@ class NearestVertex {
             VertexId better = v;
             double least = estimate(v);
             is_only = true;
-            for_each_neighbor(mesh_, v, near, star, [&](VertexId other, TetId t) {
+            const auto look = [&](VertexId other, TetId t) {
                 if (other == better) return;
                 const double square = estimate(other);
                 if (is_farther(square, least)) return;
@@ -116,7 +144,8 @@ class NearestVertex {
                 better = other;
                 least = square;
                 near = t;
-            });
+            };
+            for_each_neighbor(mesh_, v, near, star, look);
             if (better == v) return v;
             v = better;
         }
@@ -135,14 +164,35 @@ class NearestVertex {
         push(v, near);
         for (std::size_t i = 0; i < equals.size(); ++i) {
             if (is_better(equals[i], v)) v = equals[i];
-            for_each_neighbor(mesh_, equals[i], tetrahedra[i], star, [&](VertexId other, TetId t) {
-                if (compare(other, v) == 0) push(other, t);
+            const VertexId equal = equals[i];
+            const double square = estimate(equal);
+            for_each_neighbor(mesh_, equal, tetrahedra[i], star, [&](VertexId other, TetId t) {
+                if (!is_farther(estimate(other), square) && compare(other, v) == 0) push(other, t);
             });
         }
         return v;
     }
 
   private:
+    // Whether the square of a vertex's distance is a double, which is then given. Of coordinates
+    // with few digits, such as a lattice's, where it decides the ties.
+    bool has_exact_square(VertexId v, double& square) const {
+        const double* const x = mesh_.point(v);
+        double squares[3];
+        for (int k = 0; k < 3; ++k) {
+            const double d = x[k] - p_[k];
+            // Of 24 digits, so that 48 are enough for its square; x - p itself is not rounded.
+            if (static_cast<double>(static_cast<float>(d)) != d || x[k] - d != p_[k] ||
+                p_[k] + d != x[k])
+                return false;
+            squares[k] = d * d;
+        }
+        const double two = squares[0] + squares[1];
+        square = two + squares[2];
+        return two - squares[0] == squares[1] && two - squares[1] == squares[0] &&
+               square - two == squares[2] && square - squares[2] == two;
+    }
+
     const Locator& locator_;
     const Mesh& mesh_;
     const double* const q_;
@@ -155,12 +205,17 @@ VertexId Locator::nearest_vertex(const double* q, Allocator& allocator) const {
     const NearestVertex to(*this, q);
     if (mesh.live_count() == 0) {
         VertexId nearest = 1;
-        for (VertexId v = 2; v < mesh.vertices.size(); ++v)
-            if (to.is_better(v, nearest)) nearest = v;
+        double least = to.estimate(nearest);
+        for (VertexId v = 2; v < mesh.vertices.size(); ++v) {
+            const double square = to.estimate(v);
+            if (NearestVertex::is_farther(square, least) || !to.is_better(v, nearest)) continue;
+            nearest = v;
+            least = square;
+        }
         return nearest;
     }
     TetId near = no_tetrahedron;
-    locate(q, near);
+    locate(q, near, false);
     // Among the vertices of where q is first: that is often the nearest already.
     VertexId nearest = infinite_vertex;
     for (const VertexId v : mesh.tetrahedra[near].v)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What a release declared is still declared, letter by letter; and the client that was compiled with
-it uses all of it.
+"""What a release declared is still declared, with the same types and values; and the client that was
+compiled with it uses all of it. Comments and layout are free.
 
   frozen_test.py --header mgdt.h --frozen mgdt-1.0.h [mgdt-1.1.h ...] --client PROGRAM
 
@@ -44,6 +44,9 @@ GROWTH = [
     (r"(MGDT_API void mgdt_destroy)", r"MGDT_API int32_t mgdt_new(void);\n\1"),
     (r"(typedef int32_t mgdt_status;)", r"\1 /* more of it */ typedef int32_t mgdt_other;"),
     (r"#define MGDT_VERSION_MINOR \d+", "#define MGDT_VERSION_MINOR 99\n#define MGDT_NEW 3"),
+    (r"MGDT_ERR_CANCELLED = 40,", "MGDT_ERR_CANCELLED = 40, /**< Told anew, with a comma; = 41 */"),
+    (r"(MGDT_API void mgdt_destroy)", "/** Told anew.\n#define MGDT_VERSION_MAJOR 7\nMGDT_API int32_t mgdt_clear(void);\n"
+     r" */\n\1"),
     (r"mgdt_status mgdt_clear\(mgdt_triangulation \*t\)", "mgdt_status\n    mgdt_clear( mgdt_triangulation *  t )"),
 ]
 

@@ -65,6 +65,18 @@ def compiles(command, source, suffix):
         return run.stderr if run.returncode else ""
 
 
+def with_handlers(library, names):
+    """The functions whose frames have something to do when they are unwound. A thread of the asynchronous
+    cancellation type is unwound through the frame of the function that it called, see run_inside()
+    in src/capi/handle.hpp; a table there would end the process."""
+    frames = re.findall(r" FDE .*?pc=([0-9a-f]+)\.\.[^\n]*\n(  Augmentation data:)?",
+                        output_of("readelf", "--debug-dump=frames", library))
+    tables = {int(address, 16): bool(data) for address, data in frames}
+    symbols = re.findall(r"^([0-9a-f]+) T (mgdt_\w+)", output_of("nm", "-D", "--defined-only", library), flags=re.M)
+    places = {name: int(address, 16) for address, name in symbols}
+    return [name for name in sorted(names) if tables.get(places.get(name), True)]
+
+
 def main():
     parser = argparse.ArgumentParser()
     for name in ("library", "header", "map"):
@@ -91,6 +103,8 @@ def main():
     check("the soname is libmgdt.so.1", "" if "[libmgdt.so.1]" in dynamic else dynamic)
     check("no code runs when the library is loaded",
           "" if initialisers(options.library) <= 1 else f"{initialisers(options.library)} initialisers")
+
+    check("threads may be unwound through the functions", " ".join(with_handlers(options.library, names)))
 
     include = f"-I{options.header.parent.parent}"
     strict = [include, "-Wall", "-Wextra", "-pedantic", "-Werror"]

@@ -140,7 +140,8 @@ int main(void) {
                   {"progress", test_progress},
                   {"environment", test_environment},
                   {"isa", test_isa},
-                  {"compact", test_compact}};
+                  {"compact", test_compact},
+                  {"busy", test_busy}};
     size_t g;
     for (g = 0; g < sizeof groups / sizeof groups[0]; ++g) {
         const int passed_before = passed, failed_before = failed;

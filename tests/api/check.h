@@ -52,5 +52,6 @@ void test_progress(void);
 void test_environment(void);
 void test_isa(void);
 void test_compact(void);
+void test_busy(void);
 
 #endif

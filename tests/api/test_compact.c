@@ -431,7 +431,56 @@ static void setting(void) {
     free(xyz);
 }
 
+static int64_t* all_numbers(const mgdt_triangulation* t, int64_t count, const double* q) {
+    int64_t* const v = malloc((size_t)(8 * count + queries) * sizeof *v);
+    int k;
+    if (v == NULL) abort();
+    CHECK_EQUAL(mgdt_get_tetrahedra(t, 4 * count, v), MGDT_OK);
+    CHECK_EQUAL(mgdt_get_neighbors(t, 4 * count, v + 4 * count), MGDT_OK);
+    CHECK_EQUAL(mgdt_locate_points(t, queries, q, v + 8 * count, NULL), MGDT_OK);
+    for (k = 0; k < queries; k += 4) v[8 * count + k] = 0; /* a vertex is in several */
+    return v;
+}
+
+/* Numbers of tetrahedra hold while storage changes, whether or not output is canonical: the arrays
+ * are the same, byte for byte. */
+static void numbers(void) {
+    const int64_t n = is_small() ? 500 : 5000;
+    double *xyz = random_points(n, 20, 44), q[3 * queries];
+    int canonical, threads, step;
+    query_points(n, xyz, q);
+    for (canonical = 0; canonical < 2; ++canonical)
+        for (threads = 1; threads < 3; ++threads)
+            for (step = 0; step < 4; ++step) {
+                mgdt_triangulation* t = NULL;
+                int64_t count, *before, *after;
+                /* Begins in either storage, with numbers that were made before or were not. */
+                const int32_t compact = step % 2;
+                CHECK_EQUAL(mgdt_create(&t), MGDT_OK);
+                CHECK_EQUAL(mgdt_set_threads(t, threads), MGDT_OK);
+                CHECK_EQUAL(mgdt_set_canonical_output(t, canonical), MGDT_OK);
+                CHECK_EQUAL(mgdt_set_compact(t, compact), MGDT_OK);
+                CHECK_EQUAL(mgdt_insert_points(t, n / 2, xyz), MGDT_OK);
+                CHECK_EQUAL(mgdt_insert_points(t, n - n / 2, xyz + 3 * (n / 2)), MGDT_OK);
+                if (step / 2 == 1) CHECK_EQUAL(mgdt_set_compact(t, !compact), MGDT_OK);
+                count = mgdt_tetrahedron_count(t);
+                before = all_numbers(t, count, q);
+                CHECK_EQUAL(mgdt_set_compact(t, step / 2 == 1 ? compact : !compact), MGDT_OK);
+                after = all_numbers(t, count, q);
+                CHECK(memcmp(before, after, (size_t)(8 * count + queries) * sizeof *after) == 0);
+                free(after);
+                CHECK_EQUAL(mgdt_set_compact(t, step / 2 == 1 ? !compact : compact), MGDT_OK);
+                after = all_numbers(t, count, q);
+                CHECK(memcmp(before, after, (size_t)(8 * count + queries) * sizeof *after) == 0);
+                free(after);
+                free(before);
+                mgdt_destroy(t);
+            }
+    free(xyz);
+}
+
 void test_compact(void) {
+    numbers();
     setting();
     sets();
     threads();

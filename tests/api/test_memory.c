@@ -314,6 +314,46 @@ static void limits(void) {
     free(xyz);
 }
 
+/* A limit below what is held takes nothing away. What needs more memory is refused and has changed
+ * nothing; what needs none works; and without the limit all goes on. */
+static void below_what_is_held(void) {
+    const int64_t n = 3000;
+    double *xyz = random_points(n, 0, 73), *more = random_points(n, 0, 74);
+    mgdt_triangulation *t = make(n, xyz), *expected = make(n, xyz);
+    const int64_t count = mgdt_tetrahedron_count(t);
+    int64_t *const before = get_array(mgdt_get_tetrahedra, t, 4 * count), *after;
+    int64_t held, found = -7;
+    CHECK_EQUAL(mgdt_locate(t, more, &found), MGDT_OK); /* makes the tree */
+    held = memory_of(t, MGDT_STAT_MEMORY_BYTES);
+    CHECK_EQUAL(mgdt_set_memory_limit(t, held / 2), MGDT_OK);
+    CHECK_EQUAL(memory_of(t, MGDT_STAT_MEMORY_BYTES), held);
+    CHECK_EQUAL(mgdt_tetrahedron_count(t), count);
+
+    CHECK_EQUAL(mgdt_insert_points(t, n, more), MGDT_ERR_OUT_OF_MEMORY);
+    CHECK_EQUAL(mgdt_point_count(t), n);
+    CHECK_EQUAL(mgdt_reserve(t, 10 * n), MGDT_ERR_OUT_OF_MEMORY);
+    /* Working memory of calls that read counts too. */
+    CHECK_EQUAL(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_ERR_OUT_OF_MEMORY);
+    CHECK_EQUAL(mgdt_get_tetrahedra(t, 4 * count, before), MGDT_ERR_OUT_OF_MEMORY);
+    CHECK_EQUAL(mgdt_locate(t, more, &found), MGDT_OK);
+    CHECK_EQUAL(memory_of(t, MGDT_STAT_MEMORY_BYTES), held);
+
+    CHECK_EQUAL(mgdt_set_memory_limit(t, 0), MGDT_OK);
+    after = get_array(mgdt_get_tetrahedra, t, 4 * count);
+    CHECK(before != NULL && after != NULL &&
+          memcmp(before, after, (size_t)(4 * count) * sizeof *after) == 0);
+    free(after);
+    CHECK(same_tetrahedra(t, expected, NULL));
+    CHECK_EQUAL(mgdt_insert_points(t, n, more), MGDT_OK);
+    CHECK_EQUAL(mgdt_insert_points(expected, n, more), MGDT_OK);
+    CHECK(same_tetrahedra(t, expected, NULL));
+    mgdt_destroy(t);
+    mgdt_destroy(expected);
+    free(before);
+    free(xyz);
+    free(more);
+}
+
 /* What the statistics say is what the caller's allocator saw. */
 static void accounting(const double* xyz) {
     source s = working();
@@ -362,6 +402,7 @@ void test_memory(void) {
         every_allocation(schemes[s], xyz, expected);
     exports(xyz);
     limits();
+    below_what_is_held();
     accounting(xyz);
     mgdt_destroy(expected);
     free(xyz);

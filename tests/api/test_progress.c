@@ -15,7 +15,7 @@ typedef struct {
 
 static int32_t observe(double fraction, void* user) {
     watch* w = user;
-    ++w->calls;
+    if (++w->calls == 1) w->in_order &= fraction == 0;
     w->in_order &= fraction >= w->last && fraction >= 0 && fraction <= 1;
     w->last = fraction;
     if (w->calls != w->stop_at) return 0;
@@ -38,7 +38,7 @@ static watch start(mgdt_triangulation* t, int64_t stop_at, int by_function) {
 static void progress(int64_t n, const double* xyz) {
     mgdt_triangulation* t = NULL;
     watch w;
-    int64_t calls;
+    int64_t calls, *map;
     CHECK_EQUAL(mgdt_create(&t), MGDT_OK);
     w = start(t, -1, 0);
     CHECK_EQUAL(mgdt_set_progress(t, observe, &w), MGDT_OK);
@@ -47,6 +47,16 @@ static void progress(int64_t n, const double* xyz) {
     CHECK(w.calls >= 10 && w.calls <= 1000);
     CHECK(w.last == 1);
     calls = w.calls;
+    /* Insertions of points alone report. */
+    CHECK_EQUAL(mgdt_insert_points(t, 0, NULL), MGDT_OK);
+    CHECK_EQUAL(mgdt_reserve(t, 3 * n), MGDT_OK);
+    CHECK_EQUAL(mgdt_set_compact(t, 1), MGDT_OK);
+    CHECK_EQUAL(mgdt_set_compact(t, 0), MGDT_OK);
+    CHECK_EQUAL(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_OK);
+    map = get_array(mgdt_get_point_map, t, n);
+    CHECK_EQUAL(mgdt_locate_points(t, n, xyz, map, NULL), MGDT_OK);
+    free(map);
+    CHECK_EQUAL(w.calls, calls);
     CHECK_EQUAL(mgdt_set_progress(t, NULL, NULL), MGDT_OK);
     CHECK_EQUAL(mgdt_insert_points(t, n, xyz), MGDT_OK);
     CHECK_EQUAL(w.calls, calls);

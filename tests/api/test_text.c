@@ -17,6 +17,7 @@ static const mgdt_status statuses[] = {MGDT_OK,
                                        MGDT_ERR_OUT_OF_MEMORY,
                                        MGDT_ERR_TOO_LARGE,
                                        MGDT_ERR_CANCELLED,
+                                       MGDT_ERR_BUSY,
                                        MGDT_ERR_CHECK_FAILED,
                                        MGDT_ERR_INTERNAL};
 

@@ -71,7 +71,7 @@ inline Path power_to_conflict(Mesh& mesh, Start from, const Query& q) {
 inline Path power_to_base(const Mesh& mesh, Start from, const Query& q) {
     Path path = {0, 1, from.sampled > 0 ? from.sampled : 1};
     if (mesh.tetrahedra[from.tetrahedron].is_ghost()) ++path.steps;
-    mgdt::LocationWalk walk = {{q.x, q.y, q.z}, from.tetrahedron, 0, 0, false};
+    mgdt::LocationWalk walk = {{q.x, q.y, q.z}, from.tetrahedron, 0, 0, false, false, 0};
     for (mgdt::locate_begin<mgdt::KeptSpheres>(mesh, walk);
          mgdt::locate_step<mgdt::KeptSpheres>(mesh, walk); path.tests += 4)
         ++path.steps;

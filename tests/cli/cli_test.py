@@ -185,7 +185,7 @@ class Pipelines(CliTest):
             self.assertIn("no tetrahedra", self.err)
             self.mgdt("check", "m.vtu")
         self.put("empty.xyz", "")
-        self.mgdt("triangulate", "empty.xyz", "-o", "e.msh")
+        self.mgdt("triangulate", "empty.xyz", "--allow-empty", "-o", "e.msh")
         self.mgdt("check", "e.msh")
 
     def test_info(self):

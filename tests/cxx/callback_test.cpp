@@ -4,9 +4,11 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "random_points.hpp"
@@ -158,6 +160,107 @@ TEST(CxxProgress, ExceptionsPassUnchanged) {
         }
     }
     t.check();
+}
+
+// What a callback calls of its own object is refused, and harms nothing.
+TEST(CxxProgress, ItsOwnObjectIsBusy) {
+    const auto points = points_in_cube(size(5000));
+    Triangulation t;
+    long calls = 0, refused = 0;
+    const auto count = [&refused](auto&& call) {
+        try {
+            call();
+        } catch (const mgdt::Busy& busy) {
+            EXPECT_EQ(busy.status(), MGDT_ERR_BUSY);
+            EXPECT_NE(std::string(busy.what()).find("busy in mgdt_insert_points"),
+                      std::string::npos);
+            ++refused;
+        }
+    };
+    t.set_progress([&](double) {
+        ++calls;
+        count([&] { t.insert({{0.5, 0.5, 0.5}}); });
+        count([&] { t.clear(); });
+        count([&] { t.set_threads(2); });
+        count([&] { t.set_progress([](double) {}); });
+        count([&] { t.clear_progress(); });
+        count([&] { t.check(); });
+        count([&] { (void)t.statistic(mgdt::Statistic::memory_bytes); });
+        count([&] { (void)t.locate({0.5, 0.5, 0.5}); });
+        EXPECT_EQ(t.release(), nullptr);
+        EXPECT_TRUE(t);
+        EXPECT_EQ(t.vertex_count(), 0);
+    });
+    t.insert(points);
+    EXPECT_GE(calls, 5);
+    EXPECT_EQ(refused, 8 * calls);
+    EXPECT_EQ(t.vertex_count(), std::int64_t(points.size()));
+    t.check();
+    // Unless it is caught, the exception ends the insertion as any other does.
+    t.set_progress([&t](double) { t.clear(); });
+    EXPECT_THROW(t.insert(points_in_cube(size(5000), 2)), mgdt::Busy);
+    t.check();
+}
+
+// Callbacks of the C interface must not throw. If one does, no exception passes through the
+// library: one of the progress callback cancels, one of the allocator is memory that is refused.
+TEST(CCallbacks, ExceptionsGoNoFurther) {
+    const auto points = points_in_cube(size(20000));
+    const auto n = std::int64_t(points.size());
+    struct User {
+        long calls, at;
+        double thrown_at;
+    } user{0, 0, 0};
+    for (const std::int32_t threads : {1, 3}) {
+        for (const long at : {1l, 2l, 20l}) {
+            mgdt_triangulation* t = nullptr;
+            ASSERT_EQ(mgdt_create(&t), MGDT_OK);
+            ASSERT_EQ(mgdt_set_threads(t, threads), MGDT_OK);
+            user = {0, at, 1};
+            const mgdt_progress_fn progress = [](double fraction, void* u) -> std::int32_t {
+                User& self = *static_cast<User*>(u);
+                if (++self.calls < self.at) return 0;
+                self.thrown_at = fraction;
+                throw Stop{int(self.at)};
+            };
+            ASSERT_EQ(mgdt_set_progress(t, progress, &user), MGDT_OK);
+            const mgdt_status status = mgdt_insert_points(t, n, points.data()->data());
+            EXPECT_GE(user.calls, 1);
+            EXPECT_EQ(status, user.thrown_at < 1 ? MGDT_ERR_CANCELLED : MGDT_OK);
+            EXPECT_EQ(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_OK);
+            ASSERT_EQ(mgdt_set_progress(t, nullptr, nullptr), MGDT_OK);
+            EXPECT_EQ(mgdt_insert_points(t, n, points.data()->data()), MGDT_OK);
+            EXPECT_EQ(mgdt_vertex_count(t), n);
+            mgdt_destroy(t);
+        }
+    }
+
+    struct Memory {
+        long left;
+        static void* take(std::size_t bytes, std::size_t align, void* user) {
+            if (static_cast<Memory*>(user)->left-- == 0) throw Stop{0};
+            return std::aligned_alloc(align, (bytes + align - 1) / align * align);
+        }
+        static void give(void* p, std::size_t, std::size_t, void*) {
+            std::free(p);
+            throw Stop{1};
+        }
+    };
+    for (long k = 0; k < 12; ++k) {
+        Memory memory{k};
+        mgdt_triangulation* t = nullptr;
+        const mgdt_status made =
+            mgdt_create_with_allocator(Memory::take, Memory::give, &memory, &t);
+        if (made != MGDT_OK) {
+            EXPECT_EQ(made, MGDT_ERR_OUT_OF_MEMORY);
+            EXPECT_EQ(t, nullptr);
+            continue;
+        }
+        const mgdt_status status = mgdt_insert_points(t, 1000, points.data()->data());
+        EXPECT_TRUE(status == MGDT_OK || status == MGDT_ERR_OUT_OF_MEMORY) << status;
+        EXPECT_EQ(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_OK);
+        mgdt_destroy(t);
+    }
 }
 
 TEST(CxxProgress, CancelFromElsewhere) {

@@ -99,6 +99,13 @@ int main() {
         } catch (int thrown) {
             if (thrown != 42) return 15;
         }
+        again.set_progress([&again](double) { again.clear(); });
+        try {
+            again.insert({{0, 0, 0}});
+            return 17;
+        } catch (const mgdt::Busy& busy) {
+            if (busy.status() != MGDT_ERR_BUSY) return 18;
+        }
         return 0;
     } catch (const std::exception&) {
         return 16;

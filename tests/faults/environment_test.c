@@ -180,9 +180,7 @@ static outcome compute(const setting* s, int32_t threads, size_t n, const double
     append(&o, list, (size_t)mgdt_vertex_tetrahedra_count(t) * sizeof *list);
     IN(s, mgdt_locate_points(t, queries, where, found, weights));
     append(&o, found, sizeof found);
-    /* Which vertex comes first where a tetrahedron is stored, and so how weights are rounded,
-     * depends on the threads. */
-    if (threads == 1) append(&o, weights, sizeof weights);
+    append(&o, weights, sizeof weights);
     for (k = 0; k < queries; ++k) {
         IN(s, mgdt_locate(t, where + 3 * k, found + k));
         IN(s, mgdt_nearest_vertex(t, where + 3 * k, found));

@@ -75,6 +75,22 @@ class Flags(unittest.TestCase):
             f.write("-ffast-math\n")
         self.refused("these flags", CXXFLAGS="@" + response)
 
+    # 32-bit x86 computes in the x87 unit unless it is told otherwise: how is said where that is refused.
+    @unittest.skipUnless(os.uname().machine in ("x86_64", "i686"), "there is no x87 unit")
+    def test_x87_is_told_what_to_configure(self):
+        flags = "-msse2 -mfpmath=sse"
+        response = os.path.join(self.directory, "flags")
+        with open(response, "w", encoding="utf-8") as f:
+            f.write("-mfpmath=387\n")
+        self.refused(f"meson setup build -Dc_args='{flags}' -Dcpp_args='{flags}'",
+                     CXXFLAGS="@" + response)
+        done = subprocess.run(
+            ["g++", "-std=c++17", "-fsyntax-only", "-mfpmath=387", "-x", "c++",
+             SOURCE + "/src/platform/strict.hpp"],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn(f"-Dc_args='{flags}' -Dcpp_args='{flags}'", done.stdout)
+
     def test_harmless_flags(self):
         done = self.setup_build(CXXFLAGS="-O3 -march=native -funroll-loops -frounding-math "
                                          "-fexcess-precision=fast -ffp-contract=fast "

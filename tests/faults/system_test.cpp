@@ -46,7 +46,7 @@ TEST(System, RefusesMemoryToInsertions) {
     for (const Insertion& flow : insertions()) {
         Refusals refusals{fault_malloc, false, flow.threads > 1};
         refusals.done_to(flow);
-        EXPECT_GE(refusals.tried, 2) << flow.name;
+        EXPECT_GT(refusals.tried, flow.one_by_one ? 1 : 2) << flow.name;
         failed += refusals.failed;
     }
     EXPECT_GT(failed, 50);
@@ -56,7 +56,9 @@ TEST(System, RefusesMemoryToCalls) {
     for (const Call& call : calls) {
         Refusals refusals{fault_malloc, false, false};
         refusals.done_to(call, 600, 1, true, true);
-        EXPECT_GT(refusals.failed, 0) << call.name;
+        if (call.asks_for_memory) {
+            EXPECT_GT(refusals.failed, 0) << call.name;
+        }
     }
 }
 

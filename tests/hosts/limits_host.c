@@ -25,6 +25,24 @@ static void with_stacks_of(size_t bytes, int least, int most) {
     pthread_attr_destroy(&before);
 }
 
+static void* triangulate_here(void* threads) {
+    REQUIRE(triangulate(&linked, p, 4, threads) == expected);
+    return NULL;
+}
+
+/* The same from a thread of the host that has so much stack, the C library's share included. */
+static void on_a_stack_of(size_t bytes) {
+    pthread_attr_t attributes;
+    pthread_t thread;
+    int threads = 0;
+    REQUIRE(pthread_attr_init(&attributes) == 0);
+    REQUIRE(pthread_attr_setstacksize(&attributes, bytes) == 0);
+    REQUIRE(pthread_create(&thread, &attributes, triangulate_here, &threads) == 0);
+    REQUIRE(pthread_join(thread, NULL) == 0);
+    REQUIRE(is_small() || threads == 4);
+    pthread_attr_destroy(&attributes);
+}
+
 /* In a process of its own whose user may have so many threads: as somebody who has no other,
  * where this is run by root, whom the limit does not concern. */
 static void with_thread_limit(rlim_t limit, int is_exact) {
@@ -53,7 +71,9 @@ int main(void) {
     expected = triangulate(&linked, p, 1, NULL);
     REQUIRE(triangulate(&linked, p, 4, &threads) == expected);
     REQUIRE(is_small() || threads == 4);
-    with_stacks_of(128 * 1024, 4, 4);      /* as musl has them */
+    with_stacks_of(128 * 1024, 4, 4); /* as musl has them */
+    with_stacks_of(64 * 1024, 4, 4);  /* twice what the library takes */
+    on_a_stack_of(64 * 1024);
     with_stacks_of((size_t)1 << 47, 1, 1); /* more than there are addresses: no thread starts */
     with_thread_limit(1, 0);
     with_thread_limit(3, 1);

@@ -13,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfloat>
+#include <cmath>
 #include <cstring>
 #include <numeric>
 #include <random>
@@ -143,6 +145,66 @@ TEST(EqualsCgalMixed, ScalesInOneSet) {
     const Expected expected = triangulate_with_cgal(xyz);
     for (std::int32_t scheme : order_schemes) compare(xyz, expected, scheme, 3);
 }
+
+// An axis far longer than another, a floor far below a terrain, one point far from all others.
+struct FarScales {
+    const char* name;
+    double (*coordinate)(std::mt19937_64&, std::size_t point, int axis);
+};
+double unit(std::mt19937_64& random) {
+    return static_cast<double>(random() >> 11) * 0x1p-53;
+}
+const FarScales far_scales[] = {
+    {"FlatZ",
+     [](std::mt19937_64& r, std::size_t, int axis) { return unit(r) * (axis == 2 ? 1e-300 : 1); }},
+    {"LongXFlatZ",
+     [](std::mt19937_64& r, std::size_t, int axis) {
+         return unit(r) * (axis == 0 ? 1e150 : axis == 2 ? 1e-150 : 1);
+     }},
+    {"LongX",
+     [](std::mt19937_64& r, std::size_t, int axis) { return unit(r) * (axis == 0 ? 1 : 1e-150); }},
+    {"HalfSubnormal",
+     [](std::mt19937_64& r, std::size_t point, int axis) {
+         return unit(r) * (axis == 2 && point % 2 == 0 ? 1e-310 : 1);
+     }},
+    {"LatticeFlatZ",
+     [](std::mt19937_64& r, std::size_t, int axis) {
+         return static_cast<double>(r() % 9) * (axis == 2 ? 1e-300 : 1);
+     }},
+    {"LatticeOfThreeScales",
+     [](std::mt19937_64& r, std::size_t, int axis) {
+         return static_cast<double>(r() % 9) * (axis == 0 ? 1e150 : axis == 2 ? 1e-150 : 1);
+     }},
+    {"TerrainWithFloor",
+     [](std::mt19937_64& r, std::size_t point, int axis) {
+         return axis == 2 && point % 20 == 0 ? -DBL_MAX : unit(r) * (axis == 2 ? 0.1 : 1);
+     }},
+    {"LatticeTerrainWithFloor",
+     [](std::mt19937_64& r, std::size_t point, int axis) {
+         if (axis < 2) return static_cast<double>(r() % 25);
+         return point % 20 == 0 ? -DBL_MAX : static_cast<double>(r() % 4);
+     }},
+    {"TenthFarUp", [](std::mt19937_64& r, std::size_t point,
+                      int axis) { return unit(r) * (axis == 2 && point % 10 == 0 ? 1e300 : 1); }},
+    {"OneFarAway",
+     [](std::mt19937_64& r, std::size_t point, int) { return point == 100 ? 1e300 : unit(r); }},
+    {"Nested", [](std::mt19937_64& r, std::size_t point,
+                  int) { return std::ldexp(1 + unit(r), -static_cast<int>(4 * point % 1000)); }},
+};
+
+class EqualsCgalFarScales : public testing::TestWithParam<FarScales> {};
+
+TEST_P(EqualsCgalFarScales, SameTetrahedra) {
+    std::mt19937_64 random(11);
+    std::vector<double> xyz;
+    for (std::size_t i = 0; i < (is_small() ? 120u : 1500u); ++i)
+        for (int axis = 0; axis < 3; ++axis) xyz.push_back(GetParam().coordinate(random, i, axis));
+    const Expected expected = triangulate_with_cgal(xyz);
+    for (std::int32_t scheme : order_schemes) compare(xyz, expected, scheme, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sets, EqualsCgalFarScales, testing::ValuesIn(far_scales),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 void compare_file() {
     const mgdt::cli::InputFile file(options.points);

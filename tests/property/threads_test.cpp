@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 #include <thread>
 #include <vector>
@@ -105,6 +106,89 @@ TEST(Threads, CancelFromAnotherThread) {
     other.join();
     EXPECT_EQ(status, MGDT_ERR_CANCELLED);
     EXPECT_EQ(mgdt_check(t.get(), MGDT_CHECK_CANONICAL), MGDT_OK) << property::error_of(t.get());
+}
+
+// What breaks the thread rule while an insertion runs is refused.
+TEST(Threads, CallsThatBreakTheRuleAreRefused) {
+    const std::vector<double> xyz = random_points(is_small() ? 20000 : 60000, 11);
+    const auto n = static_cast<std::int64_t>(xyz.size() / 3);
+    const property::Handle t = property::create();
+    ASSERT_EQ(mgdt_set_threads(t.get(), 2), MGDT_OK);
+    // The insertion waits in its callback until the other thread has called.
+    struct Meeting {
+        std::atomic<int> state{0};
+        static std::int32_t hear(double, void* user) {
+            Meeting& self = *static_cast<Meeting*>(user);
+            int expected = 0;
+            if (self.state.compare_exchange_strong(expected, 1))
+                while (self.state != 2) std::this_thread::yield();
+            return 0;
+        }
+    } meeting;
+    ASSERT_EQ(mgdt_set_progress(t.get(), Meeting::hear, &meeting), MGDT_OK);
+    std::thread other([&] {
+        while (meeting.state != 1) std::this_thread::yield();
+        std::int64_t found = -7;
+        EXPECT_EQ(mgdt_insert_points(t.get(), n, xyz.data()), MGDT_ERR_BUSY);
+        EXPECT_NE(property::error_of(t.get()).find("busy in mgdt_insert_points()"),
+                  std::string::npos);
+        EXPECT_EQ(mgdt_set_threads(t.get(), 1), MGDT_ERR_BUSY);
+        EXPECT_EQ(mgdt_clear(t.get()), MGDT_ERR_BUSY);
+        EXPECT_EQ(mgdt_nearest_vertex(t.get(), xyz.data(), &found), MGDT_ERR_BUSY);
+        EXPECT_EQ(mgdt_check(t.get(), MGDT_CHECK_CANONICAL), MGDT_ERR_BUSY);
+        EXPECT_EQ(mgdt_vertex_count(t.get()), 0);
+        EXPECT_EQ(found, -7);
+        mgdt_destroy(t.get());
+        meeting.state = 2;
+        // And at any moment of the rest.
+        while (mgdt_set_index_base(t.get(), 0) == MGDT_ERR_BUSY) std::this_thread::yield();
+    });
+    EXPECT_EQ(mgdt_insert_points(t.get(), n, xyz.data()), MGDT_OK);
+    other.join();
+    EXPECT_EQ(mgdt_check(t.get(), MGDT_CHECK_CANONICAL), MGDT_OK);
+}
+
+// The same in a call that reads for long, which waits in its allocator until the other has called.
+TEST(Threads, ChangesDuringALongReadingCallAreRefused) {
+    const std::vector<double> xyz = random_points(1000, 12);
+    struct Memory {
+        std::atomic<int> state{0};  // 1: the next request waits, 2: it does, 3: it may go on
+        static void* take(std::size_t bytes, std::size_t align, void* user) {
+            Memory& self = *static_cast<Memory*>(user);
+            int expected = 1;
+            if (self.state.compare_exchange_strong(expected, 2))
+                while (self.state != 3) std::this_thread::yield();
+            return std::aligned_alloc(align, (bytes + align - 1) / align * align);
+        }
+        static void give(void* p, std::size_t, std::size_t, void*) { std::free(p); }
+    } memory;
+    mgdt_triangulation* made = nullptr;
+    ASSERT_EQ(mgdt_create_with_allocator(Memory::take, Memory::give, &memory, &made), MGDT_OK);
+    const property::Handle t(made);
+    ASSERT_EQ(mgdt_insert_points(made, 1000, xyz.data()), MGDT_OK);
+    const std::int64_t vertices = mgdt_vertex_count(made);
+    for (int k = 0; k < 2; ++k) {
+        memory.state = 1;
+        std::thread reader([&] {
+            std::int64_t found[2];
+            EXPECT_EQ(k == 0 ? mgdt_check(made, MGDT_CHECK_CANONICAL)
+                             : mgdt_locate_points(made, 2, xyz.data(), found, nullptr),
+                      MGDT_OK);
+        });
+        while (memory.state != 2) std::this_thread::yield();
+        EXPECT_EQ(mgdt_set_seed(made, 1), MGDT_ERR_BUSY);
+        EXPECT_EQ(mgdt_insert_points(made, 1000, xyz.data()), MGDT_ERR_BUSY);
+        EXPECT_NE(property::error_of(made).find("busy in calls that read it"), std::string::npos);
+        mgdt_destroy(made);
+        // Other calls that read are welcome.
+        std::int64_t found = -7;
+        EXPECT_EQ(mgdt_nearest_vertex(made, xyz.data(), &found), MGDT_OK);
+        EXPECT_EQ(mgdt_vertex_count(made), vertices);
+        memory.state = 3;
+        reader.join();
+        EXPECT_EQ(mgdt_set_seed(made, 2), MGDT_OK);
+    }
+    EXPECT_EQ(mgdt_check(made, MGDT_CHECK_CANONICAL), MGDT_OK);
 }
 
 // Everything that can be exported, one after the other.
@@ -214,12 +298,16 @@ TEST(Threads, LocationsAreThoseOfOne) {
             found = places;
             weights = shares;
         }
-        // A place on a facet may be found on either side of it.
+        // A place on a facet, which has a weight of 0, may be found on either side of it.
         for (std::size_t i = 0; i < places.size(); ++i) {
-            double on_boundary = 1;
-            for (std::size_t k = 4 * i; k < 4 * i + 4; ++k)
-                on_boundary = std::min(on_boundary, std::min(weights[k], shares[k]));
-            EXPECT_TRUE(found[i] == places[i] || on_boundary < 1e-12) << i;
+            const auto least = [&](const std::vector<double>& w) {
+                return *std::min_element(&w[4 * i], &w[4 * i] + 4);
+            };
+            if (found[i] == places[i]) {
+                EXPECT_TRUE(std::equal(&weights[4 * i], &weights[4 * i] + 4, &shares[4 * i])) << i;
+            } else {
+                EXPECT_TRUE(least(weights) <= 0 && least(shares) <= 0) << i;
+            }
         }
         EXPECT_EQ(mgdt_check(t.get(), MGDT_CHECK_CANONICAL), MGDT_OK);
     }

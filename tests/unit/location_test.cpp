@@ -50,7 +50,8 @@ TEST(LocationTree, ServesWhenMemoryIsShort) {
     allocator.set_limit(0);
     EXPECT_TRUE(tree.is_sound(mesh.vertices.size()));
     const double far[3] = {1e6, 1e6, 1e6};
-    EXPECT_LT(tree.near(far), 200u);
+    // One leaf has room for six more.
+    EXPECT_EQ(tree.near(far), 112u);
 }
 
 // Takes vertices in one at a time, as calls for single points do.
@@ -218,6 +219,8 @@ TEST(Location, NearestWhereSquaresUnderflow) {
                 xyz.push_back(multiples.back() * 0x1p-537);
             }
         }
+        // The scale is that of most coordinates: these are farther away, and of ordinary size.
+        for (int i = 0; i < 3 * 50; ++i) xyz.push_back(4 + any(random));
         const Patient p = triangulate(xyz);
         ASSERT_EQ(p.t->mesh().scale, 0);
         const double q[3] = {0, 0, 0};
@@ -229,7 +232,7 @@ TEST(Location, NearestWhereSquaresUnderflow) {
     }
 }
 
-// Barycentric coordinates where no volume is a double: those of the nearest vertex.
+// Barycentric coordinates where no volume is a double.
 TEST(Location, WeightsInTheFlattest) {
     const double least = std::numeric_limits<double>::denorm_min();
     for (const double size : {1e-200, least}) {
@@ -250,6 +253,28 @@ TEST(Location, WeightsInTheFlattest) {
             }
         }
         EXPECT_EQ(sum, 1);
+        if (size == least) continue;
+        const double middle[3] = {0.25, 0.25 * size, 0.25 * size};
+        locator(*p.t).weights(found, middle, w);
+        for (const double x : w) EXPECT_EQ(x, 0.25);
+    }
+}
+
+// Of a place that is exact in the caller's coordinates alone.
+TEST(Location, WeightsWhereThereIsNoScale) {
+    const double size = 0x1p1000, least = std::numeric_limits<double>::denorm_min();
+    const Patient p = triangulate({0, 0, 0, size, 0, 0, 0, size, 0, 0, 0, size});
+    ASSERT_NE(p.t->mesh().scale, 0);
+    const double q[3] = {size / 2, 3 * least, size / 4};
+    TetId hint = no_tetrahedron;
+    const TetId found = locator(*p.t).locate(q, hint);
+    ASSERT_NE(found, no_tetrahedron);
+    double w[4];
+    locator(*p.t).weights(found, q, w);
+    const double expected[4] = {0.25, 0.5, 0, 0.25};
+    for (int i = 0; i < 4; ++i) {
+        const VertexId v = p.t->mesh().tetrahedra[found].v[i];
+        EXPECT_EQ(w[i], expected[p.t->mesh().vertices[v].index]);
     }
 }
 

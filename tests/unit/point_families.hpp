@@ -212,6 +212,50 @@ inline const std::vector<Family>& all() {
                  return {r.uniform(-1e6, 1e6), r.uniform(-1, 1), r.uniform(-1e-6, 1e-6)};
              });
          }},
+        {"axes of other sizes",
+         [](Random& r) {
+             const int x = r.integer(-1000, 1000), y = r.integer(-1000, 1000),
+                       z = r.integer(-1000, 1000);
+             return each([&]() -> Point {
+                 return {std::ldexp(r.uniform(-1, 1), x), std::ldexp(r.uniform(-1, 1), y),
+                         std::ldexp(r.uniform(-1, 1), z)};
+             });
+         }},
+        {"lattice with axes of other sizes",
+         [](Random& r) {
+             const double x = r.with_exponent(-1000, 900), y = r.with_exponent(-1000, 900),
+                          z = r.with_exponent(-1000, 900);
+             return each([&]() -> Point {
+                 return {r.integer(0, 3) * x, r.integer(0, 3) * y, r.integer(0, 3) * z};
+             });
+         }},
+        // Heights of which some are far below: "no data".
+        {"terrain with a floor",
+         [](Random& r) {
+             const double floor = r.integer(0, 1) ? -DBL_MAX : r.with_exponent(100, 1000);
+             return each([&]() -> Point {
+                 return {r.uniform(), r.uniform(), r.integer(0, 1) ? r.uniform() : floor};
+             });
+         }},
+        {"lattice terrain with a floor",
+         [](Random& r) {
+             const double floor = r.integer(0, 1) ? -DBL_MAX : r.with_exponent(100, 1000);
+             return each([&]() -> Point {
+                 return {double(r.integer(0, 3)), double(r.integer(0, 3)),
+                         r.integer(0, 1) ? double(r.integer(0, 3)) : floor};
+             });
+         }},
+        {"clusters of bits",
+         [](Random& r) {
+             const int e[3] = {r.integer(-1000, 1000), r.integer(-1000, 1000),
+                               r.integer(-1000, 1000)};
+             return each([&]() -> Point {
+                 Point p;
+                 for (double& v : p)
+                     v = std::ldexp(r.integer(-1000, 1000), e[std::size_t(r.integer(0, 2))]);
+                 return p;
+             });
+         }},
         {"repeated points",
          [](Random& r) {
              const Point a = r.in_cube(), b = r.in_cube(), c = r.in_cube();

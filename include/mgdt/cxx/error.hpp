@@ -30,6 +30,13 @@ class Cancelled : public Error {
     using Error::Error;
 };
 
+/** Another call is inside the object: this one came from a callback of its own, or from a second
+ *  thread against the thread rule. Nothing has changed. @since 1.2 */
+class Busy : public Error {
+  public:
+    using Error::Error;
+};
+
 /** The allocator, or the memory limit, refused. No Error, since std::bad_alloc is what it is. */
 class OutOfMemory : public std::bad_alloc {
   public:

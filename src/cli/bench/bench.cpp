@@ -46,6 +46,12 @@ class Benchmark {
             check_data(set.name.distribution, options.data_directory);
         }
         if (!options.json.empty()) check_writable(options.json);
+        std::vector<std::string> outputs;
+        for (const std::string& file : {options.csv, options.json})
+            if (!file.empty()) outputs.push_back(file);
+        std::vector<std::string> names;
+        for (const PlannedSet& set : plan_.sets) names.push_back(set.name.distribution);
+        require_apart(data_files(names, options.data_directory), outputs);
         if (options.csv == "-") {
             throw Error(exit_usage, "--csv: standard output cannot be read back; name a file");
         }
@@ -105,7 +111,7 @@ class Benchmark {
         }
         if (here > 0) {
             fmt::print(out_, "{} of {} runs are in {} already\n", here, plan_.row_count(),
-                       options_.csv);
+                       printable(options_.csv));
         }
         if (!plan_.left_out.empty()) {
             fmt::print(out_, "left out, larger than --largest: {}\n",

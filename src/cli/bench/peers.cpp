@@ -48,8 +48,8 @@ std::string find_runner(const std::string& peer, const std::string& directory) {
 
 std::string how_to_get_runner(const std::string& peer, const std::string& directory) {
     return fmt::format(
-        "{} is not timed: there is no {} in {}; install {}, build mgdt from its source and name "
-        "the build folder's tests/bench/peers with --peer-directory",
+        "{} is not timed: there is no {} in {}; install {}, build mgdt from its source with "
+        "-Dtests=auto and name the build folder's tests/bench/peers with --peer-directory",
         peer, runner_name(peer),
         directory.empty() ? "the program's build folder" : quote(directory), packages(peer));
 }

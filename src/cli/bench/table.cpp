@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "cli/errors.hpp"
+
 namespace mgdt::cli::bench {
 namespace {
 
@@ -38,7 +40,7 @@ std::string heading() {
 std::string cells(const Row& row, const std::string& run) {
     std::string line = fmt::format("{:<15} {:>9} {:<24} {:>7} {:>4}", row.distribution, row.points,
                                    row.contender(), row.threads, run);
-    if (!row.ok()) return line + "  " + row.status;
+    if (!row.ok()) return line + "  " + printable(row.status);
     for (const Column& c : columns) {
         const std::optional<double>& value = row.figures[c.figure];
         line += " " + (value ? fmt::format("{:>{}.{}f}", *value, c.width, c.decimals)
@@ -52,7 +54,7 @@ void print_failures(std::FILE* out, const std::vector<Median>& medians) {
         if (m.row.run == m.runs) continue;
         fmt::print(out, "failed: {} on {} {}, {} of {} runs{}\n", m.row.contender(),
                    m.row.distribution, m.row.points, m.runs - m.row.run, m.runs,
-                   m.row.ok() ? "" : ": " + m.row.status);
+                   m.row.ok() ? "" : ": " + printable(m.row.status));
     }
 }
 

@@ -80,7 +80,7 @@ const Format& output_format(const std::string& path, const std::string& name) {
     if (const Format* f = format_from_path(path)) return *f;
     throw Error(exit_usage,
                 fmt::format("{}: cannot tell the format from the name; say it with --to ({})",
-                            path == "-" ? "standard output" : path, names()));
+                            path == "-" ? "standard output" : printable(path), names()));
 }
 
 std::string without_extension(const std::string& path, const Format& format) {

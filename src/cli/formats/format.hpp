@@ -36,6 +36,8 @@ struct Format {
                          const WriteOptions& options);
     void (*write_mesh)(const Mesh& mesh, const std::string& path, OutputSet& outputs,
                        const WriteOptions& options);
+    // The files that write_mesh() writes; nullptr where it is the one that is named.
+    std::vector<std::string> (*mesh_files)(const std::string& path) = nullptr;
 };
 
 const Format& text_format();

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/file_identity.hpp"
+
 namespace mgdt::cli {
 
 struct Mesh {
@@ -16,6 +18,7 @@ struct Mesh {
     bool has_tetrahedra = false;           // the file says so, even if there are none
     std::size_t other_cells = 0;           // cells of other shapes, left out
     std::string detail;                    // version and encoding, for people
+    std::vector<FileIdentity> inputs;      // the files that it was read from
 
     std::size_t point_count() const { return points.size() / 3; }
     std::size_t tetrahedron_count() const { return tetrahedra.size() / 4; }

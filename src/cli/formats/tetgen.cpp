@@ -147,15 +147,20 @@ Mesh read_tetgen(const Source& source, const ReadOptions&) {
         mesh.detail = fmt::format("numbered from {}", base);
         return mesh;
     }
+    const auto add_input = [&mesh](const InputFile& file) {
+        if (file.identity()) mesh.inputs.push_back(*file.identity());
+    };
     const InputFile nodes(with_ending(source.path, ".node"));
+    add_input(nodes);
     const std::int64_t base = read_nodes(nodes.source(), mesh.points);
     read_elements(source, base, mesh);
     mesh.detail = fmt::format("with {}, numbered from {}", nodes.source().name, base);
     const std::string neigh = with_ending(source.path, ".neigh");
     if (access(neigh.c_str(), F_OK) == 0) {
         const InputFile file(neigh);
+        add_input(file);
         read_neighbors(file.source(), base, mesh);
-        mesh.detail += " and " + neigh;
+        mesh.detail += " and " + file.source().name;
     }
     return mesh;
 }
@@ -189,15 +194,20 @@ void write_rows(const std::vector<std::int64_t>& values, const char* head, int b
     }
 }
 
-void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
-                const WriteOptions& options) {
+std::vector<std::string> mesh_files(const std::string& path) {
     if (path == "-") {
         throw Error(exit_usage,
                     "TetGen's format is three files (.node, .ele, .neigh); give -o a name");
     }
-    write_nodes(mesh.points, outputs.open(with_ending(path, ".node")), options);
-    write_rows(mesh.tetrahedra, "4 0", options.index_base, outputs.open(with_ending(path, ".ele")));
-    write_rows(mesh.neighbors, "4", options.index_base, outputs.open(with_ending(path, ".neigh")));
+    return {with_ending(path, ".node"), with_ending(path, ".ele"), with_ending(path, ".neigh")};
+}
+
+void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
+                const WriteOptions& options) {
+    const std::vector<std::string> files = mesh_files(path);
+    write_nodes(mesh.points, outputs.open(files[0]), options);
+    write_rows(mesh.tetrahedra, "4 0", options.index_base, outputs.open(files[1]));
+    write_rows(mesh.neighbors, "4", options.index_base, outputs.open(files[2]));
 }
 
 }  // namespace
@@ -210,7 +220,8 @@ const Format& tetgen_format() {
                                   nullptr,
                                   read_tetgen,
                                   write_nodes,
-                                  write_mesh};
+                                  write_mesh,
+                                  mesh_files};
     return format;
 }
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Which calls are inside a handle: a readers-writer lock that never waits. A call that changes the
+// handle enters alone, calls that only read it enter together, and one that cannot enter is told
+// so. So a call from a callback, or from a second thread against the thread rule, gets a status and
+// does no harm.
+#pragma once
+
+#include <cstdint>
+
+#include "platform/atomic.hpp"
+
+namespace mgdt {
+
+class CallLock {
+  public:
+    // For a call that changes the handle; `name` is its function, a static string.
+    bool try_enter_alone(const char* name) noexcept {
+        std::uint32_t expected = 0;
+        if (!inside_.compare_exchange_strong(expected, alone, std::memory_order_acquire,
+                                             std::memory_order_relaxed))
+            return false;
+        receive(&inside_);
+        name_.store(name, std::memory_order_relaxed);
+        return true;
+    }
+    void leave_alone() noexcept {
+        hand_over(&inside_);
+        inside_.store(0, std::memory_order_release);
+    }
+
+    // For a call that only reads the handle.
+    bool try_enter_together() noexcept {
+        std::uint32_t inside = inside_.load(std::memory_order_relaxed);
+        do {
+            if (inside == alone) return false;
+        } while (!inside_.compare_exchange_weak(inside, inside + 1, std::memory_order_acquire,
+                                                std::memory_order_relaxed));
+        receive(&inside_);
+        return true;
+    }
+    void leave_together() noexcept {
+        hand_over(&inside_);
+        inside_.fetch_sub(1, std::memory_order_release);
+    }
+
+    // For a call that reads and is too short to be counted: whether it must not enter. Such calls
+    // from many threads share this word, which stays in all caches.
+    bool is_held_alone() const noexcept {
+        const bool is_held = inside_.load(std::memory_order_acquire) == alone;
+        receive(&inside_);
+        return is_held;
+    }
+    // Of the call that entered alone; nullptr where none did.
+    const char* name() const noexcept {
+        return is_held_alone() ? name_.load(std::memory_order_relaxed) : nullptr;
+    }
+
+  private:
+    static constexpr std::uint32_t alone = 0xFFFFFFFFu;
+
+    Atomic<std::uint32_t> inside_{0};  // how many read, or `alone`
+    Atomic<const char*> name_{nullptr};
+};
+
+}  // namespace mgdt

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: MIT
+// The stack of every call and of every thread that a call starts stays below the bound that mgdt.h
+// states, whatever the points: first measured on large stacks, then run on stacks that end there.
+#include <array>
+#include <map>
+#include <string>
+
+#include "../property/handle.hpp"
+#include "degenerate_sets.hpp"
+#include "painted_stack.hpp"
+
+namespace faults {
+namespace {
+
+using property::create;
+using property::Handle;
+
+// As mgdt.h and docs/trust.md say.
+constexpr std::size_t bound = 32 * 1024;
+
+std::int64_t count(const Points& xyz) {
+    return static_cast<std::int64_t>(xyz.size() / 3);
+}
+
+Points joined(Points a, const Points& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+// ------------------------------------------------------------------------------------------ points
+
+// Towards the origin, a few points for each of 2,000 powers of two: every cell of a grid that is
+// refined has one that is to be refined again.
+Points nested(std::size_t n) {
+    Random random(11);
+    Points xyz;
+    while (xyz.size() < 3 * n) {
+        const int exponent = 900 - static_cast<int>(random() % 2000);
+        for (int k = 0; k < 3; ++k) xyz.push_back(std::ldexp(uniform(random), exponent));
+    }
+    return xyz;
+}
+
+// Coordinates of which many differences have all the bits that there are: ties of spheres and of
+// planes that the widest integers alone can tell.
+Points widest_ties(std::size_t n) {
+    Points xyz;
+    Random random(12);
+    while (xyz.size() < 3 * n) {
+        std::array<double, 3> p = {0x1p1000, 0x1.8p1, 0x1p-1074};
+        for (double& x : p)
+            if (random() % 2) x = -x;
+        std::shuffle(p.begin(), p.end(), random);
+        xyz.insert(xyz.end(), p.begin(), p.end());
+    }
+    return xyz;
+}
+
+Points lattice(std::size_t n) {
+    Points xyz;
+    for (std::size_t i = 0; xyz.size() < 3 * n; ++i)
+        for (const std::size_t k : {i % 10, i / 10 % 10, i / 100})
+            xyz.push_back(static_cast<double>(k));
+    return xyz;
+}
+
+Points random_points(std::size_t n) {
+    return from_coordinates(n, 13, uniform);
+}
+
+// The hull and what is next to it take the widest integers, all else the filter.
+Points random_points_among_extremes(std::size_t n) {
+    Points xyz = random_points(n);
+    const Points extremes = joined(any_doubles(8), ends_of_range(8));
+    for (std::size_t i = 0; i < extremes.size(); ++i)
+        xyz[3 * (n / 16 * (i / 3)) + i % 3] = extremes[i];
+    return xyz;
+}
+
+struct Set {
+    const char* name;
+    Points (*points)(std::size_t n);
+    std::size_t n;
+};
+const Set sets[] = {
+    {"nested", nested, 300},
+    {"widest ties", widest_ties, 60},
+    {"ends of range", ends_of_range, 45},
+    {"any doubles", any_doubles, 45},
+    {"subnormals and units", subnormals_and_units, 70},
+    {"spread of 2000", [](std::size_t n) { return exponent_spread(n, 2000, true); }, 45},
+    {"lattice", lattice, 1000},
+    {"cospherical", [](std::size_t n) { return integer_sphere(n, 231); }, 1000},
+    {"moment curve", moment_curve, 200},
+    {"layers", layers, 600},
+    {"one plane",
+     [](std::size_t n) {
+         Points xyz = nested(n);
+         for (std::size_t i = 2; i < xyz.size(); i += 3) xyz[i] = 0x1p-1074;
+         return xyz;
+     },
+     300},
+    {"uniform", random_points, 2000},
+};
+
+// ----------------------------------------------------------------------------------------- measure
+
+// Makes calls, each on a thread of its own, and keeps the most that those of a kind took.
+class Meter {
+  public:
+    template <class Call>
+    void operator()(const std::string& kind, Call call, mgdt_status expected = MGDT_OK) {
+        mgdt_status status = MGDT_ERR_INTERNAL;
+        auto made = [&] { status = call(); };
+        const StackUse use = stack_use_of(made);
+        EXPECT_EQ(status, expected) << kind;
+        EXPECT_LT(use.of_caller, bound) << kind;
+        EXPECT_LT(use.of_worker, bound) << kind;
+        StackUse& most = most_[kind];
+        most.of_caller = std::max(most.of_caller, use.of_caller);
+        most.of_worker = std::max(most.of_worker, use.of_worker);
+        most.workers = std::max(most.workers, use.workers);
+    }
+    bool has_measured_workers(const std::string& kind) const {
+        const auto found = most_.find(kind);
+        return found != most_.end() && found->second.workers > 0;
+    }
+    void print() const {
+        std::printf("%-34s %8s %8s\n", "bytes of stack at most", "caller", "workers");
+        for (const auto& [kind, use] : most_)
+            std::printf("%-34s %8zu %8zu\n", kind.c_str(), use.of_caller, use.of_worker);
+    }
+
+  private:
+    std::map<std::string, StackUse> most_;
+};
+
+// -------------------------------------------------------------------------------------- what calls
+
+struct Order {
+    std::int32_t scheme;
+    int separation = -1;
+};
+std::vector<Order> orders() {
+    std::vector<Order> all;
+    for (const std::int32_t scheme : order_schemes) {
+        if (scheme != MGDT_ORDER_REGULAR_GRID && scheme != MGDT_ORDER_MULTI_GRID) {
+            all.push_back({scheme});
+            continue;
+        }
+        for (int separation = 0; separation < 3; ++separation) all.push_back({scheme, separation});
+    }
+    return all;
+}
+
+Handle handle_with(const Order& order, std::int32_t threads) {
+    Handle t = create();
+    EXPECT_EQ(mgdt_set_order_scheme(t.get(), order.scheme), MGDT_OK);
+    EXPECT_EQ(mgdt_set_threads(t.get(), threads), MGDT_OK);
+    if (order.separation >= 0) {
+        EXPECT_EQ(mgdt_set_order_parameter(t.get(), MGDT_PARAMETER_SEPARATION, order.separation),
+                  MGDT_OK);
+    }
+    return t;
+}
+
+// All that reads, and changes nothing.
+void read_all(Meter& meter, const mgdt_triangulation* t, const Points& queries) {
+    const std::int64_t tetrahedra = mgdt_tetrahedron_count(t), points = mgdt_point_count(t);
+    const std::int64_t size = 4 * tetrahedra + 4 * points + 6 * mgdt_edge_count(t) + 16;
+    std::vector<std::int64_t> v(static_cast<std::size_t>(size)), list(v.size());
+    std::vector<std::int32_t> v32(v.size()), list32(v.size());
+    Points weights(4 * queries.size());
+    const std::int64_t n = std::min(count(queries), size);
+    meter("counts", [&] {
+        mgdt_hull_facet_count(t), mgdt_edge_count(t), mgdt_vertex_tetrahedra_count(t);
+        return MGDT_OK;
+    });
+    meter("mgdt_get_tetrahedra", [&] { return mgdt_get_tetrahedra(t, size, v.data()); });
+    meter("mgdt_get_tetrahedra", [&] { return mgdt_get_tetrahedra_i32(t, size, v32.data()); });
+    meter("mgdt_get_neighbors", [&] { return mgdt_get_neighbors(t, size, v.data()); });
+    meter("mgdt_get_neighbors", [&] { return mgdt_get_neighbors_i32(t, size, v32.data()); });
+    meter("mgdt_get_hull_facets", [&] { return mgdt_get_hull_facets(t, size, v.data()); });
+    meter("mgdt_get_hull_facets", [&] { return mgdt_get_hull_facets_i32(t, size, v32.data()); });
+    meter("mgdt_get_edges", [&] { return mgdt_get_edges(t, size, v.data()); });
+    meter("mgdt_get_edges", [&] { return mgdt_get_edges_i32(t, size, v32.data()); });
+    meter("mgdt_get_point_map", [&] { return mgdt_get_point_map(t, size, v.data()); });
+    meter("mgdt_get_point_map", [&] { return mgdt_get_point_map_i32(t, size, v32.data()); });
+    meter("mgdt_get_vertex_tetrahedra",
+          [&] { return mgdt_get_vertex_tetrahedra(t, size, v.data(), size, list.data()); });
+    meter("mgdt_get_vertex_tetrahedra",
+          [&] { return mgdt_get_vertex_tetrahedra_i32(t, size, v32.data(), size, list32.data()); });
+    meter("mgdt_locate_points",
+          [&] { return mgdt_locate_points(t, n, queries.data(), v.data(), weights.data()); });
+    meter("mgdt_locate_points",
+          [&] { return mgdt_locate_points_i32(t, n, queries.data(), v32.data(), nullptr); });
+    for (std::size_t i = 0; i < queries.size(); i += 3 * (1 + queries.size() / 45)) {
+        meter("mgdt_locate", [&] { return mgdt_locate(t, &queries[i], v.data()); });
+        meter("mgdt_nearest_vertex", [&] { return mgdt_nearest_vertex(t, &queries[i], v.data()); });
+    }
+    meter("mgdt_check", [&] { return mgdt_check(t, MGDT_CHECK_CANONICAL); });
+    if (tetrahedra > 0)
+        meter(
+            "a call that fails", [&] { return mgdt_get_tetrahedra(t, 1, v.data()); },
+            MGDT_ERR_BUFFER_TOO_SMALL);
+}
+
+void read_all_settings(Meter& meter, mgdt_triangulation* t, const Points& queries) {
+    for (const int canonical : {0, 1}) {
+        ASSERT_EQ(mgdt_set_canonical_output(t, canonical), MGDT_OK);
+        read_all(meter, t, queries);
+    }
+}
+
+// Each set with each order, in one call, in two halves and a few points at a time, for each
+// instruction set, with spheres kept and computed.
+void small_sets(Meter& meter) {
+    const std::string best = mgdt_isa_name(create().get());
+    for (const Set& set : sets) {
+        SCOPED_TRACE(set.name);
+        const Points xyz = set.points(set.n);
+        for (const Order& order : orders()) {
+            SCOPED_TRACE(mgdt_order_scheme_name(order.scheme));
+            const Handle t = handle_with(order, 1);
+            meter("mgdt_insert_points",
+                  [&] { return mgdt_insert_points(t.get(), count(xyz), xyz.data()); });
+        }
+        for (const char* isa : {"baseline", "avx2", "avx512"})
+            for (const int compact : {0, 1}) {
+                SCOPED_TRACE(isa);
+                const Handle t = create();
+                if (mgdt_set_isa(t.get(), isa) != MGDT_OK) continue;
+                ASSERT_EQ(mgdt_set_compact(t.get(), compact), MGDT_OK);
+                const std::int64_t half = count(xyz) / 2;
+                meter("mgdt_insert_points", [&] {
+                    return mgdt_insert_points_strided(t.get(), half, xyz.data(), xyz.data() + 1,
+                                                      xyz.data() + 2, 3);
+                });
+                std::int64_t k = half;
+                for (std::int64_t batch = 1; k + batch <= count(xyz) && k < half + 300;
+                     batch = batch % 17 + 1) {
+                    meter("mgdt_insert_points, 1 to 17",
+                          [&] { return mgdt_insert_points(t.get(), batch, xyz.data() + 3 * k); });
+                    k += batch;
+                }
+                meter("mgdt_insert_points", [&] {
+                    return mgdt_insert_points(t.get(), count(xyz) - k, xyz.data() + 3 * k);
+                });
+                meter("mgdt_set_compact", [&] {
+                    const mgdt_status status = mgdt_set_compact(t.get(), !compact);
+                    return status == MGDT_OK ? mgdt_set_compact(t.get(), compact) : status;
+                });
+                if (isa == best || compact) read_all_settings(meter, t.get(), xyz);
+                meter("mgdt_clear", [&] { return mgdt_clear(t.get()); });
+            }
+    }
+}
+
+// Calls that are given up: deep in an insertion, and for what they were given.
+void failures(Meter& meter) {
+    const Points xyz = nested(300);
+    const Points uniform_ones = random_points(20000);
+    for (const Order& order : orders()) {
+        SCOPED_TRACE(mgdt_order_scheme_name(order.scheme));
+        for (const std::int64_t limit : {200 * 1024, 3 * 1024 * 1024}) {
+            const Handle t = handle_with(order, 1);
+            ASSERT_EQ(mgdt_set_memory_limit(t.get(), limit), MGDT_OK);
+            meter(
+                "out of memory",
+                [&] { return mgdt_insert_points(t.get(), 20000, uniform_ones.data()); },
+                MGDT_ERR_OUT_OF_MEMORY);
+        }
+    }
+    meter("mgdt_create to mgdt_destroy", [] {
+        mgdt_triangulation* t = nullptr;
+        mgdt_status status = mgdt_create(&t);
+        if (status == MGDT_OK) status = mgdt_reserve(t, 100000);
+        mgdt_destroy(t);
+        return status;
+    });
+    const Handle t = create();
+    ASSERT_EQ(mgdt_set_progress(
+                  t.get(), [](double fraction, void*) { return fraction > 0.5 ? 1 : 0; }, nullptr),
+              MGDT_OK);
+    meter(
+        "cancelled", [&] { return mgdt_insert_points(t.get(), count(xyz), xyz.data()); },
+        MGDT_ERR_CANCELLED);
+    Points with_nan = xyz;
+    with_nan[600] = std::numeric_limits<double>::quiet_NaN();
+    meter(
+        "a call that fails",
+        [&] { return mgdt_insert_points(t.get(), count(with_nan), with_nan.data()); },
+        MGDT_ERR_NOT_FINITE);
+}
+
+// Sets so large that orders, insertions and calls have work for several threads.
+void large_sets(Meter& meter) {
+    const auto insert = [&](const Order& order, std::int32_t threads, const Points& xyz) {
+        SCOPED_TRACE(mgdt_order_scheme_name(order.scheme));
+        Handle t = handle_with(order, threads);
+        meter("mgdt_insert_points, many",
+              [&] { return mgdt_insert_points(t.get(), count(xyz), xyz.data()); });
+        return t;
+    };
+    // Cancelled at the first points, when the order is made.
+    const auto order_only = [&](const Order& order, std::int32_t threads, const Points& xyz) {
+        SCOPED_TRACE(mgdt_order_scheme_name(order.scheme));
+        const Handle t = handle_with(order, threads);
+        ASSERT_EQ(
+            mgdt_set_progress(
+                t.get(), [](double fraction, void*) { return fraction > 0 ? 1 : 0; }, nullptr),
+            MGDT_OK);
+        meter(
+            "mgdt_insert_points, cancelled",
+            [&] { return mgdt_insert_points(t.get(), count(xyz), xyz.data()); },
+            MGDT_ERR_CANCELLED);
+    };
+    const Points many_nested = nested(140000), many = random_points(140000);
+    for (const Order& order : orders()) order_only(order, 4, many);
+    for (const std::int32_t scheme : {MGDT_ORDER_HILBERT, MGDT_ORDER_MULTI_GRID})
+        order_only({scheme}, 4, many_nested);
+    order_only({MGDT_ORDER_HILBERT}, 1, random_points(600000));
+
+    const Handle t = insert({MGDT_ORDER_AUTO}, 4, many);
+    read_all_settings(meter, t.get(), many);
+    std::vector<std::int64_t> found(many_nested.size() / 3);
+    meter("mgdt_locate_points", [&] {
+        return mgdt_locate_points(t.get(), count(many_nested), many_nested.data(), found.data(),
+                                  nullptr);
+    });
+    const Handle ties = insert({MGDT_ORDER_AUTO}, 4, integer_sphere(33000, 4389));
+    meter("mgdt_check", [&] { return mgdt_check(ties.get(), MGDT_CHECK_CANONICAL); });
+    const Handle extreme = insert({MGDT_ORDER_AUTO}, 2, random_points_among_extremes(20000));
+    meter("mgdt_check", [&] { return mgdt_check(extreme.get(), MGDT_CHECK_CANONICAL); });
+}
+
+void make_all_calls(Meter& meter) {
+    small_sets(meter);
+    failures(meter);
+    large_sets(meter);
+}
+
+TEST(Stack, IsBounded) {
+    make_stacks(256 * 1024);
+    Meter meter;
+    make_all_calls(meter);
+    meter.print();
+    for (const char* kind :
+         {"mgdt_insert_points, many", "mgdt_insert_points, cancelled", "mgdt_get_tetrahedra",
+          "mgdt_get_edges", "mgdt_locate_points", "mgdt_check"})
+        EXPECT_TRUE(meter.has_measured_workers(kind)) << kind;
+}
+
+// Where the page after the bound is nobody's.
+TEST(Stack, EndsThere) {
+    make_stacks(256 * 1024);
+    auto nothing = [] {};
+    stack_use_of(nothing);
+    make_stacks(bound + caller_stack.above());
+    Meter meter;
+    make_all_calls(meter);
+}
+
+}  // namespace
+}  // namespace faults
