@@ -11,9 +11,9 @@
 !   program with the message. A call that fails on its arguments changes nothing.
 ! - Points and tetrahedra are numbered from 1, or from 0 on request (set_index_base). "None" is one
 !   less than the first number.
-! - Arrays are the caller's: coordinates xyz(3, n) or xyz(3 n), tetrahedra(4, n) or tetrahedra(4 n).
-!   They may be larger than needed; the rest is not touched. Index arrays are of kind int32 or
-!   int64; a number that does not fit gets mgdt_err_index_range. Contiguous arrays are never copied.
+! - Arrays are the caller's: coordinates xyz(3, n) or xyz(3 n), tetrahedra(4, n), tetrahedra(4 n),
+!   or tetrahedra(n, 4) with dim=2. They may be larger than needed; the rest is not touched. Index
+!   arrays are of kind int32 or int64; a number that does not fit gets mgdt_err_index_range.
 ! - A triangulation needs no call to be made: one that was never used is empty.
 ! - Calls with intent(in) may run on one triangulation from many threads at once. The others need it
 !   to themselves. Different triangulations are independent.
@@ -24,7 +24,10 @@ module mgdt
                       c_tetrahedron_count, c_vertex_count, c_vertex_tetrahedra_count
     use mgdt_callbacks, only: mgdt_observer, mgdt_progress, progress_box
     use mgdt_constants
-    use mgdt_names
+    use mgdt_names, only: mgdt_version => version, mgdt_abi_version => abi_version, &
+                          mgdt_status_string => status_string, mgdt_stat_name => stat_name, &
+                          mgdt_order_scheme_name => order_scheme_name, &
+                          mgdt_order_scheme_from_name => order_scheme_from_name
     use mgdt_support, only: c_text, last_message
     implicit none
     private
@@ -36,7 +39,7 @@ module mgdt
     public :: mgdt_ok, mgdt_err_null_pointer, mgdt_err_invalid_argument, mgdt_err_not_finite, &
               mgdt_err_unknown_scheme, mgdt_err_unknown_key, mgdt_err_buffer_too_small, &
               mgdt_err_index_range, mgdt_err_out_of_memory, mgdt_err_too_large, &
-              mgdt_err_cancelled, mgdt_err_check_failed, mgdt_err_internal
+              mgdt_err_cancelled, mgdt_err_busy, mgdt_err_check_failed, mgdt_err_internal
     public :: mgdt_order_auto, mgdt_order_input, mgdt_order_random, mgdt_order_lexicographic, &
               mgdt_order_brio, mgdt_order_hilbert, mgdt_order_regular_grid, mgdt_order_kd_tree, &
               mgdt_order_enhanced_kd_tree, mgdt_order_multi_grid
@@ -304,108 +307,121 @@ module mgdt
     end interface
 
     interface  ! arrays
+        ! Tetrahedra, neighbours, hull facets and edges may go to any array section. Contiguous
+        ! arrays (4, n) and (4 n) are written in place, and so are arrays (n, 4) of just the size
+        ! that is needed. For others the procedure holds a copy while it runs. dim is the dimension
+        ! along which the vertices of one tetrahedron lie: 1 (default), or 2 for arrays (n, 4).
+
         ! The vertices of each tetrahedron, tetrahedra(4, tetrahedron_count()), positively oriented:
         ! (v2 - v1) x (v3 - v1) . (v4 - v1) > 0. A vertex is the first point given at its place.
         module subroutine get_tetrahedra_i32_1(self, tetrahedra, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int32), contiguous, intent(inout) :: tetrahedra(:)
+            integer(int32), intent(inout) :: tetrahedra(:)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine
-        module subroutine get_tetrahedra_i32_2(self, tetrahedra, stat, errmsg)
+        module subroutine get_tetrahedra_i32_2(self, tetrahedra, stat, errmsg, dim)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int32), contiguous, intent(inout) :: tetrahedra(:, :)
+            integer(int32), intent(inout) :: tetrahedra(:, :)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
+            integer, intent(in), optional :: dim
         end subroutine
         module subroutine get_tetrahedra_i64_1(self, tetrahedra, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int64), contiguous, intent(inout) :: tetrahedra(:)
+            integer(int64), intent(inout) :: tetrahedra(:)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine
-        module subroutine get_tetrahedra_i64_2(self, tetrahedra, stat, errmsg)
+        module subroutine get_tetrahedra_i64_2(self, tetrahedra, stat, errmsg, dim)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int64), contiguous, intent(inout) :: tetrahedra(:, :)
+            integer(int64), intent(inout) :: tetrahedra(:, :)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
+            integer, intent(in), optional :: dim
         end subroutine
         ! The neighbours of each tetrahedron, neighbors(4, tetrahedron_count()): the i-th shares the
         ! facet opposite vertex i; none on the hull.
         module subroutine get_neighbors_i32_1(self, neighbors, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int32), contiguous, intent(inout) :: neighbors(:)
+            integer(int32), intent(inout) :: neighbors(:)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine
-        module subroutine get_neighbors_i32_2(self, neighbors, stat, errmsg)
+        module subroutine get_neighbors_i32_2(self, neighbors, stat, errmsg, dim)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int32), contiguous, intent(inout) :: neighbors(:, :)
+            integer(int32), intent(inout) :: neighbors(:, :)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
+            integer, intent(in), optional :: dim
         end subroutine
         module subroutine get_neighbors_i64_1(self, neighbors, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int64), contiguous, intent(inout) :: neighbors(:)
+            integer(int64), intent(inout) :: neighbors(:)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine
-        module subroutine get_neighbors_i64_2(self, neighbors, stat, errmsg)
+        module subroutine get_neighbors_i64_2(self, neighbors, stat, errmsg, dim)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int64), contiguous, intent(inout) :: neighbors(:, :)
+            integer(int64), intent(inout) :: neighbors(:, :)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
+            integer, intent(in), optional :: dim
         end subroutine
         ! The triangles of the convex hull, facets(3, hull_facet_count()), counter-clockwise seen
         ! from outside.
         module subroutine get_hull_facets_i32_1(self, facets, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int32), contiguous, intent(inout) :: facets(:)
+            integer(int32), intent(inout) :: facets(:)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine
-        module subroutine get_hull_facets_i32_2(self, facets, stat, errmsg)
+        module subroutine get_hull_facets_i32_2(self, facets, stat, errmsg, dim)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int32), contiguous, intent(inout) :: facets(:, :)
+            integer(int32), intent(inout) :: facets(:, :)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
+            integer, intent(in), optional :: dim
         end subroutine
         module subroutine get_hull_facets_i64_1(self, facets, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int64), contiguous, intent(inout) :: facets(:)
+            integer(int64), intent(inout) :: facets(:)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine
-        module subroutine get_hull_facets_i64_2(self, facets, stat, errmsg)
+        module subroutine get_hull_facets_i64_2(self, facets, stat, errmsg, dim)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int64), contiguous, intent(inout) :: facets(:, :)
+            integer(int64), intent(inout) :: facets(:, :)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
+            integer, intent(in), optional :: dim
         end subroutine
         ! The edges, edges(2, edge_count()), the lesser point first; each edge once.
         module subroutine get_edges_i32_1(self, edges, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int32), contiguous, intent(inout) :: edges(:)
+            integer(int32), intent(inout) :: edges(:)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine
-        module subroutine get_edges_i32_2(self, edges, stat, errmsg)
+        module subroutine get_edges_i32_2(self, edges, stat, errmsg, dim)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int32), contiguous, intent(inout) :: edges(:, :)
+            integer(int32), intent(inout) :: edges(:, :)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
+            integer, intent(in), optional :: dim
         end subroutine
         module subroutine get_edges_i64_1(self, edges, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int64), contiguous, intent(inout) :: edges(:)
+            integer(int64), intent(inout) :: edges(:)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine
-        module subroutine get_edges_i64_2(self, edges, stat, errmsg)
+        module subroutine get_edges_i64_2(self, edges, stat, errmsg, dim)
             class(mgdt_triangulation), intent(in) :: self
-            integer(int64), contiguous, intent(inout) :: edges(:, :)
+            integer(int64), intent(inout) :: edges(:, :)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
+            integer, intent(in), optional :: dim
         end subroutine
         ! For each point ever given the point that stands for it as a vertex,
         ! point_map(point_count()): itself, or the first one given at its place, or none if it is
@@ -441,7 +457,8 @@ module mgdt
 
     interface  ! queries
         ! The tetrahedron that contains a point, its boundary included; none outside the hull. The
-        ! weights are the point's barycentric coordinates in it, zeros outside.
+        ! weights are the point's barycentric coordinates in it, zeros outside. They give the point
+        ! again but for some units in the last place, in every tetrahedron, however flat.
         module subroutine locate_i32(self, point, tetrahedron, weights, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
             real(real64), intent(in) :: point(3)

@@ -16,6 +16,7 @@ module mgdt_constants
     integer, parameter :: mgdt_err_out_of_memory = 30    ! the system or the memory limit refused
     integer, parameter :: mgdt_err_too_large = 31        ! more than the format can number
     integer, parameter :: mgdt_err_cancelled = 40        ! cancel or the progress callback said so
+    integer, parameter :: mgdt_err_busy = 41             ! another call is inside; since 1.2
     integer, parameter :: mgdt_err_check_failed = 60     ! check found a defect
     integer, parameter :: mgdt_err_internal = 90         ! a defect in mgdt; please report it
 

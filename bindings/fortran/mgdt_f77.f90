@@ -6,10 +6,42 @@
 !   word, so there is no table, no limit on their number and no lock: threads with handles of their
 !   own do not meet. A handle that MGNEW did not fill or MGFREE emptied gets status 10.
 ! - INTEGER is the default integer of the flags in force; reals are 8 bytes long. A number that does
-!   not fit an INTEGER gets status 21 and is not stored.
+!   not fit an INTEGER gets status 21 and is not stored. MGKIND tells whether the caller's integers
+!   and reals are the same. Calls that every program makes refuse integers that are seen to differ.
 ! - The last argument is the status: 0, or one of those in mgdt_f77.inc. The other output arguments
 !   of a call that failed are as they were.
 ! - Points and tetrahedra are numbered from 1 (MGBASE changes it); "none" is one less.
+
+! ------------------------------------------------------------------------------- kinds
+
+! Whether INTEGER and DOUBLE PRECISION are of the same kind in the caller as here. The caller gives
+! MGKI, an INTEGER array of 1 and 2, and MGKD, which is 1D0. The status is right for integers of
+! any length: it has the caller's.
+subroutine mgkind(ikind, dkind, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: ikind(*)
+    real(c_double), intent(in) :: dkind
+    integer, intent(inout), target :: ierr
+    integer :: bits, status
+    integer(c_int32_t) :: words(2)
+
+    ! Eight bytes: two integers of 32 bits, or one of 64 with either half first.
+    words = transfer(ikind(:64/bit_size(ierr)), words)
+    bits = 0
+    if (all(words == [1, 2])) bits = 32
+    if (all(words == [1, 0]) .or. all(words == [0, 1])) bits = 64
+    status = mgdt_ok
+    if (bits /= bit_size(ierr)) status = mgdt_err_invalid_argument
+    ! What is read of a longer real is the end of its fraction, or another number.
+    if (transfer(dkind, 0_c_int64_t) /= transfer(1.0_c_double, 0_c_int64_t)) &
+        status = mgdt_err_invalid_argument
+    if (bits == bit_size(ierr) .or. bits == 0) then
+        ierr = status
+    else
+        call store_status(status, c_loc(ierr), bits)
+    end if
+end subroutine
 
 ! ------------------------------------------------------------------------------- life
 
@@ -17,10 +49,11 @@
 subroutine mgnew(h, ierr)
     use mgdt_f77_support
     implicit none
-    integer, intent(out) :: h(4)
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: h(4)
+    integer, intent(inout) :: ierr
     type(c_ptr) :: pointer
 
+    if (integers_differ(h, ierr)) return
     ierr = c_create(pointer)
     if (ierr == mgdt_ok) ierr = c_set_index_base(pointer, 1_c_int32_t)
     call pack_handle(pointer, h)
@@ -35,10 +68,11 @@ subroutine mgfree(h, ierr)
     type(c_ptr) :: pointer
 
     pointer = handle_of(h)
-    ierr = mgdt_ok
-    if (.not. c_associated(pointer)) ierr = mgdt_err_null_pointer
+    ! In a subroutine that hears of progress nothing is freed, neither here nor by the library.
+    ierr = c_set_progress(pointer, c_null_funptr, c_null_ptr)
+    if (ierr == mgdt_err_busy) return
     call c_destroy(pointer)
-    h = 0
+    call pack_handle(c_null_ptr, h)
 end subroutine
 
 ! Takes all points out; settings stay.
@@ -57,8 +91,9 @@ subroutine mgrsv(h, n, ierr)
     implicit none
     integer, intent(in) :: h(4)
     integer, intent(in) :: n
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, n)) return
     ierr = c_reserve(handle_of(h), int(n, c_int64_t))
 end subroutine
 
@@ -226,8 +261,9 @@ subroutine mgins(h, n, xyz, ierr)
     integer, intent(in) :: h(4)
     integer, intent(in) :: n
     real(c_double), intent(in) :: xyz(*)
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, n)) return
     ierr = c_insert_points(handle_of(h), int(n, c_int64_t), xyz)
 end subroutine
 
@@ -238,8 +274,9 @@ subroutine mginss(h, n, x, y, z, inc, ierr)
     integer, intent(in) :: h(4)
     integer, intent(in) :: n, inc
     real(c_double), intent(in), target :: x(*), y(*), z(*)
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, n)) return
     ierr = c_insert_points_strided(handle_of(h), int(n, c_int64_t), c_loc(x), c_loc(y), c_loc(z), &
                                    int(inc, c_int64_t))
 end subroutine
@@ -252,8 +289,9 @@ subroutine mgnpt(h, n, ierr)
     implicit none
     integer, intent(in) :: h(4)
     integer, intent(inout) :: n
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, n)) return
     call store_count(c_point_count(handle_of(h)), handle_of(h), n, ierr)
 end subroutine
 
@@ -263,8 +301,9 @@ subroutine mgnvt(h, n, ierr)
     implicit none
     integer, intent(in) :: h(4)
     integer, intent(inout) :: n
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, n)) return
     call store_count(c_vertex_count(handle_of(h)), handle_of(h), n, ierr)
 end subroutine
 
@@ -274,8 +313,9 @@ subroutine mgntet(h, n, ierr)
     implicit none
     integer, intent(in) :: h(4)
     integer, intent(inout) :: n
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, n)) return
     call store_count(c_tetrahedron_count(handle_of(h)), handle_of(h), n, ierr)
 end subroutine
 
@@ -285,8 +325,9 @@ subroutine mgnhul(h, n, ierr)
     implicit none
     integer, intent(in) :: h(4)
     integer, intent(inout) :: n
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, n)) return
     call store_count(c_hull_facet_count(handle_of(h)), handle_of(h), n, ierr)
 end subroutine
 
@@ -296,8 +337,9 @@ subroutine mgnedg(h, n, ierr)
     implicit none
     integer, intent(in) :: h(4)
     integer, intent(inout) :: n
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, n)) return
     call store_count(c_edge_count(handle_of(h)), handle_of(h), n, ierr)
 end subroutine
 
@@ -307,8 +349,9 @@ subroutine mgnvtt(h, n, ierr)
     implicit none
     integer, intent(in) :: h(4)
     integer, intent(inout) :: n
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, n)) return
     call store_count(c_vertex_tetrahedra_count(handle_of(h)), handle_of(h), n, ierr)
 end subroutine
 
@@ -318,8 +361,9 @@ subroutine mgdim(h, n, ierr)
     implicit none
     integer, intent(in) :: h(4)
     integer, intent(inout) :: n
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, n)) return
     call store_count(int(c_dimension(handle_of(h)), c_int64_t), handle_of(h), n, ierr)
 end subroutine
 
@@ -332,8 +376,9 @@ subroutine mgtets(h, maxt, itet, ierr)
     integer, intent(in) :: h(4)
     integer, intent(in) :: maxt
     integer, intent(inout) :: itet(*)
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, maxt)) return
     ierr = c_get_tetrahedra(handle_of(h), columns(4, maxt), itet)
 end subroutine
 
@@ -344,8 +389,9 @@ subroutine mgnbrs(h, maxt, inbr, ierr)
     integer, intent(in) :: h(4)
     integer, intent(in) :: maxt
     integer, intent(inout) :: inbr(*)
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, maxt)) return
     ierr = c_get_neighbors(handle_of(h), columns(4, maxt), inbr)
 end subroutine
 
@@ -356,8 +402,9 @@ subroutine mghull(h, maxf, ifac, ierr)
     integer, intent(in) :: h(4)
     integer, intent(in) :: maxf
     integer, intent(inout) :: ifac(*)
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, maxf)) return
     ierr = c_get_hull_facets(handle_of(h), columns(3, maxf), ifac)
 end subroutine
 
@@ -368,9 +415,64 @@ subroutine mgedgs(h, maxe, iedg, ierr)
     integer, intent(in) :: h(4)
     integer, intent(in) :: maxe
     integer, intent(inout) :: iedg(*)
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, maxe)) return
     ierr = c_get_edges(handle_of(h), columns(2, maxe), iedg)
+end subroutine
+
+! Vertices of the tetrahedra at any increments: vertex K of tetrahedron I at element
+! 1 + (I - 1)*INCT + (K - 1)*INCV of ITET. ITET(MAXT, 4) has INCT = 1 and INCV = MAXT, and its MAXT
+! rows may all be written. ITET(LD, MAXT) has INCT = LD and INCV = 1, and nothing else of it is.
+subroutine mgteti(h, maxt, itet, inct, incv, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: maxt, inct, incv
+    integer, intent(inout) :: itet(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, maxt)) return
+    call export_at(handle_of(h), array_tetrahedra, maxt, itet, inct, incv, ierr)
+end subroutine
+
+! Neighbours of the tetrahedra likewise.
+subroutine mgnbri(h, maxt, inbr, inct, incv, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: maxt, inct, incv
+    integer, intent(inout) :: inbr(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, maxt)) return
+    call export_at(handle_of(h), array_neighbors, maxt, inbr, inct, incv, ierr)
+end subroutine
+
+! Triangles of the convex hull likewise.
+subroutine mghuli(h, maxf, ifac, inct, incv, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: maxf, inct, incv
+    integer, intent(inout) :: ifac(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, maxf)) return
+    call export_at(handle_of(h), array_facets, maxf, ifac, inct, incv, ierr)
+end subroutine
+
+! Edges likewise.
+subroutine mgedgi(h, maxe, iedg, inct, incv, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: maxe, inct, incv
+    integer, intent(inout) :: iedg(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, maxe)) return
+    call export_at(handle_of(h), array_edges, maxe, iedg, inct, incv, ierr)
 end subroutine
 
 ! The point that stands for each point, MAP(MAXP).
@@ -380,8 +482,9 @@ subroutine mgmap(h, maxp, map, ierr)
     integer, intent(in) :: h(4)
     integer, intent(in) :: maxp
     integer, intent(inout) :: map(*)
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, maxp)) return
     ierr = c_get_point_map(handle_of(h), columns(1, maxp), map)
 end subroutine
 
@@ -392,8 +495,9 @@ subroutine mgvts(h, maxo, ioff, maxl, list, ierr)
     integer, intent(in) :: h(4)
     integer, intent(in) :: maxo, maxl
     integer, intent(inout) :: ioff(*), list(*)
-    integer, intent(out) :: ierr
+    integer, intent(inout) :: ierr
 
+    if (integers_differ(h, ierr, maxo)) return
     ierr = c_get_vertex_tetrahedra(handle_of(h), columns(1, maxo), ioff, columns(1, maxl), list)
 end subroutine
 
@@ -553,7 +657,7 @@ subroutine mgisan(h, name, ierr)
     call store_text(c_isa_name(handle_of(h)), name, mgdt_err_null_pointer, ierr)
 end subroutine
 
-! Version of the library, '1.1.0', and of its binary interface, 1.
+! Version of the library, '1.2.0', and of its binary interface, 1.
 subroutine mgvers(text, iabi, ierr)
     use mgdt_f77_support
     implicit none

@@ -3,7 +3,8 @@
 submodule (mgdt) mgdt_life
     use, intrinsic :: iso_c_binding, only: c_associated, c_int32_t, c_int64_t, c_null_funptr
     use, intrinsic :: iso_fortran_env, only: error_unit
-    use mgdt_c, only: c_clear, c_create_with_allocator, c_destroy, c_reserve, c_set_index_base
+    use mgdt_c, only: c_clear, c_create_with_allocator, c_destroy, c_reserve, c_set_index_base, &
+                      c_set_progress
     use mgdt_support, only: finish, make, tell
     implicit none
 
@@ -30,7 +31,10 @@ contains
         call finish(self%handle, 'create', status, stat, errmsg)
     end procedure
 
+    ! In a callback of the triangulation's own nothing is freed, neither here nor by the library: the
+    ! call that is inside the handle goes on, and this is as it was.
     module procedure destroy
+        if (c_set_progress(self%handle, c_null_funptr, c_null_ptr) == mgdt_err_busy) return
         call c_destroy(self%handle)
         self%handle = c_null_ptr
         if (associated(self%progress)) deallocate (self%progress)

@@ -1,5 +1,7 @@
 ! SPDX-License-Identifier: MIT
-! Names, texts and versions: what can be asked of mgdt without a triangulation.
+! Names, texts and versions: what can be asked of mgdt without a triangulation. Module mgdt puts
+! mgdt_ before each name. Here the names are without it, since those with it are C's: gfortran does
+! not accept both in one source file.
 module mgdt_names
     use, intrinsic :: iso_c_binding, only: c_int32_t, c_null_char
     use mgdt_c, only: c_abi_version, c_order_scheme_from_name, c_order_scheme_name, c_stat_name, &
@@ -8,27 +10,27 @@ module mgdt_names
     use mgdt_support, only: c_text, tell, to_c
     implicit none
     private
-    public :: mgdt_version, mgdt_abi_version, mgdt_status_string, mgdt_stat_name, &
-              mgdt_order_scheme_name, mgdt_order_scheme_from_name
+    public :: version, abi_version, status_string, stat_name, order_scheme_name, &
+              order_scheme_from_name
 
 contains
 
-    ! Version of the library that is running, '1.1.0'.
-    function mgdt_version() result(text)
+    ! Version of the library that is running, '1.2.0'.
+    function version() result(text)
         character(:), allocatable :: text
 
         text = c_text(c_version_string())
     end function
 
     ! Version of its binary interface, 1. Programs built for it run with every library that says 1.
-    function mgdt_abi_version() result(version)
+    function abi_version() result(version)
         integer :: version
 
         version = c_abi_version()
     end function
 
     ! One line that describes a value of stat=.
-    function mgdt_status_string(status) result(text)
+    function status_string(status) result(text)
         integer, intent(in) :: status
         character(:), allocatable :: text
 
@@ -36,7 +38,7 @@ contains
     end function
 
     ! Name of a statistic, 'walk steps'; empty for an unknown key.
-    function mgdt_stat_name(key) result(name)
+    function stat_name(key) result(name)
         integer, intent(in) :: key
         character(:), allocatable :: name
 
@@ -44,7 +46,7 @@ contains
     end function
 
     ! Name of an order scheme, 'multi-grid'; empty for an unknown one.
-    function mgdt_order_scheme_name(scheme) result(name)
+    function order_scheme_name(scheme) result(name)
         integer, intent(in) :: scheme
         character(:), allocatable :: name
 
@@ -53,7 +55,7 @@ contains
 
     ! The order scheme of a name; trailing blanks do not count. An unknown name leaves scheme as it
     ! is.
-    subroutine mgdt_order_scheme_from_name(name, scheme, stat, errmsg)
+    subroutine order_scheme_from_name(name, scheme, stat, errmsg)
         character(*), intent(in) :: name
         integer, intent(inout) :: scheme
         integer, intent(out), optional :: stat

@@ -113,8 +113,8 @@ contains
         call make(self%handle, status)
         if (status == mgdt_ok) then
             if (.not. associated(self%progress)) allocate (self%progress)
-            self%progress = box
             status = c_set_progress(self%handle, c_funloc(relay), c_loc(self%progress))
+            if (status == mgdt_ok) self%progress = box
         end if
         call finish(self%handle, 'set_progress', status, stat, errmsg)
     end subroutine
@@ -124,7 +124,7 @@ contains
 
         call make(self%handle, status)
         if (status == mgdt_ok) status = c_set_progress(self%handle, c_null_funptr, c_null_ptr)
-        if (associated(self%progress)) deallocate (self%progress)
+        if (status == mgdt_ok .and. associated(self%progress)) deallocate (self%progress)
         call finish(self%handle, 'remove_progress', status, stat, errmsg)
     end procedure
 

@@ -26,7 +26,7 @@ local C = require "mgdt.library"
 local status = {
     null_pointer = 10, invalid_argument = 11, not_finite = 12, unknown_scheme = 13,
     unknown_key = 14, buffer_too_small = 20, index_range = 21, out_of_memory = 30, too_large = 31,
-    cancelled = 40, check_failed = 60, internal = 90,
+    cancelled = 40, busy = 41, check_failed = 60, internal = 90,
 }
 local status_names = {}
 for name, value in pairs(status) do status_names[value] = name end
@@ -142,7 +142,7 @@ local function handle_of(self)
     local handle = self.handle
     if not handle then raise(status.null_pointer, "the triangulation is closed") end
     if self.busy then
-        raise(status.invalid_argument,
+        raise(status.busy,
             "a progress function may not call its triangulation, except t:cancel()")
     end
     return handle
@@ -482,7 +482,7 @@ for scheme = 0, 90, 10 do
     if name ~= nil then table.insert(mgdt.order_schemes, ffi.string(name)) end
 end
 
---- Version of the library that is loaded, "1.1.0".
+--- Version of the library that is loaded, "1.2.0".
 function mgdt.version() return ffi.string(C.mgdt_version_string()) end
 
 local setters = {

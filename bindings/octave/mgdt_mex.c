@@ -37,6 +37,8 @@ static const char* identifier(mgdt_status s) {
             return "mgdt:too_large";
         case MGDT_ERR_CANCELLED:
             return "mgdt:cancelled";
+        case MGDT_ERR_BUSY:
+            return "mgdt:busy";
         case MGDT_ERR_CHECK_FAILED:
             return "mgdt:check_failed";
         default:
@@ -416,7 +418,9 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         mgdt.cancel(s->t);
         return;
     }
-    if (s->busy) bad_argument("a progress function may not call its triangulation, except cancel");
+    if (s->busy)
+        mexErrMsgIdAndTxt("mgdt:busy",
+                          "a progress function may not call its triangulation, except cancel");
     if (strcmp(command, "destroy") == 0) {
         destroy(s);
     } else if (strcmp(command, "clear") == 0) {

@@ -26,8 +26,8 @@ classdef mgdt_triangulation < handle
   %
   % Errors have the identifiers mgdt:invalid_argument, mgdt:not_finite (the message names the
   % point), mgdt:unknown_scheme, mgdt:unknown_key, mgdt:out_of_memory, mgdt:too_large,
-  % mgdt:cancelled, mgdt:check_failed, mgdt:null_pointer (closed) and mgdt:library (libmgdt was not
-  % found).
+  % mgdt:cancelled, mgdt:busy (a progress function called its triangulation), mgdt:check_failed,
+  % mgdt:null_pointer (closed) and mgdt:library (libmgdt was not found).
   %
   % See also: mgdt_delaunay
 

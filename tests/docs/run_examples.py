@@ -11,7 +11,8 @@ What the fenced blocks of a document mean:
   ```LANGUAGE FILE   a whole file, written under that name
   ```sh              run with `sh -eu`, after the files before it were written
   ```text            what the sh block before it prints (standard output and error), line by
-                     line; `...` stands for any text in a line, a line of `...` for any lines
+                     line; `...` stands for any text in a line, a line of `...` for any lines.
+                     A progress bar that has been overwritten by carriage returns is not there
   ```                an illustration, neither run nor checked
 
 Each document has a folder of its own. The environment is that of a reader who has installed
@@ -145,6 +146,18 @@ def difference(expected, printed):
     return None if k == len(printed) else f"line {k + 1} is not expected: '{printed[k]}'"
 
 
+def shown(output):
+    """The output as a terminal shows it in the end: a carriage return goes back to the beginning of the
+    line, and what follows overwrites it. Meson draws a progress bar so where Python has tqdm."""
+    lines = []
+    for line in output.split("\n"):
+        cells = ""
+        for part in line.split("\r"):
+            cells = part + cells[len(part):]
+        lines.append(cells)
+    return "\n".join(lines)
+
+
 def execute(script, folder, environment, limit):
     """Runs one sh block; gives its exit status (None if it ran too long) and what it printed."""
     process = subprocess.Popen(["sh", "-eu", "-c", script], cwd=folder, env=environment,
@@ -152,7 +165,7 @@ def execute(script, folder, environment, limit):
                                stderr=subprocess.STDOUT, start_new_session=True)
     try:
         output, _ = process.communicate(timeout=limit)
-        return process.returncode, output.decode("utf-8", "replace")
+        return process.returncode, shown(output.decode("utf-8", "replace"))
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         return None, process.communicate()[0].decode("utf-8", "replace")

@@ -1,51 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Installs the build under a scratch prefix and uses the Fortran bindings from there as a user does:
-# by pkg-config, compiled with the caller's flags.
+# Uses the installed Fortran bindings as a user does: by pkg-config, compiled with the caller's flags.
 #
 #   fortran_test.sh SOURCE_DIRECTORY BUILD_DIRECTORY SCRATCH_DIRECTORY
 set -eu
 
-source=$(cd "$1" && pwd)
-build=$(cd "$2" && pwd)
-rm -rf "$3"
-mkdir -p "$3"
-scratch=$(cd "$3" && pwd)
-here=$source/tests/fortran
-: "${CC:=cc}" "${FC:=gfortran}"
+. "$(dirname "$0")/installed.sh"
 
-passed=0
-failed=0
-log=$scratch/log
-check() { # what, command...
-    what=$1
-    shift
-    if "$@" >"$log" 2>&1; then
-        passed=$((passed + 1))
-        echo "passed: $what"
-    else
-        failed=$((failed + 1))
-        echo "failed: $what"
-        head -n 60 "$log" | sed 's/^/    /'
-    fi
-}
-
-# ------------------------------------------------------------------------------ installation
-
-DESTDIR=$scratch/root meson install -C "$build" --no-rebuild --quiet >"$log" 2>&1 || {
-    cat "$log"
-    exit 1
-}
-pc=$(find "$scratch/root" -name mgdt-fortran.pc)
-PKG_CONFIG_PATH=$(dirname "$pc")
-LD_LIBRARY_PATH=$(dirname "$PKG_CONFIG_PATH")
-export PKG_CONFIG_PATH LD_LIBRARY_PATH
-
-folder=$(pkg-config --variable=fortran_source_dir mgdt-fortran)
-module_sources=$(pkg-config --variable=fortran_sources mgdt-fortran)
-f77_sources=$(pkg-config --variable=f77_sources mgdt-fortran)
-cflags=$(pkg-config --cflags mgdt-fortran)
-libs=$(pkg-config --libs mgdt-fortran)
+# ------------------------------------------------------------------------------ what is installed
 
 installed_whole() { # all sources, and nothing that a compiler made
     ls "$folder"
@@ -69,18 +31,40 @@ same_names() {
         diff "$scratch/header" "$scratch/bound"
 }
 
-# And so is every value of its enumerations.
+# Every value of its enumerations has a name in both interfaces, which says the same number. Lists
+# of "name value", the names as in the header.
 header_values() {
-    sed -n 's/^ *MGDT_\([A-Z0-9_]*\) = \([0-9]*\).*/\1 \2/p' "$source/include/mgdt/mgdt.h" |
-        tr 'A-Z' 'a-z' | sort
+    sed -n 's/^ *\(MGDT_[A-Z0-9_]*\) = \([0-9]*\).*/\1 \2/p' "$source/include/mgdt/mgdt.h" | sort
 }
 module_values() {
-    sed -n 's/.*parameter :: mgdt_\([a-z0-9_]*\) = \([0-9]*\).*/\1 \2/p' \
-        "$folder/mgdt_constants.f90" | sort
+    sed -n 's/.*parameter :: \(mgdt_[a-z0-9_]*\) = \([0-9]*\).*/\1 \2/p' \
+        "$folder/mgdt_constants.f90" | tr 'a-z' 'A-Z' | sort
 }
-same_values() {
-    header_values >"$scratch/header" && module_values >"$scratch/bound"
+f77_values() {
+    sed -n 's/^ *PARAMETER (MG[A-Z0-9]* = \([0-9]*\)) ! \(MGDT_[A-Z0-9_]*\)$/\2 \1/p' \
+        "$folder/mgdt_f77.inc" | sort
+}
+same_values() { # list
+    header_values >"$scratch/header" && "$1" >"$scratch/bound"
     test "$(wc -l <"$scratch/header")" -gt 40 && diff "$scratch/header" "$scratch/bound"
+}
+# Whether a program that uses the module, or includes the file, can name them all.
+module_program_of_values() {
+    echo 'program values; use mgdt; implicit none'
+    header_values | sed 's/\(.*\) \(.*\)/if (\1 \/= \2) stop 1/'
+    echo 'end program'
+}
+f77_program_of_values() {
+    echo 'program values; implicit none; include "mgdt_f77.inc"'
+    sed -n 's/^ *PARAMETER (\(MG[A-Z0-9]*\) = \([0-9]*\)).*/if (\1 \/= \2) stop 1/p' \
+        "$folder/mgdt_f77.inc"
+    echo 'end program'
+}
+all_values_are_named() { # program, flags
+    "$1" >"$scratch/values.f90"
+    test "$(grep -c 'stop 1' "$scratch/values.f90")" -eq "$(header_values | wc -l)" &&
+        sed -i 's/; /\n/g' "$scratch/values.f90" &&
+        (cd "$scratch/debug" && $FC -fsyntax-only $cflags "$scratch/values.f90")
 }
 
 # Subroutines for FORTRAN 77: names of six characters, each called by the test.
@@ -94,7 +78,8 @@ short_names() {
 
 check 'all sources are installed, no module files' installed_whole
 check 'the whole C interface is bound' same_names
-check 'all constants are there' same_values
+check 'all constants are in the module' same_values module_values
+check 'all constants have names for FORTRAN 77' same_values f77_values
 check 'names for FORTRAN 77' short_names
 
 # ------------------------------------------------------------------------- compiling and running
@@ -137,8 +122,8 @@ done
 module_tests() { # set, flags
     check "the bindings with $2" bindings "$1" "$2" \
         "$module_sources $folder/mgdt_f77_support.f90 $folder/mgdt_f77.f90"
-    for test in test_arrays test_points test_queries test_errors test_life:counting \
-        test_no_copies:spy test_overflow_module:overflow; do
+    for test in test_arrays test_layouts test_points test_queries test_errors \
+        test_life:counting test_no_copies:spy test_overflow_module:overflow; do
         name=${test%:*}
         object=${test#"$name"}
         check "$name compiles with $2" module_program "$1" "$2" "$name" "${object#:}"
@@ -161,6 +146,9 @@ all_have_run() {
         END { print n " procedures"; exit bad || n < want }' "$scratch/gcov"
 }
 check 'every procedure of the module has run' all_have_run
+
+check 'a program can name all constants of the module' all_values_are_named module_program_of_values
+check 'and all for FORTRAN 77' all_values_are_named f77_program_of_values
 
 check 'threads compile' program debug "$strict $covered -fopenmp" test_threads \
     "$here/checks.f90" "$here/test_threads.f90"
@@ -235,5 +223,4 @@ check 'adaptive runs' run debug adaptive
 
 check 'the measurement of overhead' sh "$here/overhead.sh" 2000
 
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+conclude

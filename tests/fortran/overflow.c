@@ -2,8 +2,25 @@
  * A library with numbers beyond 32 bits, which a real one needs hundreds of gigabytes for: these
  * stand in for its own in test_overflow.f and test_overflow_module.f90. */
 #include <mgdt/mgdt.h>
+#include <sys/resource.h>
 
 static const int64_t large = INT64_C(3000000000);
+
+/* Less memory than a copy of such an array takes. */
+void limit_memory(void) {
+    struct rlimit limit;
+    getrlimit(RLIMIT_AS, &limit);
+    limit.rlim_cur = (rlim_t)4 << 30;
+    setrlimit(RLIMIT_AS, &limit);
+}
+
+/* For Fortran, whatever it does to names. */
+void limit_memory_(void) {
+    limit_memory();
+}
+void limit_memory__(void) {
+    limit_memory();
+}
 
 int64_t mgdt_point_count(const mgdt_triangulation* t) {
     return t ? large : 0;

@@ -7,7 +7,9 @@
       COMMON /COUNT/ NCHK, NBAD
       NCHK = 0
       NBAD = 0
+      CALL TSTKND
       CALL TSTARR
+      CALL TSTLAY
       CALL TSTQUE
       CALL TSTSET
       CALL TSTTXT
@@ -215,6 +217,154 @@
       CALL GOOD(H, IERR, 'MGFREE')
       END
 
+! Kinds that agree; reals that do not are made of integers here.
+      SUBROUTINE TSTKND
+      IMPLICIT NONE
+      INTEGER IERR, I12(2), I21(2)
+      DOUBLE PRECISION TWO
+      DATA I12 /1, 2/, I21 /2, 1/, TWO /2D0/
+      INCLUDE 'mgdt_f77.inc'
+      IERR = -1
+      CALL MGKIND(MGKI, MGKD, IERR)
+      CALL EXPECT(IERR .EQ. MGOK, 'MGKIND')
+      IERR = -1
+      CALL MGKIND(I12, 1D0, IERR)
+      CALL EXPECT(IERR .EQ. MGOK, 'MGKIND without names')
+      IERR = -1
+      CALL MGKIND(I21, MGKD, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'MGKIND of other integers')
+      IERR = -1
+      CALL MGKIND(MGKI, TWO, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'MGKIND of another real')
+      END
+
+! Arrays with columns for vertices, or with more rows than vertices.
+      SUBROUTINE TSTLAY
+      IMPLICIT NONE
+      INTEGER N, KTE, LD
+      PARAMETER (N = 200, KTE = 1300, LD = 7)
+      INTEGER H(4), IERR, NT, NF, NE, I, K, IROW(4, KTE), ICOL(KTE, 4)
+      INTEGER ILD(LD, KTE), IPART(3*KTE, 4)
+      DOUBLE PRECISION XYZ(3, N)
+      LOGICAL YES
+      SAVE
+      INCLUDE 'mgdt_f77.inc'
+      CALL MKPTS(N, XYZ)
+      CALL MGNEW(H, IERR)
+      CALL MGINS(H, N, XYZ, IERR)
+      CALL MGNTET(H, NT, IERR)
+      CALL MGNHUL(H, NF, IERR)
+      CALL MGNEDG(H, NE, IERR)
+      CALL EXPECT(NT .GT. 1024 .AND. NT .LT. KTE, 'tetrahedra')
+
+      CALL MGTETS(H, KTE, IROW, IERR)
+      CALL FILL(ILD, LD*KTE)
+      CALL FILL(IPART, 12*KTE)
+      CALL MGTETI(H, KTE, ICOL, 1, KTE, IERR)
+      CALL GOOD(H, IERR, 'MGTETI of columns')
+      CALL MGTETI(H, KTE, ILD(3, 1), LD, 1, IERR)
+      CALL GOOD(H, IERR, 'MGTETI of rows')
+      CALL MGTETI(H, NT, IPART(KTE + 1, 1), 1, 3*KTE, IERR)
+      CALL GOOD(H, IERR, 'MGTETI of a part')
+      CALL SAME(4, NT, IROW, ICOL, 1, KTE, 'tetrahedra in columns')
+      CALL SAME(4, NT, IROW, ILD(3, 1), LD, 1, 'in more rows')
+      CALL SAME(4, NT, IROW, IPART(KTE + 1, 1), 1, 3*KTE, 'in a part')
+      YES = .TRUE.
+      DO 10 I = 1, KTE
+        YES = YES .AND. ILD(1, I) .EQ. -5 .AND. ILD(2, I) .EQ. -5 .AND.
+     &        ILD(7, I) .EQ. -5
+   10 CONTINUE
+      DO 30 I = 1, 3*KTE
+        IF (I .GT. KTE .AND. I .LE. KTE + NT) GO TO 30
+        DO 20 K = 1, 4
+          YES = YES .AND. IPART(I, K) .EQ. -5
+   20   CONTINUE
+   30 CONTINUE
+      CALL EXPECT(YES, 'nothing else is touched')
+      CALL MGTETI(H, NT, ICOL, 1, NT, IERR)
+      CALL SAME(4, NT, IROW, ICOL, 1, NT, 'in columns that fit')
+      CALL MGTETI(H, NT, ICOL, 4, 1, IERR)
+      CALL SAME(4, NT, IROW, ICOL, 4, 1, 'as MGTETS gives them')
+      CALL MGTETI(H, NT, IPART, 8, 2, IERR)
+      CALL SAME(4, NT, IROW, IPART, 8, 2, 'every other element')
+
+      CALL MGNBRS(H, KTE, IROW, IERR)
+      CALL MGNBRI(H, KTE, ICOL, 1, KTE, IERR)
+      CALL GOOD(H, IERR, 'MGNBRI of columns')
+      CALL MGNBRI(H, KTE, ILD, LD, 1, IERR)
+      CALL GOOD(H, IERR, 'MGNBRI of rows')
+      CALL SAME(4, NT, IROW, ICOL, 1, KTE, 'neighbours in columns')
+      CALL SAME(4, NT, IROW, ILD, LD, 1, 'in more rows')
+      CALL MGHULL(H, KTE, IROW, IERR)
+      CALL MGHULI(H, KTE, ICOL, 1, KTE, IERR)
+      CALL GOOD(H, IERR, 'MGHULI of columns')
+      CALL MGHULI(H, KTE, ILD, LD, 1, IERR)
+      CALL GOOD(H, IERR, 'MGHULI of rows')
+      CALL SAME(3, NF, IROW, ICOL, 1, KTE, 'hull in columns')
+      CALL SAME(3, NF, IROW, ILD, LD, 1, 'in more rows')
+      CALL MGEDGS(H, 2*KTE, IROW, IERR)
+      CALL MGEDGI(H, 2*KTE, ICOL, 1, 2*KTE, IERR)
+      CALL GOOD(H, IERR, 'MGEDGI of columns')
+      CALL MGEDGI(H, 2*KTE, ILD, 3, 1, IERR)
+      CALL GOOD(H, IERR, 'MGEDGI of rows')
+      CALL SAME(2, NE, IROW, ICOL, 1, 2*KTE, 'edges in columns')
+      CALL SAME(2, NE, IROW, ILD, 3, 1, 'in more rows')
+
+      CALL FILL(ICOL, 4*KTE)
+      CALL MGTETI(H, NT - 1, ICOL, 1, KTE, IERR)
+      CALL BAD(H, IERR, MGEBUF, 'are needed')
+      CALL MGTETI(H, NT - 1, ICOL, 1, NT - 1, IERR)
+      CALL BAD(H, IERR, MGEBUF, 'are needed')
+      CALL MGTETI(H, NT - 1, ICOL, LD, 1, IERR)
+      CALL BAD(H, IERR, MGEBUF, 'are needed')
+      CALL MGTETI(H, -1, ICOL, 1, KTE, IERR)
+      CALL BAD(H, IERR, MGEARG, 'negative')
+! Increments that put two numbers at one place, or count backwards.
+      CALL MGTETI(H, KTE, ICOL, 1, NT, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'columns that overlap')
+      CALL MGTETI(H, KTE, ICOL, 3, 1, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'rows that overlap')
+      CALL MGTETI(H, KTE, ICOL, 0, 1, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'no increment')
+      CALL MGTETI(H, KTE, ICOL, 1, -KTE, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'a negative increment')
+      YES = .TRUE.
+      DO 50 I = 1, KTE
+        DO 40 K = 1, 4
+          YES = YES .AND. ICOL(I, K) .EQ. -5
+   40   CONTINUE
+   50 CONTINUE
+      CALL EXPECT(YES, 'refused: nothing is touched')
+      CALL MGFREE(H, IERR)
+      CALL MGTETI(H, KTE, ICOL, 1, KTE, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'MGTETI on a bad handle')
+      CALL MGTETI(H, KTE, ILD, LD, 1, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'rows of a bad handle')
+      END
+
+      SUBROUTINE FILL(IV, N)
+      IMPLICIT NONE
+      INTEGER N, IV(N), I
+      DO 10 I = 1, N
+        IV(I) = -5
+   10 CONTINUE
+      END
+
+      SUBROUTINE SAME(L, N, IROW, IV, INCR, INCV, WHAT)
+      IMPLICIT NONE
+      INTEGER L, N, IROW(L, N), IV(*), INCR, INCV, I, K
+      CHARACTER*(*) WHAT
+      LOGICAL YES
+      YES = N .GT. 0
+      DO 20 I = 1, N
+        DO 10 K = 1, L
+          YES = YES .AND. IROW(K, I) .EQ.
+     &          IV(1 + (I - 1)*INCR + (K - 1)*INCV)
+   10   CONTINUE
+   20 CONTINUE
+      CALL EXPECT(YES, WHAT)
+      END
+
 ! Location and nearest vertices.
       SUBROUTINE TSTQUE
       IMPLICIT NONE
@@ -338,7 +488,7 @@
       CHARACTER*4 SHORT
       INCLUDE 'mgdt_f77.inc'
       CALL MGVERS(TEXT, IABI, IERR)
-      CALL EXPECT(TEXT .EQ. '1.1.0' .AND. IABI .EQ. 1, 'MGVERS')
+      CALL EXPECT(TEXT .EQ. '1.2.0' .AND. IABI .EQ. 1, 'MGVERS')
       CALL MGSTNM(MGFWST, TEXT, IERR)
       CALL EXPECT(IERR .EQ. 0 .AND. TEXT .EQ. 'walk steps', 'MGSTNM')
       CALL MGSTNM(MGFWST, SHORT, IERR)
@@ -369,10 +519,11 @@
       IMPLICIT NONE
       INTEGER N
       PARAMETER (N = 2000)
-      INTEGER H(4), IERR, NCALL, NVT
+      INTEGER H(4), IERR, NCALL, NVT, HBUSY(4), NBUSY, I
       DOUBLE PRECISION XYZ(3, N), STOPAT
-      EXTERNAL HEAR
+      EXTERNAL HEAR, BARGE
       COMMON /HEARD/ STOPAT, NCALL
+      COMMON /BUSY/ HBUSY, NBUSY
       SAVE XYZ
       INCLUDE 'mgdt_f77.inc'
       CALL MKPTS(N, XYZ)
@@ -399,7 +550,35 @@
       CALL GOOD(H, IERR, 'MGCANC')
       CALL MGINS(H, N, XYZ, IERR)
       CALL EXPECT(IERR .EQ. MGECAN .AND. NCALL .EQ. 0, 'cancelled')
+! What calls the handle that hears is refused, and harms nothing.
+      DO 10 I = 1, 4
+        HBUSY(I) = H(I)
+   10 CONTINUE
+      NBUSY = 0
+      CALL MGCLR(H, IERR)
+      CALL MGPROG(H, BARGE, IERR)
+      CALL MGINS(H, N, XYZ, IERR)
+      CALL GOOD(H, IERR, 'MGINS with calls in it')
+      CALL EXPECT(NBUSY .GT. 10, 'a call in a call is refused')
+      CALL MGCHK(H, MGCCAN, IERR)
+      CALL GOOD(H, IERR, 'valid after calls in calls')
       CALL MGFREE(H, IERR)
+      CALL GOOD(H, IERR, 'MGFREE after calls in calls')
+      END
+
+      SUBROUTINE BARGE(FRAC, ICANC)
+      IMPLICIT NONE
+      DOUBLE PRECISION FRAC, P(3)
+      INTEGER ICANC, HBUSY(4), NBUSY, IERR1, IERR2, IERR3
+      COMMON /BUSY/ HBUSY, NBUSY
+      INCLUDE 'mgdt_f77.inc'
+      DATA P /0.5D0, 0.5D0, 0.5D0/
+      CALL MGINS(HBUSY, 1, P, IERR1)
+      CALL MGTHR(HBUSY, 2, IERR2)
+      CALL MGFREE(HBUSY, IERR3)
+      IF (IERR1 .EQ. MGEBSY .AND. IERR2 .EQ. MGEBSY .AND.
+     &    IERR3 .EQ. MGEBSY) NBUSY = NBUSY + 1
+      IF (FRAC .LT. 0 .OR. ICANC .NE. 0) NBUSY = -1000
       END
 
       SUBROUTINE HEAR(FRAC, ICANC)

@@ -38,9 +38,42 @@ module life_support
         procedure :: report
     end type
 
+    ! Calls its own triangulation, which is busy.
+    type, extends(mgdt_observer) :: intruder
+        type(mgdt_triangulation), pointer :: mesh => null()
+        integer :: calls = 0, refused = 0
+    contains
+        procedure :: report => intrude
+    end type
+
     integer :: plain_calls = 0
 
 contains
+
+    subroutine intrude(self, fraction, cancel)
+        class(intruder), intent(inout) :: self
+        real(real64), intent(in) :: fraction
+        logical, intent(inout) :: cancel
+        integer(int32) :: map(n)
+        integer :: stat
+        character(100) :: msg
+
+        self%calls = self%calls + 1
+        if (fraction < 0 .or. cancel) return
+        msg = ''
+        call self%mesh%insert(xyz, stat, msg)
+        if (stat == mgdt_err_busy .and. index(msg, 'busy') > 0) self%refused = self%refused + 1
+        call self%mesh%clear(stat)
+        if (stat == mgdt_err_busy) self%refused = self%refused + 1
+        call self%mesh%set_progress(plain_report, stat)
+        if (stat == mgdt_err_busy) self%refused = self%refused + 1
+        call self%mesh%remove_progress(stat)
+        if (stat == mgdt_err_busy) self%refused = self%refused + 1
+        call self%mesh%get_point_map(map, stat)
+        if (stat == mgdt_err_busy) self%refused = self%refused + 1
+        call self%mesh%destroy() ! ignored
+        if (self%mesh%point_count() == 0) self%refused = self%refused + 1
+    end subroutine
 
     subroutine report(self, fraction, cancel)
         class(watcher), intent(inout) :: self
@@ -122,6 +155,7 @@ program test_life
     call test_half_an_allocator()
     call test_progress()
     call test_cancel()
+    call test_busy()
     call conclude()
 
 contains
@@ -246,6 +280,23 @@ contains
         w%calls = 0
         call t%insert(xyz)
         call expect(w%calls == 0 .and. plain_calls == 0, 'nobody does')
+    end subroutine
+
+    ! What calls its own triangulation while that is being changed is refused, and harms nothing.
+    subroutine test_busy()
+        type(mgdt_triangulation), target :: t
+        type(intruder), target :: i
+
+        i%mesh => t
+        plain_calls = 0
+        call create_counting(t)
+        call t%set_progress(i)
+        call t%insert(xyz)
+        call expect(i%calls >= 10 .and. i%refused == 6*i%calls, 'a call in a call is refused')
+        call expect(t%point_count() == n .and. plain_calls == 0, 'and changes nothing')
+        call t%check(mgdt_check_canonical)
+        call t%destroy()
+        call expect(held == 0, 'and loses nothing')
     end subroutine
 
     subroutine test_cancel()

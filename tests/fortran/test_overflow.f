@@ -39,7 +39,12 @@
       IF (LONG) RIGHT = IERR .EQ. MGOK
       IF (.NOT. RIGHT) NBAD = NBAD + 1
       IF (.NOT. RIGHT) WRITE (*, *) 'capacity', IERR
+! A copy that there is no memory for.
+      CALL LIMIT_MEMORY
+      CALL MGTETI(H, 1000000000, ITET, 5, 1, IERR)
+      IF (IERR .NE. MGEMEM) NBAD = NBAD + 1
+      IF (IERR .NE. MGEMEM) WRITE (*, *) 'copy', IERR
       CALL MGFREE(H, IERR)
-      WRITE (*, '(I3, A)') NBAD, ' of 9 failed'
+      WRITE (*, '(I3, A)') NBAD, ' of 10 failed'
       IF (NBAD .GT. 0) STOP 1
       END

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 # Installs into a scratch prefix and uses what is there as a stranger would: a C99 program through
 # pkg-config against the shared library, the same against the static one, as a Meson subproject,
-# and by pkg-config and CMake after the prefixes were moved.
+# documents and bindings, the Python package, and by pkg-config and CMake after the prefixes were
+# moved.
 #
 #   install_test.sh SOURCE_DIRECTORY SCRATCH_DIRECTORY
 set -eu
@@ -29,6 +30,9 @@ check() { # what, command...
     fi
 }
 
+# Of the caller's, which would find other libraries and other packages.
+unset PKG_CONFIG_PATH PYTHONPATH VIRTUAL_ENV
+
 rm -rf "$scratch/prefix" "$scratch/elsewhere" "$scratch/shared" "$scratch/static" "$scratch/host"
 mkdir -p "$scratch/prefix"
 
@@ -37,7 +41,7 @@ build_and_install() { # folder, prefix, meson options...
     prefix=$scratch/prefix/$2
     shift 2
     meson setup "$folder" "$source" --prefix "$prefix" --libdir lib --buildtype release \
-        -Dtests=disabled -Dcgal=disabled "$@" &&
+        "$@" &&
         meson compile -C "$folder" && meson install -C "$folder" --no-rebuild
 }
 
@@ -104,7 +108,7 @@ subproject() {
     cp "$here/example.c" "$scratch/host/"
     cat >"$scratch/host/meson.build" <<'END'
 project('host', 'c', default_options : ['c_std=c99', 'warning_level=3', 'werror=true'])
-mgdt = dependency('mgdt', fallback : 'mgdt', default_options : ['program=disabled', 'tests=disabled'])
+mgdt = dependency('mgdt', fallback : 'mgdt', default_options : ['program=disabled'])
 test('example', executable('example', 'example.c', dependencies : mgdt))
 END
     PKG_CONFIG_LIBDIR=$scratch/nowhere
@@ -113,6 +117,8 @@ END
 }
 check "a Meson subproject builds and runs" subproject
 
+. "$here/installed_files.sh"
+. "$here/python_package.sh"
 . "$here/moved_prefix.sh"
 
 echo "$passed passed, $failed failed"

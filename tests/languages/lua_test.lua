@@ -342,7 +342,7 @@ test("progress, cancelling, errors in the progress function", function()
     end
     u = mgdt.new()
     u:set_progress(function() u:insert { { 0, 0, 0 } } end)
-    refused("invalid_argument", { "progress function" }, u.insert, u, points)
+    refused("busy", { "progress function" }, u.insert, u, points)
     -- Callbacks are few: a thousand calls must not use them up, whether they fail or not.
     u = mgdt.new { progress = function() error("no") end }
     for _ = 1, 3000 do pcall(u.insert, u, { { 0, 0, 0 } }) end

@@ -323,9 +323,9 @@ function progress (folder)
   end
   t = mgdt_triangulation ();
   t.set ("progress", @(fraction) t.point_count ());
-  refused ("mgdt:invalid_argument", {"progress function"}, @() t.insert (points));
+  refused ("mgdt:busy", {"progress function"}, @() t.insert (points));
   t.set ("progress", @(fraction) t.close ());
-  refused ("mgdt:invalid_argument", {"progress function"}, @() t.insert (points));
+  refused ("mgdt:busy", {"progress function"}, @() t.insert (points));
   % Handles that a progress function makes move the table of handles.
   t.set ("progress", @(fraction) numel (arrayfun (@(k) mgdt_delaunay (rand (9, 3))(1), 1:40)) < 0);
   t.insert (points);

@@ -4,6 +4,7 @@
 import os
 import subprocess
 import sys
+from fractions import Fraction
 
 import numpy as np
 
@@ -17,6 +18,38 @@ def grid(n):
     """n x n x n points, as degenerate as can be."""
     axis = np.arange(n, dtype=float)
     return np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1).reshape(-1, 3)
+
+
+def turned_grid(n):
+    """A grid turned by a rotation: its tetrahedra are many as thin as rounding makes them."""
+    rotation, _ = np.linalg.qr(np.random.default_rng(3).normal(size=(3, 3)))
+    return grid(n) @ rotation
+
+
+def on_a_sphere(n, seed=0):
+    """Points in every direction at the distance 1, up to rounding."""
+    points = np.random.default_rng(seed).normal(size=(n, 3))
+    return points / np.linalg.norm(points, axis=1, keepdims=True)
+
+
+def exact_inverse(corners):
+    """The inverse of the matrix of three edges from the fourth corner, as fractions."""
+    a, b, c, d = ([Fraction(float(x)) for x in corner] for corner in corners)
+    edges = [[x - y for x, y in zip(corner, d)] for corner in (a, b, c)]
+
+    def cross(u, v):
+        return [u[k - 2] * v[k - 1] - u[k - 1] * v[k - 2] for k in range(3)]
+
+    rows = [cross(edges[k - 2], edges[k - 1]) for k in range(3)]
+    volume = sum(x * y for x, y in zip(edges[0], rows[0]))
+    return [[x / volume for x in row] for row in rows]
+
+
+def exact_weights(corners, place):
+    """The four weights of a place, as fractions."""
+    arm = [Fraction(float(x)) - Fraction(float(y)) for x, y in zip(place, corners[3])]
+    weights = [sum(x * y for x, y in zip(row, arm)) for row in exact_inverse(corners)]
+    return [*weights, 1 - sum(weights)]
 
 
 def row_set(rows):

@@ -52,7 +52,6 @@ class Wrong(unittest.TestCase):
             self.refused(mgdt.ArgumentError, r"points\[1\]", tri.add_points, points, restart)
         self.refused(ValueError, r"points\[1\]", tri.locate, [[1, 2, 3], [1, np.inf, 3]])
         self.refused(ValueError, r"points\[1\]", tri.nearest_vertex, [[1, 2, 3], [1, np.inf, 3]])
-        self.refused(ValueError, r"points\[0\]", tri.interpolate, np.zeros(10), [1, np.nan, 3])
         self.assertEqual(tri.npoints, 10)
         tri.check()
 
@@ -87,6 +86,24 @@ class Wrong(unittest.TestCase):
         for good in ("Qbb Qc Qz Q12", "QJ", "Qt Qx Pp", b"Qbb", "", None):
             mgdt.Delaunay(points, qhull_options=good).check()
         mgdt.Delaunay(points, furthest_site=False, incremental=1, seed=np.int64(3), threads=0)
+
+    def test_messages_name_what_users_know(self):
+        points = random_points(10, 3)
+        tri = mgdt.Delaunay(points, incremental=True)
+        for call, name in (
+            (mgdt.Delaunay, "Delaunay.__init__"),
+            (tri.add_points, "Delaunay.add_points"),
+            (tri.find_simplex, "Delaunay.find_simplex"),
+            (tri.interpolator(points), "Interpolator.__call__"),
+        ):
+            for words, error in (
+                (rf"{name}\(\) got an unexpected keyword argument 'colour'", dict(colour=3)),
+                (rf"{name}\(\) missing 1 required positional argument", {}),
+            ):
+                arguments = (points,) if error else ()
+                self.refused(TypeError, words, call, *arguments, **error)
+        self.refused(TypeError, r"Delaunay.release\(\) takes 1", tri.release, 1)
+        self.refused(TypeError, r"Delaunay.cancel\(\) takes 1", tri.cancel, 1)
 
     def test_methods(self):
         tri = mgdt.Delaunay(random_points(10, 4), incremental=True)

@@ -47,6 +47,9 @@ class Export(unittest.TestCase):
             with mock.patch.dict(sys.modules, {name: None}):
                 with self.assertRaisesRegex(ImportError, f"(?i)to_{name} needs {name}"):
                     call()
+        with mock.patch.dict(sys.modules, {"scipy.spatial": None}):
+            with self.assertRaisesRegex(ImportError, "to_scipy needs SciPy"):
+                self.tri.to_scipy()
 
 
 if __name__ == "__main__":

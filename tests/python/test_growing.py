@@ -2,8 +2,11 @@
 """Points in rounds, settings, figures, and the end of an object."""
 
 import copy
+import io
 import pickle
+import threading
 import unittest
+import warnings
 
 import numpy as np
 from support import grid, random_points, row_set
@@ -133,7 +136,7 @@ class Progress(unittest.TestCase):
     def test_cancelling(self):
         for at in (0.0, 0.3, 0.99):
             tri = mgdt.Delaunay(random_points(100, 13), incremental=True)
-            tri.progress = lambda fraction: fraction >= at
+            tri.progress = lambda fraction: mgdt.CANCEL if fraction >= at else None
             with self.assertRaisesRegex(mgdt.Cancelled, "cancelled after .* of 20000 points"):
                 tri.add_points(random_points(20_000, 14))
             tri.check()
@@ -149,6 +152,73 @@ class Progress(unittest.TestCase):
             tri.add_points(tri.points[left_out])
             tri.check()
             self.assertEqual(tri.nsimplex, mgdt.Delaunay(tri.points[:20_100]).nsimplex)
+
+    def test_results_that_mean_nothing(self):
+        points = random_points(20_000, 23)
+        for result in (True, 1, np.True_, "cancel", [0], mgdt.Cancelled, 0.5, False, None):
+            seen = []
+            tri = mgdt.Delaunay(points, progress=lambda f: seen.append(f) or result)
+            self.assertEqual((seen[-1], tri.npoints), (1, 20_000))
+
+    def test_progress_bars(self):
+        class Bar:
+            """As tqdm: `update` says True when it has drawn."""
+
+            n = 0
+
+            def update(self, count):
+                self.n += count
+                return True
+
+        bars = [Bar()]
+        try:
+            from tqdm import tqdm
+
+            bars.append(tqdm(total=1, file=io.StringIO(), mininterval=0))
+        except ImportError:
+            pass
+        for bar in bars:
+            self.assertIs(bar.update(0.0) or True, True)
+            tri = mgdt.Delaunay(
+                random_points(60_000, 24),
+                incremental=True,
+                progress=lambda fraction: bar.update(fraction - bar.n),
+            )
+            self.assertAlmostEqual(bar.n, 1)
+            self.assertEqual(tri.statistics["points_inserted"], 60_000)
+            tri.progress = bar.update
+            tri.add_points(random_points(100, 25))
+            self.assertEqual(tri.npoints, 60_100)
+
+    def test_on_a_thread(self):
+        errors = []
+
+        def insert():
+            try:
+                mgdt.Delaunay(
+                    random_points(20_000, 26), progress=lambda f: mgdt.CANCEL if f > 0.5 else True
+                )
+            except mgdt.Cancelled as error:
+                errors.append(str(error))
+
+        thread = threading.Thread(target=insert)
+        thread.start()
+        thread.join()
+        self.assertIn("cancelled after", errors[0])
+
+    def test_what_cancelled_until_1_1_is_told(self):
+        # True after False is a program that means to cancel.
+        with self.assertWarnsRegex(RuntimeWarning, r"return mgdt\.CANCEL"):
+            mgdt.Delaunay(random_points(20_000, 27), progress=lambda fraction: fraction > 0.3)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaises(RuntimeWarning):
+                mgdt.Delaunay(random_points(20_000, 27), progress=lambda fraction: fraction > 0.3)
+            mgdt.Delaunay(random_points(20_000, 27), progress=lambda fraction: True)
+
+    def test_the_word_for_it(self):
+        self.assertEqual(repr(mgdt.CANCEL), "mgdt.CANCEL")
+        self.assertIs(pickle.loads(pickle.dumps(mgdt.CANCEL)), mgdt.CANCEL)
 
     def test_an_exception_gets_through(self):
         tri = mgdt.Delaunay(random_points(100, 15), incremental=True)

@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""Ctrl-C and other signals during long insertions, in processes of their own."""
+"""Ctrl-C and other signals during long calls, in processes of their own."""
 
 import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 import unittest
 from unittest import mock
 
+import mgdt
+from mgdt._gate import interruptibly
 from mgdt._insertion import Insertion
 
 # What the children have in common. They print the time at which a signal's exception reached them;
@@ -98,7 +101,9 @@ class Requests(unittest.TestCase):
         self.assertEqual(sent, [1])
 
     def test_when_the_progress_function_has_stopped_it(self):
-        insertion, sent = self.insertion(lambda fraction: fraction > 0.3)
+        insertion, sent = self.insertion(
+            lambda fraction: mgdt.CANCEL if fraction > 0.3 else None
+        )
         self.assertEqual([insertion.report(f) for f in (0.0, 0.5)], [0, 1])
         insertion.stop()
         self.assertEqual(sent, [])
@@ -133,8 +138,43 @@ class Requests(unittest.TestCase):
             insertion.run(lambda: 1 // 0, 10**6)
 
 
+class Aside(unittest.TestCase):
+    """Long reading, by a thread of its own."""
+
+    def test_what_the_work_gives_and_raises(self):
+        for is_long in (False, True):
+            ident = interruptibly(lambda _: threading.get_ident(), is_long)
+            self.assertEqual(ident == threading.get_ident(), not is_long)
+            with self.assertRaises(ZeroDivisionError):
+                interruptibly(lambda _: 1 // 0, is_long)
+
+    def test_on_another_thread_it_stays(self):
+        idents = []
+
+        def run():
+            idents.append(interruptibly(lambda _: threading.get_ident(), True))
+
+        thread = threading.Thread(target=run)
+        thread.start()
+        thread.join()
+        self.assertEqual(idents, [thread.ident])
+
+    def test_without_threads(self):
+        with mock.patch("_thread.start_new_thread", side_effect=RuntimeError("no more")):
+            ident = interruptibly(lambda _: threading.get_ident(), True)
+        self.assertEqual(ident, threading.get_ident())
+
+    def test_the_work_hears_that_it_is_left(self):
+        flags = []
+        with mock.patch("_thread.start_new_thread") as start, self.assertRaises(KeyboardInterrupt):
+            start.side_effect = KeyboardInterrupt
+            interruptibly(lambda is_left: flags.append(is_left()), True)
+        start.call_args.args[0]()
+        self.assertEqual(flags, [True])
+
+
 class Interrupts(unittest.TestCase):
-    def interrupted(self, program, number=signal.SIGINT, times=1, after=0.7):
+    def interrupted(self, program, number=signal.SIGINT, times=1, after=0.7, within=3.0):
         with Child(program) as child:
             self.assertEqual(child.line(), "ready\n")
             time.sleep(after)
@@ -145,7 +185,7 @@ class Interrupts(unittest.TestCase):
             word, *caught = child.line().split()
             self.assertEqual(word, "caught", caught)
             # At once, which on a busy machine may take its time.
-            self.assertLess(float(caught[0]) - sent, 3.0)
+            self.assertLess(float(caught[0]) - sent, within)
             code, out, errors = child.end()
             self.assertEqual((code, out, errors), (0, "valid\n", ""))
 
@@ -308,6 +348,144 @@ tri.check()
 print("valid")
 """
         )
+
+    # A check of these takes more than a second.
+    READING = """
+tri.add_points(many[:400_000])
+begin = time.monotonic()
+"""
+    AFTERWARDS = """
+assert len(tri.point_map) == tri.npoints == 401_000
+# Who changes the triangulation waits for the call.
+tri.add_points(rng.random((1000, 3)))
+assert (tri.point_map >= 0).all()
+assert tri.locate(many[:10])[0].min() >= 0
+tri.check(1)
+print("valid", flush=True)
+"""
+
+    def test_a_check(self):
+        self.interrupted(
+            self.READING
+            + """
+ready()
+try:
+    tri.check()
+    print("not interrupted")
+except KeyboardInterrupt:
+    caught()
+assert time.monotonic() - begin < 1.3
+"""
+            + self.AFTERWARDS,
+            within=1.0,
+            after=0.3,
+        )
+
+    def test_a_check_of_what_is_then_dropped(self):
+        # The call holds the triangulation until it ends.
+        for end in ("", "other = tri._handle; tri = None", "tri.release()"):
+            self.interrupted(
+                self.READING
+                + f"""
+ready()
+try:
+    with tri:
+        tri.check()
+    print("not interrupted")
+except KeyboardInterrupt:
+    caught()
+{end}
+assert time.monotonic() - begin < 1.3
+tri = mgdt.Delaunay(rng.random((1000, 3)))
+tri.check()
+print("valid")
+""",
+                within=1.0,
+                after=0.3,
+            )
+
+    def test_a_location_and_an_export(self):
+        for call in ("tri.locate(queries)", "tri.interpolate(queries[:, 0], queries)", "tri.edges"):
+            self.interrupted(
+                self.READING
+                + f"""
+queries = rng.random((tri.npoints, 3))
+ready()
+try:
+    for _ in range(100):
+        {call}
+        tri._cache = {{}}
+    print("not interrupted")
+except KeyboardInterrupt:
+    caught()
+"""
+                + self.AFTERWARDS,
+                within=1.0,
+                after=0.3,
+            )
+
+    def test_an_unhandled_one_ends_a_check(self):
+        with Child(self.READING + "ready()\ntri.check()\n") as child:
+            self.assertEqual(child.line(), "ready\n")
+            time.sleep(0.2)
+            sent = child.send()
+            code, _, errors = child.end()
+            self.assertLess(time.monotonic() - sent, 1.0)
+            self.assertEqual(code, -signal.SIGINT)
+            self.assertTrue(errors.rstrip().endswith("KeyboardInterrupt"), errors)
+
+    def test_another_check_from_a_progress_function(self):
+        # It would wait for the insertion, which waits for it.
+        with Child(
+            """
+def progress(fraction):
+    try:
+        tri.check()
+    except RuntimeError as error:
+        assert "progress function" in str(error), error
+        return mgdt.CANCEL
+tri.add_points(many[:50_000])
+tri.progress = progress
+try:
+    tri.add_points(many[:1000])
+except mgdt.Cancelled:
+    print("valid")
+"""
+        ) as child:
+            self.assertEqual(child.end(), (0, "valid\n", ""))
+
+    def test_checks_at_any_moment(self):
+        with Child(
+            """
+many = many[:30_000]
+class Alarm(Exception):
+    pass
+def ring(number, frame):
+    raise Alarm
+tri = mgdt.Delaunay(many, incremental=True)
+begin = time.monotonic()
+tri.check()
+usual = time.monotonic() - begin
+signal.signal(signal.SIGALRM, ring)
+stopped = finished = 0
+for k in range(60):
+    try:
+        try:
+            signal.setitimer(signal.ITIMER_REAL, usual * (0.02 + 1.2 * k / 60))
+            tri.check()
+            finished += 1
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+    except Alarm:
+        stopped += 1
+    if k % 10 == 0:
+        tri.add_points(rng.random((10, 3)))
+assert stopped >= 10, (stopped, finished)
+tri.check()
+print("valid")
+"""
+        ) as child:
+            self.assertEqual(child.end(), (0, "valid\n", ""))
 
     def test_at_any_moment(self):
         # Signals at all phases of insertions that last about as long as the signals are apart:

@@ -65,6 +65,28 @@ class Finding(unittest.TestCase):
         path["LD_LIBRARY_PATH"] = str(self.folder)
         self.found("libmgdt.so.1", MGDT_LIBRARY=None, **path)
 
+    def test_installed_together(self):
+        package = self.copy_of_package()
+        library = self.folder / "libraries" / "libmgdt.so.1"
+        library.parent.mkdir()
+        os.symlink(LIBRARY, library)
+        path = {"PYTHONPATH": str(self.folder), "LD_LIBRARY_PATH": None, "MGDT_LIBRARY": None}
+        # The path that `meson install` leaves begins at the package, or at the root.
+        for written in ("../libraries/libmgdt.so.1", str(library)):
+            (package / "libmgdt.path").write_text(written + "\n")
+            self.found(library, **path)
+        # It goes before the system's loader, and after a bundled library.
+        os.symlink(LIBRARY, self.folder / "libmgdt.so.1")
+        self.found(library, **{**path, "LD_LIBRARY_PATH": str(self.folder)})
+        os.symlink(LIBRARY, package / "libmgdt.so.1")
+        self.found(package / "libmgdt.so.1", **path)
+        os.remove(package / "libmgdt.so.1")
+        # One that has gone is passed over, and told of.
+        os.remove(library)
+        self.found("libmgdt.so.1", **{**path, "LD_LIBRARY_PATH": str(self.folder)})
+        os.remove(self.folder / "libmgdt.so.1")
+        self.refused(r"libraries/libmgdt.so.1 \(installed with the package\)", **path)
+
     def test_nowhere(self):
         # A copy of the package, so that none is bundled.
         self.copy_of_package()

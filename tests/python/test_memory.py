@@ -87,12 +87,33 @@ class Leaks(unittest.TestCase):
         try:
             for n in (1000, 60_000):
                 points = random_points(n, 2)
-                for progress in (lambda f: f > 0.5, lambda f: 1 / 0 if f > 0.5 else None):
+                for progress in (
+                    lambda f: mgdt.CANCEL if f > 0.5 else None,
+                    lambda f: 1 / 0 if f > 0.5 else None,
+                ):
                     try:
                         mgdt.Delaunay(points, progress=progress)
                     except (mgdt.Cancelled, ZeroDivisionError):
                         pass
                     self.assertEqual(sys.getrefcount(points), 2)
+        finally:
+            gc.enable()
+
+    def test_long_calls_keep_nothing(self):
+        gc.disable()
+        try:
+            tri = mgdt.Delaunay(random_points(210_000, 4))
+            places = random_points(60_000, 5)
+            tri.simplices
+            tri.check(1)
+            tri.locate(places)
+            self.assertEqual(sys.getrefcount(places), 2)
+            places[0] = np.nan
+            self.assertRaises(ValueError, tri.locate, places)
+            self.assertEqual(sys.getrefcount(places), 2)
+            handle = weakref.ref(tri._handle)
+            tri = None
+            self.assertIsNone(handle())
         finally:
             gc.enable()
 

@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: MIT
 """Location, weights, interpolation and nearest vertices, against SciPy and known functions."""
 
+import time
 import unittest
+from unittest import mock
 
 import numpy as np
 import scipy.interpolate
 import scipy.spatial
-from support import grid, random_points
+from support import exact_weights, grid, on_a_sphere, random_points, turned_grid
 
 import mgdt
+from mgdt import _geometry
 
 
 class Location(unittest.TestCase):
@@ -90,6 +93,94 @@ class Location(unittest.TestCase):
         self.assertEqual(tri.find_simplex([np.nan, 0, 0], tol=0.1), -1)
 
 
+def places_near_the_hull(tri, count, spread, seed):
+    """Places on hull facets and as far as `spread` from there, as a part of the size."""
+    generator = np.random.default_rng(seed)
+    facets = tri.points[tri.convex_hull[generator.integers(0, len(tri.convex_hull), count)]]
+    on_facets = np.einsum("ij,ijk->ik", generator.dirichlet([1, 1, 1], count), facets)
+    center = tri.points.mean(axis=0)
+    return center + (on_facets - center) * (1 + spread * generator.uniform(-1, 1, (count, 1)))
+
+
+class Tolerance(unittest.TestCase):
+    """`find_simplex` with `tol`."""
+
+    def expected(self, tri, place, tolerance):
+        """The tetrahedra in which exact weights are not below the tolerance."""
+        return [
+            k
+            for k, corners in enumerate(tri.points[tri.simplices])
+            if min(exact_weights(corners, place)) >= -tolerance
+        ]
+
+    def test_against_all_tetrahedra(self):
+        sets = {
+            "uniform": random_points(60, 1),
+            "sphere": on_a_sphere(40, 2),
+            "turned grid": turned_grid(3),
+            "plate": random_points(40, 3) * [1, 1, 1e-4],
+            "thin plate": random_points(30, 4) * [1, 1, 1e-9],
+            "far away": random_points(40, 5) * 1e-4 + 1e6,
+            "small": np.ldexp(random_points(30, 6), -1000),
+            "large": np.ldexp(random_points(30, 6), 1000),
+        }
+        for name, points in sets.items():
+            tri = mgdt.Delaunay(points)
+            for tolerance in (1e-9, 1e-3, 0.5):
+                places = places_near_the_hull(tri, 5, 3 * tolerance, 7)
+                exact = tri.find_simplex(places)
+                found = tri.find_simplex(places, tol=tolerance)
+                for place, inside, simplex in zip(places, exact, found):
+                    with self.subTest(name, tolerance=tolerance, place=place):
+                        if inside >= 0:
+                            self.assertEqual(simplex, inside)
+                            continue
+                        expected = self.expected(tri, place, tolerance)
+                        self.assertEqual(simplex >= 0, bool(expected))
+                        if simplex >= 0:
+                            self.assertIn(simplex, expected)
+
+    def test_few_pairs_at_a_time(self):
+        tri = mgdt.Delaunay(random_points(300, 1))
+        places = places_near_the_hull(tri, 300, 0.5, 2)
+        expected = tri.find_simplex(places, tol=0.1)
+        self.assertTrue(0 < (expected >= 0).sum() < len(places))
+        with mock.patch.object(_geometry, "_MOST_PAIRS", 1000):
+            np.testing.assert_array_equal(tri.find_simplex(places, tol=0.1), expected)
+
+    def test_behind_flat_tetrahedra(self):
+        # All of them are as far outside as rounding puts them; the nearest tetrahedron with a
+        # volume to speak of need not have a vertex on the hull.
+        points = turned_grid(9)
+        tri = mgdt.Delaunay(points)
+        places = places_near_the_hull(tri, 2000, 0, 1)
+        self.assertTrue(0 < (tri.find_simplex(places) < 0).mean() < 1)
+        self.assertTrue((tri.find_simplex(places, tol=1e-9) >= 0).all())
+
+    def test_it_takes_no_longer_than_it_has_to(self):
+        # Of these sets every tetrahedron has vertices on the hull.
+        for points in (on_a_sphere(5000, 1), random_points(20_000, 2)):
+            tri = mgdt.Delaunay(points)
+            tri.simplices, tri.neighbors, tri.convex_hull
+            for spread in (0, 0.1):
+                places = places_near_the_hull(tri, 20_000, spread, 3)
+                outside = (tri.find_simplex(places) < 0).sum()
+                self.assertGreater(outside, 5000)
+                begin = time.process_time()
+                tri.find_simplex(places, tol=1e-9)
+                seconds = time.process_time() - begin
+                self.assertLess(seconds / outside, 1e-4)
+
+    def test_nothing_to_be_near_to(self):
+        for points in ([], [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]):
+            tri = mgdt.Delaunay(np.reshape(points, (-1, 3)))
+            self.assertEqual(tri.find_simplex([0.1, 0.1, 0], tol=0.1), -1)
+        tri = mgdt.Delaunay(random_points(30, 1))
+        far = [[1e308, -1e308, 1e308], [np.inf, 0, 0], [np.nan, 0, 0]]
+        self.assertEqual(tri.find_simplex(far, tol=1e-6).tolist(), [-1, -1, -1])
+        self.assertEqual(tri.find_simplex(np.zeros((0, 3)), tol=1e-6).shape, (0,))
+
+
 class Nearest(unittest.TestCase):
     def test_against_a_tree(self):
         for points in (random_points(3000, 7), random_points(30, 8) * [1, 1, 0]):
@@ -142,6 +233,22 @@ class Interpolation(unittest.TestCase):
             found = self.tri.interpolate(values, self.places, fill_value=-1)
             self.assertEqual((found.dtype, found.shape), (expected.dtype, expected.shape))
             np.testing.assert_allclose(found, expected, atol=1e-9)
+
+    def test_places_that_are_not_finite_are_filled(self):
+        places = np.concatenate([self.places.reshape(-1, 3)[:50], np.full((4, 3), self.points[0])])
+        places[10, 1], places[11, 2], places[50, 0] = np.nan, np.inf, -np.inf
+        values = np.random.default_rng(13).random((800, 2))
+        expected = scipy.interpolate.LinearNDInterpolator(self.points, values, -7)(places)
+        np.testing.assert_allclose(self.tri.interpolate(values, places, -7), expected, atol=1e-9)
+        self.assertTrue((expected[[10, 11, 50]] == -7).all())
+        at = self.tri.interpolator(places)
+        self.assertTrue((at.simplices[[10, 11, 50]] == -1).all())
+        self.assertTrue((at.weights[[10, 11, 50]] == 0).all())
+        simplices, weights = self.tri.locate(self.places)
+        np.testing.assert_array_equal(self.tri.interpolator(self.places).weights, weights)
+        np.testing.assert_array_equal(self.tri.interpolator(self.places).simplices, simplices)
+        alone = self.tri.interpolate(values, [np.nan, 0, 0])
+        self.assertTrue(alone.shape == (2,) and np.isnan(alone).all())
 
     def test_weights_are_used_again(self):
         at = self.tri.interpolator(self.places)

@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: MIT
 """The same programs with scipy.spatial.Delaunay and with mgdt.Delaunay."""
 
+import pickle
+import time
 import unittest
+from fractions import Fraction
+from unittest import mock
 
 import numpy as np
 import scipy.interpolate
 import scipy.spatial
-from support import matching, random_points, row_set
+from support import exact_inverse, grid, matching, random_points, row_set, turned_grid
 
 import mgdt
+from mgdt import _geometry
 
 SETS = {
     "few": random_points(5, 1),
@@ -104,13 +109,70 @@ class Both(unittest.TestCase):
             scale = (size**2)[:, np.newaxis]
             self.assertLess((np.abs(weights - expected) / scale).max(), 1e-13)
 
-    def test_transform_of_a_flat_simplex_is_not_a_number(self):
+    def test_transform_of_a_flat_simplex(self):
         points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 1e-14]])
-        # SciPy's Qhull gives no simplex at all here; ours is there, exact and too flat to invert.
+        # SciPy's Qhull gives no simplex at all here; ours is there.
         flat = mgdt.Delaunay(points)
         self.assertEqual(flat.transform.shape, (1, 4, 3))
-        self.assertTrue(np.isnan(flat.transform).all())
         self.assertEqual(flat.find_simplex([0.5, 0.5, 2e-15]), 0)
+        corners = points[flat.simplices[0]]
+        expected = np.array(exact_inverse(corners), dtype=np.float64)
+        np.testing.assert_array_equal(flat.transform[0, :3], expected)
+        np.testing.assert_array_equal(flat.transform[0, 3], corners[3])
+
+    def test_transform_is_exact_up_to_rounding(self):
+        sets = {
+            "turned grid": turned_grid(11),
+            "sphere": SETS["sphere"],
+            "clustered": SETS["clustered"],
+            "far away": random_points(500, 1) + 1e9,
+            "small": np.ldexp(turned_grid(4), -1022),
+            "large": np.ldexp(turned_grid(4), 1020),
+            "long": random_points(200, 2) * [1e-300, 1, 1e300],
+        }
+        for name, points in sets.items():
+            with self.subTest(name):
+                tri = mgdt.Delaunay(points)
+                transform = tri.transform
+                corners = points[tri.simplices]
+                np.testing.assert_array_equal(transform[:, 3], corners[:, 3])
+                self.assertFalse(np.isnan(transform).any())
+                some = np.random.default_rng(2).permutation(tri.nsimplex)[:400]
+                self.assertLessEqual(self.largest_error(transform[some], corners[some]), 1e-11)
+
+    def largest_error(self, transforms, corners):
+        """In parts of the largest entry of the row, but for what doubles have no digits for."""
+        largest = Fraction(0)
+        for transform, tetrahedron in zip(transforms, corners):
+            for row, expected in zip(transform[:3], exact_inverse(tetrahedron)):
+                for value, wanted in zip(row, expected):
+                    if np.isinf(value):
+                        self.assertGreaterEqual(abs(wanted), Fraction(1.797e308))
+                        self.assertEqual(value > 0, wanted > 0)
+                        continue
+                    error = abs(Fraction(float(value)) - wanted)
+                    if error > Fraction(1, 2**1075):
+                        largest = max(largest, error / max(map(abs, expected)))
+        return float(largest)
+
+    def test_the_bound_for_doubles_is_needed(self):
+        # All simplices of the turned grid by doubles alone.
+        tri = mgdt.Delaunay(turned_grid(5))
+        corners = tri.points[tri.simplices]
+        self.assertLess(self.largest_error(tri.transform, corners), 1e-14)
+        with mock.patch.object(_geometry, "_LEAST_VOLUME", 0):
+            transforms = _geometry.barycentric_transforms(tri.points, tri.simplices)
+        self.assertGreater(self.largest_error(transforms, corners), 1e-11)
+
+    def test_transform_of_flat_simplices_is_quick(self):
+        tri = mgdt.Delaunay(turned_grid(21))
+        tri.simplices
+        begin = time.process_time()
+        transform = tri.transform
+        seconds = time.process_time() - begin
+        flat = np.abs(transform[:, :3]).max(axis=(1, 2)) > 1e9
+        self.assertGreater(flat.sum(), 10_000)
+        self.assertLess(seconds, 3)
 
     def test_transform_at_extreme_scales(self):
         points = random_points(50, 5)
@@ -265,7 +327,14 @@ class Documented(unittest.TestCase):
         np.testing.assert_array_equal(tri.coplanar[:, 2], [3, 7, 7])
         for _, simplex, vertex in tri.coplanar:
             self.assertIn(vertex, tri.simplices[simplex])
-        self.assertEqual(tri.vertex_to_simplex[40:].tolist(), [-1, -1, -1])
+        # Indexed by point it gives a simplex around the point, also for these. SciPy gives the
+        # number of a vertex for them.
+        around = tri.simplices[tri.vertex_to_simplex]
+        self.assertTrue((around == tri.point_map[:, np.newaxis]).any(axis=1).all())
+        their = scipy.spatial.Delaunay(points)
+        np.testing.assert_array_equal(
+            their.vertex_to_simplex[their.coplanar[:, 0]], their.coplanar[:, 2]
+        )
         np.testing.assert_array_equal(tri.point_map[40:], [3, 7, 7])
 
     def test_adding_points(self):
@@ -330,6 +399,98 @@ class Documented(unittest.TestCase):
             scipy.spatial.Delaunay([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
         few = mgdt.Delaunay([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
         self.assertEqual((few.nsimplex, few.dimension), (0, 2))
+
+
+class ForScipy(unittest.TestCase):
+    """`to_scipy`: an object of SciPy's class."""
+
+    def test_it_has_what_theirs_has(self):
+        points = np.concatenate([random_points(40, 1), random_points(40, 1)[[3, 7]]])
+        ours, theirs = mgdt.Delaunay(points).to_scipy(), scipy.spatial.Delaunay(points)
+        self.assertIs(type(ours), scipy.spatial.Delaunay)
+        self.assertEqual(set(vars(ours)), set(vars(theirs)))
+        for name, value in vars(theirs).items():
+            if value is not None:
+                self.assertIs(type(getattr(ours, name)), type(value), name)
+            if isinstance(value, np.ndarray):
+                self.assertEqual(getattr(ours, name).dtype, value.dtype, name)
+                self.assertEqual(getattr(ours, name).shape, value.shape, name)
+                self.assertTrue(getattr(ours, name).flags.c_contiguous, name)
+        self.assertEqual(row_set(ours.simplices), row_set(theirs.simplices))
+        self.assertEqual(row_set(ours.convex_hull), row_set(theirs.convex_hull))
+        self.assertEqual(ours.transform.shape, theirs.transform.shape)
+        for a, b in zip(ours.vertex_neighbor_vertices, theirs.vertex_neighbor_vertices):
+            self.assertEqual(a.shape, b.shape)
+        places = random_points(300, 2)
+        expected = theirs.find_simplex(places)
+        inside = expected >= 0
+        self.assertTrue(0 < inside.sum() < len(places))
+        for by_force in (False, True):
+            found = ours.find_simplex(places, bruteforce=by_force)
+            np.testing.assert_array_equal(found >= 0, inside)
+            np.testing.assert_array_equal(
+                np.sort(ours.simplices[found[inside]]), np.sort(theirs.simplices[expected[inside]])
+            )
+        self.assertEqual(ours.plane_distance(places).shape, (300, ours.nsimplex))
+        np.testing.assert_array_equal(pickle.loads(pickle.dumps(ours)).simplices, ours.simplices)
+        with self.assertRaises(RuntimeError):
+            ours.add_points(points)
+        ours.close()
+
+    def test_linear_interpolation(self):
+        generator = np.random.default_rng(3)
+        strided = np.asfortranarray(random_points(2000, 4))
+        strided.flags.writeable = False
+        sets = {
+            "uniform": random_points(20_000, 1),
+            "clustered": SETS["clustered"],
+            "sphere": SETS["sphere"],
+            "lattice": grid(9),
+            "turned lattice": turned_grid(6),
+            "repeated": np.concatenate([random_points(500, 2)] * 2),
+            "in another layout": strided,
+        }
+        for name, points in sets.items():
+            with self.subTest(name):
+                tri = mgdt.Delaunay(points)
+                given = tri.to_scipy()
+                low, high = tri.min_bound, tri.max_bound
+                places = low + (high - low) * generator.uniform(-0.05, 1.05, (1000, 3))
+                size = np.abs(points).max()
+
+                def field(x):
+                    return x @ [[1, 0.5j], [-2, 1], [0.5, 3]] / size + [3, 1j]
+
+                found = scipy.interpolate.LinearNDInterpolator(given, field(points))(places)
+                outside = tri.find_simplex(places) < 0
+                self.assertTrue(0 < outside.sum() < len(places))
+                np.testing.assert_array_equal(np.isnan(found[:, 0]), outside)
+                np.testing.assert_allclose(found[~outside], field(places[~outside]), atol=1e-10)
+                if name not in ("lattice", "turned lattice"):
+                    # There is one triangulation, so curved fields are the same too.
+                    values = np.sin(3 * points / size).sum(axis=1)
+                    values[tri.point_map] = values
+                    theirs = scipy.interpolate.LinearNDInterpolator(points, values)(places)
+                    found = scipy.interpolate.LinearNDInterpolator(given, values)(places)
+                    np.testing.assert_allclose(found, theirs, atol=1e-10)
+
+    def test_flat_points_are_refused(self):
+        for points, words in (
+            (np.zeros((0, 3)), "0 points have dimension -1"),
+            ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], "4 points have dimension 2"),
+        ):
+            with self.assertRaisesRegex(ValueError, words):
+                mgdt.Delaunay(points).to_scipy()
+
+    def test_it_stays_when_points_are_added(self):
+        tri = mgdt.Delaunay(random_points(50, 1), incremental=True)
+        given = tri.to_scipy()
+        before = given.simplices.copy(), given.points.copy()
+        tri.add_points(random_points(50, 2))
+        tri.release()
+        np.testing.assert_array_equal(given.simplices, before[0])
+        np.testing.assert_array_equal(given.points, before[1])
+        self.assertGreaterEqual(given.find_simplex(before[1].mean(axis=0)), 0)
 
 
 if __name__ == "__main__":

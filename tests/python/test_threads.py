@@ -251,6 +251,26 @@ class Rules(unittest.TestCase):
         self.assertTrue(late.wait(5))
         stop_late.set()
 
+    def test_readers_that_were_left(self):
+        is_left = threading.Event()
+        reading, stop_reading = self.enter(lambda: self.gate.reading(is_left.is_set))
+        self.assertTrue(reading.wait(5))
+        taking, stop_taking = self.enter(lambda: self.gate.writing(beside_left=True))
+        self.assertFalse(taking.wait(0.1))
+        is_left.set()
+        self.assertTrue(taking.wait(5))
+        stop_taking.set()
+        self.threads[-1].join()
+        # Who changes the triangulation waits for them.
+        writing, stop_writing = self.enter(self.gate.writing)
+        self.assertFalse(writing.wait(0.1))
+        # One that is left while it waits does not begin.
+        with self.assertRaises(RuntimeError), self.gate.reading(lambda: True):
+            pass
+        stop_reading.set()
+        self.assertTrue(writing.wait(5))
+        stop_writing.set()
+
     def test_exceptions_open_it(self):
         for passage in (self.gate.reading, self.gate.writing):
             with self.assertRaises(KeyError), passage():
@@ -271,8 +291,10 @@ class Rules(unittest.TestCase):
     def test_whom_the_writer_waits_for_is_refused(self):
         with self.gate.writing(), self.gate.keeping_out():
             for passage in (self.gate.reading, self.gate.writing):
-                with self.assertRaisesRegex(RuntimeError, "progress"), passage():
+                with self.assertRaisesRegex(RuntimeError, "progress") as raised, passage():
                     pass
+                self.assertIsInstance(raised.exception, mgdt.BusyError)
+                self.assertEqual(raised.exception.status, 41)
         with self.gate.reading():
             pass
 

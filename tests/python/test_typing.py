@@ -16,14 +16,21 @@ PACKAGE = pathlib.Path(mgdt.__file__).parent
 PROGRAM = """
 import numpy as np
 from numpy.typing import NDArray
-from mgdt import Delaunay
+from mgdt import CANCEL, Delaunay
 
 def volume(tri: Delaunay) -> float:
     simplices: NDArray[np.int32] = tri.simplices
     a, b, c, d = (tri.points[simplices[:, k]] for k in range(4))
     return float(np.einsum("ij,ij->", np.cross(b - a, c - a), d - a) / 6)
 
-with Delaunay([[0, 0, 0]], incremental=True, progress=lambda f: f > 2) as tri:
+def located(tri: Delaunay, places: NDArray[np.float64], asked: bool) -> NDArray[np.int32]:
+    simplices, weights = tri.locate(places)
+    again: NDArray[np.float64] = tri.locate(places, weights=True)[1] + weights
+    alone: NDArray[np.int32] = tri.locate(places, weights=False)
+    either = tri.locate(places, asked)
+    return (either[0] if isinstance(either, tuple) else either) + alone + simplices
+
+with Delaunay([[0, 0, 0]], incremental=True, progress=lambda f: CANCEL if f > 2 else None) as tri:
     tri.add_points(np.zeros((4, 3)))
     volume(tri)
 """
@@ -50,6 +57,14 @@ class Typing(unittest.TestCase):
             result = self.mypy(wrong)
             self.assertEqual(result.returncode, 1)
             self.assertIn('"restrat"', result.stdout)
+            # Each of these takes one result for another.
+            wrong.write_text(
+                PROGRAM
+                + "a: NDArray[np.float64] = tri.locate(tri.points, weights=False)\n"
+                + "b, c = tri.locate(tri.points, weights=False), tri.locate(tri.points).shape\n"
+            )
+            result = self.mypy(wrong)
+            self.assertEqual(result.stdout.count(": error:"), 2, result.stdout)
         self.assertTrue((PACKAGE / "py.typed").exists())
 
     def test_python_3_9_reads_it(self):

@@ -11,11 +11,11 @@ program adaptive
     real(dp), parameter :: tolerance = 0.02_dp
     integer, parameter :: most_rounds = 30
     type(mgdt_triangulation) :: t
-    real(dp), allocatable :: points(:, :), more(:, :)
+    real(dp), allocatable :: points(:, :), more(:, :), grown(:, :)
     real(dp) :: before, after
     integer :: round
 
-    allocate (points, source=grid(4))
+    call make_grid(4, points)
     call t%insert(points)
     before = sampled_error(t, points)
     do round = 1, most_rounds
@@ -24,7 +24,10 @@ program adaptive
         if (100*size(more, 2) < size(points, 2)) exit
         call t%insert(more)
         ! Points are numbered in the order in which they were given, here and in mgdt.
-        points = reshape([points, more], [3, size(points, 2) + size(more, 2)])
+        allocate (grown(3, size(points, 2) + size(more, 2)))
+        grown(:, :size(points, 2)) = points
+        grown(:, size(points, 2) + 1:) = more
+        call move_alloc(grown, points)
         print '(a,i3,2(a,i7),a)', 'round', round, ':', t%vertex_count(), ' points,', &
             t%tetrahedron_count(), ' tetrahedra'
     end do
@@ -51,12 +54,14 @@ contains
         type(mgdt_triangulation), intent(in) :: t
         real(dp), intent(in) :: points(:, :)
         real(dp), allocatable :: middles(:, :)
-        integer :: edges(2, t%edge_count())
+        real(dp), allocatable :: found(:, :)
+        integer, allocatable :: edges(:, :)
         real(dp) :: middle(3)
         integer :: i, n
 
+        allocate (edges(2, t%edge_count()))
         call t%get_edges(edges)
-        allocate (middles(3, size(edges, 2)))
+        allocate (found(3, size(edges, 2)))
         n = 0
         do i = 1, size(edges, 2)
             associate (p => points(:, edges(1, i)), q => points(:, edges(2, i)))
@@ -64,9 +69,9 @@ contains
                 if (abs(front(middle) - 0.5_dp*(front(p) + front(q))) <= tolerance) cycle
             end associate
             n = n + 1
-            middles(:, n) = middle
+            found(:, n) = middle
         end do
-        middles = middles(:, :n)
+        middles = found(:, :n)
     end function
 
     ! The largest difference between the front and its interpolation at the points of a fine grid.
@@ -79,7 +84,7 @@ contains
         real(dp) :: interpolated
         integer :: i, k
 
-        allocate (samples, source=grid(37))
+        call make_grid(37, samples)
         allocate (found(size(samples, 2)), weights(4, size(samples, 2)))
         allocate (tetrahedra(4, t%tetrahedron_count()))
         call t%get_tetrahedra(tetrahedra)
@@ -95,13 +100,14 @@ contains
     end function
 
     ! The points of a grid of n cells a side in the unit cube.
-    pure function grid(n) result(points)
+    pure subroutine make_grid(n, points)
         integer, intent(in) :: n
-        real(dp) :: points(3, (n + 1)**3)
+        real(dp), allocatable, intent(out) :: points(:, :)
         integer :: i, j, k
 
+        allocate (points(3, (n + 1)**3))
         do concurrent(i=0:n, j=0:n, k=0:n)
             points(:, 1 + i + (n + 1)*(j + (n + 1)*k)) = real([i, j, k], dp)/n
         end do
-    end function
+    end subroutine
 end program

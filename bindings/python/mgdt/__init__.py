@@ -9,17 +9,21 @@ from __future__ import annotations
 from . import _handle, _library
 from ._errors import (
     ArgumentError,
+    BusyError,
     Cancelled,
     CheckFailed,
     Error,
     OutOfMemoryError,
     TooLargeError,
 )
+from ._insertion import CANCEL
 from .delaunay import Delaunay
 from .interpolation import Interpolator
 
 __all__ = [
     "ArgumentError",
+    "BusyError",
+    "CANCEL",
     "Cancelled",
     "CheckFailed",
     "Delaunay",
@@ -33,7 +37,7 @@ __all__ = [
     "library_version",
 ]
 
-__version__ = "1.1.0"
+__version__ = "1.2.0"
 
 ORDER_SCHEMES = tuple(_handle.ORDER_SCHEMES)
 """Names of the order schemes, for the parameter ``order`` of `Delaunay`."""
@@ -43,7 +47,7 @@ QhullError = Error
 
 
 def library_version() -> str:
-    """Version of the library in use, such as "1.1.0". Since 1.0."""
+    """Version of the library in use, such as "1.2.0". Since 1.0."""
     return _library.text(_library.library.mgdt_version_string())
 
 

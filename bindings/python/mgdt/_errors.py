@@ -12,6 +12,7 @@ INDEX_RANGE = 21
 OUT_OF_MEMORY = 30
 TOO_LARGE = 31
 CANCELLED = 40
+BUSY = 41
 CHECK_FAILED = 60
 
 
@@ -49,6 +50,13 @@ class Cancelled(Error):
     that of the points that got in."""
 
 
+class BusyError(Error, RuntimeError):
+    """A progress function used its own triangulation, which is being changed. Nothing has changed.
+
+    Since 1.2.
+    """
+
+
 class CheckFailed(Error):
     """`Delaunay.check` found a defect. The message says what and where."""
 
@@ -62,6 +70,7 @@ _CLASSES = {
     OUT_OF_MEMORY: OutOfMemoryError,
     TOO_LARGE: TooLargeError,
     CANCELLED: Cancelled,
+    BUSY: BusyError,
     CHECK_FAILED: CheckFailed,
 }
 

@@ -24,7 +24,7 @@ _STATISTICS = (10, 11, 20, 21, 22, 30, 31, 40, 45, 46, 50, 51, 60, 61, 62, 70, 7
 _ORDER_PARAMETERS = {"points_per_cell": 10, "threshold": 20, "separation": 30, "round_ratio": 40}
 _MESSAGE_BYTES = 256
 
-# The library sorts locations in blocks of as many; between blocks Ctrl-C is heard.
+# The library sorts locations in blocks of as many. A location that nobody waits for ends there.
 _LOCATION_BLOCK = 1 << 20
 
 ORDER_SCHEMES = {
@@ -165,12 +165,18 @@ class Handle:
     # Queries
 
     def locate(
-        self, places: FloatArray, weights: Optional[FloatArray], name: str
+        self,
+        places: FloatArray,
+        weights: Optional[FloatArray],
+        name: str,
+        is_left: Callable[[], bool] = lambda: False,
     ) -> IndexArray:
         """The tetrahedra of contiguous rows; -1 outside. Fills weights (m, 4) where given."""
         out = np.empty(len(places), dtype=np.int32)
         function = self._library.mgdt_locate_points_i32
         for begin in range(0, len(places), _LOCATION_BLOCK):
+            if is_left():
+                break
             block = places[begin : begin + _LOCATION_BLOCK]
             status = function(
                 self._pointer,
@@ -185,14 +191,23 @@ class Handle:
                 raise _errors.make(status, self._message(status))
         return out
 
-    def locate_finite(self, places: FloatArray) -> IndexArray:
-        """The tetrahedra of contiguous rows; -1 outside and for rows that are not finite."""
+    def locate_finite(
+        self,
+        places: FloatArray,
+        weights: Optional[FloatArray] = None,
+        is_left: Callable[[], bool] = lambda: False,
+    ) -> IndexArray:
+        """As `locate`, but rows that are not finite are outside."""
         try:
-            return self.locate(places, None, "")
+            return self.locate(places, weights, "", is_left)
         except _errors.ArgumentError:
             finite = finite_rows(places)
             out = np.full(len(places), -1, dtype=np.int32)
-            out[finite] = self.locate(places[finite], None, "")
+            some = None if weights is None else np.empty((int(finite.sum()), 4))
+            out[finite] = self.locate(places[finite], some, "", is_left)
+            if weights is not None:
+                weights[...] = 0
+                weights[finite] = some
             return out
 
     def nearest_vertices(self, places: FloatArray, name: str) -> IndexArray:

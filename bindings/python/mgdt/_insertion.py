@@ -12,12 +12,26 @@ when that has ended.
 from __future__ import annotations
 
 import _thread
+import enum
 import queue
 import threading
+import warnings
 from typing import Callable, Optional
 
+import numpy as np
+
+
+class _Cancel(enum.Enum):
+    CANCEL = "cancel"
+
+    def __repr__(self) -> str:
+        return "mgdt.CANCEL"
+
+
+CANCEL = _Cancel.CANCEL
+
 ProgressFunction = Callable[[float], object]
-"""Hears of progress, from 0 to 1. A true result cancels."""
+"""Hears of progress, from 0 to 1. The result `CANCEL` cancels; any other means nothing."""
 
 SHORT = 50_000
 """Insertions of fewer points are over before anyone waits."""
@@ -34,6 +48,7 @@ class Insertion:
 
     def __init__(self, progress: Optional[ProgressFunction]) -> None:
         self._progress = progress
+        self._has_said_no = False
         self._ask: Optional[Callable[[float], bool]] = None
         self._lock = threading.Lock()
         # The library keeps a request to cancel that comes when no call runs, and would stop the
@@ -113,10 +128,28 @@ class Insertion:
         finally:
             self._has_ended = True
 
+    def _means_cancel(self, result: object) -> bool:
+        """Whether the progress function's result cancels.
+
+        No result that a function may have for reasons of its own does: those of progress bars say
+        whether they were drawn.
+        """
+        if isinstance(result, (bool, np.bool_)):
+            if result and self._has_said_no:
+                warnings.warn(
+                    "the progress function returned True after False; that does not cancel "
+                    "since mgdt 1.2: return mgdt.CANCEL",
+                    RuntimeWarning,
+                    stacklevel=2,
+                )
+            # One warning is enough.
+            self._has_said_no = not result
+        return result is CANCEL
+
     def _ask_here(self, fraction: float) -> bool:
         try:
             assert self._progress is not None
-            return bool(self._progress(fraction))
+            return self._means_cancel(self._progress(fraction))
         except BaseException as error:
             self._raised = error
             return True
@@ -141,7 +174,7 @@ class Insertion:
             _thread.start_new_thread(work_aside, ())
             while (fraction := events.get()) is not None:
                 assert self._progress is not None
-                answers.put(bool(self._progress(fraction)))
+                answers.put(self._means_cancel(self._progress(fraction)))
         except BaseException:
             self.is_given_up = True
             self.stop()

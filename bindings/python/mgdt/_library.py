@@ -18,6 +18,9 @@ ENVIRONMENT_VARIABLE = "MGDT_LIBRARY"
 BUNDLED_NAMES = ("libmgdt.so.1", "libmgdt.1.dylib")
 """Names under which a wheel may bring its own library, in this package's folder."""
 
+INSTALLED_NAME = "libmgdt.path"
+"""The file in this package's folder in which ``meson install`` leaves the path of the library."""
+
 PROGRESS = ctypes.CFUNCTYPE(c_int32, c_double, c_void_p)
 """``mgdt_progress_fn``."""
 
@@ -73,6 +76,16 @@ class _Unsuitable(Exception):
     """A library that was found but cannot be used."""
 
 
+def _installed(folder: str) -> str | None:
+    """The library that was installed together with the package, if it was."""
+    try:
+        with open(os.path.join(folder, INSTALLED_NAME), encoding="utf-8") as file:
+            # A path from the package on stays right when both are moved.
+            return os.path.normpath(os.path.join(folder, file.read().rstrip("\n")))
+    except FileNotFoundError:
+        return None
+
+
 def _candidates() -> Iterator[tuple[str, str]]:
     """Where the library may be, best first: a description and what to load."""
     named = os.environ.get(ENVIRONMENT_VARIABLE)
@@ -84,6 +97,9 @@ def _candidates() -> Iterator[tuple[str, str]]:
         bundled = os.path.join(here, name)
         if os.path.exists(bundled):
             yield "bundled with the package", bundled
+    installed = _installed(here)
+    if installed is not None:
+        yield "installed with the package", installed
     yield "the system's loader", "libmgdt.so.1"
     found = ctypes.util.find_library("mgdt")
     if found:

@@ -8,6 +8,7 @@ import pickle
 import threading
 from contextlib import contextmanager
 from functools import partial
+from types import FunctionType
 from typing import Any, Callable, Iterator, Mapping, Optional, TypeVar, Union
 
 import numpy as np
@@ -22,9 +23,12 @@ from ._arrays import (
     describe_not_finite,
     finite_rows,
 )
-from ._gate import Gate
+from ._gate import Gate, interruptibly
 from ._handle import Handle
 from ._insertion import Insertion, ProgressFunction
+
+# Points from which an export may take so long that Ctrl-C shall interrupt it.
+_LONG_EXPORT = 200_000
 
 _T = TypeVar("_T")
 _Self = TypeVar("_Self", bound="GrowingTriangulation")
@@ -123,13 +127,22 @@ class GrowingTriangulation:
         value: _T = cache[name]
         return value
 
-    def _exported(self, name: str) -> IndexArray:
-        def export() -> Any:
-            with self._reading() as handle:
-                return getattr(handle, name)()
+    def _read(self, work: Callable[[Handle, Callable[[], bool]], _T], is_long: bool) -> _T:
+        """Reads by the work, which signals interrupt if it is long. See `interruptibly`."""
 
-        array: IndexArray = self._cached(name, export)
-        return array
+        def read(is_left: Callable[[], bool]) -> _T:
+            with self._gate.reading(is_left):
+                return work(self._held(), is_left)
+
+        self._gate.refuse_if_kept_out()
+        return interruptibly(read, is_long)
+
+    def _exported(self, name: str) -> IndexArray:
+        def export(handle: Handle, _: object) -> IndexArray:
+            array: IndexArray = getattr(handle, name)()
+            return array
+
+        return self._cached(name, lambda: self._read(export, self.npoints >= _LONG_EXPORT))
 
     # Points in
 
@@ -219,9 +232,10 @@ class GrowingTriangulation:
         """Gives the library's memory back now, not when the object goes.
 
         Arrays that were read stay; whatever still needs the library raises RuntimeError. A
-        ``with`` statement releases at its end. Since 1.0.
+        ``with`` statement releases at its end. A call that Ctrl-C has interrupted may go on without
+        a result: the memory then goes when that ends. Since 1.0.
         """
-        with self._gate.writing():
+        with self._gate.writing(beside_left=True):
             self._closed = True
             self._handle = None
 
@@ -323,3 +337,15 @@ class GrowingTriangulation:
         if self._handle is None:
             return f"<mgdt.Delaunay: {self.npoints} points, released>"
         return f"<mgdt.Delaunay: {self.npoints} points, {self.nsimplex} tetrahedra>"
+
+
+def _show_as(name: str) -> None:
+    """Gives the functions the name of the class that users know, for messages."""
+    for member in vars(GrowingTriangulation).values():
+        parts = [getattr(member, part, None) for part in ("__func__", "fget", "fset")]
+        for function in (member, *parts):
+            if isinstance(function, FunctionType):
+                function.__qualname__ = f"{name}.{function.__name__}"
+
+
+_show_as("Delaunay")

@@ -3,15 +3,21 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Callable, Literal, Optional, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _geometry
 from ._arrays import FloatArray, IndexArray, as_places, finite_rows
+from ._handle import Handle
 from ._triangulation import GrowingTriangulation, whole
 from .interpolation import Interpolator
+
+# Numbers of points and of places from which a check and a location may take so long that Ctrl-C
+# shall interrupt them.
+_LONG_CHECK = 20_000
+_LONG_LOCATION = 50_000
 
 
 class Delaunay(GrowingTriangulation):
@@ -52,7 +58,9 @@ class Delaunay(GrowingTriangulation):
         each tetrahedron's least vertex first. Takes longer.
     progress : callable, optional
         Called as ``progress(fraction)`` with 0 to 1 some hundred times an insertion, on the thread
-        that inserts. A true result cancels. It must not use the triangulation, except `cancel`.
+        that inserts. The result ``mgdt.CANCEL`` cancels, and so does an exception, which goes on to
+        the caller. Any other result means nothing: until 1.1 a true one cancelled. It must not use
+        the triangulation, except `cancel`.
 
     Raises
     ------
@@ -66,7 +74,7 @@ class Delaunay(GrowingTriangulation):
     mgdt.TooLargeError
         For more points than can be numbered.
     mgdt.Cancelled
-        When `progress` gave a true result.
+        When `progress` returned ``mgdt.CANCEL``.
 
     Notes
     -----
@@ -81,6 +89,8 @@ class Delaunay(GrowingTriangulation):
 
     Ctrl-C during an insertion raises KeyboardInterrupt within some milliseconds. After that, as
     after `Cancelled` and `OutOfMemoryError`, the triangulation is that of the points that got in.
+    Ctrl-C during a check, a location or the export of an array raises it at once; the library's
+    call goes on to its end without a result, and what changes the triangulation waits for it.
 
     Since 1.0.
 
@@ -177,16 +187,22 @@ class Delaunay(GrowingTriangulation):
 
     @property
     def vertex_to_simplex(self) -> IndexArray:
-        """For each point one of the simplices around it, int32, shape (npoints,); -1 for a point
-        that is no vertex."""
+        """For each point one of the simplices around it, int32, shape (npoints,).
+
+        For a point equal to an earlier one it is the simplex of the vertex that stands for it, as
+        in `coplanar`. SciPy gives the number of that vertex in its place. -1 for points that a
+        stopped insertion left out, and where there are no simplices.
+        """
 
         def find() -> IndexArray:
-            simplices = self.simplices
-            found = np.full(self.npoints, -1, dtype=np.int32)
+            simplices, point_map = self.simplices, self.point_map
+            # The last is for points that were left out, whose vertex is -1.
+            found = np.full(len(point_map) + 1, -1, dtype=np.int32)
             numbers = np.arange(len(simplices), dtype=np.int32)
             for k in range(4):
                 found[simplices[:, k]] = numbers
-            return found
+            of_points: IndexArray = found[point_map]
+            return of_points
 
         return self._cached("vertex_to_simplex", find)
 
@@ -203,8 +219,13 @@ class Delaunay(GrowingTriangulation):
         """Barycentric transforms, shape (nsimplex, 4, 3).
 
         ``c = transform[i, :3] @ (x - transform[i, 3])`` are the weights at x of the first three
-        vertices of simplex i, ``1 - c.sum()`` is that of the fourth. NaN for a simplex too flat,
-        by SciPy's measure. `locate` gives weights without it.
+        vertices of simplex i, ``1 - c.sum()`` is that of the fourth. Entries are those of exact
+        arithmetic, rounded, for simplices however flat; of others they are off by less than 1e-11
+        of the largest in their row. An entry beyond the largest double is infinite. SciPy gives NaN
+        for flat simplices.
+
+        The weights of a flat simplex are small sums of large products, which doubles round. Those
+        of `locate` are better.
         """
         return self._cached(
             "transform", lambda: _geometry.barycentric_transforms(self.points, self.simplices)
@@ -270,8 +291,9 @@ class Delaunay(GrowingTriangulation):
             Has no effect: the result is exact.
         tol : float, optional
             Takes also places outside the hull for which some simplex has no barycentric weight
-            below -`tol`. None, the default, and 0 take none. Each place outside is then compared
-            with every simplex that has a vertex on the hull, which takes time in proportion.
+            below -`tol`, up to rounding by 1e-11. None, the default, and 0 take none. A place that
+            is taken or far outside costs some microseconds. One in between is compared with all
+            simplices closer to it than some 24 `tol` times the diameter of the set.
 
         Returns
         -------
@@ -286,23 +308,39 @@ class Delaunay(GrowingTriangulation):
         places, shape = as_places(xi, "xi")
         if tol is not None and not 0 <= tol < np.inf:
             raise ValueError(f"tol is {tol}; it must be at least 0 and finite")
-        with self._reading() as handle:
-            found = handle.locate_finite(places)
+        found = self._locate_finite(places, None)
         if tol:
             outside = np.flatnonzero((found < 0) & finite_rows(places))
-            # Not only those with a facet there: behind a very thin one it may be the next.
-            is_hull_vertex = np.zeros(self.npoints, dtype=np.bool_)
-            is_hull_vertex[self.convex_hull] = True
-            at_hull = np.flatnonzero(is_hull_vertex[self.simplices].any(axis=1)).astype(np.int32)
-            found[outside] = _geometry.in_tolerance(
-                places[outside],
-                _geometry.barycentric_transforms(self.points, self.simplices[at_hull]),
-                at_hull,
-                tol,
-            )
+            with self._reading() as handle:
+                found[outside] = _geometry.in_tolerance(
+                    places[outside],
+                    float(tol),
+                    self.points,
+                    self._cached("hull_facets", handle.hull_facets),
+                    handle.locate_finite,
+                    lambda: (
+                        self._cached("tetrahedra", handle.tetrahedra),
+                        self._cached("neighbors", handle.neighbors),
+                    ),
+                )
         return found.reshape(shape)
 
-    def locate(self, points: ArrayLike, weights: bool = True) -> Any:
+    @overload
+    def locate(
+        self, points: ArrayLike, weights: Literal[True] = ...
+    ) -> tuple[IndexArray, FloatArray]: ...
+
+    @overload
+    def locate(self, points: ArrayLike, weights: Literal[False]) -> IndexArray: ...
+
+    @overload
+    def locate(
+        self, points: ArrayLike, weights: bool
+    ) -> Union[IndexArray, tuple[IndexArray, FloatArray]]: ...
+
+    def locate(
+        self, points: ArrayLike, weights: bool = True
+    ) -> Union[IndexArray, tuple[IndexArray, FloatArray]]:
         """Finds the simplices that contain places, and barycentric weights in them.
 
         Parameters
@@ -326,9 +364,20 @@ class Delaunay(GrowingTriangulation):
         """
         places, shape = as_places(points, "points")
         room = np.empty((len(places), 4)) if weights else None
-        with self._reading() as handle:
-            found = handle.locate(places, room, "points").reshape(shape)
+
+        def find(handle: Handle, is_left: Callable[[], bool]) -> IndexArray:
+            return handle.locate(places, room, "points", is_left)
+
+        found = self._read(find, len(places) >= _LONG_LOCATION).reshape(shape)
         return found if room is None else (found, room.reshape(shape + (4,)))
+
+    def _locate_finite(self, places: FloatArray, weights: Optional[FloatArray]) -> IndexArray:
+        """Locates rows; those that are not finite are outside."""
+
+        def find(handle: Handle, is_left: Callable[[], bool]) -> IndexArray:
+            return handle.locate_finite(places, weights, is_left)
+
+        return self._read(find, len(places) >= _LONG_LOCATION)
 
     def nearest_vertex(self, points: ArrayLike) -> IndexArray:
         """Finds the vertices nearest to places, exactly; of several as near the lowest index.
@@ -352,13 +401,16 @@ class Delaunay(GrowingTriangulation):
         Parameters
         ----------
         points : array_like of float, shape (..., 3)
+            One with a coordinate that is NaN or infinite counts as outside the hull.
 
         Returns
         -------
         Interpolator
         """
-        simplices, weights = self.locate(points)
-        return Interpolator(self.npoints, self.simplices, simplices, weights)
+        places, shape = as_places(points, "points")
+        weights = np.empty((len(places), 4))
+        simplices = self._locate_finite(places, weights).reshape(shape)
+        return Interpolator(self.npoints, self.simplices, simplices, weights.reshape(shape + (4,)))
 
     def interpolate(
         self, values: ArrayLike, points: ArrayLike, fill_value: complex = np.nan
@@ -372,7 +424,7 @@ class Delaunay(GrowingTriangulation):
         points : array_like of float, shape (..., 3)
             Where to interpolate.
         fill_value : number, optional
-            The result outside the hull.
+            The result outside the hull, and where a coordinate is NaN or infinite.
 
         Returns
         -------
@@ -398,8 +450,7 @@ class Delaunay(GrowingTriangulation):
             The message says what is wrong and where.
         """
         level = whole(level, "level", 1, 3)
-        with self._reading() as handle:
-            handle.check(level)
+        self._read(lambda handle, _: handle.check(level), self.npoints >= _LONG_CHECK)
 
     @property
     def statistics(self) -> dict[str, float]:
@@ -414,6 +465,16 @@ class Delaunay(GrowingTriangulation):
             return handle.isa()
 
     # Other packages
+
+    def to_scipy(self) -> Any:
+        """A ``scipy.spatial.Delaunay`` with these points and simplices, made without Qhull.
+
+        For ``scipy.interpolate.LinearNDInterpolator`` and what else asks for SciPy's class. See
+        `mgdt.export.to_scipy`. Since 1.2.
+        """
+        from .export import to_scipy
+
+        return to_scipy(self)
 
     def to_meshio(self) -> Any:
         """A ``meshio.Mesh`` of all points and the tetrahedra. ImportError without meshio."""

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Meshes for meshio and PyVista, where they are installed."""
+"""The triangulation for SciPy, meshio and PyVista, where they are installed."""
 
 from __future__ import annotations
 
 import importlib
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 if TYPE_CHECKING:
     from .delaunay import Delaunay
@@ -18,6 +20,59 @@ def _module(name: str, package: str, caller: str) -> Any:
         return importlib.import_module(name)
     except ImportError as error:
         raise ImportError(f"{caller} needs {package}, which is not installed: {error}") from error
+
+
+def to_scipy(triangulation: Delaunay) -> Any:
+    """All points and the tetrahedra as a ``scipy.spatial.Delaunay``, without a run of Qhull.
+
+    It takes no more points, as SciPy's without ``incremental=True``. Its `find_simplex` is SciPy's,
+    which rounds. `transform`, which SciPy makes when it is asked for, has NaN for flat simplices:
+    SciPy looks for their places in the neighbours. Arrays are shared with the triangulation where
+    they are contiguous, and stay as they are when that goes on.
+
+    Raises
+    ------
+    ImportError
+        If SciPy is not installed.
+    ValueError
+        If there are no tetrahedra, which SciPy's object must have.
+
+    Notes
+    -----
+    Since 1.2.
+    """
+    scipy_delaunay = _module("scipy.spatial", "SciPy", "to_scipy").Delaunay
+    simplices = triangulation.simplices
+    if len(simplices) == 0:
+        raise ValueError(
+            f"to_scipy: the {triangulation.npoints} points have dimension "
+            f"{triangulation.dimension}, so there are no tetrahedra, and SciPy has no "
+            "triangulation without"
+        )
+    given = scipy_delaunay.__new__(scipy_delaunay)
+    given._qhull = None
+    # SciPy's compiled code takes the addresses of these: all are contiguous.
+    given._points = np.ascontiguousarray(triangulation.points)
+    given.ndim = 3
+    given.npoints = len(given._points)
+    given.min_bound = triangulation.min_bound
+    given.max_bound = triangulation.max_bound
+    given.furthest_site = False
+    given.paraboloid_scale = triangulation.paraboloid_scale
+    given.paraboloid_shift = triangulation.paraboloid_shift
+    given.simplices = simplices
+    given.nsimplex = len(simplices)
+    given.neighbors = triangulation.neighbors
+    given.equations = triangulation.equations
+    given.coplanar = triangulation.coplanar
+    given.good = np.ones(len(simplices), dtype=np.intc)
+    # None is made by SciPy when it is asked for.
+    given._transform = None
+    given._vertex_to_simplex = triangulation.vertex_to_simplex
+    given._vertex_neighbor_vertices = None
+    if hasattr(scipy_delaunay, "vertices"):
+        given._vertices = simplices  # an old name, until SciPy 1.10
+    return given
 
 
 def to_meshio(triangulation: Delaunay) -> Any:

@@ -22,7 +22,7 @@ class Interpolator:
     Attributes
     ----------
     simplices : ndarray of int32, shape (...)
-        The simplex of each place; -1 outside the hull.
+        The simplex of each place; -1 outside the hull and for places that are not finite.
     vertices : ndarray of int32, shape (..., 4)
         Its vertices; 0 outside the hull.
     weights : ndarray of float64, shape (..., 4)

@@ -19,7 +19,7 @@ require_relative "mgdt/points"
 require_relative "mgdt/triangulation"
 
 module Mgdt
-  # Version of the library that is loaded, "1.1.0".
+  # Version of the library that is loaded, "1.2.0".
   def self.version
     Library.mgdt_version_string
   end

@@ -28,6 +28,7 @@ module Mgdt
   class OutOfMemory < Error; end       # the system or the memory limit refused
   class TooLarge < Error; end          # more points or tetrahedra than can be numbered
   class Cancelled < Error; end         # cancel, or the progress block, asked to stop
+  class Busy < Error; end              # a progress block called its own triangulation
   class CheckFailed < Error; end       # check found a defect; the message says what and where
   class Closed < Error; end            # the triangulation was closed
 
@@ -35,7 +36,7 @@ module Mgdt
     CLASSES = {
       10 => InvalidArgument, 11 => InvalidArgument, 12 => NotFinite, 13 => UnknownName,
       14 => UnknownName, 20 => BufferTooSmall, 21 => IndexRange, 30 => OutOfMemory,
-      31 => TooLarge, 40 => Cancelled, 60 => CheckFailed
+      31 => TooLarge, 40 => Cancelled, 41 => Busy, 60 => CheckFailed
     }.freeze
     private_constant :CLASSES
   end

@@ -280,7 +280,7 @@ module Mgdt
     # Runs the block with the handle; no other thread has it meanwhile, nor has a progress block.
     def exclusively
       if @mutex.owned?
-        raise argument("a progress block may not call its triangulation, except cancel")
+        raise Busy.new("a progress block may not call its triangulation, except cancel", 41)
       end
 
       @mutex.synchronize { yield @handle }

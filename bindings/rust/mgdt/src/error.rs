@@ -22,6 +22,9 @@ pub enum ErrorKind {
     TooLarge,
     /// A [`Canceller`](crate::Canceller) or the progress closure asked to stop.
     Cancelled,
+    /// Another call is inside the triangulation, which Rust's own rules leave to foreign code that
+    /// has the handle. Since 1.2.
+    Busy,
     /// [`check`](crate::Triangulation::check) found a defect; the message says what and where.
     CheckFailed,
     /// The library that was loaded has another binary interface than this crate was made for.
@@ -56,6 +59,7 @@ impl Error {
             sys::MGDT_ERR_OUT_OF_MEMORY => ErrorKind::OutOfMemory,
             sys::MGDT_ERR_TOO_LARGE => ErrorKind::TooLarge,
             sys::MGDT_ERR_CANCELLED => ErrorKind::Cancelled,
+            sys::MGDT_ERR_BUSY => ErrorKind::Busy,
             sys::MGDT_ERR_CHECK_FAILED => ErrorKind::CheckFailed,
             _ => ErrorKind::Internal,
         };

@@ -33,7 +33,7 @@ pub use triangulation::{Canceller, Triangulation};
 /// a point that is not in, the tetrahedron of a point outside.
 pub const NONE: i64 = -1;
 
-/// Version of the library that is loaded, "1.1.0".
+/// Version of the library that is loaded, "1.2.0".
 pub fn version() -> &'static str {
     names::text(unsafe { mgdt_sys::mgdt_version_string() }).unwrap_or("")
 }
