@@ -19,12 +19,12 @@ class CallLock {
         if (!inside_.compare_exchange_strong(expected, alone, std::memory_order_acquire,
                                              std::memory_order_relaxed))
             return false;
-        receive(&inside_);
+        annotate_acquire(&inside_);
         name_.store(name, std::memory_order_relaxed);
         return true;
     }
     void leave_alone() noexcept {
-        hand_over(&inside_);
+        annotate_release(&inside_);
         inside_.store(0, std::memory_order_release);
     }
 
@@ -35,11 +35,11 @@ class CallLock {
             if (inside == alone) return false;
         } while (!inside_.compare_exchange_weak(inside, inside + 1, std::memory_order_acquire,
                                                 std::memory_order_relaxed));
-        receive(&inside_);
+        annotate_acquire(&inside_);
         return true;
     }
     void leave_together() noexcept {
-        hand_over(&inside_);
+        annotate_release(&inside_);
         inside_.fetch_sub(1, std::memory_order_release);
     }
 
@@ -47,7 +47,7 @@ class CallLock {
     // from many threads share this word, which stays in all caches.
     bool is_held_alone() const noexcept {
         const bool is_held = inside_.load(std::memory_order_acquire) == alone;
-        receive(&inside_);
+        annotate_acquire(&inside_);
         return is_held;
     }
     // Of the call that entered alone; nullptr where none did.

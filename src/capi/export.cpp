@@ -11,7 +11,7 @@ using namespace mgdt;
 namespace {
 
 // Elements that a thread pays for.
-constexpr std::size_t share = 262144;
+constexpr std::size_t min_items_per_thread = 262144;
 
 // Refuses an export whose values, counted from 0, are below `end` but do not fit Int.
 template <class Int>
@@ -41,7 +41,7 @@ mgdt_status run_export(const mgdt_triangulation* t, bool numbers, std::int64_t c
             require_capacity(capacity, static_cast<std::size_t>(count), "the output array");
             require_range<Int>(static_cast<std::uint64_t>(end), t);
             if (count == 0) return;
-            Team team(t->core.threads_for(static_cast<std::size_t>(count), share));
+            Team team(t->core.threads_for(static_cast<std::size_t>(count), min_items_per_thread));
             body(view_of(team, t, numbers));
         },
         name);
@@ -110,7 +110,7 @@ mgdt_status vertex_tetrahedra(const mgdt_triangulation* t, int64_t offset_capaci
             require_capacity(offset_capacity, points + 1, "offsets");
             require_capacity(capacity, count, "list");
             require_range<Int>(count + 1, t);  // the last offset is past the end
-            Team team(t->core.threads_for(count, share));
+            Team team(t->core.threads_for(count, min_items_per_thread));
             export_vertex_tetrahedra(view_of(team, t, true), points, offsets, list);
         },
         name);

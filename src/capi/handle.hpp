@@ -59,10 +59,10 @@ struct mgdt_triangulation {
         explicit Lock(mgdt::Atomic<bool>& flag) noexcept : flag_(flag) {
             while (flag_.exchange(true, std::memory_order_acquire)) {
             }
-            mgdt::receive(&flag_);
+            mgdt::annotate_acquire(&flag_);
         }
         ~Lock() {
-            mgdt::hand_over(&flag_);
+            mgdt::annotate_release(&flag_);
             flag_.store(false, std::memory_order_release);
         }
         mgdt::Atomic<bool>& flag_;

@@ -16,7 +16,7 @@ using namespace mgdt;
 namespace {
 
 // Points that a thread pays for.
-constexpr std::size_t share = 4096;
+constexpr std::size_t min_items_per_thread = 4096;
 
 Locator locator(const mgdt_triangulation* t) {
     return {t->core.mesh(), t->core.calls(), t->core.location_tree()};
@@ -37,7 +37,7 @@ void locate_points(const mgdt_triangulation* t, int64_t n, const double* xyz, In
     if (count == 0) return;
     require_pointer(xyz, "xyz");
     require_pointer(tetrahedra, "the output array");
-    Team team(t->core.threads_for(count, share));
+    Team team(t->core.threads_for(count, min_items_per_thread));
     const PointScan scan = scan_finite(team, count, xyz, t);
     const std::int64_t base = t->core.settings().index_base;
     if (tetrahedron_count(t->core) - 1 + base > std::numeric_limits<Int>::max())
@@ -70,7 +70,7 @@ void locate_points(const mgdt_triangulation* t, int64_t n, const double* xyz, In
         const double* const axis[3] = {points, points + 1, points + 2};
         const CurveOrder order =
             sort_along_curve(team, scan.point_set(size, axis, 3, 1), t->core.allocator());
-        team.split(size, share, [&](std::size_t first, std::size_t last, unsigned) {
+        team.split(size, min_items_per_thread, [&](std::size_t first, std::size_t last, unsigned) {
             where.locate_sequence(
                 last - first,
                 [&](std::size_t k) { return points + std::size_t{3} * order.index(first + k); },
@@ -117,7 +117,7 @@ extern "C" mgdt_status mgdt_check(const mgdt_triangulation* t, int32_t level) {
         if (level < MGDT_CHECK_COMBINATORIAL || level > MGDT_CHECK_CANONICAL)
             fail(MGDT_ERR_INVALID_ARGUMENT, "there is no check level %d", static_cast<int>(level));
         Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), 65536));
-        check_triangulation(team, t->core.claims(), t->core.allocator(), level,
+        check_triangulation(team, t->core.check_input(), t->core.allocator(), level,
                             t->core.settings().index_base);
     });
 }

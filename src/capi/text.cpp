@@ -47,7 +47,7 @@ constexpr NamedStatistic statistics[] = {
     {MGDT_STAT_EXACT_CALLS, "exact calls",
      [](const Triangulation& t) { return static_cast<double>(t.counters().exact_calls); }},
     {MGDT_STAT_PUT_OFF, "put off",
-     [](const Triangulation& t) { return static_cast<double>(t.statistics().put_off); }},
+     [](const Triangulation& t) { return static_cast<double>(t.statistics().deferred); }},
     {MGDT_STAT_INSERTED_ALONE, "inserted alone",
      [](const Triangulation& t) { return static_cast<double>(t.statistics().inserted_alone); }},
     {MGDT_STAT_ORDER_SECONDS, "order seconds",

@@ -9,7 +9,7 @@
 #include "cli/bench/plan.hpp"
 #include "cli/distributions.hpp"
 #include "cli/formats/format.hpp"
-#include "cli/triangulation.hpp"
+#include "cli/program_triangulation.hpp"
 
 namespace mgdt::cli {
 

@@ -10,7 +10,7 @@
 
 #include "cli/element_mesh.hpp"
 #include "cli/hostile.hpp"
-#include "cli/random.hpp"
+#include "cli/random_points.hpp"
 #include "cli/refinement.hpp"
 
 namespace mgdt::cli {

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "cli/random.hpp"
+#include "cli/random_points.hpp"
 
 namespace mgdt::cli::hostile {
 

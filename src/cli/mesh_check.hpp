@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/formats/mesh.hpp"
+#include "cli/formats/file_mesh.hpp"
 
 namespace mgdt::cli {
 

@@ -4,11 +4,11 @@
 #include <chrono>
 
 #include "core/batch.hpp"
+#include "core/concurrent_insertion.hpp"
 #include "core/triangulation.hpp"
-#include "core/zonal_insertion.hpp"
-#include "order/deal.hpp"
+#include "order/round_assignment.hpp"
+#include "platform/borrowed_arena.hpp"
 #include "platform/error.hpp"
-#include "platform/loan.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
@@ -72,20 +72,20 @@ void bring_to_front(Schedule& schedule, const std::size_t positions[4]) {
 
 }  // namespace
 
-// Takes it for granted that every point becomes a vertex; close_gaps() corrects that. To enter each
-// when it is inserted would be a store to anywhere between those of its star, which would all wait
-// for it.
+// Takes it for granted that every point becomes a vertex; compact_vertices() corrects that. To
+// enter each when it is inserted would be a store to anywhere between those of its star, which
+// would all wait for it.
 void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule& schedule,
                                   std::size_t base) {
     const std::size_t size = batch.points.size;
     mesh_.vertices.resize(base + size);
-    mesh_.near.resize(base + size);
+    mesh_.vertex_hint.resize(base + size);
     team.split(size, 8192, [&](std::size_t begin, std::size_t end, unsigned) {
-        mesh_.near.prefault(base + begin, base + end);
+        mesh_.vertex_hint.prefault(base + begin, base + end);
         constexpr std::size_t ahead = 24;
         // Copies, which stores cannot change.
         Vertex* const vertices = mesh_.vertices.data() + base;
-        TetId* const near = mesh_.near.data() + base;
+        TetId* const hints = mesh_.vertex_hint.data() + base;
         VertexId* const of_points = point_map_.data();
         const std::uint32_t* const order = schedule.order.data();
         for (std::size_t k = begin; k < end; ++k) {
@@ -98,7 +98,7 @@ void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule
             batch.get(i, vertices[k].x);
             vertices[k].index = index;
             vertices[k].moved_to = 0;
-            near[k] = no_tetrahedron;
+            hints[k] = no_tetrahedron;
             of_points[index] = static_cast<VertexId>(base + k);
         }
     });
@@ -111,14 +111,15 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
     const std::size_t base = fresh ? 1 : mesh_.vertices.size();
     Stopwatch watch(statistics_.insert_seconds);
     mesh_.vertices.grow(base + n);
-    mesh_.near.grow(base + n);
+    mesh_.vertex_hint.grow(base + n);
     team.split(n, 8192, [&](std::size_t begin, std::size_t end, unsigned) {
         mesh_.vertices.prefault(base + begin, base + end);
     });
     // Until the vertices come, the schedule is made where they will be, but for those held till
     // now.
     const std::size_t held = std::min(mesh_.vertices.size(), base + n);
-    Loan room(mesh_.vertices.data() + held, (base + n - held) * sizeof(Vertex), allocator_);
+    BorrowedArena room(mesh_.vertices.data() + held, (base + n - held) * sizeof(Vertex),
+                       allocator_);
     Schedule full(allocator_, room.allocator());
     const bool is_short = n <= smallest_schedule;
     Schedule& schedule = is_short ? short_schedule_ : full;
@@ -127,7 +128,7 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
     make_schedule(team, batch.points, scheme, settings_.order, schedule);
     // Several threads need rounds, so that the space is divided before they start.
     if (team.size() > 1 && schedule.rounds.size() == 1 && scheme != MGDT_ORDER_RANDOM)
-        deal_rounds(team, settings_.order.seed, schedule);
+        assign_rounds(team, settings_.order.seed, schedule);
     if (!is_short) watch.count_for(statistics_.insert_seconds);
     statistics_.levels = schedule.levels;
     statistics_.rounds = static_cast<double>(schedule.rounds.size());
@@ -153,7 +154,7 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
 
         location_tree_.forget();
         mesh_.clear();
-        held_.clear();
+        degenerate_.clear();
         std::fill(point_map_.begin(), point_map_.end(), infinite_vertex);
         statistics_.points_inserted = statistics_.duplicates = 0;
         basis_ = basis;
@@ -168,7 +169,7 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
         Team& team;
         const std::size_t base, first_point;
         ~Close() {
-            t.close_gaps(team, base, first_point);
+            t.compact_vertices(team, base, first_point);
             t.extend_location_tree(base);
         }
     } close{*this, team, base, batch.first_index};
@@ -176,7 +177,7 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
     if (team.size() == 1 || schedule.rounds.size() == 1 || base + n > mesh_.vertex_limit)
         insert_scheduled(batch, schedule, base, done, may_stop);
     else
-        ZonalInsertion(*this, team, batch, schedule, base, may_stop).run(done);
+        ConcurrentInsertion(*this, team, batch, schedule, base, may_stop).run(done);
 }
 
 // Vertices 1 to 4 and the vertex at infinity: one tetrahedron and four ghosts, each the
@@ -218,7 +219,7 @@ void Triangulation::make_first_tetrahedra() {
     mesh_.ghost_count = 4;
     mesh_.a_ghost = 4;
     last_ = 0;
-    for (VertexId i = 1; i <= 4; ++i) mesh_.near[i] = 0;
+    for (VertexId i = 1; i <= 4; ++i) mesh_.vertex_hint[i] = 0;
     statistics_.points_inserted += 4;
 }
 
@@ -273,7 +274,7 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
         TetId start = last_;
         if (!schedule.hints.empty() && schedule.hints[k] != no_hint)
             start = mesh_.live_from(
-                mesh_.near[point_map_[batch.index(schedule.order[schedule.hints[k]])]]);
+                mesh_.vertex_hint[point_map_[batch.index(schedule.order[schedule.hints[k]])]]);
         else if (k == 0)
             start = start_of_walk(mesh_, tree, last_, mesh_.point(q));
         workspace_.may_jump = k == 0;

@@ -18,7 +18,7 @@ Triangulation::Triangulation(mgdt_alloc_fn alloc, mgdt_free_fn release, void* us
       workspace_(allocator_),
       short_schedule_(allocator_, allocator_),
       point_map_(allocator_),
-      held_(allocator_),
+      degenerate_(allocator_),
       numbering_(allocator_),
       location_tree_(allocator_) {
     mesh_.clear();
@@ -31,7 +31,7 @@ void Triangulation::clear() noexcept {
     mesh_.clear();
     mesh_.scale = 0;
     point_map_.clear();
-    held_.clear();
+    degenerate_.clear();
     basis_.clear();
     exponents_ = ExponentRange();
     last_ = no_tetrahedron;
@@ -45,7 +45,7 @@ void Triangulation::reserve(std::size_t points) {
         fail(MGDT_ERR_TOO_LARGE, "%zu points; at most %zu can be numbered", points, max_points);
     point_map_.reserve(points);
     mesh_.vertices.reserve(points + 1);
-    mesh_.near.reserve(points + 1);
+    mesh_.vertex_hint.reserve(points + 1);
     mesh_.reserve_tetrahedra(expected_tetrahedra(points, mesh_.slot_limit));
 }
 
@@ -101,7 +101,7 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
         } else if (first == 0) {
             insert_batch(team, batch, true, true);
         } else {
-            release_held(team, batch, spanning);
+            insert_degenerate(team, batch, spanning);
             batch.drop_front(spanning);
             if (batch.points.size > 0) insert_batch(team, batch, false, true);
         }
@@ -133,7 +133,7 @@ void Triangulation::set_scale(int scale) {
     }
     if (mesh_.tetrahedra.has_spheres()) set_spheres();
     // What is held is found by its bits, and a basis compares with points to come.
-    held_.clear();
+    degenerate_.clear();
     basis_.scale(change);
 }
 
@@ -159,19 +159,19 @@ std::size_t Triangulation::points_to_span_space(const Batch& batch, AffineBasis&
 
 // Inserts all that was held, with as many new points as it takes to span space. These were
 // accepted before, so this part of the call does not stop for a request to cancel.
-void Triangulation::release_held(Team& team, const Batch& batch, std::size_t spanning) {
+void Triangulation::insert_degenerate(Team& team, const Batch& batch, std::size_t spanning) {
     Batch all(allocator_);
     all.gather(mesh_, point_map_, batch, spanning);
     insert_batch(team, all, true, false);
 }
 
 void Triangulation::hold(const Batch& batch, const AffineBasis& basis) {
-    held_.reserve(mesh_, batch.points.size);
+    degenerate_.reserve(mesh_, batch.points.size);
     for (std::size_t i = 0; i < batch.points.size; ++i) {
         double p[3];
         batch.get(i, p);
         const std::size_t before = vertex_count();
-        point_map_[batch.index(i)] = held_.add(mesh_, p, batch.index(i));
+        point_map_[batch.index(i)] = degenerate_.add(mesh_, p, batch.index(i));
         if (vertex_count() > before)
             ++statistics_.points_inserted;
         else
@@ -181,11 +181,13 @@ void Triangulation::hold(const Batch& batch, const AffineBasis& basis) {
     basis_ = basis;
 }
 
-unsigned Triangulation::threads_for(std::size_t work, std::size_t share) const noexcept {
+unsigned Triangulation::threads_for(std::size_t work,
+                                    std::size_t min_items_per_thread) const noexcept {
     std::size_t threads = static_cast<std::size_t>(settings_.threads);
     if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
     threads = std::min<std::size_t>(threads, Team::most);
-    return static_cast<unsigned>(std::max<std::size_t>(1, std::min(threads, work / share)));
+    return static_cast<unsigned>(
+        std::max<std::size_t>(1, std::min(threads, work / min_items_per_thread)));
 }
 
 void Triangulation::report(std::size_t done, std::size_t total) {
@@ -201,7 +203,7 @@ void Triangulation::stop_if_cancelled(std::size_t done, std::size_t total) {
         fail(MGDT_ERR_CANCELLED, "cancelled after %zu of %zu points", done, total);
 }
 
-Claims Triangulation::claims() const {
+CheckInput Triangulation::check_input() const {
     return {mesh_,
             point_map_,
             dimension(),

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "core/affine_basis.hpp"
-#include "core/held_points.hpp"
+#include "core/degenerate_points.hpp"
 #include "core/point_scan.hpp"
 #include "kernel/circumsphere.hpp"
 #include "kernel/kernel.hpp"
@@ -36,7 +36,7 @@ struct Settings {
 struct Statistics {
     std::uint64_t points_inserted = 0;
     std::uint64_t duplicates = 0;
-    std::uint64_t put_off = 0;         // insertions given up at another thread's, and tried again
+    std::uint64_t deferred = 0;        // insertions given up at another thread's, and tried again
     std::uint64_t inserted_alone = 0;  // while the other threads had nothing to do
     double order_seconds = 0;
     double insert_seconds = 0;
@@ -59,8 +59,8 @@ class Triangulation {
     void set_compact(bool compact);
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
 
-    // How many threads a call may use that has so much work in units of `share`.
-    unsigned threads_for(std::size_t work, std::size_t share) const noexcept;
+    // How many threads a call may use that has so much work in units of `min_items_per_thread`.
+    unsigned threads_for(std::size_t work, std::size_t min_items_per_thread) const noexcept;
 
     Settings& settings() noexcept { return settings_; }
     const Settings& settings() const noexcept { return settings_; }
@@ -83,18 +83,18 @@ class Triangulation {
     // Where walks start; nullptr for a small mesh. Made when first asked for.
     const LocationTree* location_tree() const { return location_tree(mesh_.vertices.size()); }
     // What is checked.
-    Claims claims() const;
+    CheckInput check_input() const;
 
   private:
     struct Batch;
-    class ZonalInsertion;
+    class ConcurrentInsertion;
 
     int scale_for(std::size_t n, const double* const axis[3], std::ptrdiff_t stride) const;
     void set_scale(int scale);
     void set_spheres() noexcept;
     std::size_t points_to_span_space(const Batch& batch, AffineBasis& basis) const;
     void hold(const Batch& batch, const AffineBasis& basis);
-    void release_held(Team& team, const Batch& batch, std::size_t spanning);
+    void insert_degenerate(Team& team, const Batch& batch, std::size_t spanning);
     void insert_batch(Team& team, const Batch& batch, bool fresh, bool may_stop);
     void copy_vertices(Team& team, const Batch& batch, const Schedule& schedule, std::size_t base);
     void make_first_tetrahedra();
@@ -103,7 +103,7 @@ class Triangulation {
     void extend_location_tree(std::size_t begin) noexcept;
     void insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
                           std::size_t done, bool may_stop);
-    void close_gaps(Team& team, std::size_t begin, std::size_t first_point) noexcept;
+    void compact_vertices(Team& team, std::size_t begin, std::size_t first_point) noexcept;
     // Enter the outcome of an insertion in the point map and the statistics: q is a vertex, as the
     // map has it already, or a repeat of one.
     void note(VertexId q, const Insertion& result);
@@ -118,7 +118,7 @@ class Triangulation {
     Workspace workspace_;
     Schedule short_schedule_;  // of batches that need none: its memory is kept
     Buffer<VertexId> point_map_;
-    HeldPoints held_;
+    DegeneratePoints degenerate_;
     AffineBasis basis_;
     ExponentRange exponents_;
     TetId last_ = no_tetrahedron;   // of the last insertion: where the next walk starts

@@ -6,17 +6,17 @@
 
 #include "kernel/isa.hpp"
 #include "kernel/sphere_source.hpp"
-#include "kernel/territory.hpp"
+#include "kernel/thread_state.hpp"
 
 namespace mgdt {
 inline namespace MGDT_ISA {
 
 // The whole mesh is mine.
 template <class Spheres>
-struct Alone {
+struct SerialAccess {
     using SphereSource = Spheres;
-    static constexpr bool is_shared = false;
-    MGDT_ALWAYS_INLINE bool enter(const Tetrahedron&) const noexcept { return true; }
+    static constexpr bool is_concurrent = false;
+    MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron&) const noexcept { return true; }
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
         mesh.reserve_slots(taken, freed);
     }
@@ -28,48 +28,50 @@ struct Alone {
         mesh.ghost_count = mesh.ghost_count + made - gone;
     }
     MGDT_ALWAYS_INLINE void made_ghost(TetId t) const noexcept { mesh.a_ghost = t; }
-    MGDT_ALWAYS_INLINE void set_near(VertexId v, TetId t) const noexcept { mesh.near[v] = t; }
+    MGDT_ALWAYS_INLINE void set_vertex_hint(VertexId v, TetId t) const noexcept {
+        mesh.vertex_hint[v] = t;
+    }
     Mesh& mesh;
 };
 
 // Other threads insert too.
 template <class Spheres>
-class Shared {
+class ConcurrentAccess {
   public:
     using SphereSource = Spheres;
-    static constexpr bool is_shared = true;
+    static constexpr bool is_concurrent = true;
 
-    MGDT_ALWAYS_INLINE Shared(Mesh& mesh, Territory& territory) noexcept
-        : mesh_(mesh), territory_(territory), mine_(territory.claim.mine()) {}
+    MGDT_ALWAYS_INLINE ConcurrentAccess(Mesh& mesh, ThreadState& thread_state) noexcept
+        : mesh_(mesh), thread_state_(thread_state), mine_(thread_state.blocks.mine()) {}
 
     // Whether a vertex, or a tetrahedron, is mine, now if not before.
-    MGDT_ALWAYS_INLINE bool enter(VertexId v) const noexcept {
-        return MGDT_LIKELY(mine_(v)) || territory_.claim.take(v);
+    MGDT_ALWAYS_INLINE bool try_own(VertexId v) const noexcept {
+        return MGDT_LIKELY(mine_(v)) || thread_state_.blocks.try_own(v);
     }
-    MGDT_ALWAYS_INLINE bool enter(const Tetrahedron& t) const noexcept {
-        return enter(t.v[0]) && enter(t.v[1]);
+    MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron& t) const noexcept {
+        return try_own(t.v[0]) && try_own(t.v[1]);
     }
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
-        territory_.reserve_slots(taken, freed);
+        thread_state_.reserve_slots(taken, freed);
     }
     MGDT_ALWAYS_INLINE void take_slots(FacetCode* slots, std::size_t count) const noexcept {
-        territory_.take_slots(slots, count);
+        thread_state_.take_slots(slots, count);
     }
-    MGDT_ALWAYS_INLINE void free_slot(TetId t) const noexcept { territory_.free_slot(t); }
+    MGDT_ALWAYS_INLINE void free_slot(TetId t) const noexcept { thread_state_.free_slot(t); }
     MGDT_ALWAYS_INLINE void count_ghosts(std::size_t made, std::size_t gone) const noexcept {
-        territory_.ghosts += static_cast<std::int64_t>(made) - static_cast<std::int64_t>(gone);
+        thread_state_.ghosts += static_cast<std::int64_t>(made) - static_cast<std::int64_t>(gone);
     }
-    MGDT_ALWAYS_INLINE void made_ghost(TetId t) const noexcept { territory_.a_ghost = t; }
-    MGDT_ALWAYS_INLINE void set_near(VertexId v, TetId t) const noexcept {
-        if (mine_(v)) mesh_.near[v] = t;
+    MGDT_ALWAYS_INLINE void made_ghost(TetId t) const noexcept { thread_state_.a_ghost = t; }
+    MGDT_ALWAYS_INLINE void set_vertex_hint(VertexId v, TetId t) const noexcept {
+        if (mine_(v)) mesh_.vertex_hint[v] = t;
     }
 
-    MGDT_ALWAYS_INLINE MarkTable& marks() const noexcept { return territory_.marks; }
+    MGDT_ALWAYS_INLINE MarkTable& marks() const noexcept { return thread_state_.marks; }
 
   private:
     Mesh& mesh_;
-    Territory& territory_;
-    const Claim::Mine mine_;
+    ThreadState& thread_state_;
+    const OwnedBlocks::Mine mine_;
 };
 
 }  // namespace MGDT_ISA

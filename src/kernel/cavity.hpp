@@ -15,11 +15,11 @@
 #include <algorithm>
 
 #include "kernel/access.hpp"
-#include "kernel/eight_rows.hpp"
-#include "kernel/marks.hpp"
+#include "kernel/cavity_marks.hpp"
 #include "kernel/pieces.hpp"
 #include "kernel/powers.hpp"
 #include "kernel/ties.hpp"
+#include "kernel/transpose8.hpp"
 
 namespace mgdt {
 inline namespace MGDT_ISA {
@@ -44,11 +44,11 @@ struct CavityFront {
           end(w.cavity.data),
           limit(limit_of(access, w)),
           boundary_end(w.boundary.data) {
-        if constexpr (Access::is_shared) marks = access.marks().view();
+        if constexpr (Access::is_concurrent) marks = access.marks().view();
     }
     static FacetCode* limit_of(Access access, const Workspace& w) {
         std::size_t most = w.cavity_capacity;
-        if constexpr (Access::is_shared) most = std::min(most, access.marks().capacity());
+        if constexpr (Access::is_concurrent) most = std::min(most, access.marks().capacity());
         return w.cavity.data + most - 4;
     }
     // Where the cavity begins.
@@ -59,7 +59,7 @@ struct CavityFront {
             for (unsigned i = 1; i < 4; ++i) w.first_corners[i] = t.v[i];
             w.first_corners[0] = t.v[1];
             *end++ = 4 * start.tetrahedron;
-            if constexpr (Access::is_shared)
+            if constexpr (Access::is_concurrent)
                 marks.put(start.tetrahedron, 1);
             else
                 tetrahedra[start.tetrahedron].v[1] |= in_cavity;
@@ -76,22 +76,22 @@ struct CavityFront {
     }
     // What tells whether a tetrahedron is in.
     MGDT_ALWAYS_INLINE auto membership() const {
-        if constexpr (Access::is_shared)
+        if constexpr (Access::is_concurrent)
             return [m = marks](FacetCode code) { return m.has(code >> 2); };
         else
             return [all = tetrahedra](FacetCode code) { return all.of(code).is_in_cavity(); };
     }
     // Of four neighbours that were tested, through facets with these codes, takes those in conflict
     // in, unless they are in already; the facets of the others are the boundary's.
-    MGDT_ALWAYS_INLINE void settle(const Neighbors& four, const FacetCode* codes,
-                                   std::uint32_t active, std::uint32_t conflict) {
+    MGDT_ALWAYS_INLINE void sort_out(const Neighbors& four, const FacetCode* codes,
+                                     std::uint32_t active, std::uint32_t conflict) {
         boundary_end += append(boundary_end, codes, active & ~conflict);
         take(four, codes, conflict);
     }
     MGDT_ALWAYS_INLINE void take(const Neighbors& four, const FacetCode* codes,
                                  std::uint32_t conflict) {
         std::uint32_t fresh;
-        if constexpr (Access::is_shared)
+        if constexpr (Access::is_concurrent)
             fresh = put_four(marks, codes, conflict);
         else
             fresh = mark_four(four, conflict);
@@ -107,13 +107,13 @@ struct CavityFront {
                           facets = static_cast<std::size_t>(boundary_end - w.boundary.data);
         try {
             if (size + 4 > w.cavity_capacity) w.grow_cavity(size, facets, size + 4);
-            if constexpr (Access::is_shared)
+            if constexpr (Access::is_concurrent)
                 access.marks().grow(std::min(w.cavity_capacity, 4 * size), w.cavity.data, size);
         } catch (...) {
             give_up(mesh, w, size);
             throw;
         }
-        if constexpr (Access::is_shared) marks = access.marks().view();
+        if constexpr (Access::is_concurrent) marks = access.marks().view();
         next = w.cavity.data + passed;
         end = w.cavity.data + size;
         limit = limit_of(access, w);
@@ -121,7 +121,7 @@ struct CavityFront {
     }
     static void give_up(Mesh& mesh, Workspace& w, std::size_t members) {
         w.given_up = members;
-        if constexpr (!Access::is_shared) w.restore_cavity(mesh.tetrahedra, members);
+        if constexpr (!Access::is_concurrent) w.restore_cavity(mesh.tetrahedra, members);
     }
 
     TetrahedronView<Record> tetrahedra;
@@ -132,9 +132,9 @@ struct CavityFront {
     MarkTable::View marks;  // used among other threads
 };
 
-constexpr std::uint32_t not_entered = 16;
+constexpr std::uint32_t not_owned = 16;
 
-// Which of the undecided among four neighbours are in conflict, or not_entered. On a lattice there
+// Which of the undecided among four neighbours are in conflict, or not_owned. On a lattice there
 // are many, and nothing about them can be foretold, so that branches are few.
 template <class Access, class IsIn>
 MGDT_PREDICATES_APART std::uint32_t decide(Access access, const Mesh& mesh, Workspace& w,
@@ -148,9 +148,9 @@ MGDT_PREDICATES_APART std::uint32_t decide(Access access, const Mesh& mesh, Work
         const Tetrahedron& t = mesh.tetrahedra[n[k] >> 2];
         // A ghost's tie is decided by the tetrahedron behind it, which is a neighbour of mine only
         // if the ghost is mine.
-        if (!access.enter(t)) return not_entered;
+        if (!access.try_own(t)) return not_owned;
         ++w.counters.exact_calls;
-        conflict |= opaque(is_conflict_near_tie(mesh, t, q)) << k;
+        conflict |= hide_from_optimizer(is_conflict_near_tie(mesh, t, q)) << k;
     }
     return conflict;
 }
@@ -160,7 +160,7 @@ template <class Access>
 MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart start,
                                 const Query& q) {
     if (MGDT_UNLIKELY(w.cavity_capacity == 0)) w.grow_cavity(0, 0, 64);
-    if constexpr (Access::is_shared) access.marks().begin(MarkTable::least_capacity);
+    if constexpr (Access::is_concurrent) access.marks().begin(MarkTable::least_capacity);
     CavityFront<Access> saved(access, mesh, w);
     saved.begin(w, start);
     // All neighbours of a member but the one that it was reached through: of the start itself all.
@@ -173,13 +173,13 @@ MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityS
         const typename Access::SphereSource spheres(mesh);
         const QueryRows query(q);
         std::uint32_t conflict = 0, undecided = 0;
-        bool may_enter = true;
+        bool owns_all = true;
         // Each member's code is read one turn ahead: a load right after the stores that this turn
         // makes would wait for all of them, and the turns would not overlap.
         FacetCode member = *front.next;
         while (front.end <= front.limit) {
-            if (MGDT_UNLIKELY(!access.enter(front.tetrahedra.of(member)))) {
-                may_enter = false;
+            if (MGDT_UNLIKELY(!access.try_own(front.tetrahedra.of(member)))) {
+                owns_all = false;
                 break;
             }
             const FacetCode* const n = front.tetrahedra.of(member).n;
@@ -191,17 +191,17 @@ MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityS
             ++front.next;
             FacetCode following = *front.next;
             const bool is_last = front.next == front.end;
-            front.settle(four, n, active, conflict);
+            front.sort_out(four, n, active, conflict);
             if (MGDT_UNLIKELY(is_last)) {
                 if (front.next == front.end) break;
-                following = opaque(*front.next);
+                following = hide_from_optimizer(*front.next);
             }
             member = following;
             active = others(member);
         }
         saved = front;
         if (saved.next == saved.end) break;
-        if (!may_enter) {
+        if (!owns_all) {
             saved.give_up(mesh, w, saved.members(w));
             return false;
         }
@@ -211,12 +211,12 @@ MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityS
         }
         const FacetCode* const n = saved.tetrahedra.of(*saved.next).n;
         const std::uint32_t decided = decide(access, mesh, w, saved.membership(), n, undecided, q);
-        if (decided == not_entered) {
+        if (decided == not_owned) {
             saved.give_up(mesh, w, saved.members(w));
             return false;
         }
         ++saved.next;
-        saved.settle(saved.tetrahedra.four(n), n, active, (conflict & ~undecided) | decided);
+        saved.sort_out(saved.tetrahedra.four(n), n, active, (conflict & ~undecided) | decided);
         if (saved.next == saved.end) break;
         active = others(*saved.next);
     }

@@ -7,7 +7,7 @@
 
 namespace mgdt {
 
-class Territory;
+class ThreadState;
 
 struct Insertion {
     // Of the new star, or one that has the duplicate; no_tetrahedron where an insertion among
@@ -33,10 +33,10 @@ struct KernelCalls {
     // Inserts vertex q, whose record is in the mesh, walking from `start`. Strong guarantee: when
     // it throws (std::bad_alloc, Error with MGDT_ERR_TOO_LARGE) the triangulation is unchanged.
     Insertion (*insert)(Mesh& mesh, Workspace& workspace, VertexId q, TetId start);
-    // The same while other threads insert: q and the vertices of `start` are the territory's. May
-    // throw SlotSupply::NoSlots too.
-    Insertion (*insert_among_others)(Mesh& mesh, Workspace& workspace, Territory& territory,
-                                     VertexId q, TetId start);
+    // The same while other threads insert: q and the vertices of `start` are the thread_state's.
+    // May throw SlotSupply::NoSlots too.
+    Insertion (*insert_concurrent)(Mesh& mesh, Workspace& workspace, ThreadState& thread_state,
+                                   VertexId q, TetId start);
     // A location's first power, and its next step; false where it ends. See walk.hpp.
     void (*locate_begin)(const Mesh& mesh, LocationWalk& walk);
     bool (*locate_step)(const Mesh& mesh, LocationWalk& walk);

@@ -34,17 +34,17 @@ MGDT_ALWAYS_INLINE Insertion insert_with(Access access, Mesh& mesh, Workspace& w
 
 template <class Spheres>
 Insertion insert(Mesh& mesh, Workspace& w, VertexId q, TetId start) {
-    return insert_with(Alone<Spheres>{mesh}, mesh, w, q, start);
+    return insert_with(SerialAccess<Spheres>{mesh}, mesh, w, q, start);
 }
 
 template <class Spheres>
-Insertion insert_among_others(Mesh& mesh, Workspace& w, Territory& territory, VertexId q,
-                              TetId start) {
-    return insert_with(Shared<Spheres>(mesh, territory), mesh, w, q, start);
+Insertion insert_concurrent(Mesh& mesh, Workspace& w, ThreadState& thread_state, VertexId q,
+                            TetId start) {
+    return insert_with(ConcurrentAccess<Spheres>(mesh, thread_state), mesh, w, q, start);
 }
 
 template <class Spheres>
-constexpr KernelCalls kernel_calls = {insert<Spheres>, insert_among_others<Spheres>,
+constexpr KernelCalls kernel_calls = {insert<Spheres>, insert_concurrent<Spheres>,
                                       locate_begin<Spheres>, locate_step<Spheres>,
                                       locate_jump<Spheres>};
 

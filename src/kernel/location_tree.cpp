@@ -204,7 +204,7 @@ TetId start_of_walk(const Mesh& mesh, const LocationTree* tree, TetId last, cons
     if (last != no_tetrahedron && square_distance(mesh.point(mesh.tetrahedra[last].v[0]), q) <=
                                       square_distance(mesh.point(near), q))
         return last;
-    return mesh.live_from(mesh.near[near]);
+    return mesh.live_from(mesh.vertex_hint[near]);
 }
 
 }  // namespace mgdt

@@ -9,7 +9,7 @@ namespace mgdt {
 inline namespace MGDT_ISA {
 
 // Keeps the compiler from turning arithmetic on a condition back into a branch on it.
-MGDT_ALWAYS_INLINE std::uint32_t opaque(std::uint32_t x) {
+MGDT_ALWAYS_INLINE std::uint32_t hide_from_optimizer(std::uint32_t x) {
 #if defined(__GNUC__)
     __asm__("" : "+r"(x));
 #endif

@@ -5,9 +5,9 @@
 // for the four together.
 #pragma once
 
-#include "kernel/four_rows.hpp"
 #include "kernel/pieces.hpp"
 #include "kernel/sphere_source.hpp"
+#include "kernel/transpose4.hpp"
 #include "kernel/vector_sphere.hpp"
 
 namespace mgdt {
@@ -33,18 +33,18 @@ class FourPowers {
     template <class Tetrahedra>
     MGDT_ALWAYS_INLINE FourPowers(const KeptSpheres& from, const Tetrahedra& four,
                                   const QueryRows& q) {
-        set(FourRows::of_upper_halves([&](unsigned k) { return four.sphere(k).w; }),
+        set(Transpose4::of_upper_halves([&](unsigned k) { return four.sphere(k).w; }),
             vertices(from, four, 0), q);
     }
     template <class Tetrahedra>
     FourPowers(const ComputedSpheres& from, const Tetrahedra& four, const QueryRows& q) {
-        const FourRows bases = vertices(from, four, 0);
+        const Transpose4 bases = vertices(from, four, 0);
         const auto local = [&](unsigned i) {
             return LocalColumns<Four>(
                 relative_to(vertices(from, four, i), {bases.first, bases.second, bases.third}));
         };
         const SphereColumns<Four> s = spheres_through<false>(local(1), local(2), local(3));
-        FourRows spheres = {s.x, s.y, s.z, s.e};
+        Transpose4 spheres = {s.x, s.y, s.z, s.e};
         std::uint32_t special = from.has_extremes ? 0xFu : 0u;
         for (unsigned k = 0; k < 4; ++k)
             special |= static_cast<std::uint32_t>(four[k].is_ghost()) << k;
@@ -88,15 +88,15 @@ class FourPowers {
   private:
     // The i-th vertex of each. A mark may be on the second.
     template <class Spheres, class Tetrahedra>
-    MGDT_ALWAYS_INLINE static FourRows vertices(const Spheres& from, const Tetrahedra& four,
-                                                unsigned i) {
+    MGDT_ALWAYS_INLINE static Transpose4 vertices(const Spheres& from, const Tetrahedra& four,
+                                                  unsigned i) {
         const VertexId mask = i == 1 ? ~in_cavity : ~VertexId{0};
-        return FourRows([&](unsigned k) { return from.vertices[four[k].v[i] & mask].x; });
+        return Transpose4([&](unsigned k) { return from.vertices[four[k].v[i] & mask].x; });
     }
     // Ghosts, and all where some vertex is outside the normal range, are rare enough for one by
     // one. The way depends on the tetrahedron alone, so that its power does.
     template <class Tetrahedra>
-    static void replace(FourRows& spheres, std::uint32_t special, const ComputedSpheres& from,
+    static void replace(Transpose4& spheres, std::uint32_t special, const ComputedSpheres& from,
                         const Tetrahedra& four) {
         alignas(32) double columns[4][4];
         __m256d* const column[4] = {&spheres.first, &spheres.second, &spheres.third,
@@ -110,7 +110,7 @@ class FourPowers {
         }
         for (unsigned i = 0; i < 4; ++i) *column[i] = _mm256_load_pd(columns[i]);
     }
-    MGDT_ALWAYS_INLINE void set(const FourRows& spheres, const FourRows& bases,
+    MGDT_ALWAYS_INLINE void set(const Transpose4& spheres, const Transpose4& bases,
                                 const QueryRows& q) {
         const __m256d ux = _mm256_sub_pd(q.x, bases.first);
         const __m256d uy = _mm256_sub_pd(q.y, bases.second);

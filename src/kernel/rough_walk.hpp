@@ -47,9 +47,9 @@ inline std::uint32_t faces_between(const double d[4][3]) {
 // From a tetrahedron to one that seems to contain q, or to a ghost that q seems to be beyond; or as
 // far as tetrahedra may be entered. Rounding may lead it in circles, which an exact one never goes
 // in: it ends where it comes to a tetrahedron again.
-template <class Enter>
+template <class TryOwn>
 MGDT_NOT_INLINE TetId walk_roughly(const Mesh& mesh, TetId t, const double* q, Counters& counters,
-                                   Enter enter) {
+                                   TryOwn try_own) {
     // Halves keep differences of huge coordinates finite.
     const double factor = mesh.has_extremes ? 0.5 : 1;
     unsigned from = 4;              // the face that it came through
@@ -73,7 +73,7 @@ MGDT_NOT_INLINE TetId walk_roughly(const Mesh& mesh, TetId t, const double* q, C
             if (faces == 0) return t;
             next = here.n[lowest_bit(faces)];
         }
-        if (!enter(mesh.tetrahedra[next >> 2])) return t;
+        if (!try_own(mesh.tetrahedra[next >> 2])) return t;
         ++counters.walk_steps;
         t = next >> 2;
         from = next & 3;

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "kernel/circumsphere.hpp"
-#include "kernel/eight_rows.hpp"
-#include "kernel/four_rows.hpp"
+#include "kernel/transpose4.hpp"
+#include "kernel/transpose8.hpp"
 #include "kernel/vector_sphere.hpp"
 #include "kernel/workspace.hpp"
 
@@ -92,7 +92,7 @@ using EightVertices = PointColumns<Eight>;
 // Eight vertices by id, relative to q.
 MGDT_ALWAYS_INLINE EightVertices load_vertices(const Vertex* vertices, const VertexId* ids,
                                                VertexId q) {
-    const EightRows rows([&](unsigned k) { return vertices[ids[k]].x; });
+    const Transpose8 rows([&](unsigned k) { return vertices[ids[k]].x; });
     return {_mm512_sub_pd(rows.first(), _mm512_set1_pd(vertices[q].x[0])),
             _mm512_sub_pd(rows.second(), _mm512_set1_pd(vertices[q].x[1])),
             _mm512_sub_pd(rows.third(), _mm512_set1_pd(vertices[q].x[2]))};
@@ -235,7 +235,7 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices,
     const double* const p = vertices[q].x;
     const PointColumns<Four> base = {Four::all(p[0]), Four::all(p[1]), Four::all(p[2])};
     const auto pick = [&](const Number* numbers) {
-        const FourRows rows([&](unsigned k) { return vertices[w.ids.data[numbers[k]]].x; });
+        const Transpose4 rows([&](unsigned k) { return vertices[w.ids.data[numbers[k]]].x; });
         return LocalColumns<Four>(relative_to(rows, base));
     };
     const std::size_t size = w.boundary_size;
@@ -243,7 +243,7 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices,
     for (std::size_t begin = 0; begin < size; begin += 4) {
         const SphereColumns<Four> s = star_spheres<at_hull>(
             pick(as + begin), pick(bs + begin), pick(cs + begin), bs + begin, cs + begin, infinite);
-        const FourRows columns = {s.x, s.y, s.z, s.e};
+        const Transpose4 columns = {s.x, s.y, s.z, s.e};
         columns.store_upper_halves([&](std::size_t k, __m128i sphere) {
             return finish(slots, size, spheres, begin + k, sphere, link);
         });

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "kernel/adjacency.hpp"
-#include "kernel/numbering.hpp"
+#include "kernel/local_numbers.hpp"
 #include "kernel/pieces.hpp"
 #include "kernel/spheres.hpp"
 
@@ -128,8 +128,8 @@ MGDT_ALWAYS_INLINE std::size_t count_ghosts(const Tetrahedra tetrahedra, const W
     std::size_t ghosts = 0;
     for (std::size_t i = 0; i < w.cavity_size; ++i) {
         const VertexId* const v = tetrahedra.of(w.cavity.data[i]).v;
-        ghosts += opaque(static_cast<std::uint32_t>(v[2] == infinite_vertex) |
-                         static_cast<std::uint32_t>(v[3] == infinite_vertex));
+        ghosts += hide_from_optimizer(static_cast<std::uint32_t>(v[2] == infinite_vertex) |
+                                      static_cast<std::uint32_t>(v[3] == infinite_vertex));
     }
     return ghosts;
 }
@@ -142,7 +142,7 @@ MGDT_NOT_INLINE void set_near_of_star(Access access, const Tetrahedra tetrahedra
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
         const FacetCode slot = w.slots.data[i];
         const VertexId* const v = tetrahedra.of_first(slot).v;
-        for (unsigned k = 1; k < 4; ++k) access.set_near(v[k], slot >> 2);
+        for (unsigned k = 1; k < 4; ++k) access.set_vertex_hint(v[k], slot >> 2);
     }
 }
 
@@ -230,7 +230,7 @@ TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
     // With the new vertex a few of its neighbours learn where they are now; every vertex has its
     // turn often enough to stay near its slot.
     const TetId first = w.slots.data[0] >> 2;
-    for (const VertexId v : mesh.tetrahedra[first].v) access.set_near(v, first);
+    for (const VertexId v : mesh.tetrahedra[first].v) access.set_vertex_hint(v, first);
     w.counters.removed += removed;
     w.counters.created += created;
     return first;

@@ -135,7 +135,7 @@ MGDT_PREDICATES_APART inline int decided_modulo(__m256d x, __m256d y, __m256d z,
     std::int64_t first = 0, side = -1;
     for (unsigned i = 0; i < 4; ++i) {
         const std::int64_t decides = -static_cast<std::int64_t>(
-            opaque(static_cast<std::uint32_t>(keys[i] > first) & (minor[i] != 0)));
+            hide_from_optimizer(static_cast<std::uint32_t>(keys[i] > first) & (minor[i] != 0)));
         first ^= (first ^ keys[i]) & decides;
         side ^= (side ^ (minor[i] >> 63 | 1)) & decides;
     }
@@ -145,7 +145,7 @@ MGDT_PREDICATES_APART inline int decided_modulo(__m256d x, __m256d y, __m256d z,
 // exact::perturbed_doubles() for a finite tetrahedron that q is no vertex of. It also knows the
 // corners of a box, as there are in a lattice of any spacing, however its coordinates are rounded.
 inline int perturbed_doubles(const Tetrahedron& t, const Vertex* vertices, const Query& q) {
-    const FourRows rows([&](unsigned k) { return vertices[t.v[k]].x; });
+    const Transpose4 rows([&](unsigned k) { return vertices[t.v[k]].x; });
     const __m256d qx = _mm256_set1_pd(q.x), qy = _mm256_set1_pd(q.y), qz = _mm256_set1_pd(q.z);
     const auto [x, y, z] = relative_to(rows, {qx, qy, qz});
     const __m256d ax = Four::magnitude(x), ay = Four::magnitude(y), az = Four::magnitude(z);

@@ -30,8 +30,8 @@ inline constexpr WalkResult no_way = {{no_tetrahedron, 0}, infinite_vertex};
 // The exact walk. It ends in the closed tetrahedron that contains q, or in a ghost whose facet q
 // is strictly beyond; or before one that may not be entered, and gives no_tetrahedron.
 // point_of(v, room) gives a vertex's coordinates, in `room` if need be.
-template <class Enter, class PointOf>
-TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters, Enter enter,
+template <class TryOwn, class PointOf>
+TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters, TryOwn try_own,
                  PointOf point_of) {
     unsigned from = 4;  // the face that it came through, which q is not beyond
     for (unsigned turn = 0;; ++turn) {
@@ -60,7 +60,7 @@ TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters,
         if (through == 4) return t;
         t = tet.n[through] >> 2;
         from = tet.n[through] & 3;
-        if (!enter(mesh.tetrahedra[t])) return no_tetrahedron;
+        if (!try_own(mesh.tetrahedra[t])) return no_tetrahedron;
     }
 }
 
@@ -96,12 +96,13 @@ inline TetId walk_hull(Access access, const Mesh& mesh, TetId ghost, const Query
             const TetId t = here.n[i] >> 2;
             const View there = look(t);
             ++counters.walk_tests;
-            if (there.power.is_conflict()) return access.enter(tetrahedra[t]) ? t : no_tetrahedron;
+            if (there.power.is_conflict())
+                return access.try_own(tetrahedra[t]) ? t : no_tetrahedron;
             if (!(there.height > highest)) continue;
             highest = there.height;
             next = t;
         }
-        if (next == no_tetrahedron || !access.enter(tetrahedra[next])) return no_tetrahedron;
+        if (next == no_tetrahedron || !access.try_own(tetrahedra[next])) return no_tetrahedron;
         ghost = next;
     }
 }
@@ -204,8 +205,8 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
         const unsigned next = powers.least_finite(t.is_ghost() ? infinity : here.power.value);
         if (next == 4) break;
         here = {t.n[next] >> 2, powers[next]};
-        if (MGDT_UNLIKELY(!access.enter(tetrahedra[here.tetrahedron]))) return no_way;
-        if constexpr (!Access::is_shared) {
+        if (MGDT_UNLIKELY(!access.try_own(tetrahedra[here.tetrahedron]))) return no_way;
+        if constexpr (!Access::is_concurrent) {
             if (MGDT_UNLIKELY(++steps == next_jump)) {
                 jump<typename Access::SphereSource>(mesh, here, q, steps, counters);
                 if (here.power.is_conflict()) return {{here.tetrahedron, 0}, infinite_vertex};
@@ -214,14 +215,14 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
         }
     }
     const TetId ghost = a_ghost();
-    if (ghost != no_tetrahedron && access.enter(tetrahedra[ghost])) {
+    if (ghost != no_tetrahedron && access.try_own(tetrahedra[ghost])) {
         const TetId found = walk_hull(access, mesh, ghost, q, counters);
         if (found != no_tetrahedron) return {{found, 0}, infinite_vertex};
     }
-    const auto enter = [&](const Tetrahedron& t) { return access.enter(t); };
+    const auto try_own = [&](const Tetrahedron& t) { return access.try_own(t); };
     const TetId t =
-        walk_exact(mesh, walk_roughly(mesh, here.tetrahedron, q.point, counters, enter), q.point,
-                   counters, enter, [&](VertexId v, double*) { return mesh.point(v); });
+        walk_exact(mesh, walk_roughly(mesh, here.tetrahedron, q.point, counters, try_own), q.point,
+                   counters, try_own, [&](VertexId v, double*) { return mesh.point(v); });
     if (t == no_tetrahedron) return no_way;
     return {{t, 0}, vertex_at(mesh, mesh.tetrahedra[t], q.point)};
 }

@@ -10,7 +10,7 @@ namespace mgdt {
 void Mesh::clear() {
     vertices.resize(1);
     vertices[0] = Vertex{{0, 0, 0}, no_index, 0};
-    near.clear();
+    vertex_hint.clear();
     tetrahedra.clear();
     free_slots.clear();
     ghost_count = 0;
@@ -40,12 +40,12 @@ void Mesh::grow_slots(std::size_t taken, std::size_t freed) {
     free_slots.grow(free_slots.size() + freed);
     const std::size_t needed = tetrahedra.size() + taken - std::min(taken, free_slots.size());
     reserve_tetrahedra(needed);
-    if (needed <= ready) return;
+    if (needed <= prefaulted_slots) return;
     // A stretch of storage at a time: 3 MiB, or what there is.
     constexpr std::size_t stretch = 65536;
     const std::size_t end = std::min(tetrahedra.capacity(), needed + stretch);
-    tetrahedra.prefault(ready, end);
-    ready = end;
+    tetrahedra.prefault(prefaulted_slots, end);
+    prefaulted_slots = end;
 }
 
 }  // namespace mgdt

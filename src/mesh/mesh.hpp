@@ -17,14 +17,17 @@ MGDT_ALWAYS_INLINE void write_run(FacetCode* slots, TetId first, std::size_t cou
 
 struct Mesh {
     explicit Mesh(Allocator& allocator)
-        : vertices(allocator), near(allocator), tetrahedra(allocator), free_slots(allocator) {}
+        : vertices(allocator),
+          vertex_hint(allocator),
+          tetrahedra(allocator),
+          free_slots(allocator) {}
 
     // Empties the mesh but for the vertex at infinity. The scale stays.
     void clear();
     // Makes it possible to take and free so many slots. Throws std::bad_alloc, or
     // MGDT_ERR_TOO_LARGE beyond max_tetrahedra, with nothing changed.
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) {
-        if (MGDT_UNLIKELY(tetrahedra.size() + taken > ready + free_slots.size() ||
+        if (MGDT_UNLIKELY(tetrahedra.size() + taken > prefaulted_slots + free_slots.size() ||
                           free_slots.size() + freed > free_slots.capacity()))
             grow_slots(taken, freed);
     }
@@ -50,14 +53,14 @@ struct Mesh {
     // By vertex, once there are tetrahedra: the slot of one that had it, and of one nearby since;
     // no_tetrahedron until it is inserted.
     // By themselves, since a thread may write this while others read the coordinates.
-    Buffer<TetId> near;
+    Buffer<TetId> vertex_hint;
     TetrahedronStore tetrahedra;
     Buffer<TetId> free_slots;  // slots of dead tetrahedra
     std::size_t ghost_count = 0;
     TetId a_ghost = no_tetrahedron;  // the last one made: who removes it makes others
     int scale = 0;                   // coordinates carry the factor 2^scale, see mesh/scale.hpp
     // Slots that may be taken without another look; the pages of those beyond are not there yet.
-    std::size_t ready = 0;
+    std::size_t prefaulted_slots = 0;
     // Lowered by tests. A vertex has to leave the bit of a mark free.
     std::uint32_t slot_limit = max_tetrahedra, vertex_limit = in_cavity;
     bool has_extremes = false;  // some vertex is outside the range in which filters are proved

@@ -15,9 +15,9 @@ void order_brio(Team& team, const PointSet& points, const OrderParameters& param
     const RandomRounds rounds(n, parameters.round_ratio, parameters.seed);
     const CurveOrder curve = sort_along_curve(team, points, allocator);
     Buffer<std::uint32_t> ends(allocator, rounds.count() + std::size_t{1});
-    constexpr std::size_t share = 65536;
+    constexpr std::size_t min_items_per_thread = 65536;
     make_lists(
-        team, allocator, n, share, rounds.count(), ends.data(),
+        team, allocator, n, min_items_per_thread, rounds.count(), ends.data(),
         [&](std::size_t begin, std::size_t end, auto f) {
             for (std::size_t k = begin; k < end; ++k) {
                 const std::uint32_t point = curve.index(k);

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "order/cell_numbers.hpp"
 #include "order/hilbert_curve.hpp"
-#include "order/lattice.hpp"
+#include "order/team_equal_runs.hpp"
 #include "order/team_radix.hpp"
-#include "order/team_runs.hpp"
 
 namespace mgdt {
 namespace {
@@ -79,7 +79,7 @@ class CurveSorter {
 
   private:
     static constexpr unsigned least_steps = 3, most_steps = 5;
-    static constexpr std::size_t share = 32768;
+    static constexpr std::size_t min_items_per_thread = 32768;
 
     struct Cell {
         std::size_t begin, end;  // places of its points
@@ -121,7 +121,7 @@ class CurveSorter {
         const std::size_t size = cell.end - cell.begin;
         const unsigned state = cell.state;
         std::uint64_t* const words = words_ + cell.begin;
-        team.split(size, share, [&](std::size_t first, std::size_t last, unsigned) {
+        team.split(size, min_items_per_thread, [&](std::size_t first, std::size_t last, unsigned) {
             for (std::size_t k = first; k < last; ++k) {
                 unsigned to = state;
                 const std::uint64_t index = words[k] & order_.index_mask();

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "order/lattice.hpp"
+#include "order/cell_numbers.hpp"
 
 namespace mgdt {
 

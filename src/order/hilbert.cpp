@@ -6,10 +6,11 @@ namespace mgdt {
 
 void order_hilbert(Team& team, const PointSet& points, const OrderParameters&, Schedule& out) {
     const CurveOrder curve = sort_along_curve(team, points, out.scratch);
-    constexpr std::size_t share = 65536;
-    team.split(points.size, share, [&](std::size_t begin, std::size_t end, unsigned) {
-        for (std::size_t k = begin; k < end; ++k) out.order[k] = curve.index(k);
-    });
+    constexpr std::size_t min_items_per_thread = 65536;
+    team.split(points.size, min_items_per_thread,
+               [&](std::size_t begin, std::size_t end, unsigned) {
+                   for (std::size_t k = begin; k < end; ++k) out.order[k] = curve.index(k);
+               });
     out.levels = curve.levels;
 }
 

@@ -6,14 +6,15 @@
 namespace mgdt {
 
 Buffer<KdPoint> kd_points(Team& team, const PointSet& points, Allocator& allocator) {
-    constexpr std::size_t share = 65536;
+    constexpr std::size_t min_items_per_thread = 65536;
     Buffer<KdPoint> copy(allocator, points.size);
-    team.split(points.size, share, [&](std::size_t begin, std::size_t end, unsigned) {
-        for (std::size_t i = begin; i < end; ++i) {
-            for (int k = 0; k < 3; ++k) copy[i].x[k] = points.coordinate(i, k);
-            copy[i].index = static_cast<std::uint32_t>(i);
-        }
-    });
+    team.split(points.size, min_items_per_thread,
+               [&](std::size_t begin, std::size_t end, unsigned) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                       for (int k = 0; k < 3; ++k) copy[i].x[k] = points.coordinate(i, k);
+                       copy[i].index = static_cast<std::uint32_t>(i);
+                   }
+               });
     return copy;
 }
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "order/lattice.hpp"
+#include "order/cell_numbers.hpp"
 #include "parallel/team.hpp"
 #include "platform/atomic.hpp"
 
@@ -63,8 +63,8 @@ template <class MakeLeaf>
 void kd_partition(Team& team, Buffer<KdPoint>& points, const Box& box, unsigned levels,
                   const MakeLeaf& make_leaf) {
     using kd_detail::Region;
-    constexpr std::size_t share = 32768;
-    const unsigned members = team.members_for(points.size(), share);
+    constexpr std::size_t min_items_per_thread = 32768;
+    const unsigned members = team.members_for(points.size(), min_items_per_thread);
     // Level by level to some regions a member, which it then divides alone. None is near empty.
     Buffer<Region> regions(points.allocator(), 1), next(points.allocator());
     regions[0] = {0, points.size(), box};

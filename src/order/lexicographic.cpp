@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cstring>
 
+#include "order/equal_runs.hpp"
 #include "order/radix.hpp"
-#include "order/runs.hpp"
 #include "order/schemes.hpp"
 
 namespace mgdt {

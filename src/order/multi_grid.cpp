@@ -2,8 +2,8 @@
 #include <cstring>
 
 #include "order/curve_sort.hpp"
-#include "order/deal.hpp"
 #include "order/grid.hpp"
+#include "order/round_assignment.hpp"
 #include "order/schemes.hpp"
 #include "order/separation.hpp"
 
@@ -102,14 +102,14 @@ class MultiGrid {
 // Keeps what the paper's multi-grid is for, and goes about it another way: grids of cubes, as fine
 // as keys allow, and one more in each crowded cell; a path through all of them along a Hilbert
 // curve that enters a grid and leaves it where its cell is entered and left; and separation by
-// rounds (order/deal.hpp), those points first that stand alone on the curve.
+// rounds (order/round_assignment.hpp), those points first that stand alone on the curve.
 void order_in_rounds(Team& team, const PointSet& points, const OrderParameters& parameters,
                      Schedule& out) {
     constexpr double crowd = 8;
     const CurveOrder curve = sort_along_curve(
         team, points, out.scratch, static_cast<std::size_t>(parameters.threshold_or(crowd)));
     out.levels = curve.levels;
-    deal_rounds(
+    assign_rounds(
         team, parameters.seed, [&](std::size_t k) { return curve.index(k); }, out, &curve);
 }
 

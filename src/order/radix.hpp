@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-#include "order/runs.hpp"
+#include "order/equal_runs.hpp"
 #include "platform/cpu.hpp"
 
 namespace mgdt {

@@ -14,15 +14,15 @@ namespace mgdt {
 // The arrays must not overlap.
 inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::uint64_t* scratch,
                        std::size_t n, unsigned low, unsigned high) {
-    constexpr std::size_t share = 32768, many = std::size_t{1} << 19;
+    constexpr std::size_t min_items_per_thread = 32768, many = std::size_t{1} << 19;
     constexpr unsigned most_bits = 11;
-    const unsigned members = team.members_for(n, share);
+    const unsigned members = team.members_for(n, min_items_per_thread);
     if (members == 1 && n <= many) {
         radix_sort(a, scratch, n, low, high);
         return;
     }
     Atomic<std::uint64_t> all_differ{0};
-    team.split(n, share, [&](std::size_t begin, std::size_t end, unsigned) {
+    team.split(n, min_items_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
         std::uint64_t differ = 0;
         for (std::size_t i = begin; i < end; ++i) differ |= a[i] ^ a[0];
         all_differ |= differ;
@@ -35,7 +35,7 @@ inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::
     const std::size_t values = std::size_t{1} << (high - shift);
     Buffer<std::uint32_t> ends(allocator, values + 1);
     make_lists(
-        team, allocator, n, share, values, ends.data(),
+        team, allocator, n, min_items_per_thread, values, ends.data(),
         [a, shift, mask = values - 1](std::size_t begin, std::size_t end, auto f) {
             for (std::size_t i = begin; i < end; ++i) f(a[i] >> shift & mask, a[i]);
         },
@@ -46,7 +46,8 @@ inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::
     // either half of the members find work in the least of these, or there are at most half as
     // many.
     const std::size_t large =
-        std::max({2 * share, n / (4 * members), std::min(members * share / 2, 2 * n / members)});
+        std::max({2 * min_items_per_thread, n / (4 * members),
+                  std::min(members * min_items_per_thread / 2, 2 * n / members)});
     const auto is_large = [&](std::size_t v) { return ends[v + 1] - ends[v] >= large; };
     const auto copy_back = [&](std::size_t begin, std::size_t end) {
         std::copy(scratch + begin, scratch + end, a + begin);
@@ -63,7 +64,7 @@ inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::
     for (std::size_t v = 0; v < values; ++v) {
         if (!is_large(v)) continue;
         const std::size_t first = ends[v], size = ends[v + 1] - first;
-        team.split(size, share, [&](std::size_t begin, std::size_t end, unsigned) {
+        team.split(size, min_items_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
             copy_back(first + begin, first + end);
         });
         if (low < shift) radix_sort(team, allocator, a + first, scratch + first, size, low, shift);

@@ -55,17 +55,18 @@ class Team {
             start(members < size_ ? members : size_, FunctionRef<void(unsigned)>(body));
     }
 
-    // How many members it takes for `work` of which one should have `share` at least.
-    unsigned members_for(std::size_t work, std::size_t share) const noexcept {
-        const std::size_t wanted = work / share;
+    // How many members it takes for `work` of which one should have `min_items_per_thread` at
+    // least.
+    unsigned members_for(std::size_t work, std::size_t min_items_per_thread) const noexcept {
+        const std::size_t wanted = work / min_items_per_thread;
         return wanted >= size_ ? size_ : wanted > 1 ? static_cast<unsigned>(wanted) : 1;
     }
 
     // Runs body(begin, end, member) on ranges that divide 0..n-1 evenly and ascend with the member;
-    // all of it on the calling thread if there is less than `share` for each.
+    // all of it on the calling thread if there is less than `min_items_per_thread` for each.
     template <class Body>
-    void split(std::size_t n, std::size_t share, Body&& body) {
-        const unsigned members = members_for(n, share);
+    void split(std::size_t n, std::size_t min_items_per_thread, Body&& body) {
+        const unsigned members = members_for(n, min_items_per_thread);
         run(members, [&](unsigned member) {
             body(part(n, member, members), part(n, member + 1, members), member);
         });

@@ -14,16 +14,17 @@ namespace mgdt {
 //
 // each(begin, end, f) calls f(key, value...) for all that items begin..end-1 give, in order, fewer
 // than 2^32 times in all; it is called twice, the members of the team side by side for at least
-// `share` items each. In between, make_room(size) hears how many there are. put(position, value...)
-// stores one. List k of `keys` comes to be at positions ends[k] to ends[k + 1] - 1; ends has room
-// for keys + 1 numbers.
+// `min_items_per_thread` items each. In between, make_room(size) hears how many there are.
+// put(position, value...) stores one. List k of `keys` comes to be at positions ends[k] to ends[k +
+// 1] - 1; ends has room for keys + 1 numbers.
 template <class Int, class Each, class MakeRoom, class Put>
-void make_lists(Team& team, Allocator& allocator, std::size_t items, std::size_t share,
-                std::size_t keys, Int* ends, Each each, MakeRoom make_room, Put put) {
+void make_lists(Team& team, Allocator& allocator, std::size_t items,
+                std::size_t min_items_per_thread, std::size_t keys, Int* ends, Each each,
+                MakeRoom make_room, Put put) {
     ends[0] = 0;
     // A member has a count for each key: more members would take more memory than they save time.
     constexpr unsigned most_members = 16;
-    const unsigned members = std::min(most_members, team.members_for(items, share));
+    const unsigned members = std::min(most_members, team.members_for(items, min_items_per_thread));
     if (members == 1) {
         // ends[k + 1] counts list k, then is its beginning, and moves to its end.
         std::fill_n(ends + 1, keys, Int{0});

@@ -44,12 +44,12 @@ using Atomic = std::atomic<T>;
 #endif
 
 // Before the store that hands over what this thread wrote, and after the load that received it.
-inline void hand_over([[maybe_unused]] const void* atomic) noexcept {
+inline void annotate_release([[maybe_unused]] const void* atomic) noexcept {
 #if MGDT_HELGRIND
     ANNOTATE_HAPPENS_BEFORE(atomic);
 #endif
 }
-inline void receive([[maybe_unused]] const void* atomic) noexcept {
+inline void annotate_acquire([[maybe_unused]] const void* atomic) noexcept {
 #if MGDT_HELGRIND
     ANNOTATE_HAPPENS_AFTER(atomic);
 #endif

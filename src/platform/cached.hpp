@@ -29,9 +29,9 @@ class Cached {
             if (made) return *made;
             throw;
         }
-        hand_over(&value_);
+        annotate_release(&value_);
         if (value_.compare_exchange_strong(made, mine, std::memory_order_acq_rel)) return *mine;
-        receive(&value_);
+        annotate_acquire(&value_);
         destroy(mine);
         return *made;
     }
@@ -43,7 +43,7 @@ class Cached {
     // What there is, or nullptr.
     T* peek() noexcept {
         T* made = value_.load(std::memory_order_acquire);
-        receive(&value_);
+        annotate_acquire(&value_);
         return made;
     }
 

@@ -11,7 +11,8 @@
 #endif
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
 // 32-bit x86 computes in the x87 unit unless it is told otherwise.
-#error "mgdt is exact and needs doubles that are computed as doubles: on 32-bit x86 compile with -msse2 -mfpmath=sse, which are meson setup build -Dc_args='-msse2 -mfpmath=sse' -Dcpp_args='-msse2 -mfpmath=sse'"
+#error \
+    "mgdt is exact and needs doubles that are computed as doubles: on 32-bit x86 compile with -msse2 -mfpmath=sse, which are meson setup build -Dc_args='-msse2 -mfpmath=sse' -Dcpp_args='-msse2 -mfpmath=sse'"
 #endif
 static_assert(FLT_RADIX == 2 && DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024,
               "mgdt is exact for IEEE 754 doubles");

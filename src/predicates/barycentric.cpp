@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "determinants.hpp"
-#include "whole.hpp"
+#include "native_integer.hpp"
 
 namespace mgdt {
 namespace exact {
@@ -16,27 +16,27 @@ namespace {
 
 #ifdef __SIZEOF_INT128__
 
-// Coordinates along an axis are below 2^axis_bits units, so differences are below 2^whole_bits.
-constexpr int axis_bits = whole_bits - 1;
+// Coordinates along an axis are below 2^axis_bits units, so differences are below 2^native_bits.
+constexpr int axis_bits = native_bits - 1;
 
 // Differences along an axis as whole numbers: every third of n. False if there is no unit.
-MGDT_PREDICATES_INLINE bool axis_to_whole(const double* const (&p)[4], const double* q,
-                                          std::size_t axis, std::int64_t* n) {
+MGDT_PREDICATES_INLINE bool axis_to_native(const double* const (&p)[4], const double* q,
+                                           std::size_t axis, std::int64_t* n) {
     const double x[5] = {p[0][axis], p[1][axis], p[2][axis], p[3][axis], q[axis]};
     const double size = largest_of<0, 5>(x);
     if (!(size >= least_size && size <= most_size)) return false;
-    const WholeUnit<axis_bits> in(size);
+    const NativeUnit<axis_bits> in(size);
     std::uint64_t off = 0;
     const std::int64_t origin = in.count(x[4], off);
     each<4>([&](auto i) { n[3 * i] = in.count(x[i], off) - origin; });
     return off == 0;
 }
 
-MGDT_PREDICATES_INLINE WholePlaces negative(const WholePlaces& v) {
+MGDT_PREDICATES_INLINE NativePlaces negative(const NativePlaces& v) {
     return {-v.c0, -v.c1};
 }
 
-static_assert(whole_bits + digit_bits + 4 < 127,
+static_assert(native_bits + digit_bits + 4 < 127,
               "the places of four volumes hold twelve products of a difference and a digit");
 
 // To the nearest double.
@@ -53,7 +53,7 @@ MGDT_PREDICATES_INLINE double rounded(Widest v) {
     return static_cast<double>(leading | rest) * power;
 }
 
-MGDT_PREDICATES_INLINE double rounded(const WholePlaces& v) {
+MGDT_PREDICATES_INLINE double rounded(const NativePlaces& v) {
     const Widest upper = v.c1 + (v.c0 >> digit_bits);
     const std::int64_t lower = low_digit(v.c0);
     constexpr Widest few = Widest{1} << 60;
@@ -61,14 +61,14 @@ MGDT_PREDICATES_INLINE double rounded(const WholePlaces& v) {
     return rounded(upper | (lower != 0)) * 0x1p62;
 }
 
-MGDT_PREDICATES_INLINE void whole_weights(const std::int64_t (&v)[12], double (&w)[4]) {
+MGDT_PREDICATES_INLINE void native_weights(const std::int64_t (&v)[12], double (&w)[4]) {
     const std::int64_t *a = v, *b = v + 3, *c = v + 6, *d = v + 9;
-    const TwoDigits ab = whole_minor(a, b), ac = whole_minor(a, c), ad = whole_minor(a, d),
-                    bc = whole_minor(b, c), bd = whole_minor(b, d), cd = whole_minor(c, d);
-    const WholePlaces volume[4] = {
-        whole_places(b, cd, c, bd, d, bc), negative(whole_places(a, cd, c, ad, d, ac)),
-        whole_places(a, bd, b, ad, d, ab), negative(whole_places(a, bc, b, ac, c, ab))};
-    WholePlaces sum = {0, 0};
+    const TwoDigits ab = native_minor(a, b), ac = native_minor(a, c), ad = native_minor(a, d),
+                    bc = native_minor(b, c), bd = native_minor(b, d), cd = native_minor(c, d);
+    const NativePlaces volume[4] = {
+        native_places(b, cd, c, bd, d, bc), negative(native_places(a, cd, c, ad, d, ac)),
+        native_places(a, bd, b, ad, d, ab), negative(native_places(a, bc, b, ac, c, ab))};
+    NativePlaces sum = {0, 0};
     each<4>([&](auto i) {
         sum.c0 += volume[i].c0;
         sum.c1 += volume[i].c1;
@@ -86,13 +86,13 @@ double quotient(const Rounded& a, const Rounded& b) {
 
 }  // namespace
 
-bool barycentric_whole(const double* const (&p)[4], const double* q, double (&w)[4]) {
+bool barycentric_native(const double* const (&p)[4], const double* q, double (&w)[4]) {
 #ifdef __SIZEOF_INT128__
     std::int64_t n[12];
-    if (!axis_to_whole(p, q, 0, n) || !axis_to_whole(p, q, 1, n + 1) ||
-        !axis_to_whole(p, q, 2, n + 2))
+    if (!axis_to_native(p, q, 0, n) || !axis_to_native(p, q, 1, n + 1) ||
+        !axis_to_native(p, q, 2, n + 2))
         return false;
-    whole_weights(n, w);
+    native_weights(n, w);
     return true;
 #else
     (void)p, (void)q, (void)w;
@@ -118,7 +118,7 @@ void barycentric_integer(const double* const (&p)[4], const double* q, double (&
 }  // namespace exact
 
 void barycentric_weights(const double* const (&p)[4], const double* q, double (&w)[4]) {
-    if (!exact::barycentric_whole(p, q, w)) exact::barycentric_integer(p, q, w);
+    if (!exact::barycentric_native(p, q, w)) exact::barycentric_integer(p, q, w);
 }
 
 }  // namespace mgdt

@@ -16,7 +16,7 @@ namespace exact {
 
 // The stages, one by one. Native integers do it if the coordinates along each axis fit; else
 // integers of the least of `widths` that fits and is at least least_width.
-bool barycentric_whole(const double* const (&p)[4], const double* q, double (&w)[4]);
+bool barycentric_native(const double* const (&p)[4], const double* q, double (&w)[4]);
 void barycentric_integer(const double* const (&p)[4], const double* q, double (&w)[4],
                          int least_width = 0);
 

@@ -119,8 +119,8 @@ struct ExactPairs {
 
     template <int Bits>
     Integer<Bits> get(std::size_t i) const {
-        const Integer<Bits> a = whole<Bits>(first[i]);
-        const Integer<Bits> b = whole<Bits>(second[i]);
+        const Integer<Bits> a = as_integer<Bits>(first[i]);
+        const Integer<Bits> b = as_integer<Bits>(second[i]);
         return narrowed<Bits>(a + b);
     }
 
@@ -152,7 +152,7 @@ struct ExactPairs {
     }
 
     template <int Bits>
-    Integer<Bits> whole(double v) const {
+    Integer<Bits> as_integer(double v) const {
         if (v == 0) return shifted<Bits>(0, 0);
         std::int64_t mantissa;
         int exponent;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "determinants.hpp"
 #include "lattice.hpp"
+#include "native_integer.hpp"
 #include "predicates.hpp"
 #include "stages.hpp"
-#include "whole.hpp"
 
 namespace mgdt {
 namespace exact {
@@ -18,10 +18,10 @@ MGDT_PREDICATES_INLINE int lattice(const Differences<9>& v) {
                                                    : undecided;
 }
 
-MGDT_PREDICATES_INLINE int whole(const Differences<9>& v) {
-    if constexpr (have_whole) {
+MGDT_PREDICATES_INLINE int native_sign(const Differences<9>& v) {
+    if constexpr (have_native) {
         std::int64_t n[9];
-        if (to_whole(v, n)) return whole_orientation(n);
+        if (to_native(v, n)) return native_orientation(n);
     }
     return undecided;
 }
@@ -37,8 +37,8 @@ int orientation_lattice(const double* a, const double* b, const double* c, const
     return lattice(differences({b, c, d}, a));
 }
 
-int orientation_whole(const double* a, const double* b, const double* c, const double* d) {
-    return whole(differences({b, c, d}, a));
+int orientation_native(const double* a, const double* b, const double* c, const double* d) {
+    return native_sign(differences({b, c, d}, a));
 }
 
 int orientation_integer(const double* a, const double* b, const double* c, const double* d,
@@ -53,7 +53,7 @@ int orientation(const double* a, const double* b, const double* c, const double*
     const auto v = exact::differences({b, c, d}, a);
     int s = exact::filter(v, exact::orientation_bound);
     if (s == exact::undecided) s = exact::lattice(v);
-    if (s == exact::undecided) s = exact::whole(v);
+    if (s == exact::undecided) s = exact::native_sign(v);
     if (s == exact::undecided) s = exact::orientation_scaled(a, b, c, d);
     if (s == exact::undecided) s = exact::orientation_sparse(a, b, c, d, exact::Terms::single);
     if (s == exact::undecided) s = exact::orientation_ranged(a, b, c, d);

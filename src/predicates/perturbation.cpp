@@ -10,9 +10,9 @@
 // vertex's square is multiplied in the determinant. No vertex smaller than q is reached.
 #include "determinants.hpp"
 #include "lattice.hpp"
+#include "native_integer.hpp"
 #include "predicates.hpp"
 #include "stages.hpp"
-#include "whole.hpp"
 
 namespace mgdt {
 
@@ -80,12 +80,12 @@ int perturbed_doubles(const double* a, const double* b, const double* c, const d
     return doubles(differences({a, b, c, d}, q));
 }
 
-int perturbed_whole(const double* a, const double* b, const double* c, const double* d,
-                    const double* q) {
-    if constexpr (have_whole) {
+int perturbed_native(const double* a, const double* b, const double* c, const double* d,
+                     const double* q) {
+    if constexpr (have_native) {
         std::int64_t n[12];
-        if (!to_whole(differences({a, b, c, d}, q), n)) return undecided;
-        const WholeSphere sphere(n);
+        if (!to_native(differences({a, b, c, d}, q), n)) return undecided;
+        const NativeSphere sphere(n);
         if (sphere.sign != 0) return sphere.sign;
         // The same as broken_tie(), without a branch.
         std::int64_t first[3] = {};
@@ -128,7 +128,7 @@ int perturbed_by_parts(const double* a, const double* b, const double* c, const 
 
 int perturbed_integers(const double* a, const double* b, const double* c, const double* d,
                        const double* q) {
-    int s = perturbed_whole(a, b, c, d, q);
+    int s = perturbed_native(a, b, c, d, q);
     if (s == undecided) s = sphere_scaled(a, b, c, d, q);
     if (s == undecided) s = perturbed_sparse(a, b, c, d, q, Terms::single);
     if (s == undecided) s = sphere_ranged(a, b, c, d, q);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "determinants.hpp"
 #include "lattice.hpp"
+#include "native_integer.hpp"
 #include "predicates.hpp"
 #include "stages.hpp"
-#include "whole.hpp"
 
 namespace mgdt {
 namespace exact {
@@ -17,10 +17,10 @@ MGDT_PREDICATES_INLINE int lattice(const Differences<12>& v) {
     return is_lattice<sphere_lattice_bits>(v) ? sign_of(SphereDeterminant()(v.rounded)) : undecided;
 }
 
-MGDT_PREDICATES_INLINE int whole(const Differences<12>& v) {
-    if constexpr (have_whole) {
+MGDT_PREDICATES_INLINE int native_sign(const Differences<12>& v) {
+    if constexpr (have_native) {
         std::int64_t n[12];
-        if (to_whole(v, n)) return WholeSphere(n).sign;
+        if (to_native(v, n)) return NativeSphere(n).sign;
     }
     return undecided;
 }
@@ -37,9 +37,9 @@ int sphere_lattice(const double* a, const double* b, const double* c, const doub
     return lattice(differences({a, b, c, d}, q));
 }
 
-int sphere_whole(const double* a, const double* b, const double* c, const double* d,
-                 const double* q) {
-    return whole(differences({a, b, c, d}, q));
+int sphere_native(const double* a, const double* b, const double* c, const double* d,
+                  const double* q) {
+    return native_sign(differences({a, b, c, d}, q));
 }
 
 int sphere_integer(const double* a, const double* b, const double* c, const double* d,
@@ -55,7 +55,7 @@ int side_of_sphere(const double* a, const double* b, const double* c, const doub
     const auto v = exact::differences({a, b, c, d}, q);
     int s = exact::filter(v, exact::sphere_bound);
     if (s == exact::undecided) {
-        s = exact::have_whole ? exact::whole(v) : exact::lattice(v);
+        s = exact::have_native ? exact::native_sign(v) : exact::lattice(v);
     }
     if (s == exact::undecided) s = exact::sphere_scaled(a, b, c, d, q);
     if (s == exact::undecided) s = exact::sphere_sparse(a, b, c, d, q, exact::Terms::single);

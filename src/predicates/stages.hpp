@@ -12,7 +12,7 @@ namespace mgdt::exact {
 int orientation_filter(const double* a, const double* b, const double* c, const double* d,
                        const Bound& bound = orientation_bound);
 int orientation_lattice(const double* a, const double* b, const double* c, const double* d);
-int orientation_whole(const double* a, const double* b, const double* c, const double* d);
+int orientation_native(const double* a, const double* b, const double* c, const double* d);
 // Of sparse integers, where the differences span at least so many bits.
 enum class Terms { single, any };  // what each difference may be
 constexpr int sparse_least = 512;  // below it plain integers are as fast
@@ -33,8 +33,8 @@ int sphere_filter(const double* a, const double* b, const double* c, const doubl
                   const double* q, const Bound& bound = sphere_bound);
 int sphere_lattice(const double* a, const double* b, const double* c, const double* d,
                    const double* q);
-int sphere_whole(const double* a, const double* b, const double* c, const double* d,
-                 const double* q);
+int sphere_native(const double* a, const double* b, const double* c, const double* d,
+                  const double* q);
 // For a tie also gives the signs of the 3 x 3 minors [bcd], [acd], [abd], [abc], if asked for.
 MGDT_PREDICATES_APART int sphere_sparse(const double* a, const double* b, const double* c,
                                         const double* d, const double* q, Terms terms = Terms::any,
@@ -61,8 +61,8 @@ MGDT_PREDICATES_APART bool collinear_integer(const double* a, const double* b, c
 // predicates that it is made of; by the first of the last two that can.
 int perturbed_doubles(const double* a, const double* b, const double* c, const double* d,
                       const double* q);
-int perturbed_whole(const double* a, const double* b, const double* c, const double* d,
-                    const double* q);
+int perturbed_native(const double* a, const double* b, const double* c, const double* d,
+                     const double* q);
 int perturbed_sparse(const double* a, const double* b, const double* c, const double* d,
                      const double* q, Terms terms);
 int perturbed_by_parts(const double* a, const double* b, const double* c, const double* d,

@@ -13,12 +13,13 @@ namespace mgdt {
 // firsts below `firsts`; it is called twice. sorted(first, place, value) is called for all of them,
 // place counting from 0 in sorted order, by the members of the team side by side.
 template <class Value, class Each, class Sorted>
-void canonical_sort(Team& team, Allocator& allocator, std::size_t items, std::size_t share,
-                    std::size_t firsts, Each each, Sorted sorted) {
+void canonical_sort(Team& team, Allocator& allocator, std::size_t items,
+                    std::size_t min_items_per_thread, std::size_t firsts, Each each,
+                    Sorted sorted) {
     Buffer<Value> values(allocator);
     Buffer<std::uint32_t> ends(allocator, firsts + 1);
     make_lists(
-        team, allocator, items, share, firsts, ends.data(), each,
+        team, allocator, items, min_items_per_thread, firsts, ends.data(), each,
         [&](std::size_t size) { values.resize(size); },
         [&](std::size_t position, const Value& value) { values[position] = value; });
     constexpr std::size_t firsts_a_thread = 16384;

@@ -34,7 +34,7 @@ void Checker::run(std::int32_t level) const {
 // Every point given is in the map, at a vertex whose index is the least of its points, or is not
 // in. As many are in as the statistics say.
 void Checker::points() const {
-    const Buffer<VertexId>& map = claims_.point_map;
+    const Buffer<VertexId>& map = input_.point_map;
     const std::size_t vertices = mesh_.vertices.size();
     if (vertices == 0) fail(MGDT_ERR_CHECK_FAILED, "the vertex at infinity is missing");
     Buffer<std::uint32_t> least(allocator_);
@@ -54,11 +54,11 @@ void Checker::points() const {
                  "vertex %u says it is point %u, but the first point mapped to it is %u (%u: none)",
                  static_cast<unsigned>(v), static_cast<unsigned>(mesh_.vertices[v].index),
                  static_cast<unsigned>(least[v]), static_cast<unsigned>(no_index));
-    if (vertices - 1 != claims_.points_inserted || in - (vertices - 1) != claims_.duplicates)
+    if (vertices - 1 != input_.points_inserted || in - (vertices - 1) != input_.duplicates)
         fail(MGDT_ERR_CHECK_FAILED,
              "%zu points are in and %zu are repeats, but %llu and %llu were counted", vertices - 1,
-             in - (vertices - 1), static_cast<unsigned long long>(claims_.points_inserted),
-             static_cast<unsigned long long>(claims_.duplicates));
+             in - (vertices - 1), static_cast<unsigned long long>(input_.points_inserted),
+             static_cast<unsigned long long>(input_.duplicates));
 }
 
 // There are tetrahedra if the points span space, the free slots are the dead ones, and what is
@@ -66,12 +66,12 @@ void Checker::points() const {
 void Checker::stores() const {
     const std::size_t slots = mesh_.tetrahedra.size();
     if (slots > max_tetrahedra || mesh_.slot_limit > max_tetrahedra ||
-        mesh_.ready > mesh_.tetrahedra.capacity())
+        mesh_.prefaulted_slots > mesh_.tetrahedra.capacity())
         fail(MGDT_ERR_CHECK_FAILED, "more tetrahedra than there is room for");
-    if (claims_.dimension < -1 || claims_.dimension > 3 ||
-        (claims_.dimension == 3) != (mesh_.live_count() != 0))
+    if (input_.dimension < -1 || input_.dimension > 3 ||
+        (input_.dimension == 3) != (mesh_.live_count() != 0))
         fail(MGDT_ERR_CHECK_FAILED, "%zu tetrahedra in dimension %d", mesh_.live_count(),
-             claims_.dimension);
+             input_.dimension);
     // As many free slots as dead tetrahedra, so it is enough that each is dead and there once.
     Buffer<std::uint64_t> seen(allocator_);
     seen.resize(slots / 64 + 1, 0);
@@ -131,18 +131,18 @@ void Checker::hints() const {
     if (!is_live(mesh_.a_ghost) || !tet(mesh_.a_ghost).is_ghost())
         fail(MGDT_ERR_CHECK_FAILED, "what is kept as a ghost is none (slot %u)",
              static_cast<unsigned>(mesh_.a_ghost));
-    if (!is_live(claims_.last))
+    if (!is_live(input_.last))
         fail(MGDT_ERR_CHECK_FAILED, "the next walk would start nowhere (slot %u)",
-             static_cast<unsigned>(claims_.last));
-    if (mesh_.near.size() != mesh_.vertices.size())
-        fail(MGDT_ERR_CHECK_FAILED, "there are %zu slots near %zu vertices", mesh_.near.size(),
-             mesh_.vertices.size());
+             static_cast<unsigned>(input_.last));
+    if (mesh_.vertex_hint.size() != mesh_.vertices.size())
+        fail(MGDT_ERR_CHECK_FAILED, "there are %zu slots near %zu vertices",
+             mesh_.vertex_hint.size(), mesh_.vertices.size());
     // Any slot is near enough: it may have been used anew since.
     for_each_vertex([&](VertexId v) {
-        if (mesh_.near[v] >= slots)
+        if (mesh_.vertex_hint[v] >= slots)
             fail(MGDT_ERR_CHECK_FAILED, "the tetrahedron near point %lld does not exist", index(v));
     });
-    if (claims_.tree && !claims_.tree->is_sound(mesh_.vertices.size()))
+    if (input_.tree && !input_.tree->is_sound(mesh_.vertices.size()))
         fail(MGDT_ERR_CHECK_FAILED, "the location tree is broken");
 }
 
@@ -218,9 +218,9 @@ void Checker::edges() const {
              rings.load(), mesh_.vertices.size(), mesh_.live_count());
 }
 
-void check_triangulation(Team& team, const Claims& claims, Allocator& allocator, std::int32_t level,
-                         std::int32_t base) {
-    Checker(team, claims, allocator, base).run(level);
+void check_triangulation(Team& team, const CheckInput& input, Allocator& allocator,
+                         std::int32_t level, std::int32_t base) {
+    Checker(team, input, allocator, base).run(level);
 }
 
 }  // namespace mgdt

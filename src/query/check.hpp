@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Proof that a triangulation is what it claims to be, by local tests in linear time. The proof is
+// Proof that a triangulation is what it input to be, by local tests in linear time. The proof is
 // in docs/theory.md, "What the check proves".
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace mgdt {
 
 // What a triangulation says of itself.
-struct Claims {
+struct CheckInput {
     const Mesh& mesh;
     const Buffer<VertexId>& point_map;
     int dimension;
@@ -24,7 +24,7 @@ struct Claims {
 // Throws MGDT_ERR_CHECK_FAILED with a message that says what is wrong and where. `level` is an
 // MGDT_CHECK_ value; `base` numbers points in messages. Nothing in the mesh is followed before it
 // is known to lead somewhere.
-void check_triangulation(Team& team, const Claims& claims, Allocator& allocator, std::int32_t level,
-                         std::int32_t base);
+void check_triangulation(Team& team, const CheckInput& input, Allocator& allocator,
+                         std::int32_t level, std::int32_t base);
 
 }  // namespace mgdt

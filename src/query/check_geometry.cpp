@@ -55,8 +55,8 @@ void Checker::coordinates() const {
     if (has_extremes && !mesh_.has_extremes)
         fail(MGDT_ERR_CHECK_FAILED, "coordinates are outside the filters' range, unnoticed");
     // Points that are not in count among those given.
-    const ExponentRange& given = claims_.exponents;
-    const bool all_in = claims_.points_inserted + claims_.duplicates == claims_.point_map.size();
+    const ExponentRange& given = input_.exponents;
+    const bool all_in = input_.points_inserted + input_.duplicates == input_.point_map.size();
     const bool equal = all.highest == given.highest && all.lowest_bit == given.lowest_bit;
     const bool within = all.highest <= given.highest && all.lowest_bit >= given.lowest_bit;
     if (all_in ? !equal : !within)
@@ -84,9 +84,9 @@ void Checker::degenerate() const {
             (size == 3 && orientation(basis[0], basis[1], basis[2], p) != 0))
             basis[size++] = p;
     }
-    if (size != claims_.dimension + 1)
+    if (size != input_.dimension + 1)
         fail(MGDT_ERR_CHECK_FAILED, "the points have dimension %d, not %d", size - 1,
-             claims_.dimension);
+             input_.dimension);
 }
 
 // Exact positive orientation, and at every facet between two tetrahedra the vertex opposite is not

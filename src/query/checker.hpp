@@ -9,8 +9,8 @@ namespace mgdt {
 
 class Checker {
   public:
-    Checker(Team& team, const Claims& claims, Allocator& allocator, std::int32_t base)
-        : team_(team), claims_(claims), mesh_(claims.mesh), allocator_(allocator), base_(base) {}
+    Checker(Team& team, const CheckInput& input, Allocator& allocator, std::int32_t base)
+        : team_(team), input_(input), mesh_(input.mesh), allocator_(allocator), base_(base) {}
 
     void run(std::int32_t level) const;
 
@@ -60,7 +60,7 @@ class Checker {
     }
 
     Team& team_;
-    const Claims& claims_;
+    const CheckInput& input_;
     const Mesh& mesh_;
     Allocator& allocator_;
     const std::int32_t base_;

@@ -188,7 +188,7 @@ HullFacet hull_facet(const Mesh& mesh, TetId ghost) {
 constexpr unsigned char edge_ends[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
 // The edges where both neighbours are in later slots, a bit each; none that end at infinity.
-unsigned edges_told(const Tetrahedron& t, TetId id) {
+unsigned owned_edges(const Tetrahedron& t, TetId id) {
     // By the set of faces with later neighbours: the edges that lie between two of them.
     static constexpr unsigned char between[16] = {0x00, 0x00, 0x00, 0x20, 0x00, 0x10, 0x04, 0x34,
                                                   0x00, 0x08, 0x02, 0x2A, 0x01, 0x19, 0x07, 0x3F};
@@ -234,15 +234,17 @@ void export_neighbors(const ExportView& view, Int* out) {
 template <class Int>
 void export_hull_facets(const ExportView& view, Int* out) {
     const Buffer<TetId> ghosts = ghosts_by_slot(view);
-    constexpr std::size_t share = 32768;
+    constexpr std::size_t min_items_per_thread = 32768;
     const auto write = [&](std::size_t place, const HullFacet& f) {
         for (unsigned i = 0; i < 3; ++i)
             out[3 * place + i] = static_cast<Int>(f.v[i]) + static_cast<Int>(view.base);
     };
     if (!view.canonical) {
-        view.team.split(ghosts.size(), share, [&](std::size_t begin, std::size_t end, unsigned) {
-            for (std::size_t k = begin; k < end; ++k) write(k, hull_facet(view.mesh, ghosts[k]));
-        });
+        view.team.split(ghosts.size(), min_items_per_thread,
+                        [&](std::size_t begin, std::size_t end, unsigned) {
+                            for (std::size_t k = begin; k < end; ++k)
+                                write(k, hull_facet(view.mesh, ghosts[k]));
+                        });
         return;
     }
     const auto each = [&](std::size_t begin, std::size_t end, auto f) {
@@ -253,7 +255,7 @@ void export_hull_facets(const ExportView& view, Int* out) {
     };
     const VertexIndices indices(view.team, view.mesh, view.allocator);
     canonical_sort<HullFacet>(
-        view.team, view.allocator, ghosts.size(), share, indices.end(), each,
+        view.team, view.allocator, ghosts.size(), min_items_per_thread, indices.end(), each,
         [&](std::size_t, std::size_t place, const HullFacet& f) { write(place, f); });
 }
 
@@ -269,7 +271,7 @@ void export_edges(const ExportView& view, Int* out) {
         for (std::size_t id = begin; id < end; ++id) {
             const Tetrahedron& t = mesh.tetrahedra[id];
             mesh.tetrahedra.prefetch(id + ahead);
-            for (unsigned left = edges_told(t, static_cast<TetId>(id)); left != 0;
+            for (unsigned left = owned_edges(t, static_cast<TetId>(id)); left != 0;
                  left &= left - 1) {
                 const unsigned char* const at = edge_ends[lowest_bit(left)];
                 const VertexId a = name(t.v[at[0]]), b = name(t.v[at[1]]);
@@ -278,11 +280,11 @@ void export_edges(const ExportView& view, Int* out) {
         }
     };
     const std::size_t names = view.canonical ? indices.end() : mesh.vertices.size();
-    constexpr std::size_t share = 65536, names_a_thread = 16384;
+    constexpr std::size_t min_items_per_thread = 65536, names_a_thread = 16384;
     Buffer<std::uint32_t> ends(view.allocator, names + 1), others(view.allocator);
     make_lists(
-        view.team, view.allocator, mesh.tetrahedra.size(), share, names, ends.data(), each,
-        [&](std::size_t size) { others.resize(size); },
+        view.team, view.allocator, mesh.tetrahedra.size(), min_items_per_thread, names, ends.data(),
+        each, [&](std::size_t size) { others.resize(size); },
         [&](std::size_t place, std::uint32_t other) { others[place] = other; });
     // Each list sorted, each edge once; then written from where the members before end.
     Buffer<std::uint32_t> sizes(view.allocator, names);
@@ -320,14 +322,15 @@ template <class Int>
 void export_point_map(const ExportView& view, const Buffer<VertexId>& point_map, Int* out) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);
     const std::uint32_t none = no_index;
-    constexpr std::size_t share = 65536;
-    view.team.split(point_map.size(), share, [&](std::size_t begin, std::size_t end, unsigned) {
-        for (std::size_t k = begin; k < end; ++k) {
-            const std::uint32_t index = indices[point_map[k]];
-            out[k] = index == none ? static_cast<Int>(view.base - 1)
-                                   : static_cast<Int>(index) + static_cast<Int>(view.base);
-        }
-    });
+    constexpr std::size_t min_items_per_thread = 65536;
+    view.team.split(
+        point_map.size(), min_items_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+            for (std::size_t k = begin; k < end; ++k) {
+                const std::uint32_t index = indices[point_map[k]];
+                out[k] = index == none ? static_cast<Int>(view.base - 1)
+                                       : static_cast<Int>(index) + static_cast<Int>(view.base);
+            }
+        });
 }
 
 template <class Int>
@@ -347,12 +350,13 @@ void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* o
         view.team, view.allocator, numbering.stretches(), stretches_a_thread, points, offsets, each,
         [](std::size_t) {}, [&](std::size_t place, Int number) { list[place] = number; });
     // Canonical numbers do not ascend along the storage.
-    constexpr std::size_t share = 16384;
+    constexpr std::size_t min_items_per_thread = 16384;
     if (numbering.is_canonical())
-        view.team.split(points, share, [&](std::size_t begin, std::size_t end, unsigned) {
-            for (std::size_t k = begin; k < end; ++k)
-                std::sort(list + offsets[k], list + offsets[k + 1]);
-        });
+        view.team.split(points, min_items_per_thread,
+                        [&](std::size_t begin, std::size_t end, unsigned) {
+                            for (std::size_t k = begin; k < end; ++k)
+                                std::sort(list + offsets[k], list + offsets[k + 1]);
+                        });
     for (std::size_t k = 0; k <= points; ++k) offsets[k] += base;
 }
 

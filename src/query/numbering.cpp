@@ -71,8 +71,8 @@ void Numbering::sort(const Mesh& mesh, Team& team) {
             }
         });
     };
-    constexpr std::size_t share = 1024;
-    canonical_sort<Rest>(team, allocator, stretches(), share, indices.end(), each,
+    constexpr std::size_t min_items_per_thread = 1024;
+    canonical_sort<Rest>(team, allocator, stretches(), min_items_per_thread, indices.end(), each,
                          [&](std::size_t, std::size_t place, const Rest& rest) {
                              by_slot_[rest.t] = static_cast<std::int32_t>(place);
                          });

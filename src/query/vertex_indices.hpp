@@ -16,15 +16,16 @@ class VertexIndices {
         : indices_(allocator, mesh.vertices.size()) {
         std::uint32_t ends[Team::most];
         std::fill_n(ends, team.size(), 0u);
-        constexpr std::size_t share = 65536;
-        team.split(indices_.size(), share, [&](std::size_t begin, std::size_t end, unsigned m) {
-            std::uint32_t last = 0;
-            for (std::size_t v = begin; v < end; ++v) {
-                indices_[v] = mesh.vertices[v].index;
-                if (v != infinite_vertex) last = std::max(last, indices_[v] + 1);
-            }
-            ends[m] = last;
-        });
+        constexpr std::size_t min_items_per_thread = 65536;
+        team.split(indices_.size(), min_items_per_thread,
+                   [&](std::size_t begin, std::size_t end, unsigned m) {
+                       std::uint32_t last = 0;
+                       for (std::size_t v = begin; v < end; ++v) {
+                           indices_[v] = mesh.vertices[v].index;
+                           if (v != infinite_vertex) last = std::max(last, indices_[v] + 1);
+                       }
+                       ends[m] = last;
+                   });
         end_ = *std::max_element(ends, ends + team.size());
     }
 

@@ -60,7 +60,7 @@ inline Path power_to_conflict(Mesh& mesh, Start from, const Query& q) {
     mgdt::WalkStart here = mgdt::start_at(mgdt::KeptSpheres(mesh), from.tetrahedron, q, counters);
     if (from.sampled > 0) counters.walk_tests = from.sampled;
     const mgdt::WalkResult found =
-        mgdt::walk(mgdt::Alone<mgdt::KeptSpheres>{mesh}, mesh, here, q, counters, no_ghost);
+        mgdt::walk(mgdt::SerialAccess<mgdt::KeptSpheres>{mesh}, mesh, here, q, counters, no_ghost);
     const std::uint32_t faces = found.start.faces;
     TetId end = found.start.tetrahedron;
     if (faces != 0) end = mesh.tetrahedra[end].n[mgdt::lowest_bit(faces)] >> 2;

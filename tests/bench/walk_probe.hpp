@@ -112,7 +112,7 @@ class Probe {
         const Query q(mesh.point(v));
         mgdt::Counters counters;
         const mgdt::WalkResult found =
-            walk(mgdt::Alone<mgdt::KeptSpheres>{mesh}, mesh,
+            walk(mgdt::SerialAccess<mgdt::KeptSpheres>{mesh}, mesh,
                  start_at(mgdt::KeptSpheres(mesh), start, q, counters), q, counters, no_ghost);
         if (found.duplicate != infinite_vertex) return false;
         const Path to = power_to_conflict(mesh, {start, 0}, q);
@@ -165,8 +165,9 @@ class Probe {
         const TetId last_one = w.slot_count != 0 ? w.slots.data[0] >> 2 : start;
         // A repeat's vertex is nowhere, and has no place in the mesh when the batch is in.
         const auto at = [&](VertexId near) {
-            const bool is_in = near != infinite_vertex && mesh.near[near] != mgdt::no_tetrahedron;
-            return Start{is_in ? mesh.live_from(mesh.near[near]) : last_one, 0};
+            const bool is_in =
+                near != infinite_vertex && mesh.vertex_hint[near] != mgdt::no_tetrahedron;
+            return Start{is_in ? mesh.live_from(mesh.vertex_hint[near]) : last_one, 0};
         };
         switch (kind) {
             case in_star: {

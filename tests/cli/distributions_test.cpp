@@ -14,7 +14,7 @@
 #include <set>
 #include <string>
 
-#include "cli/random.hpp"
+#include "cli/random_points.hpp"
 #include "generated_points.hpp"
 
 namespace mgdt::cli {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cli/distributions.hpp"
-#include "cli/random.hpp"
+#include "cli/random_points.hpp"
 
 namespace mgdt::cli {
 

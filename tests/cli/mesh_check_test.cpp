@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-#include "cli/triangulation.hpp"
+#include "cli/program_triangulation.hpp"
 
 namespace mgdt::cli {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "../property/oracle.hpp"
 #include "cli/mesh_check.hpp"
-#include "cli/triangulation.hpp"
+#include "cli/program_triangulation.hpp"
 #include "points.hpp"
 
 namespace fuzz {

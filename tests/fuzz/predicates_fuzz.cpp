@@ -72,8 +72,9 @@ void check_weights(const std::vector<Point>& p, const double* t) {
     mgdt::barycentric_weights({a, b, c, d}, q, w);
     exact::barycentric_integer({a, b, c, d}, q, least);
     FUZZ_REQUIRE(std::equal(w, w + 4, least), text(p));
-    FUZZ_REQUIRE(!exact::barycentric_whole({a, b, c, d}, q, native) || std::equal(w, w + 4, native),
-                 text(p));
+    FUZZ_REQUIRE(
+        !exact::barycentric_native({a, b, c, d}, q, native) || std::equal(w, w + 4, native),
+        text(p));
     const int side[4] = {mgdt::orientation(q, b, c, d), mgdt::orientation(a, q, c, d),
                          mgdt::orientation(a, b, q, d), mgdt::orientation(a, b, c, q)};
     for (int i = 0; i < 4; ++i)
@@ -97,7 +98,7 @@ void check(const std::vector<Point>& p) {
     FUZZ_REQUIRE(mgdt::compare_distance(a, b, c) == nearer, text(p));
     FUZZ_REQUIRE(right(exact::orientation_filter(a, b, c, d), solid), text(p));
     FUZZ_REQUIRE(right(exact::orientation_lattice(a, b, c, d), solid), text(p));
-    FUZZ_REQUIRE(right(exact::orientation_whole(a, b, c, d), solid), text(p));
+    FUZZ_REQUIRE(right(exact::orientation_native(a, b, c, d), solid), text(p));
     FUZZ_REQUIRE(right(exact::orientation_scaled(a, b, c, d), solid), text(p));
     FUZZ_REQUIRE(right(exact::orientation_ranged(a, b, c, d), solid), text(p));
     FUZZ_REQUIRE(right(exact::orientation_sparse(a, b, c, d, exact::Terms::any, 0), solid),
@@ -105,7 +106,7 @@ void check(const std::vector<Point>& p) {
     FUZZ_REQUIRE(exact::orientation_integer(a, b, c, d) == solid, text(p));
     FUZZ_REQUIRE(right(exact::sphere_filter(a, b, c, d, q), sphere), text(p));
     FUZZ_REQUIRE(right(exact::sphere_lattice(a, b, c, d, q), sphere), text(p));
-    FUZZ_REQUIRE(right(exact::sphere_whole(a, b, c, d, q), sphere), text(p));
+    FUZZ_REQUIRE(right(exact::sphere_native(a, b, c, d, q), sphere), text(p));
     FUZZ_REQUIRE(right(exact::sphere_scaled(a, b, c, d, q), sphere), text(p));
     FUZZ_REQUIRE(right(exact::sphere_ranged(a, b, c, d, q), sphere), text(p));
     FUZZ_REQUIRE(right(exact::sphere_sparse(a, b, c, d, q, exact::Terms::any, nullptr, 0), sphere),
@@ -138,7 +139,7 @@ void check(const std::vector<Point>& p) {
                  text(p));
     FUZZ_REQUIRE(right(exact::perturbed_doubles(t, t + 3, t + 6, t + 9, t + 12), expected),
                  text(p));
-    FUZZ_REQUIRE(right(exact::perturbed_whole(t, t + 3, t + 6, t + 9, t + 12), expected), text(p));
+    FUZZ_REQUIRE(right(exact::perturbed_native(t, t + 3, t + 6, t + 9, t + 12), expected), text(p));
     FUZZ_REQUIRE(
         right(exact::perturbed_sparse(t, t + 3, t + 6, t + 9, t + 12, exact::Terms::any), expected),
         text(p));

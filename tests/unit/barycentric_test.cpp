@@ -9,7 +9,7 @@
 #include "exact_reference.hpp"
 #include "point_families.hpp"
 #include "predicates/differences.hpp"
-#include "predicates/whole.hpp"
+#include "predicates/native_integer.hpp"
 
 namespace {
 
@@ -81,9 +81,9 @@ Weights weights(const Five& five) {
     return w;
 }
 
-bool by_whole(const Five& five, Weights& w) {
+bool by_native(const Five& five, Weights& w) {
     double out[4] = {};
-    const bool can = mgdt::exact::barycentric_whole(
+    const bool can = mgdt::exact::barycentric_native(
         {five[0].data(), five[1].data(), five[2].data(), five[3].data()}, five[4].data(), out);
     std::copy(out, out + 4, w.begin());
     return can;
@@ -123,7 +123,7 @@ bool expect_right(const Five& five, const Volumes& volumes) {
         }
     }
     Weights whole;
-    const bool can = by_whole(five, whole);
+    const bool can = by_native(five, whole);
     if (can) {
         EXPECT_EQ(whole, w) << text(five);
     }
@@ -186,7 +186,7 @@ TEST(Barycentric, RightOnEveryFamily) {
             EXPECT_GT(on_boundary, 50);
         }
     }
-    EXPECT_EQ(native > 0, mgdt::exact::have_whole);
+    EXPECT_EQ(native > 0, mgdt::exact::have_native);
     EXPECT_GT(other, 0);
 }
 
@@ -210,7 +210,7 @@ TEST(Barycentric, RightInSlivers) {
         native += expect_right(p, volumes);
         if (testing::Test::HasFailure()) return;
     }
-    EXPECT_TRUE(native > inside * 3 / 4 || !mgdt::exact::have_whole) << native << ' ' << inside;
+    EXPECT_TRUE(native > inside * 3 / 4 || !mgdt::exact::have_native) << native << ' ' << inside;
     EXPECT_GT(inside, reference::cases(4000) / 20);
 }
 
@@ -244,7 +244,7 @@ TEST(Barycentric, ExactOnTheBoundary) {
 // Each axis has a unit of its own, so coordinates of any different sizes along the three are
 // native integers.
 TEST(Barycentric, AxesOfDifferentSizes) {
-    if (!mgdt::exact::have_whole) return;
+    if (!mgdt::exact::have_native) return;
     Random random(24);
     const double sizes[][3] = {{1, 1e-6, 1e6}, {1e-200, 1, 1e200}, {0x1p890, 0x1p-890, 0x1p40}};
     for (const auto& size : sizes) {
@@ -264,7 +264,7 @@ TEST(Barycentric, AxesOfDifferentSizes) {
 
 // The largest native integers, with every sign, and the first beyond.
 TEST(Barycentric, NativeIntegersHoldTheLargest) {
-    if (!mgdt::exact::have_whole) return;
+    if (!mgdt::exact::have_native) return;
     Random random(25);
     for (const double unit : {1.0, 0x1p-840, 0x1p840}) {
         for (int i = 0; i < reference::cases(600); ++i) {
@@ -281,24 +281,24 @@ TEST(Barycentric, NativeIntegersHoldTheLargest) {
     }
     const Five in_units = {{{0x1p58, 0, 0}, {0, 0x1p58, 0}, {0, 0, 0x1p58}, {0, 0, 0}, {1, 1, 1}}};
     Weights w;
-    EXPECT_TRUE(by_whole(in_units, w));
+    EXPECT_TRUE(by_native(in_units, w));
     EXPECT_EQ(w, (Weights{0x1p-58, 0x1p-58, 0x1p-58, 1}));
     Five finer = in_units;
     finer[4][1] = 0.5;
-    EXPECT_FALSE(by_whole(finer, w));
+    EXPECT_FALSE(by_native(finer, w));
     EXPECT_EQ(weights(finer), (Weights{0x1p-58, 0x1p-59, 0x1p-58, 1}));
     Five wider = in_units;
     wider[2][2] = 0x1p59;
-    EXPECT_FALSE(by_whole(wider, w));
+    EXPECT_FALSE(by_native(wider, w));
     // What underflows in units is not 0; -0 is.
     Five tiny = in_units;
     for (Point& v : tiny)
         for (double& x : v) x *= 0x1p800;
-    EXPECT_TRUE(by_whole(tiny, w));
+    EXPECT_TRUE(by_native(tiny, w));
     tiny[4] = {0x1p-1074, -0.0, 0};
-    EXPECT_FALSE(by_whole(tiny, w));
+    EXPECT_FALSE(by_native(tiny, w));
     tiny[4] = {-0.0, -0.0, 0};
-    EXPECT_TRUE(by_whole(tiny, w));
+    EXPECT_TRUE(by_native(tiny, w));
     EXPECT_EQ(w, (Weights{0, 0, 0, 1}));
 }
 

@@ -304,7 +304,7 @@ inline const std::vector<Corruption>& corruptions() {
          }},
         {"room for more than there is", 1, "room",
          [](Patient& p, Random& r) {
-             p.mesh().ready = p.mesh().tetrahedra.capacity() + 1 + below(r, 1000);
+             p.mesh().prefaulted_slots = p.mesh().tetrahedra.capacity() + 1 + below(r, 1000);
              return true;
          }},
         {"limit of slots", 1, "room",
@@ -325,24 +325,24 @@ inline const std::vector<Corruption>& corruptions() {
          }},
         {"next walk from nowhere", 1, "walk",
          [](Patient& p, Random& r) {
-             p.claims.last = static_cast<TetId>(p.mesh().tetrahedra.size() + below(r, 1u << 31));
+             p.input.last = static_cast<TetId>(p.mesh().tetrahedra.size() + below(r, 1u << 31));
              return true;
          }},
         {"next walk from a dead one", 1, "walk",
          [](Patient& p, Random&) {
              if (p.mesh().free_slots.empty()) return false;
-             p.claims.last = p.mesh().free_slots[0];
+             p.input.last = p.mesh().free_slots[0];
              return true;
          }},
         {"slot near a vertex", 1, "near point",
          [](Patient& p, Random& r) {
-             p.mesh().near[p.any_vertex(r)] =
+             p.mesh().vertex_hint[p.any_vertex(r)] =
                  static_cast<TetId>(p.mesh().tetrahedra.size() + below(r, 1u << 31));
              return true;
          }},
         {"slots near vertices lost", 1, "near",
          [](Patient& p, Random&) {
-             p.mesh().near.pop_back();
+             p.mesh().vertex_hint.pop_back();
              return true;
          }},
         // Points.
@@ -396,12 +396,12 @@ inline const std::vector<Corruption>& corruptions() {
          }},
         {"count of points", 1, "counted",
          [](Patient& p, Random& r) {
-             p.claims.points_inserted += 1 + below(r, 1000);
+             p.input.points_inserted += 1 + below(r, 1000);
              return true;
          }},
         {"count of repeats", 1, "counted",
          [](Patient& p, Random& r) {
-             p.claims.duplicates -= 1 + below(r, 1000);
+             p.input.duplicates -= 1 + below(r, 1000);
              return true;
          }},
         {"a vertex in no tetrahedron", 1, "in no tetrahedron",
@@ -410,21 +410,21 @@ inline const std::vector<Corruption>& corruptions() {
              const VertexId v = static_cast<VertexId>(m.vertices.size());
              m.vertices.push_back(
                  Vertex{{0.5, 0.5, 0.5}, static_cast<std::uint32_t>(p.map().size()), 0});
-             m.near.push_back(0);
+             m.vertex_hint.push_back(0);
              p.map().push_back(v);
-             ++p.claims.points_inserted;
+             ++p.input.points_inserted;
              return true;
          }},
         {"dimension", 1, "dimension",
          [](Patient& p, Random& r) {
-             p.claims.dimension =
+             p.input.dimension =
                  static_cast<int>(below(r, 3)) - 1 + 4 * static_cast<int>(below(r, 2));
-             return p.claims.dimension != 3;
+             return p.input.dimension != 3;
          }},
         {"another's location tree", 1, "location tree",
          [](Patient& p, Random& r) {
              static const Patient larger = triangulate(uniform_points(1000, r));
-             p.claims.tree = larger.t->location_tree();
+             p.input.tree = larger.t->location_tree();
              return p.mesh().vertices.size() < 900;
          }},
         // Coordinates.

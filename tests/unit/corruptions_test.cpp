@@ -97,7 +97,8 @@ TEST(Corruptions, NothingIsFollowedBlindly) {
                         spoil(p.map()[below(random, p.map().size())], m.vertices.size());
                         break;
                     case 7:
-                        spoil(m.near[below(random, m.near.size())], m.tetrahedra.size());
+                        spoil(m.vertex_hint[below(random, m.vertex_hint.size())],
+                              m.tetrahedra.size());
                         break;
                     default:
                         spoil(m.a_ghost, m.tetrahedra.size());
@@ -116,11 +117,11 @@ TEST(Corruptions, HarmlessOnesPass) {
     for (const Family& family : families()) {
         Patient p = family.make(random);
         Mesh& m = p.mesh();
-        for (TetId& t : m.near) t = static_cast<TetId>(below(random, m.tetrahedra.size()));
+        for (TetId& t : m.vertex_hint) t = static_cast<TetId>(below(random, m.tetrahedra.size()));
         for (Vertex& v : m.vertices) v.moved_to = static_cast<VertexId>(random());
         for (double& x : m.vertices[0].x) x = any_double(random);
         m.a_ghost = p.any(random, true);
-        p.claims.last = p.any_live(random);
+        p.input.last = p.any_live(random);
         m.has_extremes = true;
         for (std::size_t id = 0; id < m.tetrahedra.size(); ++id) {
             Tetrahedron& t = m.tetrahedra[id];
@@ -177,12 +178,12 @@ TEST(Corruptions, OfPointsThatDoNotSpanSpace) {
     }
     {
         Patient p = make();
-        p.claims.dimension = 1;
+        p.input.dimension = 1;
         EXPECT_NE(p.complaint(2).find("dimension 2, not 1"), std::string::npos) << p.complaint(2);
     }
     {
         Patient p = make();
-        p.claims.dimension = 3;
+        p.input.dimension = 3;
         EXPECT_NE(p.complaint(1).find("0 tetrahedra in dimension 3"), std::string::npos);
     }
     {

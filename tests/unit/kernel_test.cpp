@@ -17,7 +17,7 @@
 #include "core/triangulation.hpp"
 #include "kernel/adjacency.hpp"
 #include "kernel/circumsphere.hpp"
-#include "kernel/territory.hpp"
+#include "kernel/thread_state.hpp"
 
 namespace mgdt {
 namespace {
@@ -98,7 +98,7 @@ struct SkewLines {
         t.insert(xyz.size() / 3, axis, 3);
         q = static_cast<VertexId>(mesh().vertices.size());
         mesh().vertices.push_back({{0.013, 0.017, 0.011}, 2 * static_cast<std::uint32_t>(n), 0});
-        mesh().near.push_back(no_tetrahedron);
+        mesh().vertex_hint.push_back(no_tetrahedron);
     }
     Mesh& mesh() { return const_cast<Mesh&>(t.mesh()); }
 
@@ -134,20 +134,20 @@ TEST(Kernels, LargeStarsAloneAndAmongOthers) {
         SlotSupply supply(shared, 64);
         supply.open();
         {
-            Territory territory(shared, owners, 1, supply);
+            ThreadState thread_state(shared, owners, 1, supply);
             const TetId start = shared.live_from(0);
             for (const VertexId v :
                  {together.q, shared.tetrahedra[start].v[0], shared.tetrahedra[start].v[1]}) {
-                if (!territory.claim.mine()(v)) {
-                    ASSERT_TRUE(territory.claim.take(v));
+                if (!thread_state.blocks.mine()(v)) {
+                    ASSERT_TRUE(thread_state.blocks.try_own(v));
                 }
             }
             const Insertion mine =
-                together.t.calls().insert_among_others(shared, own, territory, together.q, start);
+                together.t.calls().insert_concurrent(shared, own, thread_state, together.q, start);
             ASSERT_NE(mine.tetrahedron, no_tetrahedron);
             supply.close();
-            territory.settle();
-            shared.ghost_count += static_cast<std::size_t>(territory.ghosts);
+            thread_state.return_slots();
+            shared.ghost_count += static_cast<std::size_t>(thread_state.ghosts);
         }
         EXPECT_EQ(own.counters.removed, workspace.counters.removed);
         EXPECT_EQ(own.counters.created, workspace.counters.created);
@@ -231,7 +231,7 @@ TEST(Kernels, NormalsOfGhostsAreWithinTheirBounds) {
 
 // Slots that are free in the mesh are taken before fresh ones, no slot twice, and what is left goes
 // back.
-TEST(Territory, TakesFreeSlotsFirst) {
+TEST(ThreadState, TakesFreeSlotsFirst) {
     Allocator allocator;
     Mesh mesh(allocator);
     constexpr std::size_t used = 100, freed = 50, capacity = 300;
@@ -245,27 +245,27 @@ TEST(Territory, TakesFreeSlotsFirst) {
     supply.open();
     std::set<TetId> taken;
     {
-        Territory territory(mesh, owners, 1, supply);
+        ThreadState thread_state(mesh, owners, 1, supply);
         const auto take = [&](std::size_t count) {
             std::vector<FacetCode> slots(count + 16);
-            territory.reserve_slots(count, 0);
-            territory.take_slots(slots.data(), count);
+            thread_state.reserve_slots(count, 0);
+            thread_state.take_slots(slots.data(), count);
             for (std::size_t i = 0; i < count; ++i) taken.insert(slots[i] >> 2);
         };
         take(10);
         EXPECT_EQ(taken.size(), 10u);
         for (const TetId t : taken) EXPECT_TRUE(t < used && t % 2 == 0) << t;
         EXPECT_EQ(mesh.free_slots.size(), 0u);
-        territory.reserve_slots(0, 5000);  // many to be listed, none to be taken
+        thread_state.reserve_slots(0, 5000);  // many to be listed, none to be taken
         take(60);
         EXPECT_EQ(taken.size(), 70u);
         EXPECT_LT(*taken.rbegin(), capacity);
         for (const TetId t : taken) EXPECT_TRUE(t >= used || t % 2 == 0) << t;
         take(100);
         EXPECT_EQ(taken.size(), 170u);
-        EXPECT_THROW(territory.reserve_slots(capacity, 0), SlotSupply::NoSlots);
+        EXPECT_THROW(thread_state.reserve_slots(capacity, 0), SlotSupply::NoSlots);
         supply.close();
-        territory.settle();
+        thread_state.return_slots();
     }
     EXPECT_EQ(mesh.live_count(), used - freed + taken.size());
     for (const TetId t : mesh.free_slots) EXPECT_EQ(taken.count(t), 0u) << t;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What takes four tetrahedra into a cavity at a time, of kernel/marks.hpp and kernel/pieces.hpp, as
-// it is compiled for one instruction set.
+// What takes four tetrahedra into a cavity at a time, of kernel/cavity_marks.hpp and
+// kernel/pieces.hpp, as it is compiled for one instruction set.
 #pragma once
 
-#include "kernel/marks.hpp"
+#include "kernel/cavity_marks.hpp"
 
 struct FourAtATime {
     std::uint32_t (*put_four)(const mgdt::MarkTable::View& marks, const mgdt::FacetCode* codes,

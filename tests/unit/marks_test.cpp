@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "kernel/territory.hpp"
+#include "kernel/thread_state.hpp"
 #include "platform/cpu.hpp"
 
 namespace mgdt {

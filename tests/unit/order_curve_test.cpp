@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Schemes without cells: input, random, lexicographic, curves and rounds.
 #include "../small.h"
-#include "order/deal.hpp"
+#include "order/round_assignment.hpp"
+#include "order/team_equal_runs.hpp"
 #include "order/team_radix.hpp"
-#include "order/team_runs.hpp"
 #include "order_sets.hpp"
 
 namespace {
@@ -300,8 +300,8 @@ class DealAlongACurve : public ::testing::Test {
     static bool is_alone(const Sizes& sizes, std::size_t k) {
         return k % sizes.block == sizes.margin + k / sizes.block * 5 % sizes.middle;
     }
-    Deal deal(const Sizes& sizes, std::uint64_t seed, const CurveOrder* curve) {
-        return Deal(team_, allocator_, sizes.n, seed, curve);
+    RoundAssignment rounds(const Sizes& sizes, std::uint64_t seed, const CurveOrder* curve) {
+        return RoundAssignment(team_, allocator_, sizes.n, seed, curve);
     }
 
   private:
@@ -313,7 +313,7 @@ TEST_F(DealAlongACurve, TakesFirstWhoStandsAlone) {
     for (const Sizes& sizes : {many, few}) {
         const CurveOrder some_alone = curve(sizes, 64);
         for (std::uint64_t seed = 0; seed < 5; ++seed) {
-            const Deal dealt = deal(sizes, seed, &some_alone);
+            const RoundAssignment dealt = rounds(sizes, seed, &some_alone);
             const unsigned last = dealt.rounds() - 1;
             ASSERT_GE(last, 2U);
             for (std::size_t k = 0; k < sizes.n; ++k)
@@ -327,7 +327,7 @@ TEST_F(DealAlongACurve, DrawsAmongThoseWhoStandAlike) {
         const CurveOrder all_alike = curve(sizes, 2);  // less than a level apart
         const CurveOrder* const curves[] = {&all_alike, nullptr};
         for (const CurveOrder* along : curves) {
-            const Deal dealt = deal(sizes, 1, along);
+            const RoundAssignment dealt = rounds(sizes, 1, along);
             std::vector<std::size_t> taken(sizes.block, 0);
             for (std::size_t k = 0; k < sizes.n; ++k)
                 taken[k % sizes.block] += dealt.round(k) < dealt.rounds() - 1 ? 1 : 0;

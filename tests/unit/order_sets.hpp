@@ -20,16 +20,16 @@
 #include <vector>
 
 #include "mgdt/mgdt.h"
+#include "order/cell_numbers.hpp"
 #include "order/curve_sort.hpp"
 #include "order/grid.hpp"
 #include "order/hilbert_curve.hpp"
 #include "order/kd_partition.hpp"
-#include "order/lattice.hpp"
 #include "order/radix.hpp"
 #include "order/random.hpp"
 #include "order/rounds.hpp"
 #include "order/schedule.hpp"
-#include "platform/loan.hpp"
+#include "platform/borrowed_arena.hpp"
 
 namespace order_test {
 
@@ -70,11 +70,11 @@ inline Result schedule(const PointSet& points, std::int32_t scheme,
                        unsigned members = 1) {
     Allocator own;
     std::vector<unsigned char> block(12 * points.size);
-    Loan loan(block.data(), block.size(), own);
-    Schedule out(allocator ? *allocator : own, allocator ? *allocator : loan.allocator());
+    BorrowedArena arena(block.data(), block.size(), own);
+    Schedule out(allocator ? *allocator : own, allocator ? *allocator : arena.allocator());
     Team team(members);
     make_schedule(team, points, scheme, parameters, out);
-    EXPECT_EQ(loan.allocator().bytes(), 0u);
+    EXPECT_EQ(arena.allocator().bytes(), 0u);
     std::fill(block.begin(), block.end(), static_cast<unsigned char>(0xA5));
     Result result;
     result.order.assign(out.order.begin(), out.order.end());

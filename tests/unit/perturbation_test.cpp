@@ -168,12 +168,12 @@ TEST(Perturbation, AgreesWithItsDefinition) {
 TEST(Perturbation, OfWholeNumbers) {
     const double a[3] = {0, 0, 0}, b[3] = {4, 0, 0}, c[3] = {0, 4, 0}, d[3] = {0, 0, 4};
     for (const double* v : {a, b, c, d}) {
-        EXPECT_EQ(mgdt::exact::perturbed_whole(a, b, c, d, v), 0);
+        EXPECT_EQ(mgdt::exact::perturbed_native(a, b, c, d, v), 0);
         EXPECT_EQ(mgdt::exact::perturbed_by_parts(a, b, c, d, v), 0);
     }
     const double inside[3] = {1, 1, 1}, far[3] = {0x1p300, 1, 0x1p-300};
-    EXPECT_EQ(mgdt::exact::perturbed_whole(a, b, c, d, inside), 1);
-    EXPECT_EQ(mgdt::exact::perturbed_whole(a, b, c, d, far), mgdt::exact::undecided);
+    EXPECT_EQ(mgdt::exact::perturbed_native(a, b, c, d, inside), 1);
+    EXPECT_EQ(mgdt::exact::perturbed_native(a, b, c, d, far), mgdt::exact::undecided);
 }
 
 // The answer depends on the tetrahedron, not on how its vertices are numbered.

@@ -7,10 +7,10 @@
 #include "point_families.hpp"
 #include "predicates/determinants.hpp"
 #include "predicates/lattice.hpp"
+#include "predicates/native_integer.hpp"
 #include "predicates/predicates.hpp"
 #include "predicates/sparse.hpp"
 #include "predicates/stages.hpp"
-#include "predicates/whole.hpp"
 
 namespace {
 
@@ -44,9 +44,9 @@ TEST(Stages, AgreeOnEveryFamily) {
             EXPECT_TRUE(right(mgdt::exact::sphere_filter(a, b, c, d, q), sphere));
             EXPECT_TRUE(right(mgdt::exact::sphere_lattice(a, b, c, d, q), sphere));
             EXPECT_TRUE(right(mgdt::exact::orientation_filter(a, b, c, d), solid));
-            EXPECT_TRUE(right(mgdt::exact::sphere_whole(a, b, c, d, q), sphere));
+            EXPECT_TRUE(right(mgdt::exact::sphere_native(a, b, c, d, q), sphere));
             EXPECT_TRUE(right(mgdt::exact::orientation_lattice(a, b, c, d), solid));
-            EXPECT_TRUE(right(mgdt::exact::orientation_whole(a, b, c, d), solid));
+            EXPECT_TRUE(right(mgdt::exact::orientation_native(a, b, c, d), solid));
             EXPECT_TRUE(right(mgdt::exact::collinear_filter(a, b, c), line ? undecided : 1));
             EXPECT_TRUE(right(mgdt::exact::distance_filter(a, b, c), nearer));
             EXPECT_TRUE(right(mgdt::exact::sphere_scaled(a, b, c, d, q), sphere));
@@ -277,7 +277,7 @@ TEST(Sparse, TooManyTermsAreNoNumber) {
 
 // The largest native integers, every sign of every coordinate, and the first beyond.
 TEST(Stages, NativeIntegersHoldTheLargest) {
-    if (!mgdt::exact::have_whole) return;
+    if (!mgdt::exact::have_native) return;
     Random random(10);
     for (double unit : {1.0, 0x1p-700, 0x1p700}) {
         for (int i = 0; i < reference::cases(4000); ++i) {
@@ -290,30 +290,30 @@ TEST(Stages, NativeIntegersHoldTheLargest) {
             p[4][0] += (random.integer(0, 1) ? 0x1p7 : 0) * unit;
             const double *a = p[0].data(), *b = p[1].data(), *c = p[2].data(), *d = p[3].data(),
                          *q = p[4].data();
-            const int s = mgdt::exact::sphere_whole(a, b, c, d, q);
+            const int s = mgdt::exact::sphere_native(a, b, c, d, q);
             ASSERT_NE(s, undecided);
             ASSERT_EQ(s, mgdt::exact::sphere_integer(a, b, c, d, q));
-            const int o = mgdt::exact::orientation_whole(a, b, c, d);
+            const int o = mgdt::exact::orientation_native(a, b, c, d);
             ASSERT_NE(o, undecided);
             ASSERT_EQ(o, mgdt::exact::orientation_integer(a, b, c, d));
         }
     }
     const double a[] = {0x1p59, 0, 0}, b[] = {0, 0x1p59, 0}, c[] = {0, 0, 0x1p59}, d[] = {1, 1, 1},
                  half[] = {0.5, 0, 0}, o[] = {0, 0, 0};
-    EXPECT_EQ(mgdt::exact::orientation_whole(d, a, b, c), 1);
-    EXPECT_EQ(mgdt::exact::orientation_whole(half, a, b, c), undecided);
+    EXPECT_EQ(mgdt::exact::orientation_native(d, a, b, c), 1);
+    EXPECT_EQ(mgdt::exact::orientation_native(half, a, b, c), undecided);
     const double wide[] = {0x1p60, 0, 0};
-    EXPECT_EQ(mgdt::exact::orientation_whole(d, wide, b, c), undecided);
-    EXPECT_EQ(mgdt::exact::sphere_whole(a, b, c, d, half), undecided);
-    EXPECT_EQ(mgdt::exact::sphere_whole(a, b, c, half, o), undecided);
+    EXPECT_EQ(mgdt::exact::orientation_native(d, wide, b, c), undecided);
+    EXPECT_EQ(mgdt::exact::sphere_native(a, b, c, d, half), undecided);
+    EXPECT_EQ(mgdt::exact::sphere_native(a, b, c, half, o), undecided);
     // What underflows in units is not 0.
     const double tiny[] = {0x1p-1074, 0, 0}, e[] = {0x1p800, 0, 0}, f[] = {0, 0x1p800, 0},
                  g[] = {0, 0, 0x1p800};
-    EXPECT_EQ(mgdt::exact::orientation_whole(tiny, e, f, g), undecided);
-    EXPECT_EQ(mgdt::exact::sphere_whole(o, e, f, g, tiny), undecided);
+    EXPECT_EQ(mgdt::exact::orientation_native(tiny, e, f, g), undecided);
+    EXPECT_EQ(mgdt::exact::sphere_native(o, e, f, g, tiny), undecided);
     // -0 is 0.
     const double minus[] = {-0.0, 1, -0.0}, plus[] = {1, 0, 0}, two[] = {0, 0, 1};
-    EXPECT_EQ(mgdt::exact::orientation_whole(o, plus, minus, two), 1);
+    EXPECT_EQ(mgdt::exact::orientation_native(o, plus, minus, two), 1);
 }
 
 TEST(Stages, EveryWidthIsTheLeastForSomePoints) {

@@ -51,10 +51,10 @@ inline Points lattice(int n) {
 
 struct Patient {
     std::unique_ptr<Triangulation> t;
-    Claims claims;  // may be falsified, and the mesh too
+    CheckInput input;  // may be falsified, and the mesh too
 
     explicit Patient(std::unique_ptr<Triangulation> made)
-        : t(std::move(made)), claims(t->claims()) {}
+        : t(std::move(made)), input(t->check_input()) {}
     Mesh& mesh() { return const_cast<Mesh&>(t->mesh()); }
     Buffer<VertexId>& map() { return const_cast<Buffer<VertexId>&>(t->point_map()); }
 
@@ -62,7 +62,7 @@ struct Patient {
     std::string complaint(int level, unsigned threads = 1) const {
         Team team(threads);
         try {
-            check_triangulation(team, claims, t->allocator(), level, 0);
+            check_triangulation(team, input, t->allocator(), level, 0);
             return {};
         } catch (const Error& error) {
             EXPECT_EQ(error.status, MGDT_ERR_CHECK_FAILED);
@@ -127,10 +127,10 @@ struct Patient {
     }
     // As if the vertices had been given where they are.
     void set_exponents() {
-        claims.exponents = ExponentRange();
+        input.exponents = ExponentRange();
         for (VertexId v = 1; v < mesh().vertices.size(); ++v)
             for (const double x : mesh().vertices[v].x)
-                claims.exponents.add(scaled(x, -mesh().scale));
+                input.exponents.add(scaled(x, -mesh().scale));
     }
     void assemble(std::vector<Quad> quads);
 };
@@ -207,7 +207,7 @@ inline void Patient::assemble(std::vector<Quad> quads) {
     Mesh& m = mesh();
     m.tetrahedra.resize(quads.size());
     m.free_slots.clear();
-    m.ready = m.tetrahedra.size();
+    m.prefaulted_slots = m.tetrahedra.size();
     m.ghost_count = quads.size() - finite_count;
     m.a_ghost = static_cast<TetId>(quads.size() - 1);
     for (std::size_t t0 = 0; t0 < quads.size(); ++t0) {
@@ -216,8 +216,8 @@ inline void Patient::assemble(std::vector<Quad> quads) {
         std::copy(neighbors[t0].begin(), neighbors[t0].end(), to.n);
         set_sphere(static_cast<TetId>(t0));
     }
-    for (VertexId v = 1; v < m.vertices.size(); ++v) m.near[v] = 0;
-    claims.last = 0;
+    for (VertexId v = 1; v < m.vertices.size(); ++v) m.vertex_hint[v] = 0;
+    input.last = 0;
 }
 
 // Sound triangulations of every kind.
@@ -296,7 +296,7 @@ inline const std::vector<Family>& families() {
          [](Random& r) {
              Patient p = triangulate(uniform_points(LocationTree::smallest + 100, r));
              EXPECT_NE(p.t->location_tree(), nullptr);
-             p.claims.tree = p.t->location_tree();
+             p.input.tree = p.t->location_tree();
              return p;
          }},
     };

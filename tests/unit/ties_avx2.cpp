@@ -4,7 +4,7 @@
 #include "ties.hpp"
 
 int modulo_avx2(const mgdt::Tetrahedron& t, const mgdt::Vertex* vertices, const double* q) {
-    const mgdt::FourRows rows([&](unsigned k) { return vertices[t.v[k]].x; });
+    const mgdt::Transpose4 rows([&](unsigned k) { return vertices[t.v[k]].x; });
     using mgdt::Four;
     const auto [x, y, z] =
         mgdt::relative_to(rows, {Four::all(q[0]), Four::all(q[1]), Four::all(q[2])});

@@ -60,7 +60,7 @@ std::vector<std::int64_t> outcome(const Triangulation& t) {
 void expect_valid(const Triangulation& t) {
     Team team(2);
     try {
-        check_triangulation(team, t.claims(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
+        check_triangulation(team, t.check_input(), t.allocator(), MGDT_CHECK_CANONICAL, 0);
     } catch (const Error& error) {
         FAIL() << error.message;
     }
@@ -94,7 +94,7 @@ TEST(Zones, SameAsOneThread) {
         ASSERT_EQ(together.statistics().points_inserted, alone.statistics().points_inserted);
         ASSERT_EQ(together.statistics().duplicates, alone.statistics().duplicates);
         if (round % 8 == 0) expect_valid(together);
-        met += together.statistics().put_off;
+        met += together.statistics().deferred;
     }
     // The test is about threads that meet.
     EXPECT_GT(met, rounds);

@@ -9,7 +9,7 @@
 
 #include "cli/bench/paper.hpp"
 #include "cli/errors.hpp"
-#include "cli/triangulation.hpp"
+#include "cli/program_triangulation.hpp"
 
 namespace mgdt::cli::bench {
 namespace {

@@ -13,7 +13,7 @@
 #include "cli/bench/child.hpp"
 #include "cli/bench/status.hpp"
 #include "cli/errors.hpp"
-#include "cli/triangulation.hpp"
+#include "cli/program_triangulation.hpp"
 
 namespace mgdt::cli::bench {
 namespace {

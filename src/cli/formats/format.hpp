@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/formats/mesh.hpp"
+#include "cli/formats/file_mesh.hpp"
 #include "cli/input_file.hpp"
 #include "cli/output_file.hpp"
 

@@ -7,9 +7,9 @@
 
 namespace mgdt {
 
-class HeldPoints {
+class DegeneratePoints {
   public:
-    explicit HeldPoints(Allocator& allocator) : table_(allocator) {}
+    explicit DegeneratePoints(Allocator& allocator) : table_(allocator) {}
 
     // Makes the next `count` calls of add() infallible.
     void reserve(Mesh& mesh, std::size_t count);
@@ -18,7 +18,7 @@ class HeldPoints {
     void clear() noexcept { table_.reset(); }
 
   private:
-    void enter(const Mesh& mesh, VertexId v) noexcept;
+    void put(const Mesh& mesh, VertexId v) noexcept;
 
     Buffer<VertexId> table_;  // open-addressed; infinite_vertex where free
 };

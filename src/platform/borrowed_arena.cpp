@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "platform/loan.hpp"
+#include "platform/borrowed_arena.hpp"
 
 namespace mgdt {
 
-void* Loan::obtain(std::size_t bytes, std::size_t align, void* loan) {
-    Loan& from = *static_cast<Loan*>(loan);
+void* BorrowedArena::obtain(std::size_t bytes, std::size_t align, void* arena) {
+    BorrowedArena& from = *static_cast<BorrowedArena*>(arena);
     std::size_t taken = from.taken_.load(std::memory_order_relaxed), begin;
     do {
         const std::size_t address = reinterpret_cast<std::size_t>(from.begin_) + taken;
@@ -18,12 +18,12 @@ void* Loan::obtain(std::size_t bytes, std::size_t align, void* loan) {
         }
     } while (!from.taken_.compare_exchange_weak(taken, begin + bytes, std::memory_order_acquire,
                                                 std::memory_order_relaxed));
-    receive(&from.taken_);
+    annotate_acquire(&from.taken_);
     return from.begin_ + begin;
 }
 
-void Loan::give_back(void* p, std::size_t bytes, std::size_t align, void* loan) {
-    Loan& from = *static_cast<Loan*>(loan);
+void BorrowedArena::give_back(void* p, std::size_t bytes, std::size_t align, void* arena) {
+    BorrowedArena& from = *static_cast<BorrowedArena*>(arena);
     const auto address = reinterpret_cast<std::size_t>(p),
                begin = reinterpret_cast<std::size_t>(from.begin_);
     if (address - begin >= from.bytes_) {
@@ -32,7 +32,7 @@ void Loan::give_back(void* p, std::size_t bytes, std::size_t align, void* loan) 
     }
     // The last one serves again.
     std::size_t end = address - begin + bytes;
-    hand_over(&from.taken_);
+    annotate_release(&from.taken_);
     from.taken_.compare_exchange_strong(end, address - begin, std::memory_order_release,
                                         std::memory_order_relaxed);
 }

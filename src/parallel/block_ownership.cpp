@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "parallel/blocks.hpp"
+#include "parallel/block_ownership.hpp"
 
 namespace mgdt {
 
@@ -12,48 +12,48 @@ unsigned BlockOwners::shift_for(std::size_t n) noexcept {
     return shift;
 }
 
-Claim::Claim(Allocator& allocator, BlockOwners& owners, std::uint8_t who) noexcept
+OwnedBlocks::OwnedBlocks(Allocator& allocator, BlockOwners& owners, std::uint8_t who) noexcept
     : owners_(&owners.owners_[0]),
       shift_(owners.shift_),
       who_(who),
       pause_(owners.pause_),
-      held_(allocator) {}
+      blocks_(allocator) {}
 
-Claim::~Claim() {
-    give_back();
+OwnedBlocks::~OwnedBlocks() {
+    release();
 }
 
-bool Claim::take(std::uint32_t item) noexcept {
+bool OwnedBlocks::try_own(std::uint32_t item) noexcept {
     if (MGDT_UNLIKELY(pause_ != nullptr)) pause_();
     const std::uint32_t block = item >> shift_;
     std::uint8_t nobody = BlockOwners::nobody;
     if (owners_[block].load(std::memory_order_relaxed) != nobody) return false;
     try {
-        held_.grow(held_.size() + 1);
+        blocks_.grow(blocks_.size() + 1);
     } catch (const std::bad_alloc&) {
         return false;  // as if it were somebody else's
     }
     if (!owners_[block].compare_exchange_strong(nobody, who_, std::memory_order_acquire,
                                                 std::memory_order_relaxed))
         return false;
-    receive(owners_ + block);
-    held_.push_back(block);
+    annotate_acquire(owners_ + block);
+    blocks_.push_back(block);
     return true;
 }
 
-void Claim::give_back(const std::uint32_t* kept, std::size_t count) noexcept {
+void OwnedBlocks::release(const std::uint32_t* kept, std::size_t count) noexcept {
     std::size_t stay = 0;
-    for (const std::uint32_t block : held_) {
+    for (const std::uint32_t block : blocks_) {
         bool is_kept = false;
         for (std::size_t i = 0; i < count; ++i) is_kept = is_kept || kept[i] >> shift_ == block;
         if (is_kept) {
-            held_[stay++] = block;
+            blocks_[stay++] = block;
             continue;
         }
-        hand_over(owners_ + block);
+        annotate_release(owners_ + block);
         owners_[block].store(BlockOwners::nobody, std::memory_order_release);
     }
-    held_.resize_within_capacity(stay);
+    blocks_.resize_within_capacity(stay);
     if (MGDT_UNLIKELY(pause_ != nullptr)) pause_();
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Runs of consecutive items that are equal, dealt to a team: as runs.hpp, whatever its size.
+// Runs of consecutive items that are equal, shared among a team: as equal_runs.hpp, whatever its size.
 #pragma once
 
 #include <mutex>
 
-#include "order/runs.hpp"
+#include "order/equal_runs.hpp"
 #include "parallel/team.hpp"
 #include "platform/atomic.hpp"
 
@@ -21,9 +21,9 @@ struct Run {
 template <class Equal, class MakeEach>
 void for_each_run(Team& team, Allocator& allocator, std::size_t begin, std::size_t end,
                   std::size_t least, Equal equal, const MakeEach& make_each, Buffer<Run>& large) {
-    constexpr std::size_t share = 32768;
+    constexpr std::size_t min_items_per_thread = 32768;
     const std::size_t n = end - begin;
-    const unsigned members = team.members_for(n, share);
+    const unsigned members = team.members_for(n, min_items_per_thread);
     if (members == 1) {
         auto each = make_each();
         for_each_run(begin, end, equal, [&](std::size_t first, std::size_t last) {
@@ -50,7 +50,7 @@ void for_each_run(Team& team, Allocator& allocator, std::size_t begin, std::size
         auto each = make_each();
         for (std::size_t p = taken++; p < pieces; p = taken++)
             for_each_run(first[p], first[p + 1], equal, [&](std::size_t k, std::size_t next) {
-                if (next - k >= 2 * share) {
+                if (next - k >= 2 * min_items_per_thread) {
                     const std::lock_guard<std::mutex> lock(mutex);
                     large.push_back({k, next});
                 } else if (next - k >= least) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/held_points.hpp"
+#include "core/degenerate_points.hpp"
 
 namespace mgdt {
 namespace {
@@ -17,14 +17,14 @@ std::size_t hash(const double* p) {
 
 }  // namespace
 
-void HeldPoints::enter(const Mesh& mesh, VertexId v) noexcept {
+void DegeneratePoints::put(const Mesh& mesh, VertexId v) noexcept {
     const std::size_t mask = table_.size() - 1;
     std::size_t h = hash(mesh.point(v)) & mask;
     while (table_[h] != infinite_vertex) h = (h + 1) & mask;
     table_[h] = v;
 }
 
-void HeldPoints::reserve(Mesh& mesh, std::size_t count) {
+void DegeneratePoints::reserve(Mesh& mesh, std::size_t count) {
     const std::size_t most = mesh.vertices.size() + count;
     mesh.vertices.grow(most);
     if (table_.size() >= 2 * most) return;
@@ -33,10 +33,10 @@ void HeldPoints::reserve(Mesh& mesh, std::size_t count) {
     Buffer<VertexId> table(table_.allocator());
     table.resize(size, infinite_vertex);
     table_ = std::move(table);
-    for (VertexId v = 1; v < mesh.vertices.size(); ++v) enter(mesh, v);
+    for (VertexId v = 1; v < mesh.vertices.size(); ++v) put(mesh, v);
 }
 
-VertexId HeldPoints::add(Mesh& mesh, const double* p, std::uint32_t index) noexcept {
+VertexId DegeneratePoints::add(Mesh& mesh, const double* p, std::uint32_t index) noexcept {
     const std::size_t mask = table_.size() - 1;
     for (std::size_t h = hash(p) & mask; table_[h] != infinite_vertex; h = (h + 1) & mask) {
         const double* there = mesh.point(table_[h]);
@@ -44,7 +44,7 @@ VertexId HeldPoints::add(Mesh& mesh, const double* p, std::uint32_t index) noexc
     }
     const VertexId v = static_cast<VertexId>(mesh.vertices.size());
     mesh.vertices.push_back(Vertex{{p[0], p[1], p[2]}, index, 0});
-    enter(mesh, v);
+    put(mesh, v);
     return v;
 }
 

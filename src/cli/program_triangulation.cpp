@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/triangulation.hpp"
+#include "cli/program_triangulation.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

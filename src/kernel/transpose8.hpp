@@ -10,11 +10,11 @@
 namespace mgdt {
 inline namespace MGDT_ISA {
 
-class EightRows {
+class Transpose8 {
   public:
     // row(k) points to row k.
     template <class Row>
-    MGDT_ALWAYS_INLINE explicit EightRows(Row row) {
+    MGDT_ALWAYS_INLINE explicit Transpose8(Row row) {
         const auto two = [&](unsigned low, unsigned high) {
             return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_load_pd(row(low))),
                                       _mm256_load_pd(row(high)), 1);

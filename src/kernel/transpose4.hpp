@@ -10,11 +10,11 @@ namespace mgdt {
 inline namespace MGDT_ISA {
 
 // row(k) points to row k, aligned to 32 bytes.
-struct FourRows {
-    FourRows(__m256d first, __m256d second, __m256d third, __m256d fourth)
+struct Transpose4 {
+    Transpose4(__m256d first, __m256d second, __m256d third, __m256d fourth)
         : first(first), second(second), third(third), fourth(fourth) {}
     template <class Row>
-    MGDT_ALWAYS_INLINE explicit FourRows(Row row) {
+    MGDT_ALWAYS_INLINE explicit Transpose4(Row row) {
         const __m256d r0 = _mm256_load_pd(row(0)), r1 = _mm256_load_pd(row(1)),
                       r2 = _mm256_load_pd(row(2)), r3 = _mm256_load_pd(row(3));
         const __m256d odd_low = _mm256_unpacklo_pd(r0, r1), even_low = _mm256_unpackhi_pd(r0, r1);
@@ -26,7 +26,7 @@ struct FourRows {
     }
     // The same from upper halves, aligned to 16 bytes.
     template <class Row>
-    MGDT_ALWAYS_INLINE static FourRows of_upper_halves(Row row) {
+    MGDT_ALWAYS_INLINE static Transpose4 of_upper_halves(Row row) {
         const auto two = [&](unsigned low, unsigned high) {
             const auto load = [&](unsigned k) {
                 return _mm_load_si128(reinterpret_cast<const __m128i*>(row(k)));
@@ -61,7 +61,7 @@ struct FourRows {
 };
 
 // Points that are the first three columns, relative to others.
-MGDT_ALWAYS_INLINE PointColumns<Four> relative_to(const FourRows& rows,
+MGDT_ALWAYS_INLINE PointColumns<Four> relative_to(const Transpose4& rows,
                                                   const PointColumns<Four>& origin) {
     return {Four::subtract(rows.first, origin.x), Four::subtract(rows.second, origin.y),
             Four::subtract(rows.third, origin.z)};

@@ -3,24 +3,24 @@
 //
 // A zone is a run of consecutive points of a round: as the schedule follows a curve, it is compact,
 // and zones are equal in points, not in volume. Each thread goes along its zone and keeps the
-// blocks of vertices that it touches for some hundred points (parallel/blocks.hpp). A point that
-// needs a block of another thread is put off, tried again when this thread has given its blocks
-// back, and in the end inserted while nobody else is there. The tetrahedra do not depend on any of
-// this, since the Delaunay triangulation of the points is unique.
+// blocks of vertices that it touches for some hundred points (parallel/block_ownership.hpp). A
+// point that needs a block of another thread is deferred, tried again when this thread has given
+// its blocks back, and in the end inserted while nobody else is there. The tetrahedra do not depend
+// on any of this, since the Delaunay triangulation of the points is unique.
 #pragma once
 
 #include "core/batch.hpp"
-#include "kernel/territory.hpp"
+#include "kernel/thread_state.hpp"
 #include "parallel/work_queue.hpp"
 
 namespace mgdt {
 
-class Triangulation::ZonalInsertion {
+class Triangulation::ConcurrentInsertion {
   public:
     // Vertices of the batch are in the mesh from `base` on, in the order of the schedule.
-    ZonalInsertion(Triangulation& t, Team& team, const Batch& batch, const Schedule& schedule,
-                   std::size_t base, bool may_stop);
-    ~ZonalInsertion();
+    ConcurrentInsertion(Triangulation& t, Team& team, const Batch& batch, const Schedule& schedule,
+                        std::size_t base, bool may_stop);
+    ~ConcurrentInsertion();
 
     // Inserts all points but the first `done`. Throws as insert_scheduled(); points that are not in
     // have no tetrahedron near then.
@@ -37,15 +37,15 @@ class Triangulation::ZonalInsertion {
 
     void insert_round(std::size_t begin, std::size_t end);
     // Inserts items on so many threads and lists those that are left.
-    void insert_together(const Items& items, unsigned members);
+    void insert_concurrently(const Items& items, unsigned members);
     void work(Member& member, const Items& items);
     bool is_too_crowded(Member& member, std::size_t tries, std::size_t failures);
     bool try_insert(Member& member, std::size_t k);
     bool arrive(Member& member, std::size_t k);
-    void give_back(Member& member);
-    void settle(unsigned members, const Items& items);
+    void release_blocks(Member& member);
+    void gather_results(unsigned members, const Items& items);
     std::size_t insert_hubs();
-    void insert_alone(std::size_t k, bool is_next);
+    void insert_serially(std::size_t k, bool is_next);
 
     template <class F>
     bool for_nearby_positions(std::size_t k, F f) const;

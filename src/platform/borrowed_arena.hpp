@@ -7,18 +7,18 @@
 
 namespace mgdt {
 
-class Loan {
+class BorrowedArena {
   public:
     // `bytes` at `block`, which is aligned as Buffers are; what does not fit comes from `beyond`.
-    Loan(void* block, std::size_t bytes, Allocator& beyond) noexcept
+    BorrowedArena(void* block, std::size_t bytes, Allocator& beyond) noexcept
         : begin_(static_cast<unsigned char*>(block)), bytes_(bytes), beyond_(beyond) {}
 
-    // Serves several threads at once, as every Allocator. Its blocks end with the loan.
+    // Serves several threads at once, as every Allocator. Its blocks end with the arena.
     Allocator& allocator() noexcept { return allocator_; }
 
   private:
-    static void* obtain(std::size_t bytes, std::size_t align, void* loan);
-    static void give_back(void* p, std::size_t bytes, std::size_t align, void* loan);
+    static void* obtain(std::size_t bytes, std::size_t align, void* arena);
+    static void give_back(void* p, std::size_t bytes, std::size_t align, void* arena);
 
     unsigned char* const begin_;
     const std::size_t bytes_;

@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "mesh/mesh.hpp"
-#include "parallel/blocks.hpp"
+#include "parallel/block_ownership.hpp"
 
 namespace mgdt {
 
@@ -20,12 +20,12 @@ class SlotSupply {
     void open() noexcept;
     void close() noexcept;
 
-    struct Stretch {
+    struct SlotRange {
         TetId begin, end;
     };
     // Of `least` slots or more; throws NoSlots where there are not so many.
     struct NoSlots {};
-    Stretch take(std::size_t least);
+    SlotRange take(std::size_t least);
     // How many that may be.
     std::size_t most(std::size_t least) const noexcept {
         return least > slots_at_once_ ? least : slots_at_once_;
@@ -96,18 +96,18 @@ class MarkTable {
 };
 
 // What a thread among others needs of its own: blocks of vertices, and slots that no other takes.
-class Territory {
+class ThreadState {
   public:
-    Territory(Mesh& mesh, BlockOwners& owners, std::uint8_t who, SlotSupply& supply)
-        : claim(mesh.vertices.allocator(), owners, who),
+    ThreadState(Mesh& mesh, BlockOwners& owners, std::uint8_t who, SlotSupply& supply)
+        : blocks(mesh.vertices.allocator(), owners, who),
           marks(mesh.vertices.allocator()),
           mesh_(mesh),
           supply_(supply),
           free_slots_(mesh.vertices.allocator()) {}
 
     // Whether a vertex, or a tetrahedron, is mine, now if not before.
-    bool enter(VertexId v) noexcept { return claim.mine()(v) || claim.take(v); }
-    bool enter(const Tetrahedron& t) noexcept { return enter(t.v[0]) && enter(t.v[1]); }
+    bool try_own(VertexId v) noexcept { return blocks.mine()(v) || blocks.try_own(v); }
+    bool try_own(const Tetrahedron& t) noexcept { return try_own(t.v[0]) && try_own(t.v[1]); }
     // As those of Mesh; may throw SlotSupply::NoSlots.
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) {
         if (MGDT_UNLIKELY(taken > slots_left() || slots_left() + freed > most_free_))
@@ -130,9 +130,9 @@ class Territory {
     }
     // Hands the slots that are left to the mesh, when the threads are done and the supply is
     // closed.
-    void settle() noexcept;
+    void return_slots() noexcept;
 
-    Claim claim;
+    OwnedBlocks blocks;
     MarkTable marks;
     std::int64_t ghosts = 0;         // made, less those removed
     TetId a_ghost = no_tetrahedron;  // the last one made

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/zonal_insertion.hpp"
+#include "core/concurrent_insertion.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -28,17 +28,17 @@ constexpr std::size_t least_hub = 1024, most_stops = 16;
 
 }  // namespace
 
-struct Triangulation::ZonalInsertion::Member {
+struct Triangulation::ConcurrentInsertion::Member {
     Member(Mesh& mesh, BlockOwners& owners, std::uint8_t who, SlotSupply& supply,
            Workspace* of_handle)
-        : territory(mesh, owners, who, supply),
+        : thread_state(mesh, owners, who, supply),
           own(mesh.vertices.allocator()),
           workspace(of_handle ? *of_handle : own),
           repeats(mesh.vertices.allocator()),
-          put_off(mesh.vertices.allocator()),
+          deferred(mesh.vertices.allocator()),
           left(mesh.vertices.allocator()) {}
 
-    Territory territory;
+    ThreadState thread_state;
     Workspace own;
     Workspace& workspace;
     TetId here = no_tetrahedron;  // a tetrahedron that is mine, where walks start
@@ -49,16 +49,17 @@ struct Triangulation::ZonalInsertion::Member {
         VertexId q, vertex;
     };
     Buffer<Repeat> repeats;
-    Buffer<std::uint32_t> put_off, left;
+    Buffer<std::uint32_t> deferred, left;
     std::uint32_t hub = no_index;         // position of one that all have stopped for
     std::size_t tries = 0, failures = 0;  // of the trial that goes on
     unsigned waits = 0;                   // in a row, after trials of which too many failed
-    std::uint64_t inserted = 0, times_put_off = 0;
+    std::uint64_t inserted = 0, times_deferred = 0;
 };
 
-Triangulation::ZonalInsertion::ZonalInsertion(Triangulation& t, Team& team, const Batch& batch,
-                                              const Schedule& schedule, std::size_t base,
-                                              bool may_stop)
+Triangulation::ConcurrentInsertion::ConcurrentInsertion(Triangulation& t, Team& team,
+                                                        const Batch& batch,
+                                                        const Schedule& schedule, std::size_t base,
+                                                        bool may_stop)
     : t_(t),
       team_(team),
       batch_(batch),
@@ -78,20 +79,20 @@ Triangulation::ZonalInsertion::ZonalInsertion(Triangulation& t, Team& team, cons
                    member_count_ == 0 ? &t.workspace_ : nullptr);
 }
 
-Triangulation::ZonalInsertion::~ZonalInsertion() {
+Triangulation::ConcurrentInsertion::~ConcurrentInsertion() {
     // What threads left behind may be gone.
     t_.last_ = t_.mesh_.live_from(t_.last_);
     t_.workspace_.slot_count = 0;
     for (unsigned m = 0; m < member_count_; ++m) {
         if (m > 0) t_.workspace_.counters += members_[m].own.counters;
         t_.statistics_.points_inserted += members_[m].inserted;
-        t_.statistics_.put_off += members_[m].times_put_off;
+        t_.statistics_.deferred += members_[m].times_deferred;
         members_[m].~Member();
     }
     t_.allocator_.release(members_, team_.size() * sizeof(Member), alignof(Member));
 }
 
-void Triangulation::ZonalInsertion::run(std::size_t done) {
+void Triangulation::ConcurrentInsertion::run(std::size_t done) {
     done_ = done;
     const std::size_t n = batch_.points.size;
     for (std::size_t r = 0; r < schedule_.rounds.size(); ++r) {
@@ -101,15 +102,15 @@ void Triangulation::ZonalInsertion::run(std::size_t done) {
     }
 }
 
-void Triangulation::ZonalInsertion::insert_round(std::size_t begin, std::size_t end) {
-    const std::size_t share = t_.settings_.points_a_thread;
-    unsigned members = team_.members_for(end - begin, share);
+void Triangulation::ConcurrentInsertion::insert_round(std::size_t begin, std::size_t end) {
+    const std::size_t min_items_per_thread = t_.settings_.points_a_thread;
+    unsigned members = team_.members_for(end - begin, min_items_per_thread);
     Items items{begin, end - begin, nullptr};
     Buffer<std::uint32_t> list(t_.allocator_);
     std::size_t stops = 0;
     while (members > 1) {
         may_stop_for_hubs_ = stops < most_stops;
-        insert_together(items, members);
+        insert_concurrently(items, members);
         const std::size_t hubs = insert_hubs();
         if (hubs > 0) {
             ++stops;
@@ -128,15 +129,15 @@ void Triangulation::ZonalInsertion::insert_round(std::size_t begin, std::size_t 
         left_ = Buffer<std::uint32_t>(t_.allocator_);
         std::sort(list.begin(), list.end());
         items = {0, list.size(), list.data()};
-        members = std::min(members, team_.members_for(items.size, share));
+        members = std::min(members, team_.members_for(items.size, min_items_per_thread));
     }
     for (std::size_t i = 0; i < items.size; ++i) {
         if (i % 1024 == 0) poll(done_);
-        insert_alone(items[i], i > 0 && items[i] - items[i - 1] < far_away);
+        insert_serially(items[i], i > 0 && items[i] - items[i - 1] < far_away);
     }
 }
 
-void Triangulation::ZonalInsertion::insert_together(const Items& items, unsigned members) {
+void Triangulation::ConcurrentInsertion::insert_concurrently(const Items& items, unsigned members) {
     const std::size_t piece =
         std::min(piece_size, std::max<std::size_t>(1, items.size / (members * 4)));
     queue_.deal(items.size, piece, members);
@@ -150,20 +151,20 @@ void Triangulation::ZonalInsertion::insert_together(const Items& items, unsigned
     try {
         team_.run(members, [&](unsigned m) { work(members_[m], items); });
     } catch (...) {
-        settle(members, items);
+        gather_results(members, items);
         throw;
     }
-    settle(members, items);
+    gather_results(members, items);
     poll(done_);
 }
 
 // Inserts those that all have stopped for, and takes them from the list of what is left.
-std::size_t Triangulation::ZonalInsertion::insert_hubs() {
+std::size_t Triangulation::ConcurrentInsertion::insert_hubs() {
     std::size_t hubs = 0;
     for (unsigned m = 0; m < member_count_; ++m) {
         const std::uint32_t k = std::exchange(members_[m].hub, no_index);
         if (k == no_index) continue;
-        insert_alone(k, false);
+        insert_serially(k, false);
         *std::find(left_.begin(), left_.end(), k) = left_.back();
         left_.pop_back();
         ++hubs;
@@ -172,16 +173,16 @@ std::size_t Triangulation::ZonalInsertion::insert_hubs() {
 }
 
 // When the threads are done: hands to the mesh what was theirs, and lists the points that are left.
-void Triangulation::ZonalInsertion::settle(unsigned members, const Items& items) {
+void Triangulation::ConcurrentInsertion::gather_results(unsigned members, const Items& items) {
     supply_.close();
     Mesh& mesh = t_.mesh_;
     for (unsigned m = 0; m < members; ++m) {
-        Territory& territory = members_[m].territory;
-        territory.settle();
-        mesh.ghost_count += static_cast<std::size_t>(territory.ghosts);
-        territory.ghosts = 0;
+        ThreadState& thread_state = members_[m].thread_state;
+        thread_state.return_slots();
+        mesh.ghost_count += static_cast<std::size_t>(thread_state.ghosts);
+        thread_state.ghosts = 0;
         // Of the last ones made by each thread, the last of all is there.
-        const TetId ghost = territory.a_ghost;
+        const TetId ghost = thread_state.a_ghost;
         if (ghost != no_tetrahedron && !mesh.tetrahedra[ghost].is_dead() &&
             mesh.tetrahedra[ghost].is_ghost())
             mesh.a_ghost = ghost;
@@ -199,14 +200,14 @@ void Triangulation::ZonalInsertion::settle(unsigned members, const Items& items)
             left_.push_back(static_cast<std::uint32_t>(items[i]));
 }
 
-void Triangulation::ZonalInsertion::work(Member& member, const Items& items) {
+void Triangulation::ConcurrentInsertion::work(Member& member, const Items& items) {
     const unsigned number = static_cast<unsigned>(&member - members_);
-    struct GiveBack {
-        ZonalInsertion& z;
+    struct ReleaseBlocks {
+        ConcurrentInsertion& z;
         Member& member;
-        ~GiveBack() {
+        ~ReleaseBlocks() {
             member.here = no_tetrahedron;
-            z.give_back(member);
+            z.release_blocks(member);
         }
     } at_the_end{*this, member};
     unsigned from = number;
@@ -215,20 +216,21 @@ void Triangulation::ZonalInsertion::work(Member& member, const Items& items) {
             const std::size_t size = piece.end - piece.begin;
             for (std::size_t i = 0; i < size; ++i) {
                 const std::size_t k = items[piece.is_stolen ? piece.end - 1 - i : piece.begin + i];
-                if (!try_insert(member, k)) member.put_off.push_back(static_cast<std::uint32_t>(k));
+                if (!try_insert(member, k))
+                    member.deferred.push_back(static_cast<std::uint32_t>(k));
             }
-            give_back(member);
-            const std::size_t failures = stop_ ? 0 : member.put_off.size();
-            member.times_put_off += failures;
+            release_blocks(member);
+            const std::size_t failures = stop_ ? 0 : member.deferred.size();
+            member.times_deferred += failures;
             std::size_t left = 0;
-            while (!member.put_off.empty()) {
-                const std::uint32_t k = member.put_off.back();
-                member.put_off.pop_back();
+            while (!member.deferred.empty()) {
+                const std::uint32_t k = member.deferred.back();
+                member.deferred.pop_back();
                 if (try_insert(member, k)) continue;
                 member.left.push_back(k);
                 ++left;
             }
-            give_back(member);
+            release_blocks(member);
             const std::size_t done = done_.fetch_add(size - left) + size - left;
             if (number == 0) poll(done);
             if (is_too_crowded(member, size, failures)) return;
@@ -239,8 +241,8 @@ void Triangulation::ZonalInsertion::work(Member& member, const Items& items) {
     }
 }
 
-bool Triangulation::ZonalInsertion::is_too_crowded(Member& member, std::size_t tries,
-                                                   std::size_t failures) {
+bool Triangulation::ConcurrentInsertion::is_too_crowded(Member& member, std::size_t tries,
+                                                        std::size_t failures) {
     member.tries += tries;
     member.failures += failures;
     if (member.tries < trial_) return false;
@@ -261,18 +263,18 @@ bool Triangulation::ZonalInsertion::is_too_crowded(Member& member, std::size_t t
     return false;
 }
 
-bool Triangulation::ZonalInsertion::try_insert(Member& member, std::size_t k) {
+bool Triangulation::ConcurrentInsertion::try_insert(Member& member, std::size_t k) {
     if (stop_.load(std::memory_order_relaxed)) return false;
     const VertexId q = vertex(k);
-    Territory& territory = member.territory;
-    if (!territory.enter(q)) return false;
+    ThreadState& thread_state = member.thread_state;
+    if (!thread_state.try_own(q)) return false;
     const std::size_t distance = k > member.last ? k - member.last : member.last - k;
     if ((member.here == no_tetrahedron || distance > far_away) && !arrive(member, k)) return false;
     Insertion result;
     member.workspace.given_up = 0;
     try {
-        result = t_.calls().insert_among_others(t_.mesh_, member.workspace, member.territory, q,
-                                                member.here);
+        result = t_.calls().insert_concurrent(t_.mesh_, member.workspace, member.thread_state, q,
+                                              member.here);
     } catch (const SlotSupply::NoSlots&) {
         no_slots_ = true;
         stop_ = true;
@@ -296,7 +298,7 @@ bool Triangulation::ZonalInsertion::try_insert(Member& member, std::size_t k) {
 
 // Calls f with earlier positions that are probably near that of k, until it returns true.
 template <class F>
-bool Triangulation::ZonalInsertion::for_nearby_positions(std::size_t k, F f) const {
+bool Triangulation::ConcurrentInsertion::for_nearby_positions(std::size_t k, F f) const {
     constexpr std::size_t tries = 16;
     const Buffer<std::uint32_t>& rounds = schedule_.rounds;
     const std::size_t r = static_cast<std::size_t>(
@@ -321,20 +323,20 @@ bool Triangulation::ZonalInsertion::for_nearby_positions(std::size_t k, F f) con
 }
 
 // Makes a tetrahedron near point k this thread's, to walk from. Whether that could be.
-bool Triangulation::ZonalInsertion::arrive(Member& member, std::size_t k) {
+bool Triangulation::ConcurrentInsertion::arrive(Member& member, std::size_t k) {
     const Mesh& mesh = t_.mesh_;
-    Territory& territory = member.territory;
+    ThreadState& thread_state = member.thread_state;
     return for_nearby_positions(k, [&](std::size_t position) {
         const VertexId near = vertex(position);
-        if (!territory.enter(near)) return false;
-        const TetId t = mesh.near[near];
+        if (!thread_state.try_own(near)) return false;
+        const TetId t = mesh.vertex_hint[near];
         if (t == no_tetrahedron) return false;
         // The guards of a tetrahedron that another thread may be changing. They are believed when
         // they are read again, the same, by who owns both: then nobody can be.
         VertexId first[2], again[2];
         read_racing(mesh.tetrahedra[t].v, first);
         if (first[0] == infinite_vertex) return false;
-        if (!territory.enter(first[0]) || !territory.enter(first[1])) return false;
+        if (!thread_state.try_own(first[0]) || !thread_state.try_own(first[1])) return false;
         read_racing(mesh.tetrahedra[t].v, again);
         if (first[0] != again[0] || first[1] != again[1]) return false;
         member.here = t;
@@ -344,26 +346,26 @@ bool Triangulation::ZonalInsertion::arrive(Member& member, std::size_t k) {
 }
 
 // Gives all blocks back but those of the place where the thread is.
-void Triangulation::ZonalInsertion::give_back(Member& member) {
+void Triangulation::ConcurrentInsertion::release_blocks(Member& member) {
     member.workspace.slot_count = 0;  // the last star is not wholly mine any more
-    Claim& claim = member.territory.claim;
+    OwnedBlocks& blocks = member.thread_state.blocks;
     const Tetrahedron* const here =
         member.here == no_tetrahedron ? nullptr : &t_.mesh_.tetrahedra[member.here];
-    if (here && member.territory.enter(*here)) {
-        claim.give_back(here->v, 2);
+    if (here && member.thread_state.try_own(*here)) {
+        blocks.release(here->v, 2);
     } else {
         member.here = no_tetrahedron;
-        claim.give_back();
+        blocks.release();
     }
 }
 
 // With no other thread at work. `is_next`: the point inserted last is near.
-void Triangulation::ZonalInsertion::insert_alone(std::size_t k, bool is_next) {
+void Triangulation::ConcurrentInsertion::insert_serially(std::size_t k, bool is_next) {
     const Mesh& mesh = t_.mesh_;
     TetId start = t_.last_;
     if (!is_next || k == 0) {
         const bool is_found = for_nearby_positions(k, [&](std::size_t position) {
-            const TetId near = mesh.near[vertex(position)];
+            const TetId near = mesh.vertex_hint[vertex(position)];
             if (near == no_tetrahedron) return false;
             start = mesh.live_from(near);
             return true;
@@ -385,7 +387,7 @@ void Triangulation::ZonalInsertion::insert_alone(std::size_t k, bool is_next) {
 }
 
 // On the calling thread alone.
-void Triangulation::ZonalInsertion::poll(std::size_t done) {
+void Triangulation::ConcurrentInsertion::poll(std::size_t done) {
     if (!may_stop_) return;
     const std::size_t n = batch_.points.size;
     if (done >= next_report_) {

@@ -36,7 +36,7 @@ class BlockOwners {
     BlockOwners& operator=(const BlockOwners&) = delete;
 
   private:
-    friend class Claim;
+    friend class OwnedBlocks;
     static constexpr std::uint8_t nobody = 0;
     // Blocks of 8 items; larger ones where the table would not stay in the cache.
     static constexpr unsigned least_shift = 3, most_shift = 8;
@@ -50,13 +50,13 @@ class BlockOwners {
 };
 
 // The blocks of one thread.
-class Claim {
+class OwnedBlocks {
   public:
     // `who`: 1 to 254, another one for each thread.
-    Claim(Allocator& allocator, BlockOwners& owners, std::uint8_t who) noexcept;
-    Claim(const Claim&) = delete;
-    Claim& operator=(const Claim&) = delete;
-    ~Claim();
+    OwnedBlocks(Allocator& allocator, BlockOwners& owners, std::uint8_t who) noexcept;
+    OwnedBlocks(const OwnedBlocks&) = delete;
+    OwnedBlocks& operator=(const OwnedBlocks&) = delete;
+    ~OwnedBlocks();
 
     // To look up what is mine, by value: nothing that is written elsewhere can change it.
     struct Mine {
@@ -69,16 +69,16 @@ class Claim {
     };
     MGDT_ALWAYS_INLINE Mine mine() const noexcept { return {owners_, shift_, who_}; }
     // Takes the block of an item that is not mine, unless somebody has it.
-    bool take(std::uint32_t item) noexcept;
+    bool try_own(std::uint32_t item) noexcept;
     // Gives back all but the blocks of some items.
-    void give_back(const std::uint32_t* kept = nullptr, std::size_t count = 0) noexcept;
+    void release(const std::uint32_t* kept = nullptr, std::size_t count = 0) noexcept;
 
   private:
     Atomic<std::uint8_t>* const owners_;
     const unsigned shift_;
     const std::uint8_t who_;
     void (*const pause_)();
-    Buffer<std::uint32_t> held_;
+    Buffer<std::uint32_t> blocks_;
 };
 
 }  // namespace mgdt

@@ -11,13 +11,13 @@
 
 namespace mgdt::exact {
 
-constexpr int whole_bits = 60;       // differences are below 2^whole_bits in magnitude
+constexpr int native_bits = 60;      // differences are below 2^native_bits in magnitude
 constexpr int coordinate_bits = 62;  // and coordinates below 2^coordinate_bits
 
 #ifdef __SIZEOF_INT128__
-constexpr bool have_whole = true;
+constexpr bool have_native = true;
 #else
-constexpr bool have_whole = false;
+constexpr bool have_native = false;
 #endif
 
 // Where units and their reciprocals are normal numbers.
@@ -25,10 +25,10 @@ constexpr double least_size = 0x1p-900, most_size = 0x1p900;
 
 // The power of two of which numbers up to `size` in magnitude are fewer than 2^Bits.
 template <int Bits>
-struct WholeUnit {
+struct NativeUnit {
     double unit, per_unit;
 
-    MGDT_PREDICATES_INLINE explicit WholeUnit(double size) {
+    MGDT_PREDICATES_INLINE explicit NativeUnit(double size) {
         const std::uint64_t power = bits_of(size) & exponent_mask;  // size < 2 power
         constexpr std::uint64_t shift = std::uint64_t{Bits - 1} << 52;
         unit = double_of(power - shift);
@@ -46,7 +46,7 @@ struct WholeUnit {
 
 // The differences in units of a power of two, if coordinates are multiples of it and all fit.
 template <int N>
-MGDT_PREDICATES_INLINE bool to_whole(const Differences<N>& d, std::int64_t (&out)[N]) {
+MGDT_PREDICATES_INLINE bool to_native(const Differences<N>& d, std::int64_t (&out)[N]) {
     double size = 4 * d.largest;
     const auto cover = [&](const double* p) {
         const double s = largest_of<0, 3>(p);
@@ -55,7 +55,7 @@ MGDT_PREDICATES_INLINE bool to_whole(const Differences<N>& d, std::int64_t (&out
     cover(d.origin);
     each<N / 3>([&](auto i) { cover(d.point[i]); });
     if (!(size >= least_size && size <= most_size)) return false;
-    const WholeUnit<coordinate_bits> in(size);
+    const NativeUnit<coordinate_bits> in(size);
     std::uint64_t off = 0;
     std::int64_t any = 0;
     const auto units = [&](double x) { return in.count(x, off); };
@@ -65,7 +65,7 @@ MGDT_PREDICATES_INLINE bool to_whole(const Differences<N>& d, std::int64_t (&out
         any |= n ^ (n >> 63);
         out[i] = n;
     });
-    return (off | static_cast<std::uint64_t>(any >> whole_bits)) == 0;
+    return (off | static_cast<std::uint64_t>(any >> native_bits)) == 0;
 }
 
 #ifdef __SIZEOF_INT128__
@@ -103,72 +103,73 @@ struct ThreeDigits {
 };
 
 // The sizes in bits, and that every sum by places leaves room for its sign and a carry.
-constexpr int minor_bits = 2 * whole_bits + 1;   // of two products
-constexpr int square_bits = 2 * whole_bits + 2;  // of three
-constexpr int cubic_bits = 3 * whole_bits + 3;   // of three products with a minor, 6 * 2^(3 * 60)
+constexpr int minor_bits = 2 * native_bits + 1;   // of two products
+constexpr int square_bits = 2 * native_bits + 2;  // of three
+constexpr int cubic_bits = 3 * native_bits + 3;   // of three products with a minor, 6 * 2^(3 * 60)
 static_assert(square_bits <= 2 * digit_bits && cubic_bits <= 3 * digit_bits,
               "two digits hold a minor and a square, three a minor of three rows");
-static_assert(whole_bits + digit_bits + 2 < 127, "three products of a difference and a digit");
+static_assert(native_bits + digit_bits + 2 < 127, "three products of a difference and a digit");
 // A square's second digit is a quarter of a digit at most, so the largest sum of a sphere's has
 // four products of two digits, and four of a digit and a quarter of one: 5 * 2^(2 * 62).
 static_assert(square_bits - digit_bits <= digit_bits - 2 && 2 * digit_bits + 3 <= 127,
               "eight products of digits");
 
-MGDT_PREDICATES_INLINE TwoDigits whole_minor(const std::int64_t* p, const std::int64_t* q) {
+MGDT_PREDICATES_INLINE TwoDigits native_minor(const std::int64_t* p, const std::int64_t* q) {
     return TwoDigits(product(p[0], q[1]) - product(q[0], p[1]));
 }
 
-MGDT_PREDICATES_INLINE TwoDigits whole_square(const std::int64_t* p) {
+MGDT_PREDICATES_INLINE TwoDigits native_square(const std::int64_t* p) {
     return TwoDigits(product(p[0], p[0]) + product(p[1], p[1]) + product(p[2], p[2]));
 }
 
 // z u - z' v + z" w, the third coordinates of three rows and the minors of the others' first two,
 // as sums of products by place.
-struct WholePlaces {
+struct NativePlaces {
     Widest c0, c1;
 };
 
-MGDT_PREDICATES_INLINE WholePlaces whole_places(const std::int64_t* p, const TwoDigits& u,
-                                                const std::int64_t* q, const TwoDigits& v,
-                                                const std::int64_t* r, const TwoDigits& w) {
+MGDT_PREDICATES_INLINE NativePlaces native_places(const std::int64_t* p, const TwoDigits& u,
+                                                  const std::int64_t* q, const TwoDigits& v,
+                                                  const std::int64_t* r, const TwoDigits& w) {
     return {product(p[2], u.d0) - product(q[2], v.d0) + product(r[2], w.d0),
             product(p[2], u.d1) - product(q[2], v.d1) + product(r[2], w.d1)};
 }
 
-MGDT_PREDICATES_INLINE ThreeDigits whole_cubic(const std::int64_t* p, const TwoDigits& u,
-                                               const std::int64_t* q, const TwoDigits& v,
-                                               const std::int64_t* r, const TwoDigits& w) {
-    const WholePlaces places = whole_places(p, u, q, v, r, w);
+MGDT_PREDICATES_INLINE ThreeDigits native_cubic(const std::int64_t* p, const TwoDigits& u,
+                                                const std::int64_t* q, const TwoDigits& v,
+                                                const std::int64_t* r, const TwoDigits& w) {
+    const NativePlaces places = native_places(p, u, q, v, r, w);
     return {places.c0, places.c1};
 }
 
 // Sign of the determinant of three rows.
-MGDT_PREDICATES_INLINE int whole_orientation(const std::int64_t (&v)[9]) {
+MGDT_PREDICATES_INLINE int native_orientation(const std::int64_t (&v)[9]) {
     const std::int64_t *b = v, *c = v + 3, *d = v + 6;
-    return whole_cubic(b, whole_minor(c, d), c, whole_minor(b, d), d, whole_minor(b, c)).sign();
+    return native_cubic(b, native_minor(c, d), c, native_minor(b, d), d, native_minor(b, c)).sign();
 }
 
 // The determinant of SphereDeterminant and its minors.
-struct WholeSphere {
+struct NativeSphere {
     ThreeDigits minor[4];
     int sign;
 
-    MGDT_PREDICATES_INLINE explicit WholeSphere(const std::int64_t (&v)[12])
-        : WholeSphere(v, whole_minor(v, v + 3), whole_minor(v, v + 6), whole_minor(v, v + 9),
-                      whole_minor(v + 3, v + 6), whole_minor(v + 3, v + 9),
-                      whole_minor(v + 6, v + 9)) {}
+    MGDT_PREDICATES_INLINE explicit NativeSphere(const std::int64_t (&v)[12])
+        : NativeSphere(v, native_minor(v, v + 3), native_minor(v, v + 6), native_minor(v, v + 9),
+                       native_minor(v + 3, v + 6), native_minor(v + 3, v + 9),
+                       native_minor(v + 6, v + 9)) {}
 
   private:
-    MGDT_PREDICATES_INLINE WholeSphere(const std::int64_t (&v)[12], const TwoDigits& ab,
-                                       const TwoDigits& ac, const TwoDigits& ad,
-                                       const TwoDigits& bc, const TwoDigits& bd,
-                                       const TwoDigits& cd)
-        : minor{whole_cubic(v + 3, cd, v + 6, bd, v + 9, bc),
-                whole_cubic(v, cd, v + 6, ad, v + 9, ac), whole_cubic(v, bd, v + 3, ad, v + 9, ab),
-                whole_cubic(v, bc, v + 3, ac, v + 6, ab)} {
+    MGDT_PREDICATES_INLINE NativeSphere(const std::int64_t (&v)[12], const TwoDigits& ab,
+                                        const TwoDigits& ac, const TwoDigits& ad,
+                                        const TwoDigits& bc, const TwoDigits& bd,
+                                        const TwoDigits& cd)
+        : minor{native_cubic(v + 3, cd, v + 6, bd, v + 9, bc),
+                native_cubic(v, cd, v + 6, ad, v + 9, ac),
+                native_cubic(v, bd, v + 3, ad, v + 9, ab),
+                native_cubic(v, bc, v + 3, ac, v + 6, ab)} {
         Widest place[4] = {};
         each<4>([&](auto i) {
-            const TwoDigits s = whole_square(v + 3 * i);
+            const TwoDigits s = native_square(v + 3 * i);
             const ThreeDigits& m = minor[i];
             // Of alternating sign, so that no sum grows by the way.
             const auto add = [&](auto at, std::int64_t x, std::int64_t y) {
@@ -192,15 +193,15 @@ struct WholeSphere {
 #else
 
 // For the compiler: these are not reached.
-struct WholeSphere {
+struct NativeSphere {
     struct Minor {
         int sign() const { return 0; }
     };
-    explicit WholeSphere(const std::int64_t (&)[12]) {}
+    explicit NativeSphere(const std::int64_t (&)[12]) {}
     Minor minor[4];
     int sign = undecided;
 };
-inline int whole_orientation(const std::int64_t (&)[9]) {
+inline int native_orientation(const std::int64_t (&)[9]) {
     return undecided;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "platform/loan.hpp"
+#include "platform/borrowed_arena.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,10 +28,10 @@ bool is_filled(const Block& block) {
 
 // Blocks of several threads come and go: each is aligned, holds what was written to it and
 // overlaps no other, whether it lies in what was lent or beyond.
-TEST(Loan, BlocksAreApart) {
+TEST(BorrowedArena, BlocksAreApart) {
     std::vector<unsigned char> lent(100000);
     Allocator beyond;
-    Loan loan(lent.data() + 3, lent.size() - 3, beyond);
+    BorrowedArena arena(lent.data() + 3, lent.size() - 3, beyond);
     Team team(4);
     Atomic<bool> is_good{true};
     Atomic<unsigned> inside{0}, outside{0};
@@ -41,7 +41,7 @@ TEST(Loan, BlocksAreApart) {
         for (unsigned turn = 0; turn < 4000; ++turn) {
             if (random() % 2 == 0 || blocks.empty()) {
                 const std::size_t bytes = 1 + random() % 5000;
-                const Block block{loan.allocator().allocate(bytes, 64), bytes,
+                const Block block{arena.allocator().allocate(bytes, 64), bytes,
                                   static_cast<unsigned char>(4 * turn + member)};
                 std::memset(block.at, block.fill, bytes);
                 if (reinterpret_cast<std::size_t>(block.at) % 64 != 0) is_good = false;
@@ -53,47 +53,47 @@ TEST(Loan, BlocksAreApart) {
                 const std::size_t k =
                     random() % 4 == 0 ? random() % blocks.size() : blocks.size() - 1;
                 if (!is_filled(blocks[k])) is_good = false;
-                loan.allocator().release(blocks[k].at, blocks[k].bytes, 64);
+                arena.allocator().release(blocks[k].at, blocks[k].bytes, 64);
                 blocks.erase(blocks.begin() + static_cast<std::ptrdiff_t>(k));
             }
         }
         for (const Block& block : blocks) {
             if (!is_filled(block)) is_good = false;
-            loan.allocator().release(block.at, block.bytes, 64);
+            arena.allocator().release(block.at, block.bytes, 64);
         }
     });
     EXPECT_TRUE(is_good);
     EXPECT_GT(inside, 0u);
     EXPECT_GT(outside, 0u);
-    EXPECT_EQ(loan.allocator().bytes(), 0u);
+    EXPECT_EQ(arena.allocator().bytes(), 0u);
     EXPECT_EQ(beyond.bytes(), 0u);
 }
 
-TEST(Loan, LastBlockServesAgain) {
+TEST(BorrowedArena, LastBlockServesAgain) {
     std::vector<unsigned char> lent(1000);
     Allocator beyond;
-    Loan loan(lent.data(), lent.size(), beyond);
+    BorrowedArena arena(lent.data(), lent.size(), beyond);
     for (int turn = 0; turn < 100; ++turn) {
-        void* const p = loan.allocator().allocate(600, 64);
+        void* const p = arena.allocator().allocate(600, 64);
         EXPECT_EQ(beyond.bytes(), 0u);
-        loan.allocator().release(p, 600, 64);
+        arena.allocator().release(p, 600, 64);
     }
 }
 
-TEST(Loan, NoMoreThanThereIs) {
+TEST(BorrowedArena, NoMoreThanThereIs) {
     std::vector<unsigned char> lent(1000);
     Allocator beyond;
     beyond.set_limit(500);
-    Loan loan(lent.data(), lent.size(), beyond);
-    void* const first = loan.allocator().allocate(900, 64);
-    void* const second = loan.allocator().allocate(500, 64);
+    BorrowedArena arena(lent.data(), lent.size(), beyond);
+    void* const first = arena.allocator().allocate(900, 64);
+    void* const second = arena.allocator().allocate(500, 64);
     EXPECT_EQ(beyond.bytes(), 500u);
-    EXPECT_THROW(loan.allocator().allocate(400, 64), std::bad_alloc);
-    EXPECT_THROW(loan.allocator().allocate(static_cast<std::size_t>(-1), 64), std::bad_alloc);
-    loan.allocator().release(second, 500, 64);
-    loan.allocator().release(first, 900, 64);
+    EXPECT_THROW(arena.allocator().allocate(400, 64), std::bad_alloc);
+    EXPECT_THROW(arena.allocator().allocate(static_cast<std::size_t>(-1), 64), std::bad_alloc);
+    arena.allocator().release(second, 500, 64);
+    arena.allocator().release(first, 900, 64);
     EXPECT_EQ(beyond.bytes(), 0u);
-    EXPECT_EQ(loan.allocator().bytes(), 0u);
+    EXPECT_EQ(arena.allocator().bytes(), 0u);
 }
 
 }  // namespace

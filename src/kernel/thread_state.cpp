@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kernel/territory.hpp"
+#include "kernel/thread_state.hpp"
 
 #include <algorithm>
 
@@ -36,7 +36,7 @@ void MarkTable::grow(std::size_t members, const FacetCode* codes, std::size_t ma
     for (std::size_t i = 0; i < marked; ++i) view_.put(codes[i] >> 2, 1);
 }
 
-SlotSupply::Stretch SlotSupply::take(std::size_t least) {
+SlotSupply::SlotRange SlotSupply::take(std::size_t least) {
     TetId begin = next_.load(std::memory_order_relaxed);
     std::size_t size;
     do {
@@ -72,10 +72,10 @@ void SlotSupply::open() noexcept {
 void SlotSupply::close() noexcept {
     const std::size_t size = next_.load(std::memory_order_relaxed);
     mesh_.tetrahedra.resize_within_capacity(size);
-    mesh_.ready = std::max(mesh_.ready, size);
+    mesh_.prefaulted_slots = std::max(mesh_.prefaulted_slots, size);
 }
 
-void Territory::grow_slots(std::size_t taken, std::size_t freed) {
+void ThreadState::grow_slots(std::size_t taken, std::size_t freed) {
     const auto make_room = [&](std::size_t free) {
         if (free <= most_free_) return;
         const std::size_t more = std::max<std::size_t>(free - most_free_, 1024);
@@ -89,15 +89,15 @@ void Territory::grow_slots(std::size_t taken, std::size_t freed) {
     supply_.take_free(free_slots_, supply_.most(taken));
     if (taken <= slots_left()) return;
     const std::size_t needed = taken - slots_left();
-    const SlotSupply::Stretch stretch = supply_.take(needed);
+    const SlotSupply::SlotRange range = supply_.take(needed);
     // What is left of the last one is listed.
     while (fresh_ < end_) free_slot(fresh_++);
-    fresh_ = stretch.begin;
-    end_ = stretch.end;
+    fresh_ = range.begin;
+    end_ = range.end;
     mesh_.tetrahedra.prefault(fresh_, end_);
 }
 
-void Territory::settle() noexcept {
+void ThreadState::return_slots() noexcept {
     while (fresh_ < end_) mesh_.free_slot(fresh_++);
     for (const TetId t : free_slots_) mesh_.free_slot(t);
     free_slots_.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "order/deal.hpp"
+#include "order/round_assignment.hpp"
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ using BlockOfMany = Block<12, 3>;
 using BlockOfFew = Block<4, 1>;
 constexpr std::size_t few = 4096;
 constexpr std::size_t largest_first = 64;
-constexpr std::size_t share = 65536;
+constexpr std::size_t min_items_per_thread = 65536;
 
 // Which of the middle ones is farthest from both of its neighbours along the curve, and by how many
 // levels; place(i) is that of the i-th of them, from -1 on. Of equal ones the first from `first`
@@ -73,11 +73,11 @@ std::size_t hub_or(std::size_t otherwise, unsigned levels, const CurveOrder& cur
 
 }  // namespace
 
-Deal::Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed,
-           const CurveOrder* curve)
+RoundAssignment::RoundAssignment(Team& team, Allocator& allocator, std::size_t n,
+                                 std::uint64_t seed, const CurveOrder* curve)
     : back_(allocator) {
     back_.resize(n);
-    team.split(n, share, [&](std::size_t begin, std::size_t end, unsigned) {
+    team.split(n, min_items_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
         std::fill(back_.begin() + begin, back_.begin() + end, std::uint8_t{0});
     });
     Buffer<std::uint32_t> chosen(allocator, n / (n > few ? BlockOfMany::size : BlockOfFew::size));
@@ -112,7 +112,7 @@ Deal::Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed,
         };
         // Later ones read what was chosen before, in the array that they write.
         if (rounds_ == 0)
-            team.split(blocks, share, choose);
+            team.split(blocks, min_items_per_thread, choose);
         else
             choose(0, blocks, 0);
         drawn += blocks;
@@ -124,11 +124,11 @@ Deal::Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed,
     ++rounds_;
 }
 
-void deal_rounds(Team& team, std::uint64_t seed, Schedule& schedule) {
+void assign_rounds(Team& team, std::uint64_t seed, Schedule& schedule) {
     Buffer<std::uint32_t> order(schedule.scratch, schedule.order.size());
     std::copy(schedule.order.begin(), schedule.order.end(), order.begin());
     schedule.hints.clear();
-    deal_rounds(
+    assign_rounds(
         team, seed, [&](std::size_t k) { return order[k]; }, schedule);
 }
 

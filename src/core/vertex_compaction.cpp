@@ -9,7 +9,7 @@
 namespace mgdt {
 namespace {
 
-constexpr std::size_t share = 65536;
+constexpr std::size_t min_items_per_thread = 65536;
 // Tetrahedra that a turn through all of them passes while one vertex is looked for.
 constexpr std::size_t passed = 2048;
 
@@ -17,7 +17,7 @@ constexpr std::size_t passed = 2048;
 TetId tetrahedron_of(const Locator& locator, VertexId v) {
     double q[3];
     locator.unscaled(v, q);
-    TetId hint = locator.mesh.live_from(locator.mesh.near[v]);
+    TetId hint = locator.mesh.live_from(locator.mesh.vertex_hint[v]);
     return locator.locate(q, hint);
 }
 
@@ -42,9 +42,9 @@ void renumber_star(Mesh& mesh, TetId first, VertexId from, VertexId to, Buffer<T
 // Gives vertices from `end` on that have tetrahedra the numbers in their records.
 void renumber_stars(Mesh& mesh, const KernelCalls& calls, std::size_t end) {
     const Locator locator{mesh, calls, nullptr};
-    Buffer<TetId> star(mesh.near.allocator());
+    Buffer<TetId> star(mesh.vertex_hint.allocator());
     for (std::size_t v = end; v < mesh.vertices.size(); ++v) {
-        if (mesh.near[v] == no_tetrahedron) continue;
+        if (mesh.vertex_hint[v] == no_tetrahedron) continue;
         const auto from = static_cast<VertexId>(v);
         renumber_star(mesh, tetrahedron_of(locator, from), from, mesh.vertices[v].moved_to, star);
     }
@@ -56,32 +56,34 @@ void renumber(const Mesh& mesh, std::size_t end, VertexId& v) noexcept {
 
 // The same by a turn through all tetrahedra.
 void renumber_all(Team& team, Mesh& mesh, std::size_t end) {
-    team.split(mesh.tetrahedra.size(), share, [&](std::size_t from, std::size_t to, unsigned) {
-        for (std::size_t t = from; t < to; ++t)
-            if (!mesh.tetrahedra[t].is_dead())
-                for (VertexId& v : mesh.tetrahedra[t].v) renumber(mesh, end, v);
-    });
+    team.split(mesh.tetrahedra.size(), min_items_per_thread,
+               [&](std::size_t from, std::size_t to, unsigned) {
+                   for (std::size_t t = from; t < to; ++t)
+                       if (!mesh.tetrahedra[t].is_dead())
+                           for (VertexId& v : mesh.tetrahedra[t].v) renumber(mesh, end, v);
+               });
 }
 
 }  // namespace
 
 // A gap is a vertex from `begin` on with no tetrahedron near. The last vertices move there. Points
 // from `first_point` on may map to these.
-void Triangulation::close_gaps(Team& team, std::size_t begin, std::size_t first_point) noexcept {
-    Buffer<TetId>& near = mesh_.near;
+void Triangulation::compact_vertices(Team& team, std::size_t begin,
+                                     std::size_t first_point) noexcept {
+    Buffer<TetId>& hints = mesh_.vertex_hint;
     const auto forget = [&](std::size_t v) {
         VertexId& of_point = point_map_[mesh_.vertices[v].index];
         if (of_point == v) of_point = infinite_vertex;
     };
     std::size_t end = mesh_.vertices.size(), moved = 0;
     for (std::size_t v = begin; v < end; ++v) {
-        if (near[v] != no_tetrahedron) continue;
+        if (hints[v] != no_tetrahedron) continue;
         forget(v);
-        while (end > v + 1 && near[end - 1] == no_tetrahedron) forget(--end);
+        while (end > v + 1 && hints[end - 1] == no_tetrahedron) forget(--end);
         if (--end == v) break;
         // Where a vertex goes lies in its old record.
         mesh_.vertices[v] = mesh_.vertices[end];
-        near[v] = near[end];
+        hints[v] = hints[end];
         mesh_.vertices[end].moved_to = static_cast<VertexId>(v);
         ++moved;
     }
@@ -94,13 +96,13 @@ void Triangulation::close_gaps(Team& team, std::size_t begin, std::size_t first_
         }
         if (!is_done) renumber_all(team, mesh_, end);
         VertexId* const of_points = point_map_.data() + first_point;
-        team.split(point_map_.size() - first_point, share,
+        team.split(point_map_.size() - first_point, min_items_per_thread,
                    [&](std::size_t from, std::size_t to, unsigned) {
                        for (std::size_t i = from; i < to; ++i) renumber(mesh_, end, of_points[i]);
                    });
     }
     mesh_.vertices.resize_within_capacity(end);
-    near.resize_within_capacity(end);
+    hints.resize_within_capacity(end);
 }
 
 }  // namespace mgdt

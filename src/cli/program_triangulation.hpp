@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/formats/mesh.hpp"
+#include "cli/formats/file_mesh.hpp"
 #include "mgdt/mgdt.h"
 
 namespace mgdt::cli {

@@ -9,10 +9,10 @@
 namespace mgdt {
 
 // The round of each place of an order. Where that is a curve, it tells which points stand alone.
-class Deal {
+class RoundAssignment {
   public:
-    Deal(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed,
-         const CurveOrder* curve = nullptr);
+    RoundAssignment(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed,
+                    const CurveOrder* curve = nullptr);
 
     static constexpr unsigned most_rounds = 16;
 
@@ -30,8 +30,8 @@ class Deal {
 // fewer tetrahedra are built to be removed again, and fewer rounds do. A million points take 20.5
 // removals an insertion with one of eight, 21.1 with one of twelve, 21.5 with one of sixteen (as
 // many as BRIO with one of eight), but what was built before is visited the less often. Twelve
-// removes no more than the paper's multi-grid plus one on an ellipsoid; sixteen does. Of up to 4,096
-// points, which stay in the cache, it is one of four.
+// removes no more than the paper's multi-grid plus one on an ellipsoid; sixteen does. Of up to
+// 4,096 points, which stay in the cache, it is one of four.
 //
 // Along a curve the one is not any of the twelve but, of those in the middle, the one that lies
 // farthest from the next along the curve; which of several that lie equally far, or of all where
@@ -41,25 +41,25 @@ class Deal {
 //
 // Fills order and rounds of a schedule; index(k) is the point at place k of the order.
 template <class Index>
-void deal_rounds(Team& team, std::uint64_t seed, Index index, Schedule& out,
-                 const CurveOrder* curve = nullptr) {
+void assign_rounds(Team& team, std::uint64_t seed, Index index, Schedule& out,
+                   const CurveOrder* curve = nullptr) {
     const std::size_t n = out.order.size();
     Allocator& allocator = out.scratch;
-    const Deal deal(team, allocator, n, seed, curve);
-    std::uint32_t ends[Deal::most_rounds + 1];
-    constexpr std::size_t share = 65536;
+    const RoundAssignment rounds(team, allocator, n, seed, curve);
+    std::uint32_t ends[RoundAssignment::most_rounds + 1];
+    constexpr std::size_t min_items_per_thread = 65536;
     make_lists(
-        team, allocator, n, share, deal.rounds(), ends,
+        team, allocator, n, min_items_per_thread, rounds.rounds(), ends,
         [&](std::size_t begin, std::size_t end, auto f) {
-            for (std::size_t k = begin; k < end; ++k) f(deal.round(k), index(k));
+            for (std::size_t k = begin; k < end; ++k) f(rounds.round(k), index(k));
         },
         [](std::size_t) {},
         [&](std::size_t place, std::uint32_t point) { out.order[place] = point; });
     out.rounds.clear();
-    for (unsigned r = 0; r < deal.rounds(); ++r) out.rounds.push_back(ends[r]);
+    for (unsigned r = 0; r < rounds.rounds(); ++r) out.rounds.push_back(ends[r]);
 }
 
 // Deals the order that a schedule has.
-void deal_rounds(Team& team, std::uint64_t seed, Schedule& schedule);
+void assign_rounds(Team& team, std::uint64_t seed, Schedule& schedule);
 
 }  // namespace mgdt

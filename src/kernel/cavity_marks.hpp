@@ -5,7 +5,7 @@
 #pragma once
 
 #include "kernel/pieces.hpp"
-#include "kernel/territory.hpp"
+#include "kernel/thread_state.hpp"
 
 namespace mgdt {
 inline namespace MGDT_ISA {
@@ -91,7 +91,7 @@ MGDT_ALWAYS_INLINE std::uint32_t mark_four(const Tetrahedra& four, std::uint32_t
     for (unsigned k = 0; k < 4; ++k) {
         const VertexId second = four[k].v[1];
         marked |= second >> 31 << k;
-        four[k].v[1] = second | (opaque(which >> k) << 31);
+        four[k].v[1] = second | (hide_from_optimizer(which >> k) << 31);
     }
     return which & ~marked;
 }
