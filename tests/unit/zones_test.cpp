@@ -100,6 +100,40 @@ TEST(Zones, SameAsOneThread) {
     EXPECT_GT(met, rounds);
 }
 
+// One vertex has an edge to most of the others, so that every cavity beside it needs the same few
+// facets: an apex above a plane and one below, or the centre of a sphere.
+TEST(Zones, ShareTheWorkAroundAHub) {
+    std::mt19937_64 random(24);
+    const std::size_t n = is_small() ? 1500 : 20000;
+    std::normal_distribution<double> normal;
+    for (const bool is_sphere : {false, true}) {
+        SCOPED_TRACE(is_sphere ? "sphere" : "plane");
+        Points xyz;
+        for (std::size_t i = 0; i < n; ++i) {
+            double p[3] = {normal(random), normal(random), is_sphere ? normal(random) : 0};
+            const double r = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+            for (const double x : p) xyz.push_back(is_sphere ? x / r : x);
+        }
+        if (is_sphere)
+            xyz.insert(xyz.end(), {0, 0, 0});
+        else
+            xyz.insert(xyz.end(), {0, 0, 2, 0, 0, -2});
+        Triangulation serial(nullptr, nullptr, nullptr), concurrent(nullptr, nullptr, nullptr);
+        insert(serial, xyz);
+        concurrent.settings().threads = 4;
+        concurrent.settings().points_a_thread = 16;
+        insert(concurrent, xyz);
+        ASSERT_EQ(outcome(concurrent), outcome(serial));
+        // Neither do the threads leave the points to one of them, nor does the hub come so late
+        // that what was built without it is removed again.
+        EXPECT_LT(concurrent.statistics().inserted_alone, n / 4);
+        const auto tested = [](const Triangulation& t) {
+            return static_cast<double>(t.counters().conflict_tests);
+        };
+        EXPECT_LT(tested(concurrent), 2 * tested(serial));
+    }
+}
+
 // Each of the points given last is mapped to the vertex at its place.
 void expect_places(const Triangulation& t, const Points& xyz) {
     const std::size_t n = xyz.size() / 3, first = t.point_map().size() - n;
