@@ -5,34 +5,44 @@
 
 namespace mgdt {
 
-std::uint64_t* MarkTable::View::find(TetId t) const noexcept {
-    const std::uint64_t key = stamp | t;
-    std::uint32_t at = t & mask;
-    while ((data[at] ^ key) - 1 < 0xFFFFFFFFu) at = (at + 1) & mask;
-    return data + at;
+bool MarkTable::View::is_displaced(TetId t) const noexcept {
+    return std::find(displaced, displaced + *displaced_count, t) != displaced + *displaced_count;
+}
+
+std::uint32_t MarkTable::View::put_displaced(TetId t, std::uint32_t is_in) const noexcept {
+    if (is_displaced(t)) return 0;
+    if (is_in != 0) displaced[(*displaced_count)++] = t;
+    return 1;
 }
 
 bool MarkTable::View::has(TetId t) const noexcept {
-    return *find(t) == (stamp | t);
+    const std::uint32_t entry = data[t & mask], key = key_of(t);
+    return entry == key || (is_collision(entry, key) && is_displaced(t));
 }
 
 void MarkTable::resize(std::size_t members) {
-    std::size_t size = least;
-    while (size < 4 * members) size *= 2;
+    unsigned bits = least_bits;
+    while (std::size_t{1} << bits < 4 * members) ++bits;
+    const std::size_t size = std::size_t{1} << bits;
     if (size > entries_.size() || view_.stamp == 0) {
         const std::size_t larger = std::max(size, entries_.size());
+        displaced_.resize(larger / 4);
         entries_.clear();
         entries_.resize(larger, 0);
-        view_.stamp = std::uint64_t{1} << 32;
+        view_.stamp = one_stamp;
     }
     view_.data = entries_.data();
     view_.mask = static_cast<std::uint32_t>(size - 1);
+    view_.place_bits = bits;
+    view_.displaced = displaced_.data();
+    view_.displaced_count = &displaced_count_;
 }
 
 void MarkTable::grow(std::size_t members, const FacetCode* codes, std::size_t marked) {
     if (members <= capacity()) return;
-    view_.stamp += std::uint64_t{1} << 32;  // what is in has other places now
+    view_.stamp += one_stamp;  // what is in has other places now
     resize(members);
+    displaced_count_ = 0;
     for (std::size_t i = 0; i < marked; ++i) view_.put(codes[i] >> 2, 1);
 }
 

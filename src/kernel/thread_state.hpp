@@ -43,17 +43,24 @@ class SlotSupply {
     std::size_t promised_ = 0;
 };
 
-// A set of tetrahedra, open-addressed: those of the cavity that is being dug. Marks in the
-// tetrahedra themselves would be seen by other threads, which may test them too. An entry has the
-// number of the insertion that made it above the tetrahedron's, so none need be taken out.
+// The set of tetrahedra in the cavity that a thread digs. Marks in the tetrahedra themselves would
+// be seen by other threads, which may test them too.
+//
+// A hash table whose entries are of 32 bits: a tetrahedron's lowest bits are its place, the others
+// are in the entry, below the stamp of the insertion that made it. So nothing need be taken out:
+// entries of other stamps are free. A tetrahedron whose place another one of the same cavity holds
+// goes to a list.
 class MarkTable {
   public:
-    explicit MarkTable(Allocator& allocator) noexcept : entries_(allocator) {}
+    explicit MarkTable(Allocator& allocator) noexcept
+        : entries_(allocator), displaced_(allocator) {}
     // Empties the set and makes room for so many. It is no larger than they want, however large it
     // has been: entries all over a large one would leave the cache.
     MGDT_ALWAYS_INLINE void begin(std::size_t members) {
-        view_.stamp += std::uint64_t{1} << 32;
+        view_.stamp += one_stamp;
         view_.mask = least - 1;
+        view_.place_bits = least_bits;
+        displaced_count_ = 0;
         if (MGDT_UNLIKELY(4 * members > least || entries_.empty() || view_.stamp == 0))
             resize(members);
     }
@@ -64,25 +71,39 @@ class MarkTable {
         return (std::size_t{view_.mask} + 1) / 4;
     }
     static constexpr std::size_t least_capacity = 256;
-    // The set, by value: nothing that is written elsewhere changes where it is.
+    static constexpr unsigned stamp_shift = 20;
+
+    // The set, by value: a copy stays in registers while entries are written.
     struct View {
         bool has(TetId t) const noexcept;
-        // Puts t in if `is_in` is 1; returns 1 if it was not in before, whatever `is_in` says.
+        // Puts t in if `is_in` is 1. Returns 1 if it was not in before, whatever `is_in` says.
         MGDT_ALWAYS_INLINE std::uint32_t put(TetId t, std::uint32_t is_in) const noexcept {
-            const std::uint64_t key = stamp | t;
-            std::uint64_t* entry = data + (t & mask);
-            // Below 2^32 - 1: another one of this insertion.
-            if (MGDT_UNLIKELY((*entry ^ key) - 1 < 0xFFFFFFFFu)) entry = find(t);
-            const std::uint64_t there = *entry;
-            *entry = there ^ ((there ^ key) & (0 - std::uint64_t{is_in}));
+            std::uint32_t& entry = data[t & mask];
+            const std::uint32_t key = key_of(t), there = entry;
+            if (MGDT_UNLIKELY(is_collision(there, key))) return put_displaced(t, is_in);
+            entry = there ^ ((there ^ key) & (0 - is_in));
             return there != key;
         }
-        // Where t is, or would be.
-        std::uint64_t* find(TetId t) const noexcept;
+        MGDT_ALWAYS_INLINE std::uint32_t key_of(TetId t) const noexcept {
+            return stamp | t >> place_bits;
+        }
+        // Whether an entry has the key's stamp, but another tetrahedron.
+        static bool is_collision(std::uint32_t entry, std::uint32_t key) noexcept {
+            return entry != key && (entry ^ key) >> stamp_shift == 0;
+        }
 
-        std::uint64_t* data = nullptr;
+        std::uint32_t* data = nullptr;
         std::uint32_t mask = 0;
-        std::uint64_t stamp = 0;
+        unsigned place_bits = 0;
+        std::uint32_t stamp = 0;
+
+      private:
+        friend class MarkTable;
+        bool is_displaced(TetId t) const noexcept;
+        std::uint32_t put_displaced(TetId t, std::uint32_t is_in) const noexcept;
+
+        TetId* displaced = nullptr;
+        std::uint32_t* displaced_count = nullptr;
     };
     MGDT_ALWAYS_INLINE View view() const noexcept { return view_; }
 
@@ -90,8 +111,15 @@ class MarkTable {
     // Entries for so many, none of them with the stamp.
     void resize(std::size_t members);
 
-    static constexpr std::size_t least = 4 * least_capacity;
-    Buffer<std::uint64_t> entries_;
+    static constexpr unsigned least_bits = 10;
+    static constexpr std::size_t least = std::size_t{1} << least_bits;
+    static_assert(least == 4 * least_capacity);
+    static constexpr std::uint32_t one_stamp = std::uint32_t{1} << stamp_shift;
+    static_assert((std::uint64_t{max_tetrahedra} - 1) >> least_bits < one_stamp);
+
+    Buffer<std::uint32_t> entries_;
+    Buffer<TetId> displaced_;  // as many as there may be members
+    std::uint32_t displaced_count_ = 0;
     View view_;
 };
 

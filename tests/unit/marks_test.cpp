@@ -43,6 +43,18 @@ TEST(MarkTable, HasWhatWasPutIn) {
     }
 }
 
+// Stamps come again after some thousand cavities; what had them is gone by then.
+TEST(MarkTable, ForgetsWhatHadTheStampBefore) {
+    Allocator allocator;
+    MarkTable marks(allocator);
+    marks.begin(1);
+    marks.view().put(7, 1);
+    for (unsigned cavity = 0; cavity < 10000; ++cavity) {
+        marks.begin(1);
+        ASSERT_FALSE(marks.view().has(7)) << cavity;
+    }
+}
+
 struct Compiled {
     const char* name;
     FourAtATime (*pieces)();
