@@ -12,17 +12,17 @@
 #define MGDT_VERSION_PATCH 0
 
 #if defined(_WIN32)
-#if defined(MGDT_BUILDING)
-#define MGDT_API __declspec(dllexport)
-#elif defined(MGDT_STATIC)
-#define MGDT_API
-#else
-#define MGDT_API __declspec(dllimport)
-#endif
+#  if defined(MGDT_BUILDING)
+#    define MGDT_API __declspec(dllexport)
+#  elif defined(MGDT_STATIC)
+#    define MGDT_API
+#  else
+#    define MGDT_API __declspec(dllimport)
+#  endif
 #elif defined(__GNUC__)
-#define MGDT_API __attribute__((visibility("default")))
+#  define MGDT_API __attribute__((visibility("default")))
 #else
-#define MGDT_API
+#  define MGDT_API
 #endif
 
 #ifdef __cplusplus
@@ -93,131 +93,135 @@ enum {
     MGDT_STAT_PEAK_MEMORY_BYTES = 71
 };
 
-enum { MGDT_CHECK_COMBINATORIAL = 1, MGDT_CHECK_GEOMETRIC = 2, MGDT_CHECK_CANONICAL = 3 };
+enum {
+    MGDT_CHECK_COMBINATORIAL = 1,
+    MGDT_CHECK_GEOMETRIC = 2,
+    MGDT_CHECK_CANONICAL = 3
+};
 
-typedef void* (*mgdt_alloc_fn)(size_t size, size_t align, void* user);
+typedef void *(*mgdt_alloc_fn)(size_t size, size_t align, void *user);
 
-typedef void (*mgdt_free_fn)(void* p, size_t size, size_t align, void* user);
+typedef void (*mgdt_free_fn)(void *p, size_t size, size_t align, void *user);
 
-typedef int32_t (*mgdt_progress_fn)(double fraction, void* user);
+typedef int32_t (*mgdt_progress_fn)(double fraction, void *user);
 
-MGDT_API mgdt_status mgdt_create(mgdt_triangulation** out);
+MGDT_API mgdt_status mgdt_create(mgdt_triangulation **out);
 
 MGDT_API mgdt_status mgdt_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release,
-                                                void* user, mgdt_triangulation** out);
+                                                void *user, mgdt_triangulation **out);
 
-MGDT_API void mgdt_destroy(mgdt_triangulation* t);
+MGDT_API void mgdt_destroy(mgdt_triangulation *t);
 
-MGDT_API mgdt_status mgdt_clear(mgdt_triangulation* t);
+MGDT_API mgdt_status mgdt_clear(mgdt_triangulation *t);
 
-MGDT_API mgdt_status mgdt_reserve(mgdt_triangulation* t, int64_t n_points);
+MGDT_API mgdt_status mgdt_reserve(mgdt_triangulation *t, int64_t n_points);
 
-MGDT_API mgdt_status mgdt_set_order_scheme(mgdt_triangulation* t, int32_t scheme);
+MGDT_API mgdt_status mgdt_set_order_scheme(mgdt_triangulation *t, int32_t scheme);
 
-MGDT_API mgdt_status mgdt_set_order_parameter(mgdt_triangulation* t, int32_t key, double value);
+MGDT_API mgdt_status mgdt_set_order_parameter(mgdt_triangulation *t, int32_t key, double value);
 
-MGDT_API mgdt_status mgdt_set_seed(mgdt_triangulation* t, uint64_t seed);
+MGDT_API mgdt_status mgdt_set_seed(mgdt_triangulation *t, uint64_t seed);
 
-MGDT_API mgdt_status mgdt_set_threads(mgdt_triangulation* t, int32_t n);
+MGDT_API mgdt_status mgdt_set_threads(mgdt_triangulation *t, int32_t n);
 
-MGDT_API mgdt_status mgdt_set_index_base(mgdt_triangulation* t, int32_t base);
+MGDT_API mgdt_status mgdt_set_index_base(mgdt_triangulation *t, int32_t base);
 
-MGDT_API mgdt_status mgdt_set_memory_limit(mgdt_triangulation* t, int64_t bytes);
+MGDT_API mgdt_status mgdt_set_memory_limit(mgdt_triangulation *t, int64_t bytes);
 
-MGDT_API mgdt_status mgdt_set_compact(mgdt_triangulation* t, int32_t on);
+MGDT_API mgdt_status mgdt_set_compact(mgdt_triangulation *t, int32_t on);
 
-MGDT_API mgdt_status mgdt_set_progress(mgdt_triangulation* t, mgdt_progress_fn fn, void* user);
+MGDT_API mgdt_status mgdt_set_progress(mgdt_triangulation *t, mgdt_progress_fn fn, void *user);
 
-MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation* t);
+MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation *t);
 
-MGDT_API mgdt_status mgdt_set_canonical_output(mgdt_triangulation* t, int32_t on);
+MGDT_API mgdt_status mgdt_set_canonical_output(mgdt_triangulation *t, int32_t on);
 
-MGDT_API mgdt_status mgdt_set_isa(mgdt_triangulation* t, const char* name);
+MGDT_API mgdt_status mgdt_set_isa(mgdt_triangulation *t, const char *name);
 
-MGDT_API mgdt_status mgdt_insert_points(mgdt_triangulation* t, int64_t n, const double* xyz);
+MGDT_API mgdt_status mgdt_insert_points(mgdt_triangulation *t, int64_t n, const double *xyz);
 
-MGDT_API mgdt_status mgdt_insert_points_strided(mgdt_triangulation* t, int64_t n, const double* x,
-                                                const double* y, const double* z, int64_t stride);
+MGDT_API mgdt_status mgdt_insert_points_strided(mgdt_triangulation *t, int64_t n, const double *x,
+                                                const double *y, const double *z, int64_t stride);
 
-MGDT_API int64_t mgdt_point_count(const mgdt_triangulation* t);
+MGDT_API int64_t mgdt_point_count(const mgdt_triangulation *t);
 
-MGDT_API int64_t mgdt_vertex_count(const mgdt_triangulation* t);
+MGDT_API int64_t mgdt_vertex_count(const mgdt_triangulation *t);
 
-MGDT_API int32_t mgdt_dimension(const mgdt_triangulation* t);
+MGDT_API int32_t mgdt_dimension(const mgdt_triangulation *t);
 
-MGDT_API int64_t mgdt_tetrahedron_count(const mgdt_triangulation* t);
+MGDT_API int64_t mgdt_tetrahedron_count(const mgdt_triangulation *t);
 
-MGDT_API int64_t mgdt_hull_facet_count(const mgdt_triangulation* t);
+MGDT_API int64_t mgdt_hull_facet_count(const mgdt_triangulation *t);
 
-MGDT_API int64_t mgdt_edge_count(const mgdt_triangulation* t);
+MGDT_API int64_t mgdt_edge_count(const mgdt_triangulation *t);
 
-MGDT_API int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation* t);
+MGDT_API int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation *t);
 
-MGDT_API mgdt_status mgdt_get_tetrahedra(const mgdt_triangulation* t, int64_t capacity, int64_t* v);
+MGDT_API mgdt_status mgdt_get_tetrahedra(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
 
-MGDT_API mgdt_status mgdt_get_tetrahedra_i32(const mgdt_triangulation* t, int64_t capacity,
-                                             int32_t* v);
+MGDT_API mgdt_status mgdt_get_tetrahedra_i32(const mgdt_triangulation *t, int64_t capacity,
+                                             int32_t *v);
 
-MGDT_API mgdt_status mgdt_get_neighbors(const mgdt_triangulation* t, int64_t capacity, int64_t* v);
+MGDT_API mgdt_status mgdt_get_neighbors(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
 
-MGDT_API mgdt_status mgdt_get_neighbors_i32(const mgdt_triangulation* t, int64_t capacity,
-                                            int32_t* v);
+MGDT_API mgdt_status mgdt_get_neighbors_i32(const mgdt_triangulation *t, int64_t capacity,
+                                            int32_t *v);
 
-MGDT_API mgdt_status mgdt_get_hull_facets(const mgdt_triangulation* t, int64_t capacity,
-                                          int64_t* v);
+MGDT_API mgdt_status mgdt_get_hull_facets(const mgdt_triangulation *t, int64_t capacity,
+                                          int64_t *v);
 
-MGDT_API mgdt_status mgdt_get_hull_facets_i32(const mgdt_triangulation* t, int64_t capacity,
-                                              int32_t* v);
+MGDT_API mgdt_status mgdt_get_hull_facets_i32(const mgdt_triangulation *t, int64_t capacity,
+                                              int32_t *v);
 
-MGDT_API mgdt_status mgdt_get_edges(const mgdt_triangulation* t, int64_t capacity, int64_t* v);
+MGDT_API mgdt_status mgdt_get_edges(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
 
-MGDT_API mgdt_status mgdt_get_edges_i32(const mgdt_triangulation* t, int64_t capacity, int32_t* v);
+MGDT_API mgdt_status mgdt_get_edges_i32(const mgdt_triangulation *t, int64_t capacity, int32_t *v);
 
-MGDT_API mgdt_status mgdt_get_point_map(const mgdt_triangulation* t, int64_t capacity, int64_t* v);
+MGDT_API mgdt_status mgdt_get_point_map(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
 
-MGDT_API mgdt_status mgdt_get_point_map_i32(const mgdt_triangulation* t, int64_t capacity,
-                                            int32_t* v);
+MGDT_API mgdt_status mgdt_get_point_map_i32(const mgdt_triangulation *t, int64_t capacity,
+                                            int32_t *v);
 
-MGDT_API mgdt_status mgdt_get_vertex_tetrahedra(const mgdt_triangulation* t,
-                                                int64_t offset_capacity, int64_t* offsets,
-                                                int64_t capacity, int64_t* list);
+MGDT_API mgdt_status mgdt_get_vertex_tetrahedra(const mgdt_triangulation *t,
+                                                int64_t offset_capacity, int64_t *offsets,
+                                                int64_t capacity, int64_t *list);
 
-MGDT_API mgdt_status mgdt_get_vertex_tetrahedra_i32(const mgdt_triangulation* t,
-                                                    int64_t offset_capacity, int32_t* offsets,
-                                                    int64_t capacity, int32_t* list);
+MGDT_API mgdt_status mgdt_get_vertex_tetrahedra_i32(const mgdt_triangulation *t,
+                                                    int64_t offset_capacity, int32_t *offsets,
+                                                    int64_t capacity, int32_t *list);
 
-MGDT_API mgdt_status mgdt_locate(const mgdt_triangulation* t, const double* xyz,
-                                 int64_t* tetrahedron);
+MGDT_API mgdt_status mgdt_locate(const mgdt_triangulation *t, const double *xyz,
+                                 int64_t *tetrahedron);
 
-MGDT_API mgdt_status mgdt_locate_points(const mgdt_triangulation* t, int64_t n, const double* xyz,
-                                        int64_t* tetrahedra, double* weights);
+MGDT_API mgdt_status mgdt_locate_points(const mgdt_triangulation *t, int64_t n, const double *xyz,
+                                        int64_t *tetrahedra, double *weights);
 
-MGDT_API mgdt_status mgdt_locate_points_i32(const mgdt_triangulation* t, int64_t n,
-                                            const double* xyz, int32_t* tetrahedra,
-                                            double* weights);
+MGDT_API mgdt_status mgdt_locate_points_i32(const mgdt_triangulation *t, int64_t n,
+                                            const double *xyz, int32_t *tetrahedra,
+                                            double *weights);
 
-MGDT_API mgdt_status mgdt_nearest_vertex(const mgdt_triangulation* t, const double* xyz,
-                                         int64_t* vertex);
+MGDT_API mgdt_status mgdt_nearest_vertex(const mgdt_triangulation *t, const double *xyz,
+                                         int64_t *vertex);
 
-MGDT_API mgdt_status mgdt_check(const mgdt_triangulation* t, int32_t level);
+MGDT_API mgdt_status mgdt_check(const mgdt_triangulation *t, int32_t level);
 
-MGDT_API mgdt_status mgdt_get_stat(const mgdt_triangulation* t, int32_t key, double* value);
+MGDT_API mgdt_status mgdt_get_stat(const mgdt_triangulation *t, int32_t key, double *value);
 
-MGDT_API const char* mgdt_stat_name(int32_t key);
+MGDT_API const char *mgdt_stat_name(int32_t key);
 
-MGDT_API const char* mgdt_status_string(mgdt_status s);
+MGDT_API const char *mgdt_status_string(mgdt_status s);
 
-MGDT_API mgdt_status mgdt_get_error(const mgdt_triangulation* t, int64_t capacity, char* buffer);
+MGDT_API mgdt_status mgdt_get_error(const mgdt_triangulation *t, int64_t capacity, char *buffer);
 
-MGDT_API const char* mgdt_order_scheme_name(int32_t scheme);
+MGDT_API const char *mgdt_order_scheme_name(int32_t scheme);
 
-MGDT_API mgdt_status mgdt_order_scheme_from_name(const char* name, int32_t* scheme);
+MGDT_API mgdt_status mgdt_order_scheme_from_name(const char *name, int32_t *scheme);
 
-MGDT_API const char* mgdt_version_string(void);
+MGDT_API const char *mgdt_version_string(void);
 
 MGDT_API int32_t mgdt_abi_version(void);
 
-MGDT_API const char* mgdt_isa_name(const mgdt_triangulation* t);
+MGDT_API const char *mgdt_isa_name(const mgdt_triangulation *t);
 
 #ifdef __cplusplus
 }
