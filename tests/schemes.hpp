@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "mgdt/mgdt.h"
 
-// All order schemes, the default first.
-inline constexpr std::array<std::int32_t, 10> order_schemes = {
-    MGDT_ORDER_AUTO,          MGDT_ORDER_INPUT,   MGDT_ORDER_RANDOM,
-    MGDT_ORDER_LEXICOGRAPHIC, MGDT_ORDER_BRIO,    MGDT_ORDER_HILBERT,
-    MGDT_ORDER_REGULAR_GRID,  MGDT_ORDER_KD_TREE, MGDT_ORDER_ENHANCED_KD_TREE,
-    MGDT_ORDER_MULTI_GRID};
+// All order schemes that the library knows, the default first.
+inline const std::vector<std::int32_t> order_schemes = [] {
+    std::vector<std::int32_t> all;
+    for (std::int32_t number = 0; number < 1000; ++number)
+        if (mgdt_order_scheme_name(number)) all.push_back(number);
+    return all;
+}();

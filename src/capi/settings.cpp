@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "capi/handle.hpp"
+#include "order/schemes.hpp"
 
 using namespace mgdt;
 
@@ -26,7 +27,7 @@ bool flag(std::int32_t value, const char* name) {
 
 extern "C" mgdt_status mgdt_set_order_scheme(mgdt_triangulation* t, int32_t scheme) {
     return guard(t, [&] {
-        if (!mgdt_order_scheme_name(scheme))
+        if (!find_order_scheme(scheme))
             fail(MGDT_ERR_UNKNOWN_SCHEME, "there is no order scheme %d", static_cast<int>(scheme));
         t->core.settings().scheme = scheme;
     });

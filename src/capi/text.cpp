@@ -2,27 +2,11 @@
 #include <cstring>
 
 #include "capi/handle.hpp"
+#include "order/schemes.hpp"
 
 using namespace mgdt;
 
 namespace {
-
-struct NamedScheme {
-    std::int32_t scheme;
-    const char* name;
-};
-constexpr NamedScheme schemes[] = {
-    {MGDT_ORDER_AUTO, "auto"},
-    {MGDT_ORDER_INPUT, "input"},
-    {MGDT_ORDER_RANDOM, "random"},
-    {MGDT_ORDER_LEXICOGRAPHIC, "lexicographic"},
-    {MGDT_ORDER_BRIO, "brio"},
-    {MGDT_ORDER_HILBERT, "hilbert"},
-    {MGDT_ORDER_REGULAR_GRID, "regular-grid"},
-    {MGDT_ORDER_KD_TREE, "kd-tree"},
-    {MGDT_ORDER_ENHANCED_KD_TREE, "enhanced-kd-tree"},
-    {MGDT_ORDER_MULTI_GRID, "multi-grid"},
-};
 
 struct NamedStatistic {
     std::int32_t key;
@@ -116,16 +100,15 @@ extern "C" mgdt_status mgdt_get_error(const mgdt_triangulation* t, int64_t capac
 }
 
 extern "C" const char* mgdt_order_scheme_name(int32_t scheme) {
-    for (const NamedScheme& s : schemes)
-        if (s.scheme == scheme) return s.name;
-    return nullptr;
+    const OrderScheme* const found = find_order_scheme(scheme);
+    return found ? found->name : nullptr;
 }
 
 extern "C" mgdt_status mgdt_order_scheme_from_name(const char* name, int32_t* scheme) {
     if (!name || !scheme) return MGDT_ERR_NULL_POINTER;
-    for (const NamedScheme& s : schemes) {
+    for (const OrderScheme& s : order_schemes()) {
         if (std::strcmp(s.name, name) != 0) continue;
-        *scheme = s.scheme;
+        *scheme = s.number;
         return MGDT_OK;
     }
     return MGDT_ERR_UNKNOWN_SCHEME;

@@ -107,7 +107,8 @@ class Calls {
     // ------------------------------------------------------------------------------ settings
 
     void set_order() {
-        ok(mgdt_set_order_scheme(t_, order_schemes[in_.below(10)]));
+        ok(mgdt_set_order_scheme(
+            t_, order_schemes[in_.below(static_cast<unsigned>(order_schemes.size()))]));
         ok(mgdt_set_seed(t_, in_.byte()));
         const unsigned b = in_.byte();
         ok(mgdt_set_order_parameter(t_, MGDT_PARAMETER_POINTS_PER_CELL, b & 15));

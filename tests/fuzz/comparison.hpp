@@ -43,8 +43,10 @@ inline Exports made_at_once(Input& in, const std::vector<Point>& points, const I
     mgdt_triangulation* made = nullptr;
     FUZZ_REQUIRE(mgdt_create(&made) == MGDT_OK, "mgdt_create");
     const Handle t(made);
-    FUZZ_REQUIRE(mgdt_set_order_scheme(made, order_schemes[in.below(10)]) == MGDT_OK,
-                 error_of(made));
+    FUZZ_REQUIRE(
+        mgdt_set_order_scheme(
+            made, order_schemes[in.below(static_cast<unsigned>(order_schemes.size()))]) == MGDT_OK,
+        error_of(made));
     FUZZ_REQUIRE(mgdt_set_seed(made, in.byte()) == MGDT_OK, error_of(made));
     FUZZ_REQUIRE(mgdt_set_canonical_output(made, 1) == MGDT_OK, error_of(made));
     set_isa(made, in.byte());

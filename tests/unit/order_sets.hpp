@@ -29,6 +29,7 @@
 #include "order/random.hpp"
 #include "order/rounds.hpp"
 #include "order/schedule.hpp"
+#include "order/schemes.hpp"
 #include "platform/borrowed_arena.hpp"
 
 namespace order_test {
@@ -88,19 +89,6 @@ inline Result schedule(const Coordinates& xyz, std::int32_t scheme,
                        const OrderParameters& parameters = {}) {
     return schedule(point_set(xyz), scheme, parameters);
 }
-
-const std::map<std::int32_t, std::string> schemes = {
-    {MGDT_ORDER_AUTO, "auto"},
-    {MGDT_ORDER_INPUT, "input"},
-    {MGDT_ORDER_RANDOM, "random"},
-    {MGDT_ORDER_LEXICOGRAPHIC, "lexicographic"},
-    {MGDT_ORDER_BRIO, "brio"},
-    {MGDT_ORDER_HILBERT, "hilbert"},
-    {MGDT_ORDER_REGULAR_GRID, "regular-grid"},
-    {MGDT_ORDER_KD_TREE, "kd-tree"},
-    {MGDT_ORDER_ENHANCED_KD_TREE, "enhanced-kd-tree"},
-    {MGDT_ORDER_MULTI_GRID, "multi-grid"},
-};
 
 inline double unit(Random& random) {
     return static_cast<double>(random.next() >> 11) * 0x1p-53;

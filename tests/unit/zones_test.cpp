@@ -75,7 +75,7 @@ TEST(Zones, SameAsOneThread) {
         const std::size_t n = 20 + random() % (round % 16 == 0 ? 1500 : 150);
         static constexpr unsigned values[] = {3, 5, 17, 1000000};
         const Points xyz = random_points(random, n, values[random() % 4]);
-        const std::int32_t scheme = order_schemes[round % 10];
+        const std::int32_t scheme = order_schemes[round % order_schemes.size()];
         Triangulation alone(nullptr, nullptr, nullptr), together(nullptr, nullptr, nullptr);
         alone.settings().scheme = scheme;
         insert(alone, xyz);
