@@ -187,16 +187,37 @@ HullFacet hull_facet(const Mesh& mesh, TetId ghost) {
 // Edge e of a tetrahedron joins its vertices edge_ends[e][0] and [1].
 constexpr unsigned char edge_ends[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
-// The edges where both neighbours are in later slots, a bit each; none that end at infinity.
+// For each set of faces, a bit each, the edges that lie in two of them, a bit each. An edge lies in
+// the two faces opposite the vertices that it does not join.
+struct EdgesBetween {
+    unsigned char of_faces[16] = {};
+    constexpr EdgesBetween() {
+        for (unsigned faces = 0; faces < 16; ++faces)
+            for (unsigned e = 0; e < 6; ++e) {
+                const unsigned both = 0xFu & ~(1u << edge_ends[e][0] | 1u << edge_ends[e][1]);
+                if ((faces & both) == both)
+                    of_faces[faces] = static_cast<unsigned char>(of_faces[faces] | 1u << e);
+            }
+    }
+};
+constexpr EdgesBetween edges_between;
+
+// The edges of the face opposite a vertex: those that lie in it and in another one.
+constexpr unsigned edges_of_face(unsigned face) {
+    unsigned edges = 0;
+    for (unsigned other = 0; other < 4; ++other)
+        if (other != face) edges |= edges_between.of_faces[1u << face | 1u << other];
+    return edges;
+}
+
+// The edges that this tetrahedron lists, so that each is listed once: those where both of its
+// neighbours are in later slots. None that end at infinity.
 unsigned owned_edges(const Tetrahedron& t, TetId id) {
-    // By the set of faces with later neighbours: the edges that lie between two of them.
-    static constexpr unsigned char between[16] = {0x00, 0x00, 0x00, 0x20, 0x00, 0x10, 0x04, 0x34,
-                                                  0x00, 0x08, 0x02, 0x2A, 0x01, 0x19, 0x07, 0x3F};
-    static constexpr unsigned char of_face[4] = {0x38, 0x26, 0x15, 0x0B};
     if (t.is_dead()) return 0;
     unsigned later = 0;
     for (unsigned f = 0; f < 4; ++f) later |= (t.n[f] >> 2 > id ? 1u : 0u) << f;
-    return t.is_ghost() ? between[later] & of_face[t.infinite_slot()] : between[later];
+    const unsigned edges = edges_between.of_faces[later];
+    return t.is_ghost() ? edges & edges_of_face(static_cast<unsigned>(t.infinite_slot())) : edges;
 }
 
 }  // namespace
