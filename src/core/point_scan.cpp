@@ -6,7 +6,7 @@
 #include <cstring>
 #include <mutex>
 
-#include "platform/cpu.hpp"
+#include "platform/compiler.hpp"
 #include "platform/error.hpp"
 
 namespace mgdt {

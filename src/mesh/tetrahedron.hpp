@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "platform/cpu.hpp"
+#include "platform/compiler.hpp"
 
 namespace mgdt {
 

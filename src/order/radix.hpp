@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "order/equal_runs.hpp"
-#include "platform/cpu.hpp"
+#include "platform/compiler.hpp"
 
 namespace mgdt {
 

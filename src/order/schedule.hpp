@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "parallel/team.hpp"
-#include "platform/cpu.hpp"
+#include "platform/compiler.hpp"
 #include "platform/memory.hpp"
 
 namespace mgdt {

@@ -11,7 +11,7 @@
 
 #include "mgdt/mgdt.h"
 #include "platform/atomic.hpp"
-#include "platform/cpu.hpp"
+#include "platform/compiler.hpp"
 #include "platform/strict.hpp"
 
 namespace mgdt {

@@ -5,7 +5,7 @@
 
 #include "mesh/mesh.hpp"
 #include "parallel/team.hpp"
-#include "platform/cpu.hpp"
+#include "platform/compiler.hpp"
 
 namespace mgdt {
 
