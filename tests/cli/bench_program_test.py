@@ -22,7 +22,7 @@ import cli_test  # noqa: E402  (its tests do not run here)
 
 COLUMNS = ("library,version,distribution,points,seed,scheme,threads,run,status,np,nr,created,"
            "order_seconds,insert_seconds,total_seconds,bytes_per_point,peak_rss_bytes,inserted,"
-           "duplicates,tetrahedra,levels,rounds,system_seconds")
+           "duplicates,tetrahedra,levels,rounds,system_seconds,user_seconds")
 # Walks from end to end of the line at each point, which takes seconds: time enough to interfere.
 SLOW = ["--distributions", "line", "--sizes", "60000", "--schemes", "random,auto", "--runs", "1"]
 
@@ -81,11 +81,17 @@ class BenchTest(cli_test.CliTest):
 
 
 class Tables(BenchTest):
-    def test_what_the_system_takes(self):
+    def test_processor_times(self):
         # 110 MB of fresh pages are more than a tick.
         self.bench("--distributions", "uniform", "--sizes", "3e5", "--schemes", "auto",
-                   "--runs", 1, "--csv", "t.csv")
-        self.assertGreater(float(self.rows()[0]["system_seconds"]), 0)
+                   "--threads", "1,2", "--runs", 1, "--csv", "t.csv")
+        for row in self.rows():
+            user, system = float(row["user_seconds"]), float(row["system_seconds"])
+            self.assertGreater(system, 0)
+            # The points are not made, nor read, in the time that is measured.
+            self.assertLess(user + system, int(row["threads"]) * float(row["total_seconds"]) + 0.02)
+        # A thread is not idle while it inserts; another process may take the processor from it.
+        self.assertGreater(float(self.rows()[0]["user_seconds"]), 0.05)
 
     def test_rows_and_files(self):
         text = self.bench("--distributions", "uniform,galaxy,mild-line", "--sizes", "2000,3e3",
@@ -94,7 +100,8 @@ class Tables(BenchTest):
         self.assertEqual(self.err, "", "a bar where nobody looks")
         rows = self.rows()
         self.assertEqual(len(rows), 3 * 2 * 2 * 2 * 2)
-        for title in ["NP", "NR", "created", "order s", "insert s", "total s", "bytes/pt"]:
+        for title in ["NP", "NR", "created", "order s", "insert s", "total s", "user s",
+                      "bytes/pt"]:
             self.assertIn(title, text)
         # In turns: everyone's first run before anyone's second.
         self.assertEqual([(r["scheme"], r["threads"], r["run"]) for r in rows[:8]],
@@ -109,7 +116,8 @@ class Tables(BenchTest):
             self.assertLessEqual(spent, float(r["total_seconds"]))
             # Of all threads, and counted in ticks.
             self.assertGreaterEqual(float(r["system_seconds"]), 0)
-            self.assertLess(float(r["system_seconds"]),
+            self.assertGreaterEqual(float(r["user_seconds"]), 0)
+            self.assertLess(float(r["system_seconds"]) + float(r["user_seconds"]),
                             int(r["threads"]) * float(r["total_seconds"]) + 0.02)
             self.assertGreater(float(r["bytes_per_point"]), 300)
             self.assertGreater(float(r["peak_rss_bytes"]), 300 * int(r["points"]))

@@ -25,7 +25,8 @@ enum Figure : std::size_t {
     tetrahedra,
     levels,
     rounds,
-    system_seconds,  // of processor time, of all threads: pages above all
+    system_seconds,  // processor time in the system, of all threads: mostly fresh pages
+    user_seconds,    // processor time in the program itself, of all threads
     figure_count
 };
 
@@ -42,7 +43,8 @@ inline constexpr std::array<const char*, figure_count> figure_names{"np",
                                                                     "tetrahedra",
                                                                     "levels",
                                                                     "rounds",
-                                                                    "system_seconds"};
+                                                                    "system_seconds",
+                                                                    "user_seconds"};
 
 // What a library does not tell is empty.
 using Figures = std::array<std::optional<double>, figure_count>;

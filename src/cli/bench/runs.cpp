@@ -42,15 +42,22 @@ struct Reporter {
     }
 };
 
-// What the system spent on this process so far.
-double system_time() {
-    rusage usage = {};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_stime.tv_sec) +
-           1e-6 * static_cast<double>(usage.ru_stime.tv_usec);
+double seconds_of(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-Figures figures_of(const mgdt_triangulation* t, double seconds, double system) {
+// The processor time of this process so far, of all its threads.
+struct ProcessorTime {
+    ProcessorTime() {
+        rusage usage = {};
+        getrusage(RUSAGE_SELF, &usage);
+        user = seconds_of(usage.ru_utime);
+        system = seconds_of(usage.ru_stime);
+    }
+    double user, system;
+};
+
+Figures figures_of(const mgdt_triangulation* t, double seconds, double user, double system) {
     const auto stat = [t](std::int32_t key) {
         double value = 0;
         mgdt_get_stat(t, key, &value);
@@ -67,6 +74,7 @@ Figures figures_of(const mgdt_triangulation* t, double seconds, double system) {
     f[insert_seconds] = stat(MGDT_STAT_INSERT_SECONDS);
     f[total_seconds] = seconds;
     f[system_seconds] = system;
+    f[user_seconds] = user;
     if (const std::int64_t n = mgdt_point_count(t); n > 0) {
         f[bytes_per_point] = stat(MGDT_STAT_PEAK_MEMORY_BYTES) / static_cast<double>(n);
     }
@@ -86,14 +94,15 @@ void triangulate_in_child(int out, const PointSet& set, const Row& row) {
     options.threads = row.threads;
     options.seed = row.seed;
     Reporter reporter{out, steady_clock::now()};
-    const double system_before = system_time();
+    const ProcessorTime before;
     const auto begin = steady_clock::now();
     Triangulation t(options);
     t.insert(points, row.distribution, Reporter::report, &reporter);
     const double seconds = duration<double>(steady_clock::now() - begin).count();
-    const double system = system_time() - system_before;
+    const ProcessorTime after;
     std::string line = figures_word;
-    for (const std::optional<double>& figure : figures_of(t.get(), seconds, system)) {
+    for (const std::optional<double>& figure :
+         figures_of(t.get(), seconds, after.user - before.user, after.system - before.system)) {
         line += figure ? fmt::format(" {}", *figure) : std::string(" ") + no_figure;
     }
     send(out, line);

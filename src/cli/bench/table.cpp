@@ -24,6 +24,7 @@ constexpr Column columns[] = {
     {order_seconds, "order s", 9, 4},
     {insert_seconds, "insert s", 9, 4},
     {total_seconds, "total s", 9, 4},
+    {user_seconds, "user s", 9, 4},
     {bytes_per_point, "bytes/pt", 9, 0},
 };
 
