@@ -399,7 +399,7 @@ class Peers(BenchTest):
     def test_ratios_of_medians(self):
         # What it takes for the number of tetrahedra shows that it got all the points in each run.
         self.runner("cgal", 'n=$(wc -c)\nread k <count || k=0\necho $((k + 1)) >count\n'
-                            'echo "chatter"\necho "9.9 $((k + 1)).5 $n 4000"\n')
+                            'echo "chatter"\necho "9.9 $((k + 1)).5 $n 4000 0.25"\n')
         self.put("count", "0\n")
         text = self.compare("cgal", "--schemes", "auto,hilbert", "--runs", 3, "--json", "t.json")
         rows = self.rows()
@@ -410,6 +410,7 @@ class Peers(BenchTest):
         for r in peer:
             self.assertEqual((r["tetrahedra"], r["version"], r["status"]), ("24000", "9.9", "ok"))
             self.assertEqual((r["bytes_per_point"], r["np"], r["levels"]), ("4", "", ""))
+            self.assertEqual(r["user_seconds"], "0.25")
             self.assertGreater(int(r["peak_rss_bytes"]), 100000)
         summary = text[text.index("medians"):]
         self.assertIn("cgal/mgdt", summary)
@@ -462,6 +463,7 @@ class Peers(BenchTest):
         self.bench("--csv", "t.csv", "--peers", "cgal", "--distributions", "uniform", "--sizes",
                    1000, "--runs", 1, env={**os.environ, "MGDT_PEERS": self.directory})
         self.assertEqual([r["library"] for r in self.rows()], ["mgdt", "qhull", "cgal"])
+        self.assertEqual([r["user_seconds"] for r in self.rows()[1:]], ["", ""])
 
 
 if __name__ == "__main__":

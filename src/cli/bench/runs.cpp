@@ -164,7 +164,7 @@ void run_peer(const PointSet& set, const std::string& runner, double time_limit,
     row.status = status_of(end);
     if (!row.ok()) return;
     std::istringstream words(end.last_line);
-    double seconds = 0, count = 0, bytes = 0;
+    double seconds = 0, count = 0, bytes = 0, user = 0;
     if (!(words >> row.version >> seconds >> count >> bytes)) {
         row.status = "error: not a runner's line: " + as_field(end.last_line);
         return;
@@ -172,6 +172,7 @@ void run_peer(const PointSet& set, const std::string& runner, double time_limit,
     row.version = as_field(row.version);
     row.figures[total_seconds] = seconds;
     row.figures[tetrahedra] = count;
+    if (words >> user) row.figures[user_seconds] = user;
     if (set.points() > 0) {
         row.figures[bytes_per_point] = bytes / static_cast<double>(set.points());
     }

@@ -29,6 +29,7 @@ def main():
         assert r["status"] == "ok", r
         assert r["tetrahedra"] == rows[0]["tetrahedra"] > 15000, r
         assert r["version"] and r["total_seconds"] > 0, r
+        assert 0 <= r["user_seconds"] <= r["total_seconds"] + 0.02, r
         assert 300 < r["bytes_per_point"] < 5000, r
     assert refused == [1] * len(runners), refused
     print(f"{', '.join(peers)}: {len(rows)} rows")

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the runners of peers have in common: points come in as doubles on standard input, and the
-// last line on standard output is "VERSION SECONDS TETRAHEDRA BYTES", the bytes being the growth
-// of the process while it triangulated. Failing is a line of text and another exit code than 0.
+// last line on standard output is "VERSION SECONDS TETRAHEDRA BYTES USER_SECONDS", the bytes being
+// the growth of the process while it triangulated, and user seconds its own processor time, without
+// the system's. Failing is a line of text and another exit code than 0.
 #pragma once
 
 #include <sys/resource.h>
@@ -32,10 +33,19 @@ inline std::vector<double> read_points() {
     return values;
 }
 
+inline rusage usage() {
+    rusage all = {};
+    getrusage(RUSAGE_SELF, &all);
+    return all;
+}
+
 inline long long peak_bytes() {
-    rusage usage = {};
-    getrusage(RUSAGE_SELF, &usage);
-    return 1024LL * usage.ru_maxrss;
+    return 1024LL * usage().ru_maxrss;
+}
+
+inline double user_seconds() {
+    const timeval time = usage().ru_utime;
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 /// What is resident now; the peak so far if the system does not say.
@@ -52,12 +62,14 @@ inline long long resident_bytes() {
 template <class Triangulate, class Count>
 void measure(const std::string& version, Triangulate triangulate, Count count) {
     const long long before = resident_bytes();
+    const double user_before = user_seconds();
     const auto begin = std::chrono::steady_clock::now();
     triangulate();
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    const double user = user_seconds() - user_before;
     const long long growth = peak_bytes() - before;
-    std::printf("\n%s %.9f %lld %lld\n", version.c_str(), taken.count(),
-                static_cast<long long>(count()), growth);
+    std::printf("\n%s %.9f %lld %lld %.6f\n", version.c_str(), taken.count(),
+                static_cast<long long>(count()), growth, user);
 }
 
 /// The exit code of a runner's main().
