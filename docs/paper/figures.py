@@ -12,7 +12,7 @@ HERE = Path(__file__).resolve().parent
 COLUMNS = (
     "library,version,distribution,points,seed,scheme,threads,run,status,np,nr,created,"
     "order_seconds,insert_seconds,total_seconds,bytes_per_point,peak_rss_bytes,inserted,"
-    "duplicates,tetrahedra,levels,rounds,system_seconds"
+    "duplicates,tetrahedra,levels,rounds,system_seconds,user_seconds"
 ).split(",")
 MEASURED = COLUMNS[COLUMNS.index("np") :]
 # Rows that differ in these alone are runs of one thing, and one row of medians.
@@ -78,14 +78,12 @@ def number(text):
     return float(text) if text != "" else None
 
 
-def entry(row, order, insert, **more):
+def entry(row, order, **more):
     return SimpleNamespace(
         np=number(row["np"]),
         nr=number(row["nr"]),
         order=number(row[order]),
-        insert=number(row[insert]),
         total=number(row["total_seconds"]),
-        points=int(row["points"]),
         **more,
     )
 
@@ -103,14 +101,14 @@ class Study:
             if key in self.ours:
                 sys.exit(f"report.py: {figures}: {' '.join(map(str, key))} is there twice")
             self.ours[key] = entry(
-                row, "order_seconds", "insert_seconds", status=row["status"], runs=int(row["run"]),
-                system=number(row["system_seconds"]),
+                row, "order_seconds", status=row["status"], runs=int(row["run"]),
+                time=number(row["user_seconds"]),
             )
         with open(paper, newline="", encoding="utf-8") as file:
             for row in csv.DictReader(file):
                 mild = "mild-" if row["table"] == "1" else ""
                 key = (mild + row["distribution"], int(row["points"]), row["scheme"])
-                self.paper[key] = entry(row, "grid_seconds", "insert_seconds", status="ok")
+                self.paper[key] = entry(row, "grid_seconds", time=number(row["total_seconds"]))
         self.header = json.loads(Path(header).read_text(encoding="utf-8"))
         # Of all that tables and plots are made of, to tell whether a plot is theirs.
         data = Path(figures).read_bytes() + Path(paper).read_bytes()
@@ -118,6 +116,9 @@ class Study:
 
     def sizes(self, distribution):
         return sorted({n for d, n, _ in [*self.ours, *self.paper] if d == distribution})
+
+    def timed(self, *key):
+        return getattr(self.ours.get(key), "time", None) is not None
 
     def schemes(self):
         """Those of the report, and what else was measured."""
@@ -128,12 +129,8 @@ class Study:
         measured = {row["library"] for row in self.single} - {"mgdt"}
         return [p for p in PEERS if p in measured] + sorted(measured - set(PEERS))
 
-    def largest(self, distribution, contenders):
-        """The largest size at which one of them was measured."""
-        return max(n for d, n, s in self.ours if d == distribution and s in contenders)
-
 
 def cost(source, distribution, points, scheme):
-    """Seconds a point, or None."""
+    """Seconds per point, or None: mgdt's own processor time, the paper's CPU time."""
     known = source.get((distribution, points, scheme))
-    return known.total / points if known and known.total is not None else None
+    return known.time / points if known and known.time is not None else None

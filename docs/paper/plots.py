@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, NullFormatter
 from PIL import Image, PngImagePlugin
 
-from figures import DISTRIBUTIONS, PAPER_SCHEMES, SCHEMES, cost
+from figures import DISTRIBUTIONS, SCHEMES, cost
 
 INK, PALE, FAILED = "#1c2733", "#d9dee4", "#b3261e"
 COLOURS = dict(zip(SCHEMES, "#e08214 #2166ac #1b7837 #8c510a #9970ab #7f7f7f #d6002a".split()))
@@ -116,85 +116,6 @@ def relative_cost(source, distribution, points, scheme):
     return own / base if own and base else None
 
 
-def bar(axes, place, width, value, status, colour):
-    """A bar, or where there is no figure the word for why."""
-    if value is not None:
-        axes.bar(place, value, width, color=colour)
-        return
-    absent = status in ("not run", "not in the paper")
-    colour = "#8a94a0" if absent else FAILED
-    mark = dict(transform=axes.get_xaxis_transform(), ha="center", va="bottom", color=colour)
-    axes.bar(place, 1, width, transform=axes.get_xaxis_transform(), color="none", hatch="////",
-             edgecolor=PALE if absent else "#f0c4c0", linewidth=0, zorder=0)
-    axes.text(place, 0.02, status, rotation=90, fontsize=6, **mark)
-
-
-def key(axes, palette):
-    """What the bars' colours mean, above a plot."""
-    bars = [plt.Rectangle((0, 0), 1, 1, color=c, label=name) for name, c in palette.items()]
-    place = dict(loc="lower center", bbox_to_anchor=(0.5, 1.1), frameon=False)
-    axes.legend(handles=bars, ncol=len(bars), **place)
-
-
-def largest(study):
-    """Figure 29: the time of every scheme at the largest size that all distributions have."""
-    kinds = DISTRIBUTIONS[:-1]
-    sizes = [{n for d, n, _ in study.ours if d == kind} for kind in kinds]
-    common = max(set.intersection(*sizes), default=None)
-    figure, (left, right) = plt.subplots(2, 1, figsize=(10, 6.2), layout="constrained")
-    schemes = study.schemes()
-    step = 0.9 / len(schemes)
-    for i, kind in enumerate(kinds):
-        for j, scheme in enumerate(schemes):
-            known = study.ours.get((kind, common, scheme))
-            status = known.status if known else "not run"
-            place = i + (j - (len(schemes) - 1) / 2) * step
-            colour = look(scheme, study)["color"]
-            bar(left, place, 0.92 * step, known and known.total, status, colour)
-        for j, scheme in enumerate(PAPER_SCHEMES):
-            known = study.paper.get((kind, 20000000, scheme))
-            place = i + (j - 1) * 0.9 / 3
-            value = known and known.total
-            bar(right, place, 0.27, value, "not in the paper", COLOURS[scheme])
-    size = f"{common / 1e6:g} million points" if common else "no size that all distributions have"
-    for axes, title in ((left, f"mgdt, {size}"), (right, "the paper, 20 million points (i7-870)")):
-        axes.set_xticks(range(len(kinds)), kinds)
-        axes.set_xlim(-0.6, len(kinds) - 0.4)
-        axes.set(title=title, ylabel="seconds")
-        axes.grid(axis="y", color=PALE, linewidth=0.5)
-        axes.set_axisbelow(True)
-    key(left, {s: look(s, study)["color"] for s in schemes})
-    return figure
-
-
-def peers(study):
-    """Seconds of other libraries by ours, at the largest size at which each set has them."""
-    names = study.peers()
-    figure, axes = plt.subplots(figsize=(10, 3.6), layout="constrained")
-    palette = dict(zip(names, "#2166ac #1b7837 #e08214 #9970ab".split() + [INK] * len(names)))
-    kinds = [d for d in DISTRIBUTIONS if any(k == d and s in names for k, _, s in study.ours)]
-    labels = []
-    for i, kind in enumerate(kinds):
-        points = study.largest(kind, names)
-        labels.append(f"{kind}\n{points / 1e6:g}M")
-        base = cost(study.ours, kind, points, "auto")
-        for j, name in enumerate(names):
-            known = study.ours.get((kind, points, name))
-            own = cost(study.ours, kind, points, name)
-            status = known.status if known else "not run"
-            value = own / base if own and base else None
-            if own and not base:
-                status = "mgdt not run"
-            place = i + (j - (len(names) - 1) / 2) * 0.85 / len(names)
-            bar(axes, place, 0.78 / len(names), value, status, palette[name])
-    axes.axhline(1, color=INK, linewidth=0.8)
-    axes.set_xticks(range(len(kinds)), labels)
-    axes.set_xlim(-0.6, len(kinds) - 0.4)
-    axes.set(ylabel="seconds / mgdt's", title="Other libraries beside mgdt's default scheme")
-    key(axes, palette)
-    return figure
-
-
 def draw_all(study, folder):
     def visited(source, *key):
         return getattr(source.get(key), "np", None)
@@ -205,16 +126,11 @@ def draw_all(study, folder):
     made = {
         "cost.png": panels(
             study,
-            "Cost of a point, beside multi-grid's at the smallest size in the same study",
-            "relative cost",
+            "Time per point, divided by multi-grid's at the smallest size in the same study",
+            "relative time",
             relative_cost,
         ),
         "np.png": panels(study, "NP: tetrahedra visited to find the base", "NP", visited),
         "nr.png": panels(study, "NR: tetrahedra removed by an insertion", "NR", removed),
-        "largest.png": largest(study),
     }
-    if study.peers():
-        made["peers.png"] = peers(study)
-    else:
-        (folder / "peers.png").unlink(missing_ok=True)
     return [save(figure, folder / name, study.digest) for name, figure in made.items()]

@@ -20,10 +20,11 @@ from figures import (
 )
 
 TITLES = {"regular-grid": "regular grid", "enhanced-kd-tree": "enhanced kd-tree"}
-TABLES = {k: i for i, k in enumerate(DISTRIBUTIONS, 2)}  # the paper's numbers
 PRACTICAL = ["machine", "church"]
 MILD = 1000000  # points in Table 1
-NOT_RUN = "not run"
+SHOWN = [400000, 2000000, 3000000, 6000000]  # of Tables 2 to 8; the plots have all sizes
+OTHERS = ["brio", "hilbert"]  # schemes that the paper did not measure
+ABSENT = "-"
 
 
 def count(n):
@@ -54,19 +55,6 @@ def removed(source, *key):
     return getattr(source.get(key), "nr", None)
 
 
-def against_multi_grid(source, distribution, points, scheme):
-    base = cost(source, distribution, points, "multi-grid")
-    own = cost(source, distribution, points, scheme)
-    return own / base if own and base else None
-
-
-def growth(source, distribution, points, scheme):
-    first = min((n for d, n, _ in source if d == distribution), default=None)
-    base = cost(source, distribution, first, scheme)
-    own = cost(source, distribution, points, scheme)
-    return own / base if own and base else None
-
-
 def order_share(source, *key):
     known = source.get(key)
     if known is None or known.order is None or not known.total:
@@ -74,30 +62,36 @@ def order_share(source, *key):
     return 100 * known.order / known.total
 
 
-GROUPS = [
-    ("NP", walked),
-    ("NR", removed),
-    ("time / multi-grid's", against_multi_grid),
-    ("cost a point / that of the fewest", growth),
-    ("grid, % of time", order_share),
-]
+def ratio(own, base):
+    return own / base if own and base else None
+
+
+def relative_time(source, distribution, points, scheme):
+    """By the time of the paper's multi-grid, and of mgdt's default scheme."""
+    base = "auto" if (distribution, points, "auto") in source else "multi-grid"
+    return ratio(cost(source, distribution, points, scheme), cost(source, distribution, points, base))
+
+
+def by_uniform(source, distribution, points, scheme):
+    """By the time of the uniform set, which the paper lists with the mild ones."""
+    uniform = "mild-uniform" if ("mild-uniform", points, scheme) in source else "uniform"
+    return ratio(cost(source, distribution, points, scheme), cost(source, uniform, points, scheme))
 
 
 def our_cell(study, quantity, key):
     known = study.ours.get(key)
     if known is None:
-        return NOT_RUN
+        return ABSENT
     text = short(quantity(study.ours, *key))
     if text is None:
-        return known.status if known.total is None else "no base"
+        return known.status if known.total is None else ABSENT
     return text if known.status == "ok" else text + "*"
 
 
-def cell(study, quantity, key):
-    ours = our_cell(study, quantity, key)
-    if key[2] not in PAPER_SCHEMES:
-        return ours
-    return f"{short(quantity(study.paper, *key)) or '-'} / {ours}"
+def pair(study, quantity, theirs, ours):
+    """A cell: the paper's figure and mgdt's, each of its own (distribution, points, scheme)."""
+    cells = [short(quantity(study.paper, *theirs)) or ABSENT, our_cell(study, quantity, ours)]
+    return ABSENT if cells == [ABSENT, ABSENT] else " / ".join(cells)
 
 
 def notes(study, keys):
@@ -111,126 +105,117 @@ def notes(study, keys):
     return "\n\n" + "\n".join(lines) if lines else ""
 
 
-def comparison(study, lines, label):
-    """Blocks of rows, one a quantity; `lines` are (distribution, points)."""
-    schemes = study.schemes()
-    heading = ["paper / mgdt", label] + [TITLES.get(s, s) for s in schemes]
-    rows = []
-    for name, quantity in GROUPS:
-        for i, (distribution, points) in enumerate(lines):
-            if quantity is growth and points == min(n for d, n in lines if d == distribution):
-                continue  # 1 by definition
-            line = distribution if label == "set" else count(points)
-            cells = [cell(study, quantity, (distribution, points, s)) for s in schemes]
-            if any(c not in (NOT_RUN, f"- / {NOT_RUN}") for c in cells):
-                rows.append([name, line] + cells)
-            name = "" if rows and rows[-1][0] in (name, "") else name
-    keys = [(d, n, s) for d, n in lines for s in schemes]
+def comparison(study, quantity, lines, multi_grid="multi-grid", others=OTHERS):
+    """A row for each (distribution, points); `multi_grid` is mgdt's scheme in that column."""
+    heading = ["paper / mgdt", "points"] + [TITLES.get(s, s) for s in PAPER_SCHEMES + others]
+    rows, keys = [], []
+    for distribution, points in lines:
+        cells = []
+        for scheme in PAPER_SCHEMES:
+            ours = multi_grid if scheme == "multi-grid" else scheme
+            keys.append((distribution, points, ours))
+            cells.append(pair(study, quantity, (distribution, points, scheme), keys[-1]))
+        for scheme in others:
+            keys.append((distribution, points, scheme))
+            cells.append(our_cell(study, quantity, keys[-1]))
+        if any(cell != ABSENT for cell in cells):
+            first = distribution not in [row[0] for row in rows]
+            rows.append([distribution if first else "", count(points), *cells])
     return table(heading, rows) + notes(study, keys)
 
 
-def mild(study):
-    """Table 1: seconds beside those of the uniform set."""
-    schemes = study.schemes()
-
-    def ratio(source, distribution, points, scheme):
-        uniform = "uniform" if source is study.ours else "mild-uniform"
-        base = cost(source, uniform, points, scheme)
-        own = cost(source, distribution, points, scheme)
-        return own / base if own and base else None
-
-    keys = [[(f"mild-{d}", MILD, s) for s in schemes] for d in DISTRIBUTIONS[1:-1]]
-    rows = [[line[0][0]] + [cell(study, ratio, key) for key in line] for line in keys]
-    heading = ["paper / mgdt"] + [TITLES.get(s, s) for s in schemes]
-    return table(heading, rows) + notes(study, sum(keys, []))
+def shown(study):
+    """The lines of Tables 2 to 8."""
+    return [(d, n) for d in DISTRIBUTIONS for n in study.sizes(d) if n in SHOWN]
 
 
 def default_sizes(study, kind):
     """Where the default scheme was run; those of the paper if there are any."""
-    sizes = [n for n in study.sizes(kind) if (kind, n, "auto") in study.ours]
+    sizes = [n for n in study.sizes(kind) if study.timed(kind, n, "auto")]
     return [n for n in sizes if (kind, n, "multi-grid") in study.paper] or sizes
+
+
+def grown(first, last):
+    return f"{100 * (last / first - 1):+.0f}%" if first and last and first != last else ABSENT
 
 
 def summary(study):
     """The default scheme at the largest size, beside the paper's figures there."""
     rows = []
     for kind in DISTRIBUTIONS:
-        points = max(default_sizes(study, kind), default=None)
-        if points is None:
-            rows.append([kind, NOT_RUN] + ["-"] * 6)
+        sizes = default_sizes(study, kind)
+        if not sizes:
+            rows.append([kind] + [ABSENT] * 9)
             continue
-        key = (kind, points, "auto")
-
-        def of_paper(scheme, quantity):
-            return short(quantity(study.paper, kind, points, scheme)) or "-"
-
-        rows.append(
-            [kind, count(points)]
-            + [of_paper(s, walked) for s in ("multi-grid", "enhanced-kd-tree")]
-            + [our_cell(study, walked, key)]
-            + [of_paper(s, removed) for s in ("multi-grid", "enhanced-kd-tree")]
-            + [our_cell(study, removed, key)]
-        )
-    heading = ["", "points", "NP multi-grid", "NP kd-tree", "NP auto"]
-    heading += ["NR multi-grid", "NR kd-tree", "NR auto"]
+        points = sizes[-1]
+        row = [kind, count(points)]
+        for quantity in (walked, removed):
+            row += [short(quantity(study.paper, kind, points, s)) or ABSENT for s in PAPER_SCHEMES[1:]]
+            row.append(our_cell(study, quantity, (kind, points, "auto")))
+        for source, scheme in ((study.paper, "multi-grid"), (study.ours, "auto")):
+            row.append(grown(*(cost(source, kind, n, scheme) for n in (sizes[0], points))))
+        rows.append(row)
+    heading = ["", "points", "NP: paper's multi-grid", "paper's kd-tree", "mgdt's auto"]
+    heading += ["NR: paper's multi-grid", "paper's kd-tree", "mgdt's auto"]
+    heading += ["growth: paper's multi-grid", "mgdt's auto"]
     return table(heading, rows)
 
 
-def grown(first, last):
-    return f"{100 * (last / first - 1):+.0f}%" if first != last else "-"
-
-
-def linear(study):
-    """How the insertion of a point grows with their number, for the default scheme."""
+def growth(study):
+    """The default scheme's time per point at its ends, and the share of the order."""
     rows = []
     for kind in DISTRIBUTIONS:
-        known = [(n, study.ours[kind, n, "auto"]) for n in default_sizes(study, kind)]
-        known = [(n, e) for n, e in known if e.total is not None]
-        if not known:
-            rows.append([kind] + [NOT_RUN] + ["-"] * 8)
+        sizes = default_sizes(study, kind)
+        if not sizes:
+            rows.append([kind] + [ABSENT] * 6)
             continue
-        (least, first), (most, last) = ends = known[0], known[-1]
-        each = [1e6 * e.insert / n for n, e in ends]
-        system, own = "-", "-"
-        if first.system is not None and last.system is not None:
-            # What the program itself did, order and all.
-            system = short(1e6 * last.system / most)
-            own = grown(*((e.total - e.system) / n for n, e in ends))
-        theirs = [study.paper.get((kind, n, "multi-grid")) for n in (least, most)]
-        rows.append(
-            [kind, count(least), short(each[0]), count(most), short(each[1]), grown(*each)]
-            + [system, own]
-            + [grown(*(e.insert / e.points for e in theirs)) if all(theirs) else "-"]
-            + [f"{100 * last.order / last.total:.1f}%"]
-        )
-    heading = ["", "points", "µs a point", "points", "µs a point", "growth"]
-    heading += ["the system's µs", "growth of all without"]
-    heading += ["the paper's multi-grid", "grid, share of time"]
+        least, most = sizes[0], sizes[-1]
+        row = [kind, f"{count(least)} to {count(most)}"]
+        row += [short(1e6 * cost(study.ours, kind, n, "auto")) for n in (least, most)]
+        row.append(our_cell(study, order_share, (kind, most, "auto")))
+        for scheme in PAPER_SCHEMES[1:]:
+            row.append(short(order_share(study.paper, kind, most, scheme)) or ABSENT)
+        rows.append(row)
+    heading = ["", "points", "µs, least", "µs, most"]
+    heading += ["order, %", "paper's multi-grid", "paper's kd-tree"]
     return table(heading, rows)
+
+
+def mild(study):
+    """Table 1: times by those of the uniform set."""
+    lines = [(f"mild-{kind}", MILD) for kind in DISTRIBUTIONS[1:-1]]
+    return comparison(study, by_uniform, lines, others=OTHERS + ["auto"])
+
+
+def practical(study):
+    """Table 9: the nodes of two meshes, a row for each quantity."""
+    heading = ["paper / mgdt", ""] + [TITLES.get(s, s) for s in PAPER_SCHEMES + OTHERS]
+    rows, keys = [], []
+    for name, quantity in (("NP", walked), ("NR", removed), ("time", relative_time)):
+        for kind in PRACTICAL:
+            for points in study.sizes(kind):
+                line = [(kind, points, s) for s in PAPER_SCHEMES + OTHERS]
+                keys += line if name == "NP" else []
+                cells = [pair(study, quantity, key, key) for key in line[:3]]
+                rows.append([name, kind, *cells, *(our_cell(study, quantity, k) for k in line[3:])])
+    return table(heading, rows) + notes(study, keys)
 
 
 def peers(study):
-    """Seconds of other libraries by those of the default scheme."""
+    """Times of other libraries by those of the default scheme."""
     names = study.peers()
     if not names:
         return "No other library was measured in this run."
     lines = sorted({(d, n) for d, n, s in study.ours if s in names}, key=lambda k: (
         (DISTRIBUTIONS.index(k[0]) if k[0] in DISTRIBUTIONS else 99), k))
-
-    def ratio(source, distribution, points, name):
-        base = cost(source, distribution, points, "auto")
-        own = cost(source, distribution, points, name)
-        return own / base if own and base else None
-
-    rows = [[d, count(n)] + [our_cell(study, ratio, (d, n, p)) for p in names] for d, n in lines]
+    rows = [[d, count(n)] + [our_cell(study, relative_time, (d, n, p)) for p in names] for d, n in lines]
     versions = {row["library"]: row["version"] for row in study.single}
     heading = ["", "points"] + [f"{p} {versions[p]}".strip() for p in names]
-    text = table(heading, rows) + notes(study, [(d, n, p) for d, n in lines for p in names])
-    return text + "\n\n![Times of other libraries by those of mgdt](paper/peers.png)"
+    return table(heading, rows) + notes(study, [(d, n, p) for d, n in lines for p in names])
 
 
 def left_out(study):
-    """What was measured and is in no table."""
+    """What was measured and is in no table or plot."""
     kinds = DISTRIBUTIONS + PRACTICAL
     mild_kinds = [(f"mild-{d}", MILD) for d in DISTRIBUTIONS[1:-1]]
     rest = [k for k in study.ours if k[0] not in kinds and k[:2] not in mild_kinds]
@@ -250,11 +235,10 @@ def header(study):
     commit = f", commit {known['commit']}" if known.get("commit") else ""
     runs = {e.runs for e in study.ours.values() if e.total is not None}
     if runs == {1}:
-        kind = "One run each."
+        kind = "one run each"
     else:
-        kind = f"Medians of {min(runs)}" + (f" to {max(runs)}" if len(runs) > 1 else "") + " runs."
-    text = f"- command: `{known['command']}`\n- mgdt {known['version']}{commit}, one thread\n"
-    text += f"- machine: {machine}\n- {kind}"
+        kind = f"medians of {min(runs)}" + (f" to {max(runs)}" if len(runs) > 1 else "") + " runs"
+    text = f"- machine: {machine}\n- mgdt {known['version']}{commit}, one thread, {kind}"
     for line in [*([known["note"]] if "note" in known else []), *left_out(study)]:
         text += f"\n- {line}"
     return text
@@ -262,14 +246,18 @@ def header(study):
 
 def blocks(study):
     """The text of every pair of markers, by name."""
-    made = {"header": header(study), "summary": summary(study), "linear": linear(study)}
-    made["table 1"] = mild(study)
-    for kind, n in TABLES.items():
-        made[f"table {n}"] = comparison(study, [(kind, p) for p in study.sizes(kind)], "points")
-    lines = [(kind, p) for kind in PRACTICAL for p in study.sizes(kind)]
-    made["table 9"] = comparison(study, lines, "set")
-    made["peers"] = peers(study)
-    return made
+    by_auto = dict(multi_grid="auto")
+    return {
+        "header": header(study),
+        "summary": summary(study),
+        "table 1": mild(study),
+        "np": comparison(study, walked, shown(study), **by_auto),
+        "nr": comparison(study, removed, shown(study), **by_auto),
+        "time": comparison(study, relative_time, shown(study), others=OTHERS + ["random"]),
+        "growth": growth(study),
+        "table 9": practical(study),
+        "peers": peers(study),
+    }
 
 
 def filled(text, made):
@@ -287,7 +275,8 @@ def gather(args):
         write_rows(args.figures, medians([row for path in args.csv for row in read_rows(path)]))
     if args.json:
         known = json.loads(Path(args.json).read_text(encoding="utf-8"))
-        known.pop("rows", None)
+        for name in ("rows", "command"):  # the document has the commands
+            known.pop(name, None)
         known.update({k: v for k in ("commit", "note") if (v := getattr(args, k))})
         text = json.dumps(known, indent=1, ensure_ascii=False)
         Path(args.header).write_text(text + "\n", encoding="utf-8")
