@@ -107,7 +107,7 @@ TEST(Schedules, AreThoseOfOneThread) {
                   MGDT_ORDER_KD_TREE, MGDT_ORDER_ENHANCED_KD_TREE}) {
                 const Result expected = schedule(point_set(xyz), scheme);
                 EXPECT_TRUE(schedule(point_set(xyz), scheme, {}, nullptr, 3) == expected)
-                    << n << ' ' << set << ' ' << schemes.at(scheme);
+                    << n << ' ' << set << ' ' << find_order_scheme(scheme)->name;
             }
         }
     }
@@ -122,7 +122,7 @@ TEST(Schedules, OfFewCellsAreThoseOfOneThread) {
         for (const std::int32_t scheme : {MGDT_ORDER_KD_TREE, MGDT_ORDER_ENHANCED_KD_TREE}) {
             const Result expected = schedule(point_set(xyz), scheme, parameters);
             EXPECT_TRUE(schedule(point_set(xyz), scheme, parameters, nullptr, 3) == expected)
-                << cells << ' ' << schemes.at(scheme);
+                << cells << ' ' << find_order_scheme(scheme)->name;
         }
     }
 }

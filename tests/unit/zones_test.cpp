@@ -125,7 +125,9 @@ TEST(Zones, ShareTheWorkAroundAHub) {
         insert(concurrent, xyz);
         ASSERT_EQ(outcome(concurrent), outcome(serial));
         // Neither do the threads leave the points to one of them, nor does the hub come so late
-        // that what was built without it is removed again.
+        // that what was built without it is removed again. On few points, or where a tool runs one
+        // thread at a time, the meetings tell nothing.
+        if (is_small()) continue;
         EXPECT_LT(concurrent.statistics().inserted_alone, n / 4);
         const auto tested = [](const Triangulation& t) {
             return static_cast<double>(t.counters().conflict_tests);
