@@ -5,10 +5,11 @@
 //   threads [points [runs [threads,threads,... [distribution...]]]]
 //
 // "again" is the insertion of the same points once more after mgdt_clear, when the storage is there
-// and no page has to come from the system, or a virtual machine's from its host. "put off" are
-// insertions that met another thread and were tried again, "alone" points inserted while the other
-// threads had nothing to do, both of 100 points. "bound" is the speed-up that these two leave with
-// a core for each thread: 1 / (alone + (1 + put off - alone) / threads).
+// and no page has to come from the system, or a virtual machine's from its host. "work" is the
+// processor time of all threads over that of one thread. "deferred" are insertions that met another
+// thread and were tried again, "alone" points inserted while the other threads had nothing to do,
+// both of 100 points. "bound" is the speed-up that these two leave with a core for each thread: 1 /
+// (alone + (1 + deferred - alone) / threads).
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -21,8 +22,8 @@
 namespace {
 
 struct Figures {
-    std::vector<double> seconds, again;
-    double put_off = 0, alone = 0;
+    std::vector<double> seconds, again, processor;
+    double deferred = 0, alone = 0;
 };
 
 double stat(const mgdt_triangulation* t, int32_t key) {
@@ -38,8 +39,10 @@ bool run(const std::vector<double>& xyz, int32_t threads, Figures& f) {
     if (status == MGDT_OK) status = mgdt_set_threads(t, threads);
     for (std::vector<double>* const times : {&f.seconds, &f.again}) {
         if (status == MGDT_OK) status = mgdt_clear(t);
-        times->push_back(bench::seconds([&] {
-            if (status == MGDT_OK) status = mgdt_insert_points(t, n, xyz.data());
+        f.processor.push_back(bench::own_seconds([&] {
+            times->push_back(bench::seconds([&] {
+                if (status == MGDT_OK) status = mgdt_insert_points(t, n, xyz.data());
+            }));
         }));
     }
     if (status != MGDT_OK) {
@@ -47,7 +50,7 @@ bool run(const std::vector<double>& xyz, int32_t threads, Figures& f) {
         mgdt_destroy(t);
         return false;
     }
-    f.put_off = stat(t, MGDT_STAT_PUT_OFF) / static_cast<double>(n);
+    f.deferred = stat(t, MGDT_STAT_PUT_OFF) / static_cast<double>(n);
     f.alone = stat(t, MGDT_STAT_INSERTED_ALONE) / static_cast<double>(n);
     mgdt_destroy(t);
     return true;
@@ -74,9 +77,8 @@ int main(int argc, char** argv) {
         kinds = {"uniform", "line", "diagonal", "ellipse", "spiral", "cluster", "galaxy"};
     std::printf("%zu points, medians of %d interleaved runs\n\n", n, runs);
     std::printf(
-        "| set | threads | seconds | with one | speed-up | again | with one | speed-up | put off "
-        "%% "
-        "| alone %% | bound |\n");
+        "| set | threads | seconds | with one | speed-up | again | with one | speed-up | work | "
+        "deferred %% | alone %% | bound |\n");
     std::printf("|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const std::string& kind : kinds) {
         const std::vector<double> xyz = mgdt::cli::generate(kind, n, {});
@@ -92,11 +94,13 @@ int main(int argc, char** argv) {
         for (std::size_t i = 0; i < threads.size(); ++i) {
             const Figures& f = several[i];
             const double seconds = bench::median(f.seconds), again = bench::median(f.again);
-            const double bound = 1 / (f.alone + (1 + f.put_off - f.alone) / threads[i]);
+            const double bound = 1 / (f.alone + (1 + f.deferred - f.alone) / threads[i]);
             std::printf(
-                "| %s | %d | %.3f | %.3f | %.2f | %.3f | %.3f | %.2f | %.3f | %.2f | %.1f |\n",
+                "| %s | %d | %.3f | %.3f | %.2f | %.3f | %.3f | %.2f | %.2f | %.3f | %.2f | %.1f "
+                "|\n",
                 kind.c_str(), static_cast<int>(threads[i]), seconds, alone_seconds,
-                alone_seconds / seconds, again, alone_again, alone_again / again, 100 * f.put_off,
+                alone_seconds / seconds, again, alone_again, alone_again / again,
+                bench::median(f.processor) / bench::median(one.processor), 100 * f.deferred,
                 100 * f.alone, bound);
             std::fflush(stdout);
         }
