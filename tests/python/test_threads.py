@@ -65,24 +65,27 @@ class Threads(unittest.TestCase):
         one.check(1)
         two.check(1)
 
-    def ticks_during(self, work):
-        """How often this thread comes to run while another does the work."""
+    def assert_others_run_during(self, work):
+        """This thread comes to run again and again while another does the work."""
         thread = threading.Thread(target=work)
         ticks = 0
+        begin = time.monotonic()
         thread.start()
         while thread.is_alive():
             ticks += 1
             time.sleep(0.001)
-        return ticks
+        milliseconds = 1000 * (time.monotonic() - begin)
+        # Without a release of the interpreter lock it runs once before and once after.
+        self.assertGreater(ticks, max(2, milliseconds / 30))
 
     def test_others_run_during_calls(self):
         points = random_points(300_000, 7)
         made = []
-        self.assertGreater(self.ticks_during(lambda: made.append(mgdt.Delaunay(points))), 20)
+        self.assert_others_run_during(lambda: made.append(mgdt.Delaunay(points)))
         (tri,) = made
         places = random_points(300_000, 8)
-        self.assertGreater(self.ticks_during(lambda: tri.find_simplex(places)), 10)
-        self.assertGreater(self.ticks_during(lambda: tri.check(2)), 10)
+        self.assert_others_run_during(lambda: tri.find_simplex(places))
+        self.assert_others_run_during(lambda: tri.check(2))
 
     def test_readers_wait_for_a_writer(self):
         points = random_points(150_000, 9)
@@ -130,23 +133,22 @@ class Threads(unittest.TestCase):
                 begun.set()
                 try:
                     tri.add_points(many)
+                    errors.append("not cancelled")
                 except mgdt.Cancelled as error:
                     errors.append(error)
 
             def cancel():
                 begun.wait()
                 while not errors:
-                    time.sleep(0.05)
+                    time.sleep(0.001)
                     tri.cancel()
 
             work, other = (insert, cancel) if inserts_on_main else (cancel, insert)
             thread = threading.Thread(target=other)
-            begin = time.monotonic()
             thread.start()
             work()
             thread.join()
-            self.assertLess(time.monotonic() - begin, 1.5)
-            self.assertIn("cancelled after", str(errors[0]))
+            self.assertRegex(str(errors[0]), "cancelled (after|before)")
             tri.check(2)
             # The request is spent.
             tri.add_points(random_points(1000, 17))
