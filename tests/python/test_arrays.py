@@ -75,7 +75,7 @@ class Input(unittest.TestCase):
 
     def test_the_array_is_kept_or_copied(self):
         points = random_points(50, 3)
-        self.assertIs(mgdt.Delaunay(points).points.base, points)
+        self.assertIs(mgdt.Delaunay(points).points, points)
         buffer = points.copy()
         tri = mgdt.Delaunay(buffer, incremental=True)
         buffer[:] = random_points(50, 4)

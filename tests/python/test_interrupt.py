@@ -340,6 +340,34 @@ assert (tri.point_map >= 0).all()
             self.assertEqual(code, -signal.SIGINT)
             self.assertTrue(errors.rstrip().endswith("KeyboardInterrupt"), errors)
 
+    def test_while_memory_is_freed(self):
+        # As long as that takes: a handle's destruction calls no Python, so the handler runs at its end.
+        with Child(
+            """
+from mgdt import _library
+destroy = _library.library.mgdt_destroy
+class Library:
+    def __getattr__(self, name):
+        return getattr(_library.library, name)
+    def mgdt_destroy(self, pointer):
+        destroy(pointer)
+        signal.raise_signal(signal.SIGINT)
+caught = 0
+for k in range(20):
+    tri = mgdt.Delaunay(many[:100])
+    tri._handle._library = Library()
+    try:
+        del tri
+        for _ in range(1000):
+            time.sleep(0.01)
+    except KeyboardInterrupt:
+        caught += 1
+assert caught == 20, caught
+print("valid")
+"""
+        ) as child:
+            self.assertEqual(child.end(), (0, "valid\n", ""))
+
     def test_between_blocks_of_locations(self):
         self.interrupted(
             """

@@ -404,6 +404,18 @@ class Documented(unittest.TestCase):
 class ForScipy(unittest.TestCase):
     """`to_scipy`: an object of SciPy's class."""
 
+    def test_a_triangulation_as_it_is(self):
+        tri = mgdt.Delaunay(SETS["few"])
+        for interpolator in (
+            scipy.interpolate.LinearNDInterpolator,
+            scipy.interpolate.CloughTocher2DInterpolator,
+        ):
+            with self.assertRaisesRegex(TypeError, "to_scipy"):
+                interpolator(tri, np.zeros(5))
+        with self.assertRaisesRegex(TypeError, "to_scipy"):
+            np.asarray(tri)
+        self.assertIs(np.array([tri, tri], dtype=object)[1], tri)
+
     def test_it_has_what_theirs_has(self):
         points = np.concatenate([random_points(40, 1), random_points(40, 1)[[3, 7]]])
         ours, theirs = mgdt.Delaunay(points).to_scipy(), scipy.spatial.Delaunay(points)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Several Python threads: the interpreter lock is given up, and misuse waits or is refused."""
 
+import os
+import signal
 import threading
 import time
 import unittest
@@ -34,6 +36,65 @@ def together(*works):
         if isinstance(result, BaseException):
             raise result
     return results
+
+
+@unittest.skipUnless(hasattr(os, "fork"), "needs fork")
+class Forks(unittest.TestCase):
+    def in_child(self, work):
+        """What the work raises or returns in a child of this process."""
+        out, into = os.pipe()
+        child = os.fork()
+        if child == 0:
+            signal.alarm(60)
+            try:
+                said = repr(work())
+            except BaseException as error:
+                said = f"{type(error).__name__}: {error}"
+            os.write(into, said.encode())
+            os._exit(0)
+        os.close(into)
+        with open(out, encoding="utf-8") as f:
+            said = f.read()
+        os.waitpid(child, 0)
+        return said
+
+    def test_while_another_thread_inserts(self):
+        for many in (300_000, 30_000):
+            tri = mgdt.Delaunay(random_points(1000, 21), incremental=True)
+            inside, go_on = threading.Event(), threading.Event()
+
+            def progress(fraction):
+                inside.set()
+                go_on.wait()
+
+            tri.progress = progress
+            thread = threading.Thread(target=lambda: tri.add_points(random_points(many, 22)))
+            thread.start()
+            inside.wait()
+            for work in (lambda: tri.find_simplex([0.5, 0.5, 0.5]), lambda: tri.add_points([[2, 2, 2]])):
+                self.assertRegex(self.in_child(work), "^BusyError: .*mgdt_insert_points")
+            go_on.set()
+            thread.join()
+            tri.progress = None
+            tri.check(1)
+            # After the fork both are free.
+            self.assertEqual(self.in_child(lambda: int(tri.find_simplex([9, 9, 9]))), "-1")
+
+    def test_while_others_read(self):
+        tri = mgdt.Delaunay(random_points(1000, 23), incremental=True)
+        inside, go_on = threading.Event(), threading.Event()
+
+        def read():
+            with tri._gate.reading():
+                inside.set()
+                go_on.wait()
+
+        thread = threading.Thread(target=read)
+        thread.start()
+        inside.wait()
+        self.assertEqual(self.in_child(lambda: tri.add_points([[2, 2, 2]])), "None")
+        go_on.set()
+        thread.join()
 
 
 class Threads(unittest.TestCase):

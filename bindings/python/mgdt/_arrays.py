@@ -112,4 +112,5 @@ class PointStore:
 
     @property
     def all(self) -> FloatArray:
-        return self._room[: self._size]
+        # The caller's own array where it was given at once.
+        return self._room if self._size == len(self._room) else self._room[: self._size]

@@ -11,8 +11,12 @@ triangulation waits for it. Its result is dropped.
 from __future__ import annotations
 
 import _thread
+import ctypes
+import os
 import queue
 import threading
+import time
+import weakref
 from contextlib import contextmanager
 from typing import Any, Callable, Iterator, Optional, TypeVar
 
@@ -23,9 +27,27 @@ _T = TypeVar("_T")
 # Seconds between two looks whether a thread that waits gives up.
 _PATIENCE = 0.05
 
+# Seconds in which a destructor returns that has nothing left to do.
+_MOMENT = 0.005
+
 
 def _never() -> bool:
     return False
+
+
+# All gates, for the child of a fork.
+_gates: weakref.WeakSet[Gate] = weakref.WeakSet()
+
+
+def raise_soon(kind: type[BaseException]) -> None:
+    """Raises an exception on the main thread once it has left the code in which this is called."""
+
+    def raise_there() -> None:
+        time.sleep(_MOMENT)
+        main = ctypes.c_ulong(threading.main_thread().ident or 0)
+        ctypes.pythonapi.PyThreadState_SetAsyncExc(main, ctypes.py_object(kind))
+
+    _thread.start_new_thread(raise_there, ())
 
 
 class Gate:
@@ -37,6 +59,7 @@ class Gate:
 
     def __init__(self) -> None:
         self._changed = threading.Condition(threading.Lock())
+        _gates.add(self)
         # By thread: one whose way out was cut short by a signal takes its old place again. Each
         # tells whether nobody waits for its result any more.
         self._readers: dict[int, Callable[[], bool]] = {}
@@ -99,6 +122,18 @@ class Gate:
                     self._has_writer = False
                     self._changed.notify_all()
 
+    def forget_other_threads(self) -> None:
+        """In the child of a fork, which has none of them. Where one was in a call at the fork, the
+        library refuses the calls that cannot go beside it.
+        """
+        me = threading.get_ident()
+        self._changed = threading.Condition(threading.Lock())
+        self._readers = {thread: left for thread, left in self._readers.items() if thread == me}
+        # A new thread may get the identity of one that is gone.
+        self._kept_out &= {me}
+        self._has_writer = False
+        self._waiting_writers = 0
+
     @contextmanager
     def keeping_out(self) -> Iterator[None]:
         """Refuses this thread, which the writer waits for: it would wait for itself."""
@@ -121,6 +156,15 @@ class Gate:
             if gives_up():
                 return False
         return True
+
+
+def _forget_other_threads() -> None:
+    for gate in list(_gates):
+        gate.forget_other_threads()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forget_other_threads)
 
 
 class _Outcome:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _geometry
 from ._arrays import FloatArray, IndexArray, as_places, finite_rows
 from ._handle import Handle
+from ._tolerance import in_tolerance
 from ._triangulation import GrowingTriangulation, whole
 from .interpolation import Interpolator
 
@@ -290,10 +291,11 @@ class Delaunay(GrowingTriangulation):
         bruteforce : bool, optional
             Has no effect: the result is exact.
         tol : float, optional
-            Takes also places outside the hull for which some simplex has no barycentric weight
-            below -`tol`, up to rounding by 1e-11. None, the default, and 0 take none. A place that
-            is taken or far outside costs some microseconds. One in between is compared with all
-            simplices closer to it than some 24 `tol` times the diameter of the set.
+            Takes also places outside the hull, in a simplex in which they have no barycentric
+            weight below -`tol`, up to rounding by 1e-11. None, the default, and 0 take none. Up to
+            a `tol` of 2**-20 a place is taken if there is such a simplex anywhere. With a larger
+            one a walk towards the place takes the first that it finds, as in SciPy, and may find
+            none.
 
         Returns
         -------
@@ -306,13 +308,13 @@ class Delaunay(GrowingTriangulation):
         Many places in one call are much faster than one by one. Since 1.0.
         """
         places, shape = as_places(xi, "xi")
-        if tol is not None and not 0 <= tol < np.inf:
-            raise ValueError(f"tol is {tol}; it must be at least 0 and finite")
+        if tol is not None and not tol >= 0:
+            raise ValueError(f"tol is {tol}; it must be at least 0")
         found = self._locate_finite(places, None)
         if tol:
             outside = np.flatnonzero((found < 0) & finite_rows(places))
             with self._reading() as handle:
-                found[outside] = _geometry.in_tolerance(
+                found[outside] = in_tolerance(
                     places[outside],
                     float(tol),
                     self.points,
@@ -465,6 +467,17 @@ class Delaunay(GrowingTriangulation):
             return handle.isa()
 
     # Other packages
+
+    def __array__(self, dtype: Any = None, **_: Any) -> NDArray[Any]:
+        # An array of objects may hold this one. Any other is a mistake, which NumPy would hide.
+        if dtype == np.dtype(object):
+            array = np.empty((), dtype=object)
+            array[()] = self
+            return array
+        raise TypeError(
+            "a mgdt.Delaunay is no array; for scipy.interpolate.LinearNDInterpolator and others that "
+            "take a scipy.spatial.Delaunay, give them to_scipy() of it"
+        )
 
     def to_scipy(self) -> Any:
         """A ``scipy.spatial.Delaunay`` with these points and simplices, made without Qhull.
