@@ -71,9 +71,10 @@ void add_input(CLI::App& app, InputOptions& options, const char* description) {
     app.add_option_function<std::vector<int>>(
            "--columns",
            [&options](const std::vector<int>& c) {
-               for (std::size_t k = 0; k < 3; ++k) options.read.columns[k] = c[k];
+               options.read.columns = {{c[0], c[1], c[2]}};
            },
-           "Columns of x, y and z in text, counted from 1 (default 1,2,3)")
+           "Columns of x, y and z in text, counted from 1 (default: those with these names, or "
+           "1,2,3)")
         ->delimiter(',')
         ->expected(3)
         ->check(CLI::Range(1, 10000))

@@ -12,8 +12,9 @@ TEST(Text, Separators) {
     const Points expected = {1, 2, 3, 4, 5, 6};
     for (const char* text :
          {"1 2 3\n4 5 6\n", "1,2,3\n4,5,6", "1;2;3\r\n4;5;6\r\n", "1\t2\t3\n4\t5\t6\n",
-          " 1 , 2 ,3 \n\n  4   5 6 99 text\n", "# comment\n1 2 3 # more\n#\n4 5 6",
-          "x y z\n1 2 3\n4 5 6", "\"x\",\"y\",\"z\"\n1,2,3\n4,5,6\n", "2\n1 2 3\n4 5 6\n",
+          " 1 , 2 ,3 \n\n  4 ,  5, 6 , 99 text; more\n", "1 2 3\n  4   5 6 99 text, more\n",
+          "# comment\n1 2 3 # more\n#\n4 5 6", "x y z\n1 2 3\n4 5 6",
+          "\"x\",\"y\",\"z\"\n1,2,3\n4,5,6\n", "2\n1 2 3\n4 5 6\n",
           "\xef\xbb\xbf"
           "1 2 3\n4 5 6\n",
           "1 2 3\r4 5 6\r", "1.0D0 2.D0 3\n+4 5 6\n"}) {
@@ -23,11 +24,41 @@ TEST(Text, Separators) {
 
 TEST(Text, Columns) {
     ReadOptions options;
-    options.columns = {4, 1, 2};
+    options.columns = {{4, 1, 2}};
     EXPECT_EQ(read(csv_format(), "y,z,name,x\n2,3,a,1\n5,6,b,4\n", options).points,
               (Points{1, 2, 3, 4, 5, 6}));
     EXPECT_TRUE(contains(failure(csv_format(), "2,3,a\n", options), "x needs column 4"));
     EXPECT_TRUE(contains(failure(csv_format(), "2,3,a,1\n5,6,b\n", options), "line 2: 3 columns"));
+}
+
+TEST(Text, NamesOfColumns) {
+    const Points expected = {1, 2, 3, 4, 5, 6};
+    for (const char* text :
+         {"id,x,y,z\n7,1,2,3\n8,4,5,6\n", "\"id\",\"X\",\"Y\",\"Z\"\n7,1,2,3\n8,4,5,6\n",
+          "id z y x\n7 3 2 1\n8 6 5 4\n", "what; x ;y;z\na;1;2;3\n\"b;c\";4;5;6\n",
+          "lon,lat,height\n1,2,3\n4,5,6\n",
+          "\"Points:0\",\"Points:1\",\"Points:2\",\"x\"\n1,2,3,9\n4,5,6,9\n"}) {
+        EXPECT_EQ(read(csv_format(), text).points, expected) << text;
+    }
+    for (const char* text : {"id,lon,lat,h\n7,1,2,3\n", "x,x,y,z\n9,1,2,3\n", "x,y,w,t\n1,2,3,4\n",
+                             "a title of words\n1 2 3\n"}) {
+        EXPECT_TRUE(contains(failure(csv_format(), text), "line 1")) << text;
+        EXPECT_TRUE(contains(failure(csv_format(), text), "x, y and z")) << text;
+    }
+    ReadOptions options;
+    options.columns = {{2, 3, 4}};
+    EXPECT_EQ(read(csv_format(), "x,lon,lat,z,y\n9,1,2,3,9\n", options).points, (Points{1, 2, 3}));
+}
+
+TEST(Text, OneSeparator) {
+    for (const char* text : {"1,5;2,5;3,5\n", "x;y;z\n1,5;2,5;3,5\n", "1,5 2,5 3,5\n"}) {
+        const std::string what = failure(csv_format(), text);
+        EXPECT_TRUE(contains(what, text[0] == 'x' ? "line 2" : "line 1"));
+    }
+    EXPECT_TRUE(contains(failure(csv_format(), "1,5;2,5;3,5\n"), "decimals by points"));
+    EXPECT_TRUE(contains(failure(csv_format(), "1,2,3\n4;5;6\n"), "line 2"));
+    EXPECT_TRUE(contains(failure(csv_format(), "1 2 3\n4,5,6\n"), "line 2"));
+    EXPECT_TRUE(contains(failure(csv_format(), "1;2;3\n4 5 6\n"), "line 2"));
 }
 
 TEST(Text, ErrorsNameTheLine) {
@@ -79,6 +110,11 @@ TEST(NumPy, Refusals) {
     EXPECT_TRUE(contains(fail(head + "(-1, 3)}"), "number expected"));
     EXPECT_TRUE(
         contains(fail("{'descr': '<i8', 'fortran_order': False, 'shape': (2, 3)}"), "astype"));
+    // Advice that is for points would destroy tetrahedra.
+    const std::string tetrahedra =
+        fail("{'descr': '<i8', 'fortran_order': False, 'shape': (2, 4)}");
+    EXPECT_TRUE(contains(tetrahedra, "tetrahedra, without their points"));
+    EXPECT_FALSE(contains(tetrahedra, "astype"));
     EXPECT_TRUE(contains(fail("{'descr': '|O', 'fortran_order': False, 'shape': (2, 3)}"), "'|O'"));
     EXPECT_TRUE(contains(fail("{'descr': [('x', '<f8')]}"), "structured"));
     EXPECT_TRUE(contains(fail("{'descr': '<f8'}"), "missing"));

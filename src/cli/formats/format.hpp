@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,7 +15,9 @@
 namespace mgdt::cli {
 
 struct ReadOptions {
-    std::array<int, 3> columns = {1, 2, 3};  // of x, y and z in text, from 1
+    // Of x, y and z in text, from 1, where they are chosen. Otherwise those that have the names, or
+    // the first three.
+    std::optional<std::array<int, 3>> columns;
 };
 
 struct WriteOptions {

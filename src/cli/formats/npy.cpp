@@ -190,6 +190,12 @@ bool known_order(const Header& header) {
 Mesh read_npy(const Source& source, const ReadOptions&) {
     const Header header = read_header(source);
     const bool wide = header.kind() == "f8";
+    if (header.kind()[0] == 'i' && header.shape.size() == 2 && header.shape[1] == 4) {
+        source.fail(
+            fmt::format("an array of {} of the shape {}: tetrahedra, without their points; "
+                        "give the file of the points, or the mesh in one file, such as .vtu",
+                        quote(header.type), shape_text(header)));
+    }
     if (!known_order(header) || (!wide && header.kind() != "f4")) {
         source.fail(
             fmt::format("the array's type is {}; save it as float64: "

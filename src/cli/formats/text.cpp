@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Points as plain text, one a line: x y z, separated by blanks, tabs, commas or semicolons.
-// Comments begin with #. One header line may come first: column names, or the number of points.
+// Points as plain text, one a line: x y z, separated by blanks and tabs, by commas, or by
+// semicolons, by the same throughout a file. Comments begin with #. One header line may come first:
+// column names, of which x, y and z are read, or the number of points.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "cli/errors.hpp"
 #include "cli/formats/format.hpp"
@@ -13,13 +15,20 @@
 namespace mgdt::cli {
 namespace {
 
-bool mark(char c) {
-    return c == ',' || c == ';';
+// What stands between the fields of a file: a comma, a semicolon, or a run of blanks for ' '.
+char separator_of(std::string_view line) {
+    for (const char mark : {';', ','}) {
+        if (line.find(mark) != std::string_view::npos) return mark;
+    }
+    return ' ';
 }
 
-// Splits a line; a separator is a run of blanks with at most one comma or semicolon in it, so an
-// empty field between two commas stays a field. Fields after the first `most` are not looked at.
-std::size_t split(std::string_view line, std::string_view* fields, std::size_t most) {
+// Splits a line. Blanks around a field are not the field's, nor are quotes, within which a
+// separator is text. An empty field between two commas stays a field. Fields after the first `most`
+// are not looked at.
+std::size_t split(std::string_view line, char separator, std::string_view* fields,
+                  std::size_t most) {
+    const auto ends_field = [&](char c) { return separator == ' ' ? is_blank(c) : c == separator; };
     std::size_t count = 0;
     std::size_t at = 0;
     const auto skip_blanks = [&] {
@@ -27,75 +36,164 @@ std::size_t split(std::string_view line, std::string_view* fields, std::size_t m
     };
     skip_blanks();
     while (at < line.size() && count < most) {
-        const std::size_t begin = at;
-        while (at < line.size() && !is_blank(line[at]) && !mark(line[at])) ++at;
-        fields[count++] = line.substr(begin, at - begin);
+        const bool is_quoted = line[at] == '"' && line.find('"', at + 1) != std::string_view::npos;
+        const std::size_t begin = at + is_quoted;
+        if (is_quoted) at = line.find('"', begin);
+        const std::size_t closing = at;
+        while (at < line.size() && !ends_field(line[at])) ++at;
+        std::size_t end = is_quoted ? closing : at;
+        while (end > begin && is_blank(line[end - 1])) --end;
+        fields[count++] = line.substr(begin, end - begin);
+        if (at < line.size()) ++at;
         skip_blanks();
-        if (at < line.size() && mark(line[at])) {
-            ++at;
-            skip_blanks();
-        }
     }
     return count;
 }
+
+bool is_name(std::string_view field, std::string_view name) {
+    return std::equal(field.begin(), field.end(), name.begin(), name.end(), [](char a, char b) {
+        return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+    });
+}
+
+using Columns = std::array<int, 3>;
+
+// As many as --columns can choose from.
+constexpr std::size_t most_columns = 10000;
+
+// The columns that a line of names calls x, y and z, or as ParaView does; where there are three in
+// all, these.
+std::optional<Columns> named_columns(std::string_view line) {
+    std::vector<std::string_view> names(std::min<std::size_t>(line.size(), most_columns));
+    names.resize(split(line, separator_of(line), names.data(), names.size()));
+    constexpr std::array<std::string_view, 3> known[] = {{"x", "y", "z"},
+                                                         {"points:0", "points:1", "points:2"}};
+    for (const auto& wanted : known) {
+        Columns columns = {};
+        int found = 0;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (!is_name(names[i], wanted[k])) continue;
+                columns[k] = static_cast<int>(i + 1);
+                ++found;
+            }
+        }
+        if (found == 3 && columns[0] * columns[1] * columns[2] != 0) return columns;
+    }
+    return names.size() == 3 ? std::optional<Columns>({1, 2, 3}) : std::nullopt;
+}
+
+// The coordinates that are in a line, and how they are read.
+struct Row {
+    std::size_t count = 0;  // of fields
+    std::array<std::string_view, 3> fields;
+    double xyz[3] = {};
+    std::array<NumberStatus, 3> status;
+    // Whether a line may be one of names: none is a number, or begins as one.
+    bool is_of_words = true;
+};
+
+class RowReader {
+  public:
+    explicit RowReader(const Columns& columns) : columns_(columns) {
+        const int last = *std::max_element(columns.begin(), columns.end());
+        fields_.resize(static_cast<std::size_t>(std::max(last, 2)));
+    }
+
+    Row read(std::string_view line, char separator) {
+        Row row;
+        row.count = split(line, separator, fields_.data(), fields_.size());
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto column = static_cast<std::size_t>(columns_[k]);
+            row.status[k] = NumberStatus::not_a_number;
+            row.is_of_words = row.is_of_words && column <= row.count;
+            if (column > row.count) continue;
+            row.fields[k] = fields_[column - 1];
+            row.status[k] = parse_number(row.fields[k], row.xyz[k]);
+            const std::size_t sign = row.fields[k].find_first_not_of("+-.");
+            const char begin = sign == std::string_view::npos ? ' ' : row.fields[k][sign];
+            row.is_of_words = row.is_of_words && row.status[k] == NumberStatus::not_a_number &&
+                              !(begin >= '0' && begin <= '9');
+        }
+        return row;
+    }
+
+    void require_numbers(const Row& row, char separator, const LineReader& lines) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (static_cast<std::size_t>(columns_[k]) > row.count) {
+                lines.fail(
+                    fmt::format("{} column{}, but {} needs column {}; complete the line, or "
+                                "choose columns with --columns",
+                                row.count, row.count == 1 ? "" : "s", "xyz"[k], columns_[k]));
+            }
+            if (row.status[k] == NumberStatus::ok) continue;
+            std::string advice;
+            if (row.status[k] == NumberStatus::not_a_number) {
+                advice =
+                    "; correct the line, mark it as a comment with #, or choose columns with "
+                    "--columns";
+                if (row.fields[k].find_first_of(",;") != std::string_view::npos) {
+                    advice = fmt::format(
+                        "; fields are separated by {} in this file, and decimals "
+                        "by points",
+                        separator == ' '   ? "blanks"
+                        : separator == ',' ? "commas"
+                                           : "semicolons");
+                }
+            }
+            lines.fail(fmt::format("column {}: {} {}{}", columns_[k], quote(row.fields[k]),
+                                   describe(row.status[k]), advice));
+        }
+    }
+
+  private:
+    Columns columns_;
+    std::vector<std::string_view> fields_;
+};
 
 Mesh read_text(const Source& source, const ReadOptions& options) {
     if (source.bytes.substr(0, 2) == "\xff\xfe" || source.bytes.substr(0, 2) == "\xfe\xff") {
         source.fail("this is UTF-16 text; convert it with iconv -f UTF-16 -t UTF-8");
     }
     const std::size_t bom = source.bytes.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0;
-    const auto needed =
-        static_cast<std::size_t>(*std::max_element(options.columns.begin(), options.columns.end()));
-    std::vector<std::string_view> fields(std::max<std::size_t>(needed, 2));
 
     Mesh mesh;
     mesh.detail = "text";
     std::int64_t announced = -1;
     std::size_t announced_at = 0;
-    bool first = true;
+    RowReader rows(options.columns.value_or(Columns{1, 2, 3}));
+    char separator =
+        0;  // not known before the first line of coordinates, or of names that are used
+    bool is_first = true;
     LineReader lines(source, bom);
     while (lines.next_with_text()) {
-        const std::size_t count = split(lines.text(), fields.data(), fields.size());
-        double xyz[3];
-        NumberStatus status[3];
-        int numbers = 0;
-        int present = 0;
-        for (int k = 0; k < 3; ++k) {
-            const auto column =
-                static_cast<std::size_t>(options.columns[static_cast<std::size_t>(k)]);
-            status[k] = NumberStatus::not_a_number;
-            if (column > count) continue;
-            ++present;
-            status[k] = parse_number(fields[column - 1], xyz[k]);
-            if (status[k] != NumberStatus::not_a_number) ++numbers;
-        }
-        if (first) {
-            first = false;
-            if (count == 1 && parse_integer(fields[0], announced) && announced >= 0) {
+        const char here = separator != 0 ? separator : separator_of(lines.text());
+        Row row = rows.read(lines.text(), here);
+        if (is_first) {
+            is_first = false;
+            std::string_view count;
+            if (row.count == 1 && split(lines.text(), here, &count, 1) == 1 &&
+                parse_integer(count, announced) && announced >= 0) {
                 announced_at = lines.number();
                 continue;
             }
             announced = -1;
-            if (numbers == 0 && present == 3) continue;  // column names
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto column = static_cast<std::size_t>(options.columns[k]);
-            if (column > count) {
-                lines.fail(
-                    fmt::format("{} column{}, but {} needs column {}; complete the line, or "
-                                "choose columns with --columns",
-                                count, count == 1 ? "" : "s", "xyz"[k], column));
-            }
-            if (status[k] != NumberStatus::ok) {
-                lines.fail(fmt::format(
-                    "column {}: {} {}{}", column, quote(fields[column - 1]), describe(status[k]),
-                    status[k] == NumberStatus::not_a_number
-                        ? "; correct the line, mark it as a comment with #, or choose columns with "
-                          "--columns"
-                        : ""));
+            if (row.is_of_words) {
+                if (options.columns.has_value()) continue;
+                const std::optional<Columns> columns = named_columns(lines.text());
+                if (!columns.has_value()) {
+                    lines.fail(
+                        "no number, and no columns with the names x, y and z; give them "
+                        "these names, or choose columns with --columns");
+                }
+                rows = RowReader(*columns);
+                separator = here;
+                continue;
             }
         }
-        mesh.points.insert(mesh.points.end(), xyz, xyz + 3);
+        separator = here;
+        rows.require_numbers(row, separator, lines);
+        mesh.points.insert(mesh.points.end(), row.xyz, row.xyz + 3);
     }
     if (announced >= 0 && static_cast<std::uint64_t>(announced) != mesh.point_count()) {
         source.fail_at_line(announced_at,
