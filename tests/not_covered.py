@@ -23,8 +23,6 @@ NOT_COVERED = [
     ("src/kernel/thread_state.hpp", "try_own(t.v[1])", "false sometimes", "As above."),
     ("src/kernel/walk.hpp", "access.try_own(tetrahedra[ghost])", "false sometimes", "As above."),
     ("src/kernel/walk.hpp", "access.try_own(tetrahedra[t])", "false sometimes", "As above."),
-    ("src/kernel/thread_state.hpp", "view_.stamp == 0", "true",
-     "Comes after 2^32 insertions by one thread in one call, of 2^30 points at most."),
     ("src/predicates/interior_point.hpp", "for (const double* v : v_)", "false",
      "One of four vertices that span space, as those given have to, is off any plane."),
     ("src/predicates/interior_point.hpp", "return 0;", "line", "As above."),

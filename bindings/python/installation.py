@@ -4,11 +4,12 @@ there to the library.
 
   installation.py PREFIX LIBRARY_FOLDER LIBRARY_NAME [PACKAGES]
 
-Three lines: the folder of packages, the library seen from the package's folder in it (or its absolute
-path, if they do not stand below one prefix), and "yes" if this Python looks for packages there. The
-folder is PACKAGES if that is given. In a virtual environment it is that of the environment, otherwise
-the one below the prefix in which this Python looks: Debian's looks in lib/python3.11/dist-packages below
-/usr/local, and in lib/python3/dist-packages below /usr.
+Four lines: the folder of packages, the library seen from the package's folder in it (or its absolute
+path, if they do not stand below one prefix), "yes" if this Python looks for packages there, and the
+tag in the names of its compiled files. The folder is PACKAGES if that is given. In a virtual
+environment it is that of the environment, otherwise the one below the prefix in which this Python
+looks: Debian's looks in lib/python3.11/dist-packages below /usr/local, and in lib/python3/dist-packages
+below /usr.
 """
 
 import os
@@ -50,6 +51,7 @@ def main():
     print(packages)
     print(library_from(os.path.join(packages, "mgdt"), library, prefix))
     print("yes" if packages in known_folders() else "no")
+    print(sys.implementation.cache_tag)
 
 
 if __name__ == "__main__":

@@ -323,14 +323,21 @@ static void below_what_is_held(void) {
     const int64_t count = mgdt_tetrahedron_count(t);
     int64_t *const before = get_array(mgdt_get_tetrahedra, t, 4 * count), *after;
     int64_t held, found = -7;
-    CHECK_EQUAL(mgdt_locate(t, more, &found), MGDT_OK); /* makes the tree */
+    /* No numbers of tetrahedra are there to answer with; the nearest vertex needs none. */
+    CHECK_EQUAL(mgdt_insert_points(t, 1, xyz), MGDT_OK);
+    CHECK_EQUAL(mgdt_insert_points(expected, 1, xyz), MGDT_OK);
+    CHECK_EQUAL(mgdt_set_memory_limit(t, 1), MGDT_OK);
+    CHECK_EQUAL(mgdt_locate(t, more, &found), MGDT_ERR_OUT_OF_MEMORY);
+    CHECK_EQUAL(mgdt_nearest_vertex(t, more, &found), MGDT_OK);
+    CHECK_EQUAL(mgdt_set_memory_limit(t, 0), MGDT_OK);
+    CHECK_EQUAL(mgdt_locate(t, more, &found), MGDT_OK); /* makes them, and the tree */
     held = memory_of(t, MGDT_STAT_MEMORY_BYTES);
     CHECK_EQUAL(mgdt_set_memory_limit(t, held / 2), MGDT_OK);
     CHECK_EQUAL(memory_of(t, MGDT_STAT_MEMORY_BYTES), held);
     CHECK_EQUAL(mgdt_tetrahedron_count(t), count);
 
     CHECK_EQUAL(mgdt_insert_points(t, n, more), MGDT_ERR_OUT_OF_MEMORY);
-    CHECK_EQUAL(mgdt_point_count(t), n);
+    CHECK_EQUAL(mgdt_point_count(t), n + 1);
     CHECK_EQUAL(mgdt_reserve(t, 10 * n), MGDT_ERR_OUT_OF_MEMORY);
     /* Working memory of calls that read counts too. */
     CHECK_EQUAL(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_ERR_OUT_OF_MEMORY);

@@ -41,6 +41,14 @@ def broken_links(document):
     return problems
 
 
+def missing_sources(source, text):
+    """Sources that are named by their folder, in a drawing too, and are not there."""
+    folders = "|".join(sorted(f.name for f in (source / "src").iterdir() if f.is_dir()))
+    named = set(re.findall(rf"(?<![\w/])(?:src/)?((?:{folders})/[\w./]*\w)", text))
+    return sorted(n for n in named if not any((source / "src" / (n + end)).exists()
+                                              for end in ("", ".hpp", ".cpp")))
+
+
 def main():
     source, documents = Path(sys.argv[1]), [Path(p) for p in sys.argv[2:]]
     header = (source / "include" / "mgdt" / "mgdt.h").read_text()
@@ -55,6 +63,8 @@ def main():
         if document.name in ("README.md", "abi.md", "architecture.md", "c.md", "cxx.md", "trust.md"):
             named = set(re.findall(r"`(mgdt_\w+)(?:\(\))?`", prose(text)))
             check(f"functions that {name} names", " ".join(sorted(named - known)))
+        if document.name == "architecture.md":
+            check(f"sources that {name} names", " ".join(missing_sources(source, text)))
         if document.name == "c.md":
             table = text.split("## Functions")[-1]
             listed = re.findall(r"`(mgdt_\w+)`", table)

@@ -23,6 +23,7 @@ install_package() { # PATH, prefix, destination or nothing, meson options...
     shift 3
     PATH=$search meson setup --reconfigure "$scratch/shared" "$source" --prefix "$prefix" -Dpython=true \
         -Ddocs=false -Dbindings=none -Dbindings_dir= "$@" &&
+        PATH=$search meson compile -C "$scratch/shared" &&
         PATH=$search meson install -C "$scratch/shared" --no-rebuild \
             ${destination:+--destdir "$destination"}
 }
@@ -66,8 +67,21 @@ own_prefix_is_told() {
         "$python" -B -c "$program" "$library" "$file"
 }
 
+# Also after an import that may write what it likes.
+uninstalled_it_is_gone() {
+    rm -rf "$scratch/venv"
+    "$python" -m venv --system-site-packages "$scratch/venv" || return 1
+    install_package "$scratch/venv/bin:$PATH" "$scratch/venv" "" || return 1
+    in_venv="env -u LD_LIBRARY_PATH -u MGDT_LIBRARY $scratch/venv/bin/python -I -c"
+    $in_venv 'import mgdt, mgdt.export' && ninja -C "$scratch/shared" uninstall &&
+        $in_venv 'import mgdt' 2>"$scratch/told"
+    cat "$scratch/told"
+    grep -q 'ModuleNotFoundError' "$scratch/told"
+}
+
 check "Debian's Python finds the package below /usr/local" debian_finds_it /usr/local
 check "Debian's Python finds the package below /usr" debian_finds_it /usr
 check "a virtual environment finds the package, library below its own prefix" venv_finds_it
 check "a virtual environment finds the package, library elsewhere" venv_finds_it "$scratch/python-prefix"
+check "when it is uninstalled, Python finds no package" uninstalled_it_is_gone
 check "a prefix where Python does not look is told of, and may be moved" own_prefix_is_told
