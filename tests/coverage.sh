@@ -74,6 +74,7 @@ if [ $report = no ]; then
     LDFLAGS=-fprofile-instr-generate
     LLVM_PROFILE_FILE=$(pwd)/$folder/profiles/%m%c.profraw
     export CFLAGS CXXFLAGS LDFLAGS LLVM_PROFILE_FILE
+    # shellcheck disable=SC2046 # targets are words
     if ! { [ -f $folder/build.ninja ] ||
         meson setup $folder -Dbuildtype=plain -Doptimization=1 -Db_ndebug=true -Dtests=enabled \
             -Dcgal=disabled -Dpeers=disabled -Dprogram=enabled; } >$folder.log 2>&1 ||
@@ -90,7 +91,7 @@ if [ $report = no ]; then
     export MGDT_TEST_SMALL
     for isa in baseline avx2 avx512; do
         # A name that the processor does not know stands for the best that it has.
-        # shellcheck disable=SC2046 -- suites are words
+        # shellcheck disable=SC2046 # suites are words
         MGDT_ISA=$isa meson test -C $folder --no-rebuild --num-processes "$jobs" --print-errorlogs \
             --timeout-multiplier 8 --no-suite script $(printf -- '--suite %s ' $suites) || status=1
     done

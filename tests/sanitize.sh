@@ -74,7 +74,7 @@ if [ "$tool" = thread ] && setarch -R true 2>/dev/null; then run='setarch -R'; f
 cd "$(dirname "$0")/.." || exit 1
 mkdir -p build-tests
 folder=build-tests/$folder
-# shellcheck disable=SC2086 -- options are words
+# shellcheck disable=SC2086 # options are words
 if ! { [ -f "$folder/build.ninja" ] || meson setup "$folder" $options; } >"$folder.log" 2>&1 ||
     ! meson compile -C "$folder" -j "$jobs" >>"$folder.log" 2>&1; then
     tail -n 40 "$folder.log"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs of consecutive items that are equal, shared among a team: as equal_runs.hpp, whatever its size.
+// Runs of consecutive items that are equal, shared among a team: as equal_runs.hpp, whatever its
+// size.
 #pragma once
 
 #include <mutex>

@@ -93,7 +93,7 @@ traps='-Ofast -ffpe-trap=invalid,zero,overflow'
 # Flags that belong to the language and the calls go to the sources and their users alike.
 bindings() { # set, flags, sources
     mkdir -p "$scratch/$1"
-    # shellcheck disable=SC2086 -- flags and sources are words
+    # shellcheck disable=SC2086 # flags and sources are words
     (cd "$scratch/$1" && $FC $strict $2 -c $3)
 }
 program() { # set, flags, program, sources...

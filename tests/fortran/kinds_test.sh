@@ -13,7 +13,7 @@ reals=-fdefault-real-8
 
 sources() { # folder, flags
     mkdir -p "$1"
-    # shellcheck disable=SC2086 -- flags and sources are words
+    # shellcheck disable=SC2086 # flags and sources are words
     (cd "$1" && $compiler $2 -c $f77_sources)
 }
 prints() { # folder, flags, program, what it prints

@@ -8,7 +8,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
-# shellcheck disable=SC2046 -- flags are words
+# shellcheck disable=SC2046 # flags are words
 ${CC:-cc} -O2 $(pkg-config --cflags mgdt) -c "$here/overhead.c"
 # shellcheck disable=SC2046
 ${FC:-gfortran} -O2 $(pkg-config --variable=fortran_sources mgdt-fortran) "$here/checks.f90" \

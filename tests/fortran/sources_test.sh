@@ -33,7 +33,7 @@ f77_alone="$folder/mgdt_f77_support.f90 $folder/mgdt_f77.f90"
 in_one_file() { # flags, sources
     rm -rf "$scratch/one"
     mkdir -p "$scratch/one"
-    # shellcheck disable=SC2086 -- flags and sources are words
+    # shellcheck disable=SC2086 # flags and sources are words
     cat $2 >"$scratch/one/one.f90" && (cd "$scratch/one" && $FC $1 -c one.f90)
 }
 in_one_file_with_a_program() { # flags

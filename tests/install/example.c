@@ -7,7 +7,7 @@
 int main(void) {
     static const double cube[24] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0,
                                     0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1};
-    mgdt_triangulation *t = NULL;
+    mgdt_triangulation* t = NULL;
     int64_t count, *v;
     mgdt_status status = mgdt_create(&t);
     if (status == MGDT_OK) status = mgdt_set_order_scheme(t, MGDT_ORDER_MULTI_GRID);

@@ -54,7 +54,7 @@ pkg() { # prefix, arguments...
 }
 
 compile() { # output, prefix, extra pkg-config arguments
-    # shellcheck disable=SC2046 -- flags are words
+    # shellcheck disable=SC2046 # flags are words
     $CC -std=c99 -pedantic -Wall -Wextra -Werror $(pkg "$2" --cflags) -o "$scratch/$1" \
         "$here/example.c" $(pkg "$2" --libs ${3-})
 }

@@ -28,7 +28,7 @@ through_pkg_config() { # shared or static, extra pkg-config arguments
 
 # A project of one language, so that C needs no C++ compiler; out of nothing but the prefix.
 cmake_project() { # folder, language, source file, what find_package is given
-    rm -rf "$scratch/$1"
+    rm -rf "${scratch:?}/$1"
     mkdir -p "$scratch/$1"
     cp "$here/$3" "$scratch/$1/"
     cat >"$scratch/$1/CMakeLists.txt" <<END
@@ -53,7 +53,7 @@ configure_cmake() { # folder, shared or static
 through_cmake() { # shared or static, language, source file
     cmake_project "cmake-$1-$2" "$2" "$3" 1.0
     configure_cmake "cmake-$1-$2" "$1" && cmake --build "$scratch/cmake-$1-$2/build" &&
-        LD_LIBRARY_PATH= "$scratch/cmake-$1-$2/build/host" &&
+        LD_LIBRARY_PATH="" "$scratch/cmake-$1-$2/build/host" &&
         if [ "$1" = shared ]; then
             readelf -dW "$scratch/cmake-$1-$2/build/host" | grep -q 'NEEDED.*libmgdt\.so\.1\]'
         else

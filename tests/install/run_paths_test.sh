@@ -36,6 +36,7 @@ check "installing" $status
 
 for name; do
     found=1
+    # shellcheck disable=SC2044 # no name has a blank in it
     for file in $(find "$scratch/installed" -type f -name "$name"); do
         found=0
         # A file that readelf cannot read shows no paths either.
@@ -49,7 +50,7 @@ done
 # Both kinds of path are seen where they are.
 echo 'int main(void) { return 0; }' >"$scratch/main.c"
 for tags in disable enable; do
-    # shellcheck disable=SC2086 -- a compiler may be several words
+    # shellcheck disable=SC2086 # a compiler may be several words
     $compiler -o "$scratch/$tags" "$scratch/main.c" -Wl,-rpath,"$scratch" -Wl,--$tags-new-dtags &&
         run_paths "$scratch/$tags"
     check "a path is seen, new tags: $tags" $?

@@ -109,7 +109,7 @@ lua)
     loading luajit -e 'require "mgdt"'
     ;;
 octave)
-    # shellcheck disable=SC2046 -- flags are words
+    # shellcheck disable=SC2046 # flags are words
     check "the gateway compiles without a warning" env \
         CFLAGS="-O1 -Wall -Wextra -Wconversion -Werror" \
         mkoctfile --mex $(pkg-config --cflags mgdt) "$bindings/octave/mgdt_mex.c" -o mgdt_mex.mex

@@ -6,7 +6,6 @@ from __future__ import annotations
 from typing import Any, Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ._arrays import FloatArray, IndexArray
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from typing import Optional, Union
+from typing import Union
 
 # How Qhull rounds, merges, perturbs, rotates, reports and traces. An exact triangulation into
 # tetrahedra in which every distinct point is a vertex has what these ask for.

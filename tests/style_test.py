@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Layout of C and C++ by clang-format, scripts by shellcheck, Python by pyflakes.
+
+  style_test.py SOURCE [FILE...]
+
+Looks at the files that are named, or at all in the folders of the source.
+"""
+import subprocess
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True  # the source tree stays as it is
+from checks import check, finish
+
+FOLDERS = ("bindings", "docs", "include", "src", "tests")
+
+# What is never formatted: headers and clients as they were released, and the header, whose comments are
+# laid out by hand.
+AS_THEY_ARE = ("tests/abi/mgdt-", "tests/abi/client-", "include/mgdt/mgdt.h")
+
+# What a script that another one reads cannot show: variables that the other one sets or uses, and files
+# whose path is known when it runs.
+UNSEEN = "SC1090,SC1091,SC2034,SC2154"
+
+TOOLS = {
+    (".c", ".cpp", ".h", ".hpp"): ("clang-format", "--dry-run", "-Werror"),
+    (".sh",): ("shellcheck", "--shell=sh", "--severity=warning", "--exclude=" + UNSEEN),
+    (".py",): ("/usr/bin/python3", "-m", "pyflakes"),
+}
+
+
+def all_files(source):
+    found = []
+    for folder in FOLDERS:
+        found += [path for path in (source / folder).rglob("*") if path.is_file()]
+    return found
+
+
+def problem_of(command, files):
+    try:
+        run = subprocess.run([*command, *map(str, files)], capture_output=True, text=True)
+    except FileNotFoundError:
+        return f"{command[0]} is not installed"
+    return (run.stdout + run.stderr).strip() if run.returncode else ""
+
+
+def main():
+    source = Path(sys.argv[1])
+    named = [source / name for name in sys.argv[2:]]
+    count = 0
+    for endings, command in TOOLS.items():
+        files = [path for path in named or all_files(source)
+                 if path.name.endswith(endings) and path.is_file() and
+                 not str(path.relative_to(source)).startswith(AS_THEY_ARE)]
+        count += len(files)
+        if files:
+            what = f"{Path(command[0]).name} {' '.join(command[1:])}: {len(files)} files"
+            check(what, problem_of(command, sorted(files)))
+    check("files to look at", "" if count > 300 or named else f"only {count}")
+    finish()
+
+
+if __name__ == "__main__":
+    main()
