@@ -11,7 +11,6 @@ triangulation waits for it. Its result is dropped.
 from __future__ import annotations
 
 import _thread
-import ctypes
 import os
 import queue
 import threading
@@ -39,15 +38,14 @@ def _never() -> bool:
 _gates: weakref.WeakSet[Gate] = weakref.WeakSet()
 
 
-def raise_soon(kind: type[BaseException]) -> None:
-    """Raises an exception on the main thread once it has left the code in which this is called."""
+def interrupt_soon() -> None:
+    """Interrupts the main thread once it has left the code in which this is called."""
 
-    def raise_there() -> None:
+    def interrupt() -> None:
         time.sleep(_MOMENT)
-        main = ctypes.c_ulong(threading.main_thread().ident or 0)
-        ctypes.pythonapi.PyThreadState_SetAsyncExc(main, ctypes.py_object(kind))
+        _thread.interrupt_main()
 
-    _thread.start_new_thread(raise_there, ())
+    _thread.start_new_thread(interrupt, ())
 
 
 class Gate:

@@ -18,7 +18,7 @@ from ._arrays import (
     finite_rows,
     stride_in_doubles,
 )
-from ._gate import raise_soon
+from ._gate import interrupt_soon
 from ._insertion import Insertion
 
 _STATISTICS = (10, 11, 20, 21, 22, 30, 31, 40, 45, 46, 50, 51, 60, 61, 62, 70, 71)
@@ -48,10 +48,9 @@ class Handle:
         if self._pointer:
             try:
                 self._library.mgdt_destroy(self._pointer)
-            except BaseException as error:
-                # What a signal's handler raised when the memory had been freed. Python prints and
-                # drops what is raised from here.
-                raise_soon(type(error))
+            except KeyboardInterrupt:
+                # Ctrl-C while the memory was freed. Python prints and drops what is raised from here.
+                interrupt_soon()
 
     def _message(self, status: int) -> str:
         buffer = ctypes.create_string_buffer(_MESSAGE_BYTES)
