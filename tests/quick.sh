@@ -22,6 +22,7 @@ tests_for() {
     case $1 in
     src/cli/*) echo cli ;;
     src/* | include/*) echo 'property fuzz faults cli cxx' ;;
+    bindings/interface/*) echo 'languages fortran python' ;;
     bindings/python/*) echo python ;;
     bindings/fortran/*) echo fortran ;;
     bindings/lua/*) echo '=lua' ;;

@@ -1,14 +1,42 @@
 ! SPDX-License-Identifier: MIT
+! Generated from mgdt/mgdt.h by bindings/interface/generate.py.
+!
 ! The C functions of mgdt as they stand in mgdt/mgdt.h, where they are documented. Module mgdt and
 ! mgdt_f77.f90 are built on these; programs rarely need them.
 !
-! c_NAME is mgdt_NAME. Functions with 32-bit and 64-bit arrays are one generic name.
+! c_NAME is mgdt_NAME. Functions with 32-bit and 64-bit arrays are one generic name. A result that is
+! a pointer is to a static string that ends with NUL, or null. Counts are pure, so that they may give
+! the bounds of automatic arrays.
 module mgdt_c
     use, intrinsic :: iso_c_binding, only: c_char, c_double, c_funptr, c_int32_t, c_int64_t, &
                                            c_ptr, c_size_t
     implicit none
     public
-    interface  ! life
+
+    ! What the exports of one array have in common.
+    abstract interface
+        function c_export_i32(t, capacity, v) result(status) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_export_i64(t, capacity, v) result(status) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface
+        pure function c_strlen(s) result(length) bind(c, name='strlen')
+            import :: c_ptr, c_size_t
+            type(c_ptr), value :: s
+            integer(c_size_t) :: length
+        end function
         function c_create(out) result(status) bind(c, name='mgdt_create')
             import :: c_int32_t, c_ptr
             type(c_ptr), intent(out) :: out
@@ -17,7 +45,8 @@ module mgdt_c
         function c_create_with_allocator(alloc, release, user, out) result(status) &
             bind(c, name='mgdt_create_with_allocator')
             import :: c_funptr, c_int32_t, c_ptr
-            type(c_funptr), value :: alloc, release
+            type(c_funptr), value :: alloc
+            type(c_funptr), value :: release
             type(c_ptr), value :: user
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: status
@@ -37,9 +66,6 @@ module mgdt_c
             integer(c_int64_t), value :: n_points
             integer(c_int32_t) :: status
         end function
-    end interface
-
-    interface  ! settings
         function c_set_order_scheme(t, scheme) result(status) bind(c, name='mgdt_set_order_scheme')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: t
@@ -78,6 +104,12 @@ module mgdt_c
             integer(c_int64_t), value :: bytes
             integer(c_int32_t) :: status
         end function
+        function c_set_compact(t, on) result(status) bind(c, name='mgdt_set_compact')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: on
+            integer(c_int32_t) :: status
+        end function
         function c_set_progress(t, fn, user) result(status) bind(c, name='mgdt_set_progress')
             import :: c_funptr, c_int32_t, c_ptr
             type(c_ptr), value :: t
@@ -88,12 +120,6 @@ module mgdt_c
         function c_cancel(t) result(status) bind(c, name='mgdt_cancel')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: t
-            integer(c_int32_t) :: status
-        end function
-        function c_set_compact(t, on) result(status) bind(c, name='mgdt_set_compact')
-            import :: c_int32_t, c_ptr
-            type(c_ptr), value :: t
-            integer(c_int32_t), value :: on
             integer(c_int32_t) :: status
         end function
         function c_set_canonical_output(t, on) result(status) &
@@ -109,9 +135,6 @@ module mgdt_c
             type(c_ptr), value :: name
             integer(c_int32_t) :: status
         end function
-    end interface
-
-    interface  ! points
         function c_insert_points(t, n, xyz) result(status) bind(c, name='mgdt_insert_points')
             import :: c_double, c_int32_t, c_int64_t, c_ptr
             type(c_ptr), value :: t
@@ -124,14 +147,12 @@ module mgdt_c
             import :: c_int32_t, c_int64_t, c_ptr
             type(c_ptr), value :: t
             integer(c_int64_t), value :: n
-            type(c_ptr), value :: x, y, z
+            type(c_ptr), value :: x
+            type(c_ptr), value :: y
+            type(c_ptr), value :: z
             integer(c_int64_t), value :: stride
             integer(c_int32_t) :: status
         end function
-    end interface
-
-    ! Pure, so that they may give the bounds of automatic arrays.
-    interface  ! counts
         pure function c_point_count(t) result(count) bind(c, name='mgdt_point_count')
             import :: c_int64_t, c_ptr
             type(c_ptr), value :: t
@@ -142,10 +163,10 @@ module mgdt_c
             type(c_ptr), value :: t
             integer(c_int64_t) :: count
         end function
-        pure function c_dimension(t) result(d) bind(c, name='mgdt_dimension')
+        pure function c_dimension(t) result(count) bind(c, name='mgdt_dimension')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: t
-            integer(c_int32_t) :: d
+            integer(c_int32_t) :: count
         end function
         pure function c_tetrahedron_count(t) result(count) bind(c, name='mgdt_tetrahedron_count')
             import :: c_int64_t, c_ptr
@@ -168,73 +189,6 @@ module mgdt_c
             type(c_ptr), value :: t
             integer(c_int64_t) :: count
         end function
-    end interface
-
-    ! What the exports of one array have in common.
-    abstract interface
-        function c_export_i32(t, capacity, v) result(status) bind(c)
-            import :: c_int32_t, c_int64_t, c_ptr
-            type(c_ptr), value :: t
-            integer(c_int64_t), value :: capacity
-            integer(c_int32_t), intent(inout) :: v(*)
-            integer(c_int32_t) :: status
-        end function
-        function c_export_i64(t, capacity, v) result(status) bind(c)
-            import :: c_int32_t, c_int64_t, c_ptr
-            type(c_ptr), value :: t
-            integer(c_int64_t), value :: capacity
-            integer(c_int64_t), intent(inout) :: v(*)
-            integer(c_int32_t) :: status
-        end function
-    end interface
-
-    procedure(c_export_i32), bind(c, name='mgdt_get_tetrahedra_i32') :: c_get_tetrahedra_i32
-    procedure(c_export_i64), bind(c, name='mgdt_get_tetrahedra') :: c_get_tetrahedra_i64
-    procedure(c_export_i32), bind(c, name='mgdt_get_neighbors_i32') :: c_get_neighbors_i32
-    procedure(c_export_i64), bind(c, name='mgdt_get_neighbors') :: c_get_neighbors_i64
-    procedure(c_export_i32), bind(c, name='mgdt_get_hull_facets_i32') :: c_get_hull_facets_i32
-    procedure(c_export_i64), bind(c, name='mgdt_get_hull_facets') :: c_get_hull_facets_i64
-    procedure(c_export_i32), bind(c, name='mgdt_get_edges_i32') :: c_get_edges_i32
-    procedure(c_export_i64), bind(c, name='mgdt_get_edges') :: c_get_edges_i64
-    procedure(c_export_i32), bind(c, name='mgdt_get_point_map_i32') :: c_get_point_map_i32
-    procedure(c_export_i64), bind(c, name='mgdt_get_point_map') :: c_get_point_map_i64
-
-    interface c_get_tetrahedra
-        procedure :: c_get_tetrahedra_i32, c_get_tetrahedra_i64
-    end interface
-    interface c_get_neighbors
-        procedure :: c_get_neighbors_i32, c_get_neighbors_i64
-    end interface
-    interface c_get_hull_facets
-        procedure :: c_get_hull_facets_i32, c_get_hull_facets_i64
-    end interface
-    interface c_get_edges
-        procedure :: c_get_edges_i32, c_get_edges_i64
-    end interface
-    interface c_get_point_map
-        procedure :: c_get_point_map_i32, c_get_point_map_i64
-    end interface
-
-    interface c_get_vertex_tetrahedra
-        function c_get_vertex_tetrahedra_i32(t, offset_capacity, offsets, capacity, list) &
-            result(status) bind(c, name='mgdt_get_vertex_tetrahedra_i32')
-            import :: c_int32_t, c_int64_t, c_ptr
-            type(c_ptr), value :: t
-            integer(c_int64_t), value :: offset_capacity, capacity
-            integer(c_int32_t), intent(inout) :: offsets(*), list(*)
-            integer(c_int32_t) :: status
-        end function
-        function c_get_vertex_tetrahedra_i64(t, offset_capacity, offsets, capacity, list) &
-            result(status) bind(c, name='mgdt_get_vertex_tetrahedra')
-            import :: c_int32_t, c_int64_t, c_ptr
-            type(c_ptr), value :: t
-            integer(c_int64_t), value :: offset_capacity, capacity
-            integer(c_int64_t), intent(inout) :: offsets(*), list(*)
-            integer(c_int32_t) :: status
-        end function
-    end interface
-
-    interface  ! queries, trust, figures
         function c_locate(t, xyz, tetrahedron) result(status) bind(c, name='mgdt_locate')
             import :: c_double, c_int32_t, c_int64_t, c_ptr
             type(c_ptr), value :: t
@@ -262,6 +216,166 @@ module mgdt_c
             real(c_double), intent(inout) :: value
             integer(c_int32_t) :: status
         end function
+        function c_stat_name(key) result(text) bind(c, name='mgdt_stat_name')
+            import :: c_int32_t, c_ptr
+            integer(c_int32_t), value :: key
+            type(c_ptr) :: text
+        end function
+        function c_status_string(s) result(text) bind(c, name='mgdt_status_string')
+            import :: c_int32_t, c_ptr
+            integer(c_int32_t), value :: s
+            type(c_ptr) :: text
+        end function
+        function c_get_error(t, capacity, buffer) result(status) bind(c, name='mgdt_get_error')
+            import :: c_char, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            character(kind=c_char), intent(inout) :: buffer(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_order_scheme_name(scheme) result(text) bind(c, name='mgdt_order_scheme_name')
+            import :: c_int32_t, c_ptr
+            integer(c_int32_t), value :: scheme
+            type(c_ptr) :: text
+        end function
+        function c_order_scheme_from_name(name, scheme) result(status) &
+            bind(c, name='mgdt_order_scheme_from_name')
+            import :: c_char, c_int32_t
+            character(kind=c_char), intent(in) :: name(*)
+            integer(c_int32_t), intent(inout) :: scheme
+            integer(c_int32_t) :: status
+        end function
+        function c_version_string() result(text) bind(c, name='mgdt_version_string')
+            import :: c_ptr
+            type(c_ptr) :: text
+        end function
+        function c_abi_version() result(answer) bind(c, name='mgdt_abi_version')
+            import :: c_int32_t
+            integer(c_int32_t) :: answer
+        end function
+        function c_isa_name(t) result(text) bind(c, name='mgdt_isa_name')
+            import :: c_ptr
+            type(c_ptr), value :: t
+            type(c_ptr) :: text
+        end function
+    end interface
+
+    interface c_get_tetrahedra
+        function c_get_tetrahedra_i32(t, capacity, v) result(status) &
+            bind(c, name='mgdt_get_tetrahedra_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_get_tetrahedra_i64(t, capacity, v) result(status) &
+            bind(c, name='mgdt_get_tetrahedra')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_get_neighbors
+        function c_get_neighbors_i32(t, capacity, v) result(status) &
+            bind(c, name='mgdt_get_neighbors_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_get_neighbors_i64(t, capacity, v) result(status) &
+            bind(c, name='mgdt_get_neighbors')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_get_hull_facets
+        function c_get_hull_facets_i32(t, capacity, v) result(status) &
+            bind(c, name='mgdt_get_hull_facets_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_get_hull_facets_i64(t, capacity, v) result(status) &
+            bind(c, name='mgdt_get_hull_facets')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_get_edges
+        function c_get_edges_i32(t, capacity, v) result(status) bind(c, name='mgdt_get_edges_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_get_edges_i64(t, capacity, v) result(status) bind(c, name='mgdt_get_edges')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_get_point_map
+        function c_get_point_map_i32(t, capacity, v) result(status) &
+            bind(c, name='mgdt_get_point_map_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_get_point_map_i64(t, capacity, v) result(status) &
+            bind(c, name='mgdt_get_point_map')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_get_vertex_tetrahedra
+        function c_get_vertex_tetrahedra_i32(t, offset_capacity, offsets, capacity, list) &
+            result(status) &
+            bind(c, name='mgdt_get_vertex_tetrahedra_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: offset_capacity
+            integer(c_int32_t), intent(inout) :: offsets(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: list(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_get_vertex_tetrahedra_i64(t, offset_capacity, offsets, capacity, list) &
+            result(status) &
+            bind(c, name='mgdt_get_vertex_tetrahedra')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: offset_capacity
+            integer(c_int64_t), intent(inout) :: offsets(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: list(*)
+            integer(c_int32_t) :: status
+        end function
     end interface
 
     interface c_locate_points
@@ -284,56 +398,6 @@ module mgdt_c
             integer(c_int64_t), intent(inout) :: tetrahedra(*)
             type(c_ptr), value :: weights
             integer(c_int32_t) :: status
-        end function
-    end interface
-
-    interface  ! text: each pointer is to a static NUL-terminated string, or null
-        function c_stat_name(key) result(name) bind(c, name='mgdt_stat_name')
-            import :: c_int32_t, c_ptr
-            integer(c_int32_t), value :: key
-            type(c_ptr) :: name
-        end function
-        function c_status_string(s) result(text) bind(c, name='mgdt_status_string')
-            import :: c_int32_t, c_ptr
-            integer(c_int32_t), value :: s
-            type(c_ptr) :: text
-        end function
-        function c_get_error(t, capacity, buffer) result(status) bind(c, name='mgdt_get_error')
-            import :: c_char, c_int32_t, c_int64_t, c_ptr
-            type(c_ptr), value :: t
-            integer(c_int64_t), value :: capacity
-            character(kind=c_char), intent(inout) :: buffer(*)
-            integer(c_int32_t) :: status
-        end function
-        function c_order_scheme_name(scheme) result(name) bind(c, name='mgdt_order_scheme_name')
-            import :: c_int32_t, c_ptr
-            integer(c_int32_t), value :: scheme
-            type(c_ptr) :: name
-        end function
-        function c_order_scheme_from_name(name, scheme) result(status) &
-            bind(c, name='mgdt_order_scheme_from_name')
-            import :: c_char, c_int32_t
-            character(kind=c_char), intent(in) :: name(*)
-            integer(c_int32_t), intent(inout) :: scheme
-            integer(c_int32_t) :: status
-        end function
-        function c_version_string() result(text) bind(c, name='mgdt_version_string')
-            import :: c_ptr
-            type(c_ptr) :: text
-        end function
-        function c_abi_version() result(version) bind(c, name='mgdt_abi_version')
-            import :: c_int32_t
-            integer(c_int32_t) :: version
-        end function
-        function c_isa_name(t) result(name) bind(c, name='mgdt_isa_name')
-            import :: c_ptr
-            type(c_ptr), value :: t
-            type(c_ptr) :: name
-        end function
-        pure function c_strlen(s) result(length) bind(c, name='strlen')
-            import :: c_ptr, c_size_t
-            type(c_ptr), value :: s
-            integer(c_size_t) :: length
         end function
     end interface
 end module mgdt_c

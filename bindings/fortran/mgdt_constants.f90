@@ -1,65 +1,124 @@
 ! SPDX-License-Identifier: MIT
-! The constants of mgdt's C interface, in the default integer of the flags in force.
+! Generated from mgdt/mgdt.h by bindings/interface/generate.py.
+!
+! The constants of mgdt's C interface, in the default integer of the flags in force. Comments are
+! those of the header; stat= has the values of a status.
 module mgdt_constants
     implicit none
     public
 
-    ! Values of stat=. New ones may be added; existing ones never change.
-    integer, parameter :: mgdt_ok = 0                    ! success
-    integer, parameter :: mgdt_err_null_pointer = 10     ! something that must be there is not
-    integer, parameter :: mgdt_err_invalid_argument = 11 ! a value or shape out of its range
-    integer, parameter :: mgdt_err_not_finite = 12       ! a coordinate is NaN or infinite
-    integer, parameter :: mgdt_err_unknown_scheme = 13   ! not an mgdt_order_ value or name
-    integer, parameter :: mgdt_err_unknown_key = 14      ! not an mgdt_stat_ or mgdt_parameter_ key
-    integer, parameter :: mgdt_err_buffer_too_small = 20 ! an array is too small; not touched
-    integer, parameter :: mgdt_err_index_range = 21      ! a number does not fit the integer kind
-    integer, parameter :: mgdt_err_out_of_memory = 30    ! the system or the memory limit refused
-    integer, parameter :: mgdt_err_too_large = 31        ! more than the format can number
-    integer, parameter :: mgdt_err_cancelled = 40        ! cancel or the progress callback said so
-    integer, parameter :: mgdt_err_busy = 41             ! another call is inside; since 1.2
-    integer, parameter :: mgdt_err_check_failed = 60     ! check found a defect
-    integer, parameter :: mgdt_err_internal = 90         ! a defect in mgdt; please report it
+    ! Error codes.
+    ! Success.
+    integer, parameter :: mgdt_ok = 0
+    ! A pointer that must not be NULL is NULL.
+    integer, parameter :: mgdt_err_null_pointer = 10
+    ! A value out of its documented range.
+    integer, parameter :: mgdt_err_invalid_argument = 11
+    ! A coordinate is NaN or infinite.
+    integer, parameter :: mgdt_err_not_finite = 12
+    ! Not an MGDT_ORDER_ value or name.
+    integer, parameter :: mgdt_err_unknown_scheme = 13
+    ! Not an MGDT_STAT_ or MGDT_PARAMETER_ key.
+    integer, parameter :: mgdt_err_unknown_key = 14
+    ! The capacity is less than what must be written.
+    integer, parameter :: mgdt_err_buffer_too_small = 20
+    ! An index does not fit a 32-bit integer.
+    integer, parameter :: mgdt_err_index_range = 21
+    ! The allocator or the memory limit refused.
+    integer, parameter :: mgdt_err_out_of_memory = 30
+    ! More points or tetrahedra than the format can number.
+    integer, parameter :: mgdt_err_too_large = 31
+    ! mgdt_cancel() or the progress callback asked to stop.
+    integer, parameter :: mgdt_err_cancelled = 40
+    ! Another call is inside the handle: a callback called its own handle, or two threads broke the
+    ! thread rule. Every function that takes a handle may return it, except mgdt_cancel() and
+    ! mgdt_get_error(). Since 1.2.
+    integer, parameter :: mgdt_err_busy = 41
+    ! mgdt_check() found a defect.
+    integer, parameter :: mgdt_err_check_failed = 60
+    ! A defect in mgdt itself; please report it.
+    integer, parameter :: mgdt_err_internal = 90
 
-    ! Order schemes: in which order the points of one call are inserted. The tetrahedra do not
-    ! depend on it, the time does.
-    integer, parameter :: mgdt_order_auto = 0            ! what measures best; the default
-    integer, parameter :: mgdt_order_input = 10          ! as given
-    integer, parameter :: mgdt_order_random = 20         ! shuffled
-    integer, parameter :: mgdt_order_lexicographic = 30  ! by x, then y, then z
-    integer, parameter :: mgdt_order_brio = 40           ! random rounds, each along a curve
-    integer, parameter :: mgdt_order_hilbert = 50        ! along a Hilbert curve
-    integer, parameter :: mgdt_order_regular_grid = 60   ! cell by cell of a regular grid
-    integer, parameter :: mgdt_order_kd_tree = 70        ! squarish kd-tree
-    integer, parameter :: mgdt_order_enhanced_kd_tree = 80 ! a kd-tree with a grid in each cell
-    integer, parameter :: mgdt_order_multi_grid = 90     ! regular grids within the cells of grids
+    ! Order schemes.
+    ! Multi-grid with its defaults; the default.
+    integer, parameter :: mgdt_order_auto = 0
+    ! As given (2.1).
+    integer, parameter :: mgdt_order_input = 10
+    ! Shuffled (2.1).
+    integer, parameter :: mgdt_order_random = 20
+    ! By x, then y, then z (2.1).
+    integer, parameter :: mgdt_order_lexicographic = 30
+    ! Random rounds of growing size, each along a curve (2.2).
+    integer, parameter :: mgdt_order_brio = 40
+    ! Along a Hilbert curve (2.3).
+    integer, parameter :: mgdt_order_hilbert = 50
+    ! Along a path through a regular grid (4.1).
+    integer, parameter :: mgdt_order_regular_grid = 60
+    ! Squarish kd-tree, cell-pivot-cell (3).
+    integer, parameter :: mgdt_order_kd_tree = 70
+    ! A kd-tree with a regular grid in each cell (3.4).
+    integer, parameter :: mgdt_order_enhanced_kd_tree = 80
+    ! Regular grids within the cells of grids (4.2).
+    integer, parameter :: mgdt_order_multi_grid = 90
 
-    ! Keys of set_order_parameter.
-    integer, parameter :: mgdt_parameter_points_per_cell = 10 ! mean number, 1 to 1e6; 0: default
-    integer, parameter :: mgdt_parameter_threshold = 20  ! multi-grid: 1 to 1e9; 0: default
-    integer, parameter :: mgdt_parameter_separation = 30 ! grids: 0, 1 or 2 (default)
-    integer, parameter :: mgdt_parameter_round_ratio = 40 ! BRIO: above 1 to 1e6; 0: default (7.5)
+    ! Parameters.
+    ! Mean number of points in a cell. Default 8 (grids), 10 (kd-tree), 1000 (enhanced kd-tree's
+    ! tree cells; its inner grids use 8). Range 1 to 1e6; 0 gives the default back. Multi-grid with
+    ! separation 2 makes its cells as small as its keys allow instead.
+    integer, parameter :: mgdt_parameter_points_per_cell = 10
+    ! Multi-grid: a cell with more points than this gets a grid of its own. Default 200, but 8 with
+    ! separation 2; range 1 to 1e9; 0 gives the default back.
+    integer, parameter :: mgdt_parameter_threshold = 20
+    ! Regular grid and multi-grid: 0 empties a cell before the next, 1 takes one point from a cell
+    ! at a time (the paper's separation control), 2 deals the points along the path through the
+    ! cells into rounds, one of twelve before the others (of up to 4,096, one of four); the path of
+    ! multi-grid is then a Hilbert curve. Default 2.
+    integer, parameter :: mgdt_parameter_separation = 30
+    ! BRIO: each round holds this many times the points of all rounds before it, plus one. Default
+    ! 7.5, range above 1 to 1e6; 0 gives the default back.
+    integer, parameter :: mgdt_parameter_round_ratio = 40
 
-    ! Keys of get_stat. Counts are of the whole life of the triangulation; seconds are wall-clock.
-    integer, parameter :: mgdt_stat_points_inserted = 10 ! points that became vertices
-    integer, parameter :: mgdt_stat_duplicates = 11      ! points equal to an earlier vertex
-    integer, parameter :: mgdt_stat_walk_steps = 20      ! tetrahedra visited by walks
-    integer, parameter :: mgdt_stat_walk_tests = 21      ! circumspheres evaluated by walks
-    integer, parameter :: mgdt_stat_conflict_tests = 22  ! circumspheres evaluated for cavities
+    ! Figures.
+    ! Points that became vertices.
+    integer, parameter :: mgdt_stat_points_inserted = 10
+    ! Points equal to an earlier vertex.
+    integer, parameter :: mgdt_stat_duplicates = 11
+    ! Tetrahedra visited by walks (the paper's NP, summed).
+    integer, parameter :: mgdt_stat_walk_steps = 20
+    ! Circumspheres evaluated by walks.
+    integer, parameter :: mgdt_stat_walk_tests = 21
+    ! Circumspheres evaluated while cavities grew.
+    integer, parameter :: mgdt_stat_conflict_tests = 22
+    ! Tetrahedra removed by insertions (NR, summed).
     integer, parameter :: mgdt_stat_tetrahedra_removed = 30
+    ! Tetrahedra created by insertions.
     integer, parameter :: mgdt_stat_tetrahedra_created = 31
-    integer, parameter :: mgdt_stat_exact_calls = 40     ! decisions that the filter left open
-    integer, parameter :: mgdt_stat_put_off = 45         ! met another thread, tried again
-    integer, parameter :: mgdt_stat_inserted_alone = 46  ! while other threads had no work
-    integer, parameter :: mgdt_stat_order_seconds = 50   ! time spent on schedules
-    integer, parameter :: mgdt_stat_insert_seconds = 51  ! time spent inserting
-    integer, parameter :: mgdt_stat_grid_levels = 60     ! deepest level of the last schedule
-    integer, parameter :: mgdt_stat_rounds = 61          ! rounds in the last schedule
-    integer, parameter :: mgdt_stat_threads = 62         ! threads of the last insertion
-    integer, parameter :: mgdt_stat_memory_bytes = 70    ! memory held now
-    integer, parameter :: mgdt_stat_peak_memory_bytes = 71 ! the most it held so far
+    ! Decisions that the floating-point filter left open.
+    integer, parameter :: mgdt_stat_exact_calls = 40
+    ! Insertions that met another thread; tried again.
+    integer, parameter :: mgdt_stat_put_off = 45
+    ! Points inserted while other threads had no work.
+    integer, parameter :: mgdt_stat_inserted_alone = 46
+    ! Time spent on schedules, of more than 16 points.
+    integer, parameter :: mgdt_stat_order_seconds = 50
+    ! Time spent inserting.
+    integer, parameter :: mgdt_stat_insert_seconds = 51
+    ! Deepest level of grids or trees in the last schedule.
+    integer, parameter :: mgdt_stat_grid_levels = 60
+    ! Rounds in the last schedule.
+    integer, parameter :: mgdt_stat_rounds = 61
+    ! Threads of the last insertion.
+    integer, parameter :: mgdt_stat_threads = 62
+    ! Memory held by the handle now.
+    integer, parameter :: mgdt_stat_memory_bytes = 70
+    ! The most it held so far.
+    integer, parameter :: mgdt_stat_peak_memory_bytes = 71
 
-    ! Levels of check. Each includes those below it.
-    integer, parameter :: mgdt_check_combinatorial = 1   ! adjacency, Euler, no point lost
-    integer, parameter :: mgdt_check_geometric = 2       ! exact orientation, exact local Delaunay
-    integer, parameter :: mgdt_check_canonical = 3       ! convex hull, and how ties are broken
+    ! Levels.
+    ! Adjacency, shared facets, Euler, every point accounted for.
+    integer, parameter :: mgdt_check_combinatorial = 1
+    ! Exact positive orientation, exact local Delaunay.
+    integer, parameter :: mgdt_check_geometric = 2
+    ! Convex hull, and ties broken by the perturbation.
+    integer, parameter :: mgdt_check_canonical = 3
 end module mgdt_constants

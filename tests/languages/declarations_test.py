@@ -55,8 +55,8 @@ def expect(language, what, got, expected):
 # ------------------------------------------------------------------------------------------ Lua
 
 lua_text = (source / "bindings/lua/mgdt.lua").read_text(encoding="utf-8")
-lua_library = (source / "bindings/lua/mgdt/library.lua").read_text(encoding="utf-8")
-lua = c_functions(re.search(r"ffi\.cdef \[\[(.*?)\]\]", lua_library, re.S).group(1))
+lua_interface = (source / "bindings/lua/mgdt/interface.lua").read_text(encoding="utf-8")
+lua = c_functions(re.search(r"cdef \[\[(.*?)\]\]", lua_interface, re.S).group(1))
 for name, signature in lua.items():
     expect("Lua", name, signature, header.get(name))
 for name in set(re.findall(r"\bC\.(mgdt_\w+)", lua_text)) - set(lua):

@@ -115,7 +115,7 @@ class Finding(unittest.TestCase):
         other = self.library("int something(void) { return 1; }")
         self.refused("no function mgdt_abi_version", MGDT_LIBRARY=other)
         other = self.library("int mgdt_abi_version(void) { return 1; }")
-        self.refused("no function mgdt_version_string", MGDT_LIBRARY=other)
+        self.refused("no function mgdt_create", MGDT_LIBRARY=other)
 
 
 class Declarations(unittest.TestCase):
@@ -123,14 +123,15 @@ class Declarations(unittest.TestCase):
         header = pathlib.Path(os.environ["MGDT_SOURCE"]) / "include" / "mgdt" / "mgdt.h"
         program = r"""
 import ctypes, re, sys
-from mgdt import _library
+from mgdt import _interface, _library
 source = re.sub(r"/\*.*?\*/", "", open(sys.argv[1]).read(), flags=re.S)
 handles = {"mgdt_triangulation*": "c_void_p", "mgdt_triangulation**": "LP_c_void_p"}
 kinds = {
     "int32_t": "c_int", "int64_t": "c_long", "uint64_t": "c_ulong", "double": "c_double",
     "char*": "c_char_p", "void*": "c_void_p", "mgdt_status": "c_int", "void": None,
     "int32_t*": "c_void_p", "int64_t*": "c_void_p", "double*": "c_void_p",
-    "mgdt_progress_fn": "CFunctionType", "mgdt_alloc_fn": "", "mgdt_free_fn": "", **handles,
+    "mgdt_progress_fn": "CFunctionType", "mgdt_alloc_fn": "CFunctionType",
+    "mgdt_free_fn": "CFunctionType", **handles,
 }
 declared = {}
 for result, name, parameters in re.findall(r"MGDT_API ([^;(]*?)(mgdt_\w+)\(([^;]*?)\);", source):
@@ -141,15 +142,14 @@ for result, name, parameters in re.findall(r"MGDT_API ([^;(]*?)(mgdt_\w+)\(([^;]
     inputs = [] if parameters == "void" else [kind(p) for p in parameters.split(",")]
     declared[name] = (kind(result + "x"), inputs)
 assert len(declared) > 40
-for name, (result, inputs) in _library._SIGNATURES.items():
+for name, (since, result, inputs) in _interface.FUNCTIONS.items():
     ours = [getattr(k, "__name__", None) for k in inputs]
-    # A single double is written through a typed pointer.
-    ours = ["c_void_p" if k == "LP_c_double" else k for k in ours]
     theirs = declared[name]
     assert (getattr(result, "__name__", None), ours) == theirs, (name, result, ours, theirs)
     function = getattr(_library.library, name)
     assert function.argtypes == inputs and function.restype == result
-print(len(_library._SIGNATURES))
+assert set(_interface.FUNCTIONS) == set(declared)
+print(len(_interface.FUNCTIONS))
 """
         result = run_python(program, str(header))
         self.assertEqual(result.stderr, "")

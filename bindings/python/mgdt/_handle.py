@@ -9,7 +9,7 @@ from typing import Any, Callable, Optional
 
 import numpy as np
 
-from . import _errors, _library
+from . import _errors, _interface, _library
 from ._arrays import (
     FloatArray,
     IndexArray,
@@ -108,7 +108,7 @@ class Handle:
         if stride is None:
             points, stride = np.ascontiguousarray(points), 3
         insertion.attach(partial(self._library.mgdt_cancel, self._pointer))
-        report = _library.PROGRESS(insertion.report)
+        report = _interface.PROGRESS(insertion.report)
         self._call("mgdt_set_progress", report, None)
         try:
             if points.flags.c_contiguous:

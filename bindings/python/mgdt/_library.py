@@ -6,8 +6,9 @@ from __future__ import annotations
 import ctypes
 import ctypes.util
 import os
-from ctypes import POINTER, c_char_p, c_double, c_int32, c_int64, c_uint64, c_void_p
-from typing import Any, Iterator
+from typing import Iterator
+
+from ._interface import FUNCTIONS, PROGRESS
 
 ABI_VERSION = 1
 """The version of the binary interface that this package is written for."""
@@ -21,55 +22,11 @@ BUNDLED_NAMES = ("libmgdt.so.1", "libmgdt.1.dylib")
 INSTALLED_NAME = "libmgdt.path"
 """The file in this package's folder in which ``meson install`` leaves the path of the library."""
 
-PROGRESS = ctypes.CFUNCTYPE(c_int32, c_double, c_void_p)
-"""``mgdt_progress_fn``."""
-
 NO_PROGRESS = PROGRESS(0)
 """NULL."""
 
-# The return type and the parameters of every function that the package calls. Arrays are passed
-# as addresses.
-_HANDLE = c_void_p
-_STATUS = c_int32
-_ARRAY = c_void_p
-_SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
-    "mgdt_abi_version": (c_int32, []),
-    "mgdt_version_string": (c_char_p, []),
-    "mgdt_create": (_STATUS, [POINTER(c_void_p)]),
-    "mgdt_destroy": (None, [_HANDLE]),
-    "mgdt_clear": (_STATUS, [_HANDLE]),
-    "mgdt_set_order_scheme": (_STATUS, [_HANDLE, c_int32]),
-    "mgdt_set_order_parameter": (_STATUS, [_HANDLE, c_int32, c_double]),
-    "mgdt_set_seed": (_STATUS, [_HANDLE, c_uint64]),
-    "mgdt_set_threads": (_STATUS, [_HANDLE, c_int32]),
-    "mgdt_set_memory_limit": (_STATUS, [_HANDLE, c_int64]),
-    "mgdt_set_compact": (_STATUS, [_HANDLE, c_int32]),
-    "mgdt_set_progress": (_STATUS, [_HANDLE, PROGRESS, c_void_p]),
-    "mgdt_cancel": (_STATUS, [_HANDLE]),
-    "mgdt_set_canonical_output": (_STATUS, [_HANDLE, c_int32]),
-    "mgdt_insert_points": (_STATUS, [_HANDLE, c_int64, _ARRAY]),
-    "mgdt_insert_points_strided": (_STATUS, [_HANDLE, c_int64, _ARRAY, _ARRAY, _ARRAY, c_int64]),
-    "mgdt_point_count": (c_int64, [_HANDLE]),
-    "mgdt_vertex_count": (c_int64, [_HANDLE]),
-    "mgdt_dimension": (c_int32, [_HANDLE]),
-    "mgdt_tetrahedron_count": (c_int64, [_HANDLE]),
-    "mgdt_hull_facet_count": (c_int64, [_HANDLE]),
-    "mgdt_edge_count": (c_int64, [_HANDLE]),
-    "mgdt_get_tetrahedra_i32": (_STATUS, [_HANDLE, c_int64, _ARRAY]),
-    "mgdt_get_neighbors_i32": (_STATUS, [_HANDLE, c_int64, _ARRAY]),
-    "mgdt_get_hull_facets_i32": (_STATUS, [_HANDLE, c_int64, _ARRAY]),
-    "mgdt_get_edges_i32": (_STATUS, [_HANDLE, c_int64, _ARRAY]),
-    "mgdt_get_point_map_i32": (_STATUS, [_HANDLE, c_int64, _ARRAY]),
-    "mgdt_locate_points_i32": (_STATUS, [_HANDLE, c_int64, _ARRAY, _ARRAY, _ARRAY]),
-    "mgdt_nearest_vertex": (_STATUS, [_HANDLE, _ARRAY, _ARRAY]),
-    "mgdt_check": (_STATUS, [_HANDLE, c_int32]),
-    "mgdt_get_stat": (_STATUS, [_HANDLE, c_int32, POINTER(c_double)]),
-    "mgdt_stat_name": (c_char_p, [c_int32]),
-    "mgdt_status_string": (c_char_p, [_STATUS]),
-    "mgdt_get_error": (_STATUS, [_HANDLE, c_int64, c_char_p]),
-    "mgdt_order_scheme_name": (c_char_p, [c_int32]),
-    "mgdt_isa_name": (c_char_p, [_HANDLE]),
-}
+_EARLIEST = ("1.0", "1.1")
+"""The versions whose functions a library must have."""
 
 
 class _Unsuitable(Exception):
@@ -108,10 +65,13 @@ def _candidates() -> Iterator[tuple[str, str]]:
 
 def _declare(library: ctypes.CDLL) -> None:
     # The version first: a library of another one may lack or have changed anything else.
-    for name, (result, parameters) in _SIGNATURES.items():
+    for name in sorted(FUNCTIONS, key="mgdt_abi_version".__ne__):
+        since, result, parameters = FUNCTIONS[name]
         try:
             function = getattr(library, name)
         except AttributeError:
+            if since not in _EARLIEST:
+                continue
             raise _Unsuitable(f"it has no function {name}, so it is no mgdt 1.1 or later") from None
         function.restype = result
         function.argtypes = parameters

@@ -2,6 +2,7 @@
 # frozen_string_literal: true
 
 require "ffi"
+require_relative "interface"
 
 module Mgdt
   # The C interface as it is; Triangulation is made of it.
@@ -44,50 +45,12 @@ module Mgdt
     callback :progress, %i[double pointer], :int32
 
     # What can take long runs without Ruby's lock, so that other threads go on.
-    LONG = { blocking: true }.freeze
-    private_constant :LONG
+    INTERFACE.each do |name, parameters, result, is_long|
+      # A library of an earlier version lacks the later functions.
+      next unless library.find_function(name.to_s)
 
-    attach_function :mgdt_create, [:pointer], :int32
-    attach_function :mgdt_destroy, [:pointer], :void
-    attach_function :mgdt_clear, [:pointer], :int32
-    attach_function :mgdt_reserve, %i[pointer int64], :int32
-    attach_function :mgdt_set_order_scheme, %i[pointer int32], :int32
-    attach_function :mgdt_set_order_parameter, %i[pointer int32 double], :int32
-    attach_function :mgdt_set_seed, %i[pointer uint64], :int32
-    attach_function :mgdt_set_threads, %i[pointer int32], :int32
-    attach_function :mgdt_set_index_base, %i[pointer int32], :int32
-    attach_function :mgdt_set_memory_limit, %i[pointer int64], :int32
-    attach_function :mgdt_set_compact, %i[pointer int32], :int32
-    attach_function :mgdt_set_progress, %i[pointer progress pointer], :int32
-    attach_function :mgdt_cancel, [:pointer], :int32
-    attach_function :mgdt_set_canonical_output, %i[pointer int32], :int32
-    attach_function :mgdt_set_isa, %i[pointer string], :int32
-    attach_function :mgdt_insert_points, %i[pointer int64 pointer], :int32, LONG
-    attach_function :mgdt_insert_points_strided,
-                    %i[pointer int64 pointer pointer pointer int64], :int32, LONG
-    %i[point vertex tetrahedron hull_facet edge vertex_tetrahedra].each do |what|
-      attach_function :"mgdt_#{what}_count", [:pointer], :int64
+      attach_function name, parameters, result, blocking: is_long
     end
-    attach_function :mgdt_dimension, [:pointer], :int32
-    %i[tetrahedra neighbors hull_facets edges point_map].each do |what|
-      attach_function :"mgdt_get_#{what}", %i[pointer int64 pointer], :int32, LONG
-      attach_function :"mgdt_get_#{what}_i32", %i[pointer int64 pointer], :int32, LONG
-    end
-    attach_function :mgdt_get_vertex_tetrahedra,
-                    %i[pointer int64 pointer int64 pointer], :int32, LONG
-    attach_function :mgdt_locate, %i[pointer pointer pointer], :int32
-    attach_function :mgdt_locate_points, %i[pointer int64 pointer pointer pointer], :int32, LONG
-    attach_function :mgdt_nearest_vertex, %i[pointer pointer pointer], :int32
-    attach_function :mgdt_check, %i[pointer int32], :int32, LONG
-    attach_function :mgdt_get_stat, %i[pointer int32 pointer], :int32
-    attach_function :mgdt_stat_name, [:int32], :string
-    attach_function :mgdt_status_string, [:int32], :string
-    attach_function :mgdt_get_error, %i[pointer int64 pointer], :int32
-    attach_function :mgdt_order_scheme_name, [:int32], :string
-    attach_function :mgdt_order_scheme_from_name, %i[string pointer], :int32
-    attach_function :mgdt_version_string, [], :string
-    attach_function :mgdt_abi_version, [], :int32
-    attach_function :mgdt_isa_name, [:pointer], :string
 
     # A handle that is destroyed when it is collected.
     class Handle < FFI::AutoPointer

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Generated from mgdt/mgdt.h by bindings/interface/generate.py.
 //! The C interface of mgdt as it is. Its manual is the header, `mgdt/mgdt.h`; the crate `mgdt` is
 //! the safe interface.
 #![allow(non_camel_case_types)]
@@ -85,7 +86,6 @@ extern "C" {
     pub fn mgdt_destroy(t: *mut mgdt_triangulation);
     pub fn mgdt_clear(t: *mut mgdt_triangulation) -> mgdt_status;
     pub fn mgdt_reserve(t: *mut mgdt_triangulation, n_points: i64) -> mgdt_status;
-
     pub fn mgdt_set_order_scheme(t: *mut mgdt_triangulation, scheme: i32) -> mgdt_status;
     pub fn mgdt_set_order_parameter(
         t: *mut mgdt_triangulation,
@@ -105,7 +105,6 @@ extern "C" {
     pub fn mgdt_cancel(t: *mut mgdt_triangulation) -> mgdt_status;
     pub fn mgdt_set_canonical_output(t: *mut mgdt_triangulation, on: i32) -> mgdt_status;
     pub fn mgdt_set_isa(t: *mut mgdt_triangulation, name: *const c_char) -> mgdt_status;
-
     pub fn mgdt_insert_points(t: *mut mgdt_triangulation, n: i64, xyz: *const f64) -> mgdt_status;
     pub fn mgdt_insert_points_strided(
         t: *mut mgdt_triangulation,
@@ -115,7 +114,6 @@ extern "C" {
         z: *const f64,
         stride: i64,
     ) -> mgdt_status;
-
     pub fn mgdt_point_count(t: *const mgdt_triangulation) -> i64;
     pub fn mgdt_vertex_count(t: *const mgdt_triangulation) -> i64;
     pub fn mgdt_dimension(t: *const mgdt_triangulation) -> i32;
@@ -123,7 +121,6 @@ extern "C" {
     pub fn mgdt_hull_facet_count(t: *const mgdt_triangulation) -> i64;
     pub fn mgdt_edge_count(t: *const mgdt_triangulation) -> i64;
     pub fn mgdt_vertex_tetrahedra_count(t: *const mgdt_triangulation) -> i64;
-
     pub fn mgdt_get_tetrahedra(
         t: *const mgdt_triangulation,
         capacity: i64,
@@ -184,7 +181,6 @@ extern "C" {
         capacity: i64,
         list: *mut i32,
     ) -> mgdt_status;
-
     pub fn mgdt_locate(
         t: *const mgdt_triangulation,
         xyz: *const f64,
@@ -209,12 +205,9 @@ extern "C" {
         xyz: *const f64,
         vertex: *mut i64,
     ) -> mgdt_status;
-
     pub fn mgdt_check(t: *const mgdt_triangulation, level: i32) -> mgdt_status;
-
     pub fn mgdt_get_stat(t: *const mgdt_triangulation, key: i32, value: *mut f64) -> mgdt_status;
     pub fn mgdt_stat_name(key: i32) -> *const c_char;
-
     pub fn mgdt_status_string(s: mgdt_status) -> *const c_char;
     pub fn mgdt_get_error(
         t: *const mgdt_triangulation,

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: MIT
+"""What the C header cannot say of its functions, for the bindings that are generated from it."""
+
+# The length of each array that a function takes or fills, in elements: a number, or a product of
+# numbers and of the function's counts. Of one element is what is no array. A "?" in front means that
+# NULL is allowed; "stride" an address from which the library goes on by a stride; "text" a string that
+# ends with NUL. Twins, whose names end with _i32, have the arrays of the function that they twin.
+LENGTHS = {
+    "mgdt_set_isa": {"name": "?text"},
+    "mgdt_insert_points": {"xyz": "3*n"},
+    "mgdt_insert_points_strided": {"x": "stride", "y": "stride", "z": "stride"},
+    "mgdt_get_tetrahedra": {"v": "capacity"},
+    "mgdt_get_neighbors": {"v": "capacity"},
+    "mgdt_get_hull_facets": {"v": "capacity"},
+    "mgdt_get_edges": {"v": "capacity"},
+    "mgdt_get_point_map": {"v": "capacity"},
+    "mgdt_get_vertex_tetrahedra": {"offsets": "offset_capacity", "list": "capacity"},
+    "mgdt_locate": {"xyz": "3", "tetrahedron": "1"},
+    "mgdt_locate_points": {"xyz": "3*n", "tetrahedra": "n", "weights": "?4*n"},
+    "mgdt_nearest_vertex": {"xyz": "3", "vertex": "1"},
+    "mgdt_get_stat": {"value": "1"},
+    "mgdt_get_error": {"buffer": "capacity"},
+    "mgdt_order_scheme_from_name": {"name": "text", "scheme": "1"},
+}
+
+# Functions of a handle that may take long though they take no array.
+LONG = {"mgdt_check"}
+
+# Functions that never take long though they fill an array.
+SHORT = {"mgdt_get_error"}
+
+# The six characters by which FORTRAN 77 knows the constants.
+F77_NAMES = {
+    "MGDT_OK": "MGOK",
+    "MGDT_ERR_NULL_POINTER": "MGENUL",
+    "MGDT_ERR_INVALID_ARGUMENT": "MGEARG",
+    "MGDT_ERR_NOT_FINITE": "MGEFIN",
+    "MGDT_ERR_UNKNOWN_SCHEME": "MGESCH",
+    "MGDT_ERR_UNKNOWN_KEY": "MGEKEY",
+    "MGDT_ERR_BUFFER_TOO_SMALL": "MGEBUF",
+    "MGDT_ERR_INDEX_RANGE": "MGERNG",
+    "MGDT_ERR_OUT_OF_MEMORY": "MGEMEM",
+    "MGDT_ERR_TOO_LARGE": "MGEBIG",
+    "MGDT_ERR_CANCELLED": "MGECAN",
+    "MGDT_ERR_BUSY": "MGEBSY",
+    "MGDT_ERR_CHECK_FAILED": "MGECHK",
+    "MGDT_ERR_INTERNAL": "MGEINT",
+    "MGDT_ORDER_AUTO": "MGOAUT",
+    "MGDT_ORDER_INPUT": "MGOINP",
+    "MGDT_ORDER_RANDOM": "MGORAN",
+    "MGDT_ORDER_LEXICOGRAPHIC": "MGOLEX",
+    "MGDT_ORDER_BRIO": "MGOBRI",
+    "MGDT_ORDER_HILBERT": "MGOHIL",
+    "MGDT_ORDER_REGULAR_GRID": "MGOGRD",
+    "MGDT_ORDER_KD_TREE": "MGOKDT",
+    "MGDT_ORDER_ENHANCED_KD_TREE": "MGOEKD",
+    "MGDT_ORDER_MULTI_GRID": "MGOMUL",
+    "MGDT_PARAMETER_POINTS_PER_CELL": "MGPPPC",
+    "MGDT_PARAMETER_THRESHOLD": "MGPTHR",
+    "MGDT_PARAMETER_SEPARATION": "MGPSEP",
+    "MGDT_PARAMETER_ROUND_RATIO": "MGPRAT",
+    "MGDT_STAT_POINTS_INSERTED": "MGFPTS",
+    "MGDT_STAT_DUPLICATES": "MGFDUP",
+    "MGDT_STAT_WALK_STEPS": "MGFWST",
+    "MGDT_STAT_WALK_TESTS": "MGFWTE",
+    "MGDT_STAT_CONFLICT_TESTS": "MGFCTE",
+    "MGDT_STAT_TETRAHEDRA_REMOVED": "MGFREM",
+    "MGDT_STAT_TETRAHEDRA_CREATED": "MGFCRE",
+    "MGDT_STAT_EXACT_CALLS": "MGFEXA",
+    "MGDT_STAT_PUT_OFF": "MGFPUT",
+    "MGDT_STAT_INSERTED_ALONE": "MGFALN",
+    "MGDT_STAT_ORDER_SECONDS": "MGFOSE",
+    "MGDT_STAT_INSERT_SECONDS": "MGFISE",
+    "MGDT_STAT_GRID_LEVELS": "MGFLEV",
+    "MGDT_STAT_ROUNDS": "MGFROU",
+    "MGDT_STAT_THREADS": "MGFTHR",
+    "MGDT_STAT_MEMORY_BYTES": "MGFMEM",
+    "MGDT_STAT_PEAK_MEMORY_BYTES": "MGFPEA",
+    "MGDT_CHECK_COMBINATORIAL": "MGCCOM",
+    "MGDT_CHECK_GEOMETRIC": "MGCGEO",
+    "MGDT_CHECK_CANONICAL": "MGCCAN",
+}
+
+# The groups of constants, by the beginning of their names, and what FORTRAN 77 calls each group.
+GROUPS = {
+    "MGDT_OK MGDT_ERR_": "error codes",
+    "MGDT_ORDER_": "order schemes",
+    "MGDT_PARAMETER_": "parameters (MGPAR)",
+    "MGDT_STAT_": "figures (MGSTAT)",
+    "MGDT_CHECK_": "levels (MGCHK)",
+}

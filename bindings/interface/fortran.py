@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: MIT
+"""Fortran: the interfaces of the C functions, and the constants for Fortran 90 and for FORTRAN 77."""
+
+from __future__ import annotations
+
+import textwrap
+
+from description import F77_NAMES
+from header import Function, Interface, Parameter
+
+WIDTH = 100
+
+C_HEAD = """\
+! SPDX-License-Identifier: MIT
+! Generated from mgdt/mgdt.h by bindings/interface/generate.py.
+!
+! The C functions of mgdt as they stand in mgdt/mgdt.h, where they are documented. Module mgdt and
+! mgdt_f77.f90 are built on these; programs rarely need them.
+!
+! c_NAME is mgdt_NAME. Functions with 32-bit and 64-bit arrays are one generic name. A result that is
+! a pointer is to a static string that ends with NUL, or null. Counts are pure, so that they may give
+! the bounds of automatic arrays.
+module mgdt_c
+    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_funptr, c_int32_t, c_int64_t, &
+                                           c_ptr, c_size_t
+    implicit none
+    public
+
+    ! What the exports of one array have in common.
+    abstract interface
+        function c_export_i32(t, capacity, v) result(status) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_export_i64(t, capacity, v) result(status) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: v(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface
+        pure function c_strlen(s) result(length) bind(c, name='strlen')
+            import :: c_ptr, c_size_t
+            type(c_ptr), value :: s
+            integer(c_size_t) :: length
+        end function
+"""
+
+KINDS = {"int32_t": "integer(c_int32_t)", "int64_t": "integer(c_int64_t)",
+         "uint64_t": "integer(c_int64_t)", "mgdt_status": "integer(c_int32_t)",
+         "double": "real(c_double)", "char": "character(kind=c_char)", "size_t": "integer(c_size_t)"}
+
+
+def wrapped(head: str, binding: str, indent: str) -> str:
+    """The head of a procedure, continued where it is too long, last before its binding."""
+    if len(indent + head + binding) < WIDTH:
+        return f"{indent}{head} {binding}\n"
+    lines = textwrap.wrap(head, WIDTH - len(indent) - 6, break_long_words=False,
+                          break_on_hyphens=False)
+    return (" &\n" + indent + "    ").join([indent + lines[0], *lines[1:], binding]) + "\n"
+
+
+def declared(p: Parameter) -> str:
+    """The type of a dummy argument, and its name with its shape."""
+    if p.is_scalar:
+        return f"{KINDS[p.type]}, value :: {p.name}"
+    if p.is_callback:
+        return f"type(c_funptr), value :: {p.name}"
+    if p.stars == 2:
+        return f"type(c_ptr), intent(out) :: {p.name}"
+    if p.length in (None, "stride") or p.may_be_null:
+        return f"type(c_ptr), value :: {p.name}"
+    shape = "" if p.length == "1" else f"({p.length})" if p.length.isdigit() else "(*)"
+    return f"{KINDS[p.type]}, intent({'in' if p.is_const else 'inout'}) :: {p.name}{shape}"
+
+
+def answer_of(function: Function) -> tuple[str, str]:
+    """The name of the result and its declaration."""
+    if function.result.stars:
+        return "text", "type(c_ptr) :: text"
+    name = "status" if function.returns_status else "count" if function.is_count else "answer"
+    return name, f"{KINDS[function.result.type]} :: {name}"
+
+
+def procedure(function: Function, name: str) -> str:
+    """The interface body of a function."""
+    indent = " " * 8
+    arguments = ", ".join(p.name for p in function.parameters)
+    declarations = [declared(p) for p in function.parameters]
+    binding = f"bind(c, name='{function.name}')"
+    if function.result.type == "void" and not function.result.stars:
+        kind, head = "subroutine", f"subroutine {name}({arguments})"
+    else:
+        answer, declaration = answer_of(function)
+        declarations.append(declaration)
+        kind = "function"
+        head = f"{'pure ' if function.is_count else ''}function {name}({arguments}) result({answer})"
+    kinds = sorted({word for word in ("c_char", "c_double", "c_funptr", "c_int32_t", "c_int64_t",
+                                      "c_ptr", "c_size_t") if any(word in d for d in declarations)})
+    body = "".join(indent + "    " + line + "\n"
+                   for line in [f"import :: {', '.join(kinds)}", *declarations])
+    return wrapped(head, binding, indent) + body + f"{indent}end {kind}\n"
+
+
+def c_module(interface: Interface) -> str:
+    twins = {f.twin_of: f for f in interface.functions if f.twin_of}
+    text = C_HEAD
+    for function in interface.functions:
+        if function.name not in twins and not function.twin_of:
+            text += procedure(function, "c_" + function.short_name)
+    text += "    end interface\n"
+    for function in interface.functions:
+        if function.name in twins:
+            name = "c_" + function.short_name
+            text += f"\n    interface {name}\n"
+            text += procedure(twins[function.name], name + "_i32") + procedure(function, name + "_i64")
+            text += "    end interface\n"
+    return text + "end module mgdt_c\n"
+
+
+CONSTANTS_HEAD = """\
+! SPDX-License-Identifier: MIT
+! Generated from mgdt/mgdt.h by bindings/interface/generate.py.
+!
+! The constants of mgdt's C interface, in the default integer of the flags in force. Comments are
+! those of the header; stat= has the values of a status.
+module mgdt_constants
+    implicit none
+    public
+"""
+
+
+def constants_module(interface: Interface) -> str:
+    text = CONSTANTS_HEAD
+    for title, group in interface.groups():
+        text += f"\n    ! {title[0].upper()}{title[1:].split(' (')[0]}.\n"
+        for constant in group:
+            for line in textwrap.wrap(constant.comment, WIDTH - 6):
+                text += f"    ! {line}\n"
+            text += f"    integer, parameter :: {constant.name.lower()} = {constant.value}\n"
+    return text + "end module mgdt_constants\n"
+
+
+F77_HEAD = """\
+! SPDX-License-Identifier: MIT
+! Generated from mgdt/mgdt.h by bindings/interface/generate.py.
+!
+! INCLUDE this after IMPLICIT statements: names for the numbers that mgdt takes and gives.
+! It is good for fixed and free form. Each line says what mgdt.h calls the number;
+! docs/fortran.md says what each means.
+"""
+
+F77_TAIL = """\
+! kinds (MGKIND): MGKIND compares these two with its own
+      INTEGER MGKI(2)
+      DOUBLE PRECISION MGKD
+      PARAMETER (MGKI = (/1, 2/), MGKD = 1D0)
+"""
+
+
+def f77_include(interface: Interface) -> str:
+    text = F77_HEAD
+    for title, group in interface.groups():
+        text += f"! {title}\n"
+        names = [F77_NAMES[c.name] for c in group]
+        for i in range(0, len(names), 6):
+            text += f"      INTEGER {', '.join(names[i:i + 6])}\n"
+        for constant, name in zip(group, names):
+            text += f"      PARAMETER ({name} = {constant.value}) ! {constant.name}\n"
+    return text + F77_TAIL
+
+
+def files(interface: Interface) -> dict[str, str]:
+    return {"fortran/mgdt_c.f90": c_module(interface),
+            "fortran/mgdt_constants.f90": constants_module(interface),
+            "fortran/mgdt_f77.inc": f77_include(interface)}

@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Writes the raw layers of the bindings, from include/mgdt/mgdt.h and description.py.
+
+  generate.py [--into FOLDER]
+
+Writes into the folder of the bindings, or into another one of the same shape. Needs pycparser
+(Debian's python3-pycparser). docs/contributing.md shows how a function is added.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import fortran
+import header
+import rust
+import scripting
+
+BINDINGS = Path(__file__).resolve().parents[1]
+
+
+def all_files(interface: header.Interface) -> dict[str, str]:
+    """The files by their names below the folder of the bindings."""
+    found: dict[str, str] = {}
+    for writer in (fortran, rust, scripting):
+        found.update(writer.files(interface))
+    return found
+
+
+def main() -> None:
+    into = Path(sys.argv[2]) if sys.argv[1:2] == ["--into"] else BINDINGS
+    try:
+        interface = header.read(BINDINGS.parent / "include" / "mgdt" / "mgdt.h")
+    except header.DescriptionError as error:
+        sys.exit(f"generate.py: {error}")
+    for name, text in all_files(interface).items():
+        (into / name).parent.mkdir(parents=True, exist_ok=True)
+        (into / name).write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

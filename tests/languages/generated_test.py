@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The raw layers of the bindings are what bindings/interface/generate.py writes, byte for byte; and it
+refuses a header or a description from which it cannot write them, with the function's name.
+
+  generated_test.py SOURCE
+"""
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+sys.dont_write_bytecode = True  # the source tree stays as it is
+source = Path(sys.argv[1])
+sys.path[:0] = [str(source / "tests"), str(source / "bindings" / "interface")]
+import description
+import generate
+import header
+from checks import check, finish
+
+HEADER = source / "include" / "mgdt" / "mgdt.h"
+
+
+def added(declaration, comment="@since 1.2"):
+    """The header with one more function."""
+    text = HEADER.read_text(encoding="utf-8")
+    where = text.index("/* ---", text.index("mgdt_check("))
+    return f"{text[:where]}/** {comment} */\nMGDT_API {declaration};\n\n{text[where:]}"
+
+
+def read(text):
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "mgdt.h"
+        path.write_text(text, encoding="utf-8")
+        return header.read(path)
+
+
+def refused(what, text, *words, **lengths):
+    """Checks that the error has the words."""
+    description.LENGTHS.update(lengths)
+    try:
+        read(text)
+        check(what, "nothing was refused")
+    except header.DescriptionError as error:
+        check(what, "" if all(word in str(error) for word in words) else str(error))
+    for name in lengths:
+        del description.LENGTHS[name]
+
+
+def main():
+    files = generate.all_files(header.read(HEADER))
+    check("files are written", "" if len(files) == 7 else " ".join(files))
+    for name, text in files.items():
+        path = source / "bindings" / name
+        is_same = path.is_file() and path.read_text(encoding="utf-8") == text
+        check(name, "" if is_same else "differs; run bindings/interface/generate.py")
+
+    handle = "mgdt_triangulation *t"
+    new = "mgdt_status mgdt_new"
+    refused("no length", added(f"{new}({handle}, int64_t n, const double *xyz)"), "mgdt_new", "xyz")
+    refused("a length of no count", added(f"{new}({handle}, int64_t n, const double *xyz)"),
+            "mgdt_new", "m", mgdt_new={"xyz": "3*m"})
+    refused("an array that is not there", added(f"{new}({handle}, int64_t n)"), "mgdt_new", "xyz",
+            mgdt_new={"xyz": "3*n"})
+    refused("a type that is not known", added(f"{new}({handle}, float x)"), "mgdt_new", "float")
+    refused("a twin alone", added(f"mgdt_status mgdt_new_i32({handle})"), "mgdt_new_i32")
+    refused("a twin that differs", added(f"mgdt_status mgdt_check_i32(const {handle}, double level)"),
+            "mgdt_check_i32", "mgdt_check")
+    refused("no version", added(f"{new}({handle})", "Does something."), "mgdt_new", "@since")
+    refused("a function that is gone", HEADER.read_text(encoding="utf-8"), "mgdt_gone",
+            mgdt_gone={"v": "n"})
+    refused("a constant without a name in FORTRAN 77",
+            HEADER.read_text(encoding="utf-8").replace("MGDT_CHECK_CANONICAL = 3",
+                                                       "MGDT_CHECK_CANONICAL = 3, MGDT_CHECK_MORE = 4"),
+            "MGDT_CHECK_MORE")
+
+    # One more function is in every layer.
+    description.LENGTHS["mgdt_new"] = {"xyz": "3*n", "found": "n"}
+    arguments = f"const {handle}, int64_t n, const double *xyz, "
+    text = added(f"{new}({arguments}int64_t *found);\n/** @copydoc mgdt_new */\n"
+                 f"MGDT_API mgdt_status mgdt_new_i32({arguments}int32_t *found)")
+    for name, written in generate.all_files(read(text)).items():
+        is_constant = name.endswith((".inc", "constants.f90"))
+        check(f"a new function in {name}", "" if is_constant or "mgdt_new_i32" in written else "missing")
+    finish()
+
+
+if __name__ == "__main__":
+    main()
