@@ -27,14 +27,15 @@ module mgdt
     use mgdt_names, only: mgdt_version => version, mgdt_abi_version => abi_version, &
                           mgdt_status_string => status_string, mgdt_stat_name => stat_name, &
                           mgdt_order_scheme_name => order_scheme_name, &
-                          mgdt_order_scheme_from_name => order_scheme_from_name
+                          mgdt_order_scheme_from_name => order_scheme_from_name, &
+                          mgdt_order_scheme_at => order_scheme_at
     use mgdt_support, only: c_text, last_message
     implicit none
     private
 
     public :: mgdt_triangulation, mgdt_observer, mgdt_progress
     public :: mgdt_version, mgdt_abi_version, mgdt_status_string, mgdt_stat_name, &
-              mgdt_order_scheme_name, mgdt_order_scheme_from_name
+              mgdt_order_scheme_name, mgdt_order_scheme_from_name, mgdt_order_scheme_at
     ! The constants; mgdt_constants.f90 says what they mean.
     public :: mgdt_ok, mgdt_err_null_pointer, mgdt_err_invalid_argument, mgdt_err_not_finite, &
               mgdt_err_unknown_scheme, mgdt_err_unknown_key, mgdt_err_buffer_too_small, &

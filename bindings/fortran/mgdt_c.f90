@@ -245,6 +245,13 @@ module mgdt_c
             integer(c_int32_t), intent(inout) :: scheme
             integer(c_int32_t) :: status
         end function
+        function c_order_scheme_at(index, scheme) result(status) &
+            bind(c, name='mgdt_order_scheme_at')
+            import :: c_int32_t
+            integer(c_int32_t), value :: index
+            integer(c_int32_t), intent(inout) :: scheme
+            integer(c_int32_t) :: status
+        end function
         function c_version_string() result(text) bind(c, name='mgdt_version_string')
             import :: c_ptr
             type(c_ptr) :: text

@@ -618,6 +618,19 @@ subroutine mgsnum(name, iord, ierr)
     if (ierr == mgdt_ok) iord = found
 end subroutine
 
+! The K-th order scheme, from 1: the default first. Beyond the last IERR is MGESCH.
+subroutine mgsat(k, iord, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: k
+    integer, intent(inout) :: iord
+    integer, intent(out) :: ierr
+    integer(c_int32_t) :: found
+
+    ierr = c_order_scheme_at(to_c(max(k, 0) - 1), found)
+    if (ierr == mgdt_ok) iord = found
+end subroutine
+
 ! Message of the last call on the handle that the library refused; blank if there is none. 256
 ! characters hold every message.
 subroutine mgerr(h, text, ierr)

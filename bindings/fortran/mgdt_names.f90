@@ -4,14 +4,15 @@
 ! not accept both in one source file.
 module mgdt_names
     use, intrinsic :: iso_c_binding, only: c_int32_t, c_null_char
-    use mgdt_c, only: c_abi_version, c_order_scheme_from_name, c_order_scheme_name, c_stat_name, &
+    use mgdt_c, only: c_abi_version, c_order_scheme_at, c_order_scheme_from_name, &
+                      c_order_scheme_name, c_stat_name, &
                       c_status_string, c_version_string
     use mgdt_constants, only: mgdt_ok
     use mgdt_support, only: c_text, tell, to_c
     implicit none
     private
     public :: version, abi_version, status_string, stat_name, order_scheme_name, &
-              order_scheme_from_name
+              order_scheme_from_name, order_scheme_at
 
 contains
 
@@ -66,5 +67,18 @@ contains
         if (status == mgdt_ok) scheme = found
         call tell('mgdt_order_scheme_from_name', status, &
                   'there is no order scheme "'//trim(name)//'"', stat, errmsg)
+    end subroutine
+
+    ! The k-th order scheme, from 1: the default first. Beyond the last, scheme stays as it is.
+    subroutine order_scheme_at(k, scheme, stat, errmsg)
+        integer, intent(in) :: k
+        integer, intent(inout) :: scheme
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status, found
+
+        status = c_order_scheme_at(to_c(max(k, 0) - 1), found)
+        if (status == mgdt_ok) scheme = found
+        call tell('mgdt_order_scheme_at', status, 'there are not so many order schemes', stat, errmsg)
     end subroutine
 end module mgdt_names

@@ -21,6 +21,7 @@ LENGTHS = {
     "mgdt_get_stat": {"value": "1"},
     "mgdt_get_error": {"buffer": "capacity"},
     "mgdt_order_scheme_from_name": {"name": "text", "scheme": "1"},
+    "mgdt_order_scheme_at": {"scheme": "1"},
 }
 
 # Functions of a handle that may take long though they take no array.

@@ -100,13 +100,13 @@ def python(interface: Interface) -> str:
         types = ", ".join(ctypes_type(p) for p in [callback.result, *callback.parameters])
         text += (f"{ctypes_type(Parameter('', callback.name, 0, False))} = ctypes.CFUNCTYPE({types})\n"
                  f'"""``{callback.name}``."""\n\n')
-    text += ("# The version that has brought a function, its result, and its parameters.\n"
-             "FUNCTIONS: dict[str, tuple[str, Any, list[Any]]] = {\n")
+    text += ("# The result of each function, and its parameters.\n"
+             "FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {\n")
     for f in interface.functions:
         parameters = ", ".join(map(ctypes_type, f.parameters))
-        line = f'    "{f.name}": ("{f.since}", {ctypes_type(f.result)}, [{parameters}]),\n'
+        line = f'    "{f.name}": ({ctypes_type(f.result)}, [{parameters}]),\n'
         if len(line) > WIDTH:
-            line = (f'    "{f.name}": (\n        "{f.since}",\n        {ctypes_type(f.result)},\n'
+            line = (f'    "{f.name}": (\n        {ctypes_type(f.result)},\n'
                     f"        [{parameters}],\n    ),\n")
         text += line
     return text + "}\n"

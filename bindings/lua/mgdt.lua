@@ -477,9 +477,11 @@ end
 -- ------------------------------------------------------------------------------------- module
 
 local mgdt = { status = status, order_schemes = {}, Triangulation = Triangulation }
-for scheme = 0, 90, 10 do
-    local name = C.mgdt_order_scheme_name(scheme)
-    if name ~= nil then table.insert(mgdt.order_schemes, ffi.string(name)) end
+do
+    local scheme = ffi.new("int32_t[1]")
+    while C.mgdt_order_scheme_at(#mgdt.order_schemes, scheme) == 0 do
+        table.insert(mgdt.order_schemes, ffi.string(C.mgdt_order_scheme_name(scheme[0])))
+    end
 end
 
 --- Version of the library that is loaded, "1.2.0".

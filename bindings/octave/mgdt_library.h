@@ -56,6 +56,7 @@
     F(get_error);               \
     F(order_scheme_name);       \
     F(order_scheme_from_name);  \
+    F(order_scheme_at);         \
     F(version_string);          \
     F(isa_name);
 

@@ -309,8 +309,8 @@ static mxArray* scheme_names(void) {
     int32_t scheme;
     int count = 0, k;
     mxArray* result;
-    for (scheme = 0; scheme < 1000 && count < 64; ++scheme)
-        if (mgdt.order_scheme_name(scheme)) names[count++] = mgdt.order_scheme_name(scheme);
+    while (count < 64 && mgdt.order_scheme_at(count, &scheme) == MGDT_OK)
+        names[count++] = mgdt.order_scheme_name(scheme);
     result = mxCreateCellMatrix((mwSize)count, 1);
     for (k = 0; k < count; ++k) mxSetCell(result, (mwIndex)k, mxCreateString(names[k]));
     return result;

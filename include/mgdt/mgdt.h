@@ -525,6 +525,13 @@ MGDT_API const char *mgdt_order_scheme_name(int32_t scheme);
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_order_scheme_from_name(const char *name, int32_t *scheme);
 
+/** The order schemes one by one, so that all can be listed: the default first, then by number.
+ *  @param index  from 0, whatever the index base of a handle
+ *  @param[out] scheme  an MGDT_ORDER_ value; not touched if the call fails
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_SCHEME from the number of schemes on
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_order_scheme_at(int32_t index, int32_t *scheme);
+
 /** Version of the library that is running, "1.0.0". The string is static.
  *  @since 1.0 */
 MGDT_API const char *mgdt_version_string(void);

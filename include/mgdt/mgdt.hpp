@@ -495,6 +495,15 @@ class Triangulation {
                                 (text ? ": " + std::string(text) : std::string()));
     return static_cast<Order>(scheme);
 }
+/** All order schemes that the library has, the default first. Those of a later version than this
+ *  header's have no name in Order. @since 1.2 */
+[[nodiscard]] inline std::vector<Order> order_schemes() {
+    std::vector<Order> all;
+    std::int32_t scheme = 0;
+    for (std::int32_t i = 0; mgdt_order_scheme_at(i, &scheme) == MGDT_OK; ++i)
+        all.push_back(static_cast<Order>(scheme));
+    return all;
+}
 [[nodiscard]] inline Order order_from_name(const std::string& text) {
     return order_from_name(text.c_str());
 }

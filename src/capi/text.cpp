@@ -114,6 +114,14 @@ extern "C" mgdt_status mgdt_order_scheme_from_name(const char* name, int32_t* sc
     return MGDT_ERR_UNKNOWN_SCHEME;
 }
 
+extern "C" mgdt_status mgdt_order_scheme_at(int32_t index, int32_t* scheme) {
+    if (!scheme) return MGDT_ERR_NULL_POINTER;
+    const OrderSchemes all = order_schemes();
+    if (index < 0 || index >= all.end() - all.begin()) return MGDT_ERR_UNKNOWN_SCHEME;
+    *scheme = all.begin()[index].number;
+    return MGDT_OK;
+}
+
 extern "C" mgdt_status mgdt_get_stat(const mgdt_triangulation* t, int32_t key, double* value) {
     return guard_short(t, [&] {
         require_pointer(value, "value");

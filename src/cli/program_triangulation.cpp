@@ -15,8 +15,9 @@ namespace mgdt::cli {
 std::vector<std::string> scheme_names() {
     std::vector<std::string> names;
     // Enumerators have gaps, and a newer library may know more of them than this program.
-    for (std::int32_t scheme = 0; scheme < 1000; ++scheme) {
-        if (const char* name = mgdt_order_scheme_name(scheme)) names.emplace_back(name);
+    std::int32_t scheme = 0;
+    for (std::int32_t i = 0; mgdt_order_scheme_at(i, &scheme) == MGDT_OK; ++i) {
+        names.emplace_back(mgdt_order_scheme_name(scheme));
     }
     return names;
 }

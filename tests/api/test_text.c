@@ -76,6 +76,18 @@ static void schemes(void) {
         CHECK_EQUAL(mgdt_order_scheme_from_name(known[i].name, &scheme), MGDT_OK);
         CHECK_EQUAL(scheme, known[i].scheme);
     }
+    /* Listed in this order, and no others. */
+    for (i = 0; i < sizeof known / sizeof known[0]; ++i) {
+        CHECK_EQUAL(mgdt_order_scheme_at((int32_t)i, &scheme), MGDT_OK);
+        CHECK_EQUAL(scheme, known[i].scheme);
+    }
+    scheme = 777;
+    CHECK_EQUAL(mgdt_order_scheme_at((int32_t)i, &scheme), MGDT_ERR_UNKNOWN_SCHEME);
+    CHECK_EQUAL(mgdt_order_scheme_at(INT32_MAX, &scheme), MGDT_ERR_UNKNOWN_SCHEME);
+    CHECK_EQUAL(mgdt_order_scheme_at(-1, &scheme), MGDT_ERR_UNKNOWN_SCHEME);
+    CHECK_EQUAL(mgdt_order_scheme_at(INT32_MIN, &scheme), MGDT_ERR_UNKNOWN_SCHEME);
+    CHECK_EQUAL(scheme, 777);
+    CHECK_EQUAL(mgdt_order_scheme_at(0, NULL), MGDT_ERR_NULL_POINTER);
     CHECK(mgdt_order_scheme_name(1) == NULL);
     CHECK(mgdt_order_scheme_name(-1) == NULL);
     CHECK(mgdt_order_scheme_name(91) == NULL);

@@ -45,6 +45,7 @@ int main() {
         Heap heap;
         mgdt::Triangulation t(heap), other;
         t.set_order_scheme(mgdt::order_from_name("brio"));
+        t.set_order_scheme(mgdt::order_schemes().front());
         t.set_order_parameter(mgdt::Parameter::round_ratio, 4);
         t.set_seed(1);
         t.set_threads(1);

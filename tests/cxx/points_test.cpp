@@ -172,6 +172,10 @@ TEST(CxxSettings, EverySchemeGivesTheSame) {
         EXPECT_EQ(mgdt::order_from_name(mgdt::name(order)), order);
         EXPECT_EQ(mgdt::order_from_name(std::string(mgdt::name(order))), order);
     }
+    const std::vector<mgdt::Order> all = mgdt::order_schemes();
+    ASSERT_EQ(all.size(), 10u);
+    EXPECT_EQ(all.front(), mgdt::Order::automatic);
+    EXPECT_EQ(all.back(), mgdt::Order::multi_grid);
 }
 
 TEST(CxxSettings, IndexBaseAndInstructionSet) {

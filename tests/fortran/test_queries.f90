@@ -198,8 +198,25 @@ contains
     end subroutine
 
     subroutine test_names()
-        integer :: k, scheme
+        integer :: k, scheme, stat
 
+        ! Listed from 1 on; beyond the last there is none.
+        k = 0
+        do
+            scheme = -1
+            call mgdt_order_scheme_at(k + 1, scheme, stat)
+            if (stat /= mgdt_ok) exit
+            k = k + 1
+            call expect(any(schemes == scheme), 'a scheme of the list')
+        end do
+        call expect(k == size(schemes) .and. scheme == -1, 'as many as there are')
+        call expect(stat == mgdt_err_unknown_scheme, 'no more schemes')
+        call mgdt_order_scheme_at(1, scheme)
+        call expect(scheme == mgdt_order_auto, 'the first scheme')
+        do k = -1, 0
+            call mgdt_order_scheme_at(k, scheme, stat)
+            call expect(stat == mgdt_err_unknown_scheme, 'no scheme before the first')
+        end do
         do k = 1, size(schemes)
             scheme = -1
             call mgdt_order_scheme_from_name(mgdt_order_scheme_name(schemes(k)), scheme)

@@ -142,7 +142,7 @@ for result, name, parameters in re.findall(r"MGDT_API ([^;(]*?)(mgdt_\w+)\(([^;]
     inputs = [] if parameters == "void" else [kind(p) for p in parameters.split(",")]
     declared[name] = (kind(result + "x"), inputs)
 assert len(declared) > 40
-for name, (since, result, inputs) in _interface.FUNCTIONS.items():
+for name, (result, inputs) in _interface.FUNCTIONS.items():
     ours = [getattr(k, "__name__", None) for k in inputs]
     theirs = declared[name]
     assert (getattr(result, "__name__", None), ours) == theirs, (name, result, ours, theirs)

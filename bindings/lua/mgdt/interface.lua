@@ -61,6 +61,7 @@ const char *mgdt_status_string(int32_t s);
 int32_t mgdt_get_error(const mgdt_triangulation *t, int64_t capacity, char *buffer);
 const char *mgdt_order_scheme_name(int32_t scheme);
 int32_t mgdt_order_scheme_from_name(const char *name, int32_t *scheme);
+int32_t mgdt_order_scheme_at(int32_t index, int32_t *scheme);
 const char *mgdt_version_string(void);
 int32_t mgdt_abi_version(void);
 const char *mgdt_isa_name(const mgdt_triangulation *t);

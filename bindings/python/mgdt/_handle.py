@@ -28,9 +28,16 @@ _MESSAGE_BYTES = 256
 # The library sorts locations in blocks of as many. A location that nobody waits for ends there.
 _LOCATION_BLOCK = 1 << 20
 
-ORDER_SCHEMES = {
-    _library.text(_library.library.mgdt_order_scheme_name(key)): key for key in range(0, 100, 10)
-}
+
+def _order_schemes() -> dict[str, int]:
+    schemes: dict[str, int] = {}
+    key = ctypes.c_int32()
+    while _library.library.mgdt_order_scheme_at(len(schemes), ctypes.byref(key)) == _errors.OK:
+        schemes[_library.text(_library.library.mgdt_order_scheme_name(key))] = key.value
+    return schemes
+
+
+ORDER_SCHEMES = _order_schemes()
 """The order schemes by name."""
 
 

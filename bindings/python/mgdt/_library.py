@@ -25,9 +25,6 @@ INSTALLED_NAME = "libmgdt.path"
 NO_PROGRESS = PROGRESS(0)
 """NULL."""
 
-_EARLIEST = ("1.0", "1.1")
-"""The versions whose functions a library must have."""
-
 
 class _Unsuitable(Exception):
     """A library that was found but cannot be used."""
@@ -66,13 +63,11 @@ def _candidates() -> Iterator[tuple[str, str]]:
 def _declare(library: ctypes.CDLL) -> None:
     # The version first: a library of another one may lack or have changed anything else.
     for name in sorted(FUNCTIONS, key="mgdt_abi_version".__ne__):
-        since, result, parameters = FUNCTIONS[name]
+        result, parameters = FUNCTIONS[name]
         try:
             function = getattr(library, name)
         except AttributeError:
-            if since not in _EARLIEST:
-                continue
-            raise _Unsuitable(f"it has no function {name}, so it is no mgdt 1.1 or later") from None
+            raise _Unsuitable(f"it has no function {name}, so it is no mgdt 1.2 or later") from None
         function.restype = result
         function.argtypes = parameters
         if name == "mgdt_abi_version" and function() != ABI_VERSION:

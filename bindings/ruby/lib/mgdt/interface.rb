@@ -53,6 +53,7 @@ module Mgdt
     [:mgdt_get_error, %i[pointer int64 pointer], :int32, false],
     [:mgdt_order_scheme_name, %i[int32], :string, false],
     [:mgdt_order_scheme_from_name, %i[string pointer], :int32, false],
+    [:mgdt_order_scheme_at, %i[int32 pointer], :int32, false],
     [:mgdt_version_string, %i[], :string, false],
     [:mgdt_abi_version, %i[], :int32, false],
     [:mgdt_isa_name, %i[pointer], :string, false],

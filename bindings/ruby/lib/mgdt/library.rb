@@ -46,9 +46,6 @@ module Mgdt
 
     # What can take long runs without Ruby's lock, so that other threads go on.
     INTERFACE.each do |name, parameters, result, is_long|
-      # A library of an earlier version lacks the later functions.
-      next unless library.find_function(name.to_s)
-
       attach_function name, parameters, result, blocking: is_long
     end
 

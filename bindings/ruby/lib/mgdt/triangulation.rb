@@ -13,7 +13,10 @@ module Mgdt
       [Library.mgdt_stat_name(key).tr(" -", "__").to_sym, key]
     end.freeze
     # Names of the order schemes.
-    ORDER_SCHEMES = (0..90).step(10).filter_map { |k| Library.mgdt_order_scheme_name(k) }.freeze
+    ORDER_SCHEMES = FFI::MemoryPointer.new(:int32) do |out|
+      break (0..).lazy.take_while { |k| Library.mgdt_order_scheme_at(k, out).zero? }
+                 .map { Library.mgdt_order_scheme_name(out.read_int32) }.to_a
+    end.freeze
     SETTINGS = %i[order seed threads index_base memory_limit compact canonical isa].freeze
     private_constant :PARAMETERS, :LEVELS, :STATISTICS, :SETTINGS
 

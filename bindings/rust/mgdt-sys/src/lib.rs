@@ -216,6 +216,7 @@ extern "C" {
     ) -> mgdt_status;
     pub fn mgdt_order_scheme_name(scheme: i32) -> *const c_char;
     pub fn mgdt_order_scheme_from_name(name: *const c_char, scheme: *mut i32) -> mgdt_status;
+    pub fn mgdt_order_scheme_at(index: i32, scheme: *mut i32) -> mgdt_status;
     pub fn mgdt_version_string() -> *const c_char;
     pub fn mgdt_abi_version() -> i32;
     pub fn mgdt_isa_name(t: *const mgdt_triangulation) -> *const c_char;

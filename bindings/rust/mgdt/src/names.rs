@@ -57,6 +57,24 @@ impl Order {
         Order::MultiGrid,
     ];
 
+    /// The order schemes that the library has, the default first. Those of a later version than
+    /// this crate's are left out.
+    pub fn available() -> Vec<Order> {
+        let at = |k| {
+            let mut scheme = -1;
+            let status = unsafe { sys::mgdt_order_scheme_at(k, &mut scheme) };
+            if status == sys::MGDT_OK {
+                Some(scheme)
+            } else {
+                None
+            }
+        };
+        (0..)
+            .map_while(at)
+            .filter_map(|scheme| Order::ALL.into_iter().find(|&order| order as i32 == scheme))
+            .collect()
+    }
+
     /// The scheme's name, "multi-grid".
     pub fn name(self) -> &'static str {
         text(unsafe { sys::mgdt_order_scheme_name(self as i32) }).unwrap_or("")

@@ -143,6 +143,7 @@ fn bad_values_are_refused_and_change_nothing() {
         &["spiral"],
     );
     refused("a\0".parse::<Order>(), ErrorKind::UnknownScheme, &[]);
+    assert_eq!(Order::available(), Order::ALL);
     for order in Order::ALL {
         assert_eq!(order.name().parse::<Order>().unwrap(), order);
     }
