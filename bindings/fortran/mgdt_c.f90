@@ -189,13 +189,6 @@ module mgdt_c
             type(c_ptr), value :: t
             integer(c_int64_t) :: count
         end function
-        function c_locate(t, xyz, tetrahedron) result(status) bind(c, name='mgdt_locate')
-            import :: c_double, c_int32_t, c_int64_t, c_ptr
-            type(c_ptr), value :: t
-            real(c_double), intent(in) :: xyz(3)
-            integer(c_int64_t), intent(inout) :: tetrahedron
-            integer(c_int32_t) :: status
-        end function
         function c_nearest_vertex(t, xyz, vertex) result(status) bind(c, name='mgdt_nearest_vertex')
             import :: c_double, c_int32_t, c_int64_t, c_ptr
             type(c_ptr), value :: t
@@ -381,6 +374,23 @@ module mgdt_c
             integer(c_int64_t), intent(inout) :: offsets(*)
             integer(c_int64_t), value :: capacity
             integer(c_int64_t), intent(inout) :: list(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_locate
+        function c_locate_i32(t, xyz, tetrahedron) result(status) bind(c, name='mgdt_locate_i32')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            real(c_double), intent(in) :: xyz(3)
+            integer(c_int32_t), intent(inout) :: tetrahedron
+            integer(c_int32_t) :: status
+        end function
+        function c_locate_i64(t, xyz, tetrahedron) result(status) bind(c, name='mgdt_locate')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            real(c_double), intent(in) :: xyz(3)
+            integer(c_int64_t), intent(inout) :: tetrahedron
             integer(c_int32_t) :: status
         end function
     end interface

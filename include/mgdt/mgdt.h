@@ -55,6 +55,13 @@
 #define MGDT_VERSION_MINOR 2
 #define MGDT_VERSION_PATCH 0
 
+/** Whether this header is of at least that version: `#if MGDT_VERSION_AT_LEAST(1, 2)`. In headers
+ *  before 1.2 it is not defined.
+ *  @since 1.2 */
+#define MGDT_VERSION_AT_LEAST(major, minor) \
+    (MGDT_VERSION_MAJOR > (major) ||        \
+     (MGDT_VERSION_MAJOR == (major) && MGDT_VERSION_MINOR >= (minor)))
+
 #if defined(_WIN32)
 #  if defined(MGDT_BUILDING)
 #    define MGDT_API __declspec(dllexport)
@@ -375,7 +382,8 @@ MGDT_API int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation *t);
  *  MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_get_tetrahedra(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
-/** @copydoc mgdt_get_tetrahedra */
+/** @copydoc mgdt_get_tetrahedra
+ *  @since 1.0 */
 MGDT_API mgdt_status mgdt_get_tetrahedra_i32(const mgdt_triangulation *t, int64_t capacity,
                                              int32_t *v);
 
@@ -385,7 +393,8 @@ MGDT_API mgdt_status mgdt_get_tetrahedra_i32(const mgdt_triangulation *t, int64_
  *  @return as mgdt_get_tetrahedra()
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_get_neighbors(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
-/** @copydoc mgdt_get_neighbors */
+/** @copydoc mgdt_get_neighbors
+ *  @since 1.0 */
 MGDT_API mgdt_status mgdt_get_neighbors_i32(const mgdt_triangulation *t, int64_t capacity,
                                             int32_t *v);
 
@@ -396,7 +405,8 @@ MGDT_API mgdt_status mgdt_get_neighbors_i32(const mgdt_triangulation *t, int64_t
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_get_hull_facets(const mgdt_triangulation *t, int64_t capacity,
                                           int64_t *v);
-/** @copydoc mgdt_get_hull_facets */
+/** @copydoc mgdt_get_hull_facets
+ *  @since 1.0 */
 MGDT_API mgdt_status mgdt_get_hull_facets_i32(const mgdt_triangulation *t, int64_t capacity,
                                               int32_t *v);
 
@@ -405,7 +415,8 @@ MGDT_API mgdt_status mgdt_get_hull_facets_i32(const mgdt_triangulation *t, int64
  *  @return as mgdt_get_tetrahedra()
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_get_edges(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
-/** @copydoc mgdt_get_edges */
+/** @copydoc mgdt_get_edges
+ *  @since 1.0 */
 MGDT_API mgdt_status mgdt_get_edges_i32(const mgdt_triangulation *t, int64_t capacity, int32_t *v);
 
 /** Writes for each point ever given the index of the point that stands for it as a vertex: its
@@ -414,7 +425,8 @@ MGDT_API mgdt_status mgdt_get_edges_i32(const mgdt_triangulation *t, int64_t cap
  *  @return as mgdt_get_tetrahedra()
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_get_point_map(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
-/** @copydoc mgdt_get_point_map */
+/** @copydoc mgdt_get_point_map
+ *  @since 1.0 */
 MGDT_API mgdt_status mgdt_get_point_map_i32(const mgdt_triangulation *t, int64_t capacity,
                                             int32_t *v);
 
@@ -430,7 +442,8 @@ MGDT_API mgdt_status mgdt_get_point_map_i32(const mgdt_triangulation *t, int64_t
 MGDT_API mgdt_status mgdt_get_vertex_tetrahedra(const mgdt_triangulation *t,
                                                 int64_t offset_capacity, int64_t *offsets,
                                                 int64_t capacity, int64_t *list);
-/** @copydoc mgdt_get_vertex_tetrahedra */
+/** @copydoc mgdt_get_vertex_tetrahedra
+ *  @since 1.0 */
 MGDT_API mgdt_status mgdt_get_vertex_tetrahedra_i32(const mgdt_triangulation *t,
                                                     int64_t offset_capacity, int32_t *offsets,
                                                     int64_t capacity, int32_t *list);
@@ -445,6 +458,10 @@ MGDT_API mgdt_status mgdt_get_vertex_tetrahedra_i32(const mgdt_triangulation *t,
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_locate(const mgdt_triangulation *t, const double *xyz,
                                  int64_t *tetrahedron);
+/** @copydoc mgdt_locate
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_locate_i32(const mgdt_triangulation *t, const double *xyz,
+                                     int32_t *tetrahedron);
 
 /** The same for many points, in any order: much faster than one by one.
  *  @param n                number of points, at least 0
@@ -464,7 +481,8 @@ MGDT_API mgdt_status mgdt_locate(const mgdt_triangulation *t, const double *xyz,
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_locate_points(const mgdt_triangulation *t, int64_t n, const double *xyz,
                                         int64_t *tetrahedra, double *weights);
-/** @copydoc mgdt_locate_points */
+/** @copydoc mgdt_locate_points
+ *  @since 1.0 */
 MGDT_API mgdt_status mgdt_locate_points_i32(const mgdt_triangulation *t, int64_t n,
                                             const double *xyz, int32_t *tetrahedra,
                                             double *weights);

@@ -86,6 +86,11 @@ extern "C" mgdt_status mgdt_locate(const mgdt_triangulation* t, const double* xy
     return guard_short(t, [&] { locate_points(t, 1, xyz, tetrahedron, nullptr); });
 }
 
+extern "C" mgdt_status mgdt_locate_i32(const mgdt_triangulation* t, const double* xyz,
+                                       int32_t* tetrahedron) {
+    return guard_short(t, [&] { locate_points(t, 1, xyz, tetrahedron, nullptr); });
+}
+
 extern "C" mgdt_status mgdt_locate_points(const mgdt_triangulation* t, int64_t n, const double* xyz,
                                           int64_t* tetrahedra, double* weights) {
     return guard(t, [&] { locate_points(t, n, xyz, tetrahedra, weights); });

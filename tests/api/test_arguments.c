@@ -83,6 +83,9 @@ static void null_arrays(const mgdt_triangulation* t) {
     CHECK_EQUAL(mgdt_get_vertex_tetrahedra_i32(t, many, j, many, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate(t, NULL, i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate(t, simplex, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_locate_i32(t, NULL, j), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_locate_i32(t, simplex, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_locate_i32(NULL, simplex, j), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate_points(t, 1, NULL, i, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate_points(t, 1, simplex, NULL, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate_points_i32(t, 1, NULL, j, NULL), MGDT_ERR_NULL_POINTER);
@@ -188,6 +191,7 @@ static void not_finite(mgdt_triangulation* t) {
         int32_t out32[2] = {-7, -7};
         double weights[8] = {-7, -7, -7, -7, -7, -7, -7, -7};
         CHECK_EQUAL(mgdt_locate(t, q + 3, out), MGDT_ERR_NOT_FINITE);
+        CHECK_EQUAL(mgdt_locate_i32(t, q + 3, out32), MGDT_ERR_NOT_FINITE);
         CHECK_EQUAL(mgdt_nearest_vertex(t, q + 3, out), MGDT_ERR_NOT_FINITE);
         CHECK_EQUAL(mgdt_locate_points(t, 2, q, out, weights), MGDT_ERR_NOT_FINITE);
         CHECK_ERROR(t, "1");

@@ -97,6 +97,7 @@ static void read_while_it_changes(guest* g) {
     expect_refused(g, mgdt_get_vertex_tetrahedra_i32(t, size, c, size, d),
                    "mgdt_get_vertex_tetrahedra_i32()");
     expect_refused(g, mgdt_locate(t, g->xyz, a), "mgdt_locate()");
+    expect_refused(g, mgdt_locate_i32(t, g->xyz, c), "mgdt_locate_i32()");
     expect_refused(g, mgdt_locate_points(t, 1, g->xyz, a, w), "mgdt_locate_points()");
     expect_refused(g, mgdt_locate_points_i32(t, 1, g->xyz, c, w), "mgdt_locate_points_i32()");
     expect_refused(g, mgdt_nearest_vertex(t, g->xyz, a), "mgdt_nearest_vertex()");

@@ -73,7 +73,10 @@ static void located(int grid) {
             outside = 0;
             for (i = 0; i < q_count && good; ++i) {
                 const double *q = queries + 3 * i, *w = weights + 4 * i;
+                int32_t one32 = -7;
                 CHECK_EQUAL(mgdt_locate(t, q, &one), MGDT_OK);
+                CHECK_EQUAL(mgdt_locate_i32(t, q, &one32), MGDT_OK);
+                CHECK_EQUAL(one32, one);
                 good &= (one == base - 1) == (found[i] == base - 1);
                 good &= (found32[i] == base - 1) == (found[i] == base - 1);
                 if (found[i] == base - 1) {

@@ -106,6 +106,10 @@ static void versions(void) {
              MGDT_VERSION_PATCH);
     CHECK(strcmp(mgdt_version_string(), expected) == 0);
     CHECK_EQUAL(mgdt_abi_version(), 1);
+    CHECK(MGDT_VERSION_AT_LEAST(1, 2) && MGDT_VERSION_AT_LEAST(0, 99));
+    CHECK(MGDT_VERSION_AT_LEAST(MGDT_VERSION_MAJOR, MGDT_VERSION_MINOR));
+    CHECK(!MGDT_VERSION_AT_LEAST(MGDT_VERSION_MAJOR, MGDT_VERSION_MINOR + 1));
+    CHECK(!MGDT_VERSION_AT_LEAST(MGDT_VERSION_MAJOR + 1, 0));
     CHECK(mgdt_isa_name(NULL) != NULL && strcmp(mgdt_isa_name(NULL), "") == 0);
     CHECK_EQUAL(mgdt_create(&t), MGDT_OK);
     CHECK(mgdt_isa_name(t) != NULL && strcmp(mgdt_isa_name(t), "") != 0);

@@ -162,6 +162,10 @@ const Function functions[] = {
      [](mgdt_triangulation* t, const Given& g) {
          return mgdt_locate(t, query_points(), static_cast<std::int64_t*>(g.array[0]));
      }},
+    {"mgdt_locate_i32", of_one<std::int32_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_locate_i32(t, query_points(), static_cast<std::int32_t*>(g.array[0]));
+     }},
     {"mgdt_locate_points", of_queries<std::int64_t>,
      [](mgdt_triangulation* t, const Given& g) {
          return mgdt_locate_points(t, queries, query_points(),

@@ -373,6 +373,9 @@ class Calls {
             std::int64_t alone = -99;
             ok(mgdt_locate(t_, &xyz[3 * i], &alone));
             verify_place(now, alone - base_, asked[i]);
+            std::int32_t alone32 = -99;
+            ok(mgdt_locate_i32(t_, &xyz[3 * i], &alone32));
+            FUZZ_REQUIRE(alone32 == alone, "64 and 32 bits differ");
             double sum = 0;
             for (std::size_t k = 0; k < 4; ++k) sum += w[4 * i + k];
             const double expected = found[i] < base_ ? 0 : 1;

@@ -49,6 +49,7 @@ int32_t mgdt_get_vertex_tetrahedra(const mgdt_triangulation *t, int64_t offset_c
 int32_t mgdt_get_vertex_tetrahedra_i32(const mgdt_triangulation *t, int64_t offset_capacity,
                                        int32_t *offsets, int64_t capacity, int32_t *list);
 int32_t mgdt_locate(const mgdt_triangulation *t, const double *xyz, int64_t *tetrahedron);
+int32_t mgdt_locate_i32(const mgdt_triangulation *t, const double *xyz, int32_t *tetrahedron);
 int32_t mgdt_locate_points(const mgdt_triangulation *t, int64_t n, const double *xyz,
                            int64_t *tetrahedra, double *weights);
 int32_t mgdt_locate_points_i32(const mgdt_triangulation *t, int64_t n, const double *xyz,

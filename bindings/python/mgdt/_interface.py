@@ -60,6 +60,7 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "mgdt_get_vertex_tetrahedra": (c_int32, [c_void_p, c_int64, c_void_p, c_int64, c_void_p]),
     "mgdt_get_vertex_tetrahedra_i32": (c_int32, [c_void_p, c_int64, c_void_p, c_int64, c_void_p]),
     "mgdt_locate": (c_int32, [c_void_p, c_void_p, c_void_p]),
+    "mgdt_locate_i32": (c_int32, [c_void_p, c_void_p, c_void_p]),
     "mgdt_locate_points": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p, c_void_p]),
     "mgdt_locate_points_i32": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p, c_void_p]),
     "mgdt_nearest_vertex": (c_int32, [c_void_p, c_void_p, c_void_p]),

@@ -43,6 +43,7 @@ module Mgdt
     [:mgdt_get_vertex_tetrahedra, %i[pointer int64 pointer int64 pointer], :int32, true],
     [:mgdt_get_vertex_tetrahedra_i32, %i[pointer int64 pointer int64 pointer], :int32, true],
     [:mgdt_locate, %i[pointer pointer pointer], :int32, false],
+    [:mgdt_locate_i32, %i[pointer pointer pointer], :int32, false],
     [:mgdt_locate_points, %i[pointer int64 pointer pointer pointer], :int32, true],
     [:mgdt_locate_points_i32, %i[pointer int64 pointer pointer pointer], :int32, true],
     [:mgdt_nearest_vertex, %i[pointer pointer pointer], :int32, false],

@@ -186,6 +186,11 @@ extern "C" {
         xyz: *const f64,
         tetrahedron: *mut i64,
     ) -> mgdt_status;
+    pub fn mgdt_locate_i32(
+        t: *const mgdt_triangulation,
+        xyz: *const f64,
+        tetrahedron: *mut i32,
+    ) -> mgdt_status;
     pub fn mgdt_locate_points(
         t: *const mgdt_triangulation,
         n: i64,
