@@ -2,9 +2,9 @@
 """What the C header cannot say of its functions, for the bindings that are generated from it."""
 
 # The length of each array that a function takes or fills, in elements: a number, or a product of
-# numbers and of the function's counts. Of one element is what is no array. A "?" in front means that
-# NULL is allowed; "stride" an address from which the library goes on by a stride; "text" a string that
-# ends with NUL. Twins, whose names end with _i32, have the arrays of the function that they twin.
+# numbers and of the function's counts. "1" is a single value. A "?" in front means that NULL is
+# allowed; "stride" an address from which the library goes on by a stride; "text" a string that ends
+# with NUL. Twins, whose names end with _i32, have the arrays of the function that they twin.
 LENGTHS = {
     "mgdt_set_isa": {"name": "?text"},
     "mgdt_insert_points": {"xyz": "3*n"},

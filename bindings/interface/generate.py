@@ -2,10 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Writes the raw layers of the bindings, from include/mgdt/mgdt.h and description.py.
 
-  generate.py [--into FOLDER]
+  generate.py
 
-Writes into the folder of the bindings, or into another one of the same shape. Needs pycparser
-(Debian's python3-pycparser). docs/contributing.md shows how a function is added.
+Needs pycparser (Debian's python3-pycparser). docs/contributing.md shows how a function is added.
 """
 
 from __future__ import annotations
@@ -30,14 +29,12 @@ def all_files(interface: header.Interface) -> dict[str, str]:
 
 
 def main() -> None:
-    into = Path(sys.argv[2]) if sys.argv[1:2] == ["--into"] else BINDINGS
     try:
         interface = header.read(BINDINGS.parent / "include" / "mgdt" / "mgdt.h")
     except header.DescriptionError as error:
         sys.exit(f"generate.py: {error}")
     for name, text in all_files(interface).items():
-        (into / name).parent.mkdir(parents=True, exist_ok=True)
-        (into / name).write_text(text, encoding="utf-8")
+        (BINDINGS / name).write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

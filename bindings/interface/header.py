@@ -109,13 +109,12 @@ class Interface:
 
 
 def _parameter(name: str, node: c_ast.Node) -> Parameter:
-    stars, is_const = 0, False
+    stars = 0
     while isinstance(node, c_ast.PtrDecl):
         stars, node = stars + 1, node.type
     if not isinstance(node, c_ast.TypeDecl) or not isinstance(node.type, c_ast.IdentifierType):
         raise DescriptionError(f"{name} has a type that is not known")
-    is_const = "const" in node.quals
-    return Parameter(name, " ".join(node.type.names), stars, is_const)
+    return Parameter(name, " ".join(node.type.names), stars, "const" in node.quals)
 
 
 def _parameters(declaration: c_ast.FuncDecl) -> list[Parameter]:
@@ -140,13 +139,12 @@ def _comments_of_constants(text: str) -> dict[str, str]:
 
 
 def _since(text: str) -> dict[str, str]:
-    """The version that has brought each function: that of its comment, or of its twin's."""
+    """The version that has brought each function, by its comment."""
     found = {}
     for comment, name in re.findall(
             r"/\*\*((?:(?!\*/).)*)\*/\s*MGDT_API[^;(]*?\b(mgdt_\w+)\s*\(", text, flags=re.S):
         version = re.search(r"@since (\d+\.\d+)", comment)
-        of = re.search(r"@copydoc (mgdt_\w+)", comment)
-        found[name] = version.group(1) if version else found.get(of.group(1), "") if of else ""
+        found[name] = version.group(1) if version else ""
     return found
 
 

@@ -76,7 +76,7 @@ def main():
     # One more function is in every layer.
     description.LENGTHS["mgdt_new"] = {"xyz": "3*n", "found": "n"}
     arguments = f"const {handle}, int64_t n, const double *xyz, "
-    text = added(f"{new}({arguments}int64_t *found);\n/** @copydoc mgdt_new */\n"
+    text = added(f"{new}({arguments}int64_t *found);\n/** @since 1.2 */\n"
                  f"MGDT_API mgdt_status mgdt_new_i32({arguments}int32_t *found)")
     for name, written in generate.all_files(read(text)).items():
         is_constant = name.endswith((".inc", "constants.f90"))

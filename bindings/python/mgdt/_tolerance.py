@@ -118,16 +118,16 @@ class _Search:
         corners = self._points.T[:, self._simplices[numbers].T]
         return _are_within(corners, places.T, self._tolerance)
 
-    def walk(self, places: FloatArray, numbers: IndexArray, middle: int) -> IndexArray:
-        """The tetrahedra, or -1, that walks from the tetrahedra `numbers` find, or from `middle`.
+    def walk(self, places: FloatArray, starts: IndexArray, middle: int) -> IndexArray:
+        """The tetrahedra, or -1, that walks from the tetrahedra `starts` find, or from `middle`.
 
         A walk crosses the facet that its place is farthest behind, of those that have a neighbour.
         It may end in a flat tetrahedron of the hull, which one that comes from the middle avoids.
         """
         found = np.full(len(places), -1, dtype=np.int32)
-        for numbers in (numbers, np.full(len(places), middle)):
+        for begin in (starts, np.full(len(places), middle)):
             left = np.flatnonzero(found < 0)
-            numbers = numbers[left]
+            numbers = begin[left]
             for _ in range(_MOST_STEPS):
                 if len(left) == 0:
                     break
@@ -197,10 +197,10 @@ class _Ways:
         self._low, self._high = facets.min(axis=(0, 1)), facets.max(axis=(0, 1))
         self.diagonal = float(np.sqrt(((self._high - self._low) ** 2).sum()))
         self._center, width = _hull_center(facets)
-        # Twice as much as needed, for rounding of the centroid and of what is computed with it.
         middle = int(locate(np.ldexp(self._center[np.newaxis], exponent))[0])
         is_flat = width <= 1e-6 * self.diagonal or middle < 0
         self.middle = max(middle, 0)
+        # Twice as much as needed, for rounding of the centroid and of what is computed with it.
         self._rounding = np.inf if is_flat else 2.0**-46 * self._size / width
 
     def near(self, places: FloatArray, tolerance: float) -> IndexArray:
@@ -252,7 +252,7 @@ def in_tolerance(
     with np.errstate(all="ignore"):
         ways = _Ways(facets, exponent, locate)
 
-        def search(limit: float) -> None:
+        def take_within(limit: float) -> None:
             left = np.flatnonzero(found < 0)
             left = left[ways.near(places[left], limit)]
             starts, distances = ways.enter(places[left], limit)
@@ -270,7 +270,7 @@ def in_tolerance(
                 else:
                     found[left[block]] = search.walk(at, start, ways.middle)
 
-        search(min(tolerance, _SEARCHED))
+        take_within(min(tolerance, _SEARCHED))
         if tolerance > _SEARCHED:
-            search(tolerance)
+            take_within(tolerance)
     return found
