@@ -45,6 +45,13 @@ TEST(Text, NamesOfColumns) {
         EXPECT_TRUE(contains(failure(csv_format(), text), "line 1")) << text;
         EXPECT_TRUE(contains(failure(csv_format(), text), "x, y and z")) << text;
     }
+    // Far apart: the product of these columns' numbers is beyond an int, and 0 in its bits.
+    std::string names, numbers;
+    for (int column = 1; column <= 4096; ++column) {
+        names += column == 1024 ? "x," : column == 2048 ? "y," : column == 4096 ? "z," : "t,";
+        numbers += std::to_string(column) + ",";
+    }
+    EXPECT_EQ(read(csv_format(), names + "\n" + numbers + "\n").points, (Points{1024, 2048, 4096}));
     ReadOptions options;
     options.columns = {{2, 3, 4}};
     EXPECT_EQ(read(csv_format(), "x,lon,lat,z,y\n9,1,2,3,9\n", options).points, (Points{1, 2, 3}));

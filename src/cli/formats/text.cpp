@@ -78,7 +78,8 @@ std::optional<Columns> named_columns(std::string_view line) {
                 ++found;
             }
         }
-        if (found == 3 && columns[0] * columns[1] * columns[2] != 0) return columns;
+        const bool has_all = std::find(columns.begin(), columns.end(), 0) == columns.end();
+        if (found == 3 && has_all) return columns;
     }
     return names.size() == 3 ? std::optional<Columns>({1, 2, 3}) : std::nullopt;
 }
