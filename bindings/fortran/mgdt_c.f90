@@ -66,10 +66,21 @@ module mgdt_c
             integer(c_int64_t), value :: n_points
             integer(c_int32_t) :: status
         end function
+        function c_shrink(t) result(status) bind(c, name='mgdt_shrink')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t) :: status
+        end function
         function c_set_order_scheme(t, scheme) result(status) bind(c, name='mgdt_set_order_scheme')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: t
             integer(c_int32_t), value :: scheme
+            integer(c_int32_t) :: status
+        end function
+        function c_get_order_scheme(t, scheme) result(status) bind(c, name='mgdt_get_order_scheme')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), intent(inout) :: scheme
             integer(c_int32_t) :: status
         end function
         function c_set_order_parameter(t, key, value) result(status) &
@@ -80,10 +91,24 @@ module mgdt_c
             real(c_double), value :: value
             integer(c_int32_t) :: status
         end function
+        function c_get_order_parameter(t, key, value) result(status) &
+            bind(c, name='mgdt_get_order_parameter')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: key
+            real(c_double), intent(inout) :: value
+            integer(c_int32_t) :: status
+        end function
         function c_set_seed(t, seed) result(status) bind(c, name='mgdt_set_seed')
             import :: c_int32_t, c_int64_t, c_ptr
             type(c_ptr), value :: t
             integer(c_int64_t), value :: seed
+            integer(c_int32_t) :: status
+        end function
+        function c_get_seed(t, seed) result(status) bind(c, name='mgdt_get_seed')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), intent(inout) :: seed
             integer(c_int32_t) :: status
         end function
         function c_set_threads(t, n) result(status) bind(c, name='mgdt_set_threads')
@@ -92,10 +117,22 @@ module mgdt_c
             integer(c_int32_t), value :: n
             integer(c_int32_t) :: status
         end function
+        function c_get_threads(t, n) result(status) bind(c, name='mgdt_get_threads')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), intent(inout) :: n
+            integer(c_int32_t) :: status
+        end function
         function c_set_index_base(t, base) result(status) bind(c, name='mgdt_set_index_base')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: t
             integer(c_int32_t), value :: base
+            integer(c_int32_t) :: status
+        end function
+        function c_get_index_base(t, base) result(status) bind(c, name='mgdt_get_index_base')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), intent(inout) :: base
             integer(c_int32_t) :: status
         end function
         function c_set_memory_limit(t, bytes) result(status) bind(c, name='mgdt_set_memory_limit')
@@ -104,10 +141,22 @@ module mgdt_c
             integer(c_int64_t), value :: bytes
             integer(c_int32_t) :: status
         end function
+        function c_get_memory_limit(t, bytes) result(status) bind(c, name='mgdt_get_memory_limit')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), intent(inout) :: bytes
+            integer(c_int32_t) :: status
+        end function
         function c_set_compact(t, on) result(status) bind(c, name='mgdt_set_compact')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: t
             integer(c_int32_t), value :: on
+            integer(c_int32_t) :: status
+        end function
+        function c_get_compact(t, on) result(status) bind(c, name='mgdt_get_compact')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), intent(inout) :: on
             integer(c_int32_t) :: status
         end function
         function c_set_progress(t, fn, user) result(status) bind(c, name='mgdt_set_progress')
@@ -115,6 +164,13 @@ module mgdt_c
             type(c_ptr), value :: t
             type(c_funptr), value :: fn
             type(c_ptr), value :: user
+            integer(c_int32_t) :: status
+        end function
+        function c_get_progress(t, fn, user) result(status) bind(c, name='mgdt_get_progress')
+            import :: c_funptr, c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            type(c_funptr), intent(out) :: fn
+            type(c_ptr), intent(out) :: user
             integer(c_int32_t) :: status
         end function
         function c_cancel(t) result(status) bind(c, name='mgdt_cancel')
@@ -127,6 +183,13 @@ module mgdt_c
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: t
             integer(c_int32_t), value :: on
+            integer(c_int32_t) :: status
+        end function
+        function c_get_canonical_output(t, on) result(status) &
+            bind(c, name='mgdt_get_canonical_output')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), intent(inout) :: on
             integer(c_int32_t) :: status
         end function
         function c_set_isa(t, name) result(status) bind(c, name='mgdt_set_isa')
@@ -188,13 +251,6 @@ module mgdt_c
             import :: c_int64_t, c_ptr
             type(c_ptr), value :: t
             integer(c_int64_t) :: count
-        end function
-        function c_nearest_vertex(t, xyz, vertex) result(status) bind(c, name='mgdt_nearest_vertex')
-            import :: c_double, c_int32_t, c_int64_t, c_ptr
-            type(c_ptr), value :: t
-            real(c_double), intent(in) :: xyz(3)
-            integer(c_int64_t), intent(inout) :: vertex
-            integer(c_int32_t) :: status
         end function
         function c_check(t, level) result(status) bind(c, name='mgdt_check')
             import :: c_int32_t, c_ptr
@@ -414,6 +470,46 @@ module mgdt_c
             real(c_double), intent(in) :: xyz(*)
             integer(c_int64_t), intent(inout) :: tetrahedra(*)
             type(c_ptr), value :: weights
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_nearest_vertex
+        function c_nearest_vertex_i32(t, xyz, vertex) result(status) &
+            bind(c, name='mgdt_nearest_vertex_i32')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            real(c_double), intent(in) :: xyz(3)
+            integer(c_int32_t), intent(inout) :: vertex
+            integer(c_int32_t) :: status
+        end function
+        function c_nearest_vertex_i64(t, xyz, vertex) result(status) &
+            bind(c, name='mgdt_nearest_vertex')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            real(c_double), intent(in) :: xyz(3)
+            integer(c_int64_t), intent(inout) :: vertex
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_nearest_vertices
+        function c_nearest_vertices_i32(t, n, xyz, vertices) result(status) &
+            bind(c, name='mgdt_nearest_vertices_i32')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int32_t), intent(inout) :: vertices(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_nearest_vertices_i64(t, n, xyz, vertices) result(status) &
+            bind(c, name='mgdt_nearest_vertices')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int64_t), intent(inout) :: vertices(*)
             integer(c_int32_t) :: status
         end function
     end interface

@@ -69,14 +69,21 @@ module mgdt_constants
     ! Multi-grid: a cell with more points than this gets a grid of its own. Default 200, but 8 with
     ! separation 2; range 1 to 1e9; 0 gives the default back.
     integer, parameter :: mgdt_parameter_threshold = 20
-    ! Regular grid and multi-grid: 0 empties a cell before the next, 1 takes one point from a cell
-    ! at a time (the paper's separation control), 2 deals the points along the path through the
-    ! cells into rounds, one of twelve before the others (of up to 4,096, one of four); the path of
-    ! multi-grid is then a Hilbert curve. Default 2.
+    ! Regular grid and multi-grid: how points of a cell are kept apart, an MGDT_SEPARATION_ value.
+    ! Default MGDT_SEPARATION_ROUNDS, where the path of multi-grid is a Hilbert curve.
     integer, parameter :: mgdt_parameter_separation = 30
     ! BRIO: each round holds this many times the points of all rounds before it, plus one. Default
     ! 7.5, range above 1 to 1e6; 0 gives the default back.
     integer, parameter :: mgdt_parameter_round_ratio = 40
+
+    ! Values of MGPSEP.
+    ! A cell is emptied before the next one.
+    integer, parameter :: mgdt_separation_none = 0
+    ! One point from each cell at a time, as in the paper (4.3).
+    integer, parameter :: mgdt_separation_passes = 1
+    ! The points along the path are dealt into rounds, one of twelve before the others (of up to
+    ! 4,096, one of four).
+    integer, parameter :: mgdt_separation_rounds = 2
 
     ! Figures.
     ! Points that became vertices.

@@ -136,7 +136,7 @@ contains
         ierr = mgdt_ok
         if (.not. c_associated(pointer)) then
             ierr = mgdt_err_null_pointer
-        else if (count > huge(n)) then
+        else if (count > huge(n) .or. min(count, 0_c_int64_t) + 1 < -int(huge(n), c_int64_t)) then
             ierr = mgdt_err_index_range
         else
             n = int(count)

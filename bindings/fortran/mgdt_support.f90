@@ -3,13 +3,12 @@
 module mgdt_support
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int32_t, &
                                            c_int64_t, c_null_char, c_ptr
-    use, intrinsic :: iso_fortran_env, only: error_unit, int64
+    use, intrinsic :: iso_fortran_env, only: error_unit, int32, int64
     use mgdt_c, only: c_create, c_destroy, c_get_error, c_set_index_base, c_status_string, c_strlen
-    use mgdt_constants, only: mgdt_ok
+    use mgdt_constants, only: mgdt_err_index_range, mgdt_ok
     implicit none
     private
-    public :: to_c, c_text, last_message, make, borrow, finish, tell, decimal
-
+    public :: to_c, c_text, last_message, make, borrow, finish, tell, narrow, decimal
 
 contains
 
@@ -116,6 +115,25 @@ contains
             decimal(int(status, int64))//')'
         flush (error_unit)
         error stop 1
+    end subroutine
+
+    ! The end of a call that has found a number, for a 32-bit integer.
+    subroutine narrow(procedure, found, number, status, message, stat, errmsg)
+        character(*), intent(in) :: procedure, message
+        integer(int64), intent(in) :: found
+        integer(int32), intent(inout) :: number
+        integer(c_int32_t), intent(in) :: status
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (status == mgdt_ok .and. &
+            (found > huge(number) .or. found < -int(huge(number), int64) - 1)) then
+            call tell(procedure, int(mgdt_err_index_range, c_int32_t), &
+                      decimal(found)//' does not fit a 32-bit integer', stat, errmsg)
+            return
+        end if
+        if (status == mgdt_ok) number = int(found, int32)
+        call tell(procedure, status, message, stat, errmsg)
     end subroutine
 
     pure function decimal(value) result(text)

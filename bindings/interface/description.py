@@ -1,11 +1,22 @@
 # SPDX-License-Identifier: MIT
 """What the C header cannot say of its functions, for the bindings that are generated from it."""
 
+from typing import NamedTuple
+
 # The length of each array that a function takes or fills, in elements: a number, or a product of
 # numbers and of the function's counts. "1" is a single value. A "?" in front means that NULL is
 # allowed; "stride" an address from which the library goes on by a stride; "text" a string that ends
 # with NUL. Twins, whose names end with _i32, have the arrays of the function that they twin.
 LENGTHS = {
+    "mgdt_get_order_scheme": {"scheme": "1"},
+    "mgdt_get_order_parameter": {"value": "1"},
+    "mgdt_get_seed": {"seed": "1"},
+    "mgdt_get_threads": {"n": "1"},
+    "mgdt_get_index_base": {"base": "1"},
+    "mgdt_get_memory_limit": {"bytes": "1"},
+    "mgdt_get_compact": {"on": "1"},
+    "mgdt_get_progress": {"fn": "1"},
+    "mgdt_get_canonical_output": {"on": "1"},
     "mgdt_set_isa": {"name": "?text"},
     "mgdt_insert_points": {"xyz": "3*n"},
     "mgdt_insert_points_strided": {"x": "stride", "y": "stride", "z": "stride"},
@@ -18,11 +29,34 @@ LENGTHS = {
     "mgdt_locate": {"xyz": "3", "tetrahedron": "1"},
     "mgdt_locate_points": {"xyz": "3*n", "tetrahedra": "n", "weights": "?4*n"},
     "mgdt_nearest_vertex": {"xyz": "3", "vertex": "1"},
+    "mgdt_nearest_vertices": {"xyz": "3*n", "vertices": "n"},
     "mgdt_get_stat": {"value": "1"},
     "mgdt_get_error": {"buffer": "capacity"},
     "mgdt_order_scheme_from_name": {"name": "text", "scheme": "1"},
     "mgdt_order_scheme_at": {"scheme": "1"},
 }
+
+
+
+class Rows(NamedTuple):
+    """An export of rows of integers."""
+
+    array: str  # what Fortran calls it
+    width: int  # integers in a row
+    count: str  # the function that says how many rows there are
+
+
+# The exports that Fortran takes in arrays of rank 1 and 2, mgdt_get_ left out.
+ROWS = {
+    "tetrahedra": Rows("tetrahedra", 4, "tetrahedron_count"),
+    "neighbors": Rows("neighbors", 4, "tetrahedron_count"),
+    "hull_facets": Rows("facets", 3, "hull_facet_count"),
+    "edges": Rows("edges", 2, "edge_count"),
+}
+
+# The settings that are single numbers, each with mgdt_set_ and mgdt_get_.
+SETTINGS = ("order_scheme", "order_parameter", "seed", "threads", "index_base", "memory_limit",
+            "compact", "canonical_output")
 
 # Functions of a handle that may take long though they take no array.
 LONG = {"mgdt_check"}
@@ -60,6 +94,9 @@ F77_NAMES = {
     "MGDT_PARAMETER_THRESHOLD": "MGPTHR",
     "MGDT_PARAMETER_SEPARATION": "MGPSEP",
     "MGDT_PARAMETER_ROUND_RATIO": "MGPRAT",
+    "MGDT_SEPARATION_NONE": "MGSNON",
+    "MGDT_SEPARATION_PASSES": "MGSPAS",
+    "MGDT_SEPARATION_ROUNDS": "MGSROU",
     "MGDT_STAT_POINTS_INSERTED": "MGFPTS",
     "MGDT_STAT_DUPLICATES": "MGFDUP",
     "MGDT_STAT_WALK_STEPS": "MGFWST",
@@ -82,11 +119,21 @@ F77_NAMES = {
     "MGDT_CHECK_CANONICAL": "MGCCAN",
 }
 
-# The groups of constants, by the beginning of their names, and what FORTRAN 77 calls each group.
-GROUPS = {
-    "MGDT_OK MGDT_ERR_": "error codes",
-    "MGDT_ORDER_": "order schemes",
-    "MGDT_PARAMETER_": "parameters (MGPAR)",
-    "MGDT_STAT_": "figures (MGSTAT)",
-    "MGDT_CHECK_": "levels (MGCHK)",
-}
+
+
+class Group(NamedTuple):
+    """Constants that belong together."""
+
+    beginnings: tuple[str, ...]  # of their names
+    title: str  # what FORTRAN 77 calls them
+    table: str  # what the tables of the scripting languages are called
+
+
+GROUPS = (
+    Group(("MGDT_OK", "MGDT_ERR_"), "error codes", "status"),
+    Group(("MGDT_ORDER_",), "order schemes", "order"),
+    Group(("MGDT_PARAMETER_",), "parameters (MGPAR)", "parameter"),
+    Group(("MGDT_SEPARATION_",), "values of MGPSEP", "separation"),
+    Group(("MGDT_STAT_",), "figures (MGSTAT)", "statistic"),
+    Group(("MGDT_CHECK_",), "levels (MGCHK)", "check"),
+)

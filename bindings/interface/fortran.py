@@ -4,9 +4,12 @@
 from __future__ import annotations
 
 import textwrap
+from pathlib import Path
 
-from description import F77_NAMES
-from header import Function, Interface, Parameter
+import fypp
+from description import F77_NAMES, ROWS, SETTINGS
+from fortran_calls import KINDS, Calls
+from header import DescriptionError, Function, Interface, Parameter
 
 WIDTH = 100
 
@@ -52,7 +55,7 @@ module mgdt_c
         end function
 """
 
-KINDS = {"int32_t": "integer(c_int32_t)", "int64_t": "integer(c_int64_t)",
+TYPES = {"int32_t": "integer(c_int32_t)", "int64_t": "integer(c_int64_t)",
          "uint64_t": "integer(c_int64_t)", "mgdt_status": "integer(c_int32_t)",
          "double": "real(c_double)", "char": "character(kind=c_char)", "size_t": "integer(c_size_t)"}
 
@@ -69,15 +72,17 @@ def wrapped(head: str, binding: str, indent: str) -> str:
 def declared(p: Parameter) -> str:
     """The type of a dummy argument, and its name with its shape."""
     if p.is_scalar:
-        return f"{KINDS[p.type]}, value :: {p.name}"
+        return f"{TYPES[p.type]}, value :: {p.name}"
     if p.is_callback:
         return f"type(c_funptr), value :: {p.name}"
+    if p.is_of_callback:
+        return f"type(c_funptr), intent(out) :: {p.name}"
     if p.stars == 2:
         return f"type(c_ptr), intent(out) :: {p.name}"
     if p.length in (None, "stride") or p.may_be_null:
         return f"type(c_ptr), value :: {p.name}"
     shape = "" if p.length == "1" else f"({p.length})" if p.length.isdigit() else "(*)"
-    return f"{KINDS[p.type]}, intent({'in' if p.is_const else 'inout'}) :: {p.name}{shape}"
+    return f"{TYPES[p.type]}, intent({'in' if p.is_const else 'inout'}) :: {p.name}{shape}"
 
 
 def answer_of(function: Function) -> tuple[str, str]:
@@ -85,7 +90,7 @@ def answer_of(function: Function) -> tuple[str, str]:
     if function.result.stars:
         return "text", "type(c_ptr) :: text"
     name = "status" if function.returns_status else "count" if function.is_count else "answer"
-    return name, f"{KINDS[function.result.type]} :: {name}"
+    return name, f"{TYPES[function.result.type]} :: {name}"
 
 
 def procedure(function: Function, name: str) -> str:
@@ -176,7 +181,34 @@ def f77_include(interface: Interface) -> str:
     return text + F77_TAIL
 
 
+def of_kinds(name: str) -> list[str]:
+    return [f"{name}_{kind}" for kind, _ in KINDS]
+
+
+def of_kinds_and_ranks(name: str) -> list[str]:
+    return [f"{name}_{kind}_{rank}" for kind, _ in KINDS for rank in (1, 2)]
+
+
+def expanded(template: Path, interface: Interface) -> str:
+    """The text of a template of fypp's."""
+    names = {"calls": Calls(interface), "KINDS": KINDS, "ROWS": ROWS, "SETTINGS": SETTINGS, "of_kinds": of_kinds,
+             "of_kinds_and_ranks": of_kinds_and_ranks}
+
+    def evaluator(env=None):  # type: ignore[no-untyped-def]  # fypp compares the signature
+        return fypp.Evaluator({**(env or {}), **names})
+
+    options = fypp.FyppOptions()
+    options.no_folding = True
+    try:
+        return fypp.Fypp(options, evaluator_factory=evaluator).process_text(
+            template.read_text(encoding="utf-8"))
+    except fypp.FyppError as error:
+        raise DescriptionError(f"{template.name}: {error.__cause__ or error}") from error
+
+
 def files(interface: Interface) -> dict[str, str]:
-    return {"fortran/mgdt_c.f90": c_module(interface),
+    templates = sorted((Path(__file__).parent / "fortran").glob("*.fypp"))
+    return {**{f"fortran/{t.stem}": expanded(t, interface) for t in templates},
+            "fortran/mgdt_c.f90": c_module(interface),
             "fortran/mgdt_constants.f90": constants_module(interface),
             "fortran/mgdt_f77.inc": f77_include(interface)}

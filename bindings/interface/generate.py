@@ -4,7 +4,7 @@
 
   generate.py
 
-Needs pycparser (Debian's python3-pycparser). docs/contributing.md shows how a function is added.
+Needs pycparser and fypp (Debian's python3-pycparser and fypp). docs/contributing.md shows how a function is added.
 """
 
 from __future__ import annotations
@@ -31,9 +31,10 @@ def all_files(interface: header.Interface) -> dict[str, str]:
 def main() -> None:
     try:
         interface = header.read(BINDINGS.parent / "include" / "mgdt" / "mgdt.h")
+        texts = all_files(interface)
     except header.DescriptionError as error:
         sys.exit(f"generate.py: {error}")
-    for name, text in all_files(interface).items():
+    for name, text in texts.items():
         (BINDINGS / name).write_text(text, encoding="utf-8")
 
 

@@ -35,6 +35,10 @@ class Parameter:
 
     @property
     def is_callback(self) -> bool:
+        return self.is_of_callback and self.stars == 0
+
+    @property
+    def is_of_callback(self) -> bool:
         return self.type.endswith("_fn")
 
     @property
@@ -101,11 +105,16 @@ class Interface:
 
     def groups(self) -> list[tuple[str, list[Constant]]]:
         """The constants of each group, in the order of description.py."""
-        found = []
-        for beginnings, title in description.GROUPS.items():
-            group = [c for c in self.constants if c.name.startswith(tuple(beginnings.split()))]
-            found.append((title, group))
-        return found
+        return [(group.title, self._of(group)) for group in description.GROUPS]
+
+    def tables(self) -> dict[str, dict[str, int]]:
+        """The constants by group and short name, for the scripting languages."""
+        return {group.table: {re.sub("^MGDT_(ERR_)?", "", c.name) if group.table == "status"
+                              else c.name[len(group.beginnings[0]):]: c.value
+                              for c in self._of(group)} for group in description.GROUPS}
+
+    def _of(self, group: description.Group) -> list[Constant]:
+        return [c for c in self.constants if c.name.startswith(group.beginnings)]
 
 
 def _parameter(name: str, node: c_ast.Node) -> Parameter:
@@ -154,7 +163,7 @@ def _describe(function: Function) -> None:
     counts = {p.name for p in function.parameters if p.is_scalar and p.type == "int64_t"}
     known = SCALARS | {HANDLE, "void", "char"}
     for p in function.parameters:
-        if p.type not in known and not p.is_callback:
+        if p.type not in known and not p.is_of_callback:
             raise DescriptionError(f"{function.name}: {p.name} has the unknown type {p.type}")
         if p.is_scalar or p.is_callback or p.type in (HANDLE, "void"):
             continue

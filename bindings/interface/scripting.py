@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""LuaJIT, Ruby and Python: the declarations that their foreign function interfaces load."""
+"""LuaJIT, Ruby, Python and Octave: the declarations that their foreign function interfaces load, and
+the constants."""
 
 from __future__ import annotations
 
@@ -19,6 +20,11 @@ def wrapped(begin: str, items: list[str], end: str, indent: str) -> str:
             line = indent
         line += piece + (" " if i + 1 < len(items) else "")
     return "\n".join([*lines, line.rstrip() if items else begin + end]) + "\n"
+
+
+def table(begin: str, entry: str, constants: dict[str, int], end: str, indent: str) -> str:
+    return wrapped(begin, [entry % (name.lower(), value) for name, value in constants.items()], end,
+                   indent)
 
 
 # LuaJIT reads C.
@@ -48,13 +54,15 @@ def lua(interface: Interface) -> str:
     return (f"-- SPDX-License-Identifier: MIT\n-- {ORIGIN}\n--- The C interface of mgdt, declared.\n\n"
             'require("ffi").cdef [[\ntypedef struct mgdt_triangulation mgdt_triangulation;\n'
             + "".join(map(lua_callback, interface.callbacks))
-            + "".join(map(lua_declaration, interface.functions)) + "]]\n")
+            + "".join(map(lua_declaration, interface.functions)) + "]]\n\nreturn {\n"
+            + "".join(table(f"    {name} = {{ ", "%s = %d", constants, " },", " " * 8)
+                      for name, constants in interface.tables().items()) + "}\n")
 
 
 # Ruby's names of types.
 
 def ruby_type(p: Parameter) -> str:
-    if p.type == "mgdt_progress_fn":
+    if p.type == "mgdt_progress_fn" and p.is_callback:
         return "progress"
     if p.type == "char" and p.is_const:
         return "string"
@@ -70,7 +78,10 @@ def ruby(interface: Interface) -> str:
     for f in interface.functions:
         parameters = " ".join(map(ruby_type, f.parameters))
         text += f"    [:{f.name}, %i[{parameters}], :{ruby_type(f.result)}, {str(f.is_long).lower()}],\n"
-    return text + "  ].freeze\n  private_constant :INTERFACE\nend\n"
+    text += "  ].freeze\n\n  # The constants, by group and name.\n  CONSTANTS = {\n"
+    for name, constants in interface.tables().items():
+        text += table(f"    {name}: {{ ", "%s: %d", constants, " },", " " * 6)
+    return text + "  }.freeze\n  private_constant :INTERFACE, :CONSTANTS\nend\n"
 
 
 # Python's ctypes.
@@ -109,10 +120,35 @@ def python(interface: Interface) -> str:
             line = (f'    "{f.name}": (\n        {ctypes_type(f.result)},\n'
                     f"        [{parameters}],\n    ),\n")
         text += line
+    text += ("}\n\n# The constants, by group and name.\n"
+             "CONSTANTS: dict[str, dict[str, int]] = {\n")
+    for name, constants in interface.tables().items():
+        entries = "".join(f'        "{key.lower()}": {value},\n' for key, value in constants.items())
+        text += f'    "{name}": {{\n{entries}    }},\n'
     return text + "}\n"
+
+
+# Octave's gateway is C, which has the header and loads the library itself.
+
+def macro(head: str, items: list[str]) -> str:
+    """A macro of several lines, as clang-format lays it out."""
+    lines = [f"#define {head}", *("    " + item for item in items)]
+    width = max(map(len, lines[:-1])) + 1
+    return "".join(f"{line:<{width}}\\\n" for line in lines[:-1]) + lines[-1] + "\n"
+
+
+def octave(interface: Interface) -> str:
+    functions = [f"F({f.short_name});" for f in interface.functions]
+    errors = [f"E({name}, {name.lower()})" for name in interface.tables()["status"] if name != "OK"]
+    return (f"/* SPDX-License-Identifier: MIT\n * {ORIGIN} */\n#ifndef MGDT_OCTAVE_INTERFACE_H\n"
+            "#define MGDT_OCTAVE_INTERFACE_H\n\n/* Every function, by the name that it has after "
+            '"mgdt_". */\n' + macro("MGDT_FUNCTIONS(F)", functions)
+            + "\n/* Every error, by its name after \"MGDT_ERR_\", large and small. */\n"
+            + macro("MGDT_ERRORS(E)", errors) + "\n#endif /* MGDT_OCTAVE_INTERFACE_H */\n")
 
 
 def files(interface: Interface) -> dict[str, str]:
     return {"lua/mgdt/interface.lua": lua(interface),
             "ruby/lib/mgdt/interface.rb": ruby(interface),
-            "python/mgdt/_interface.py": python(interface)}
+            "python/mgdt/_interface.py": python(interface),
+            "octave/mgdt_interface.h": octave(interface)}

@@ -23,11 +23,8 @@ local C = require "mgdt.library"
 
 -- ------------------------------------------------------------------------------------- errors
 
-local status = {
-    null_pointer = 10, invalid_argument = 11, not_finite = 12, unknown_scheme = 13,
-    unknown_key = 14, buffer_too_small = 20, index_range = 21, out_of_memory = 30, too_large = 31,
-    cancelled = 40, busy = 41, check_failed = 60, internal = 90,
-}
+local constants = require "mgdt.interface"
+local status = constants.status
 local status_names = {}
 for name, value in pairs(status) do status_names[value] = name end
 
@@ -170,7 +167,7 @@ end
 
 -- ----------------------------------------------------------------------------------- settings
 
-local parameters = { points_per_cell = 10, threshold = 20, separation = 30, round_ratio = 40 }
+local parameters, separations = constants.parameter, constants.separation
 
 --- Chooses the order scheme by its name ("brio", "multi-grid", ...; mgdt.order_schemes lists them).
 function Triangulation:set_order(name)
@@ -182,14 +179,20 @@ function Triangulation:set_order(name)
     ensure(handle, C.mgdt_set_order_scheme(handle, scheme[0]))
 end
 
---- Sets a parameter of the order schemes: "points_per_cell", "threshold", "separation" or
---- "round_ratio".
-function Triangulation:set_parameter(name, value)
-    local handle = handle_of(self)
+local function key_of(name)
     local key = parameters[name]
     if not key then
         raise(status.unknown_key, ("there is no order parameter %s"):format(tostring(name)))
     end
+    return key
+end
+
+--- Sets a parameter of the order schemes: "points_per_cell", "threshold", "separation" ("none",
+--- "passes", "rounds" or its number) or "round_ratio".
+function Triangulation:set_parameter(name, value)
+    local handle = handle_of(self)
+    local key = key_of(name)
+    if name == "separation" then value = separations[value] or value end
     ensure(handle, C.mgdt_set_order_parameter(handle, key, real(value, name)))
 end
 
@@ -250,6 +253,43 @@ function Triangulation:set_isa(name)
         bad_argument("the instruction set is no string")
     end
     ensure(handle, C.mgdt_set_isa(handle, name))
+end
+
+-- One setting, by the getter of the C interface.
+local function setting(self, get, kind)
+    local handle = handle_of(self)
+    local value = ffi.new(kind .. "[1]")
+    ensure(handle, get(handle, value))
+    return value[0]
+end
+
+--- The settings, each as it is set: the name of the order scheme, a parameter of the order schemes
+--- (0 where each scheme has a default of its own), the seed as a uint64_t, numbers, true or false.
+--- Since 1.2.
+function Triangulation:get_order()
+    return ffi.string(C.mgdt_order_scheme_name(setting(self, C.mgdt_get_order_scheme, "int32_t")))
+end
+function Triangulation:get_parameter(name)
+    local handle, key = handle_of(self), key_of(name)
+    local value = ffi.new("double[1]")
+    ensure(handle, C.mgdt_get_order_parameter(handle, key, value))
+    return value[0]
+end
+function Triangulation:get_seed() return setting(self, C.mgdt_get_seed, "uint64_t") end
+function Triangulation:get_threads() return setting(self, C.mgdt_get_threads, "int32_t") end
+function Triangulation:get_index_base() return setting(self, C.mgdt_get_index_base, "int32_t") end
+function Triangulation:get_memory_limit()
+    return tonumber(setting(self, C.mgdt_get_memory_limit, "int64_t"))
+end
+function Triangulation:get_compact() return setting(self, C.mgdt_get_compact, "int32_t") ~= 0 end
+function Triangulation:get_canonical()
+    return setting(self, C.mgdt_get_canonical_output, "int32_t") ~= 0
+end
+
+--- Frees what is kept for speed alone; it is made again when it is wanted. Since 1.2.
+function Triangulation:shrink()
+    local handle = handle_of(self)
+    ensure(handle, C.mgdt_shrink(handle))
 end
 
 --- Name of the instruction set in use.
@@ -428,9 +468,21 @@ function Triangulation:locate_points(points, n)
 end
 jit.off(Triangulation.locate_points)
 
+--- The vertices nearest to many points (given as for insert()): an array, and the number of points.
+--- Since 1.2.
+function Triangulation:nearest_points(points, n)
+    local handle = handle_of(self)
+    local xyz, count = coordinates(points, n, "points")
+    if count < 0 then bad_argument("the number of points is negative (%d)", count) end
+    local found = ffi.new("int32_t[?]", count)
+    ensure(handle, C.mgdt_nearest_vertices_i32(handle, count, xyz, found))
+    return found, count
+end
+jit.off(Triangulation.nearest_points)
+
 -- ----------------------------------------------------------------------------- trust, figures
 
-local levels = { combinatorial = 1, geometric = 2, canonical = 3 }
+local levels = constants.check
 
 --- Proves the triangulation by exact arithmetic, at a level "combinatorial", "geometric" or
 --- "canonical" (default), or 1 to 3. True, or nil and what is wrong.
@@ -444,7 +496,7 @@ function Triangulation:check(level)
 end
 
 local figures = {}
-for _, key in ipairs { 10, 11, 20, 21, 22, 30, 31, 40, 45, 46, 50, 51, 60, 61, 62, 70, 71 } do
+for _, key in pairs(constants.statistic) do
     local name = C.mgdt_stat_name(key)
     if name ~= nil then figures[(ffi.string(name):gsub("[ -]", "_"))] = key end
 end

@@ -10,55 +10,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mgdt_interface.h"
+
 #if defined(__APPLE__)
 #define MGDT_LIBRARY_NAME "libmgdt.1.dylib"
 #else
 #define MGDT_LIBRARY_NAME "libmgdt.so.1"
 #endif
-
-/* Every function that is used, by the name that it has after "mgdt_". */
-#define MGDT_FUNCTIONS(F)       \
-    F(create);                  \
-    F(destroy);                 \
-    F(clear);                   \
-    F(reserve);                 \
-    F(set_order_scheme);        \
-    F(set_order_parameter);     \
-    F(set_seed);                \
-    F(set_threads);             \
-    F(set_index_base);          \
-    F(set_memory_limit);        \
-    F(set_compact);             \
-    F(set_progress);            \
-    F(cancel);                  \
-    F(set_canonical_output);    \
-    F(set_isa);                 \
-    F(insert_points_strided);   \
-    F(point_count);             \
-    F(vertex_count);            \
-    F(dimension);               \
-    F(tetrahedron_count);       \
-    F(hull_facet_count);        \
-    F(edge_count);              \
-    F(vertex_tetrahedra_count); \
-    F(get_tetrahedra);          \
-    F(get_neighbors);           \
-    F(get_hull_facets);         \
-    F(get_edges);               \
-    F(get_point_map);           \
-    F(get_vertex_tetrahedra);   \
-    F(locate_points);           \
-    F(nearest_vertex);          \
-    F(check);                   \
-    F(get_stat);                \
-    F(stat_name);               \
-    F(status_string);           \
-    F(get_error);               \
-    F(order_scheme_name);       \
-    F(order_scheme_from_name);  \
-    F(order_scheme_at);         \
-    F(version_string);          \
-    F(isa_name);
 
 /* The library's functions: mgdt.create is mgdt_create. */
 static struct {

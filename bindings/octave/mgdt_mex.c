@@ -17,30 +17,11 @@
 
 static const char* identifier(mgdt_status s) {
     switch (s) {
-        case MGDT_ERR_NULL_POINTER:
-            return "mgdt:null_pointer";
-        case MGDT_ERR_INVALID_ARGUMENT:
-            return "mgdt:invalid_argument";
-        case MGDT_ERR_NOT_FINITE:
-            return "mgdt:not_finite";
-        case MGDT_ERR_UNKNOWN_SCHEME:
-            return "mgdt:unknown_scheme";
-        case MGDT_ERR_UNKNOWN_KEY:
-            return "mgdt:unknown_key";
-        case MGDT_ERR_BUFFER_TOO_SMALL:
-            return "mgdt:buffer_too_small";
-        case MGDT_ERR_INDEX_RANGE:
-            return "mgdt:index_range";
-        case MGDT_ERR_OUT_OF_MEMORY:
-            return "mgdt:out_of_memory";
-        case MGDT_ERR_TOO_LARGE:
-            return "mgdt:too_large";
-        case MGDT_ERR_CANCELLED:
-            return "mgdt:cancelled";
-        case MGDT_ERR_BUSY:
-            return "mgdt:busy";
-        case MGDT_ERR_CHECK_FAILED:
-            return "mgdt:check_failed";
+#define MGDT_CASE(NAME, name) \
+    case MGDT_ERR_##NAME:     \
+        return "mgdt:" #name;
+        MGDT_ERRORS(MGDT_CASE)
+#undef MGDT_CASE
         default:
             return "mgdt:internal";
     }
@@ -243,15 +224,24 @@ static void insert(slot* s, const mxArray* matrix, const mxArray* function) {
 
 /* ------------------------------------------------------------------------------------ queries */
 
+/* The same points one behind the other, as the library wants places. */
+static const double* rows_of_points(const mxArray* matrix, int64_t* n) {
+    const double* const columns = points(matrix, n);
+    double* const xyz = room(3 * *n, sizeof *xyz);
+    int64_t k;
+    int i;
+    for (k = 0; k < *n; ++k)
+        for (i = 0; i < 3; ++i) xyz[3 * k + i] = columns[i * *n + k];
+    return xyz;
+}
+
 static void locate(const mgdt_triangulation* t, const mxArray* matrix, int nlhs, mxArray** plhs) {
     int64_t n, k;
     int i;
-    const double* const columns = points(matrix, &n);
-    double *const xyz = room(3 * n, sizeof *xyz), *const weights = room(4 * n, sizeof *weights);
+    const double* const xyz = rows_of_points(matrix, &n);
+    double* const weights = room(4 * n, sizeof *weights);
     int64_t* const found = room(n, sizeof *found);
     double *numbers, *w;
-    for (k = 0; k < n; ++k)
-        for (i = 0; i < 3; ++i) xyz[3 * k + i] = columns[i * n + k];
     ensure(t, mgdt.locate_points(t, n, xyz, found, nlhs > 1 ? weights : NULL));
     plhs[0] = mxCreateDoubleMatrix((mwSize)n, 1, mxREAL);
     numbers = mxGetPr(plhs[0]);
@@ -265,16 +255,12 @@ static void locate(const mgdt_triangulation* t, const mxArray* matrix, int nlhs,
 }
 
 static mxArray* nearest(const mgdt_triangulation* t, const mxArray* matrix) {
-    int64_t n, k, found;
-    const double* const columns = points(matrix, &n);
+    int64_t n, k;
+    const double* const xyz = rows_of_points(matrix, &n);
+    int64_t* const found = room(n, sizeof *found);
     mxArray* const result = mxCreateDoubleMatrix((mwSize)n, 1, mxREAL);
-    for (k = 0; k < n; ++k) {
-        double xyz[3];
-        int i;
-        for (i = 0; i < 3; ++i) xyz[i] = columns[i * n + k];
-        ensure(t, mgdt.nearest_vertex(t, xyz, &found));
-        mxGetPr(result)[k] = found == 0 ? mxGetNaN() : (double)found;
-    }
+    ensure(t, mgdt.nearest_vertices(t, n, xyz, found));
+    for (k = 0; k < n; ++k) mxGetPr(result)[k] = found[k] == 0 ? mxGetNaN() : (double)found[k];
     return result;
 }
 
@@ -326,7 +312,8 @@ static void set_order(mgdt_triangulation* t, const mxArray* value) {
     ensure(t, mgdt.set_order_scheme(t, scheme));
 }
 
-static void set(mgdt_triangulation* t, const char* name, const mxArray* value) {
+/* The key of a parameter of the order schemes, or 0. */
+static int32_t parameter(const char* name) {
     static const struct {
         const char* name;
         int32_t key;
@@ -335,9 +322,29 @@ static void set(mgdt_triangulation* t, const char* name, const mxArray* value) {
                       {"separation", MGDT_PARAMETER_SEPARATION},
                       {"round_ratio", MGDT_PARAMETER_ROUND_RATIO}};
     size_t k;
-    for (k = 0; k < sizeof parameters / sizeof *parameters; ++k) {
-        if (strcmp(name, parameters[k].name) != 0) continue;
-        ensure(t, mgdt.set_order_parameter(t, parameters[k].key, number(value, name)));
+    for (k = 0; k < sizeof parameters / sizeof *parameters; ++k)
+        if (strcmp(name, parameters[k].name) == 0) return parameters[k].key;
+    return 0;
+}
+
+static double separation(const mxArray* value) {
+    static const char* const names[] = {"none", "passes", "rounds"};
+    const char* name;
+    int k;
+    if (!mxIsChar(value)) return number(value, "separation");
+    name = text(value, "separation");
+    for (k = 0; k < 3; ++k)
+        if (strcmp(name, names[k]) == 0) return k;
+    mexErrMsgIdAndTxt("mgdt:invalid_argument",
+                      "separation is %s; it must be none, passes or rounds", name);
+    return 0;
+}
+
+static void set(mgdt_triangulation* t, const char* name, const mxArray* value) {
+    const int32_t key = parameter(name);
+    if (key != 0) {
+        const double x = key == MGDT_PARAMETER_SEPARATION ? separation(value) : number(value, name);
+        ensure(t, mgdt.set_order_parameter(t, key, x));
         return;
     }
     if (strcmp(name, "order") == 0) {
@@ -359,6 +366,40 @@ static void set(mgdt_triangulation* t, const char* name, const mxArray* value) {
     } else {
         mexErrMsgIdAndTxt("mgdt:unknown_key", "there is no setting %s", name);
     }
+}
+
+static mxArray* get(const mgdt_triangulation* t, const char* name) {
+    const int32_t key = parameter(name);
+    int32_t number32 = 0;
+    int64_t bytes = 0;
+    uint64_t seed = 0;
+    double value = 0;
+    if (key != 0) {
+        ensure(t, mgdt.get_order_parameter(t, key, &value));
+    } else if (strcmp(name, "order") == 0) {
+        ensure(t, mgdt.get_order_scheme(t, &number32));
+        return mxCreateString(mgdt.order_scheme_name(number32));
+    } else if (strcmp(name, "seed") == 0) {
+        ensure(t, mgdt.get_seed(t, &seed));
+        value = (double)seed;
+    } else if (strcmp(name, "threads") == 0) {
+        ensure(t, mgdt.get_threads(t, &number32));
+        value = number32;
+    } else if (strcmp(name, "memory_limit") == 0) {
+        ensure(t, mgdt.get_memory_limit(t, &bytes));
+        value = (double)bytes;
+    } else if (strcmp(name, "compact") == 0) {
+        ensure(t, mgdt.get_compact(t, &number32));
+        return mxCreateLogicalScalar(number32 != 0);
+    } else if (strcmp(name, "canonical") == 0) {
+        ensure(t, mgdt.get_canonical_output(t, &number32));
+        return mxCreateLogicalScalar(number32 != 0);
+    } else if (strcmp(name, "isa") == 0) {
+        return mxCreateString(mgdt.isa_name(t));
+    } else {
+        mexErrMsgIdAndTxt("mgdt:unknown_key", "there is no setting %s", name);
+    }
+    return mxCreateDoubleScalar(value);
 }
 
 /* ------------------------------------------------------------------------------------ gateway */
@@ -430,8 +471,10 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     } else if (strcmp(command, "set") == 0) {
         if (!second) bad_argument("a setting without a value");
         set(s->t, text(first, "the setting"), second);
-    } else if (strcmp(command, "isa") == 0) {
-        plhs[0] = mxCreateString(mgdt.isa_name(s->t));
+    } else if (strcmp(command, "shrink") == 0) {
+        ensure(s->t, mgdt.shrink(s->t));
+    } else if (strcmp(command, "get") == 0) {
+        plhs[0] = get(s->t, text(first, "the setting"));
     } else if (strcmp(command, "insert") == 0) {
         insert(s, first, second);
     } else if (strcmp(command, "count") == 0) {

@@ -13,9 +13,10 @@ classdef mgdt_triangulation < handle
   % Points and tetrahedra are numbered from 1 and given in rows. t is a handle: a copy of it is the
   % same triangulation. Its memory is freed with the last copy, or by t.close ().
   %
-  % Settings, as NAME and VALUE or by t.set (NAME, VALUE):
+  % Settings, as NAME and VALUE or by t.set (NAME, VALUE); t.get (NAME) gives each:
   %   "order"         scheme of insertion, by name: see mgdt_triangulation.schemes ()
-  %   "points_per_cell", "threshold", "separation", "round_ratio"   its parameters
+  %   "points_per_cell", "threshold", "separation", "round_ratio"   its parameters; a separation
+  %                   is "none", "passes", "rounds" or its number
   %   "seed"          of the schemes that shuffle
   %   "threads"       0 for all cores
   %   "memory_limit"  bytes; 0 for none
@@ -70,9 +71,23 @@ classdef mgdt_triangulation < handle
       end
     end
 
+    % A setting as it is set. Since 1.2.
+    function value = get (t, name)
+      if (strcmp (name, "progress"))
+        value = t.progress;
+      else
+        value = mgdt_mex ("get", t.handle (), name);
+      end
+    end
+
     % Name of the instruction set in use.
     function name = isa_name (t)
-      name = mgdt_mex ("isa", t.handle ());
+      name = t.get ("isa");
+    end
+
+    % Frees what is kept for speed alone; it is made again when it is wanted. Since 1.2.
+    function shrink (t)
+      mgdt_mex ("shrink", t.handle ());
     end
 
     % Inserts points, n x 3; any number of times.

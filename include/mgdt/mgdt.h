@@ -136,14 +136,20 @@ enum {
     /** Multi-grid: a cell with more points than this gets a grid of its own. Default 200, but 8
      *  with separation 2; range 1 to 1e9; 0 gives the default back. */
     MGDT_PARAMETER_THRESHOLD = 20,
-    /** Regular grid and multi-grid: 0 empties a cell before the next, 1 takes one point from a
-     *  cell at a time (the paper's separation control), 2 deals the points along the path through
-     *  the cells into rounds, one of twelve before the others (of up to 4,096, one of four); the
-     *  path of multi-grid is then a Hilbert curve. Default 2. */
+    /** Regular grid and multi-grid: how points of a cell are kept apart, an MGDT_SEPARATION_ value.
+     *  Default MGDT_SEPARATION_ROUNDS, where the path of multi-grid is a Hilbert curve. */
     MGDT_PARAMETER_SEPARATION = 30,
     /** BRIO: each round holds this many times the points of all rounds before it, plus one.
      *  Default 7.5, range above 1 to 1e6; 0 gives the default back. */
     MGDT_PARAMETER_ROUND_RATIO = 40
+};
+
+/** Values of MGDT_PARAMETER_SEPARATION. Names since 1.2. */
+enum {
+    MGDT_SEPARATION_NONE = 0,   /**< A cell is emptied before the next one. */
+    MGDT_SEPARATION_PASSES = 1, /**< One point from each cell at a time, as in the paper (4.3). */
+    MGDT_SEPARATION_ROUNDS = 2  /**< The points along the path are dealt into rounds, one of twelve
+                                 *   before the others (of up to 4,096, one of four). */
 };
 
 /** Keys of mgdt_get_stat(). Counts are of the whole life of the handle since mgdt_create() or
@@ -220,6 +226,15 @@ MGDT_API mgdt_status mgdt_clear(mgdt_triangulation *t);
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_reserve(mgdt_triangulation *t, int64_t n_points);
 
+/** Frees what the handle keeps for speed alone: room for points to come, working arrays, numbers of
+ *  tetrahedra and where locations start. The triangulation stays as it is, with all its numbers;
+ *  calls that want any of that make it again. The order in which later insertions store tetrahedra
+ *  may differ (mgdt_set_canonical_output()). What the allocator does not take back stays; the
+ *  default one moves blocks within the memory limit.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_shrink(mgdt_triangulation *t);
+
 /* --------------------------------------------------------------------------- settings --- */
 
 /** Chooses the order scheme of later insertions.
@@ -227,18 +242,31 @@ MGDT_API mgdt_status mgdt_reserve(mgdt_triangulation *t, int64_t n_points);
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_SCHEME
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_order_scheme(mgdt_triangulation *t, int32_t scheme);
+/** The order scheme that is set.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_order_scheme(const mgdt_triangulation *t, int32_t *scheme);
 
 /** Sets a parameter of the order schemes.
  *  @param key  an MGDT_PARAMETER_ key, which documents its range and default
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_order_parameter(mgdt_triangulation *t, int32_t key, double value);
+/** The value of a parameter; 0 where each scheme has a default of its own.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_order_parameter(const mgdt_triangulation *t, int32_t key,
+                                              double *value);
 
 /** Sets the seed of the schemes that shuffle. The same seed gives the same run; the tetrahedra
  *  are the same for every seed. Default 0.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_seed(mgdt_triangulation *t, uint64_t seed);
+/** The seed that is set.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_seed(const mgdt_triangulation *t, uint64_t *seed);
 
 /** Sets how many threads a call may use: insertions, exports, checks and the location of many
  *  points. The tetrahedra do not depend on it; the order of storage, in which tetrahedra are
@@ -249,12 +277,21 @@ MGDT_API mgdt_status mgdt_set_seed(mgdt_triangulation *t, uint64_t seed);
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_threads(mgdt_triangulation *t, int32_t n);
+/** The number of threads as it was set, 0 for all cores; MGDT_STAT_THREADS has that of the last
+ *  insertion.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_threads(const mgdt_triangulation *t, int32_t *n);
 
 /** Sets the number that the first point and the first tetrahedron have in all calls.
  *  @param base  0 (default) or 1
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_index_base(mgdt_triangulation *t, int32_t base);
+/** The index base that is set.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_index_base(const mgdt_triangulation *t, int32_t *base);
 
 /** Limits the memory that the handle may hold; what would pass it gets MGDT_ERR_OUT_OF_MEMORY. The
  *  working memory of a call counts as long as the call runs. A limit below what is held takes
@@ -264,6 +301,10 @@ MGDT_API mgdt_status mgdt_set_index_base(mgdt_triangulation *t, int32_t base);
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_memory_limit(mgdt_triangulation *t, int64_t bytes);
+/** The memory limit that is set, 0 for none.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_memory_limit(const mgdt_triangulation *t, int64_t *bytes);
 
 /** Chooses between speed and memory. A triangulation keeps the circumsphere of every tetrahedron,
  *  which is three tenths of its memory. In compact storage spheres are computed from the vertices
@@ -278,6 +319,10 @@ MGDT_API mgdt_status mgdt_set_memory_limit(mgdt_triangulation *t, int64_t bytes)
  *          0; nothing has changed then)
  *  @since 1.1 */
 MGDT_API mgdt_status mgdt_set_compact(mgdt_triangulation *t, int32_t on);
+/** Whether storage is compact, 0 or 1.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_compact(const mgdt_triangulation *t, int32_t *on);
 
 /** Sets the callback that hears of progress and may cancel. mgdt_insert_points() and
  *  mgdt_insert_points_strided() call it if they are given points: with 0 before the first point,
@@ -289,6 +334,13 @@ MGDT_API mgdt_status mgdt_set_compact(mgdt_triangulation *t, int32_t on);
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_progress(mgdt_triangulation *t, mgdt_progress_fn fn, void *user);
+/** The callback that is set and what is passed to it, so that it can be put back after another one.
+ *  @param[out] fn    NULL if there is none
+ *  @param[out] user  may be NULL: then it is not asked for
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_progress(const mgdt_triangulation *t, mgdt_progress_fn *fn,
+                                       void **user);
 
 /** Asks the insertion that is running on the handle to stop soon; it returns MGDT_ERR_CANCELLED.
  *  If it comes too late for that one, it is forgotten with it. Where none is running, the next
@@ -305,13 +357,17 @@ MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation *t);
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_canonical_output(mgdt_triangulation *t, int32_t on);
+/** Whether output is canonical, 0 or 1.
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_canonical_output(const mgdt_triangulation *t, int32_t *on);
 
 /** Chooses the instruction set of the kernel; for tests and measurements. The tetrahedra are the
  *  same for each. Without this call it is the best that the processor has, or the one that the
  *  environment variable MGDT_ISA names when the handle is made.
  *  @param name  "baseline", or on x86-64 "avx2" or "avx512"; NULL for the best
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER (t), MGDT_ERR_INVALID_ARGUMENT (an unknown name, or a
- *  set that this processor does not have)
+ *  set that this processor does not have). mgdt_isa_name() says which it is
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_set_isa(mgdt_triangulation *t, const char *name);
 
@@ -334,7 +390,9 @@ MGDT_API mgdt_status mgdt_insert_points(mgdt_triangulation *t, int64_t n, const 
 
 /** The same for coordinates in separate arrays or inside records.
  *  @param x, y, z  the first point's coordinates
- *  @param stride   distance from one point's x (y, z) to the next one's, in doubles, any sign
+ *  @param stride   distance from one point's x (y, z) to the next one's, in doubles, any sign. A
+ *                  record with aligned doubles is a whole number of them long; coordinates that
+ *                  are not aligned, as in packed records, must be copied
  *  @return as mgdt_insert_points()
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_insert_points_strided(mgdt_triangulation *t, int64_t n, const double *x,
@@ -495,6 +553,25 @@ MGDT_API mgdt_status mgdt_locate_points_i32(const mgdt_triangulation *t, int64_t
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_nearest_vertex(const mgdt_triangulation *t, const double *xyz,
                                          int64_t *vertex);
+/** @copydoc mgdt_nearest_vertex
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_nearest_vertex_i32(const mgdt_triangulation *t, const double *xyz,
+                                             int32_t *vertex);
+
+/** The same for many points, in any order, and with threads (mgdt_set_threads()): much faster than
+ *  one by one. Where there are no tetrahedra, each point is compared with every vertex.
+ *  @param n              number of points, at least 0
+ *  @param xyz            3 n coordinates
+ *  @param[out] vertices  n indices of vertices; none if the triangulation is empty
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_NOT_FINITE (the
+ *  message names the point; nothing is written), MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_nearest_vertices(const mgdt_triangulation *t, int64_t n,
+                                           const double *xyz, int64_t *vertices);
+/** @copydoc mgdt_nearest_vertices
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_nearest_vertices_i32(const mgdt_triangulation *t, int64_t n,
+                                               const double *xyz, int32_t *vertices);
 
 /* ------------------------------------------------------------------------------ trust --- */
 

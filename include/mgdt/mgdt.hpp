@@ -108,6 +108,8 @@ class Triangulation {
     void clear() { require(mgdt_clear(handle_.get())); }
     /** mgdt_reserve(). @throw OutOfMemory, Error */
     void reserve(std::int64_t points) { require(mgdt_reserve(handle_.get(), points)); }
+    /** mgdt_shrink(). @throw Error @since 1.2 */
+    void shrink() { require(mgdt_shrink(handle_.get())); }
 
     /* Settings. @throw Error */
 
@@ -118,6 +120,10 @@ class Triangulation {
     /** mgdt_set_order_parameter(). */
     void set_order_parameter(Parameter key, double value) {
         require(mgdt_set_order_parameter(handle_.get(), static_cast<std::int32_t>(key), value));
+    }
+    /** The same for Parameter::separation. @since 1.2 */
+    void set_order_parameter(Parameter key, Separation value) {
+        set_order_parameter(key, static_cast<double>(value));
     }
     /** mgdt_set_seed(). */
     void set_seed(std::uint64_t seed) { require(mgdt_set_seed(handle_.get(), seed)); }
@@ -137,6 +143,24 @@ class Triangulation {
     }
     /** mgdt_set_isa(). */
     void set_isa(const char* name) { require(mgdt_set_isa(handle_.get(), name)); }
+
+    /* The settings as they are set; mgdt_get_order_scheme() and its neighbours. @throw Error
+     * @since 1.2 */
+
+    [[nodiscard]] Order order_scheme() const {
+        return static_cast<Order>(setting(mgdt_get_order_scheme));
+    }
+    [[nodiscard]] double order_parameter(Parameter key) const {
+        double value = 0;
+        require(mgdt_get_order_parameter(handle_.get(), static_cast<std::int32_t>(key), &value));
+        return value;
+    }
+    [[nodiscard]] std::uint64_t seed() const { return setting(mgdt_get_seed); }
+    [[nodiscard]] std::int32_t threads() const { return setting(mgdt_get_threads); }
+    [[nodiscard]] std::int32_t index_base() const { return setting(mgdt_get_index_base); }
+    [[nodiscard]] std::int64_t memory_limit() const { return setting(mgdt_get_memory_limit); }
+    [[nodiscard]] bool compact() const { return setting(mgdt_get_compact) != 0; }
+    [[nodiscard]] bool canonical_output() const { return setting(mgdt_get_canonical_output) != 0; }
 
     /** Sets what hears of progress; mgdt_set_progress().
      *  @param call  anything callable with a double (the fraction, 0 to 1), kept here. If it gives
@@ -336,6 +360,24 @@ class Triangulation {
         require(mgdt_nearest_vertex(handle_.get(), xyz.data(), &found));
         return found;
     }
+    /** The same for many, with threads; mgdt_nearest_vertices(). @since 1.2 */
+    template <class Int = std::int64_t>
+    [[nodiscard]] std::vector<Int> nearest_vertices(Points points) const {
+        std::vector<Int> found(points.count());
+        nearest_vertices(points, found);
+        return found;
+    }
+    /** The same into a buffer of a number a point. @since 1.2 */
+    template <class Buffer>
+    void nearest_vertices(Points points, Buffer&& out) const {
+        const auto buffer = flat<1>(out);
+        if (buffer.size() < points.count()) too_small("vertices", points.count());
+        const auto n = static_cast<std::int64_t>(points.count());
+        if constexpr (std::is_same_v<decltype(buffer), const Span<std::int64_t>>)
+            require(mgdt_nearest_vertices(handle_.get(), n, points.data(), buffer.data()));
+        else
+            require(mgdt_nearest_vertices_i32(handle_.get(), n, points.data(), buffer.data()));
+    }
 
     /* Trust and figures. */
 
@@ -423,6 +465,12 @@ class Triangulation {
         throw Error(status, text);
     }
     void require(mgdt_status status) const { require(status, handle_.get()); }
+    template <class T>
+    T setting(mgdt_status (*get)(const mgdt_triangulation*, T*)) const {
+        T value{};
+        require(get(handle_.get(), &value));
+        return value;
+    }
     // The end of a call that may have called the progress callback.
     void finish(mgdt_status status) {
         if (progress_ && progress_->thrown)

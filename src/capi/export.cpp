@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "query/export.hpp"
 
-#include <limits>
-
 #include "capi/counts.hpp"
 #include "capi/handle.hpp"
 
@@ -12,17 +10,6 @@ namespace {
 
 // Elements that a thread pays for.
 constexpr std::size_t min_items_per_thread = 262144;
-
-// Refuses an export whose values, counted from 0, are below `end` but do not fit Int.
-template <class Int>
-void require_range(std::uint64_t end, const mgdt_triangulation* t) {
-    if (end == 0) return;
-    const std::uint64_t largest =
-        end - 1 + static_cast<std::uint64_t>(t->core.settings().index_base);
-    if (largest > static_cast<std::uint64_t>(std::numeric_limits<Int>::max()))
-        fail(MGDT_ERR_INDEX_RANGE, "indices up to %llu do not fit a 32-bit integer",
-             static_cast<unsigned long long>(largest));
-}
 
 // How many elements an export writes, and the bound that their values, counted from 0, are below.
 struct Extent {

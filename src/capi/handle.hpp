@@ -172,4 +172,15 @@ inline void require_capacity(std::int64_t capacity, std::size_t needed, const ch
              static_cast<long long>(capacity), needed);
 }
 
+// Refuses output whose values, counted from 0, are below `end` but do not fit Int.
+template <class Int>
+void require_range(std::uint64_t end, const mgdt_triangulation* t) {
+    if (end == 0) return;
+    const std::uint64_t largest =
+        end - 1 + static_cast<std::uint64_t>(t->core.settings().index_base);
+    if (largest > static_cast<std::uint64_t>(std::numeric_limits<Int>::max()))
+        fail(MGDT_ERR_INDEX_RANGE, "indices up to %llu do not fit a 32-bit integer",
+             static_cast<unsigned long long>(largest));
+}
+
 }  // namespace mgdt

@@ -64,3 +64,7 @@ extern "C" mgdt_status mgdt_clear(mgdt_triangulation* t) {
 extern "C" mgdt_status mgdt_reserve(mgdt_triangulation* t, int64_t n_points) {
     return guard(t, [&] { t->core.reserve(require_count(n_points)); });
 }
+
+extern "C" mgdt_status mgdt_shrink(mgdt_triangulation* t) {
+    return guard(t, [&] { t->core.shrink(); });
+}

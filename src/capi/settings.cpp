@@ -23,6 +23,19 @@ bool flag(std::int32_t value, const char* name) {
     return value != 0;
 }
 
+// Gives one setting: what read(core) says.
+template <class T, class Read>
+mgdt_status get(const mgdt_triangulation* t, T* value, Read read,
+                const char* name = __builtin_FUNCTION()) {
+    return guard_short(
+        t,
+        [&] {
+            require_pointer(value, "the output");
+            *value = static_cast<T>(read(t->core));
+        },
+        name);
+}
+
 }  // namespace
 
 extern "C" mgdt_status mgdt_set_order_scheme(mgdt_triangulation* t, int32_t scheme) {
@@ -121,4 +134,60 @@ extern "C" mgdt_status mgdt_set_canonical_output(mgdt_triangulation* t, int32_t 
         t->core.settings().canonical_output = flag(on, "canonical output");
         t->core.forget_numbering();
     });
+}
+
+extern "C" mgdt_status mgdt_get_order_parameter(const mgdt_triangulation* t, int32_t key,
+                                                double* value) {
+    return get(t, value, [&](const Triangulation& c) -> double {
+        const OrderParameters& order = c.settings().order;
+        switch (key) {
+            case MGDT_PARAMETER_POINTS_PER_CELL:
+                return order.points_per_cell;
+            case MGDT_PARAMETER_THRESHOLD:
+                return order.threshold;
+            case MGDT_PARAMETER_SEPARATION:
+                return static_cast<double>(order.separation);
+            case MGDT_PARAMETER_ROUND_RATIO:
+                return order.round_ratio;
+            default:
+                fail(MGDT_ERR_UNKNOWN_KEY, "there is no order parameter %d", static_cast<int>(key));
+        }
+    });
+}
+
+extern "C" mgdt_status mgdt_get_progress(const mgdt_triangulation* t, mgdt_progress_fn* fn,
+                                         void** user) {
+    return guard_short(t, [&] {
+        require_pointer(reinterpret_cast<const void*>(fn), "the output");
+        *fn = t->core.settings().progress;
+        if (user) *user = t->core.settings().progress_user;
+    });
+}
+
+extern "C" mgdt_status mgdt_get_order_scheme(const mgdt_triangulation* t, int32_t* scheme) {
+    return get(t, scheme, [](const Triangulation& c) { return c.settings().scheme; });
+}
+
+extern "C" mgdt_status mgdt_get_seed(const mgdt_triangulation* t, uint64_t* seed) {
+    return get(t, seed, [](const Triangulation& c) { return c.settings().order.seed; });
+}
+
+extern "C" mgdt_status mgdt_get_threads(const mgdt_triangulation* t, int32_t* n) {
+    return get(t, n, [](const Triangulation& c) { return c.settings().threads; });
+}
+
+extern "C" mgdt_status mgdt_get_index_base(const mgdt_triangulation* t, int32_t* base) {
+    return get(t, base, [](const Triangulation& c) { return c.settings().index_base; });
+}
+
+extern "C" mgdt_status mgdt_get_memory_limit(const mgdt_triangulation* t, int64_t* bytes) {
+    return get(t, bytes, [](const Triangulation& c) { return c.allocator().limit(); });
+}
+
+extern "C" mgdt_status mgdt_get_compact(const mgdt_triangulation* t, int32_t* on) {
+    return get(t, on, [](const Triangulation& c) { return !c.mesh().tetrahedra.has_spheres(); });
+}
+
+extern "C" mgdt_status mgdt_get_canonical_output(const mgdt_triangulation* t, int32_t* on) {
+    return get(t, on, [](const Triangulation& c) { return c.settings().canonical_output; });
 }

@@ -49,6 +49,18 @@ void Triangulation::reserve(std::size_t points) {
     mesh_.reserve_tetrahedra(expected_tetrahedra(points, mesh_.slot_limit));
 }
 
+void Triangulation::shrink() noexcept {
+    forget_numbering();
+    location_tree_.forget();
+    mesh_.shrink();
+    workspace_.reset();
+    for (Buffer<std::uint32_t>* part :
+         {&short_schedule_.order, &short_schedule_.rounds, &short_schedule_.hints})
+        part->reset();
+    point_map_.shrink();
+    degenerate_.clear();
+}
+
 void Triangulation::set_compact(bool compact) {
     if (compact != mesh_.tetrahedra.has_spheres()) return;
     if (compact) {

@@ -54,6 +54,8 @@ class Triangulation {
     void insert(std::size_t n, const double* const axis[3], std::ptrdiff_t stride);
     void clear() noexcept;
     void reserve(std::size_t points);
+    // Gives back what is kept for speed alone.
+    void shrink() noexcept;
     // Whether spheres are kept or computed whenever they are wanted. Throws std::bad_alloc with
     // nothing changed where there is no memory to keep them.
     void set_compact(bool compact);

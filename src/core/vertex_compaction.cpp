@@ -4,6 +4,7 @@
 #include <new>
 
 #include "core/triangulation.hpp"
+#include "mesh/star_traversal.hpp"
 #include "query/locate.hpp"
 
 namespace mgdt {
@@ -32,11 +33,7 @@ void renumber_star(Mesh& mesh, TetId first, VertexId from, VertexId to, Buffer<T
         }
     };
     renumber(first);
-    for (std::size_t i = 0; i < star.size(); ++i) {
-        const Tetrahedron& t = mesh.tetrahedra[star[i]];
-        for (unsigned face = 0; face < 4; ++face)
-            if (t.v[face] != to) renumber(t.n[face] >> 2);
-    }
+    traverse_star(mesh, to, star, [&](FacetCode facet) { renumber(facet >> 2); });
 }
 
 // Gives vertices from `end` on that have tetrahedra the numbers in their records.

@@ -75,6 +75,18 @@ void Workspace::grow_star(std::size_t removed, std::size_t created) {
     star_created = created;
 }
 
+void Workspace::reset() noexcept {
+    cavity_capacity = 0;
+    slot_count = 0;
+    probed_size = 0;
+    star_removed = star_created = 0;
+    for (Scratch<std::uint32_t>* s :
+         {&cavity, &boundary, &probed, &ids, &a, &b, &c, &slots, &edge_codes})
+        s->reset();
+    for (Scratch<double>* s : {&x, &y, &z}) s->reset();
+    edge_keys.reset();
+}
+
 void Workspace::restore_cavity(TetrahedronStore& tetrahedra, std::size_t members) noexcept {
     for (std::size_t i = 0; i < members; ++i) tetrahedra[cavity.data[i] >> 2].v[1] &= ~in_cavity;
 }

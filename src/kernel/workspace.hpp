@@ -38,6 +38,11 @@ struct Scratch {
         data = buffer.data();
     }
 
+    void reset() noexcept {
+        buffer.reset();
+        data = nullptr;
+    }
+
     T* data = nullptr;
     Buffer<T> buffer;
 };
@@ -52,6 +57,8 @@ struct Workspace {
     // Room for the star of a cavity with so many tetrahedra and boundary facets. The arrays have
     // what a vector of 8 stores past their ends.
     void grow_star(std::size_t removed, std::size_t created);
+    // Gives all room back.
+    void reset() noexcept;
     // Undoes the marks on the first members of a cavity that is given up.
     void restore_cavity(TetrahedronStore& tetrahedra, std::size_t members) noexcept;
 

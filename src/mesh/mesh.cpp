@@ -17,6 +17,14 @@ void Mesh::clear() {
     has_extremes = false;
 }
 
+void Mesh::shrink() noexcept {
+    vertices.shrink();
+    vertex_hint.shrink();
+    tetrahedra.shrink();
+    free_slots.shrink();
+    prefaulted_slots = std::min(prefaulted_slots, tetrahedra.capacity());
+}
+
 void Mesh::reserve_tetrahedra(std::size_t count) {
     // The capacity never passes the limit, so that a slot within it can be numbered.
     if (count > slot_limit)

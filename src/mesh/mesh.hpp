@@ -39,6 +39,8 @@ struct Mesh {
         }
         return a_ghost;
     }
+    // Gives back storage that is not used, where that can be.
+    void shrink() noexcept;
     // Storage for so many tetrahedra, growing by more than asked for, never beyond the limit.
     void reserve_tetrahedra(std::size_t count);
     // Writes the first facet of each. The array has room for 16 more than count.

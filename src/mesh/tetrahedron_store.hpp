@@ -119,6 +119,11 @@ class TetrahedronStore {
 
     // Leaves the spheres out, and gives their memory back where that can be. The capacity stays.
     void drop_spheres() noexcept;
+    // Gives back what is not used, where that can be.
+    void shrink() noexcept {
+        pieces_.shrink();
+        capacity_ = pieces_.capacity() / stride();
+    }
     // Makes room for spheres, which are not set. Throws std::bad_alloc with nothing changed.
     void make_room_for_spheres();
 

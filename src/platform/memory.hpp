@@ -44,6 +44,7 @@ class Allocator {
 
     std::size_t bytes() const noexcept { return bytes_.load(std::memory_order_relaxed); }
     std::size_t peak() const noexcept { return peak_.load(std::memory_order_relaxed); }
+    std::size_t limit() const noexcept { return limit_; }
     void set_limit(std::size_t bytes) noexcept { limit_ = bytes; }
     // Adds a block that was obtained elsewhere (the handle itself) to the account.
     void count(std::size_t bytes);
@@ -161,6 +162,15 @@ class Buffer {
     MGDT_ALWAYS_INLINE void resize_within_capacity(std::size_t size) noexcept { size_ = size; }
     MGDT_ALWAYS_INLINE void pop_back() noexcept { --size_; }
     void clear() noexcept { size_ = 0; }
+    // Gives back what is not used, where that can be.
+    void shrink() noexcept {
+        if (size_ == 0) return reset();
+        try {
+            set_capacity(size_);
+        } catch (const std::bad_alloc&) {
+            // A smaller block was refused: keep the larger one.
+        }
+    }
     void reset() noexcept {
         if (data_) allocator_->release(data_, capacity_ * sizeof(T), alignment);
         data_ = nullptr;

@@ -21,10 +21,6 @@ void Locator::unscaled(VertexId v, double* to) const {
     for (int k = 0; k < 3; ++k) to[k] = scaled(mesh.vertices[v].x[k], -mesh.scale);
 }
 
-TetId Locator::locate(const double* q, TetId& hint) const {
-    return locate(q, hint, true);
-}
-
 TetId Locator::locate(const double* q, TetId& hint, bool may_end_outside) const {
     if (mesh.live_count() == 0) return no_tetrahedron;
     LocationWalk walk;

@@ -14,22 +14,24 @@ struct Locator {
 
     // The finite tetrahedron whose closure contains q (unscaled), or no_tetrahedron outside the
     // hull. The walk starts at `hint`, or where the tree says if there is none; `hint` becomes a
-    // tetrahedron near q, or for q outside a ghost that q is beyond.
-    TetId locate(const double* q, TetId& hint) const;
-    // Locates n points, the k-th of them point_of(k), and calls found(k, tetrahedron) for each, in
-    // any order. Several are on their way at a time, each stretch of the sequence from its own last
-    // place.
+    // tetrahedron near q, or for q outside a ghost that q is beyond: any such, if it
+    // `may_end_outside`.
+    TetId locate(const double* q, TetId& hint, bool may_end_outside = true) const;
+    // Locates n points, the k-th of them point_of(k), and calls found(k, tetrahedron, near) for
+    // each, in any order; `near` is what locate() makes of its hint. Several are on their way at a
+    // time, each stretch of the sequence from its own last place.
     template <class PointOf, class Found>
-    void locate_sequence(std::size_t n, PointOf point_of, Found found) const;
+    void locate_sequence(std::size_t n, bool may_end_outside, PointOf point_of, Found found) const;
     // Barycentric coordinates of q in the order of the tetrahedron's stored vertices.
     void weights(TetId t, const double* q, double (&w)[4]) const;
     // The vertex nearest to q, the lowest index of several; infinite_vertex if there is none.
     VertexId nearest_vertex(const double* q, Allocator& allocator) const;
+    // The same from a tetrahedron near q, which only a mesh that has none does without.
+    VertexId nearest_vertex(const double* q, TetId near, Allocator& allocator) const;
     // A vertex as the caller gave it.
     void unscaled(VertexId v, double* to) const;
 
   private:
-    TetId locate(const double* q, TetId& hint, bool may_end_outside) const;
     // False if there are no steps to take.
     bool begin(const double* q, TetId hint, LocationWalk& walk) const;
     // False if that was the last step.
@@ -48,7 +50,8 @@ struct Locator {
 };
 
 template <class PointOf, class Found>
-void Locator::locate_sequence(std::size_t n, PointOf point_of, Found found) const {
+void Locator::locate_sequence(std::size_t n, bool may_end_outside, PointOf point_of,
+                              Found found) const {
     constexpr std::size_t most_streams = 16;
     struct Stream {
         LocationWalk walk;
@@ -61,7 +64,7 @@ void Locator::locate_sequence(std::size_t n, PointOf point_of, Found found) cons
     for (std::size_t s = 0; s < count; ++s) {
         streams[s].next = n * s / count;
         streams[s].end = n * (s + 1) / count;
-        streams[s].walk.may_end_outside = true;
+        streams[s].walk.may_end_outside = may_end_outside;
     }
     std::size_t left = n;
     while (left > 0) {
@@ -78,8 +81,10 @@ void Locator::locate_sequence(std::size_t n, PointOf point_of, Found found) cons
             }
             stream.walks = false;
             const std::size_t k = stream.next++;
-            found(k, mesh.live_count() == 0 ? no_tetrahedron
-                                            : end(point_of(k), stream.walk, stream.hint));
+            const TetId tetrahedron = mesh.live_count() == 0
+                                          ? no_tetrahedron
+                                          : end(point_of(k), stream.walk, stream.hint);
+            found(k, tetrahedron, stream.hint);
             --left;
         }
     }

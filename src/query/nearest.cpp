@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/star_traversal.hpp"
 #include "predicates/predicates.hpp"
 #include "query/locate.hpp"
 
@@ -71,16 +72,11 @@ void for_each_neighbor(const Mesh& mesh, VertexId v, TetId near, VisitQueue& sta
         if (other != v) f(other, first);
     star.clear();
     star.push(first);
-    for (std::size_t i = 0; i < star.size(); ++i) {
-        const Tetrahedron& t = mesh.tetrahedra[star[i]];
-        for (unsigned face = 0; face < 4; ++face) {
-            if (t.v[face] == v) continue;
-            const FacetCode code = t.n[face];
-            const Tetrahedron& next = mesh.tetrahedra[code >> 2];
-            // Of its vertices one has not been met through this facet.
-            if (!next.is_ghost() && star.push(code >> 2)) f(next.v[code & 3], code >> 2);
-        }
-    }
+    traverse_star(mesh, v, star, [&](FacetCode facet) {
+        const Tetrahedron& next = mesh.tetrahedra[facet >> 2];
+        // Of its vertices one has not been met through this facet.
+        if (!next.is_ghost() && star.push(facet >> 2)) f(next.v[facet & 3], facet >> 2);
+    });
 }
 
 }  // namespace
@@ -201,6 +197,12 @@ class NearestVertex {
 };
 
 VertexId Locator::nearest_vertex(const double* q, Allocator& allocator) const {
+    TetId near = no_tetrahedron;
+    if (mesh.live_count() != 0) locate(q, near, false);
+    return nearest_vertex(q, near, allocator);
+}
+
+VertexId Locator::nearest_vertex(const double* q, TetId near, Allocator& allocator) const {
     if (mesh.vertices.size() == 1) return infinite_vertex;
     const NearestVertex to(*this, q);
     if (mesh.live_count() == 0) {
@@ -214,8 +216,6 @@ VertexId Locator::nearest_vertex(const double* q, Allocator& allocator) const {
         }
         return nearest;
     }
-    TetId near = no_tetrahedron;
-    locate(q, near, false);
     // Among the vertices of where q is first: that is often the nearest already.
     VertexId nearest = infinite_vertex;
     for (const VertexId v : mesh.tetrahedra[near].v)

@@ -133,6 +133,7 @@ int main(void) {
         void (*run)(void);
     } groups[] = {{"text", test_text},
                   {"arguments", test_arguments},
+                  {"settings", test_settings},
                   {"insertion", test_insertion},
                   {"export", test_export},
                   {"queries", test_queries},

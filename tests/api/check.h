@@ -44,6 +44,7 @@ double volume(const double* a, const double* b, const double* c, const double* d
 
 void test_text(void);
 void test_arguments(void);
+void test_settings(void);
 void test_insertion(void);
 void test_export(void);
 void test_queries(void);

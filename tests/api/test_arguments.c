@@ -57,6 +57,10 @@ static void null_handles(void) {
     CHECK_EQUAL(mgdt_locate_points(NULL, 1, simplex, &i, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate_points_i32(NULL, 1, simplex, &j, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_nearest_vertex(NULL, simplex, &i), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_nearest_vertex_i32(NULL, simplex, &j), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_nearest_vertices(NULL, 1, simplex, &i), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_nearest_vertices_i32(NULL, 1, simplex, &j), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_shrink(NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_check(NULL, 1), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_stat(NULL, MGDT_STAT_ROUNDS, &d), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_error(NULL, 4, c), MGDT_ERR_NULL_POINTER);
@@ -92,6 +96,15 @@ static void null_arrays(const mgdt_triangulation* t) {
     CHECK_EQUAL(mgdt_locate_points_i32(t, 1, simplex, NULL, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_nearest_vertex(t, NULL, i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_nearest_vertex(t, simplex, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_nearest_vertex_i32(t, NULL, j), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_nearest_vertex_i32(t, simplex, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_nearest_vertices(t, 1, NULL, i), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_nearest_vertices(t, 1, simplex, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_nearest_vertices_i32(t, 1, NULL, j), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_nearest_vertices_i32(t, 1, simplex, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_nearest_vertices(t, -1, simplex, i), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_nearest_vertices(t, INT64_MAX, simplex, i), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_nearest_vertices(t, 0, NULL, NULL), MGDT_OK);
     CHECK_EQUAL(mgdt_get_stat(t, MGDT_STAT_ROUNDS, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_error(t, 4, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_stat(t, MGDT_STAT_ROUNDS, &d), MGDT_OK);
@@ -193,6 +206,8 @@ static void not_finite(mgdt_triangulation* t) {
         CHECK_EQUAL(mgdt_locate(t, q + 3, out), MGDT_ERR_NOT_FINITE);
         CHECK_EQUAL(mgdt_locate_i32(t, q + 3, out32), MGDT_ERR_NOT_FINITE);
         CHECK_EQUAL(mgdt_nearest_vertex(t, q + 3, out), MGDT_ERR_NOT_FINITE);
+        CHECK_EQUAL(mgdt_nearest_vertices(t, 2, q, out), MGDT_ERR_NOT_FINITE);
+        CHECK_ERROR(t, "point 1");
         CHECK_EQUAL(mgdt_locate_points(t, 2, q, out, weights), MGDT_ERR_NOT_FINITE);
         CHECK_ERROR(t, "1");
         CHECK_EQUAL(mgdt_locate_points_i32(t, 2, q, out32, weights), MGDT_ERR_NOT_FINITE);

@@ -101,6 +101,17 @@ static void read_while_it_changes(guest* g) {
     expect_refused(g, mgdt_locate_points(t, 1, g->xyz, a, w), "mgdt_locate_points()");
     expect_refused(g, mgdt_locate_points_i32(t, 1, g->xyz, c, w), "mgdt_locate_points_i32()");
     expect_refused(g, mgdt_nearest_vertex(t, g->xyz, a), "mgdt_nearest_vertex()");
+    expect_refused(g, mgdt_nearest_vertex_i32(t, g->xyz, c), "mgdt_nearest_vertex_i32()");
+    expect_refused(g, mgdt_nearest_vertices(t, 1, g->xyz, a), "mgdt_nearest_vertices()");
+    expect_refused(g, mgdt_nearest_vertices_i32(t, 1, g->xyz, c), "mgdt_nearest_vertices_i32()");
+    expect_refused(g, mgdt_get_order_scheme(t, c), "mgdt_get_order_scheme()");
+    expect_refused(g, mgdt_get_order_parameter(t, MGDT_PARAMETER_THRESHOLD, w),
+                   "mgdt_get_order_parameter()");
+    expect_refused(g, mgdt_get_threads(t, c), "mgdt_get_threads()");
+    expect_refused(g, mgdt_get_index_base(t, c), "mgdt_get_index_base()");
+    expect_refused(g, mgdt_get_memory_limit(t, a), "mgdt_get_memory_limit()");
+    expect_refused(g, mgdt_get_compact(t, c), "mgdt_get_compact()");
+    expect_refused(g, mgdt_get_canonical_output(t, c), "mgdt_get_canonical_output()");
     expect_refused(g, mgdt_check(t, MGDT_CHECK_COMBINATORIAL), "mgdt_check()");
     expect_refused(g, mgdt_get_stat(t, MGDT_STAT_MEMORY_BYTES, &value), "mgdt_get_stat()");
     for (k = 0; k < size; ++k) CHECK(a[k] == -77 && b[k] == -77 && c[k] == -77 && d[k] == -77);

@@ -210,6 +210,7 @@ static mgdt_status export_all(const mgdt_triangulation* t, int64_t* v, int64_t* 
     TRY(mgdt_locate(t, q, v));
     TRY(mgdt_locate_points(t, 2, q, v, weights));
     TRY(mgdt_nearest_vertex(t, q, v));
+    TRY(mgdt_nearest_vertices(t, 2, q, v));
     TRY(mgdt_check(t, MGDT_CHECK_CANONICAL));
 #undef TRY
     return status;
@@ -384,6 +385,78 @@ static void accounting(const double* xyz) {
     mgdt_destroy(t);
 }
 
+/* What is kept for speed alone goes, and comes back when it is wanted; all else stays. */
+static void shrunk(void) {
+    const int64_t n = is_small() ? 3000 : 20000, half = n / 2;
+    double* xyz = random_points(n, 0, 12);
+    int kind;
+    for (kind = 0; kind < 4; ++kind) { /* compact or not, canonical or not */
+        source s = working();
+        mgdt_triangulation* t = NULL;
+        int64_t size, held, found[2], again[2], *v, *w;
+        CHECK_EQUAL(mgdt_create_with_allocator(take, give, &s, &t), MGDT_OK);
+        CHECK_EQUAL(mgdt_set_compact(t, kind & 1), MGDT_OK);
+        CHECK_EQUAL(mgdt_set_canonical_output(t, kind >> 1), MGDT_OK);
+        CHECK_EQUAL(mgdt_shrink(t), MGDT_OK); /* of nothing */
+        CHECK_EQUAL(mgdt_reserve(t, 2 * n), MGDT_OK);
+        CHECK_EQUAL(mgdt_insert_points(t, half, xyz), MGDT_OK);
+        size = 4 * mgdt_tetrahedron_count(t);
+        v = get_array(mgdt_get_tetrahedra, t, size);
+        CHECK_EQUAL(mgdt_locate(t, xyz + 3 * half, &found[0]), MGDT_OK);
+        CHECK_EQUAL(mgdt_nearest_vertex(t, xyz + 3 * half, &found[1]), MGDT_OK);
+        held = memory_of(t, MGDT_STAT_MEMORY_BYTES);
+        CHECK_EQUAL(mgdt_shrink(t), MGDT_OK);
+        CHECK_EQUAL(memory_of(t, MGDT_STAT_MEMORY_BYTES), s.bytes);
+        /* Tetrahedra, some 6.8 a point with ghosts, vertices and the point map; no more than a
+         * tenth besides, of free slots and the handle. */
+        CHECK((double)s.bytes < 1.1 * (double)half * (6.8 * (kind & 1 ? 32 : 48) + 40));
+        CHECK(2 * s.bytes < held);
+        w = get_array(mgdt_get_tetrahedra, t, size);
+        CHECK(v != NULL && w != NULL && memcmp(v, w, (size_t)size * sizeof *v) == 0);
+        CHECK_EQUAL(mgdt_locate(t, xyz + 3 * half, &again[0]), MGDT_OK);
+        CHECK_EQUAL(mgdt_nearest_vertex(t, xyz + 3 * half, &again[1]), MGDT_OK);
+        CHECK(found[0] == again[0] && found[1] == again[1]);
+        free(v);
+        free(w);
+        /* Where the allocator refuses smaller blocks the larger ones stay. */
+        fail(&s, s.calls + 1, INT64_MAX);
+        CHECK_EQUAL(mgdt_shrink(t), MGDT_OK);
+        CHECK_EQUAL(mgdt_reserve(t, n), MGDT_ERR_OUT_OF_MEMORY);
+        fail(&s, 0, 0);
+        CHECK_EQUAL(mgdt_reserve(t, n), MGDT_OK);
+        fail(&s, s.calls + 1, INT64_MAX);
+        CHECK_EQUAL(mgdt_shrink(t), MGDT_OK);
+        fail(&s, 0, 0);
+        CHECK_EQUAL(mgdt_insert_points(t, n - half, xyz + 3 * half), MGDT_OK);
+        CHECK_EQUAL(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_OK);
+        CHECK_EQUAL(mgdt_vertex_count(t), n);
+        CHECK_EQUAL(mgdt_clear(t), MGDT_OK);
+        CHECK_EQUAL(mgdt_shrink(t), MGDT_OK);
+        CHECK(s.bytes < 100000); /* a handle */
+        mgdt_destroy(t);
+        CHECK_EQUAL(s.live, 0);
+        CHECK(!s.wrong);
+    }
+    free(xyz);
+}
+
+/* Points one by one from nothing to space, with repeats, shrunk after each. */
+static void shrunk_between(void) {
+    static const double xyz[] = {0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 0, 0, 0,   1, 0,
+                                 3, 4, 0, 0, 1, 0, 2, 5, 7, 1, 1, 1, 2, 5, 7, 0.5, 1, 2};
+    mgdt_triangulation *t = make(0, NULL), *expected = make(12, xyz);
+    int k;
+    for (k = 0; k < 12; ++k) {
+        CHECK_EQUAL(mgdt_insert_points(t, 1, xyz + 3 * k), MGDT_OK);
+        CHECK_EQUAL(mgdt_shrink(t), MGDT_OK);
+        CHECK_EQUAL(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_OK);
+    }
+    CHECK_EQUAL(mgdt_vertex_count(t), 8);
+    CHECK(same_tetrahedra(t, expected, NULL));
+    mgdt_destroy(t);
+    mgdt_destroy(expected);
+}
+
 /* Storage grows generously where it may, and by what is needed where a limit is near. */
 static void near_the_limit(void) {
     const int64_t n = is_small() ? 20000 : 100000;
@@ -411,6 +484,8 @@ void test_memory(void) {
     limits();
     below_what_is_held();
     accounting(xyz);
+    shrunk();
+    shrunk_between();
     mgdt_destroy(expected);
     free(xyz);
     near_the_limit();

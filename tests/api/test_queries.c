@@ -118,6 +118,8 @@ static void located(int grid) {
 static void nearest(void) {
     const int64_t n = is_small() ? 60 : 300, q_count = is_small() ? 60 : 400;
     double* queries = half_points(q_count, 45);
+    int64_t* many = malloc((size_t)(q_count + 1) * sizeof *many);
+    int32_t* many32 = malloc((size_t)(q_count + 1) * sizeof *many32);
     int dimension, base;
     for (dimension = 0; dimension <= 3; ++dimension) {
         double* xyz = lattice_points(n, 46);
@@ -133,8 +135,13 @@ static void nearest(void) {
         CHECK_EQUAL(mgdt_dimension(t), dimension);
         for (base = 0; base < 2; ++base) {
             CHECK_EQUAL(mgdt_set_index_base(t, base), MGDT_OK);
+            many[q_count] = 99, many32[q_count] = 99;
+            CHECK_EQUAL(mgdt_nearest_vertices(t, q_count, queries, many), MGDT_OK);
+            CHECK_EQUAL(mgdt_nearest_vertices_i32(t, q_count, queries, many32), MGDT_OK);
+            CHECK(many[q_count] == 99 && many32[q_count] == 99);
             for (k = 0; k < q_count; ++k) {
                 const double* q = queries + 3 * k;
+                int32_t got32 = -7;
                 double least = HUGE_VAL;
                 int64_t expected = -1;
                 for (i = 0; i < n; ++i) { /* the first of several: the lowest index */
@@ -144,12 +151,43 @@ static void nearest(void) {
                 }
                 got = -7;
                 good &= mgdt_nearest_vertex(t, q, &got) == MGDT_OK && got == expected + base;
+                good &= mgdt_nearest_vertex_i32(t, q, &got32) == MGDT_OK && got32 == got;
+                good &= many[k] == got && many32[k] == got;
             }
         }
         CHECK(good);
         mgdt_destroy(t);
         free(xyz);
     }
+    free(queries);
+    free(many);
+    free(many32);
+}
+
+/* More places than a thread is worth, inside and far outside, with one thread and with three. */
+static void nearest_in_threads(void) {
+    const int64_t n = is_small() ? 500 : 5000, q_count = 20000;
+    double *xyz = random_points(n, 0, 47), *queries = random_points(q_count, 0, 48);
+    int64_t* found[2];
+    mgdt_triangulation* t = make(n, xyz);
+    int64_t i, k;
+    int threads, good = 1;
+    for (i = 0; i < 3 * q_count; ++i) queries[i] = 3 * queries[i] - 1;
+    for (threads = 0; threads < 2; ++threads) {
+        found[threads] = malloc((size_t)q_count * sizeof *found[threads]);
+        CHECK_EQUAL(mgdt_set_threads(t, 1 + 2 * threads), MGDT_OK);
+        CHECK_EQUAL(mgdt_nearest_vertices(t, q_count, queries, found[threads]), MGDT_OK);
+    }
+    CHECK(memcmp(found[0], found[1], (size_t)q_count * sizeof *found[0]) == 0);
+    for (k = 0; k < q_count; k += is_small() ? 97 : 7) {
+        int64_t one = -7;
+        good &= mgdt_nearest_vertex(t, queries + 3 * k, &one) == MGDT_OK && one == found[0][k];
+    }
+    CHECK(good);
+    mgdt_destroy(t);
+    free(found[0]);
+    free(found[1]);
+    free(xyz);
     free(queries);
 }
 
@@ -167,13 +205,16 @@ static void extremes(void) {
     static const double inside[3] = {-1e307, -1e307, 1e307}, outside[3] = {1e308, 1e308, 1e308},
                         corner[3] = {1e308, -1e308, -1e308};
     mgdt_triangulation* t = make(5, tiny);
-    int64_t found = -7;
-    double weights[4] = {0, 0, 0, 0};
+    int64_t found = -7, all[7];
+    double weights[4] = {0, 0, 0, 0}, places[21];
     size_t k;
     for (k = 0; k < sizeof tiny_cases / sizeof tiny_cases[0]; ++k) {
         CHECK_EQUAL(mgdt_nearest_vertex(t, tiny_cases[k].q, &found), MGDT_OK);
         CHECK_EQUAL(found, tiny_cases[k].nearest);
     }
+    for (k = 0; k < 7; ++k) memcpy(places + 3 * k, tiny_cases[k].q, 3 * sizeof *places);
+    CHECK_EQUAL(mgdt_nearest_vertices(t, 7, places, all), MGDT_OK);
+    for (k = 0; k < 7; ++k) CHECK_EQUAL(all[k], tiny_cases[k].nearest);
     CHECK_EQUAL(mgdt_locate(t, tiny_cases[0].q, &found), MGDT_OK);
     CHECK_EQUAL(found, -1);
     mgdt_destroy(t);
@@ -189,6 +230,8 @@ static void extremes(void) {
     CHECK(fabs(weights[0] + weights[1] + weights[2] + weights[3] - 1) < 1e-15);
     CHECK_EQUAL(mgdt_nearest_vertex(t, corner, &found), MGDT_OK);
     CHECK_EQUAL(found, 1);
+    CHECK_EQUAL(mgdt_nearest_vertices(t, 4, huge, all), MGDT_OK);
+    CHECK(all[0] == 0 && all[1] == 1 && all[2] == 2 && all[3] == 3);
     mgdt_destroy(t);
 }
 
@@ -196,5 +239,6 @@ void test_queries(void) {
     located(0);
     located(1);
     nearest();
+    nearest_in_threads();
     extremes();
 }

@@ -222,7 +222,7 @@ using Library = std::vector<double> Figure::*;
 
 struct Figures {
     Figure triangulate, insert_random, insert_local, locate_points, locate, nearest, export_64,
-        export_32, export_canonical;
+        export_32, export_canonical, nearest_many;
 };
 
 /// What the calls answered, to compare the libraries by.
@@ -268,6 +268,11 @@ void time_queries(const mgdt_triangulation* t, const Input& input, Figures& f, A
             require(mgdt_locate(t, &input.to_locate[3 * i], &found[i]), "mgdt_locate");
     }));
     for (std::size_t i = 0; i < single_calls; ++i) answers.outside += found[i] < 0;
+    f.nearest_many.mgdt.push_back(microseconds_each(input.size(), [&] {
+        require(mgdt_nearest_vertices(t, static_cast<std::int64_t>(input.size()),
+                                      input.queries.data(), found.data()),
+                "mgdt_nearest_vertices");
+    }));
     f.nearest.mgdt.push_back(microseconds_each(single_calls, [&] {
         for (std::size_t i = 0; i < single_calls; ++i)
             require(mgdt_nearest_vertex(t, &input.to_approach[3 * i], &found[i]),
@@ -383,6 +388,7 @@ void print(const Figures& f) {
     row("locate as many points, a point", f.locate_points);
     row("locate, a call", f.locate);
     row("nearest vertex, a call", f.nearest);
+    row("nearest of as many points, a point", f.nearest_many);
     row("insert one anywhere, a call", f.insert_random);
     row("insert one in a small cube, a call", f.insert_local);
 }

@@ -32,10 +32,12 @@ std::size_t exports(const mgdt::Triangulation& t, const std::vector<mgdt::Point>
     t.edges(edges);
     t.point_map(map);
     t.vertex_tetrahedra(around.offsets, around.list);
+    auto nearest = t.nearest_vertices<Int>(points);
+    t.nearest_vertices(points, nearest);
     t.locate_points(points, found);
     t.locate_points(points, found, located.weights);
     return tetrahedra.size() + neighbors.size() + facets.size() + edges.size() + map.size() +
-           around[0].size() + found.size();
+           around[0].size() + found.size() + nearest.size();
 }
 
 }  // namespace
@@ -47,6 +49,7 @@ int main() {
         t.set_order_scheme(mgdt::order_from_name("brio"));
         t.set_order_scheme(mgdt::order_schemes().front());
         t.set_order_parameter(mgdt::Parameter::round_ratio, 4);
+        t.set_order_parameter(mgdt::Parameter::separation, mgdt::Separation::passes);
         t.set_seed(1);
         t.set_threads(1);
         t.set_index_base(0);
@@ -56,6 +59,11 @@ int main() {
         t.set_isa(nullptr);
         t.set_progress([](double fraction) { return fraction > 2; });
         t.reserve(8);
+        if (t.order_scheme() != mgdt::Order::automatic || t.seed() != 1 || t.threads() != 1)
+            return 19;
+        if (t.order_parameter(mgdt::Parameter::round_ratio) != 4 || t.index_base() != 0) return 20;
+        if (t.order_parameter(mgdt::Parameter::separation) != 1) return 21;
+        if (t.memory_limit() != 0 || !t.compact() || !t.canonical_output()) return 22;
         std::vector<double> x{0, 1, 0, 0}, y{0, 0, 1, 0}, z{0, 0, 0, 1};
         t.insert(x, y, z);
         t.insert_strided(4, x.data(), y.data(), z.data(), 1);
@@ -67,6 +75,7 @@ int main() {
         if (n != exports<std::int32_t>(t, points)) return 1;
         if (t.locate(points[0]) < 0 || t.locate(points[1]) != -1) return 2;
         if (t.nearest_vertex(points[0]) != 0) return 3;
+        t.shrink();
         if (t.point_count() != 10 || t.vertex_count() != 6 || t.dimension() != 3) return 4;
         if (t.statistic(mgdt::Statistic::duplicates) != 4) return 5;
         if (t.tetrahedron_count() * 4 != t.vertex_tetrahedra_count()) return 6;

@@ -240,6 +240,15 @@ TEST(CxxQueries, OnePointAtATime) {
               }),
               MGDT_ERR_NOT_FINITE);
     EXPECT_EQ(Triangulation().nearest_vertex({0, 0, 0}), -1);
+    // Many at once, of both kinds of integers.
+    const std::vector<std::int64_t> all = t.nearest_vertices(points);
+    const std::vector<std::int32_t> all32 = t.nearest_vertices<std::int32_t>(points);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        EXPECT_EQ(all[k], t.nearest_vertex(points[k]));
+        EXPECT_EQ(all32[k], all[k]);
+    }
+    std::vector<std::int64_t> few(points.size() - 1);
+    EXPECT_EQ(status_of([&] { t.nearest_vertices(points, few); }), MGDT_ERR_BUFFER_TOO_SMALL);
     EXPECT_EQ(Triangulation().locate({0, 0, 0}), -1);
 }
 

@@ -123,6 +123,10 @@ template <class Int>
 std::vector<Wanted> of_queries(T) {
     return {{queries, sizeof(Int), false, false}, {4 * queries, sizeof(double), false, true}};
 }
+template <class Int>
+std::vector<Wanted> of_places(T) {
+    return {{queries, sizeof(Int), false, false}};
+}
 template <class Value>
 std::vector<Wanted> of_one(T) {
     return {{1, sizeof(Value), false, false}};
@@ -181,6 +185,62 @@ const Function functions[] = {
     {"mgdt_nearest_vertex", of_one<std::int64_t>,
      [](mgdt_triangulation* t, const Given& g) {
          return mgdt_nearest_vertex(t, query_points(), static_cast<std::int64_t*>(g.array[0]));
+     }},
+    {"mgdt_nearest_vertex_i32", of_one<std::int32_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_nearest_vertex_i32(t, query_points(), static_cast<std::int32_t*>(g.array[0]));
+     }},
+    {"mgdt_nearest_vertices", of_places<std::int64_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_nearest_vertices(t, queries, query_points(),
+                                      static_cast<std::int64_t*>(g.array[0]));
+     }},
+    {"mgdt_nearest_vertices_i32", of_places<std::int32_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_nearest_vertices_i32(t, queries, query_points(),
+                                          static_cast<std::int32_t*>(g.array[0]));
+     }},
+    {"mgdt_get_order_scheme", of_one<std::int32_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_order_scheme(t, static_cast<std::int32_t*>(g.array[0]));
+     }},
+    {"mgdt_get_threads", of_one<std::int32_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_threads(t, static_cast<std::int32_t*>(g.array[0]));
+     }},
+    {"mgdt_get_index_base", of_one<std::int32_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_index_base(t, static_cast<std::int32_t*>(g.array[0]));
+     }},
+    {"mgdt_get_compact", of_one<std::int32_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_compact(t, static_cast<std::int32_t*>(g.array[0]));
+     }},
+    {"mgdt_get_canonical_output", of_one<std::int32_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_canonical_output(t, static_cast<std::int32_t*>(g.array[0]));
+     }},
+    {"mgdt_get_memory_limit", of_one<std::int64_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_memory_limit(t, static_cast<std::int64_t*>(g.array[0]));
+     }},
+    {"mgdt_get_seed", of_one<std::uint64_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_seed(t, static_cast<std::uint64_t*>(g.array[0]));
+     }},
+    {"mgdt_get_order_parameter", of_one<double>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_order_parameter(t, MGDT_PARAMETER_THRESHOLD,
+                                         static_cast<double*>(g.array[0]));
+     }},
+    {"mgdt_get_progress",
+     [](T) {
+         return std::vector<Wanted>{{1, sizeof(mgdt_progress_fn), false, false},
+                                    {1, sizeof(void*), false, true}};
+     },
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_progress(t, static_cast<mgdt_progress_fn*>(g.array[0]),
+                                  static_cast<void**>(g.array[1]));
      }},
     {"mgdt_get_stat", of_one<double>,
      [](mgdt_triangulation* t, const Given& g) {
@@ -347,6 +407,9 @@ TEST(Canary, RefusedQueries) {
             mgdt_locate_points(t, queries, xyz.data(), static_cast<std::int64_t*>(found.data()),
                                static_cast<double*>(weights.data())),
             MGDT_ERR_NOT_FINITE);
+        EXPECT_EQ(
+            mgdt_nearest_vertices(t, queries, xyz.data(), static_cast<std::int64_t*>(found.data())),
+            MGDT_ERR_NOT_FINITE);
         EXPECT_TRUE(found.is_untouched());
         EXPECT_TRUE(weights.is_untouched());
     }
@@ -372,6 +435,7 @@ TEST(Canary, Input) {
             std::vector<std::int64_t> found(n);
             EXPECT_EQ(mgdt_locate_points(t.get(), count, xyz, found.data(), nullptr), MGDT_OK);
             EXPECT_EQ(mgdt_nearest_vertex(t.get(), last, found.data()), MGDT_OK);
+            EXPECT_EQ(mgdt_nearest_vertices(t.get(), count, xyz, found.data()), MGDT_OK);
             EXPECT_EQ(std::memcmp(copy.data(), xyz, copy.size() * sizeof(double)), 0);
         }
 }

@@ -47,6 +47,22 @@ mgdt_status mgdt_nearest_vertex(const mgdt_triangulation* t, const double* xyz, 
     return MGDT_OK;
 }
 
+mgdt_status mgdt_nearest_vertex_i32(const mgdt_triangulation* t, const double* xyz,
+                                    int32_t* vertex) {
+    return t && xyz && vertex ? MGDT_ERR_INDEX_RANGE : MGDT_ERR_NULL_POINTER;
+}
+
+mgdt_status mgdt_get_seed(const mgdt_triangulation* t, uint64_t* seed) {
+    if (!t || !seed) return MGDT_ERR_NULL_POINTER;
+    *seed = (uint64_t)large;
+    return MGDT_OK;
+}
+mgdt_status mgdt_get_memory_limit(const mgdt_triangulation* t, int64_t* bytes) {
+    if (!t || !bytes) return MGDT_ERR_NULL_POINTER;
+    *bytes = -large; /* below what 32 bits hold */
+    return MGDT_OK;
+}
+
 /* What the library says of 32-bit arrays then, and what capacity reached it. */
 mgdt_status mgdt_get_tetrahedra_i32(const mgdt_triangulation* t, int64_t capacity, int32_t* v) {
     if (!t || !v) return MGDT_ERR_NULL_POINTER;

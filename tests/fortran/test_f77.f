@@ -413,6 +413,13 @@
      &        .AND. XYZ(2, IV) .EQ. XYZ(2, I) .AND. IV .LE. I
    60 CONTINUE
       CALL EXPECT(YES, 'MGNEAR')
+      CALL MGNEAN(H, N - 1, XYZ, IN2, IERR)
+      CALL GOOD(H, IERR, 'MGNEAN')
+      DO 70 I = 1, N - 1
+        CALL MGNEAR(H, XYZ(1, I), IV, IERR)
+        YES = YES .AND. IN2(I) .EQ. IV
+   70 CONTINUE
+      CALL EXPECT(YES, 'nearest vertices')
       CALL MGFREE(H, IERR)
       END
 
@@ -444,6 +451,31 @@
       CALL GOOD(H, IERR, 'MGMEM')
       CALL MGCOMP(H, 1, IERR)
       CALL GOOD(H, IERR, 'MGCOMP')
+      CALL MGPAR(H, MGPSEP, DBLE(MGSROU), IERR)
+      CALL GOOD(H, IERR, 'MGPAR of rounds')
+      CALL MGGPAR(H, MGPPPC, V, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. V .EQ. 4D0, 'MGGPAR')
+      CALL MGGPAR(H, MGPSEP, V, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. NINT(V) .EQ. MGSROU, 'rounds')
+      CALL MGGPAR(H, 11, V, IERR)
+      CALL BAD(H, IERR, MGEKEY, 'order parameter 11')
+      CALL MGGSED(H, K, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. K .EQ. 7, 'MGGSED')
+      CALL MGGTHR(H, K, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. K .EQ. 2, 'MGGTHR')
+      CALL MGGMEM(H, V, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. V .EQ. 1D10, 'MGGMEM')
+      CALL MGGCOM(H, K, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. K .EQ. 1, 'MGGCOM')
+      CALL MGGCAN(H, K, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. K .EQ. 1, 'MGGCAN')
+      CALL MGGBAS(H, K, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. K .EQ. 1, 'MGGBAS')
+      CALL MGORDN(H, MGOBRI, IERR)
+      CALL MGGORD(H, K, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. K .EQ. MGOBRI, 'MGGORD')
+      CALL MGSHRK(H, IERR)
+      CALL GOOD(H, IERR, 'MGSHRK')
       CALL MGISA(H, 'baseline', IERR)
       CALL GOOD(H, IERR, 'MGISA')
       CALL MGISAN(H, NAME, IERR)

@@ -3,7 +3,7 @@
 ! told if it is long enough. LONG tells which.
       PROGRAM TSTOVR
       IMPLICIT NONE
-      INTEGER H(4), IERR, I, N(7), NBAD, ITET(4), NT
+      INTEGER H(4), IERR, I, N(8), NBAD, ITET(4), NT
       DOUBLE PRECISION P(3)
       LOGICAL LONG, RIGHT
       INCLUDE 'mgdt_f77.inc'
@@ -12,7 +12,7 @@
       CALL MGNEW(H, IERR)
       IF (IERR .NE. 0) STOP 2
       NBAD = 0
-      DO 20 I = 1, 7
+      DO 20 I = 1, 8
         N(I) = -5
         IF (I .EQ. 1) CALL MGNPT(H, N(I), IERR)
         IF (I .EQ. 2) CALL MGNVT(H, N(I), IERR)
@@ -21,6 +21,7 @@
         IF (I .EQ. 5) CALL MGNEDG(H, N(I), IERR)
         IF (I .EQ. 6) CALL MGNVTT(H, N(I), IERR)
         IF (I .EQ. 7) CALL MGNEAR(H, P, N(I), IERR)
+        IF (I .EQ. 8) CALL MGGSED(H, N(I), IERR)
         IF (LONG) THEN
           RIGHT = IERR .EQ. MGOK .AND. N(I)/1000000 .GE. 3000
         ELSE
@@ -45,6 +46,6 @@
       IF (IERR .NE. MGEMEM) NBAD = NBAD + 1
       IF (IERR .NE. MGEMEM) WRITE (*, *) 'copy', IERR
       CALL MGFREE(H, IERR)
-      WRITE (*, '(I3, A)') NBAD, ' of 10 failed'
+      WRITE (*, '(I3, A)') NBAD, ' of 11 failed'
       IF (NBAD .GT. 0) STOP 1
       END

@@ -25,10 +25,18 @@ program test_overflow_module
     call expect(t%vertex_tetrahedra_count() == 12000000000_int64, 'another one')
     vertex = -5
     call t%nearest_vertex([0._real64, 0._real64, 0._real64], vertex, stat, msg)
-    call expect_error(stat, mgdt_err_index_range, msg, 'vertex 3000000000 does not fit')
+    call expect_error(stat, mgdt_err_index_range, msg, 'does not fit a 32-bit integer')
     call expect(vertex == -5, 'not touched')
     call t%nearest_vertex([0._real64, 0._real64, 0._real64], vertex_64)
     call expect(vertex_64 == 3000000000_int64, 'a vertex of 64 bits')
+
+    call t%get_seed(vertex, stat, msg)
+    call expect_error(stat, mgdt_err_index_range, msg, '3000000000 does not fit')
+    call t%get_memory_limit(vertex, stat, msg)
+    call expect_error(stat, mgdt_err_index_range, msg, '-3000000000 does not fit')
+    call expect(vertex == -5, 'not touched either')
+    call t%get_seed(vertex_64)
+    call expect(vertex_64 == 3000000000_int64, 'a seed of 64 bits')
 
     ! Sections of arrays that are never touched, since there is no memory for a copy.
     call limit_memory()

@@ -25,6 +25,7 @@ program test_queries
     call test_locate_points()
     call test_sections()
     call test_nearest()
+    call test_getters()
     call test_check_and_figures()
     call test_settings()
     call test_names()
@@ -102,17 +103,32 @@ contains
     end subroutine
 
     subroutine test_nearest()
-        integer(int32) :: vertex
-        integer(int64) :: vertex_64
-        integer :: i
+        integer(int32) :: vertex, found(m + 1), flat(m)
+        integer(int64) :: vertex_64, found_64(m), flat_64(m)
+        integer :: i, stat
         logical :: right
+        character(100) :: msg
 
+        found = -5
+        call t%nearest_vertices(probes, found)
+        call t%nearest_vertices(probes, found_64)
+        call t%nearest_vertices(reshape(probes, [3*m]), flat)
+        call t%nearest_vertices(reshape(probes, [3*m]), flat_64)
+        call expect(found(m + 1) == -5, 'the rest is not touched')
+        call expect(all(found(:m) == found_64) .and. all(flat == found(:m)) .and. &
+                    all(flat_64 == found_64), 'both kinds, both ranks')
+        call t%nearest_vertices(probes, found(:m - 1), stat, msg)
+        call expect(stat == mgdt_err_buffer_too_small .and. &
+                    index(msg, 'vertices holds') > 0, 'too few vertices')
+        call t%nearest_vertices(probes(:2, :), found, stat)
+        call expect(stat == mgdt_err_invalid_argument, 'two coordinates')
         right = .true.
         do i = 1, m
             call t%nearest_vertex(probes(:, i), vertex)
             call t%nearest_vertex(probes(:, i), vertex_64)
             right = right .and. vertex == vertex_64 .and. vertex == &
-                    minloc(sum((xyz - spread(probes(:, i), 2, n))**2, dim=1), dim=1)
+                    minloc(sum((xyz - spread(probes(:, i), 2, n))**2, dim=1), dim=1) &
+                    .and. vertex == found(i)
         end do
         call expect(right, 'nearest vertices')
     end subroutine
@@ -195,6 +211,63 @@ contains
         call other%set_isa()
         call expect(other%isa_name() == t%isa_name(), 'the best instruction set')
         call t%set_canonical_output(.false.)
+    end subroutine
+
+    ! Each setting is read as it was set, and has its default before.
+    subroutine test_getters()
+        type(mgdt_triangulation) :: new
+        integer :: scheme, threads, base, stat
+        integer(int32) :: seed, limit
+        integer(int64) :: seed_64, limit_64
+        real(real64) :: value, before, after
+        logical :: compact, canonical
+
+        call new%get_order_scheme(scheme)
+        call new%get_threads(threads)
+        call new%get_index_base(base)
+        call new%get_compact(compact)
+        call new%get_canonical_output(canonical)
+        call new%get_order_parameter(mgdt_parameter_separation, value)
+        call new%get_seed(seed)
+        call new%get_memory_limit(limit)
+        call expect(scheme == mgdt_order_auto .and. threads == 1 .and. base == 1 .and. &
+                    .not. compact .and. .not. canonical .and. seed == 0 .and. limit == 0 .and. &
+                    nint(value) == mgdt_separation_rounds, 'defaults')
+        call new%set_order_scheme('kd-tree')
+        call new%set_threads(3)
+        call new%set_index_base(0)
+        call new%set_compact(.true.)
+        call new%set_canonical_output(.true.)
+        call new%set_order_parameter(mgdt_parameter_separation, &
+                                     real(mgdt_separation_passes, real64))
+        call new%set_seed(-7)
+        call new%set_memory_limit(123456789)
+        call new%get_order_scheme(scheme)
+        call new%get_threads(threads)
+        call new%get_index_base(base)
+        call new%get_compact(compact)
+        call new%get_canonical_output(canonical)
+        call new%get_order_parameter(mgdt_parameter_separation, value)
+        call new%get_seed(seed)
+        call new%get_seed(seed_64)
+        call new%get_memory_limit(limit)
+        call new%get_memory_limit(limit_64)
+        call expect(scheme == mgdt_order_kd_tree .and. threads == 3 .and. base == 0 .and. compact &
+                    .and. canonical .and. nint(value) == mgdt_separation_passes, 'settings')
+        call expect(seed == -7 .and. seed_64 == -7 .and. limit == 123456789 .and. &
+                    limit_64 == 123456789, 'a seed and a limit of both kinds')
+        call new%get_order_parameter(11, value, stat)
+        call expect(stat == mgdt_err_unknown_key .and. nint(value) == mgdt_separation_passes, &
+                    'no such parameter')
+
+        call new%set_memory_limit(0)
+        call new%reserve(100*n)
+        call new%insert(xyz)
+        call new%get_stat(mgdt_stat_memory_bytes, before)
+        call new%shrink()
+        call new%get_stat(mgdt_stat_memory_bytes, after)
+        call expect(after < before/2, 'shrink gives memory back')
+        call new%check(mgdt_check_canonical)
     end subroutine
 
     subroutine test_names()

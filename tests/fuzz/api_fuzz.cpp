@@ -213,7 +213,9 @@ class Calls {
 
     void reserve() {
         refuses_ = memory_.is_armed();
-        const mgdt_status status = mgdt_reserve(t_, in_.byte());
+        const unsigned b = in_.byte();
+        if (b >= 128) ok(mgdt_shrink(t_));
+        const mgdt_status status = b < 192 ? mgdt_reserve(t_, b) : MGDT_OK;
         FUZZ_REQUIRE(status == MGDT_OK || may_run_out(status), error_of(t_));
         verify();
     }
@@ -411,6 +413,12 @@ class Calls {
         const std::vector<Point> asked = draw_points(4);
         const Unlimited unlimited(*this);
         const Exports now(t_, base_, 0);
+        Exact<std::int64_t> all(asked.size(), margin_);
+        const double* const places = asked.empty() ? nullptr : asked[0].data();
+        const mgdt_status of_all =
+            mgdt_nearest_vertices(t_, static_cast<std::int64_t>(asked.size()), places, all.data());
+        FUZZ_REQUIRE(of_all == MGDT_OK || (of_all == MGDT_ERR_NOT_FINITE && all.is_untouched()),
+                     error_of(t_));
         for (const Point& q : asked) {
             std::int64_t found = -99;
             const mgdt_status status = mgdt_nearest_vertex(t_, q.data(), &found);
@@ -419,6 +427,8 @@ class Calls {
                 continue;
             }
             ok(status);
+            FUZZ_REQUIRE(of_all != MGDT_OK || all.data()[&q - asked.data()] == found,
+                         "the nearest of many differs");
             found -= base_;
             FUZZ_REQUIRE((found == -1) == (now.vertices == 0), std::to_string(found));
             for (std::size_t i = 0; i < points_.size(); ++i) {

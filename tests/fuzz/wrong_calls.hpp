@@ -27,7 +27,7 @@ inline void wrong_call(Input& in, mgdt_triangulation* t) {
     };
     const std::int64_t negative = -1 - static_cast<std::int64_t>(in.byte());
     const std::int32_t unknown = 1000 + static_cast<std::int32_t>(in.byte());
-    switch (in.below(33)) {
+    switch (in.below(36)) {
         case 0:
             expect(MGDT_ERR_NULL_POINTER, mgdt_insert_points(t, 1, nullptr));
             break;
@@ -130,6 +130,17 @@ inline void wrong_call(Input& in, mgdt_triangulation* t) {
             expect(MGDT_ERR_NOT_FINITE, mgdt_nearest_vertex(t, bad, o));
             break;
         }
+        case 32: {
+            const double bad[6] = {0, 0, 0, 0, in.flag() ? nan : infinity, 0};
+            expect(MGDT_ERR_NOT_FINITE, mgdt_nearest_vertices(t, 2, bad, o));
+            break;
+        }
+        case 33:
+            expect(expected, mgdt_nearest_vertices_i32(t, negative, xyz, narrow.data()));
+            break;
+        case 34:
+            expect(MGDT_ERR_UNKNOWN_KEY, mgdt_get_order_parameter(t, unknown, weights.data()));
+            break;
         case 30:
             expect(expected, mgdt_check(t, 4 + static_cast<std::int32_t>(in.byte())));
             break;
@@ -150,7 +161,7 @@ inline void wrong_call(Input& in, mgdt_triangulation* t) {
 inline void busy_call(unsigned which, mgdt_triangulation* t) {
     const double xyz[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
     mgdt_status status = MGDT_ERR_BUSY;
-    switch (which % 10) {
+    switch (which % 11) {
         case 0:
             status = mgdt_insert_points(t, 4, xyz);
             break;
@@ -178,6 +189,9 @@ inline void busy_call(unsigned which, mgdt_triangulation* t) {
         case 8:
             status = mgdt_set_memory_limit(t, 1);
             break;
+        case 9:
+            status = mgdt_shrink(t);
+            break;
         default:
             mgdt_destroy(t);
             break;
@@ -192,7 +206,7 @@ inline void busy_query(unsigned which, const mgdt_triangulation* t) {
     Exact<std::int64_t> out(8, 2);
     Exact<double> value(1, 2);
     mgdt_status status = MGDT_ERR_BUSY;
-    switch (which % 7) {
+    switch (which % 9) {
         case 0:
             status = mgdt_get_tetrahedra(t, 8, out.data());
             break;
@@ -207,6 +221,12 @@ inline void busy_query(unsigned which, const mgdt_triangulation* t) {
             break;
         case 4:
             status = mgdt_check(t, MGDT_CHECK_CANONICAL);
+            break;
+        case 6:
+            status = mgdt_nearest_vertices(t, 1, xyz, out.data());
+            break;
+        case 7:
+            status = mgdt_get_order_parameter(t, MGDT_PARAMETER_THRESHOLD, value.data());
             break;
         case 5:
             status = mgdt_get_stat(t, MGDT_STAT_MEMORY_BYTES, value.data());

@@ -42,7 +42,7 @@ def c_functions(text):
 header_text = (source / "include/mgdt/mgdt.h").read_text(encoding="utf-8")
 header = c_functions(header_text.replace("MGDT_API", " "))
 constants = {name: int(value) for name, value in
-             re.findall(r"^\s*(MGDT_(?:OK|ERR|ORDER|PARAMETER|STAT|CHECK)\w*) = (\d+)", header_text, re.M)}
+             re.findall(r"^\s*(MGDT_(?:OK|ERR|ORDER|PARAMETER|SEPARATION|STAT|CHECK)\w*) = (\d+)", header_text, re.M)}
 
 
 def expect(language, what, got, expected):
@@ -61,10 +61,14 @@ for name, signature in lua.items():
     expect("Lua", name, signature, header.get(name))
 for name in set(re.findall(r"\bC\.(mgdt_\w+)", lua_text)) - set(lua):
     problems.append(f"Lua: {name} is called and not declared")
-for name, value in re.findall(r"(\w+) = (\d+)", re.search(r"local status = \{(.*?)\}", lua_text, re.S).group(1)):
-    expect("Lua", f"status.{name}", int(value), constants.get("MGDT_ERR_" + name.upper()))
-for name, value in re.findall(r"(\w+) = (\d+)", re.search(r"local parameters = \{(.*?)\}", lua_text).group(1)):
-    expect("Lua", f"parameter {name}", int(value), constants.get("MGDT_PARAMETER_" + name.upper()))
+BEGINNINGS = {"status": "MGDT_ERR_", "order": "MGDT_ORDER_", "parameter": "MGDT_PARAMETER_",
+              "separation": "MGDT_SEPARATION_", "statistic": "MGDT_STAT_", "check": "MGDT_CHECK_"}
+named = {"MGDT_OK": 0}
+for table, entries in re.findall(r"^    (\w+) = \{(.*?)\},$", lua_interface, re.S | re.M):
+    for name, value in re.findall(r"(\w+) = (\d+)", entries):
+        if name != "ok":
+            named[BEGINNINGS[table] + name.upper()] = int(value)
+expect("Lua", "the set of constants", named, constants)
 
 # ------------------------------------------------------------------------------------------ Rust
 
@@ -93,7 +97,7 @@ for name in set(rust) - set(header):
 declared = {name: int(value) for name, value in
             re.findall(r"pub const (MGDT_\w+): \w+ = (\d+);", rust_text)}
 expect("Rust", "the set of constants", declared, constants)
-for kind, count in (("ORDER", "Order"), ("STAT", "Statistic"), ("PARAMETER", "Parameter"), ("CHECK", "Check")):
+for kind, count in (("ORDER", "Order"), ("STAT", "Statistic"), ("PARAMETER", "Parameter"), ("SEPARATION", "Separation"), ("CHECK", "Check")):
     names = (source / "bindings/rust/mgdt/src/names.rs").read_text(encoding="utf-8")
     used = set(re.findall(r"= sys::(MGDT_%s_\w+)," % kind, names))
     expect("Rust", f"the variants of {count}", used, {c for c in constants if c.startswith(f"MGDT_{kind}_")})

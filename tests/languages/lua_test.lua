@@ -187,8 +187,39 @@ test("location and nearest vertices", function()
         equal(tonumber(nearest[k]), best, "the reference's nearest vertex")
     end
     assert(outside > 10 and outside < count - 10, "queries on both sides of the hull")
+    local all, number = t:nearest_points(queries)
+    equal(number, count, "places")
+    for k = 0, count - 1 do equal(all[k], tonumber(nearest[k]), "one of many nearest vertices") end
+    equal(mgdt.new():nearest_points({ { 0, 0, 0 } })[0], -1, "many in an empty triangulation")
     equal(mgdt.new():nearest(0, 0, 0), nil, "nearest in an empty triangulation")
     equal(mgdt.new():locate(0, 0, 0), nil, "location in an empty triangulation")
+end)
+
+test("settings are read as they are set", function()
+    local t = mgdt.new()
+    equal(t:get_order(), "auto", "order")
+    equal(t:get_threads(), 1, "threads")
+    equal(t:get_parameter("separation"), 2, "separation")
+    t = mgdt.new {
+        order = "kd-tree", seed = 7, threads = 3, index_base = 1, memory_limit = 2 ^ 40,
+        compact = true, canonical = true, separation = "passes", threshold = 50,
+    }
+    equal(t:get_order(), "kd-tree", "order")
+    equal(tonumber(t:get_seed()), 7, "seed")
+    equal(t:get_threads(), 3, "threads")
+    equal(t:get_index_base(), 1, "index base")
+    equal(t:get_memory_limit(), 2 ^ 40, "memory limit")
+    equal(t:get_compact(), true, "compact")
+    equal(t:get_canonical(), true, "canonical")
+    equal(t:get_parameter("separation"), 1, "separation")
+    equal(t:get_parameter("threshold"), 50, "threshold")
+    refused("unknown_key", {}, t.get_parameter, t, "depth")
+    refused("invalid_argument", {}, t.set_parameter, t, "separation", "apart")
+    t:insert(points)
+    local before = t:statistic("memory_bytes")
+    t:shrink()
+    assert(t:statistic("memory_bytes") < before, "shrink gives memory back")
+    equal(t:check(), true, "check")
 end)
 
 test("index base 1", function()

@@ -4,7 +4,7 @@
 %
 %   octave-cli --path BINDING --path TESTS --eval 'octave_test ("REFERENCE_FOLDER")'
 function octave_test (folder)
-  tests = {@cube, @exports, @as_delaunayn, @front, @ways_to_give_points, @location, @flat, ...
+  tests = {@cube, @exports, @as_delaunayn, @front, @ways_to_give_points, @location, @settings, @flat, ...
            @bad_values, @memory_limit, @compact, @progress, @handles, @freed, @help_texts};
   passed = failed = 0;
   for k = 1:numel (tests)
@@ -180,6 +180,28 @@ function location (folder)
   assert (mgdt_triangulation ().nearest ([0 0 0]), NaN);
   assert (mgdt_triangulation ().locate ([0 0 0]), NaN);
   assert (size (t.locate (zeros (0, 3))), [0 1]);
+end
+
+function settings (folder)
+  t = mgdt_triangulation ();
+  assert ({t.get("order"), t.get("threads"), t.get("separation"), t.get("compact")}, ...
+          {"auto", 1, 2, false});
+  t = mgdt_triangulation ("order", "kd-tree", "seed", 7, "threads", 3, "memory_limit", 2^40, ...
+                          "compact", true, "canonical", true, "separation", "passes", ...
+                          "threshold", 50);
+  assert ({t.get("order"), t.get("seed"), t.get("threads"), t.get("memory_limit")}, ...
+          {"kd-tree", 7, 3, 2^40});
+  assert ({t.get("compact"), t.get("canonical"), t.get("separation"), t.get("threshold")}, ...
+          {true, true, 1, 50});
+  assert (t.get ("isa"), t.isa_name ());
+  assert (isempty (t.get ("progress")));
+  refused ("mgdt:unknown_key", {}, @() t.get ("depth"));
+  refused ("mgdt:invalid_argument", {"apart"}, @() t.set ("separation", "apart"));
+  t.insert (rand (1000, 3));
+  before = t.statistics ().memory_bytes;
+  t.shrink ();
+  assert (t.statistics ().memory_bytes < before);
+  t.check ();
 end
 
 function flat (folder)

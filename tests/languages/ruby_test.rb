@@ -120,6 +120,23 @@ class MgdtTest < Minitest::Test
                  triangulation(order: "multi-grid", points_per_cell: 3, threshold: 20).tetrahedra
   end
 
+  def test_settings_are_read_as_they_are_set
+    t = Mgdt::Triangulation.new
+    assert_equal ["auto", 0, 1, nil, false, false, 2.0],
+                 [t.order, t.seed, t.threads, t.memory_limit, t.compact, t.canonical,
+                  t.parameter(:separation)]
+    t = triangulation(order: "kd-tree", seed: 2**64 - 1, threads: 3, memory_limit: 2**40,
+                      compact: true, separation: :passes, threshold: 50)
+    assert_equal ["kd-tree", 2**64 - 1, 3, 2**40, true, true],
+                 [t.order, t.seed, t.threads, t.memory_limit, t.compact, t.canonical]
+    assert_equal [1.0, 50.0], [t.parameter(:separation), t.parameter("threshold")]
+    refused(Mgdt::UnknownName) { t.parameter(:depth) }
+    assert_raises(ArgumentError) { t.set_parameter(:separation, "apart") }
+    before = t.statistic(:memory_bytes)
+    assert_operator t.shrink.statistic(:memory_bytes), :<, before
+    assert t.check
+  end
+
   def test_location_and_nearest
     t = triangulation
     queries = self.class.bytes("queries").unpack("d*").each_slice(3).to_a
@@ -135,6 +152,8 @@ class MgdtTest < Minitest::Test
       best = distinct.each_index.min_by { |k| distinct[k].zip(q).sum { |a, b| (a - b)**2 } }
       assert_equal [best, best], [t.nearest(q), reference]
     end
+    assert_equal self.class.integers("nearest"), t.nearest_points(queries)
+    assert_equal [nil], Mgdt::Triangulation.new.nearest_points([[0, 0, 0]])
     assert_equal [[], []], t.locate_points([])
     assert_nil Mgdt::Triangulation.new.nearest([0, 0, 0])
     assert_nil Mgdt::Triangulation.new.locate([0, 0, 0])

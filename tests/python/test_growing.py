@@ -2,6 +2,7 @@
 """Points in rounds, settings, figures, and the end of an object."""
 
 import copy
+import ctypes
 import io
 import pickle
 import threading
@@ -15,12 +16,49 @@ import mgdt
 
 
 class Rounds(unittest.TestCase):
+    def test_settings_are_read_as_the_library_has_them(self):
+        """Each property against the getter of the C interface."""
+        tri = mgdt.Delaunay(
+            random_points(100, 5),
+            order="kd-tree",
+            order_parameters={"separation": "passes", "threshold": 50},
+            seed=2**64 - 1,
+            memory_limit=2**40,
+            compact=True,
+            canonical=True,
+        )
+        library, pointer = mgdt._library.library, tri._handle._pointer
+
+        def read(name, kind, *keys):
+            value = kind()
+            self.assertEqual(getattr(library, name)(pointer, *keys, ctypes.byref(value)), 0)
+            return value.value
+
+        scheme = read("mgdt_get_order_scheme", ctypes.c_int32)
+        self.assertEqual(library.mgdt_order_scheme_name(scheme).decode(), tri.order)
+        self.assertEqual(read("mgdt_get_seed", ctypes.c_uint64), tri.seed)
+        self.assertEqual(read("mgdt_get_memory_limit", ctypes.c_int64), tri.memory_limit)
+        self.assertEqual(read("mgdt_get_compact", ctypes.c_int32), tri.compact)
+        self.assertEqual(read("mgdt_get_canonical_output", ctypes.c_int32), tri.canonical)
+        self.assertEqual(tri.order_parameters, {"separation": "passes", "threshold": 50.0})
+        self.assertEqual(read("mgdt_get_order_parameter", ctypes.c_double, 30), 1)
+        self.assertEqual(read("mgdt_get_order_parameter", ctypes.c_double, 20), 50)
+        tri.threads = 3
+        self.assertEqual(read("mgdt_get_threads", ctypes.c_int32), 3)
+        self.assertEqual(tri.threads, 3)
+        for bad in ({"separation": "apart"}, {"threshold": "rounds"}):
+            with self.assertRaisesRegex(ValueError, "must be a number"):
+                mgdt.Delaunay([[0, 0, 0]], order_parameters=bad)
+        with self.assertRaises(ValueError):
+            tri.threads = -1
+
     def test_every_order_gives_the_same(self):
         points = np.concatenate([grid(6), random_points(300, 1)])
         expected = row_set(mgdt.Delaunay(points).simplices)
         self.assertEqual(len(mgdt.ORDER_SCHEMES), 10)
         for order in mgdt.ORDER_SCHEMES:
             tri = mgdt.Delaunay(points, order=order, seed=3, threads=2)
+            self.assertEqual((tri.order, tri.seed, tri.threads), (order, 3, 2))
             self.assertEqual(row_set(tri.simplices), expected, order)
             tri.check()
 

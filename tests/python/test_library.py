@@ -130,6 +130,7 @@ kinds = {
     "int32_t": "c_int", "int64_t": "c_long", "uint64_t": "c_ulong", "double": "c_double",
     "char*": "c_char_p", "void*": "c_void_p", "mgdt_status": "c_int", "void": None,
     "int32_t*": "c_void_p", "int64_t*": "c_void_p", "double*": "c_void_p",
+    "uint64_t*": "c_void_p", "mgdt_progress_fn*": "c_void_p", "void**": "LP_c_void_p",
     "mgdt_progress_fn": "CFunctionType", "mgdt_alloc_fn": "CFunctionType",
     "mgdt_free_fn": "CFunctionType", **handles,
 }

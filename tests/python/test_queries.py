@@ -209,6 +209,14 @@ class Nearest(unittest.TestCase):
             _, expected = scipy.spatial.cKDTree(points).query(places)
             np.testing.assert_array_equal(found, expected)
             self.assertEqual(tri.nearest_vertex(places[0, 0]).shape, ())
+            tri.shrink()
+            np.testing.assert_array_equal(tri.nearest_vertex(places), expected)
+
+    def test_many_with_threads(self):
+        tri = mgdt.Delaunay(random_points(500, 11), threads=2)
+        places = np.random.default_rng(12).normal(size=(40000, 3))
+        _, expected = scipy.spatial.cKDTree(tri.points).query(places)
+        np.testing.assert_array_equal(tri.nearest_vertex(places), expected)
 
     def test_ties_go_to_the_lowest(self):
         points = grid(3)[::-1]

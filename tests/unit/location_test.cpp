@@ -196,8 +196,11 @@ TEST(Location, OfPointsThatCannotBeScaled) {
         const double* const both[2] = {inside, outside};
         std::vector<TetId> found(2);
         locator(*p.t).locate_sequence(
-            2, [&](std::size_t k) { return both[k]; },
-            [&](std::size_t k, TetId t) { found[k] = t; });
+            2, true, [&](std::size_t k) { return both[k]; },
+            [&](std::size_t k, TetId t, TetId near) {
+                found[k] = t;
+                EXPECT_NE(near, no_tetrahedron);
+            });
         EXPECT_NE(found[0], no_tetrahedron);
         EXPECT_EQ(found[1], no_tetrahedron);
     }
@@ -286,7 +289,8 @@ TEST(Location, WithoutTetrahedra) {
     EXPECT_EQ(locator(*p.t).locate(q, hint), no_tetrahedron);
     std::vector<TetId> found(3, 0);
     locator(*p.t).locate_sequence(
-        3, [&](std::size_t) { return one; }, [&](std::size_t k, TetId t) { found[k] = t; });
+        3, true, [&](std::size_t) { return one; },
+        [&](std::size_t k, TetId t, TetId) { found[k] = t; });
     EXPECT_EQ(found, std::vector<TetId>(3, no_tetrahedron));
     EXPECT_EQ(p.t->mesh().vertices[locator(*p.t).nearest_vertex(q, p.t->allocator())].index, 1u);
 }

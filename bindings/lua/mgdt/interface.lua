@@ -13,16 +13,26 @@ int32_t mgdt_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release, vo
 void mgdt_destroy(mgdt_triangulation *t);
 int32_t mgdt_clear(mgdt_triangulation *t);
 int32_t mgdt_reserve(mgdt_triangulation *t, int64_t n_points);
+int32_t mgdt_shrink(mgdt_triangulation *t);
 int32_t mgdt_set_order_scheme(mgdt_triangulation *t, int32_t scheme);
+int32_t mgdt_get_order_scheme(const mgdt_triangulation *t, int32_t *scheme);
 int32_t mgdt_set_order_parameter(mgdt_triangulation *t, int32_t key, double value);
+int32_t mgdt_get_order_parameter(const mgdt_triangulation *t, int32_t key, double *value);
 int32_t mgdt_set_seed(mgdt_triangulation *t, uint64_t seed);
+int32_t mgdt_get_seed(const mgdt_triangulation *t, uint64_t *seed);
 int32_t mgdt_set_threads(mgdt_triangulation *t, int32_t n);
+int32_t mgdt_get_threads(const mgdt_triangulation *t, int32_t *n);
 int32_t mgdt_set_index_base(mgdt_triangulation *t, int32_t base);
+int32_t mgdt_get_index_base(const mgdt_triangulation *t, int32_t *base);
 int32_t mgdt_set_memory_limit(mgdt_triangulation *t, int64_t bytes);
+int32_t mgdt_get_memory_limit(const mgdt_triangulation *t, int64_t *bytes);
 int32_t mgdt_set_compact(mgdt_triangulation *t, int32_t on);
+int32_t mgdt_get_compact(const mgdt_triangulation *t, int32_t *on);
 int32_t mgdt_set_progress(mgdt_triangulation *t, mgdt_progress_fn fn, void *user);
+int32_t mgdt_get_progress(const mgdt_triangulation *t, mgdt_progress_fn *fn, void **user);
 int32_t mgdt_cancel(mgdt_triangulation *t);
 int32_t mgdt_set_canonical_output(mgdt_triangulation *t, int32_t on);
+int32_t mgdt_get_canonical_output(const mgdt_triangulation *t, int32_t *on);
 int32_t mgdt_set_isa(mgdt_triangulation *t, const char *name);
 int32_t mgdt_insert_points(mgdt_triangulation *t, int64_t n, const double *xyz);
 int32_t mgdt_insert_points_strided(mgdt_triangulation *t, int64_t n, const double *x,
@@ -55,6 +65,11 @@ int32_t mgdt_locate_points(const mgdt_triangulation *t, int64_t n, const double 
 int32_t mgdt_locate_points_i32(const mgdt_triangulation *t, int64_t n, const double *xyz,
                                int32_t *tetrahedra, double *weights);
 int32_t mgdt_nearest_vertex(const mgdt_triangulation *t, const double *xyz, int64_t *vertex);
+int32_t mgdt_nearest_vertex_i32(const mgdt_triangulation *t, const double *xyz, int32_t *vertex);
+int32_t mgdt_nearest_vertices(const mgdt_triangulation *t, int64_t n, const double *xyz,
+                              int64_t *vertices);
+int32_t mgdt_nearest_vertices_i32(const mgdt_triangulation *t, int64_t n, const double *xyz,
+                                  int32_t *vertices);
 int32_t mgdt_check(const mgdt_triangulation *t, int32_t level);
 int32_t mgdt_get_stat(const mgdt_triangulation *t, int32_t key, double *value);
 const char *mgdt_stat_name(int32_t key);
@@ -67,3 +82,19 @@ const char *mgdt_version_string(void);
 int32_t mgdt_abi_version(void);
 const char *mgdt_isa_name(const mgdt_triangulation *t);
 ]]
+
+return {
+    status = { ok = 0, null_pointer = 10, invalid_argument = 11, not_finite = 12,
+        unknown_scheme = 13, unknown_key = 14, buffer_too_small = 20, index_range = 21,
+        out_of_memory = 30, too_large = 31, cancelled = 40, busy = 41, check_failed = 60,
+        internal = 90 },
+    order = { auto = 0, input = 10, random = 20, lexicographic = 30, brio = 40, hilbert = 50,
+        regular_grid = 60, kd_tree = 70, enhanced_kd_tree = 80, multi_grid = 90 },
+    parameter = { points_per_cell = 10, threshold = 20, separation = 30, round_ratio = 40 },
+    separation = { none = 0, passes = 1, rounds = 2 },
+    statistic = { points_inserted = 10, duplicates = 11, walk_steps = 20, walk_tests = 21,
+        conflict_tests = 22, tetrahedra_removed = 30, tetrahedra_created = 31, exact_calls = 40,
+        put_off = 45, inserted_alone = 46, order_seconds = 50, insert_seconds = 51,
+        grid_levels = 60, rounds = 61, threads = 62, memory_bytes = 70, peak_memory_bytes = 71 },
+    check = { combinatorial = 1, geometric = 2, canonical = 3 },
+}

@@ -3,17 +3,20 @@
 
 from __future__ import annotations
 
-OK = 0
-INVALID_ARGUMENT = 11
-NOT_FINITE = 12
-UNKNOWN_SCHEME = 13
-UNKNOWN_KEY = 14
-INDEX_RANGE = 21
-OUT_OF_MEMORY = 30
-TOO_LARGE = 31
-CANCELLED = 40
-BUSY = 41
-CHECK_FAILED = 60
+from ._interface import CONSTANTS
+
+_STATUS = CONSTANTS["status"]
+OK = _STATUS["ok"]
+INVALID_ARGUMENT = _STATUS["invalid_argument"]
+NOT_FINITE = _STATUS["not_finite"]
+UNKNOWN_SCHEME = _STATUS["unknown_scheme"]
+UNKNOWN_KEY = _STATUS["unknown_key"]
+INDEX_RANGE = _STATUS["index_range"]
+OUT_OF_MEMORY = _STATUS["out_of_memory"]
+TOO_LARGE = _STATUS["too_large"]
+CANCELLED = _STATUS["cancelled"]
+BUSY = _STATUS["busy"]
+CHECK_FAILED = _STATUS["check_failed"]
 
 
 class Error(Exception):

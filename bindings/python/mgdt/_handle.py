@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import ctypes
 from functools import partial
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Optional, Union
 
 import numpy as np
 
@@ -21,8 +21,9 @@ from ._arrays import (
 from ._gate import interrupt_soon
 from ._insertion import Insertion
 
-_STATISTICS = (10, 11, 20, 21, 22, 30, 31, 40, 45, 46, 50, 51, 60, 61, 62, 70, 71)
-_ORDER_PARAMETERS = {"points_per_cell": 10, "threshold": 20, "separation": 30, "round_ratio": 40}
+_STATISTICS = _interface.CONSTANTS["statistic"].values()
+_ORDER_PARAMETERS = _interface.CONSTANTS["parameter"]
+_SEPARATIONS = _interface.CONSTANTS["separation"]
 _MESSAGE_BYTES = 256
 
 # The library sorts locations in blocks of as many. A location that nobody waits for ends there.
@@ -73,7 +74,7 @@ class Handle:
 
     # Settings
 
-    def set_order(self, scheme: str, parameters: dict[str, float]) -> None:
+    def set_order(self, scheme: str, parameters: dict[str, Union[float, str]]) -> None:
         if scheme not in ORDER_SCHEMES:
             raise _errors.make(
                 _errors.UNKNOWN_SCHEME,
@@ -87,7 +88,13 @@ class Handle:
                     f"there is no order parameter {name!r}; "
                     f"there are {', '.join(_ORDER_PARAMETERS)}",
                 )
-            self._call("mgdt_set_order_parameter", _ORDER_PARAMETERS[name], value)
+            if isinstance(value, str) and (name != "separation" or value not in _SEPARATIONS):
+                raise ValueError(
+                    f"the order parameter {name!r} is {value!r}; it must be a number"
+                    + (f" or one of {', '.join(_SEPARATIONS)}" if name == "separation" else "")
+                )
+            number = _SEPARATIONS[value] if isinstance(value, str) else value
+            self._call("mgdt_set_order_parameter", _ORDER_PARAMETERS[name], number)
 
     def set_seed(self, seed: int) -> None:
         self._call("mgdt_set_seed", seed)
@@ -103,6 +110,9 @@ class Handle:
 
     def set_canonical(self, on: bool) -> None:
         self._call("mgdt_set_canonical_output", int(on))
+
+    def shrink(self) -> None:
+        self._call("mgdt_shrink")
 
     # Points
 
@@ -197,10 +207,7 @@ class Handle:
                 address(out[begin:]),
                 None if weights is None else address(weights[begin:]),
             )
-            if status == _errors.NOT_FINITE:
-                raise _errors.make(status, describe_not_finite(places, name))
-            if status != _errors.OK:
-                raise _errors.make(status, self._message(status))
+            self._ensure_located(status, places, name)
         return out
 
     def locate_finite(
@@ -222,17 +229,25 @@ class Handle:
                 weights[finite] = some
             return out
 
-    def nearest_vertices(self, places: FloatArray, name: str) -> IndexArray:
-        out = np.empty(len(places), dtype=np.int64)
-        if not finite_rows(places).all():
-            raise _errors.make(_errors.NOT_FINITE, describe_not_finite(places, name))
-        function: Callable[[ctypes.c_void_p, int, int], int] = self._library.mgdt_nearest_vertex
-        pointer, place, vertex = self._pointer, address(places), address(out)
-        for k in range(len(places)):
-            status = function(pointer, place + 24 * k, vertex + 8 * k)
-            if status != _errors.OK:
-                raise _errors.make(status, self._message(status))
-        return out.astype(np.int32)
+    def nearest_vertices(
+        self, places: FloatArray, name: str, is_left: Callable[[], bool] = lambda: False
+    ) -> IndexArray:
+        """The vertices nearest to contiguous rows; -1 where there are none."""
+        out = np.empty(len(places), dtype=np.int32)
+        function = self._library.mgdt_nearest_vertices_i32
+        for begin in range(0, len(places), _LOCATION_BLOCK):
+            if is_left():
+                break
+            block = places[begin : begin + _LOCATION_BLOCK]
+            status = function(self._pointer, len(block), address(block), address(out[begin:]))
+            self._ensure_located(status, places, name)
+        return out
+
+    def _ensure_located(self, status: int, places: FloatArray, name: str) -> None:
+        if status == _errors.NOT_FINITE:
+            raise _errors.make(status, describe_not_finite(places, name))
+        if status != _errors.OK:
+            raise _errors.make(status, self._message(status))
 
     # Trust and figures
 

@@ -59,7 +59,7 @@ class GrowingTriangulation:
         qhull_options: Union[None, str, bytes] = None,
         *,
         order: str = "auto",
-        order_parameters: Optional[Mapping[str, float]] = None,
+        order_parameters: Optional[Mapping[str, Union[float, str]]] = None,
         seed: int = 0,
         threads: int = 1,
         memory_limit: Optional[int] = None,
@@ -75,7 +75,10 @@ class GrowingTriangulation:
         self.progress = progress
         self._settings: dict[str, Any] = {
             "order": order,
-            "order_parameters": {k: float(v) for k, v in (order_parameters or {}).items()},
+            "order_parameters": {
+                k: v if isinstance(v, str) else float(v)
+                for k, v in (order_parameters or {}).items()
+            },
             "seed": whole(seed, "seed", 0, 2**64 - 1),
             "threads": whole(threads, "threads", 0, 2**31 - 1),
             "memory_limit": self._bytes(memory_limit),
@@ -288,6 +291,47 @@ class GrowingTriangulation:
         with self._writing() as handle:
             handle.set_compact(bool(on))
             self._settings["compact"] = bool(on)
+
+    @property
+    def order(self) -> str:
+        """The order scheme, as given to the constructor. Since 1.2."""
+        return str(self._settings["order"])
+
+    @property
+    def order_parameters(self) -> dict[str, Union[float, str]]:
+        """The parameters of the order scheme that were given to the constructor. Since 1.2."""
+        return dict(self._settings["order_parameters"])
+
+    @property
+    def seed(self) -> int:
+        """The seed of the order schemes that shuffle. Since 1.2."""
+        return int(self._settings["seed"])
+
+    @property
+    def threads(self) -> int:
+        """How many threads a call may use; 0 for all cores. May be set. Since 1.2."""
+        return int(self._settings["threads"])
+
+    @threads.setter
+    def threads(self, threads: int) -> None:
+        count = whole(threads, "threads", 0, 2**31 - 1)
+        with self._writing() as handle:
+            handle.set_threads(count)
+            self._settings["threads"] = count
+
+    @property
+    def canonical(self) -> bool:
+        """Whether arrays are a function of the set of points alone. Since 1.2."""
+        return bool(self._settings["canonical"])
+
+    def shrink(self) -> None:
+        """Frees what the library keeps for speed alone: room for more points, working arrays, where
+        locations start. All is made again when it is wanted.
+
+        Arrays that were read are Python's and stay. Since 1.2.
+        """
+        with self._writing() as handle:
+            handle.shrink()
 
     # What is in
 

@@ -394,8 +394,11 @@ class Delaunay(GrowingTriangulation):
             -1 if there are no points.
         """
         places, shape = as_places(points, "points")
-        with self._reading() as handle:
-            return handle.nearest_vertices(places, "points").reshape(shape)
+
+        def find(handle: Handle, is_left: Callable[[], bool]) -> IndexArray:
+            return handle.nearest_vertices(places, "points", is_left)
+
+        return self._read(find, len(places) >= _LONG_LOCATION).reshape(shape)
 
     def interpolator(self, points: ArrayLike) -> Interpolator:
         """Locates places once, for interpolation of many sets of values there.

@@ -33,6 +33,13 @@ enum class Parameter : std::int32_t {
     round_ratio = MGDT_PARAMETER_ROUND_RATIO
 };
 
+/** Values of Parameter::separation; see MGDT_SEPARATION_NONE and its neighbours. @since 1.2 */
+enum class Separation : std::int32_t {
+    none = MGDT_SEPARATION_NONE,
+    passes = MGDT_SEPARATION_PASSES,
+    rounds = MGDT_SEPARATION_ROUNDS
+};
+
 /** Statistics; see MGDT_STAT_POINTS_INSERTED and its neighbours. */
 enum class Statistic : std::int32_t {
     points_inserted = MGDT_STAT_POINTS_INSERTED,

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 # frozen_string_literal: true
 
+require_relative "interface"
+
 module Mgdt
   # What went wrong in a call. `status` is the number that the C interface gives it.
   class Error < StandardError
@@ -34,10 +36,11 @@ module Mgdt
 
   class Error
     CLASSES = {
-      10 => InvalidArgument, 11 => InvalidArgument, 12 => NotFinite, 13 => UnknownName,
-      14 => UnknownName, 20 => BufferTooSmall, 21 => IndexRange, 30 => OutOfMemory,
-      31 => TooLarge, 40 => Cancelled, 41 => Busy, 60 => CheckFailed
-    }.freeze
+      null_pointer: InvalidArgument, invalid_argument: InvalidArgument, not_finite: NotFinite,
+      unknown_scheme: UnknownName, unknown_key: UnknownName, buffer_too_small: BufferTooSmall,
+      index_range: IndexRange, out_of_memory: OutOfMemory, too_large: TooLarge,
+      cancelled: Cancelled, busy: Busy, check_failed: CheckFailed
+    }.transform_keys(&CONSTANTS[:status]).freeze
     private_constant :CLASSES
   end
 end

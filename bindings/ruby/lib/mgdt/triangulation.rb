@@ -7,9 +7,10 @@ module Mgdt
   # One call at a time works on a triangulation: others, from other threads, wait for it. Only
   # cancel does not wait. Its memory is freed when it is collected, or by close.
   class Triangulation
-    PARAMETERS = { points_per_cell: 10, threshold: 20, separation: 30, round_ratio: 40 }.freeze
-    LEVELS = { combinatorial: 1, geometric: 2, canonical: 3 }.freeze
-    STATISTICS = [10, 11, 20, 21, 22, 30, 31, 40, 45, 46, 50, 51, 60, 61, 62, 70, 71].to_h do |key|
+    PARAMETERS = CONSTANTS[:parameter]
+    SEPARATIONS = CONSTANTS[:separation]
+    LEVELS = CONSTANTS[:check]
+    STATISTICS = CONSTANTS[:statistic].values.to_h do |key|
       [Library.mgdt_stat_name(key).tr(" -", "__").to_sym, key]
     end.freeze
     # Names of the order schemes.
@@ -18,7 +19,7 @@ module Mgdt
                  .map { Library.mgdt_order_scheme_name(out.read_int32) }.to_a
     end.freeze
     SETTINGS = %i[order seed threads index_base memory_limit compact canonical isa].freeze
-    private_constant :PARAMETERS, :LEVELS, :STATISTICS, :SETTINGS
+    private_constant :PARAMETERS, :SEPARATIONS, :LEVELS, :STATISTICS, :SETTINGS
 
     # Makes an empty triangulation. Settings: order, seed, threads, index_base, memory_limit,
     # compact, canonical, isa, and the parameters of the order schemes: points_per_cell, threshold,
@@ -66,7 +67,13 @@ module Mgdt
       self
     end
 
-    # ---- settings
+    # Frees what is kept for speed alone; it is made again when it is wanted. Since 1.2.
+    def shrink
+      call(:mgdt_shrink)
+      self
+    end
+
+    # ---- settings, each with its reader since 1.2
 
     # Order scheme by name ("brio", "multi-grid", ...: see ORDER_SCHEMES).
     def order=(name)
@@ -78,13 +85,21 @@ module Mgdt
       call(:mgdt_set_order_scheme, out.read_int32)
     end
 
-    # A parameter of the order schemes: :points_per_cell, :threshold, :separation, :round_ratio.
-    def set_parameter(name, value)
-      key = PARAMETERS[name.to_sym]
-      raise UnknownName.new("there is no order parameter #{name.inspect}", 14) unless key
+    def order
+      Library.mgdt_order_scheme_name(setting(:mgdt_get_order_scheme, :int32))
+    end
 
-      call(:mgdt_set_order_parameter, key, Float(value))
+    # A parameter of the order schemes: :points_per_cell, :threshold, :separation (:none, :passes,
+    # :rounds or its number), :round_ratio.
+    def set_parameter(name, value)
+      value = SEPARATIONS[value.to_sym] || value if name.to_sym == :separation && value.respond_to?(:to_sym)
+      call(:mgdt_set_order_parameter, parameter_key(name), Float(value))
       self
+    end
+
+    # The value of a parameter; 0 where each scheme has a default of its own.
+    def parameter(name)
+      setting(:mgdt_get_order_parameter, :double, parameter_key(name))
     end
 
     # Seed of the schemes that shuffle, 0 to 2**64 - 1.
@@ -95,10 +110,14 @@ module Mgdt
       call(:mgdt_set_seed, value)
     end
 
+    def seed = setting(:mgdt_get_seed, :uint64)
+
     # How many threads a call may use; 0 for all cores.
     def threads=(count)
       call(:mgdt_set_threads, integer(count, "the number of threads", 31))
     end
+
+    def threads = setting(:mgdt_get_threads, :int32)
 
     # Number of the first point and the first tetrahedron: 0 (default) or 1.
     attr_reader :index_base
@@ -113,16 +132,26 @@ module Mgdt
       call(:mgdt_set_memory_limit, integer(bytes || 0, "the memory limit", 63))
     end
 
+    # nil for no limit.
+    def memory_limit
+      bytes = setting(:mgdt_get_memory_limit, :int64)
+      bytes.zero? ? nil : bytes
+    end
+
     # Whether storage is compact: 30 % less memory, 20 to 40 % more time. At any time; what
     # it gives back, false needs again. Since 1.1.
     def compact=(flag)
       call(:mgdt_set_compact, flag ? 1 : 0)
     end
 
+    def compact = setting(:mgdt_get_compact, :int32) == 1
+
     # Whether the output is a function of the set of points alone.
     def canonical=(flag)
       call(:mgdt_set_canonical_output, flag ? 1 : 0)
     end
+
+    def canonical = setting(:mgdt_get_canonical_output, :int32) == 1
 
     # Instruction set: "baseline", "avx2", "avx512"; nil for the best.
     def isa=(name)
@@ -233,6 +262,18 @@ module Mgdt
        weights.read_array_of_double(4 * given.count).each_slice(4).to_a]
     end
 
+    # The vertices nearest to many points at once, given as for insert: an Array, nil in an empty
+    # triangulation. Since 1.2.
+    def nearest_points(points, count = nil)
+      given = Points.new(points, count)
+      raise argument("the number of points is negative (#{given.count})") if given.count.negative?
+
+      found = FFI::MemoryPointer.new(:int64, [given.count, 1].max)
+      call(:mgdt_nearest_vertices, given.count, given.data, found)
+      none = @index_base - 1
+      found.read_array_of_int64(given.count).map { |k| k == none ? nil : k }
+    end
+
     # ---- trust, figures
 
     # Proves the triangulation by exact arithmetic, at a level :combinatorial, :geometric or
@@ -278,6 +319,17 @@ module Mgdt
       return value if value.is_a?(Integer) && value.abs < 2**bits
 
       raise argument("#{what} is #{value.inspect}; it must be an Integer below 2**#{bits}")
+    end
+
+    def parameter_key(name)
+      PARAMETERS[name.to_sym] ||
+        raise(UnknownName.new("there is no order parameter #{name.inspect}", 14))
+    end
+
+    def setting(function, type, *arguments)
+      value = FFI::MemoryPointer.new(type)
+      call(function, *arguments, value)
+      value.get(type, 0)
     end
 
     # Runs the block with the handle; no other thread has it meanwhile, nor has a progress block.

@@ -47,6 +47,10 @@ pub const MGDT_PARAMETER_THRESHOLD: i32 = 20;
 pub const MGDT_PARAMETER_SEPARATION: i32 = 30;
 pub const MGDT_PARAMETER_ROUND_RATIO: i32 = 40;
 
+pub const MGDT_SEPARATION_NONE: i32 = 0;
+pub const MGDT_SEPARATION_PASSES: i32 = 1;
+pub const MGDT_SEPARATION_ROUNDS: i32 = 2;
+
 pub const MGDT_STAT_POINTS_INSERTED: i32 = 10;
 pub const MGDT_STAT_DUPLICATES: i32 = 11;
 pub const MGDT_STAT_WALK_STEPS: i32 = 20;
@@ -86,24 +90,42 @@ extern "C" {
     pub fn mgdt_destroy(t: *mut mgdt_triangulation);
     pub fn mgdt_clear(t: *mut mgdt_triangulation) -> mgdt_status;
     pub fn mgdt_reserve(t: *mut mgdt_triangulation, n_points: i64) -> mgdt_status;
+    pub fn mgdt_shrink(t: *mut mgdt_triangulation) -> mgdt_status;
     pub fn mgdt_set_order_scheme(t: *mut mgdt_triangulation, scheme: i32) -> mgdt_status;
+    pub fn mgdt_get_order_scheme(t: *const mgdt_triangulation, scheme: *mut i32) -> mgdt_status;
     pub fn mgdt_set_order_parameter(
         t: *mut mgdt_triangulation,
         key: i32,
         value: f64,
     ) -> mgdt_status;
+    pub fn mgdt_get_order_parameter(
+        t: *const mgdt_triangulation,
+        key: i32,
+        value: *mut f64,
+    ) -> mgdt_status;
     pub fn mgdt_set_seed(t: *mut mgdt_triangulation, seed: u64) -> mgdt_status;
+    pub fn mgdt_get_seed(t: *const mgdt_triangulation, seed: *mut u64) -> mgdt_status;
     pub fn mgdt_set_threads(t: *mut mgdt_triangulation, n: i32) -> mgdt_status;
+    pub fn mgdt_get_threads(t: *const mgdt_triangulation, n: *mut i32) -> mgdt_status;
     pub fn mgdt_set_index_base(t: *mut mgdt_triangulation, base: i32) -> mgdt_status;
+    pub fn mgdt_get_index_base(t: *const mgdt_triangulation, base: *mut i32) -> mgdt_status;
     pub fn mgdt_set_memory_limit(t: *mut mgdt_triangulation, bytes: i64) -> mgdt_status;
+    pub fn mgdt_get_memory_limit(t: *const mgdt_triangulation, bytes: *mut i64) -> mgdt_status;
     pub fn mgdt_set_compact(t: *mut mgdt_triangulation, on: i32) -> mgdt_status;
+    pub fn mgdt_get_compact(t: *const mgdt_triangulation, on: *mut i32) -> mgdt_status;
     pub fn mgdt_set_progress(
         t: *mut mgdt_triangulation,
         callback: mgdt_progress_fn,
         user: *mut c_void,
     ) -> mgdt_status;
+    pub fn mgdt_get_progress(
+        t: *const mgdt_triangulation,
+        callback: *mut mgdt_progress_fn,
+        user: *mut *mut c_void,
+    ) -> mgdt_status;
     pub fn mgdt_cancel(t: *mut mgdt_triangulation) -> mgdt_status;
     pub fn mgdt_set_canonical_output(t: *mut mgdt_triangulation, on: i32) -> mgdt_status;
+    pub fn mgdt_get_canonical_output(t: *const mgdt_triangulation, on: *mut i32) -> mgdt_status;
     pub fn mgdt_set_isa(t: *mut mgdt_triangulation, name: *const c_char) -> mgdt_status;
     pub fn mgdt_insert_points(t: *mut mgdt_triangulation, n: i64, xyz: *const f64) -> mgdt_status;
     pub fn mgdt_insert_points_strided(
@@ -209,6 +231,23 @@ extern "C" {
         t: *const mgdt_triangulation,
         xyz: *const f64,
         vertex: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_nearest_vertex_i32(
+        t: *const mgdt_triangulation,
+        xyz: *const f64,
+        vertex: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_nearest_vertices(
+        t: *const mgdt_triangulation,
+        n: i64,
+        xyz: *const f64,
+        vertices: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_nearest_vertices_i32(
+        t: *const mgdt_triangulation,
+        n: i64,
+        xyz: *const f64,
+        vertices: *mut i32,
     ) -> mgdt_status;
     pub fn mgdt_check(t: *const mgdt_triangulation, level: i32) -> mgdt_status;
     pub fn mgdt_get_stat(t: *const mgdt_triangulation, key: i32, value: *mut f64) -> mgdt_status;

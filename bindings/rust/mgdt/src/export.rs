@@ -13,6 +13,12 @@ type Locate<I> = unsafe extern "C" fn(
     *mut I,
     *mut f64,
 ) -> sys::mgdt_status;
+type Nearest<I> = unsafe extern "C" fn(
+    *const sys::mgdt_triangulation,
+    i64,
+    *const f64,
+    *mut I,
+) -> sys::mgdt_status;
 
 mod sealed {
     pub trait Sealed {}
@@ -35,6 +41,8 @@ pub trait Int: sealed::Sealed + Copy {
     const POINT_MAP: Get<Self>;
     #[doc(hidden)]
     const LOCATE: Locate<Self>;
+    #[doc(hidden)]
+    const NEAREST: Nearest<Self>;
 }
 
 impl Int for i32 {
@@ -44,6 +52,7 @@ impl Int for i32 {
     const EDGES: Get<i32> = sys::mgdt_get_edges_i32;
     const POINT_MAP: Get<i32> = sys::mgdt_get_point_map_i32;
     const LOCATE: Locate<i32> = sys::mgdt_locate_points_i32;
+    const NEAREST: Nearest<i32> = sys::mgdt_nearest_vertices_i32;
 }
 
 impl Int for i64 {
@@ -53,6 +62,7 @@ impl Int for i64 {
     const EDGES: Get<i64> = sys::mgdt_get_edges;
     const POINT_MAP: Get<i64> = sys::mgdt_get_point_map;
     const LOCATE: Locate<i64> = sys::mgdt_locate_points;
+    const NEAREST: Nearest<i64> = sys::mgdt_nearest_vertices;
 }
 
 /// Where a point is.
@@ -89,6 +99,16 @@ impl VertexTetrahedra {
     pub fn list(&self) -> &[usize] {
         &self.list
     }
+}
+
+fn ensure_room(room: usize, needed: usize) -> Result<(), Error> {
+    if room >= needed {
+        return Ok(());
+    }
+    Err(Error::new(
+        ErrorKind::BufferTooSmall,
+        format!("there is room for {} results; {} are needed", room, needed),
+    ))
 }
 
 fn some(number: i64) -> Option<usize> {
@@ -245,16 +265,7 @@ impl Triangulation {
             .as_ref()
             .map_or(usize::MAX, |w| w.len())
             .min(tetrahedra.len());
-        if room < points.len() {
-            return Err(Error::new(
-                ErrorKind::BufferTooSmall,
-                format!(
-                    "there is room for {} results; {} are needed",
-                    room,
-                    points.len()
-                ),
-            ));
-        }
+        ensure_room(room, points.len())?;
         let weights = weights.map_or(std::ptr::null_mut(), |w| w.as_mut_ptr().cast::<f64>());
         self.ensure(unsafe {
             I::LOCATE(
@@ -273,5 +284,30 @@ impl Triangulation {
         let mut found = crate::NONE;
         self.ensure(unsafe { sys::mgdt_nearest_vertex(self.raw(), point.as_ptr(), &mut found) })?;
         Ok(some(found))
+    }
+
+    /// The same for many points, much faster than one by one. Since 1.2.
+    pub fn nearest_vertices(&self, points: &[[f64; 3]]) -> Result<Vec<Option<usize>>, Error> {
+        let mut found = vec![crate::NONE; points.len()];
+        self.nearest_vertices_into(points, &mut found)?;
+        Ok(found.into_iter().map(some).collect())
+    }
+
+    /// The same into a slice of the points' length or more, with [`NONE`](crate::NONE) where there
+    /// are no vertices. Since 1.2.
+    pub fn nearest_vertices_into<I: Int>(
+        &self,
+        points: &[[f64; 3]],
+        vertices: &mut [I],
+    ) -> Result<(), Error> {
+        ensure_room(vertices.len(), points.len())?;
+        self.ensure(unsafe {
+            I::NEAREST(
+                self.raw(),
+                as_i64(points.len()),
+                points.as_ptr().cast::<f64>(),
+                vertices.as_mut_ptr(),
+            )
+        })
     }
 }

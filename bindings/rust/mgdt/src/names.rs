@@ -117,10 +117,29 @@ pub enum Parameter {
     PointsPerCell = sys::MGDT_PARAMETER_POINTS_PER_CELL,
     /// Multi-grid: a cell with more points gets a grid of its own; 1 to 1e9, default 200.
     Threshold = sys::MGDT_PARAMETER_THRESHOLD,
-    /// Multi-grid: 1 (default) takes one point from a cell at a time, 0 empties it first.
+    /// Regular grid and multi-grid: how points of a cell are kept apart, a [`Separation`].
     Separation = sys::MGDT_PARAMETER_SEPARATION,
     /// BRIO: size of each round against all before it; above 1 to 1e6, default 7.5.
     RoundRatio = sys::MGDT_PARAMETER_ROUND_RATIO,
+}
+
+/// How points of a cell are kept apart: values of [`Parameter::Separation`]. Since 1.2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+#[repr(i32)]
+pub enum Separation {
+    /// A cell is emptied before the next one.
+    None = sys::MGDT_SEPARATION_NONE,
+    /// One point from each cell at a time.
+    Passes = sys::MGDT_SEPARATION_PASSES,
+    /// Points along the path through the cells are dealt into rounds; the default.
+    Rounds = sys::MGDT_SEPARATION_ROUNDS,
+}
+
+impl From<Separation> for f64 {
+    fn from(separation: Separation) -> f64 {
+        f64::from(separation as i32)
+    }
 }
 
 /// How far [`check`](crate::Triangulation::check) goes. Each level includes those before it.

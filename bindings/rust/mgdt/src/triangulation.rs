@@ -140,14 +140,26 @@ impl Triangulation {
         self.ensure(status)
     }
 
+    /// Frees what is kept for speed alone: room for points to come, working arrays, where locations
+    /// start. All is made again when it is wanted. Since 1.2.
+    pub fn shrink(&mut self) {
+        // It fails for NULL alone.
+        unsafe { sys::mgdt_shrink(self.raw_mut()) };
+    }
+
     /// Chooses the order scheme of later insertions.
     pub fn set_order(&mut self, order: Order) -> Result<(), Error> {
         let status = unsafe { sys::mgdt_set_order_scheme(self.raw_mut(), order as i32) };
         self.ensure(status)
     }
 
-    /// Sets a parameter of the order schemes.
-    pub fn set_parameter(&mut self, parameter: Parameter, value: f64) -> Result<(), Error> {
+    /// Sets a parameter of the order schemes, to a number or a [`Separation`](crate::Separation).
+    pub fn set_parameter<V: Into<f64>>(
+        &mut self,
+        parameter: Parameter,
+        value: V,
+    ) -> Result<(), Error> {
+        let value = value.into();
         let status =
             unsafe { sys::mgdt_set_order_parameter(self.raw_mut(), parameter as i32, value) };
         self.ensure(status)
@@ -196,6 +208,57 @@ impl Triangulation {
         let pointer = name.as_ref().map_or(ptr::null(), |s| s.as_ptr());
         let status = unsafe { sys::mgdt_set_isa(self.raw_mut(), pointer) };
         self.ensure(status)
+    }
+
+    /// One setting; its getter fails for NULL alone.
+    fn setting<T: Default>(
+        &self,
+        get: unsafe extern "C" fn(*const sys::mgdt_triangulation, *mut T) -> sys::mgdt_status,
+    ) -> T {
+        let mut value = T::default();
+        unsafe { get(self.raw(), &mut value) };
+        value
+    }
+
+    /// The order scheme; None for one of a later version than this crate's. Since 1.2.
+    pub fn order(&self) -> Option<Order> {
+        let scheme = self.setting(sys::mgdt_get_order_scheme);
+        Order::ALL.into_iter().find(|&order| order as i32 == scheme)
+    }
+
+    /// A parameter of the order schemes; 0 where each scheme has a default of its own. Since 1.2.
+    pub fn parameter(&self, parameter: Parameter) -> f64 {
+        let mut value = 0.0;
+        unsafe { sys::mgdt_get_order_parameter(self.raw(), parameter as i32, &mut value) };
+        value
+    }
+
+    /// The seed of the schemes that shuffle. Since 1.2.
+    pub fn seed(&self) -> u64 {
+        self.setting(sys::mgdt_get_seed)
+    }
+
+    /// How many threads a call may use; 0 for all cores. Since 1.2.
+    pub fn threads(&self) -> usize {
+        self.setting(sys::mgdt_get_threads) as usize
+    }
+
+    /// The memory limit in bytes; None for no limit. Since 1.2.
+    pub fn memory_limit(&self) -> Option<usize> {
+        match self.setting(sys::mgdt_get_memory_limit) {
+            0 => None,
+            bytes => Some(bytes as usize),
+        }
+    }
+
+    /// Whether storage is compact. Since 1.2.
+    pub fn compact(&self) -> bool {
+        self.setting(sys::mgdt_get_compact) != 0
+    }
+
+    /// Whether the output is a function of the set of points alone. Since 1.2.
+    pub fn canonical_output(&self) -> bool {
+        self.setting(sys::mgdt_get_canonical_output) != 0
     }
 
     /// Name of the instruction set in use.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //! What the crate refuses, how it stops, and that it gives memory back.
 
-use mgdt::{Check, ErrorKind, Order, Parameter, Statistic, Triangulation};
+use mgdt::{Check, ErrorKind, Order, Parameter, Separation, Statistic, Triangulation};
 use std::ops::ControlFlow;
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::sync::mpsc;
@@ -172,6 +172,69 @@ fn the_memory_limit() {
     t.insert(&points).unwrap();
     assert_eq!(t.vertex_count(), 1000);
     t.check(Check::Canonical).unwrap();
+}
+
+#[test]
+fn settings_are_read_as_they_are_set() {
+    let mut t = Triangulation::new().unwrap();
+    assert_eq!(
+        (t.order(), t.seed(), t.threads()),
+        (Some(Order::Auto), 0, 1)
+    );
+    assert_eq!(t.memory_limit(), None);
+    assert_eq!((t.compact(), t.canonical_output()), (false, false));
+    assert_eq!(
+        t.parameter(Parameter::Separation),
+        f64::from(Separation::Rounds)
+    );
+    t.set_order(Order::KdTree).unwrap();
+    t.set_seed(u64::MAX);
+    t.set_threads(3).unwrap();
+    t.set_memory_limit(Some(1 << 40)).unwrap();
+    t.set_compact(true).unwrap();
+    t.set_canonical_output(true);
+    t.set_parameter(Parameter::Separation, Separation::Passes)
+        .unwrap();
+    t.set_parameter(Parameter::Threshold, 50.0).unwrap();
+    assert_eq!(
+        (t.order(), t.seed(), t.threads()),
+        (Some(Order::KdTree), u64::MAX, 3)
+    );
+    assert_eq!(t.memory_limit(), Some(1 << 40));
+    assert_eq!((t.compact(), t.canonical_output()), (true, true));
+    assert_eq!(t.parameter(Parameter::Separation), 1.0);
+    assert_eq!(t.parameter(Parameter::Threshold), 50.0);
+    t.insert(&random_points(1000, 3)).unwrap();
+    let before = t.statistic(Statistic::MemoryBytes);
+    t.shrink();
+    assert!(t.statistic(Statistic::MemoryBytes) < before);
+    t.check(Check::Canonical).unwrap();
+}
+
+#[test]
+fn many_nearest_vertices() {
+    let points = random_points(500, 4);
+    let places = random_points(300, 5);
+    let t = with(&points);
+    let found = t.nearest_vertices(&places).unwrap();
+    let mut few = vec![0_i32; places.len()];
+    t.nearest_vertices_into(&places, &mut few).unwrap();
+    for (k, &place) in places.iter().enumerate() {
+        assert_eq!(found[k], t.nearest_vertex(place).unwrap());
+        assert_eq!(found[k], Some(few[k] as usize));
+    }
+    refused(
+        t.nearest_vertices_into(&places, &mut few[1..]),
+        ErrorKind::BufferTooSmall,
+        &["299", "300"],
+    );
+    assert_eq!(
+        Triangulation::new()
+            .unwrap()
+            .nearest_vertices(&places[..1])
+            .unwrap(),
+        [None]
+    );
 }
 
 #[test]

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT
+ * Generated from mgdt/mgdt.h by bindings/interface/generate.py. */
+#ifndef MGDT_OCTAVE_INTERFACE_H
+#define MGDT_OCTAVE_INTERFACE_H
+
+/* Every function, by the name that it has after "mgdt_". */
+#define MGDT_FUNCTIONS(F)         \
+    F(create);                    \
+    F(create_with_allocator);     \
+    F(destroy);                   \
+    F(clear);                     \
+    F(reserve);                   \
+    F(shrink);                    \
+    F(set_order_scheme);          \
+    F(get_order_scheme);          \
+    F(set_order_parameter);       \
+    F(get_order_parameter);       \
+    F(set_seed);                  \
+    F(get_seed);                  \
+    F(set_threads);               \
+    F(get_threads);               \
+    F(set_index_base);            \
+    F(get_index_base);            \
+    F(set_memory_limit);          \
+    F(get_memory_limit);          \
+    F(set_compact);               \
+    F(get_compact);               \
+    F(set_progress);              \
+    F(get_progress);              \
+    F(cancel);                    \
+    F(set_canonical_output);      \
+    F(get_canonical_output);      \
+    F(set_isa);                   \
+    F(insert_points);             \
+    F(insert_points_strided);     \
+    F(point_count);               \
+    F(vertex_count);              \
+    F(dimension);                 \
+    F(tetrahedron_count);         \
+    F(hull_facet_count);          \
+    F(edge_count);                \
+    F(vertex_tetrahedra_count);   \
+    F(get_tetrahedra);            \
+    F(get_tetrahedra_i32);        \
+    F(get_neighbors);             \
+    F(get_neighbors_i32);         \
+    F(get_hull_facets);           \
+    F(get_hull_facets_i32);       \
+    F(get_edges);                 \
+    F(get_edges_i32);             \
+    F(get_point_map);             \
+    F(get_point_map_i32);         \
+    F(get_vertex_tetrahedra);     \
+    F(get_vertex_tetrahedra_i32); \
+    F(locate);                    \
+    F(locate_i32);                \
+    F(locate_points);             \
+    F(locate_points_i32);         \
+    F(nearest_vertex);            \
+    F(nearest_vertex_i32);        \
+    F(nearest_vertices);          \
+    F(nearest_vertices_i32);      \
+    F(check);                     \
+    F(get_stat);                  \
+    F(stat_name);                 \
+    F(status_string);             \
+    F(get_error);                 \
+    F(order_scheme_name);         \
+    F(order_scheme_from_name);    \
+    F(order_scheme_at);           \
+    F(version_string);            \
+    F(abi_version);               \
+    F(isa_name);
+
+/* Every error, by its name after "MGDT_ERR_", large and small. */
+#define MGDT_ERRORS(E)                    \
+    E(NULL_POINTER, null_pointer)         \
+    E(INVALID_ARGUMENT, invalid_argument) \
+    E(NOT_FINITE, not_finite)             \
+    E(UNKNOWN_SCHEME, unknown_scheme)     \
+    E(UNKNOWN_KEY, unknown_key)           \
+    E(BUFFER_TOO_SMALL, buffer_too_small) \
+    E(INDEX_RANGE, index_range)           \
+    E(OUT_OF_MEMORY, out_of_memory)       \
+    E(TOO_LARGE, too_large)               \
+    E(CANCELLED, cancelled)               \
+    E(BUSY, busy)                         \
+    E(CHECK_FAILED, check_failed)         \
+    E(INTERNAL, internal)
+
+#endif /* MGDT_OCTAVE_INTERFACE_H */
