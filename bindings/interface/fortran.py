@@ -29,24 +29,7 @@ module mgdt_c
     implicit none
     public
 
-    ! What the exports of one array have in common.
-    abstract interface
-        function c_export_i32(t, capacity, v) result(status) bind(c)
-            import :: c_int32_t, c_int64_t, c_ptr
-            type(c_ptr), value :: t
-            integer(c_int64_t), value :: capacity
-            integer(c_int32_t), intent(inout) :: v(*)
-            integer(c_int32_t) :: status
-        end function
-        function c_export_i64(t, capacity, v) result(status) bind(c)
-            import :: c_int32_t, c_int64_t, c_ptr
-            type(c_ptr), value :: t
-            integer(c_int64_t), value :: capacity
-            integer(c_int64_t), intent(inout) :: v(*)
-            integer(c_int32_t) :: status
-        end function
-    end interface
-
+@exports@
     interface
         pure function c_strlen(s) result(length) bind(c, name='strlen')
             import :: c_ptr, c_size_t
@@ -93,12 +76,12 @@ def answer_of(function: Function) -> tuple[str, str]:
     return name, f"{TYPES[function.result.type]} :: {name}"
 
 
-def procedure(function: Function, name: str) -> str:
-    """The interface body of a function."""
+def procedure(function: Function, name: str, is_abstract: bool = False) -> str:
+    """The interface body of a function, or of all that are like it."""
     indent = " " * 8
     arguments = ", ".join(p.name for p in function.parameters)
     declarations = [declared(p) for p in function.parameters]
-    binding = f"bind(c, name='{function.name}')"
+    binding = "bind(c)" if is_abstract else f"bind(c, name='{function.name}')"
     if function.result.type == "void" and not function.result.stars:
         kind, head = "subroutine", f"subroutine {name}({arguments})"
     else:
@@ -115,7 +98,11 @@ def procedure(function: Function, name: str) -> str:
 
 def c_module(interface: Interface) -> str:
     twins = {f.twin_of: f for f in interface.functions if f.twin_of}
-    text = C_HEAD
+    first = "mgdt_get_" + next(iter(ROWS))
+    like = [f for f in interface.functions if f.name == first]
+    text = C_HEAD.replace("@exports@\n", "    ! What the exports of one array have in common.\n"
+                          "    abstract interface\n" + procedure(twins[first], "c_export_i32", True)
+                          + procedure(like[0], "c_export_i64", True) + "    end interface\n\n")
     for function in interface.functions:
         if function.name not in twins and not function.twin_of:
             text += procedure(function, "c_" + function.short_name)

@@ -11,21 +11,7 @@ scratch=$(cd "$3" && pwd)
 here=$source/tests/fortran
 : "${CC:=cc}" "${FC:=gfortran}"
 
-passed=0
-failed=0
-log=$scratch/log
-check() { # what, command...
-    what=$1
-    shift
-    if "$@" >"$log" 2>&1; then
-        passed=$((passed + 1))
-        echo "passed: $what"
-    else
-        failed=$((failed + 1))
-        echo "failed: $what"
-        head -n 60 "$log" | sed 's/^/    /'
-    fi
-}
+. "$source/tests/checks.sh"
 
 DESTDIR=$scratch/root meson install -C "$build" --no-rebuild --quiet >"$log" 2>&1 || {
     cat "$log"
@@ -41,8 +27,3 @@ module_sources=$(pkg-config --variable=fortran_sources mgdt-fortran)
 f77_sources=$(pkg-config --variable=f77_sources mgdt-fortran)
 cflags=$(pkg-config --cflags mgdt-fortran)
 libs=$(pkg-config --libs mgdt-fortran)
-
-conclude() {
-    echo "$passed passed, $failed failed"
-    [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
-}

@@ -14,21 +14,7 @@ scratch=$(cd "$2" && pwd)
 here=$source/tests/install
 : "${CC:=cc}"
 
-passed=0
-failed=0
-log=$scratch/log
-check() { # what, command...
-    what=$1
-    shift
-    if "$@" >"$log" 2>&1; then
-        passed=$((passed + 1))
-        echo "passed: $what"
-    else
-        failed=$((failed + 1))
-        echo "failed: $what"
-        sed 's/^/    /' "$log"
-    fi
-}
+. "$source/tests/checks.sh"
 
 # Of the caller's, which would find other libraries and other packages.
 unset PKG_CONFIG_PATH PYTHONPATH VIRTUAL_ENV
@@ -121,5 +107,4 @@ check "a Meson subproject builds and runs" subproject
 . "$here/python_package.sh"
 . "$here/moved_prefix.sh"
 
-echo "$passed passed, $failed failed"
-test "$failed" -eq 0 && test "$passed" -gt 0
+conclude

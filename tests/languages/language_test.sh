@@ -20,16 +20,7 @@ LC_ALL=C.UTF-8
 export LC_ALL
 unset MGDT_LIBRARY MGDT_LIB_DIR MGDT_ISA DESTDIR
 
-passed=0
-failed=0
-log=$scratch/log
-pass() { passed=$((passed + 1)); echo "passed: $1"; }
-lose() { failed=$((failed + 1)); echo "failed: $1"; sed 's/^/    /' "$log"; }
-check() { # what, command...
-    what=$1
-    shift
-    if "$@" >"$log" 2>&1; then pass "$what"; else lose "$what"; fi
-}
+. "$source/tests/checks.sh"
 # The command must fail, within its own words, and say each of them.
 refuses() { # what, words that it must say (one a line), command...
     what=$1
@@ -49,12 +40,6 @@ $words
 END
     pass "$what"
 }
-finish() {
-    echo "$passed passed, $failed failed"
-    test "$failed" -eq 0 && test "$passed" -gt 0
-    exit
-}
-
 # ------------------------------------------------------------------------------------- a prefix
 
 install_build() {
@@ -177,4 +162,4 @@ libmgdt.so" env MGDT_LIB_DIR="$scratch/work" cargo build --offline
     exit 2
     ;;
 esac
-finish
+conclude
