@@ -8,6 +8,7 @@ Usage: bench_program_test.py MGDT [unittest arguments]
 import csv
 import json
 import os
+import pathlib
 import pty
 import resource
 import select
@@ -253,6 +254,20 @@ class GoingOn(BenchTest):
                 self.assertIn("cancelled", message)
                 self.assertIn("t.csv", message)
             self.assertEqual(self.rows(), [])
+
+    def test_a_child_does_not_hold_the_table(self):
+        """It may outlive the program for a moment, and the next one must not find the file locked."""
+        process = self.start(*SLOW, "--csv", "t.csv")
+        child = self.long_child(process)
+
+        def locks(number):
+            folder = f"/proc/{number}/fdinfo"
+            texts = [pathlib.Path(folder, name).read_text() for name in os.listdir(folder)]
+            return sum(text.count("lock:") for text in texts)
+
+        self.assertEqual((locks(process.pid), locks(child)), (1, 0))
+        process.kill()
+        process.wait()
 
     def test_torn_lines(self):
         self.bench(*self.PLAN)

@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -41,7 +40,11 @@ void ResultFile::lock() const {
                                              "name a file",
                                              path_));
     }
-    if (flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+    // A lock of the process: a child that outlives it for a moment does not have it.
+    struct flock whole = {};
+    whole.l_type = F_WRLCK;
+    whole.l_whence = SEEK_SET;
+    if (fcntl(fd_, F_SETLK, &whole) != 0) {
         throw Error(exit_output, fmt::format("{}: another mgdt bench is writing it; name another "
                                              "file or wait",
                                              path_));
