@@ -4,12 +4,12 @@
 // for each.
 #pragma once
 
-#include "kernel/isa.hpp"
+#include "kernel/island.hpp"
 #include "kernel/sphere_source.hpp"
 #include "kernel/thread_state.hpp"
 
 namespace mgdt {
-inline namespace MGDT_ISA {
+inline namespace MGDT_ISLAND {
 
 // The whole mesh is mine.
 template <class Spheres>
@@ -74,5 +74,5 @@ class ConcurrentAccess {
     const OwnedBlocks::Mine mine_;
 };
 
-}  // namespace MGDT_ISA
+}  // namespace MGDT_ISLAND
 }  // namespace mgdt

@@ -3,11 +3,11 @@
 // has the directed edges ab, bc and ca; its neighbour across one has it the other way round.
 #pragma once
 
-#include "kernel/isa.hpp"
+#include "kernel/island.hpp"
 #include "kernel/workspace.hpp"
 
 namespace mgdt {
-inline namespace MGDT_ISA {
+inline namespace MGDT_ISLAND {
 
 // A matrix of 2^shift columns: entry (a, b) is the facet code of the edge ab. Entries are written
 // before they are read, so it needs no clearing.
@@ -63,5 +63,5 @@ class EdgeTable {
     std::size_t mask_;
 };
 
-}  // namespace MGDT_ISA
+}  // namespace MGDT_ISLAND
 }  // namespace mgdt

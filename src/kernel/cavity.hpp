@@ -16,13 +16,13 @@
 
 #include "kernel/access.hpp"
 #include "kernel/cavity_marks.hpp"
-#include "kernel/pieces.hpp"
 #include "kernel/powers.hpp"
 #include "kernel/ties.hpp"
-#include "kernel/transpose8.hpp"
+#include "kernel/words.hpp"
+#include "kernel/workspace.hpp"
 
 namespace mgdt {
-inline namespace MGDT_ISA {
+inline namespace MGDT_ISLAND {
 
 // Where a cavity begins: the tetrahedra in conflict among one that is in conflict, or among the
 // neighbours of one that is not.
@@ -227,5 +227,5 @@ MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityS
     return true;
 }
 
-}  // namespace MGDT_ISA
+}  // namespace MGDT_ISLAND
 }  // namespace mgdt

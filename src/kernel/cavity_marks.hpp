@@ -1,105 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Marks of the members of a cavity, put on four different tetrahedra at a time without a branch
-// that cannot be foretold: in the tetrahedra themselves, or, among other threads, in a table of the
-// thread's own.
+// Marks of the members of a cavity, put on four different tetrahedra at a time without an
+// unpredictable branch: in the tetrahedra themselves, or, among other threads, in a table of the
+// thread's own. Each island has
+//
+//   put_four(marks, codes, which)   puts those in the table whose bits are set; returns which of
+//   them
+//                                   were not in before
+//   mark_four(four, which)          marks those tetrahedra; returns which of them had no mark
+//   before
 #pragma once
 
-#include "kernel/pieces.hpp"
-#include "kernel/thread_state.hpp"
-
-namespace mgdt {
-inline namespace MGDT_ISA {
-
-// Puts those in whose bits are set; returns which of them were not in before. A view by value,
-// which stays in registers elsewhere.
-inline std::uint32_t put_one_by_one(MarkTable::View marks, const FacetCode* codes,
-                                    std::uint32_t which) {
-    std::uint32_t fresh = 0;
-    for (unsigned k = 0; k < 4; ++k) {
-        const std::uint32_t is_in = which >> k & 1;
-        fresh |= (is_in & marks.put(codes[k] >> 2, is_in)) << k;
-    }
-    return fresh;
-}
-
-#if defined(MGDT_HAVE_FOUR_ROWS)
-
-// The same.
-MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const FacetCode* codes,
-                                          std::uint32_t which) {
-    const __m128i t = _mm_srli_epi32(_mm_load_si128(reinterpret_cast<const __m128i*>(codes)), 2);
-    const auto entry = [&](unsigned k) { return marks.data + (codes[k] >> 2 & marks.mask); };
-    const auto there = [&](unsigned k) { return static_cast<int>(*entry(k)); };
-    const __m128i before = _mm_setr_epi32(there(0), there(1), there(2), there(3));
-    const __m128i keys =
-        _mm_or_si128(_mm_srl_epi32(t, _mm_cvtsi32_si128(static_cast<int>(marks.place_bits))),
-                     _mm_set1_epi32(static_cast<int>(marks.stamp)));
-
-    const auto lanes = [](__m128i of_words) {
-        return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(of_words)));
-    };
-    const __m128i zero = _mm_setzero_si128(), difference = _mm_xor_si128(before, keys);
-    const std::uint32_t is_in = lanes(_mm_cmpeq_epi32(difference, zero));
-    // Two entries with one stamp differ below it alone.
-    const std::uint32_t has_stamp =
-        lanes(_mm_cmpeq_epi32(_mm_srli_epi32(difference, MarkTable::stamp_shift), zero));
-    const __m128i place = _mm_and_si128(t, _mm_set1_epi32(static_cast<int>(marks.mask)));
-    // Each place beside the next one and the one after it, cyclically: all six pairs.
-    const std::uint32_t is_shared = lanes(
-        _mm_or_si128(_mm_cmpeq_epi32(place, _mm_shuffle_epi32(place, _MM_SHUFFLE(0, 3, 2, 1))),
-                     _mm_cmpeq_epi32(place, _mm_shuffle_epi32(place, _MM_SHUFFLE(1, 0, 3, 2)))));
-    if (MGDT_UNLIKELY(((has_stamp & ~is_in & which) | is_shared) != 0))
-        return put_one_by_one(marks, codes, which);
-
-    const __m128i chosen =
-        _mm_sllv_epi32(_mm_set1_epi32(static_cast<int>(which)), _mm_setr_epi32(31, 30, 29, 28));
-    const __m128i after = _mm_castps_si128(
-        _mm_blendv_ps(_mm_castsi128_ps(before), _mm_castsi128_ps(keys), _mm_castsi128_ps(chosen)));
-    *entry(0) = static_cast<std::uint32_t>(_mm_extract_epi32(after, 0));
-    *entry(1) = static_cast<std::uint32_t>(_mm_extract_epi32(after, 1));
-    *entry(2) = static_cast<std::uint32_t>(_mm_extract_epi32(after, 2));
-    *entry(3) = static_cast<std::uint32_t>(_mm_extract_epi32(after, 3));
-    return which & ~is_in;
-}
-
-// Marks those whose bits are set; returns which of them had no mark before.
-template <class Tetrahedra>
-MGDT_ALWAYS_INLINE std::uint32_t mark_four(const Tetrahedra& four, std::uint32_t which) {
-    const auto second = [&](unsigned k) { return static_cast<int>(four[k].v[1]); };
-    const __m128i before = _mm_setr_epi32(second(0), second(1), second(2), second(3));
-    const auto marked = static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(before)));
-    const __m128i on_top =
-        _mm_sllv_epi32(_mm_set1_epi32(static_cast<int>(which)), _mm_setr_epi32(31, 30, 29, 28));
-    const __m128i marks = _mm_and_si128(on_top, _mm_set1_epi32(static_cast<int>(in_cavity)));
-    const __m128i after = _mm_or_si128(before, marks);
-    four[0].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 0));
-    four[1].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 1));
-    four[2].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 2));
-    four[3].v[1] = static_cast<VertexId>(_mm_extract_epi32(after, 3));
-    return which & ~marked;
-}
-
-#else
-
-// The same.
-MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const FacetCode* codes,
-                                          std::uint32_t which) {
-    return put_one_by_one(marks, codes, which);
-}
-
-// The same.
-template <class Tetrahedra>
-MGDT_ALWAYS_INLINE std::uint32_t mark_four(const Tetrahedra& four, std::uint32_t which) {
-    std::uint32_t marked = 0;
-    for (unsigned k = 0; k < 4; ++k) {
-        const VertexId second = four[k].v[1];
-        marked |= second >> 31 << k;
-        four[k].v[1] = second | (hide_from_optimizer(which >> k) << 31);
-    }
-    return which & ~marked;
-}
-
-#endif
-
-}  // namespace MGDT_ISA
-}  // namespace mgdt
+#include "kernel/island.hpp"
+#include MGDT_IN_ISLAND(cavity_marks.hpp)

@@ -15,14 +15,14 @@
 #include <cstring>
 #include <limits>
 
-#include "kernel/isa.hpp"
+#include "kernel/island.hpp"
 #include "mesh/tetrahedron.hpp"
 
 namespace mgdt {
 
 struct Mesh;
 
-inline namespace MGDT_ISA {
+inline namespace MGDT_ISLAND {
 
 // Coefficients of the error bounds, in units of 2^-53. Tests make them smaller to see the filter
 // fail.
@@ -168,7 +168,7 @@ inline KeptSphere rounded(const Sphere& s, double roundoff = kept_roundoff) {
             upper_half(std::copysign(sound, s.e))};
 }
 
-}  // namespace MGDT_ISA
+}  // namespace MGDT_ISLAND
 
 // The sphere of any tetrahedron, marked or not, from its vertices. Where a vertex is outside the
 // normal range the bound is infinite.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The body of each kernel_*.cpp: the table of functions for the instruction set that MGDT_ISA
-// names and the file's compiler flags give.
+// The insertion of a point: the walk to a tetrahedron in conflict with it, the cavity of all that
+// are, and the star that replaces them. Compiled in each island.
 #pragma once
 
 #include "kernel/cavity.hpp"
@@ -9,7 +9,7 @@
 #include "kernel/walk.hpp"
 
 namespace mgdt {
-inline namespace MGDT_ISA {
+inline namespace MGDT_ISLAND {
 
 template <class Access>
 MGDT_ALWAYS_INLINE Insertion insert_with(Access access, Mesh& mesh, Workspace& w, VertexId q,
@@ -48,13 +48,10 @@ constexpr KernelCalls kernel_calls = {insert<Spheres>, insert_concurrent<Spheres
                                       locate_begin<Spheres>, locate_step<Spheres>,
                                       locate_jump<Spheres>};
 
-}  // namespace MGDT_ISA
-}  // namespace mgdt
+// What the library calls, of this island.
+constexpr Kernel kernel_named(const char* isa) {
+    return {isa, kernel_calls<KeptSpheres>, kernel_calls<ComputedSpheres>};
+}
 
-#define MGDT_TEXT_OF(name) #name
-#define MGDT_TEXT(name) MGDT_TEXT_OF(name)
-#define MGDT_KERNEL_TABLE                                           \
-    {                                                               \
-        MGDT_TEXT(MGDT_ISA), mgdt::kernel_calls<mgdt::KeptSpheres>, \
-            mgdt::kernel_calls<mgdt::ComputedSpheres>               \
-    }
+}  // namespace MGDT_ISLAND
+}  // namespace mgdt

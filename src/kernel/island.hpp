@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The kernel is compiled once for each instruction set. What its headers define stands in a
 // namespace of that set's name, so that the linker never takes one set's copy for another's.
-// MGDT_ISA is defined by the kernel_*.cpp files; everybody else gets the baseline.
+//
+// All that is written for one instruction set alone stands in its island, the folder of its name. A
+// kernel header that has a part in each island says what it gives and includes the part by
+// MGDT_IN_ISLAND. MGDT_ISLAND is defined by the kernel_*.cpp files; every other file gets the
+// scalar island.
 #pragma once
 
-#if !defined(MGDT_ISA)
-#define MGDT_ISA baseline
+#if !defined(MGDT_ISLAND)
+#define MGDT_ISLAND scalar
 #endif
+
+#define MGDT_TEXT_OF(name) #name
+#define MGDT_TEXT(name) MGDT_TEXT_OF(name)
+// clang-format off
+#define MGDT_IN_ISLAND(file) MGDT_TEXT(kernel/MGDT_ISLAND/file)
+// clang-format on

@@ -3,11 +3,11 @@
 // vertex records, so that two threads may have one vertex in their cavities.
 #pragma once
 
-#include "kernel/isa.hpp"
+#include "kernel/island.hpp"
 #include "kernel/workspace.hpp"
 
 namespace mgdt {
-inline namespace MGDT_ISA {
+inline namespace MGDT_ISLAND {
 
 // The vertex opposite the face that a member of the cavity is reached through.
 template <class Tetrahedra>
@@ -129,5 +129,5 @@ class ProbedNumbers {
     std::uint32_t count_ = 0;
 };
 
-}  // namespace MGDT_ISA
+}  // namespace MGDT_ISLAND
 }  // namespace mgdt

@@ -5,11 +5,11 @@
 // walk, which confirms it in one step if it is right.
 #pragma once
 
-#include "kernel/isa.hpp"
+#include "kernel/island.hpp"
 #include "kernel/workspace.hpp"
 
 namespace mgdt {
-inline namespace MGDT_ISA {
+inline namespace MGDT_ISLAND {
 
 // The signs of orientations do not change when each axis is divided by a number of its own. So
 // differences that could overflow in a product are divided by the largest of their axis.
@@ -80,5 +80,5 @@ MGDT_NOT_INLINE TetId walk_roughly(const Mesh& mesh, TetId t, const double* q, C
     }
 }
 
-}  // namespace MGDT_ISA
+}  // namespace MGDT_ISLAND
 }  // namespace mgdt

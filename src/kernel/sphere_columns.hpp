@@ -1,113 +1,14 @@
 // SPDX-License-Identifier: MIT
-// set_sphere(), and normals of ghosts, for as many tetrahedra at a time as a vector has doubles.
+// set_sphere() and set_normal() of circumsphere.hpp for as many tetrahedra at a time as a vector
+// has doubles. R is the vector's class, as Four of the island avx2.
 #pragma once
 
-#include <cstring>
 #include <type_traits>
 
 #include "kernel/circumsphere.hpp"
 
-#if defined(__AVX2__) && defined(__FMA__) && defined(__x86_64__)
-#define MGDT_HAVE_FOUR_ROWS 1
-#include <immintrin.h>
-
 namespace mgdt {
-inline namespace MGDT_ISA {
-
-struct Four {
-    using Vector = __m256d;
-    using Mask = __m256d;  // all bits of an element or none
-    MGDT_ALWAYS_INLINE static Mask either(Mask a, Mask b) { return _mm256_or_pd(a, b); }
-    MGDT_ALWAYS_INLINE static Vector where(Mask mask, Vector x, Vector y) {
-        return _mm256_blendv_pd(y, x, mask);
-    }
-    MGDT_ALWAYS_INLINE static Vector zero_where(Mask mask, Vector x) {
-        return _mm256_andnot_pd(mask, x);
-    }
-    // Which of so many numbers equal one.
-    MGDT_ALWAYS_INLINE static Mask equal(const std::uint8_t* numbers, std::uint32_t number) {
-        std::int32_t four;
-        std::memcpy(&four, numbers, sizeof four);
-        return equal(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(four)), number);
-    }
-    MGDT_ALWAYS_INLINE static Mask equal(const std::uint32_t* numbers, std::uint32_t number) {
-        return equal(_mm_loadu_si128(reinterpret_cast<const __m128i*>(numbers)), number);
-    }
-    MGDT_ALWAYS_INLINE static Vector all(double x) { return _mm256_set1_pd(x); }
-    MGDT_ALWAYS_INLINE static Vector subtract(Vector a, Vector b) { return _mm256_sub_pd(a, b); }
-    MGDT_ALWAYS_INLINE static Vector multiply(Vector a, Vector b) { return _mm256_mul_pd(a, b); }
-    MGDT_ALWAYS_INLINE static Vector divide(Vector a, Vector b) { return _mm256_div_pd(a, b); }
-    // a * b + c, a * b - c
-    MGDT_ALWAYS_INLINE static Vector multiply_add(Vector a, Vector b, Vector c) {
-        return _mm256_fmadd_pd(a, b, c);
-    }
-    MGDT_ALWAYS_INLINE static Vector multiply_subtract(Vector a, Vector b, Vector c) {
-        return _mm256_fmsub_pd(a, b, c);
-    }
-    MGDT_ALWAYS_INLINE static Vector magnitude(Vector a) {
-        return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a);
-    }
-    MGDT_ALWAYS_INLINE static Vector larger(Vector a, Vector b) { return _mm256_max_pd(a, b); }
-    MGDT_ALWAYS_INLINE static Mask above(Vector a, Vector b) {
-        return _mm256_cmp_pd(a, b, _CMP_GT_OQ);
-    }
-    // Numbers whose upper halves are these rounded to nearest.
-    MGDT_ALWAYS_INLINE static Vector to_upper_half(Vector a) {
-        return _mm256_castsi256_pd(
-            _mm256_add_epi64(_mm256_castpd_si256(a), _mm256_set1_epi64x(0x80000000)));
-    }
-
-  private:
-    MGDT_ALWAYS_INLINE static Mask equal(__m128i numbers, std::uint32_t number) {
-        const __m128i same = _mm_cmpeq_epi32(numbers, _mm_set1_epi32(static_cast<int>(number)));
-        return _mm256_castsi256_pd(_mm256_cvtepi32_epi64(same));
-    }
-};
-
-#if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__) && defined(__AVX512BW__)
-#define MGDT_HAVE_EIGHT_ROWS 1
-
-struct Eight {
-    using Vector = __m512d;
-    using Mask = __mmask8;
-    MGDT_ALWAYS_INLINE static Mask either(Mask a, Mask b) { return static_cast<Mask>(a | b); }
-    MGDT_ALWAYS_INLINE static Vector where(Mask mask, Vector x, Vector y) {
-        return _mm512_mask_blend_pd(mask, y, x);
-    }
-    MGDT_ALWAYS_INLINE static Vector zero_where(Mask mask, Vector x) {
-        return _mm512_maskz_mov_pd(static_cast<Mask>(~mask), x);
-    }
-    MGDT_ALWAYS_INLINE static Mask equal(const std::uint8_t* numbers, std::uint32_t number) {
-        return static_cast<Mask>(
-            _mm_cmpeq_epi8_mask(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(numbers)),
-                                _mm_set1_epi8(static_cast<char>(number))));
-    }
-    MGDT_ALWAYS_INLINE static Mask equal(const std::uint32_t* numbers, std::uint32_t number) {
-        return _mm256_cmpeq_epi32_mask(
-            _mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers)),
-            _mm256_set1_epi32(static_cast<int>(number)));
-    }
-    MGDT_ALWAYS_INLINE static Vector all(double x) { return _mm512_set1_pd(x); }
-    MGDT_ALWAYS_INLINE static Vector multiply(Vector a, Vector b) { return _mm512_mul_pd(a, b); }
-    MGDT_ALWAYS_INLINE static Vector divide(Vector a, Vector b) { return _mm512_div_pd(a, b); }
-    MGDT_ALWAYS_INLINE static Vector multiply_add(Vector a, Vector b, Vector c) {
-        return _mm512_fmadd_pd(a, b, c);
-    }
-    MGDT_ALWAYS_INLINE static Vector multiply_subtract(Vector a, Vector b, Vector c) {
-        return _mm512_fmsub_pd(a, b, c);
-    }
-    MGDT_ALWAYS_INLINE static Vector magnitude(Vector a) { return _mm512_abs_pd(a); }
-    MGDT_ALWAYS_INLINE static Vector larger(Vector a, Vector b) { return _mm512_max_pd(a, b); }
-    MGDT_ALWAYS_INLINE static Mask above(Vector a, Vector b) {
-        return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ);
-    }
-    MGDT_ALWAYS_INLINE static Vector to_upper_half(Vector a) {
-        return _mm512_castsi512_pd(
-            _mm512_add_epi64(_mm512_castpd_si512(a), _mm512_set1_epi64(0x80000000)));
-    }
-};
-
-#endif
+inline namespace MGDT_ISLAND {
 
 // Points as columns of coordinates.
 template <class R>
@@ -196,7 +97,5 @@ MGDT_ALWAYS_INLINE SphereColumns<R> spheres_through(const LocalColumns<R>& a,
     return s;
 }
 
-}  // namespace MGDT_ISA
+}  // namespace MGDT_ISLAND
 }  // namespace mgdt
-
-#endif

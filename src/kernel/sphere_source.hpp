@@ -6,7 +6,7 @@
 #include "mesh/mesh.hpp"
 
 namespace mgdt {
-inline namespace MGDT_ISA {
+inline namespace MGDT_ISLAND {
 
 // From the mesh, which keeps them.
 struct KeptSpheres {
@@ -46,5 +46,5 @@ MGDT_ALWAYS_INLINE Power power(const Spheres& from, TetId t, const Query& q) {
     return power(from.sphere(t), from.vertices[from.tetrahedra[t].v[0]].x, q);
 }
 
-}  // namespace MGDT_ISA
+}  // namespace MGDT_ISLAND
 }  // namespace mgdt

@@ -9,11 +9,11 @@
 
 #include "kernel/adjacency.hpp"
 #include "kernel/local_numbers.hpp"
-#include "kernel/pieces.hpp"
 #include "kernel/spheres.hpp"
+#include "kernel/words.hpp"
 
 namespace mgdt {
-inline namespace MGDT_ISA {
+inline namespace MGDT_ISLAND {
 
 // Where the numbers of the facets' vertices go: those of a small star, and of any.
 struct SmallCorners {
@@ -236,5 +236,5 @@ TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
     return first;
 }
 
-}  // namespace MGDT_ISA
+}  // namespace MGDT_ISLAND
 }  // namespace mgdt

@@ -16,7 +16,7 @@
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
-inline namespace MGDT_ISA {
+inline namespace MGDT_ISLAND {
 
 struct WalkResult {
     // In conflict with q; or the tetrahedron that has the vertex; or no_tetrahedron where the way
@@ -276,5 +276,5 @@ void locate_begin(const Mesh& mesh, LocationWalk& w) {
     w.error = here.error;
 }
 
-}  // namespace MGDT_ISA
+}  // namespace MGDT_ISLAND
 }  // namespace mgdt

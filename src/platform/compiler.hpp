@@ -50,4 +50,12 @@ MGDT_ALWAYS_INLINE unsigned bit_width(std::uint64_t x) noexcept {
 #endif
 }
 
+// Keeps the compiler from turning arithmetic on a condition back into a branch on it.
+MGDT_ALWAYS_INLINE std::uint32_t hide_from_optimizer(std::uint32_t x) {
+#if defined(__GNUC__)
+    __asm__("" : "+r"(x));
+#endif
+    return x;
+}
+
 }  // namespace mgdt

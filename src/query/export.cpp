@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
-
+#include "platform/streaming.hpp"
 #include "query/canonical_sort.hpp"
 #include "query/vertex_indices.hpp"
 
@@ -39,43 +36,23 @@ class Rows {
   public:
     Rows(Int* out, bool is_large)
         : out_(out),
-          streams_(is_large && reinterpret_cast<std::uintptr_t>(out) % sizeof(Wide) == 0) {}
+          streams_(is_large && reinterpret_cast<std::uintptr_t>(out) % streaming_alignment == 0) {}
     // Once a thread, after its last row.
-    static void finish() {
-#if defined(__SSE2__)
-        _mm_sfence();
-#endif
-    }
+    static void finish() { finish_streaming(); }
 
     void add(Int a, Int b, Int c, Int d) {
-#if defined(__SSE2__)
         if (streams_) {
-            if constexpr (sizeof(Int) == 8) {
-                stream(0, _mm_set_epi64x(b, a));
-                stream(2, _mm_set_epi64x(d, c));
-            } else {
-                stream(0, _mm_set_epi32(d, c, b, a));
-            }
-            out_ += 4;
-            return;
+            stream_four(out_, a, b, c, d);
+        } else {
+            out_[0] = a;
+            out_[1] = b;
+            out_[2] = c;
+            out_[3] = d;
         }
-#endif
-        out_[0] = a;
-        out_[1] = b;
-        out_[2] = c;
-        out_[3] = d;
         out_ += 4;
     }
 
   private:
-#if defined(__SSE2__)
-    using Wide = __m128i;
-    void stream(unsigned i, __m128i value) {
-        _mm_stream_si128(reinterpret_cast<__m128i*>(out_ + i), value);
-    }
-#else
-    using Wide = Int;
-#endif
     Int* out_;
     const bool streams_;
 };

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What takes four tetrahedra into a cavity at a time, of kernel/cavity_marks.hpp and
-// kernel/pieces.hpp, as it is compiled for one instruction set.
+// kernel/words.hpp, as it is compiled for one instruction set.
 #pragma once
 
 #include "kernel/cavity_marks.hpp"
+#include "kernel/words.hpp"
 
 struct FourAtATime {
     std::uint32_t (*put_four)(const mgdt::MarkTable::View& marks, const mgdt::FacetCode* codes,
@@ -16,7 +17,7 @@ struct FourAtATime {
 FourAtATime four_at_a_time_avx2();
 
 namespace mgdt {
-inline namespace MGDT_ISA {
+inline namespace MGDT_ISLAND {
 
 // That of the including file.
 inline FourAtATime four_at_a_time() {
@@ -25,5 +26,5 @@ inline FourAtATime four_at_a_time() {
             [](auto to, auto words, auto bits) { return append(to, words, bits); }};
 }
 
-}  // namespace MGDT_ISA
+}  // namespace MGDT_ISLAND
 }  // namespace mgdt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#define MGDT_ISA avx2_test
+#define MGDT_ISLAND avx2
 #include "kernel/ties.hpp"
 #include "ties.hpp"
 

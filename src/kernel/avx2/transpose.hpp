@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Four rows of four doubles, or of their upper halves, as columns, and the other way: for AVX2.
+// Four rows of four doubles, or of their upper halves, as columns, and the other way.
 #pragma once
 
-#include "kernel/vector_sphere.hpp"
-
-#if defined(MGDT_HAVE_FOUR_ROWS)
+#include "kernel/avx2/vector.hpp"
+#include "kernel/sphere_columns.hpp"
 
 namespace mgdt {
-inline namespace MGDT_ISA {
+inline namespace MGDT_ISLAND {
 
 // row(k) points to row k, aligned to 32 bytes.
 struct Transpose4 {
@@ -67,7 +66,5 @@ MGDT_ALWAYS_INLINE PointColumns<Four> relative_to(const Transpose4& rows,
             Four::subtract(rows.third, origin.z)};
 }
 
-}  // namespace MGDT_ISA
+}  // namespace MGDT_ISLAND
 }  // namespace mgdt
-
-#endif

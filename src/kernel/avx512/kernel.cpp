@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The kernel for AVX-512 F, VL, DQ, BW.
-#define MGDT_ISA avx512
-#include "kernel/kernel_table.hpp"
+// The kernel for AVX-512.
+#define MGDT_ISLAND avx512
+#include "kernel/insert.hpp"
 
 namespace mgdt {
 
 extern const Kernel avx512_kernel;
-constexpr Kernel avx512_kernel MGDT_KERNEL_TABLE;
+constexpr Kernel avx512_kernel = kernel_named("avx512");
 
 }  // namespace mgdt

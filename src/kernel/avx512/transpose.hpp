@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Eight rows of four doubles, aligned to 32 bytes, as columns of eight, of which the first three
-// are wanted: for AVX-512.
+// are wanted.
 #pragma once
 
-#include "kernel/vector_sphere.hpp"
-
-#if defined(MGDT_HAVE_EIGHT_ROWS)
+#include "kernel/avx2/transpose.hpp"
+#include "kernel/avx512/vector.hpp"
 
 namespace mgdt {
-inline namespace MGDT_ISA {
+inline namespace MGDT_ISLAND {
 
 class Transpose8 {
   public:
@@ -40,7 +39,5 @@ class Transpose8 {
     __m512d odd_low_, odd_high_, even_low_, even_high_;
 };
 
-}  // namespace MGDT_ISA
+}  // namespace MGDT_ISLAND
 }  // namespace mgdt
-
-#endif

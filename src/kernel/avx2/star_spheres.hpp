@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// What the spheres of a star are made of, for vectors of four doubles and of eight.
+#pragma once
+
+#include "kernel/avx2/vector.hpp"
+#include "kernel/sphere_columns.hpp"
+#include "kernel/star_records.hpp"
+
+namespace mgdt {
+inline namespace MGDT_ISLAND {
+
+// Of as many facets as a vector has elements; bs and cs are the numbers of b and c.
+template <bool at_hull, class R, class Number>
+MGDT_ALWAYS_INLINE SphereColumns<R> star_spheres(const LocalColumns<R>& a, const LocalColumns<R>& b,
+                                                 const LocalColumns<R>& c, const Number* bs,
+                                                 const Number* cs, std::uint32_t infinite) {
+    if constexpr (at_hull) {
+        const auto at_b = R::equal(bs, infinite), at_c = R::equal(cs, infinite);
+        return spheres_through<true>(a, b.infinite_where(at_b), c.infinite_where(at_c),
+                                     R::either(at_b, at_c));
+    } else {
+        return spheres_through<true>(a, b, c);
+    }
+}
+
+// Sets the sphere of the i-th facet's tetrahedron, and does what else is to be done with it; false
+// past the last facet, which no other branch shall look for, since it cannot be foretold.
+template <class Link>
+MGDT_ALWAYS_INLINE bool finish(const FacetCode* slots, std::size_t size, SphereStore spheres,
+                               std::size_t i, __m128i sphere, Link link) {
+    if (i == size) return false;
+    TetrahedronAndSphere& to = *spheres.record(slots[i]);
+    link(i, to.tetrahedron);
+    _mm_store_si128(reinterpret_cast<__m128i*>(to.sphere.w), sphere);
+    return true;
+}
+
+}  // namespace MGDT_ISLAND
+}  // namespace mgdt

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+// Powers with respect to four tetrahedra: see kernel/powers.hpp. Four are all that a step looks at.
+#pragma once
+
+#include "kernel/avx2/powers.hpp"

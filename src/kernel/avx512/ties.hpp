@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+// Conflicts near ties: see kernel/ties.hpp. A tetrahedron has four vertices.
+#pragma once
+
+#include "kernel/avx2/ties.hpp"

@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""No include goes against the order of folders that docs/architecture.md gives, and what is written
+for one instruction set alone stands in its island, a folder below src/kernel, or in src/platform.
+
+  includes_test.py SOURCE
+"""
+import re
+import sys
+from pathlib import Path
+
+source = Path(sys.argv[1])
+sys.path.insert(0, str(source / "tests"))
+from checks import check, finish
+
+# The program calls the C interface; see architecture.md.
+PROGRAM = {"cli", "mgdt", "predicates", "platform"}
+INTRINSICS = re.compile(r"#\s*include\s*<\w*(?:intrin|arm_neon|arm_sve)\.?\w*>|\b_mm\d*_\w+\(|"
+                        r"\b__(?:AVX|SSE|FMA|BMI|ARM_NEON)\w*")
+
+
+def ranks():
+    """Each folder's place in the order, platform first."""
+    text = (source / "docs" / "architecture.md").read_text(encoding="utf-8")
+    chain = re.search(r"`(capi(?: -> [\w, ]+)+)`", text).group(1)
+    levels = [level.split(", ") for level in chain.split(" -> ")]
+    return {folder: -place for place, level in enumerate(levels) for folder in level}
+
+
+def wrong_includes(folder, text, rank):
+    for included in re.findall(r'#include "(\w+)/', text):
+        if folder == "cli":
+            if included not in PROGRAM:
+                yield included
+        elif included not in (folder, "mgdt") and rank.get(included, 1) >= rank[folder]:
+            yield included
+
+
+def main():
+    rank = ranks()
+    folders = {p.name for p in (source / "src").iterdir() if p.is_dir() and any(p.glob("*.cpp"))}
+    check("the order has each folder", " ".join(sorted(folders ^ (set(rank) | {"cli"}))))
+    islands = {p.name for p in (source / "src" / "kernel").iterdir() if p.is_dir()}
+    seen = 0
+    for path in sorted((source / "src").rglob("*.[ch]pp")):
+        name = path.relative_to(source / "src")
+        text = path.read_text(encoding="utf-8")
+        problems = [f"includes {other}/" for other in wrong_includes(name.parts[0], text, rank)]
+        if name.parts[0] != "platform" and not (name.parts[0] == "kernel" and name.parts[1] in islands):
+            problems += [f"has {match.group()}" for match in INTRINSICS.finditer(text)]
+        check(str(name), "; ".join(problems), names_passed=False)
+        seen += 1
+    check("there are sources", "" if seen > 100 else f"only {seen}")
+    # What is looked for is found where it is.
+    vector = (source / "src" / "kernel" / "avx2" / "vector.hpp").read_text(encoding="utf-8")
+    check("intrinsics are seen", "" if INTRINSICS.search(vector) else "none in avx2/vector.hpp")
+    check("an include upwards is seen",
+          "" if list(wrong_includes("mesh", '#include "kernel/kernel.hpp"\n', rank)) else "not")
+    check("and one beside", "" if list(wrong_includes("order", '#include "kernel/walk.hpp"\n', rank)) else "not")
+    finish()
+
+
+if __name__ == "__main__":
+    main()
