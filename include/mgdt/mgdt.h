@@ -37,8 +37,9 @@
  *   is inside, all others are refused: counts are those of an empty handle, mgdt_isa_name() gives
  *   an empty string, and mgdt_destroy() does nothing. While a call that takes a const handle is
  *   inside, those that take a non-const one are refused, and mgdt_destroy() does nothing. One case
- *   is not noticed: such a call from another thread during mgdt_locate(), mgdt_nearest_vertex(),
- *   mgdt_get_stat() or a count. (Since 1.2; before, all of this was undefined.)
+ *   is not noticed: such a call from another thread during mgdt_locate(), mgdt_nearest_vertex() and
+ *   their twins, a call that gives a setting, mgdt_get_stat() or a count. (Since 1.2; before, all of
+ *   this was undefined.)
  * - Callbacks must return: no longjmp(), no pthread_exit(). They should not throw; an exception of
  *   the progress callback counts as a nonzero result, one of an mgdt_alloc_fn as NULL, and one of
  *   an mgdt_free_fn is dropped.
@@ -228,7 +229,7 @@ MGDT_API mgdt_status mgdt_reserve(mgdt_triangulation *t, int64_t n_points);
 
 /** Frees what the handle keeps for speed alone: room for points to come, working arrays, numbers of
  *  tetrahedra and where locations start. The triangulation stays as it is, with all its numbers;
- *  calls that want any of that make it again. The order in which later insertions store tetrahedra
+ *  calls that want any of that make it again, for which they need memory. The order in which later insertions store tetrahedra
  *  may differ (mgdt_set_canonical_output()). What the allocator does not take back stays; the
  *  default one moves blocks within the memory limit.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
@@ -268,8 +269,8 @@ MGDT_API mgdt_status mgdt_set_seed(mgdt_triangulation *t, uint64_t seed);
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_get_seed(const mgdt_triangulation *t, uint64_t *seed);
 
-/** Sets how many threads a call may use: insertions, exports, checks and the location of many
- *  points. The tetrahedra do not depend on it; the order of storage, in which tetrahedra are
+/** Sets how many threads a call may use: insertions, exports, checks, and the location and nearest
+ *  vertices of many points. The tetrahedra do not depend on it; the order of storage, in which tetrahedra are
  *  exported unless output is canonical, may differ from run to run when it is not 1. Threads are
  *  started by a call that has work for them and joined before it returns; the calling thread is one
  *  of them. Where the system refuses threads, a call does with those it has.

@@ -52,13 +52,14 @@ void Triangulation::reserve(std::size_t points) {
 void Triangulation::shrink() noexcept {
     forget_numbering();
     location_tree_.forget();
-    mesh_.shrink();
+    // What takes no block comes first: the others may need room to move.
     workspace_.reset();
     for (Buffer<std::uint32_t>* part :
          {&short_schedule_.order, &short_schedule_.rounds, &short_schedule_.hints})
         part->reset();
-    point_map_.shrink();
     degenerate_.clear();
+    point_map_.shrink();
+    mesh_.shrink();
 }
 
 void Triangulation::set_compact(bool compact) {

@@ -3,6 +3,7 @@
 // without.
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
 #include "mesh/tetrahedron.hpp"
@@ -122,7 +123,8 @@ class TetrahedronStore {
     // Gives back what is not used, where that can be.
     void shrink() noexcept {
         pieces_.shrink();
-        capacity_ = pieces_.capacity() / stride();
+        // The pieces are more where spheres were left out and a smaller block was refused.
+        capacity_ = std::min(capacity_, pieces_.capacity() / stride());
     }
     // Makes room for spheres, which are not set. Throws std::bad_alloc with nothing changed.
     void make_room_for_spheres();

@@ -440,6 +440,30 @@ static void shrunk(void) {
     free(xyz);
 }
 
+/* A block that compact storage was refused to make smaller is no room for more tetrahedra. */
+static void shrunk_after_refusals(void) {
+    const int64_t n = 2000;
+    double *xyz = random_points(n, 0, 13), before;
+    source s = working();
+    mgdt_triangulation* t = NULL;
+    CHECK_EQUAL(mgdt_create_with_allocator(take, give, &s, &t), MGDT_OK);
+    CHECK_EQUAL(mgdt_insert_points(t, n, xyz), MGDT_OK);
+    fail(&s, s.calls + 1, INT64_MAX);
+    CHECK_EQUAL(mgdt_set_compact(t, 1), MGDT_OK);
+    CHECK_EQUAL(mgdt_shrink(t), MGDT_OK);
+    /* The spheres fit the block that they were in. */
+    CHECK_EQUAL(mgdt_set_compact(t, 0), MGDT_OK);
+    fail(&s, 0, 0);
+    before = (double)s.bytes;
+    CHECK_EQUAL(mgdt_shrink(t), MGDT_OK);
+    CHECK((double)s.bytes < before);
+    CHECK_EQUAL(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_OK);
+    mgdt_destroy(t);
+    CHECK_EQUAL(s.live, 0);
+    CHECK(!s.wrong);
+    free(xyz);
+}
+
 /* Points one by one from nothing to space, with repeats, shrunk after each. */
 static void shrunk_between(void) {
     static const double xyz[] = {0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 0, 0, 0,   1, 0,
@@ -485,6 +509,7 @@ void test_memory(void) {
     below_what_is_held();
     accounting(xyz);
     shrunk();
+    shrunk_after_refusals();
     shrunk_between();
     mgdt_destroy(expected);
     free(xyz);

@@ -194,6 +194,8 @@ void read_all(Meter& meter, const mgdt_triangulation* t, const Points& queries) 
           [&] { return mgdt_locate_points(t, n, queries.data(), v.data(), weights.data()); });
     meter("mgdt_locate_points",
           [&] { return mgdt_locate_points_i32(t, n, queries.data(), v32.data(), nullptr); });
+    meter("mgdt_nearest_vertices",
+          [&] { return mgdt_nearest_vertices(t, n, queries.data(), v.data()); });
     for (std::size_t i = 0; i < queries.size(); i += 3 * (1 + queries.size() / 45)) {
         meter("mgdt_locate", [&] { return mgdt_locate(t, &queries[i], v.data()); });
         meter("mgdt_nearest_vertex", [&] { return mgdt_nearest_vertex(t, &queries[i], v.data()); });
@@ -328,6 +330,9 @@ void large_sets(Meter& meter) {
         return mgdt_locate_points(t.get(), count(many_nested), many_nested.data(), found.data(),
                                   nullptr);
     });
+    meter("mgdt_nearest_vertices", [&] {
+        return mgdt_nearest_vertices(t.get(), count(many_nested), many_nested.data(), found.data());
+    });
     const Handle ties = insert({MGDT_ORDER_AUTO}, 4, integer_sphere(33000, 4389));
     meter("mgdt_check", [&] { return mgdt_check(ties.get(), MGDT_CHECK_CANONICAL); });
     const Handle extreme = insert({MGDT_ORDER_AUTO}, 2, random_points_among_extremes(20000));
@@ -347,7 +352,7 @@ TEST(Stack, IsBounded) {
     meter.print();
     for (const char* kind :
          {"mgdt_insert_points, many", "mgdt_insert_points, cancelled", "mgdt_get_tetrahedra",
-          "mgdt_get_edges", "mgdt_locate_points", "mgdt_check"})
+          "mgdt_get_edges", "mgdt_locate_points", "mgdt_nearest_vertices", "mgdt_check"})
         EXPECT_TRUE(meter.has_measured_workers(kind)) << kind;
 }
 

@@ -132,6 +132,8 @@ class MgdtTest < Minitest::Test
     assert_equal [1.0, 50.0], [t.parameter(:separation), t.parameter("threshold")]
     refused(Mgdt::UnknownName) { t.parameter(:depth) }
     assert_raises(ArgumentError) { t.set_parameter(:separation, "apart") }
+    refused(Mgdt::InvalidArgument) { t.set_parameter(:separation, :apart) }
+    assert_equal 2.0, t.set_parameter(:separation, "2").parameter(:separation)
     before = t.statistic(:memory_bytes)
     assert_operator t.shrink.statistic(:memory_bytes), :<, before
     assert t.check

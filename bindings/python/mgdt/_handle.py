@@ -235,10 +235,13 @@ class Handle:
         """The vertices nearest to contiguous rows; -1 where there are none."""
         out = np.empty(len(places), dtype=np.int32)
         function = self._library.mgdt_nearest_vertices_i32
-        for begin in range(0, len(places), _LOCATION_BLOCK):
+        size = _LOCATION_BLOCK
+        if self.tetrahedron_count == 0:
+            size = 1 + 64 * size // (1 + self.vertex_count)
+        for begin in range(0, len(places), size):
             if is_left():
                 break
-            block = places[begin : begin + _LOCATION_BLOCK]
+            block = places[begin : begin + size]
             status = function(self._pointer, len(block), address(block), address(out[begin:]))
             self._ensure_located(status, places, name)
         return out

@@ -45,6 +45,13 @@ def whole(value: Any, name: str, least: int, most: int) -> int:
     return number
 
 
+def _number_or_name(value: Any) -> Union[float, str]:
+    try:
+        return float(value)
+    except ValueError:
+        return str(value)
+
+
 class GrowingTriangulation:
     """What `mgdt.Delaunay` does with points before anyone asks for tetrahedra.
 
@@ -76,7 +83,7 @@ class GrowingTriangulation:
         self._settings: dict[str, Any] = {
             "order": order,
             "order_parameters": {
-                k: v if isinstance(v, str) else float(v)
+                k: _number_or_name(v)
                 for k, v in (order_parameters or {}).items()
             },
             "seed": whole(seed, "seed", 0, 2**64 - 1),

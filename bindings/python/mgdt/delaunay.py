@@ -398,7 +398,9 @@ class Delaunay(GrowingTriangulation):
         def find(handle: Handle, is_left: Callable[[], bool]) -> IndexArray:
             return handle.nearest_vertices(places, "points", is_left)
 
-        return self._read(find, len(places) >= _LONG_LOCATION).reshape(shape)
+        # Where there are no tetrahedra each place is compared with each vertex.
+        steps = len(places) * (1 if self.nsimplex else 1 + self.npoints // 64)
+        return self._read(find, steps >= _LONG_LOCATION).reshape(shape)
 
     def interpolator(self, points: ArrayLike) -> Interpolator:
         """Locates places once, for interpolation of many sets of values there.

@@ -92,8 +92,9 @@ module Mgdt
     # A parameter of the order schemes: :points_per_cell, :threshold, :separation (:none, :passes,
     # :rounds or its number), :round_ratio.
     def set_parameter(name, value)
-      value = SEPARATIONS[value.to_sym] || value if name.to_sym == :separation && value.respond_to?(:to_sym)
-      call(:mgdt_set_order_parameter, parameter_key(name), Float(value))
+      key = parameter_key(name)
+      value = separation(value) if key == PARAMETERS[:separation]
+      call(:mgdt_set_order_parameter, key, Float(value))
       self
     end
 
@@ -319,6 +320,14 @@ module Mgdt
       return value if value.is_a?(Integer) && value.abs < 2**bits
 
       raise argument("#{what} is #{value.inspect}; it must be an Integer below 2**#{bits}")
+    end
+
+    def separation(value)
+      return value unless value.is_a?(Symbol) || SEPARATIONS.key?(value.to_s.to_sym)
+
+      SEPARATIONS[value.to_sym] ||
+        raise(argument("the separation is #{value.inspect}; it must be a number or one of " \
+                       "#{SEPARATIONS.keys.map(&:inspect).join(', ')}"))
     end
 
     def parameter_key(name)

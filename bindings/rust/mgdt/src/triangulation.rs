@@ -153,13 +153,9 @@ impl Triangulation {
         self.ensure(status)
     }
 
-    /// Sets a parameter of the order schemes, to a number or a [`Separation`](crate::Separation).
-    pub fn set_parameter<V: Into<f64>>(
-        &mut self,
-        parameter: Parameter,
-        value: V,
-    ) -> Result<(), Error> {
-        let value = value.into();
+    /// Sets a parameter of the order schemes. A [`Separation`](crate::Separation) becomes a number by
+    /// `into()`.
+    pub fn set_parameter(&mut self, parameter: Parameter, value: f64) -> Result<(), Error> {
         let status =
             unsafe { sys::mgdt_set_order_parameter(self.raw_mut(), parameter as i32, value) };
         self.ensure(status)

@@ -193,7 +193,7 @@ fn settings_are_read_as_they_are_set() {
     t.set_memory_limit(Some(1 << 40)).unwrap();
     t.set_compact(true).unwrap();
     t.set_canonical_output(true);
-    t.set_parameter(Parameter::Separation, Separation::Passes)
+    t.set_parameter(Parameter::Separation, Separation::Passes.into())
         .unwrap();
     t.set_parameter(Parameter::Threshold, 50.0).unwrap();
     assert_eq!(
