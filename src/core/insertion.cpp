@@ -206,12 +206,12 @@ void Triangulation::make_first_tetrahedra() {
         for (unsigned i = 0; i < 4; ++i) {
             if (ghost.v[i] == infinite_vertex) {
                 ghost.n[i] = f;
-                all[0].n[f] = 4 * (f + 1) + i;
+                all[0].n[f] = facet_code(f + 1, i);
             } else {
                 // Beyond the other two of the facet is the ghost that lacks this vertex and has
                 // the one that this ghost lacks.
                 const TetId other = slot(0, ghost.v[i]) + 1;
-                ghost.n[i] = 4 * other + slot(other, v[f]);
+                ghost.n[i] = facet_code(other, slot(other, v[f]));
             }
         }
     }

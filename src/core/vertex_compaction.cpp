@@ -15,7 +15,7 @@ constexpr std::size_t min_items_per_thread = 65536;
 constexpr std::size_t passed = 2048;
 
 // A tetrahedron of vertex v, whose slot is near those of v's.
-TetId tetrahedron_of(const Locator& locator, VertexId v) {
+TetId tetrahedron_with(const Locator& locator, VertexId v) {
     double q[3];
     locator.unscaled(v, q);
     TetId hint = locator.mesh.live_from(locator.mesh.vertex_hint[v]);
@@ -33,7 +33,7 @@ void renumber_star(Mesh& mesh, TetId first, VertexId from, VertexId to, Buffer<T
         }
     };
     renumber(first);
-    traverse_star(mesh, to, star, [&](FacetCode facet) { renumber(facet >> 2); });
+    traverse_star(mesh, to, star, [&](FacetCode facet) { renumber(tetrahedron_of(facet)); });
 }
 
 // Gives vertices from `end` on that have tetrahedra the numbers in their records.
@@ -43,7 +43,7 @@ void renumber_stars(Mesh& mesh, const KernelCalls& calls, std::size_t end) {
     for (std::size_t v = end; v < mesh.vertices.size(); ++v) {
         if (mesh.vertex_hint[v] == no_tetrahedron) continue;
         const auto from = static_cast<VertexId>(v);
-        renumber_star(mesh, tetrahedron_of(locator, from), from, mesh.vertices[v].moved_to, star);
+        renumber_star(mesh, tetrahedron_with(locator, from), from, mesh.vertices[v].moved_to, star);
     }
 }
 

@@ -58,7 +58,7 @@ struct CavityFront {
             // It is entered through no face; face 0 stands in.
             for (unsigned i = 1; i < 4; ++i) w.first_corners[i] = t.v[i];
             w.first_corners[0] = t.v[1];
-            *end++ = 4 * start.tetrahedron;
+            *end++ = first_facet(start.tetrahedron);
             if constexpr (Access::is_concurrent)
                 marks.put(start.tetrahedron, 1);
             else
@@ -69,7 +69,7 @@ struct CavityFront {
         const bool is_one = (start.faces & (start.faces - 1)) == 0;
         for (unsigned i = 0; i < 4; ++i) {
             w.first_corners[i] = is_one && (start.faces >> i & 1) ? t.v[(i + 1) & 3] : t.v[i];
-            *boundary_end = 4 * start.tetrahedron + i;
+            *boundary_end = facet_code(start.tetrahedron, i);
             boundary_end += start.faces >> i & 1;
         }
         take(tetrahedra.four(t.n), t.n, start.faces);
@@ -77,7 +77,7 @@ struct CavityFront {
     // What tells whether a tetrahedron is in.
     MGDT_ALWAYS_INLINE auto membership() const {
         if constexpr (Access::is_concurrent)
-            return [m = marks](FacetCode code) { return m.has(code >> 2); };
+            return [m = marks](FacetCode code) { return m.has(tetrahedron_of(code)); };
         else
             return [all = tetrahedra](FacetCode code) { return all.of(code).is_in_cavity(); };
     }
@@ -145,7 +145,7 @@ MGDT_PREDICATES_APART std::uint32_t decide(Access access, const Mesh& mesh, Work
     conflict &= undecided;
     for (undecided &= ~conflict; undecided != 0; undecided &= undecided - 1) {
         const unsigned k = lowest_bit(undecided);
-        const Tetrahedron& t = mesh.tetrahedra[n[k] >> 2];
+        const Tetrahedron& t = mesh.tetrahedra[tetrahedron_of(n[k])];
         // A ghost's tie is decided by the tetrahedron behind it, which is a neighbour of mine only
         // if the ghost is mine.
         if (!access.try_own(t)) return not_owned;
@@ -164,7 +164,7 @@ MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityS
     CavityFront<Access> saved(access, mesh, w);
     saved.begin(w, start);
     // All neighbours of a member but the one that it was reached through: of the start itself all.
-    const auto others = [](FacetCode code) { return 0xFu ^ (1u << (code & 3)); };
+    const auto others = [](FacetCode code) { return 0xFu ^ (1u << face_of(code)); };
     std::uint32_t active = start.faces == 0 ? 0xFu : others(*saved.next);
     // The inner loop is left for all that is rare, which takes what it needs from memory: what
     // lives across a call has few registers.

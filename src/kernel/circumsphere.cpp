@@ -7,7 +7,7 @@
 namespace mgdt {
 
 Sphere circumsphere(const Tetrahedron& t, const Vertex* vertices) {
-    const VertexId v[4] = {t.v[0], t.v[1] & ~in_cavity, t.v[2], t.v[3]};
+    const VertexId v[4] = {t.v[0], unmarked(t.v[1]), t.v[2], t.v[3]};
     const double* base = vertices[v[0]].x;
     const bool ghost = t.is_ghost();
     bool normal = true;
@@ -37,7 +37,7 @@ bool is_conflict_exact(const Mesh& mesh, const Tetrahedron& t, const double* q) 
     p[slot] = q;
     const int side = orientation(p[0], p[1], p[2], p[3]);
     if (side != 0) return side > 0;
-    const Tetrahedron& behind = mesh.tetrahedra[t.n[slot] >> 2];
+    const Tetrahedron& behind = mesh.tetrahedra[tetrahedron_of(t.n[slot])];
     if (behind.is_in_cavity()) return true;
     return side_of_sphere_perturbed(mesh.point(behind.v[0]), mesh.point(behind.v[1]),
                                     mesh.point(behind.v[2]), mesh.point(behind.v[3]), q) > 0;

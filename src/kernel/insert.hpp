@@ -18,7 +18,7 @@ MGDT_ALWAYS_INLINE Insertion insert_with(Access access, Mesh& mesh, Workspace& w
     const double* const point = mesh.point(q);
     const Query query(point, MGDT_LIKELY(!mesh.has_extremes) || in_normal_range(point));
     const typename Access::SphereSource spheres(mesh);
-    const bool is_in_star = w.slot_count != 0 && start == w.slots.data[0] >> 2;
+    const bool is_in_star = w.slot_count != 0 && start == tetrahedron_of(w.slots.data[0]);
     const WalkResult found = walk(
         access, mesh,
         is_in_star ? start_in_star(spheres, w, query, w.counters)

@@ -13,7 +13,7 @@ inline namespace MGDT_ISLAND {
 template <class Tetrahedra>
 MGDT_ALWAYS_INLINE VertexId corner(const Tetrahedra& tetrahedra, FacetCode code) {
     // A mark may be on the second.
-    return tetrahedra.of(code).v[code & 3] & ~in_cavity;
+    return unmarked(tetrahedra.of(code).v[face_of(code)]);
 }
 
 // One byte a vertex, found by its hash alone: right for nearly all cavities. It gives up where two

@@ -14,7 +14,7 @@ inline std::uint32_t put_one_by_one(MarkTable::View marks, const FacetCode* code
     std::uint32_t fresh = 0;
     for (unsigned k = 0; k < 4; ++k) {
         const std::uint32_t is_in = which >> k & 1;
-        fresh |= (is_in & marks.put(codes[k] >> 2, is_in)) << k;
+        fresh |= (is_in & marks.put(tetrahedron_of(codes[k]), is_in)) << k;
     }
     return fresh;
 }

@@ -73,10 +73,10 @@ MGDT_NOT_INLINE TetId walk_roughly(const Mesh& mesh, TetId t, const double* q, C
             if (faces == 0) return t;
             next = here.n[lowest_bit(faces)];
         }
-        if (!try_own(mesh.tetrahedra[next >> 2])) return t;
+        if (!try_own(mesh.tetrahedra[tetrahedron_of(next)])) return t;
         ++counters.walk_steps;
-        t = next >> 2;
-        from = next & 3;
+        t = tetrahedron_of(next);
+        from = face_of(next);
     }
 }
 

@@ -51,7 +51,7 @@ MGDT_NOT_INLINE void link_outside(const Tetrahedra tetrahedra, const Workspace& 
         Tetrahedron& t = tetrahedra.of_first(mine);
         const VertexId* const v = write_vertices(outside, code, q, t);
         t.n[0] = code;
-        outside.n[code & 3] = mine;
+        outside.n[face_of(code)] = mine;
         const std::uint32_t a = number(v[0]), b = number(v[1]), c = number(v[2]);
         corners.put(i, a, b, c);
         edges.put(b, c, mine + 1);
@@ -86,7 +86,7 @@ MGDT_ALWAYS_INLINE GhostsOfStar ghosts_of_star(const Workspace& w, std::uint32_t
         count += is_ghost;
         last = std::max(last, is_ghost * static_cast<std::uint32_t>(i));
     }
-    return {count, w.slots.data[last] >> 2};
+    return {count, tetrahedron_of(w.slots.data[last])};
 }
 
 // Outside the normal range the bounds prove nothing: leave every test to the predicates.
@@ -94,7 +94,7 @@ inline void distrust_extremes(Mesh& mesh, const Workspace& w, VertexId q) {
     const bool extreme = !in_normal_range(mesh.point(q));
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
         bool trusted = !extreme;
-        const TetId id = w.slots.data[i] >> 2;
+        const TetId id = tetrahedron_of(w.slots.data[i]);
         const Tetrahedron& t = mesh.tetrahedra[id];
         for (const VertexId v : t.v)
             trusted = trusted && (v == infinite_vertex || in_normal_range(mesh.point(v)));
@@ -113,9 +113,9 @@ MGDT_ALWAYS_INLINE void choose_slots(Access access, Workspace& w) {
     constexpr std::size_t block = 32;
     const FacetCode* const cavity = w.cavity.data;
     for (std::size_t i = 0; i < removed; i += block)
-        for (std::size_t k = i; k < i + block; ++k) slots[k] = cavity[k] & ~3u;
+        for (std::size_t k = i; k < i + block; ++k) slots[k] = first_facet_of(cavity[k]);
     if (MGDT_UNLIKELY(created < removed)) {
-        for (std::size_t i = created; i < removed; ++i) access.free_slot(slots[i] >> 2);
+        for (std::size_t i = created; i < removed; ++i) access.free_slot(tetrahedron_of(slots[i]));
     } else {
         access.take_slots(slots + removed, created - removed);
     }
@@ -142,7 +142,7 @@ MGDT_NOT_INLINE void set_near_of_star(Access access, const Tetrahedra tetrahedra
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
         const FacetCode slot = w.slots.data[i];
         const VertexId* const v = tetrahedra.of_first(slot).v;
-        for (unsigned k = 1; k < 4; ++k) access.set_vertex_hint(v[k], slot >> 2);
+        for (unsigned k = 1; k < 4; ++k) access.set_vertex_hint(v[k], tetrahedron_of(slot));
     }
 }
 
@@ -229,7 +229,7 @@ TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
 
     // With the new vertex a few of its neighbours learn where they are now; every vertex has its
     // turn often enough to stay near its slot.
-    const TetId first = w.slots.data[0] >> 2;
+    const TetId first = tetrahedron_of(w.slots.data[0]);
     for (const VertexId v : mesh.tetrahedra[first].v) access.set_vertex_hint(v, first);
     w.counters.removed += removed;
     w.counters.created += created;

@@ -43,7 +43,7 @@ void MarkTable::grow(std::size_t members, const FacetCode* codes, std::size_t ma
     view_.stamp += one_stamp;  // what is in has other places now
     resize(members);
     displaced_count_ = 0;
-    for (std::size_t i = 0; i < marked; ++i) view_.put(codes[i] >> 2, 1);
+    for (std::size_t i = 0; i < marked; ++i) view_.put(tetrahedron_of(codes[i]), 1);
 }
 
 SlotSupply::SlotRange SlotSupply::take(std::size_t least) {

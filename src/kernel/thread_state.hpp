@@ -143,7 +143,7 @@ class ThreadState {
     }
     MGDT_ALWAYS_INLINE void take_slots(FacetCode* slots, std::size_t count) noexcept {
         while (count > 0 && !free_slots_.empty()) {
-            *slots++ = 4 * free_slots_.back();
+            *slots++ = first_facet(free_slots_.back());
             free_slots_.pop_back();
             --count;
         }

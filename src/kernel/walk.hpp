@@ -58,8 +58,8 @@ TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters,
             }
         }
         if (through == 4) return t;
-        t = tet.n[through] >> 2;
-        from = tet.n[through] & 3;
+        t = tetrahedron_of(tet.n[through]);
+        from = face_of(tet.n[through]);
         if (!try_own(mesh.tetrahedra[t])) return no_tetrahedron;
     }
 }
@@ -93,7 +93,7 @@ inline TetId walk_hull(Access access, const Mesh& mesh, TetId ghost, const Query
         ++counters.walk_steps;
         for (unsigned i = 0; i < 4; ++i) {
             if (i == slot) continue;
-            const TetId t = here.n[i] >> 2;
+            const TetId t = tetrahedron_of(here.n[i]);
             const View there = look(t);
             ++counters.walk_tests;
             if (there.power.is_conflict())
@@ -121,7 +121,7 @@ WalkStart start_at(const Spheres& from, TetId t, const Query& q, Counters& count
 // A ghost of the star built last, if it has one.
 inline TetId ghost_of_star(const Mesh& mesh, const Workspace& w) {
     for (std::size_t i = 0; i < w.slot_count; ++i) {
-        const TetId t = w.slots.data[i] >> 2;
+        const TetId t = tetrahedron_of(w.slots.data[i]);
         if (mesh.tetrahedra[t].is_ghost()) return t;
     }
     return no_tetrahedron;
@@ -139,7 +139,7 @@ WalkStart start_in_star(const Spheres& from, const Workspace& w, const Query& q,
     const FourPowers powers(from, from.tetrahedra.four(codes), q);
     counters.walk_tests += sample;
     const unsigned best = powers.least_finite(infinity) & 3;
-    return {codes[best] >> 2, powers[best]};
+    return {tetrahedron_of(codes[best]), powers[best]};
 }
 
 // A walk that has become long looks at as many tetrahedra all over the mesh as it has taken steps,
@@ -158,11 +158,11 @@ MGDT_NOT_INLINE void jump(const Mesh& mesh, WalkStart& here, const Query& q, std
         for (FacetCode& code : codes) {
             random = random * 0x5851F42D4C957F2Du + 0x14057B7EF767814Fu;
             const auto t = static_cast<TetId>((random >> 32) * mesh.tetrahedra.size() >> 32);
-            code = 4 * (tetrahedra[t].is_dead() ? start : t);
+            code = first_facet(tetrahedra[t].is_dead() ? start : t);
         }
         const FourPowers powers(spheres, tetrahedra.four(codes), q);
         const unsigned best = powers.least_finite(here.power.value);
-        if (best < 4) here = {codes[best] >> 2, powers[best]};
+        if (best < 4) here = {tetrahedron_of(codes[best]), powers[best]};
     }
 }
 
@@ -197,14 +197,14 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
         // through t, which must then not be taken for outside without a test of its own.
         if (conflict != 0) {
             if (MGDT_UNLIKELY(decided != 0xF || !here.power.is_decided()))
-                return {{t.n[lowest_bit(conflict)] >> 2, 0}, infinite_vertex};
+                return {{tetrahedron_of(t.n[lowest_bit(conflict)]), 0}, infinite_vertex};
             return {{here.tetrahedron, conflict}, infinite_vertex};
         }
         // A ghost is entered only when it is certainly in conflict: its value is no power that
         // compares with those of spheres.
         const unsigned next = powers.least_finite(t.is_ghost() ? infinity : here.power.value);
         if (next == 4) break;
-        here = {t.n[next] >> 2, powers[next]};
+        here = {tetrahedron_of(t.n[next]), powers[next]};
         if (MGDT_UNLIKELY(!access.try_own(tetrahedra[here.tetrahedron]))) return no_way;
         if constexpr (!Access::is_concurrent) {
             if (MGDT_UNLIKELY(++steps == next_jump)) {
@@ -239,7 +239,7 @@ bool locate_step(const Mesh& mesh, LocationWalk& w) {
     const FourPowers powers(spheres, tetrahedra.four(n), Query(w.q));
     const std::uint32_t outside = powers.ghosts() & powers.negative() & powers.decided();
     if (MGDT_UNLIKELY(outside != 0) && w.may_end_outside) {
-        w.tetrahedron = n[lowest_bit(outside)] >> 2;
+        w.tetrahedron = tetrahedron_of(n[lowest_bit(outside)]);
         w.is_certain = true;
         return false;
     }
@@ -250,7 +250,7 @@ bool locate_step(const Mesh& mesh, LocationWalk& w) {
         return false;
     }
     const Power there = powers[next];
-    w.tetrahedron = n[next] >> 2;
+    w.tetrahedron = tetrahedron_of(n[next]);
     w.value = there.value;
     w.error = there.error;
     for (const FacetCode code : tetrahedra[w.tetrahedron].n) tetrahedra.prefetch_of(code);
@@ -270,7 +270,7 @@ void locate_jump(const Mesh& mesh, LocationWalk& w, std::size_t tries) {
 template <class Spheres>
 void locate_begin(const Mesh& mesh, LocationWalk& w) {
     const Tetrahedron& t = mesh.tetrahedra[w.tetrahedron];
-    if (t.is_ghost()) w.tetrahedron = t.n[t.infinite_slot()] >> 2;
+    if (t.is_ghost()) w.tetrahedron = tetrahedron_of(t.n[t.infinite_slot()]);
     const Power here = power(Spheres(mesh), w.tetrahedron, Query(w.q));
     w.value = here.value;
     w.error = here.error;

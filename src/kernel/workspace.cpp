@@ -88,7 +88,8 @@ void Workspace::reset() noexcept {
 }
 
 void Workspace::restore_cavity(TetrahedronStore& tetrahedra, std::size_t members) noexcept {
-    for (std::size_t i = 0; i < members; ++i) tetrahedra[cavity.data[i] >> 2].v[1] &= ~in_cavity;
+    for (std::size_t i = 0; i < members; ++i)
+        tetrahedra[tetrahedron_of(cavity.data[i])].v[1] &= ~in_cavity;
 }
 
 }  // namespace mgdt

@@ -12,7 +12,8 @@ namespace mgdt {
 MGDT_ALWAYS_INLINE void write_run(FacetCode* slots, TetId first, std::size_t count) noexcept {
     constexpr std::size_t block = 16;
     for (std::size_t i = 0; i < count; i += block)
-        for (std::size_t k = i; k < i + block; ++k) slots[k] = 4 * (first + static_cast<TetId>(k));
+        for (std::size_t k = i; k < i + block; ++k)
+            slots[k] = first_facet(first + static_cast<TetId>(k));
 }
 
 struct Mesh {
@@ -74,7 +75,7 @@ struct Mesh {
 MGDT_ALWAYS_INLINE void Mesh::take_slots(FacetCode* slots, std::size_t count) noexcept {
     if (MGDT_UNLIKELY(!free_slots.empty())) {
         while (count > 0 && !free_slots.empty()) {
-            *slots++ = 4 * free_slots.back();
+            *slots++ = first_facet(free_slots.back());
             free_slots.pop_back();
             --count;
         }

@@ -12,9 +12,26 @@ namespace mgdt {
 
 using VertexId = std::uint32_t;
 using TetId = std::uint32_t;
-// A facet of a tetrahedron seen from it: 4 * tetrahedron + face, where face i is opposite
-// vertex i. A neighbour is stored as the facet code on the neighbour's side.
+// A facet of a tetrahedron seen from it, where face i is opposite vertex i. A neighbour is stored
+// as the facet code on the neighbour's side.
 using FacetCode = std::uint32_t;
+
+MGDT_ALWAYS_INLINE constexpr FacetCode facet_code(TetId t, unsigned face) noexcept {
+    return 4 * t + face;
+}
+MGDT_ALWAYS_INLINE constexpr TetId tetrahedron_of(FacetCode code) noexcept {
+    return code >> 2;
+}
+MGDT_ALWAYS_INLINE constexpr unsigned face_of(FacetCode code) noexcept {
+    return code & 3;
+}
+// The code of a tetrahedron's face 0, which names the tetrahedron as well as its number does.
+MGDT_ALWAYS_INLINE constexpr FacetCode first_facet(TetId t) noexcept {
+    return 4 * t;
+}
+MGDT_ALWAYS_INLINE constexpr FacetCode first_facet_of(FacetCode code) noexcept {
+    return code & ~3u;
+}
 
 inline constexpr VertexId infinite_vertex = 0;
 inline constexpr TetId no_tetrahedron = 0xFFFFFFFFu;
@@ -24,6 +41,9 @@ inline constexpr std::uint32_t max_tetrahedra = 1u << 30;
 
 // Marks a tetrahedron of the cavity that is being dug, in its second vertex.
 inline constexpr VertexId in_cavity = 0x80000000u;
+MGDT_ALWAYS_INLINE constexpr VertexId unmarked(VertexId v) noexcept {
+    return v & ~in_cavity;
+}
 
 // Half a cache line. Vertex 0 is the vertex at infinity; its coordinates are never used.
 struct alignas(32) Vertex {

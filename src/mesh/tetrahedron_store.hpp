@@ -42,17 +42,19 @@ struct TetrahedronView {
     }
     MGDT_ALWAYS_INLINE auto& sphere(std::size_t t) const noexcept { return records[t].sphere; }
     // Given by any of its facets, four likewise; by the first one in an instruction less.
-    MGDT_ALWAYS_INLINE auto& of(FacetCode code) const noexcept { return of_first(code & ~3u); }
+    MGDT_ALWAYS_INLINE auto& of(FacetCode code) const noexcept {
+        return of_first(first_facet_of(code));
+    }
     MGDT_ALWAYS_INLINE auto& of_first(FacetCode code) const noexcept {
         return record(code)->tetrahedron;
     }
     MGDT_ALWAYS_INLINE FourTetrahedra<Record> four(const FacetCode* codes) const noexcept {
-        return {{record(codes[0] & ~3u), record(codes[1] & ~3u), record(codes[2] & ~3u),
-                 record(codes[3] & ~3u)}};
+        return {{record(first_facet_of(codes[0])), record(first_facet_of(codes[1])),
+                 record(first_facet_of(codes[2])), record(first_facet_of(codes[3]))}};
     }
     // All of it, which may be on two lines.
     MGDT_ALWAYS_INLINE void prefetch_of(FacetCode code) const noexcept {
-        const Record* const r = record(code & ~3u);
+        const Record* const r = record(first_facet_of(code));
         mgdt::prefetch(r);
         if constexpr (sizeof(Record) > sizeof(Tetrahedron)) mgdt::prefetch(&r->tetrahedron.n);
     }

@@ -151,11 +151,12 @@ void Checker::adjacency() const {
     for_each_live([&](TetId id) {
         const Tetrahedron& t = tet(id);
         for (unsigned f = 0; f < 4; ++f) {
-            const TetId m = t.n[f] >> 2;
-            const unsigned g = t.n[f] & 3;
+            const TetId m = tetrahedron_of(t.n[f]);
+            const unsigned g = face_of(t.n[f]);
             if (m >= mesh_.tetrahedra.size() || tet(m).is_dead())
                 reject(id, "a neighbour does not exist");
-            if (tet(m).n[g] != 4 * id + f) reject(id, "a neighbour does not return the adjacency");
+            if (tet(m).n[g] != facet_code(id, f))
+                reject(id, "a neighbour does not return the adjacency");
             if (t.v[f == 0] != tet(m).v[g == 0])
                 reject(id, "a shared facet has different newest vertices");
             // Seen from m the facet turns the other way.
@@ -175,7 +176,7 @@ void Checker::connection() const {
     DisjointSets sets(allocator_, mesh_.tetrahedra.size());
     for_each_live([&](TetId id) {
         for (const FacetCode n : tet(id).n)
-            if (n >> 2 < id) sets.join(id, n >> 2);
+            if (tetrahedron_of(n) < id) sets.join(id, tetrahedron_of(n));
     });
     const TetId all = sets.least(mesh_.a_ghost);
     for_each_live([&](TetId id) {
@@ -189,19 +190,19 @@ void Checker::edges() const {
     // Of the ring around the edge that facets c and d of it share.
     const auto is_least = [&](TetId id, int c, int d) {
         const Tetrahedron& first = tet(id);
-        if (first.n[c] >> 2 < id || first.n[d] >> 2 < id) return false;
+        if (tetrahedron_of(first.n[c]) < id || tetrahedron_of(first.n[d]) < id) return false;
         // Through facet c, and so on: adjacency leads on and at last back.
         VertexId behind = first.v[d];
         FacetCode code = first.n[c];
-        while (code >> 2 > id) {
-            const Tetrahedron& t = tet(code >> 2);
-            const VertexId ahead = t.v[code & 3];
+        while (tetrahedron_of(code) > id) {
+            const Tetrahedron& t = tet(tetrahedron_of(code));
+            const VertexId ahead = t.v[face_of(code)];
             int next = 0;
             while (t.v[next] != behind) ++next;
             code = t.n[next];
             behind = ahead;
         }
-        return code >> 2 == id;
+        return tetrahedron_of(code) == id;
     };
     Atomic<std::size_t> rings{0};
     team_.split(mesh_.tetrahedra.size(), 16384, [&](std::size_t begin, std::size_t end, unsigned) {

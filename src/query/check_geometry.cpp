@@ -99,9 +99,9 @@ void Checker::delaunay(bool canonical) const {
         const Corners c(mesh_, t);
         if (orientation(c.p[0], c.p[1], c.p[2], c.p[3]) <= 0) reject(id, "not positively oriented");
         for (const FacetCode n : t.n) {
-            const Tetrahedron& m = tet(n >> 2);
-            if (n >> 2 < id || m.is_ghost()) continue;
-            const double* const q = mesh_.point(m.v[n & 3]);
+            const Tetrahedron& m = tet(tetrahedron_of(n));
+            if (tetrahedron_of(n) < id || m.is_ghost()) continue;
+            const double* const q = mesh_.point(m.v[face_of(n)]);
             const int side = side_of_sphere(c.p[0], c.p[1], c.p[2], c.p[3], q);
             if (side > 0) reject(id, "a neighbour's vertex is inside its circumsphere");
             if (side == 0 && canonical &&
@@ -125,7 +125,7 @@ void Checker::spheres() const {
 // A point inside a tetrahedron is in no other and sees all hull facets from within, and the hull is
 // nowhere concave.
 void Checker::hull() const {
-    const TetId home = tet(mesh_.a_ghost).n[tet(mesh_.a_ghost).infinite_slot()] >> 2;
+    const TetId home = tetrahedron_of(tet(mesh_.a_ghost).n[tet(mesh_.a_ghost).infinite_slot()]);
     const InteriorPoint inside = Corners(mesh_, tet(home)).interior_point();
     for_each_live([&](TetId id) {
         const Tetrahedron& t = tet(id);
@@ -140,7 +140,7 @@ void Checker::hull() const {
         if (inside.orientation_from(c.p[face[0]], c.p[face[1]], c.p[face[2]]) >= 0)
             reject(id, "the hull facet is seen from outside by a point inside");
         for (int i = 0; i < 4; ++i) {
-            const VertexId opposite = tet(t.n[i] >> 2).v[t.n[i] & 3];
+            const VertexId opposite = tet(tetrahedron_of(t.n[i])).v[face_of(t.n[i])];
             if (i != slot && is_conflict_exact(mesh_, t, mesh_.point(opposite)))
                 reject(id, "the hull is not convex there");
         }

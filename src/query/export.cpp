@@ -137,7 +137,7 @@ struct VertexIndex {
 template <class Int, class Number>
 struct NeighborNumber {
     MGDT_ALWAYS_INLINE Int operator()(const Tetrahedron& t, unsigned i) const {
-        return static_cast<Int>(number(t.n[i] >> 2)) + base;
+        return static_cast<Int>(number(tetrahedron_of(t.n[i]))) + base;
     }
     Number number;
     Int base;
@@ -192,7 +192,7 @@ constexpr unsigned edges_of_face(unsigned face) {
 unsigned owned_edges(const Tetrahedron& t, TetId id) {
     if (t.is_dead()) return 0;
     unsigned later = 0;
-    for (unsigned f = 0; f < 4; ++f) later |= (t.n[f] >> 2 > id ? 1u : 0u) << f;
+    for (unsigned f = 0; f < 4; ++f) later |= (tetrahedron_of(t.n[f]) > id ? 1u : 0u) << f;
     const unsigned edges = edges_between.of_faces[later];
     return t.is_ghost() ? edges & edges_of_face(static_cast<unsigned>(t.infinite_slot())) : edges;
 }

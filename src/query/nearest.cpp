@@ -67,15 +67,16 @@ template <class F>
 void for_each_neighbor(const Mesh& mesh, VertexId v, TetId near, VisitQueue& star, F f) {
     // The finite ones around v are connected, since the hull is convex.
     const Tetrahedron& given = mesh.tetrahedra[near];
-    const TetId first = given.is_ghost() ? given.n[given.infinite_slot()] >> 2 : near;
+    const TetId first = given.is_ghost() ? tetrahedron_of(given.n[given.infinite_slot()]) : near;
     for (const VertexId other : mesh.tetrahedra[first].v)
         if (other != v) f(other, first);
     star.clear();
     star.push(first);
     traverse_star(mesh, v, star, [&](FacetCode facet) {
-        const Tetrahedron& next = mesh.tetrahedra[facet >> 2];
+        const Tetrahedron& next = mesh.tetrahedra[tetrahedron_of(facet)];
         // Of its vertices one has not been met through this facet.
-        if (!next.is_ghost() && star.push(facet >> 2)) f(next.v[facet & 3], facet >> 2);
+        if (!next.is_ghost() && star.push(tetrahedron_of(facet)))
+            f(next.v[face_of(facet)], tetrahedron_of(facet));
     });
 }
 

@@ -32,9 +32,9 @@ Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
     push(mesh.a_ghost);
     for (std::size_t i = 0; i < size; ++i) {
         const Tetrahedron& t = mesh.tetrahedra[ghosts[i]];
-        push(t.n[0] >> 2);
-        push(t.n[1] >> 2);
-        push(t.n[t.infinite_slot() ^ 1] >> 2);  // the other of 2 and 3
+        push(tetrahedron_of(t.n[0]));
+        push(tetrahedron_of(t.n[1]));
+        push(tetrahedron_of(t.n[t.infinite_slot() ^ 1]));  // the other of 2 and 3
     }
     ghosts.resize(size);
     return ghosts;

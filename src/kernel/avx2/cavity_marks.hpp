@@ -12,7 +12,9 @@ inline namespace MGDT_ISLAND {
 MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const FacetCode* codes,
                                           std::uint32_t which) {
     const __m128i t = _mm_srli_epi32(_mm_load_si128(reinterpret_cast<const __m128i*>(codes)), 2);
-    const auto entry = [&](unsigned k) { return marks.data + (codes[k] >> 2 & marks.mask); };
+    const auto entry = [&](unsigned k) {
+        return marks.data + (tetrahedron_of(codes[k]) & marks.mask);
+    };
     const auto there = [&](unsigned k) { return static_cast<int>(*entry(k)); };
     const __m128i before = _mm_setr_epi32(there(0), there(1), there(2), there(3));
     const __m128i keys =

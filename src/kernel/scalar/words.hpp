@@ -22,7 +22,7 @@ MGDT_ALWAYS_INLINE unsigned append(std::uint32_t* to, const std::uint32_t* words
 MGDT_ALWAYS_INLINE const VertexId* write_vertices(const Tetrahedron& outside, FacetCode code,
                                                   VertexId q, Tetrahedron& out) {
     out.v[0] = q;
-    for (unsigned k = 0; k < 3; ++k) out.v[k + 1] = outside.v[outer_face[code & 3][k]];
+    for (unsigned k = 0; k < 3; ++k) out.v[k + 1] = outside.v[outer_face[face_of(code)][k]];
     return out.v + 1;
 }
 
