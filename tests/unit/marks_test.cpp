@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The marks of cavities, and what takes four tetrahedra in at a time.
-#include "marks.hpp"
+// The marks of cavities: the table, and what takes four tetrahedra in at a time in each island.
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <vector>
 
-#include "kernel/thread_state.hpp"
-#include "platform/cpu.hpp"
+#include "islands.hpp"
 
 namespace mgdt {
 namespace {
@@ -55,32 +53,19 @@ TEST(MarkTable, ForgetsWhatHadTheStampBefore) {
     }
 }
 
-struct Compiled {
-    const char* name;
-    FourAtATime (*pieces)();
-    bool runs;  // on this processor
-};
-
-class Pieces : public testing::TestWithParam<Compiled> {
+class Marks : public testing::TestWithParam<islands::Island> {
   protected:
     void SetUp() override {
-        if (!GetParam().runs) GTEST_SKIP() << "not on this processor";
-        pieces_ = GetParam().pieces();
+        if (!GetParam().runs()) GTEST_SKIP() << "not on this processor";
     }
-    FourAtATime pieces_{};
+    const islands::Island island_ = GetParam();
 };
 
-const Compiled sets[] = {
-    {"baseline", four_at_a_time, true},
-#if defined(MGDT_TEST_AVX2)
-    {"avx2", four_at_a_time_avx2, cpu_features().avx2},
-#endif
-};
-INSTANTIATE_TEST_SUITE_P(Sets, Pieces, testing::ValuesIn(sets),
-                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Each, Marks, testing::ValuesIn(islands::all()),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 // Few places, so that the four meet each other, and others that are in or were in another cavity.
-TEST_P(Pieces, PutFour) {
+TEST_P(Marks, PutFour) {
     Allocator allocator;
     MarkTable marks(allocator);
     std::uint64_t state = 1;
@@ -104,7 +89,7 @@ TEST_P(Pieces, PutFour) {
             std::uint32_t expected = 0;
             for (unsigned k = 0; k < 4; ++k)
                 if ((which >> k & 1) && in.insert(codes[k] >> 2).second) expected |= 1u << k;
-            ASSERT_EQ(pieces_.put_four(view, codes, which), expected) << cavity << ' ' << turn;
+            ASSERT_EQ(island_.put_four(view, codes, which), expected) << cavity << ' ' << turn;
             before += (which & ~expected) != 0;
             for (const TetId t : four) {
                 ASSERT_EQ(view.has(t), in.count(t) != 0) << cavity << ' ' << turn;
@@ -118,7 +103,7 @@ TEST_P(Pieces, PutFour) {
 }
 
 // Every choice, over every choice that was made before.
-TEST_P(Pieces, MarkFour) {
+TEST_P(Marks, MarkFour) {
     for (std::uint32_t before = 0; before < 16; ++before)
         for (std::uint32_t which = 0; which < 16; ++which) {
             TetrahedronAndSphere records[4] = {};
@@ -129,26 +114,12 @@ TEST_P(Pieces, MarkFour) {
             for (unsigned k = 0; k < 4; ++k)
                 for (unsigned i = 0; i < 4; ++i)
                     four[k].v[i] = i == 1 ? second(k) | mark(before, k) : 10 * k + i;
-            EXPECT_EQ(pieces_.mark_four(four, which), which & ~before);
+            EXPECT_EQ(island_.mark_four(four, which), which & ~before);
             for (unsigned k = 0; k < 4; ++k)
                 for (unsigned i = 0; i < 4; ++i)
                     EXPECT_EQ(four[k].v[i],
                               i == 1 ? second(k) | mark(before | which, k) : 10 * k + i);
         }
-}
-
-TEST_P(Pieces, Append) {
-    alignas(16) const std::uint32_t words[4] = {0x80000001u, 7, 0xFFFFFFFFu, 9};
-    for (std::uint32_t bits = 0; bits < 16; ++bits) {
-        std::uint32_t to[6] = {1, 1, 1, 1, 1, 1};
-        std::vector<std::uint32_t> chosen;
-        for (unsigned k = 0; k < 4; ++k)
-            if (bits >> k & 1) chosen.push_back(words[k]);
-        ASSERT_EQ(pieces_.append(to + 1, words, bits), chosen.size());
-        EXPECT_EQ(std::vector<std::uint32_t>(to + 1, to + 1 + chosen.size()), chosen);
-        EXPECT_EQ(to[0], 1u);
-        EXPECT_EQ(to[5], 1u);
-    }
 }
 
 }  // namespace

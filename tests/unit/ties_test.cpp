@@ -1,47 +1,22 @@
 // SPDX-License-Identifier: MIT
-// What the kernels decide in doubles when their filter has failed, for each instruction set that
-// runs here: right or left open, and not left open on a lattice or where the predicates' filter
+// What the kernels decide in doubles when their filter has failed, in each island that runs
+// here: right or left open, and not left open on a lattice or where the predicates' filter
 // decides.
 #include "kernel/ties.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ostream>
 
 #include "exact_reference.hpp"
-#include "platform/cpu.hpp"
+#include "islands.hpp"
 #include "point_families.hpp"
-#include "ties.hpp"
-
-int ties_baseline(const mgdt::Tetrahedron& t, const mgdt::Vertex* vertices, const double* q) {
-    return mgdt::perturbed_doubles(t, vertices, mgdt::Query(q));
-}
 
 namespace {
 
 using families::Five;
 using families::Random;
 using mgdt::exact::undecided;
-
-struct Set {
-    const char* name;
-    int (*decide)(const mgdt::Tetrahedron& t, const mgdt::Vertex* vertices, const double* q);
-    bool runs;
-};
-
-// GoogleTest would print its bytes, some of which have no value.
-void PrintTo(const Set& set, std::ostream* out) {
-    *out << set.name;
-}
-
-std::vector<Set> sets() {
-    std::vector<Set> all = {{"baseline", ties_baseline, true}};
-#if defined(MGDT_TEST_AVX2)
-    all.push_back({"avx2", ties_avx2, mgdt::cpu_features().avx2});
-#endif
-    return all;
-}
 
 // Positively oriented, the last point none of the first four; false if it cannot be.
 bool prepare(Five& p) {
@@ -69,13 +44,13 @@ int decide_by(Decide decide, const Five& p) {
     return decide(t, vertices, vertices[5].x);
 }
 
-class Ties : public testing::TestWithParam<Set> {
+class Ties : public testing::TestWithParam<islands::Island> {
   protected:
     void SetUp() override {
-        if (!GetParam().runs) GTEST_SKIP() << "not on this processor";
+        if (!GetParam().runs()) GTEST_SKIP() << "not on this processor";
     }
 
-    static int decide(const Five& p) { return decide_by(GetParam().decide, p); }
+    static int decide(const Five& p) { return decide_by(GetParam().perturbed_doubles, p); }
 };
 
 TEST_P(Ties, AreBrokenRightOrLeftOpen) {
@@ -151,17 +126,16 @@ TEST_P(Ties, OfAWideLatticeAreBrokenOrLeftOpen) {
         ++ties[bits];
         open[bits] += s == undecided;
     }
-    const int most = std::string(GetParam().name) == "baseline" ? 8 : 19;
+    const int most = GetParam().decided_modulo ? 19 : 8;
     for (int bits = 4; bits < most; ++bits) {
         EXPECT_GT(ties[bits], reference::cases(100)) << bits;
         EXPECT_EQ(open[bits], 0) << bits;
     }
 }
 
-#if defined(MGDT_TEST_AVX2)
 // Modulo 2^64 a determinant that is not 0 has its sign, too.
-TEST(Modulo, SignsOfSmallDeterminants) {
-    if (!mgdt::cpu_features().avx2) GTEST_SKIP() << "not on this processor";
+TEST_P(Ties, ModuloHaveTheSignsOfSmallDeterminants) {
+    if (!GetParam().decided_modulo) GTEST_SKIP() << "not in this island";
     Random random(26);
     int inside = 0, outside = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -170,13 +144,12 @@ TEST(Modulo, SignsOfSmallDeterminants) {
             for (double& x : v) x = random.integer(0, 1 << (1 + i % 10));
         if (!prepare(p)) continue;
         const int side = expected(p);
-        ASSERT_EQ(decide_by(modulo_avx2, p), side);
+        ASSERT_EQ(decide_by(GetParam().decided_modulo, p), side);
         ++(side > 0 ? inside : outside);
     }
     EXPECT_GT(inside, 50);
     EXPECT_GT(outside, 50);
 }
-#endif
 
 // What the kernels ask last of all, for a finite tetrahedron too: the same as near ties.
 TEST(ExactConflicts, AgreeWithTies) {
@@ -230,12 +203,12 @@ TEST_P(Ties, OfABoxAreBrokenByWhateverKnowsThem) {
     }
     EXPECT_GT(ties, reference::cases(100));
     EXPECT_GT(others, 100);
-    if (std::string(GetParam().name) != "baseline") {
+    if (GetParam().decided_modulo) {
         EXPECT_EQ(open, 0);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sets, Ties, testing::ValuesIn(sets()),
+INSTANTIATE_TEST_SUITE_P(Each, Ties, testing::ValuesIn(islands::all()),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
