@@ -105,6 +105,42 @@ void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule
     if (!batch.is_normal) mesh_.has_extremes = true;
 }
 
+// Fills the schedule of a batch, with rounds where several threads will insert it.
+void Triangulation::schedule_batch(Team& team, const Batch& batch, Schedule& schedule) {
+    const std::int32_t scheme =
+        batch.points.size <= smallest_schedule ? MGDT_ORDER_INPUT : settings_.scheme;
+    make_schedule(team, batch.points, scheme, settings_.order, schedule);
+    // Several threads need rounds, so that the space is divided before they start.
+    if (team.size() > 1 && schedule.rounds.size() == 1 && scheme != MGDT_ORDER_RANDOM)
+        assign_rounds(team, settings_.order.seed, schedule);
+    statistics_.levels = schedule.levels;
+    statistics_.rounds = static_cast<double>(schedule.rounds.size());
+    statistics_.threads = team.size();
+}
+
+// Puts four points of a batch that span space at the front of its schedule, and starts the mesh
+// with them; the others become vertices that are not inserted yet.
+void Triangulation::begin_with(Team& team, const Batch& batch, Schedule& schedule) {
+    std::size_t positions[4];
+    AffineBasis basis;
+    for (std::size_t k = 0; basis.dimension() < 3; ++k) {
+        double p[3];
+        batch.get(schedule.order[k], p);
+        if (basis.add(p)) positions[basis.dimension()] = k;
+    }
+    bring_to_front(schedule, positions);
+    mesh_.reserve_tetrahedra(8);
+
+    location_tree_.forget();
+    mesh_.clear();
+    degenerate_.clear();
+    std::fill(point_map_.begin(), point_map_.end(), infinite_vertex);
+    statistics_.points_inserted = statistics_.duplicates = 0;
+    basis_ = basis;
+    copy_vertices(team, batch, schedule, 1);
+    make_first_tetrahedra();
+}
+
 void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, bool may_stop) {
     // All that can fail before the mesh changes.
     const std::size_t n = batch.points.size;
@@ -124,15 +160,8 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
     const bool is_short = n <= smallest_schedule;
     Schedule& schedule = is_short ? short_schedule_ : full;
     if (!is_short) watch.count_for(statistics_.order_seconds);
-    const std::int32_t scheme = is_short ? MGDT_ORDER_INPUT : settings_.scheme;
-    make_schedule(team, batch.points, scheme, settings_.order, schedule);
-    // Several threads need rounds, so that the space is divided before they start.
-    if (team.size() > 1 && schedule.rounds.size() == 1 && scheme != MGDT_ORDER_RANDOM)
-        assign_rounds(team, settings_.order.seed, schedule);
+    schedule_batch(team, batch, schedule);
     if (!is_short) watch.count_for(statistics_.insert_seconds);
-    statistics_.levels = schedule.levels;
-    statistics_.rounds = static_cast<double>(schedule.rounds.size());
-    statistics_.threads = team.size();
     if (may_stop) stop_if_cancelled(0, n);
     try {
         mesh_.reserve_tetrahedra(expected_tetrahedra(base + n, mesh_.slot_limit));
@@ -140,30 +169,10 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
         // Growing as needed may still fit.
     }
 
-    std::size_t done = 0;
-    if (fresh) {
-        std::size_t positions[4];
-        AffineBasis basis;
-        for (std::size_t k = 0; basis.dimension() < 3; ++k) {
-            double p[3];
-            batch.get(schedule.order[k], p);
-            if (basis.add(p)) positions[basis.dimension()] = k;
-        }
-        bring_to_front(schedule, positions);
-        mesh_.reserve_tetrahedra(8);
-
-        location_tree_.forget();
-        mesh_.clear();
-        degenerate_.clear();
-        std::fill(point_map_.begin(), point_map_.end(), infinite_vertex);
-        statistics_.points_inserted = statistics_.duplicates = 0;
-        basis_ = basis;
+    if (fresh)
+        begin_with(team, batch, schedule);
+    else
         copy_vertices(team, batch, schedule, base);
-        make_first_tetrahedra();
-        done = 4;
-    } else {
-        copy_vertices(team, batch, schedule, base);
-    }
     struct Close {
         Triangulation& t;
         Team& team;
@@ -173,6 +182,7 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
             t.extend_location_tree(base);
         }
     } close{*this, team, base, batch.first_index};
+    const std::size_t done = fresh ? 4 : 0;
     // Several threads cannot do without numbers for repeats.
     if (team.size() == 1 || schedule.rounds.size() == 1 || base + n > mesh_.vertex_limit)
         insert_scheduled(batch, schedule, base, done, may_stop);

@@ -98,6 +98,8 @@ class Triangulation {
     void hold(const Batch& batch, const AffineBasis& basis);
     void insert_degenerate(Team& team, const Batch& batch, std::size_t spanning);
     void insert_batch(Team& team, const Batch& batch, bool fresh, bool may_stop);
+    void schedule_batch(Team& team, const Batch& batch, Schedule& schedule);
+    void begin_with(Team& team, const Batch& batch, Schedule& schedule);
     void copy_vertices(Team& team, const Batch& batch, const Schedule& schedule, std::size_t base);
     void make_first_tetrahedra();
     const LocationTree* location_tree(std::size_t end) const noexcept;

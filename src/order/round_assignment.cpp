@@ -21,7 +21,6 @@ using BlockOfMany = Block<12, 3>;
 using BlockOfFew = Block<4, 1>;
 constexpr std::size_t few = 4096;
 constexpr std::size_t largest_first = 64;
-constexpr std::size_t min_items_per_thread = 65536;
 
 // Which of the middle ones is farthest from both of its neighbours along the curve, and by how many
 // levels; place(i) is that of the i-th of them, from -1 on. Of equal ones the first from `first`
@@ -73,6 +72,71 @@ std::size_t hub_or(std::size_t otherwise, unsigned levels, const CurveOrder& cur
 
 }  // namespace
 
+// Chooses the points of the rounds, the last round first: each time one of every block of the
+// places that are left, which are left for the round before.
+class RoundAssignment::Chooser {
+  public:
+    Chooser(RoundAssignment& rounds, Allocator& allocator, std::uint64_t seed,
+            const CurveOrder* curve)
+        : rounds_(rounds),
+          chosen_(allocator, rounds.back_.size() / (rounds.back_.size() > few ? BlockOfMany::size
+                                                                              : BlockOfFew::size)),
+          left_(rounds.back_.size()),
+          seed_(seed),
+          curve_(curve) {}
+
+    std::size_t left() const noexcept { return left_; }
+
+    template <class Block>
+    void add_round(Team& team) {
+        const std::size_t blocks = left_ / Block::size;
+        const auto choose = [&](std::size_t begin, std::size_t end, unsigned) {
+            for (std::size_t b = begin; b < end; ++b) choose_of_block<Block>(b, blocks);
+        };
+        // Later ones read what was chosen before, in the array that they write.
+        if (rounds_.rounds_ == 0)
+            team.split(blocks, min_items_per_thread, choose);
+        else
+            choose(0, blocks, 0);
+        drawn_ += blocks;
+        ++rounds_.rounds_;
+        left_ = blocks;
+    }
+
+  private:
+    // The k-th of the places that are left.
+    std::uint32_t place(std::size_t k) const {
+        return rounds_.rounds_ == 0 ? static_cast<std::uint32_t>(k) : chosen_[k];
+    }
+
+    template <class Block>
+    void choose_of_block(std::size_t b, std::size_t blocks) {
+        const std::size_t first = b * Block::size, from = first + Block::margin;
+        // What is left behind the last block is part of it.
+        const std::size_t last = b + 1 == blocks ? left_ : first + Block::size;
+        const auto drawn =
+            static_cast<std::size_t>(Random::at(seed_, drawn_ + b) >> (64 - Block::middle_bits));
+        std::size_t at = from + drawn;
+        if (curve_) {
+            const auto place_of = [&](std::size_t k) { return place(k); };
+            const Loneliest found =
+                loneliest<Block>(*curve_, drawn, [&](std::size_t i) { return place(from + i); });
+            at = hub_or(from + found.i, found.levels, *curve_, first, from, left_, place_of);
+            at = hub_or(at, found.levels, *curve_, from + Block::middle, last, left_, place_of);
+        }
+        const std::uint32_t chosen = place(at);
+        rounds_.back_[chosen] = static_cast<std::uint8_t>(rounds_.rounds_ + 1);
+        chosen_[b] = chosen;
+    }
+
+    RoundAssignment& rounds_;
+    Buffer<std::uint32_t> chosen_;
+    std::size_t left_;
+    std::uint64_t drawn_ = 0;
+    const std::uint64_t seed_;
+    const CurveOrder* const curve_;
+};
+
 RoundAssignment::RoundAssignment(Team& team, Allocator& allocator, std::size_t n,
                                  std::uint64_t seed, const CurveOrder* curve)
     : back_(allocator) {
@@ -80,47 +144,9 @@ RoundAssignment::RoundAssignment(Team& team, Allocator& allocator, std::size_t n
     team.split(n, min_items_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
         std::fill(back_.begin() + begin, back_.begin() + end, std::uint8_t{0});
     });
-    Buffer<std::uint32_t> chosen(allocator, n / (n > few ? BlockOfMany::size : BlockOfFew::size));
-    std::uint64_t drawn = 0;
-    std::size_t left = n;
-    // Chooses the round before from those that are left.
-    const auto add_round = [&](auto kind) {
-        using Block = decltype(kind);
-        const std::size_t blocks = left / Block::size;
-        const auto place_of = [&](std::size_t k) {
-            return rounds_ == 0 ? static_cast<std::uint32_t>(k) : chosen[k];
-        };
-        const auto choose = [&](std::size_t begin, std::size_t end, unsigned) {
-            for (std::size_t b = begin; b < end; ++b) {
-                const std::size_t first = b * Block::size, from = first + Block::margin;
-                // What is left behind the last block is part of it.
-                const std::size_t last = b + 1 == blocks ? left : first + Block::size;
-                const auto drawn_one = static_cast<std::size_t>(Random::at(seed, drawn + b) >>
-                                                                (64 - Block::middle_bits));
-                std::size_t at = from + drawn_one;
-                if (curve) {
-                    const Loneliest found = loneliest<Block>(
-                        *curve, drawn_one, [&](std::size_t i) { return place_of(from + i); });
-                    at = hub_or(from + found.i, found.levels, *curve, first, from, left, place_of);
-                    at = hub_or(at, found.levels, *curve, from + Block::middle, last, left,
-                                place_of);
-                }
-                const std::uint32_t place = place_of(at);
-                back_[place] = static_cast<std::uint8_t>(rounds_ + 1);
-                chosen[b] = place;
-            }
-        };
-        // Later ones read what was chosen before, in the array that they write.
-        if (rounds_ == 0)
-            team.split(blocks, min_items_per_thread, choose);
-        else
-            choose(0, blocks, 0);
-        drawn += blocks;
-        ++rounds_;
-        left = blocks;
-    };
-    while (left > few) add_round(BlockOfMany());
-    while (left > largest_first) add_round(BlockOfFew());
+    Chooser chooser(*this, allocator, seed, curve);
+    while (chooser.left() > few) chooser.add_round<BlockOfMany>(team);
+    while (chooser.left() > largest_first) chooser.add_round<BlockOfFew>(team);
     ++rounds_;
 }
 

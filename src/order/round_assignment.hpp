@@ -15,11 +15,14 @@ class RoundAssignment {
                     const CurveOrder* curve = nullptr);
 
     static constexpr unsigned most_rounds = 16;
+    static constexpr std::size_t min_items_per_thread = 65536;
 
     unsigned rounds() const noexcept { return rounds_; }
     unsigned round(std::size_t place) const noexcept { return rounds_ - 1u - back_[place]; }
 
   private:
+    class Chooser;
+
     Buffer<std::uint8_t> back_;  // rounds from the last
     unsigned rounds_ = 0;
 };
@@ -47,9 +50,8 @@ void assign_rounds(Team& team, std::uint64_t seed, Index index, Schedule& out,
     Allocator& allocator = out.scratch;
     const RoundAssignment rounds(team, allocator, n, seed, curve);
     std::uint32_t ends[RoundAssignment::most_rounds + 1];
-    constexpr std::size_t min_items_per_thread = 65536;
     make_lists(
-        team, allocator, n, min_items_per_thread, rounds.rounds(), ends,
+        team, allocator, n, RoundAssignment::min_items_per_thread, rounds.rounds(), ends,
         [&](std::size_t begin, std::size_t end, auto f) {
             for (std::size_t k = begin; k < end; ++k) f(rounds.round(k), index(k));
         },

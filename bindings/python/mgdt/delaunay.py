@@ -8,7 +8,7 @@ from typing import Any, Callable, Literal, Optional, Union, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _geometry
+from . import _geometry, export
 from ._arrays import FloatArray, IndexArray, as_places, finite_rows
 from ._handle import Handle
 from ._tolerance import in_tolerance
@@ -490,19 +490,13 @@ class Delaunay(GrowingTriangulation):
         For ``scipy.interpolate.LinearNDInterpolator`` and what else asks for SciPy's class. See
         `mgdt.export.to_scipy`. Since 1.2.
         """
-        from .export import to_scipy
-
-        return to_scipy(self)
+        return export.to_scipy(self)
 
     def to_meshio(self) -> Any:
         """A ``meshio.Mesh`` of all points and the tetrahedra. ImportError without meshio."""
-        from .export import to_meshio
-
-        return to_meshio(self)
+        return export.to_meshio(self)
 
     def to_pyvista(self) -> Any:
         """A ``pyvista.UnstructuredGrid`` of all points and the tetrahedra. ImportError without
         PyVista."""
-        from .export import to_pyvista
-
-        return to_pyvista(self)
+        return export.to_pyvista(self)

@@ -4,15 +4,43 @@
 from __future__ import annotations
 
 import importlib
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from .delaunay import Delaunay
+from ._arrays import FloatArray, IndexArray
 
 # VTK's number of the linear tetrahedron; its vertices are positively oriented as mgdt's.
 _VTK_TETRA = 10
+
+
+class Triangulated(Protocol):
+    """What the exports read of an `mgdt.Delaunay`."""
+
+    @property
+    def points(self) -> FloatArray: ...
+    @property
+    def simplices(self) -> IndexArray: ...
+    @property
+    def neighbors(self) -> IndexArray: ...
+    @property
+    def equations(self) -> FloatArray: ...
+    @property
+    def coplanar(self) -> IndexArray: ...
+    @property
+    def vertex_to_simplex(self) -> IndexArray: ...
+    @property
+    def min_bound(self) -> FloatArray: ...
+    @property
+    def max_bound(self) -> FloatArray: ...
+    @property
+    def paraboloid_scale(self) -> float: ...
+    @property
+    def paraboloid_shift(self) -> float: ...
+    @property
+    def npoints(self) -> int: ...
+    @property
+    def dimension(self) -> int: ...
 
 
 def _module(name: str, package: str, caller: str) -> Any:
@@ -22,7 +50,7 @@ def _module(name: str, package: str, caller: str) -> Any:
         raise ImportError(f"{caller} needs {package}, which is not installed: {error}") from error
 
 
-def to_scipy(triangulation: Delaunay) -> Any:
+def to_scipy(triangulation: Triangulated) -> Any:
     """All points and the tetrahedra as a ``scipy.spatial.Delaunay``, without a run of Qhull.
 
     It takes no more points, as SciPy's without ``incremental=True``. Its `find_simplex` is SciPy's,
@@ -75,7 +103,7 @@ def to_scipy(triangulation: Delaunay) -> Any:
     return given
 
 
-def to_meshio(triangulation: Delaunay) -> Any:
+def to_meshio(triangulation: Triangulated) -> Any:
     """All points and the tetrahedra as a ``meshio.Mesh``.
 
     Raises
@@ -91,7 +119,7 @@ def to_meshio(triangulation: Delaunay) -> Any:
     return meshio.Mesh(triangulation.points, [("tetra", triangulation.simplices)])
 
 
-def to_pyvista(triangulation: Delaunay) -> Any:
+def to_pyvista(triangulation: Triangulated) -> Any:
     """All points and the tetrahedra as a ``pyvista.UnstructuredGrid``.
 
     Raises
