@@ -31,8 +31,8 @@ struct CavityStart {
     std::uint32_t faces;  // beyond which the neighbours are in conflict; 0: the tetrahedron itself
 };
 
-// How far the arrays of the workspace are filled. Its copies stay in registers where nothing is
-// called that is not in line.
+// How far the arrays of the workspace are filled. A loop that makes no out-of-line calls works on a
+// copy, which stays in registers.
 template <class Access>
 struct CavityFront {
     using Record = TetrahedronStore::Record<Access::SphereSource::are_kept>;
@@ -135,7 +135,7 @@ struct CavityFront {
 constexpr std::uint32_t not_owned = 16;
 
 // Which of the undecided among four neighbours are in conflict, or not_owned. On a lattice there
-// are many, and nothing about them can be foretold, so that branches are few.
+// are many, and they are unpredictable, hence few branches.
 template <class Access, class IsIn>
 MGDT_PREDICATES_APART std::uint32_t decide(Access access, const Mesh& mesh, Workspace& w,
                                            IsIn is_in, const FacetCode* n, std::uint32_t undecided,
@@ -155,73 +155,99 @@ MGDT_PREDICATES_APART std::uint32_t decide(Access access, const Mesh& mesh, Work
     return conflict;
 }
 
+// All faces of a member but the one that it was reached through.
+MGDT_ALWAYS_INLINE std::uint32_t other_faces(FacetCode code) {
+    return 0xFu ^ (1u << face_of(code));
+}
+
+// Why growing pauses: the neighbours of all members are tested; there is no room for those of one
+// more; the next member may not be entered; or a test of its neighbours is undecided.
+enum class Pause { done, no_room, not_entered, undecided };
+
+// The tests of the next member's neighbours, as bits: beyond which faces, and what they say.
+struct Tests {
+    std::uint32_t active, conflict, undecided;
+};
+
+// Tests the neighbours of one member after the other and sorts them, until there is something rare
+// to do. All of that is done elsewhere, since what lives across a call has few registers.
+template <class Access>
+MGDT_ALWAYS_INLINE Pause grow(Access access, const Mesh& mesh, const Query& q,
+                              CavityFront<Access>& cavity, Tests& tests) {
+    CavityFront<Access> front = cavity;
+    const typename Access::SphereSource spheres(mesh);
+    const QueryRows query(q);
+    std::uint32_t active = tests.active, conflict = 0, undecided = 0;
+    Pause pause = Pause::no_room;
+    // Each member's code is read one turn ahead: a load right after the stores that this turn
+    // makes would wait for all of them, and the turns would not overlap.
+    FacetCode member = *front.next;
+    while (front.end <= front.limit) {
+        if (MGDT_UNLIKELY(!access.try_own(front.tetrahedra.of(member)))) {
+            pause = Pause::not_entered;
+            break;
+        }
+        const FacetCode* const n = front.tetrahedra.of(member).n;
+        const auto four = front.tetrahedra.four(n);
+        const FourPowers powers(spheres, four, query);
+        conflict = powers.negative() & active;
+        undecided = active & ~powers.decided();
+        if (MGDT_UNLIKELY(undecided != 0)) {
+            pause = Pause::undecided;
+            break;
+        }
+        ++front.next;
+        FacetCode following = *front.next;
+        const bool is_last = front.next == front.end;
+        front.sort_out(four, n, active, conflict);
+        if (MGDT_UNLIKELY(is_last)) {
+            if (front.next == front.end) {
+                pause = Pause::done;
+                break;
+            }
+            following = hide_from_optimizer(*front.next);
+        }
+        member = following;
+        active = other_faces(member);
+    }
+    cavity = front;
+    tests = {active, conflict, undecided};
+    return pause;
+}
+
 // Whether the cavity was dug: not if a tetrahedron of it may not be entered.
 template <class Access>
 MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart start,
                                 const Query& q) {
     if (MGDT_UNLIKELY(w.cavity_capacity == 0)) w.grow_cavity(0, 0, 64);
     if constexpr (Access::is_concurrent) access.marks().begin(MarkTable::least_capacity);
-    CavityFront<Access> saved(access, mesh, w);
-    saved.begin(w, start);
-    // All neighbours of a member but the one that it was reached through: of the start itself all.
-    const auto others = [](FacetCode code) { return 0xFu ^ (1u << face_of(code)); };
-    std::uint32_t active = start.faces == 0 ? 0xFu : others(*saved.next);
-    // The inner loop is left for all that is rare, which takes what it needs from memory: what
-    // lives across a call has few registers.
+    CavityFront<Access> cavity(access, mesh, w);
+    cavity.begin(w, start);
+    // Of the start itself all neighbours are tested.
+    Tests tests = {start.faces == 0 ? 0xFu : other_faces(*cavity.next), 0, 0};
     for (;;) {
-        CavityFront<Access> front = saved;
-        const typename Access::SphereSource spheres(mesh);
-        const QueryRows query(q);
-        std::uint32_t conflict = 0, undecided = 0;
-        bool owns_all = true;
-        // Each member's code is read one turn ahead: a load right after the stores that this turn
-        // makes would wait for all of them, and the turns would not overlap.
-        FacetCode member = *front.next;
-        while (front.end <= front.limit) {
-            if (MGDT_UNLIKELY(!access.try_own(front.tetrahedra.of(member)))) {
-                owns_all = false;
-                break;
-            }
-            const FacetCode* const n = front.tetrahedra.of(member).n;
-            const auto four = front.tetrahedra.four(n);
-            const FourPowers powers(spheres, four, query);
-            conflict = powers.negative() & active;
-            undecided = active & ~powers.decided();
-            if (MGDT_UNLIKELY(undecided != 0)) break;
-            ++front.next;
-            FacetCode following = *front.next;
-            const bool is_last = front.next == front.end;
-            front.sort_out(four, n, active, conflict);
-            if (MGDT_UNLIKELY(is_last)) {
-                if (front.next == front.end) break;
-                following = hide_from_optimizer(*front.next);
-            }
-            member = following;
-            active = others(member);
-        }
-        saved = front;
-        if (saved.next == saved.end) break;
-        if (!owns_all) {
-            saved.give_up(mesh, w, saved.members(w));
-            return false;
-        }
-        if (undecided == 0) {
-            saved.enlarge(access, mesh, w);
+        const Pause pause = grow(access, mesh, q, cavity, tests);
+        if (pause == Pause::done) break;
+        if (pause == Pause::no_room) {
+            cavity.enlarge(access, mesh, w);
             continue;
         }
-        const FacetCode* const n = saved.tetrahedra.of(*saved.next).n;
-        const std::uint32_t decided = decide(access, mesh, w, saved.membership(), n, undecided, q);
+        std::uint32_t decided = not_owned;
+        const FacetCode* const n = cavity.tetrahedra.of(*cavity.next).n;
+        if (pause == Pause::undecided)
+            decided = decide(access, mesh, w, cavity.membership(), n, tests.undecided, q);
         if (decided == not_owned) {
-            saved.give_up(mesh, w, saved.members(w));
+            cavity.give_up(mesh, w, cavity.members(w));
             return false;
         }
-        ++saved.next;
-        saved.sort_out(saved.tetrahedra.four(n), n, active, (conflict & ~undecided) | decided);
-        if (saved.next == saved.end) break;
-        active = others(*saved.next);
+        ++cavity.next;
+        cavity.sort_out(cavity.tetrahedra.four(n), n, tests.active,
+                        (tests.conflict & ~tests.undecided) | decided);
+        if (cavity.next == cavity.end) break;
+        tests.active = other_faces(*cavity.next);
     }
-    w.cavity_size = saved.members(w);
-    w.boundary_size = static_cast<std::size_t>(saved.boundary_end - w.boundary.data);
+    w.cavity_size = cavity.members(w);
+    w.boundary_size = static_cast<std::size_t>(cavity.boundary_end - w.boundary.data);
     // Of the start all four neighbours were tested, if it is in, and three of each other member.
     w.counters.conflict_tests += 3 * w.cavity_size + (start.faces == 0 ? 1 : 0);
     return true;
