@@ -74,8 +74,8 @@ struct GhostsOfStar {
     TetId last;
 };
 
-// A facet's last two vertices tell whether its tetrahedron is a ghost; which are, cannot be
-// foretold.
+// A facet's last two vertices tell whether its tetrahedron is a ghost: unpredictable, hence
+// branchless.
 template <class Number>
 MGDT_ALWAYS_INLINE GhostsOfStar ghosts_of_star(const Workspace& w, std::uint32_t infinite,
                                                const Number* const bs, const Number* const cs) {
@@ -108,8 +108,7 @@ template <class Access>
 MGDT_ALWAYS_INLINE void choose_slots(Access access, Workspace& w) {
     const std::size_t removed = w.cavity_size, created = w.boundary_size;
     FacetCode* const slots = w.slots.data;
-    // In blocks that are nearly always enough: past the end they do no harm, and the number of
-    // turns can be foretold.
+    // In blocks, so that the number of turns is predictable: slots past the end do no harm.
     constexpr std::size_t block = 32;
     const FacetCode* const cavity = w.cavity.data;
     for (std::size_t i = 0; i < removed; i += block)
@@ -122,7 +121,7 @@ MGDT_ALWAYS_INLINE void choose_slots(Access access, Workspace& w) {
     w.slot_count = created;
 }
 
-// Members of the cavity that are ghosts; which are, cannot be foretold.
+// Members of the cavity that are ghosts: unpredictable, hence branchless.
 template <class Tetrahedra>
 MGDT_ALWAYS_INLINE std::size_t count_ghosts(const Tetrahedra tetrahedra, const Workspace& w) {
     std::size_t ghosts = 0;
@@ -146,50 +145,62 @@ MGDT_NOT_INLINE void set_near_of_star(Access access, const Tetrahedra tetrahedra
     }
 }
 
+// A star of few vertices: its facets over byte numbers, its edges in a matrix of 32 by 32.
+template <class Access, class Tetrahedra, class Numbers>
+MGDT_ALWAYS_INLINE void build_small(const Tetrahedra tetrahedra, const Mesh& mesh, Workspace& w,
+                                    VertexId q, const Numbers& numbers, std::uint32_t infinite) {
+    Workspace::SmallStar& s = w.small;
+    const EdgeMatrix<5> edges(s.edges);
+    link_outside(tetrahedra, w, q, numbers.lookup(), edges, SmallCorners{&s});
+    const auto link = [edges, star = &s](std::size_t i, Tetrahedron& t) {
+        link_inside(edges, star->a[i], star->b[i], star->c[i], t);
+    };
+    if constexpr (Access::SphereSource::are_kept)
+        set_spheres_small(w, mesh.vertices.data(), q, numbers.count(), infinite, tetrahedra, link);
+    else
+        link_each(tetrahedra, w, link);
+}
+
+// Any other: its edges in a matrix that has room for it, or in a table.
+template <class Access, class Tetrahedra, class Numbers>
+MGDT_ALWAYS_INLINE void build_large(Access access, const Tetrahedra tetrahedra, const Mesh& mesh,
+                                    Workspace& w, VertexId q, const Numbers& numbers,
+                                    std::uint32_t infinite) {
+    const auto link = [&](auto edges) {
+        link_outside(tetrahedra, w, q, numbers.lookup(), edges,
+                     Corners{w.a.data, w.b.data, w.c.data});
+        link_each(tetrahedra, w, [&](std::size_t i, Tetrahedron& t) {
+            link_inside(edges, w.a.data[i], w.b.data[i], w.c.data[i], t);
+        });
+    };
+    if (numbers.count() <= Workspace::medium_vertices)
+        link(EdgeMatrix<6>(w.edge_codes.data));
+    else if (numbers.count() <= Workspace::matrix_vertices)
+        link(EdgeMatrix<8>(w.edge_codes.data));
+    else
+        link(EdgeTable(w));
+    if constexpr (Access::SphereSource::are_kept)
+        set_spheres(w, mesh.vertices.data(), q, numbers.count(), infinite, tetrahedra);
+    if (numbers.count() > Workspace::medium_vertices) set_near_of_star(access, tetrahedra, w);
+}
+
 // Replaces the cavity, whose vertices are numbered, by the star of q.
 template <class Access, class Numbers>
 MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, VertexId q,
                                        const Numbers& numbers) {
     const std::uint32_t infinite = numbers.find(infinite_vertex);
     const bool at_hull = infinite != no_index;
-    constexpr bool has_spheres = Access::SphereSource::are_kept;
-    const auto tetrahedra = mesh.tetrahedra.view<has_spheres>();
+    const auto tetrahedra = mesh.tetrahedra.view<Access::SphereSource::are_kept>();
     const std::size_t ghosts_gone = at_hull ? count_ghosts(tetrahedra, w) : 0;
     choose_slots(access, w);
-    Workspace::SmallStar& s = w.small;
-    if (numbers.count() <= Workspace::SmallStar::most_vertices) {
-        const EdgeMatrix<5> edges(s.edges);
-        link_outside(tetrahedra, w, q, numbers.lookup(), edges, SmallCorners{&s});
-        const auto link = [edges, star = &s](std::size_t i, Tetrahedron& t) {
-            link_inside(edges, star->a[i], star->b[i], star->c[i], t);
-        };
-        if constexpr (has_spheres)
-            set_spheres_small(w, mesh.vertices.data(), q, numbers.count(), infinite, tetrahedra,
-                              link);
-        else
-            link_each(tetrahedra, w, link);
-    } else {
-        const auto link = [&](auto edges) {
-            link_outside(tetrahedra, w, q, numbers.lookup(), edges,
-                         Corners{w.a.data, w.b.data, w.c.data});
-            link_each(tetrahedra, w, [&](std::size_t i, Tetrahedron& t) {
-                link_inside(edges, w.a.data[i], w.b.data[i], w.c.data[i], t);
-            });
-        };
-        if (numbers.count() <= Workspace::medium_vertices)
-            link(EdgeMatrix<6>(w.edge_codes.data));
-        else if (numbers.count() <= Workspace::matrix_vertices)
-            link(EdgeMatrix<8>(w.edge_codes.data));
-        else
-            link(EdgeTable(w));
-        if constexpr (has_spheres)
-            set_spheres(w, mesh.vertices.data(), q, numbers.count(), infinite, tetrahedra);
-        if (numbers.count() > Workspace::medium_vertices) set_near_of_star(access, tetrahedra, w);
-    }
+    const bool is_small = numbers.count() <= Workspace::SmallStar::most_vertices;
+    if (is_small)
+        build_small<Access>(tetrahedra, mesh, w, q, numbers, infinite);
+    else
+        build_large(access, tetrahedra, mesh, w, q, numbers, infinite);
     if (at_hull) {
-        const GhostsOfStar ghosts = numbers.count() <= Workspace::SmallStar::most_vertices
-                                        ? ghosts_of_star(w, infinite, s.b, s.c)
-                                        : ghosts_of_star(w, infinite, w.b.data, w.c.data);
+        const GhostsOfStar ghosts = is_small ? ghosts_of_star(w, infinite, w.small.b, w.small.c)
+                                             : ghosts_of_star(w, infinite, w.b.data, w.c.data);
         access.made_ghost(ghosts.last);
         access.count_ghosts(ghosts.count, ghosts_gone);
     }
