@@ -160,7 +160,7 @@ fi
 
 mkdir -p "$builds"
 # Without debug information, which is a quarter of the compilers' time.
-if build gcc g++ -Dbuildtype=debugoptimized -Ddebug=false; then
+if build gcc g++ -Dbuildtype=debugoptimized -Ddebug=false -Db_ndebug=true; then
     run gcc
     tests_of sh tests/sanitize.sh --jobs "$jobs" memcheck
 fi

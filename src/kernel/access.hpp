@@ -17,6 +17,7 @@ struct SerialAccess {
     using SphereSource = Spheres;
     static constexpr bool is_concurrent = false;
     MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron&) const noexcept { return true; }
+    bool owns(VertexId) const noexcept { return true; }
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
         mesh.reserve_slots(taken, freed);
     }
@@ -51,6 +52,7 @@ class ConcurrentAccess {
     MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron& t) const noexcept {
         return try_own(t.v[0]) && try_own(t.v[1]);
     }
+    bool owns(VertexId v) const noexcept { return mine_(v); }
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
         thread_state_.reserve_slots(taken, freed);
     }

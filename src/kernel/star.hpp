@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "kernel/adjacency.hpp"
+#include "kernel/assertions.hpp"
 #include "kernel/local_numbers.hpp"
 #include "kernel/spheres.hpp"
 #include "kernel/words.hpp"
@@ -223,6 +224,9 @@ TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
         throw;
     }
 
+#if !defined(NDEBUG)
+    assert_cavity_is_sound(access, mesh, w);
+#endif
     const auto tetrahedra = mesh.tetrahedra.view<Access::SphereSource::are_kept>();
     bool is_direct;
     {
@@ -237,6 +241,10 @@ TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
     }
     if constexpr (Access::SphereSource::are_kept)
         if (MGDT_UNLIKELY(mesh.has_extremes)) distrust_extremes(mesh, w, q);
+
+#if !defined(NDEBUG)
+    assert_star_is_sound(mesh, w, q);
+#endif
 
     // With the new vertex a few of its neighbours learn where they are now; every vertex has its
     // turn often enough to stay near its slot.

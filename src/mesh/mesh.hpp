@@ -2,6 +2,8 @@
 // The store of vertices and tetrahedra: slots, the free list and counts. It knows no geometry.
 #pragma once
 
+#include <cassert>
+
 #include "mesh/tetrahedron_store.hpp"
 #include "platform/memory.hpp"
 
@@ -75,6 +77,7 @@ struct Mesh {
 MGDT_ALWAYS_INLINE void Mesh::take_slots(FacetCode* slots, std::size_t count) noexcept {
     if (MGDT_UNLIKELY(!free_slots.empty())) {
         while (count > 0 && !free_slots.empty()) {
+            assert(tetrahedra[free_slots.back()].is_dead() && "a free slot is not dead");
             *slots++ = first_facet(free_slots.back());
             free_slots.pop_back();
             --count;
@@ -87,6 +90,7 @@ MGDT_ALWAYS_INLINE void Mesh::take_slots(FacetCode* slots, std::size_t count) no
 
 MGDT_ALWAYS_INLINE void Mesh::free_slot(TetId t) noexcept {
     const std::size_t size = free_slots.size();
+    assert(size < free_slots.capacity() && "there is no room among the free slots");
     free_slots.resize_within_capacity(size + 1);
     free_slots[size] = t;
     tetrahedra[t].kill();

@@ -254,7 +254,7 @@ TEST_P(Islands, Spheres) {
         }
     }
     EXPECT_GT(sound, facets / 4);
-    EXPECT_GT(hulls, facets / 40);
+    EXPECT_GT(hulls, facets / 200);
 }
 
 TEST_P(Islands, Append) {

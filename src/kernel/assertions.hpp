@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What must hold around the replacement of a cavity by its star, for builds with assertions
+// (b_ndebug=false): others compile nothing of it.
+#pragma once
+
+#include <cassert>
+
+#include "kernel/island.hpp"
+#include "kernel/workspace.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+inline namespace MGDT_ISLAND {
+
+// Before the mesh changes: each member of the cavity is alive, and the thread's own by its first
+// two vertices, which guard it.
+template <class Access>
+void assert_cavity_is_sound(Access access, const Mesh& mesh, const Workspace& w) {
+    static_cast<void>(access);
+    for (std::size_t i = 0; i < w.cavity_size; ++i) {
+        const Tetrahedron& t = mesh.tetrahedra[tetrahedron_of(w.cavity.data[i])];
+        static_cast<void>(t);
+        assert(!t.is_dead() && "a member of the cavity is dead");
+        assert(access.owns(t.v[0]) && access.owns(unmarked(t.v[1])) &&
+               "a member of the cavity is not owned");
+    }
+}
+
+// Afterwards: the newest vertex is the first of each new tetrahedron; each is the neighbour of its
+// neighbours; the finite ones are positively oriented, and a ghost's vertex at infinity is the
+// third or the fourth.
+inline void assert_star_is_sound(const Mesh& mesh, const Workspace& w, VertexId q) {
+    for (std::size_t i = 0; i < w.slot_count; ++i) {
+        const TetId id = tetrahedron_of(w.slots.data[i]);
+        const Tetrahedron& t = mesh.tetrahedra[id];
+        assert(t.v[0] == q && "the newest vertex is not first");
+        for (unsigned face = 0; face < 4; ++face) {
+            const Tetrahedron& other = mesh.tetrahedra[tetrahedron_of(t.n[face])];
+            static_cast<void>(other);
+            assert(other.n[face_of(t.n[face])] == facet_code(id, face) &&
+                   "a neighbour does not return the adjacency");
+        }
+        assert(t.v[1] != infinite_vertex && "the vertex at infinity is second");
+        assert((t.is_ghost() || orientation(mesh.point(t.v[0]), mesh.point(t.v[1]),
+                                            mesh.point(t.v[2]), mesh.point(t.v[3])) > 0) &&
+               "a new tetrahedron is not positively oriented");
+        static_cast<void>(t);
+        static_cast<void>(q);
+    }
+}
+
+}  // namespace MGDT_ISLAND
+}  // namespace mgdt
