@@ -14,7 +14,7 @@ inline namespace MGDT_ISLAND {
 template <class Access>
 MGDT_ALWAYS_INLINE Insertion insert_with(Access access, Mesh& mesh, Workspace& w, VertexId q,
                                          TetId start) {
-    // A vertex outside the normal range is told of when it is copied.
+    // has_extremes is set when a vertex outside the normal range is copied into the mesh.
     const double* const point = mesh.point(q);
     const Query query(point, MGDT_LIKELY(!mesh.has_extremes) || in_normal_range(point));
     const typename Access::SphereSource spheres(mesh);

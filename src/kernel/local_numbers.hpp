@@ -24,8 +24,8 @@ class DirectNumbers {
     DirectNumbers(const DirectNumbers&) = delete;
     DirectNumbers& operator=(const DirectNumbers&) = delete;
     MGDT_ALWAYS_INLINE ~DirectNumbers() {
-        // In blocks, so that the number of turns can be foretold: what follows are vertices of
-        // cavities before, which are free.
+        // In blocks, so that the number of turns is predictable: what follows are vertices of
+        // earlier cavities, which are free.
         constexpr std::uint32_t block = 16;
         for (std::uint32_t i = 0; i < count_; i += block)
             for (std::uint32_t k = i; k < i + block; ++k)
@@ -41,6 +41,9 @@ class DirectNumbers {
         std::uint8_t* const table = table_;
         VertexId* const ids = ids_;
         const FacetCode* const end = w.cavity.data + w.cavity_size;
+        // What is in v's place    fresh   what is written
+        // 255: v is new             1     added, its number
+        // a number: v has it        0     the same
         const auto add = [&](VertexId v) {
             std::uint8_t& place = table[hash(v)];
             const std::uint32_t there = place, fresh = (there + 1) >> 8;

@@ -30,7 +30,8 @@ MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const Fa
     const std::uint32_t has_stamp =
         lanes(_mm_cmpeq_epi32(_mm_srli_epi32(difference, MarkTable::stamp_shift), zero));
     const __m128i place = _mm_and_si128(t, _mm_set1_epi32(static_cast<int>(marks.mask)));
-    // Each place beside the next one and the one after it, cyclically: all six pairs.
+    // Whether two of the four have one place: (0 1 2 3) beside (1 2 3 0) and (2 3 0 1), which are
+    // all six pairs.
     const std::uint32_t is_shared = lanes(
         _mm_or_si128(_mm_cmpeq_epi32(place, _mm_shuffle_epi32(place, _MM_SHUFFLE(0, 3, 2, 1))),
                      _mm_cmpeq_epi32(place, _mm_shuffle_epi32(place, _MM_SHUFFLE(1, 0, 3, 2)))));

@@ -107,6 +107,7 @@ class FourPowers {
     }
     MGDT_ALWAYS_INLINE void set(const Transpose4& spheres, const Transpose4& bases,
                                 const QueryRows& q) {
+        // u = q - p, value = |u|^2 - w . u, error = |e| (|u.x| + |u.y| + |u.z|) + quadratic |u|^2
         const __m256d ux = _mm256_sub_pd(q.x, bases.first);
         const __m256d uy = _mm256_sub_pd(q.y, bases.second);
         const __m256d uz = _mm256_sub_pd(q.z, bases.third);

@@ -10,7 +10,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Each element's neighbour so many places on, around the end.
+// (v0, v1, v2, v3) turned by one place: (v1, v2, v3, v0).
 template <int Places>
 MGDT_ALWAYS_INLINE __m256d turned(__m256d v) {
     constexpr int order = 0xE4E4 >> 2 * Places & 0xFF;
@@ -33,7 +33,10 @@ MGDT_ALWAYS_INLINE __m256d difference(__m256d a, __m256d b, __m256d cd) {
 }
 
 // [bcd], [cda], [dab], [abc] of four rows by columns: the minors of SphereDeterminant, since even
-// permutations of rows change nothing.
+// permutations of rows change nothing. With indices modulo 4:
+//   next[i]   = x[i] y[i+1] - x[i+1] y[i]
+//   across[i] = x[i] y[i+2] - x[i+2] y[i]
+//   minor[i]  = z[i+1] next[i+2] - z[i+2] across[i+1] + z[i+3] next[i+1]
 template <bool Positive>
 MGDT_ALWAYS_INLINE __m256d minors(__m256d x, __m256d y, __m256d z) {
     const __m256d next = difference<Positive>(x, turned<1>(y), _mm256_mul_pd(turned<1>(x), y));
@@ -43,11 +46,15 @@ MGDT_ALWAYS_INLINE __m256d minors(__m256d x, __m256d y, __m256d z) {
                                                 _mm256_mul_pd(turned<2>(z), turned<1>(across))));
 }
 
+// Of a, b, c and d in the determinant, whose rows alternate in sign: minors with the second and the
+// fourth negated.
 MGDT_ALWAYS_INLINE __m256d coefficients(__m256d x, __m256d y, __m256d z) {
     return _mm256_xor_pd(minors<false>(x, y, z), _mm256_setr_pd(0.0, -0.0, 0.0, -0.0));
 }
 
-// The side of q in a tie, from vertices relative to it in units of a lattice.
+// The side of q in a tie, from vertices relative to it in units of a lattice. Of q, whose key is 0,
+// and the vertices whose coefficient is not 0, the one of greatest key = (x base + y) base + z
+// decides: inside if it is a vertex with a positive coefficient.
 MGDT_ALWAYS_INLINE int broken_tie(__m256d x, __m256d y, __m256d z, __m256d coefficients) {
     const __m256d base = _mm256_set1_pd(exact::sphere_lattice_base), zero = _mm256_setzero_pd();
     const __m256d key = _mm256_fmadd_pd(_mm256_fmadd_pd(x, base, y), base, z);
