@@ -157,7 +157,8 @@ TEST_P(Islands, Powers) {
         if (!make_four(scene, random, i % kinds, q)) continue;
         alignas(16) FacetCode codes[4];
         for (unsigned k = 0; k < 4; ++k)
-            codes[k] = facet_code((k + static_cast<unsigned>(i)) % 4, random.integer(0, 3));
+            codes[k] = facet_code((k + static_cast<unsigned>(i)) % 4,
+                                  static_cast<unsigned>(random.integer(0, 3)));
         const Asked asked = {random.uniform(-1, 1), random.uniform(), random.uniform(-1, 1)};
         const auto look = [&](auto routine, Powers& got, Powers& expected) {
             (island_.*routine)(scene.mesh, codes, q, asked, got);
