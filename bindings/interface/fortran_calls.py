@@ -32,6 +32,12 @@ def folded(line: str, width: int = 92) -> list[str]:
     return [part + " &" for part in parts[:-1]] + parts[-1:]
 
 
+def list_of_names(line: str, indent: int, further: int) -> str:
+    """A declaration that ends in a list of names, in as many lines as it needs."""
+    return textwrap.fill(line, 96, initial_indent=" " * indent, subsequent_indent=" " * further,
+                         break_long_words=False, break_on_hyphens=False).replace("\n", " &\n")
+
+
 def is_flag(p: Parameter) -> bool:
     return p.name == "on"
 
@@ -45,7 +51,6 @@ class Calls:
 
     def __init__(self, interface: Interface) -> None:
         self._interface = interface
-        self._rows = ROWS
         self._twins = {f.twin_of for f in interface.functions if f.twin_of}
         self._functions = {f.short_name: f for f in interface.functions}
 
@@ -132,7 +137,7 @@ class Calls:
 
     def rows_interface(self, name: str) -> str:
         """Interface bodies of an export of rows: for two kinds of integers and two ranks."""
-        array, blocks = self._rows[name].array, []
+        array, blocks = ROWS[name].array, []
         for kind, integer in KINDS:
             for rank, shape, last in ((1, ":", ""), (2, ":, :", ", dim")):
                 lines = ["class(mgdt_triangulation), intent(in) :: self",
@@ -147,25 +152,21 @@ class Calls:
     def bound(self, name: str, specifics: Optional[list[str]] = None) -> str:
         """What the type says of a function's procedures: its name, and those behind it."""
         if specifics is None:
-            if name.removeprefix("get_") in self._rows:
+            if name.removeprefix("get_") in ROWS:
                 specifics = [f"{name}_{kind}_{rank}" for kind, _ in KINDS for rank in (1, 2)]
             else:
                 specifics = [name + suffix for suffix, _ in self.kinds(name)]
         if specifics == [name]:
             return f"        procedure :: {name}"
         names = ", ".join(specifics)
-        return "\n".join(textwrap.fill(line, 96, initial_indent=" " * 8, subsequent_indent=" " * 12,
-                                       break_long_words=False, break_on_hyphens=False)
-                         .replace("\n", " &\n")
+        return "\n".join(list_of_names(line, 8, 12)
                          for line in (f"procedure, private :: {names}", f"generic :: {name} => {names}"))
 
     def public_constants(self) -> str:
         lines = []
         for _, group in self._interface.groups():
             names = ", ".join(c.name.lower() for c in group)
-            lines.append(textwrap.fill(f"public :: {names}", 96, initial_indent=" " * 4,
-                                       subsequent_indent=" " * 14, break_long_words=False)
-                         .replace("\n", " &\n"))
+            lines.append(list_of_names(f"public :: {names}", 4, 14))
         return "\n".join(lines)
 
     # FORTRAN 77
@@ -198,8 +199,8 @@ class Calls:
                 declared.append(f"integer, intent(in) :: {n}")
                 if p.type == "int64_t":
                     counts.append(n)
-                width = self._rows[name.removeprefix("get_")].width if p.name == "capacity" and \
-                    name.removeprefix("get_") in self._rows else 0
+                width = ROWS[name.removeprefix("get_")].width if p.name == "capacity" and \
+                    name.removeprefix("get_") in ROWS else 0
                 actual.append(f"columns({width}, {n})" if width else
                               f"int({n}, c_int64_t)" if is_large(p) else f"to_c({n})")
             elif shape or function.name in self._twins:
@@ -223,7 +224,7 @@ class Calls:
         """The same for an export of rows at any increments."""
         title, _, rest = signature.partition("(")
         _, most, array, *increments = [n.strip() for n in rest.rstrip(")").split(",")]
-        call = ", ".join(["handle_of(h)", f"array_{self._rows[name].array}", most, array, *increments])
+        call = ", ".join(["handle_of(h)", f"array_{ROWS[name].array}", most, array, *increments])
         return self._f77_subroutine(title, [most, array, *increments], [
             f"integer, intent(in) :: {', '.join([most, *increments])}",
             f"integer, intent(inout) :: {array}(*)", "integer, intent(inout) :: ierr", "",

@@ -23,8 +23,8 @@ MGDT_ALWAYS_INLINE SphereColumns<R> star_spheres(const LocalColumns<R>& a, const
     }
 }
 
-// Sets the sphere of the i-th facet's tetrahedron, and does what else is to be done with it; false
-// past the last facet, which no other branch shall look for, since it cannot be foretold.
+// Sets the sphere of the i-th facet's tetrahedron and calls `link` for it; false past the last
+// facet. This is the only branch on the number of facets, because the processor mispredicts it.
 template <class Link>
 MGDT_ALWAYS_INLINE bool finish(const FacetCode* slots, std::size_t size, SphereStore spheres,
                                std::size_t i, __m128i sphere, Link link) {

@@ -131,7 +131,7 @@ MGDT_PREDICATES_APART inline int decided_modulo(__m256d x, __m256d y, __m256d z,
     for (unsigned i = 0; i < 4; ++i)
         value += static_cast<std::uint64_t>(minor[i]) * static_cast<std::uint64_t>(squares[i]);
     if (value != 0) return value >> 63 ? -1 : 1;
-    // Half of these decide, and which cannot be foretold.
+    // About half of these decide, in no order: a branch would be mispredicted.
     std::int64_t first = 0, side = -1;
     for (unsigned i = 0; i < 4; ++i) {
         const std::int64_t decides = -static_cast<std::int64_t>(
