@@ -7,14 +7,15 @@
 // as power() of circumsphere.hpp computes them; a ghost's have no |u|^2. Each island has
 //
 //   QueryRows(query)                          q, ready to be asked about
-//   FourPowers(spheres, four, query or rows)  the four powers, and as bits, the first tetrahedron
-//   in
-//     .negative()  .decided()  .ghosts()      the lowest: where the power is negative, where it is
-//                                             certain whether it is, and which are ghosts
-//     [k]                                     the k-th power
+//   FourPowers(spheres, four, query or rows)  the four powers:
+//     [k]                                     the k-th
+//     .least_finite(bound)                    which finite one is least, if below the bound; else 4
+//   and as bits, the first tetrahedron in the lowest:
+//     .negative()                             where the power is negative
+//     .decided()                              where it is certain whether it is
+//     .ghosts()                               which are ghosts
 //     .above(power)                           where it, or that of a ghost, is certainly above that
 //                                             of a tetrahedron, or of none
-//     .least_finite(bound)                    which finite one is least, if below the bound; else 4
 #pragma once
 
 #include "kernel/island.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // set_sphere() and set_normal() of circumsphere.hpp for as many tetrahedra at a time as a vector
-// has doubles. R is the vector's class, as Four of the island avx2.
+// has doubles. R is the vector's type, such as Four of the island avx2.
 #pragma once
 
 #include <type_traits>
@@ -13,33 +13,31 @@ inline namespace MGDT_ISLAND {
 // Points as columns of coordinates.
 template <class R>
 struct PointColumns {
-    typename R::Vector x, y, z;
+    R x, y, z;
 };
 
 // w and e of spheres as columns.
 template <class R>
 struct SphereColumns {
-    typename R::Vector x, y, z, e;
+    R x, y, z, e;
 };
 
 // Vertices relative to the base vertex, with what LocalVertex has.
 template <class R>
 struct LocalColumns : PointColumns<R> {
-    using Vector = typename R::Vector;
-    MGDT_ALWAYS_INLINE LocalColumns(const PointColumns<R>& v, Vector s, Vector l)
+    MGDT_ALWAYS_INLINE LocalColumns(const PointColumns<R>& v, R s, R l)
         : PointColumns<R>(v), square(s), largest(l) {}
     MGDT_ALWAYS_INLINE explicit LocalColumns(const PointColumns<R>& v) : PointColumns<R>(v) {
-        square = R::multiply_add(v.z, v.z, R::multiply_add(v.y, v.y, R::multiply(v.x, v.x)));
-        largest = R::larger(R::magnitude(v.x), R::larger(R::magnitude(v.y), R::magnitude(v.z)));
+        square = multiply_add(v.z, v.z, multiply_add(v.y, v.y, v.x * v.x));
+        largest = larger(magnitude(v.x), larger(magnitude(v.y), magnitude(v.z)));
     }
     // The vertex at infinity, as spheres_through() wants it.
     MGDT_ALWAYS_INLINE LocalColumns infinite_where(typename R::Mask mask) const {
-        return {{R::zero_where(mask, this->x), R::zero_where(mask, this->y),
-                 R::zero_where(mask, this->z)},
-                R::where(mask, R::all(1.0), square),
-                R::zero_where(mask, largest)};
+        return {{zero_where(mask, this->x), zero_where(mask, this->y), zero_where(mask, this->z)},
+                where(mask, R(1.0), square),
+                zero_where(mask, largest)};
     }
-    Vector square, largest;
+    R square, largest;
 };
 
 // Where there are no ghosts, and none are looked for.
@@ -54,46 +52,40 @@ MGDT_ALWAYS_INLINE SphereColumns<R> spheres_through(const LocalColumns<R>& a,
                                                     const LocalColumns<R>& b,
                                                     const LocalColumns<R>& c, Ghosts ghosts = {}) {
     constexpr bool has_ghosts = !std::is_same_v<Ghosts, NoGhosts>;
-    using Vector = typename R::Vector;
-    const auto minor = [](Vector p, Vector q, Vector r, Vector s) {
-        return R::multiply_subtract(p, q, R::multiply(r, s));
+    const auto minor = [](R p, R q, R r, R s) { return multiply_subtract(p, q, r * s); };
+    const auto dot = [](R p, R q, R r, R s, R t, R u) {
+        return multiply_add(t, u, multiply_add(r, s, p * q));
     };
-    const auto dot = [](Vector p, Vector q, Vector r, Vector s, Vector t, Vector u) {
-        return R::multiply_add(t, u, R::multiply_add(r, s, R::multiply(p, q)));
-    };
-    const Vector bcx = minor(b.y, c.z, b.z, c.y), bcy = minor(b.z, c.x, b.x, c.z),
-                 bcz = minor(b.x, c.y, b.y, c.x);
-    const Vector cax = minor(c.y, a.z, c.z, a.y), cay = minor(c.z, a.x, c.x, a.z),
-                 caz = minor(c.x, a.y, c.y, a.x);
-    const Vector abx = minor(a.y, b.z, a.z, b.y), aby = minor(a.z, b.x, a.x, b.z),
-                 abz = minor(a.x, b.y, a.y, b.x);
-    Vector det = dot(a.x, bcx, a.y, bcy, a.z, bcz);
-    if constexpr (has_ghosts) det = R::where(ghosts, R::all(1.0), det);
-    const Vector inverse = R::divide(R::all(1.0), det);
+    const R bcx = minor(b.y, c.z, b.z, c.y), bcy = minor(b.z, c.x, b.x, c.z),
+            bcz = minor(b.x, c.y, b.y, c.x);
+    const R cax = minor(c.y, a.z, c.z, a.y), cay = minor(c.z, a.x, c.x, a.z),
+            caz = minor(c.x, a.y, c.y, a.x);
+    const R abx = minor(a.y, b.z, a.z, b.y), aby = minor(a.z, b.x, a.x, b.z),
+            abz = minor(a.x, b.y, a.y, b.x);
+    R det = dot(a.x, bcx, a.y, bcy, a.z, bcz);
+    if constexpr (has_ghosts) det = where(ghosts, R(1.0), det);
+    const R inverse = R(1.0) / det;
     SphereColumns<R> s;
-    s.x = R::multiply(inverse, dot(a.square, bcx, b.square, cax, c.square, abx));
-    s.y = R::multiply(inverse, dot(a.square, bcy, b.square, cay, c.square, aby));
-    s.z = R::multiply(inverse, dot(a.square, bcz, b.square, caz, c.square, abz));
+    s.x = inverse * dot(a.square, bcx, b.square, cax, c.square, abx);
+    s.y = inverse * dot(a.square, bcy, b.square, cay, c.square, aby);
+    s.z = inverse * dot(a.square, bcz, b.square, caz, c.square, abz);
 
-    const Vector lbc = R::multiply(b.largest, c.largest), lca = R::multiply(c.largest, a.largest),
-                 lab = R::multiply(a.largest, b.largest);
-    const Vector sum = dot(a.square, lbc, b.square, lca, c.square, lab);
-    const Vector product =
-        R::multiply(R::all(proved_bounds.sphere_det * unit_roundoff), R::multiply(a.largest, lbc));
-    const Vector largest =
-        R::larger(R::magnitude(s.x), R::larger(R::magnitude(s.y), R::magnitude(s.z)));
-    const Vector numerator = R::multiply_add(
-        product, largest, R::multiply(R::all(proved_bounds.sphere_sum * unit_roundoff), sum));
+    const R lbc = b.largest * c.largest, lca = c.largest * a.largest, lab = a.largest * b.largest;
+    const R sum = dot(a.square, lbc, b.square, lca, c.square, lab);
+    const R product = R(proved_bounds.sphere_det * unit_roundoff) * (a.largest * lbc);
+    const R largest = larger(magnitude(s.x), larger(magnitude(s.y), magnitude(s.z)));
+    const R numerator =
+        multiply_add(product, largest, R(proved_bounds.sphere_sum * unit_roundoff) * sum);
     if constexpr (to_keep) {
-        s.e = R::multiply_add(inverse, numerator, R::multiply(largest, R::all(kept_roundoff)));
-        s.x = R::to_upper_half(s.x);
-        s.y = R::to_upper_half(s.y);
-        s.z = R::to_upper_half(s.z);
+        s.e = multiply_add(inverse, numerator, largest * R(kept_roundoff));
+        s.x = to_upper_half(s.x);
+        s.y = to_upper_half(s.y);
+        s.z = to_upper_half(s.z);
     } else {
-        s.e = R::multiply(inverse, numerator);
+        s.e = inverse * numerator;
     }
-    s.e = R::where(R::above(det, product), s.e, R::all(infinity));
-    if constexpr (has_ghosts) s.e = R::where(ghosts, R::multiply(R::all(-1.0), s.e), s.e);
+    s.e = where(det > product, s.e, R(infinity));
+    if constexpr (has_ghosts) s.e = where(ghosts, R(-1.0) * s.e, s.e);
     return s;
 }
 

@@ -3,9 +3,9 @@
 // lattice, whose ties they break exactly, and by the predicates' own filter, which does not mind
 // how long and thin a tetrahedron is. Each island has
 //
-//   perturbed_doubles(t, vertices, query)   exact::perturbed_doubles() for a finite tetrahedron
-//   that
-//                                           the query is no vertex of
+//   perturbed_doubles(t, vertices, query)
+//
+// which is exact::perturbed_doubles() for a finite tetrahedron that the query is no vertex of.
 #pragma once
 
 #include "kernel/island.hpp"

@@ -6,10 +6,8 @@
 namespace islands {
 
 int decided_modulo(const mgdt::Tetrahedron& t, const mgdt::Vertex* vertices, const double* q) {
-    using mgdt::Four;
     const mgdt::Transpose4 rows([&](unsigned k) { return vertices[t.v[k]].x; });
-    const auto [x, y, z] =
-        mgdt::relative_to(rows, {Four::all(q[0]), Four::all(q[1]), Four::all(q[2])});
+    const auto [x, y, z] = mgdt::relative_to(rows, {q[0], q[1], q[2]});
     constexpr double units = 1.5 * 0x1p52;
     return mgdt::decided_modulo(x, y, z, units);
 }

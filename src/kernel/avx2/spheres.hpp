@@ -15,7 +15,7 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices,
                                            const Number* bs, const Number* cs, SphereStore spheres,
                                            Link link) {
     const double* const p = vertices[q].x;
-    const PointColumns<Four> base = {Four::all(p[0]), Four::all(p[1]), Four::all(p[2])};
+    const PointColumns<Four> base = {p[0], p[1], p[2]};
     const auto pick = [&](const Number* numbers) {
         const Transpose4 rows([&](unsigned k) { return vertices[w.ids.data[numbers[k]]].x; });
         return LocalColumns<Four>(relative_to(rows, base));
@@ -26,7 +26,7 @@ MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices,
         const SphereColumns<Four> s = star_spheres<at_hull>(
             pick(as + begin), pick(bs + begin), pick(cs + begin), bs + begin, cs + begin, infinite);
         const Transpose4 columns = {s.x, s.y, s.z, s.e};
-        columns.store_upper_halves([&](std::size_t k, __m128i sphere) {
+        columns.store_upper_halves([&](std::size_t k, FourWords sphere) {
             return finish(slots, size, spheres, begin + k, sphere, link);
         });
     }

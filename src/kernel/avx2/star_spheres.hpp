@@ -2,7 +2,7 @@
 // What the spheres of a star are made of, for vectors of four doubles and of eight.
 #pragma once
 
-#include "kernel/avx2/vector.hpp"
+#include "kernel/avx2/four_words.hpp"
 #include "kernel/sphere_columns.hpp"
 #include "kernel/star_records.hpp"
 
@@ -15,9 +15,9 @@ MGDT_ALWAYS_INLINE SphereColumns<R> star_spheres(const LocalColumns<R>& a, const
                                                  const LocalColumns<R>& c, const Number* bs,
                                                  const Number* cs, std::uint32_t infinite) {
     if constexpr (at_hull) {
-        const auto at_b = R::equal(bs, infinite), at_c = R::equal(cs, infinite);
+        const auto at_b = R::Mask::equal(bs, infinite), at_c = R::Mask::equal(cs, infinite);
         return spheres_through<true>(a, b.infinite_where(at_b), c.infinite_where(at_c),
-                                     R::either(at_b, at_c));
+                                     at_b | at_c);
     } else {
         return spheres_through<true>(a, b, c);
     }
@@ -27,11 +27,11 @@ MGDT_ALWAYS_INLINE SphereColumns<R> star_spheres(const LocalColumns<R>& a, const
 // facet. This is the only branch on the number of facets, because the processor mispredicts it.
 template <class Link>
 MGDT_ALWAYS_INLINE bool finish(const FacetCode* slots, std::size_t size, SphereStore spheres,
-                               std::size_t i, __m128i sphere, Link link) {
+                               std::size_t i, FourWords sphere, Link link) {
     if (i == size) return false;
     TetrahedronAndSphere& to = *spheres.record(slots[i]);
     link(i, to.tetrahedron);
-    _mm_store_si128(reinterpret_cast<__m128i*>(to.sphere.w), sphere);
+    sphere.store(to.sphere.w);
     return true;
 }
 

@@ -2,6 +2,7 @@
 // Four rows of four doubles, or of their upper halves, as columns, and the other way.
 #pragma once
 
+#include "kernel/avx2/four_words.hpp"
 #include "kernel/avx2/vector.hpp"
 #include "kernel/sphere_columns.hpp"
 
@@ -10,7 +11,7 @@ inline namespace MGDT_ISLAND {
 
 // row(k) points to row k, aligned to 32 bytes.
 struct Transpose4 {
-    Transpose4(__m256d first, __m256d second, __m256d third, __m256d fourth)
+    Transpose4(Four first, Four second, Four third, Four fourth)
         : first(first), second(second), third(third), fourth(fourth) {}
     template <class Row>
     MGDT_ALWAYS_INLINE explicit Transpose4(Row row) {
@@ -18,10 +19,10 @@ struct Transpose4 {
                       r2 = _mm256_load_pd(row(2)), r3 = _mm256_load_pd(row(3));
         const __m256d odd_low = _mm256_unpacklo_pd(r0, r1), even_low = _mm256_unpackhi_pd(r0, r1);
         const __m256d odd_high = _mm256_unpacklo_pd(r2, r3), even_high = _mm256_unpackhi_pd(r2, r3);
-        first = _mm256_permute2f128_pd(odd_low, odd_high, 0x20);
-        second = _mm256_permute2f128_pd(even_low, even_high, 0x20);
-        third = _mm256_permute2f128_pd(odd_low, odd_high, 0x31);
-        fourth = _mm256_permute2f128_pd(even_low, even_high, 0x31);
+        first = Four(_mm256_permute2f128_pd(odd_low, odd_high, 0x20));
+        second = Four(_mm256_permute2f128_pd(even_low, even_high, 0x20));
+        third = Four(_mm256_permute2f128_pd(odd_low, odd_high, 0x31));
+        fourth = Four(_mm256_permute2f128_pd(even_low, even_high, 0x31));
     }
     // The same from upper halves, aligned to 16 bytes.
     template <class Row>
@@ -35,35 +36,34 @@ struct Transpose4 {
         const __m256i even = two(0, 2), odd = two(1, 3), zero = _mm256_setzero_si256();
         const __m256i low = _mm256_unpacklo_epi32(even, odd),
                       high = _mm256_unpackhi_epi32(even, odd);
-        return {_mm256_castsi256_pd(_mm256_unpacklo_epi32(zero, low)),
-                _mm256_castsi256_pd(_mm256_unpackhi_epi32(zero, low)),
-                _mm256_castsi256_pd(_mm256_unpacklo_epi32(zero, high)),
-                _mm256_castsi256_pd(_mm256_unpackhi_epi32(zero, high))};
+        return {Four(_mm256_castsi256_pd(_mm256_unpacklo_epi32(zero, low))),
+                Four(_mm256_castsi256_pd(_mm256_unpackhi_epi32(zero, low))),
+                Four(_mm256_castsi256_pd(_mm256_unpacklo_epi32(zero, high))),
+                Four(_mm256_castsi256_pd(_mm256_unpackhi_epi32(zero, high)))};
     }
     // Hands over the upper halves of the rows whose columns these are, one after the other, until
     // store(k, row) is false.
     template <class Store>
     MGDT_ALWAYS_INLINE void store_upper_halves(Store store) const {
-        const auto pairs = [](__m256d low, __m256d high) {
-            return _mm256_castps_pd(_mm256_blend_ps(_mm256_movehdup_ps(_mm256_castpd_ps(low)),
-                                                    _mm256_castpd_ps(high), 0xAA));
+        const auto pairs = [](Four low, Four high) {
+            return _mm256_castps_pd(_mm256_blend_ps(_mm256_movehdup_ps(_mm256_castpd_ps(low.lanes)),
+                                                    _mm256_castpd_ps(high.lanes), 0xAA));
         };
         const __m256d left = pairs(first, second), right = pairs(third, fourth);
         const __m256i even = _mm256_castpd_si256(_mm256_unpacklo_pd(left, right)),
                       odd = _mm256_castpd_si256(_mm256_unpackhi_pd(left, right));
-        static_cast<void>(store(0, _mm256_castsi256_si128(even)) &&
-                          store(1, _mm256_castsi256_si128(odd)) &&
-                          store(2, _mm256_extracti128_si256(even, 1)) &&
-                          store(3, _mm256_extracti128_si256(odd, 1)));
+        static_cast<void>(store(0, FourWords(_mm256_castsi256_si128(even))) &&
+                          store(1, FourWords(_mm256_castsi256_si128(odd))) &&
+                          store(2, FourWords(_mm256_extracti128_si256(even, 1))) &&
+                          store(3, FourWords(_mm256_extracti128_si256(odd, 1))));
     }
-    __m256d first, second, third, fourth;
+    Four first, second, third, fourth;
 };
 
 // Points that are the first three columns, relative to others.
 MGDT_ALWAYS_INLINE PointColumns<Four> relative_to(const Transpose4& rows,
                                                   const PointColumns<Four>& origin) {
-    return {Four::subtract(rows.first, origin.x), Four::subtract(rows.second, origin.y),
-            Four::subtract(rows.third, origin.z)};
+    return {rows.first - origin.x, rows.second - origin.y, rows.third - origin.z};
 }
 
 }  // namespace MGDT_ISLAND

@@ -14,9 +14,7 @@ alignas(16) constexpr std::int32_t chosen_picks[16][4] = {
 
 MGDT_ALWAYS_INLINE unsigned append(std::uint32_t* to, const std::uint32_t* words,
                                    std::uint32_t bits) {
-    const __m128i pick = _mm_load_si128(reinterpret_cast<const __m128i*>(chosen_picks[bits]));
-    const __m128 w = _mm_load_ps(reinterpret_cast<const float*>(words));
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_castps_si128(_mm_permutevar_ps(w, pick)));
+    FourWords::load(words).at(FourWords::load(chosen_picks[bits])).store_anywhere(to);
     return static_cast<unsigned>(__builtin_popcount(bits));
 }
 

@@ -2,9 +2,7 @@
 // The vertices of a new tetrahedron: see kernel/words.hpp.
 #pragma once
 
-#include <immintrin.h>
-
-#include "kernel/island.hpp"
+#include "kernel/avx2/four_words.hpp"
 #include "mesh/tetrahedron.hpp"
 #include "platform/compiler.hpp"
 
@@ -17,13 +15,9 @@ alignas(16) constexpr std::int32_t outer_picks[4][4] = {
 
 MGDT_ALWAYS_INLINE const VertexId* write_vertices(const Tetrahedron& outside, FacetCode code,
                                                   VertexId q, Tetrahedron& out) {
-    const __m128 v = _mm_load_ps(reinterpret_cast<const float*>(outside.v));
-    const __m128i pick =
-        _mm_load_si128(reinterpret_cast<const __m128i*>(outer_picks[face_of(code)]));
-    // The facet goes to the upper three places.
-    const __m128i facet = _mm_slli_si128(_mm_castps_si128(_mm_permutevar_ps(v, pick)), 4);
-    _mm_store_si128(reinterpret_cast<__m128i*>(out.v),
-                    _mm_or_si128(facet, _mm_cvtsi32_si128(static_cast<std::int32_t>(q))));
+    const FourWords facet =
+        FourWords::load(outside.v).at(FourWords::load(outer_picks[face_of(code)]));
+    facet.behind(q).store(out.v);
     return out.v + 1;
 }
 
