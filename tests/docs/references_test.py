@@ -13,6 +13,9 @@ sys.dont_write_bytecode = True  # the source tree stays as it is
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 from checks import check, finish
 
+# Documents that are to be read at one sitting.
+MOST_WORDS = {"architecture.md": 1500, "performance.md": 1500}
+
 
 def headings(text):
     """The names under which a document's sections can be linked."""
@@ -41,6 +44,14 @@ def broken_links(document):
     return problems
 
 
+def missing_paths(source, text):
+    """Files and folders that are named from the root of the source, in code blocks too, and are not
+    there. A program that the tests build is named without its ending."""
+    named = set(re.findall(r"(?<![\w/.@-])((?:src|tests|docs|include|bindings)/[\w./-]*\w)", text))
+    endings = ("", ".hpp", ".cpp", ".c", ".f90", ".f")
+    return sorted(n for n in named if not any((source / (n + end)).exists() for end in endings))
+
+
 def missing_sources(source, text):
     """Sources that are named by their folder, in a drawing too, and are not there."""
     folders = "|".join(sorted(f.name for f in (source / "src").iterdir() if f.is_dir()))
@@ -63,6 +74,10 @@ def main():
         if document.name in ("README.md", "abi.md", "architecture.md", "c.md", "cxx.md", "trust.md"):
             named = set(re.findall(r"`(mgdt_\w+)(?:\(\))?`", prose(text)))
             check(f"functions that {name} names", " ".join(sorted(named - known)))
+        check(f"paths that {name} names", " ".join(missing_paths(source, text)))
+        if document.name in MOST_WORDS:
+            words = len(re.findall(r"\S*\w\S*", text))
+            check(f"length of {name}", "" if words <= MOST_WORDS[document.name] else f"{words} words")
         if document.name == "architecture.md":
             check(f"sources that {name} names", " ".join(missing_sources(source, text)))
         if document.name == "c.md":
