@@ -12,8 +12,8 @@
  * - A call that fails on its arguments changes nothing. One that is cancelled or runs out of
  *   memory leaves a valid Delaunay triangulation of the points that got in.
  * - The library never prints, exits, throws, installs a signal handler, or writes to an array
- *   that is not documented as output. It gives the floating-point environment back as it was;
- *   callbacks run in the default one, and what they change of it ends with them.
+ *   that is not documented as output. It restores the floating-point environment.
+ *   Callbacks run in the default environment, and their changes to it are undone.
  * - No call is a cancellation point of POSIX threads, whatever its callbacks do: pthread_cancel()
  *   of the calling thread acts after the call. Cancellation is disabled during the call, and its
  *   state comes back as it was. A thread of the asynchronous type (PTHREAD_CANCEL_ASYNCHRONOUS) is
@@ -33,13 +33,13 @@
  * - Callbacks (progress and allocator) must not call the handle that they serve, except
  *   mgdt_cancel() and mgdt_get_error().
  * - A call that breaks one of these two rules gets MGDT_ERR_BUSY, changes nothing and writes no
- *   output; the message names the call that is inside. While a call that takes a non-const handle
- *   is inside, all others are refused: counts are those of an empty handle, mgdt_isa_name() gives
- *   an empty string, and mgdt_destroy() does nothing. While a call that takes a const handle is
- *   inside, those that take a non-const one are refused, and mgdt_destroy() does nothing. One case
- *   is not noticed: such a call from another thread during mgdt_locate(), mgdt_nearest_vertex() and
- *   their twins, a call that gives a setting, mgdt_get_stat() or a count. (Since 1.2; before, all of
- *   this was undefined.)
+ *   output; the message names the call that is running on the handle. While a call with a non-const
+ *   handle runs, all others are refused: counts are those of an empty handle, mgdt_isa_name() gives
+ *   an empty string, and mgdt_destroy() does nothing. While a call with a const handle runs, calls
+ *   with a non-const handle are refused, and mgdt_destroy() does nothing. One case is not detected:
+ *   a call with a non-const handle from another thread while mgdt_locate(), mgdt_nearest_vertex(),
+ *   their _i32 forms, a getter of a setting, mgdt_get_stat() or a count runs. (Since 1.2; before,
+ *   all of this was undefined.)
  * - Callbacks must return: no longjmp(), no pthread_exit(). They should not throw; an exception of
  *   the progress callback counts as a nonzero result, one of an mgdt_alloc_fn as NULL, and one of
  *   an mgdt_free_fn is dropped.
@@ -63,6 +63,7 @@
     (MGDT_VERSION_MAJOR > (major) ||        \
      (MGDT_VERSION_MAJOR == (major) && MGDT_VERSION_MINOR >= (minor)))
 
+/* clang-format off */
 #if defined(_WIN32)
 #  if defined(MGDT_BUILDING)
 #    define MGDT_API __declspec(dllexport)
@@ -76,6 +77,7 @@
 #else
 #  define MGDT_API
 #endif
+/* clang-format on */
 
 #ifdef __cplusplus
 extern "C" {
@@ -102,12 +104,12 @@ enum {
     MGDT_ERR_OUT_OF_MEMORY = 30,    /**< The allocator or the memory limit refused. */
     MGDT_ERR_TOO_LARGE = 31,        /**< More points or tetrahedra than the format can number. */
     MGDT_ERR_CANCELLED = 40,        /**< mgdt_cancel() or the progress callback asked to stop. */
-    MGDT_ERR_BUSY = 41,             /**< Another call is inside the handle: a callback called its
-                                     *   own handle, or two threads broke the thread rule. Every
-                                     *   function that takes a handle may return it, except
-                                     *   mgdt_cancel() and mgdt_get_error(). Since 1.2. */
-    MGDT_ERR_CHECK_FAILED = 60,     /**< mgdt_check() found a defect. */
-    MGDT_ERR_INTERNAL = 90          /**< A defect in mgdt itself; please report it. */
+    MGDT_ERR_BUSY = 41,         /**< Another call is running on the handle: a callback called its
+                                 *   own handle, or two threads broke the thread rule. Every
+                                 *   function that takes a handle may return it, except
+                                 *   mgdt_cancel() and mgdt_get_error(). Since 1.2. */
+    MGDT_ERR_CHECK_FAILED = 60, /**< mgdt_check() found a defect. */
+    MGDT_ERR_INTERNAL = 90      /**< A defect in mgdt itself; please report it. */
 };
 
 /** Order schemes: in which order the points of one call are inserted. The tetrahedra do not
@@ -115,14 +117,14 @@ enum {
  *  lower case with hyphens. Section numbers are those of S.H. Lo, Finite Elements in Analysis
  *  and Design 90 (2014) 113-130. */
 enum {
-    MGDT_ORDER_AUTO = 0,              /**< Multi-grid with its defaults; the default. */
-    MGDT_ORDER_INPUT = 10,            /**< As given (2.1). */
-    MGDT_ORDER_RANDOM = 20,           /**< Shuffled (2.1). */
-    MGDT_ORDER_LEXICOGRAPHIC = 30,    /**< By x, then y, then z (2.1). */
-    MGDT_ORDER_BRIO = 40,             /**< Random rounds of growing size, each along a curve (2.2). */
-    MGDT_ORDER_HILBERT = 50,          /**< Along a Hilbert curve (2.3). */
-    MGDT_ORDER_REGULAR_GRID = 60,     /**< Along a path through a regular grid (4.1). */
-    MGDT_ORDER_KD_TREE = 70,          /**< Squarish kd-tree, cell-pivot-cell (3). */
+    MGDT_ORDER_AUTO = 0,           /**< Multi-grid with its defaults; the default. */
+    MGDT_ORDER_INPUT = 10,         /**< As given (2.1). */
+    MGDT_ORDER_RANDOM = 20,        /**< Shuffled (2.1). */
+    MGDT_ORDER_LEXICOGRAPHIC = 30, /**< By x, then y, then z (2.1). */
+    MGDT_ORDER_BRIO = 40,          /**< Random rounds of growing size, each along a curve (2.2). */
+    MGDT_ORDER_HILBERT = 50,       /**< Along a Hilbert curve (2.3). */
+    MGDT_ORDER_REGULAR_GRID = 60,  /**< Along a path through a regular grid (4.1). */
+    MGDT_ORDER_KD_TREE = 70,       /**< Squarish kd-tree, cell-pivot-cell (3). */
     MGDT_ORDER_ENHANCED_KD_TREE = 80, /**< A kd-tree with a regular grid in each cell (3.4). */
     MGDT_ORDER_MULTI_GRID = 90        /**< Regular grids within the cells of grids (4.2). */
 };
@@ -149,47 +151,48 @@ enum {
 enum {
     MGDT_SEPARATION_NONE = 0,   /**< A cell is emptied before the next one. */
     MGDT_SEPARATION_PASSES = 1, /**< One point from each cell at a time, as in the paper (4.3). */
-    MGDT_SEPARATION_ROUNDS = 2  /**< The points along the path are dealt into rounds, one of twelve
-                                 *   before the others (of up to 4,096, one of four). */
+    /** The points along the path are divided into rounds: one point of each twelve goes to an
+     *  earlier round than the others, one of each four once at most 4,096 points are left. */
+    MGDT_SEPARATION_ROUNDS = 2
 };
 
 /** Keys of mgdt_get_stat(). Counts are of the whole life of the handle since mgdt_create() or
  *  mgdt_clear(); seconds are wall-clock time. */
 enum {
-    MGDT_STAT_POINTS_INSERTED = 10,     /**< Points that became vertices. */
-    MGDT_STAT_DUPLICATES = 11,          /**< Points equal to an earlier vertex. */
-    MGDT_STAT_WALK_STEPS = 20,          /**< Tetrahedra visited by walks (the paper's NP, summed). */
-    MGDT_STAT_WALK_TESTS = 21,          /**< Circumspheres evaluated by walks. */
-    MGDT_STAT_CONFLICT_TESTS = 22,      /**< Circumspheres evaluated while cavities grew. */
-    MGDT_STAT_TETRAHEDRA_REMOVED = 30,  /**< Tetrahedra removed by insertions (NR, summed). */
-    MGDT_STAT_TETRAHEDRA_CREATED = 31,  /**< Tetrahedra created by insertions. */
-    MGDT_STAT_EXACT_CALLS = 40,         /**< Decisions that the floating-point filter left open. */
-    MGDT_STAT_PUT_OFF = 45,             /**< Insertions that met another thread; tried again. */
-    MGDT_STAT_INSERTED_ALONE = 46,      /**< Points inserted while other threads had no work. */
-    MGDT_STAT_ORDER_SECONDS = 50,       /**< Time spent on schedules, of more than 16 points. */
-    MGDT_STAT_INSERT_SECONDS = 51,      /**< Time spent inserting. */
-    MGDT_STAT_GRID_LEVELS = 60,         /**< Deepest level of grids or trees in the last schedule. */
-    MGDT_STAT_ROUNDS = 61,              /**< Rounds in the last schedule. */
-    MGDT_STAT_THREADS = 62,             /**< Threads of the last insertion. */
-    MGDT_STAT_MEMORY_BYTES = 70,        /**< Memory held by the handle now. */
-    MGDT_STAT_PEAK_MEMORY_BYTES = 71    /**< The most it held so far. */
+    MGDT_STAT_POINTS_INSERTED = 10,    /**< Points that became vertices. */
+    MGDT_STAT_DUPLICATES = 11,         /**< Points equal to an earlier vertex. */
+    MGDT_STAT_WALK_STEPS = 20,         /**< Tetrahedra visited by walks (the paper's NP, summed). */
+    MGDT_STAT_WALK_TESTS = 21,         /**< Circumspheres evaluated by walks. */
+    MGDT_STAT_CONFLICT_TESTS = 22,     /**< Circumspheres evaluated while cavities grew. */
+    MGDT_STAT_TETRAHEDRA_REMOVED = 30, /**< Tetrahedra removed by insertions (NR, summed). */
+    MGDT_STAT_TETRAHEDRA_CREATED = 31, /**< Tetrahedra created by insertions. */
+    MGDT_STAT_EXACT_CALLS = 40,        /**< Decisions that the floating-point filter left open. */
+    MGDT_STAT_PUT_OFF = 45,        /**< Insertions that met another thread and were tried again. */
+    MGDT_STAT_INSERTED_ALONE = 46, /**< Points inserted while other threads had no work. */
+    MGDT_STAT_ORDER_SECONDS = 50,  /**< Time spent on schedules, of more than 16 points. */
+    MGDT_STAT_INSERT_SECONDS = 51, /**< Time spent inserting. */
+    MGDT_STAT_GRID_LEVELS = 60,    /**< Deepest level of grids or trees in the last schedule. */
+    MGDT_STAT_ROUNDS = 61,         /**< Rounds in the last schedule. */
+    MGDT_STAT_THREADS = 62,        /**< Threads of the last insertion. */
+    MGDT_STAT_MEMORY_BYTES = 70,   /**< Memory held by the handle now. */
+    MGDT_STAT_PEAK_MEMORY_BYTES = 71 /**< The most it held so far. */
 };
 
 /** Levels of mgdt_check(). Each includes those below it. */
 enum {
-    MGDT_CHECK_COMBINATORIAL = 1, /**< Adjacency, shared facets, Euler, every point accounted for. */
+    MGDT_CHECK_COMBINATORIAL = 1, /**< Adjacency, shared facets, Euler, all points accounted for. */
     MGDT_CHECK_GEOMETRIC = 2,     /**< Exact positive orientation, exact local Delaunay. */
     MGDT_CHECK_CANONICAL = 3      /**< Convex hull, and ties broken by the perturbation. */
 };
 
 /** Gives `size` bytes aligned to `align` (a power of two), or NULL. May be called from any thread
  *  that the library runs, several at once. */
-typedef void *(*mgdt_alloc_fn)(size_t size, size_t align, void *user);
+typedef void* (*mgdt_alloc_fn)(size_t size, size_t align, void* user);
 /** Takes memory back; `size` and `align` are those of the allocation. */
-typedef void (*mgdt_free_fn)(void *p, size_t size, size_t align, void *user);
+typedef void (*mgdt_free_fn)(void* p, size_t size, size_t align, void* user);
 /** Progress of the running insertion, `fraction` from 0 to 1, on the calling thread. A nonzero
  *  return value cancels. It must not call the handle, except mgdt_cancel() and mgdt_get_error(). */
-typedef int32_t (*mgdt_progress_fn)(double fraction, void *user);
+typedef int32_t (*mgdt_progress_fn)(double fraction, void* user);
 
 /* ------------------------------------------------------------------------------- life --- */
 
@@ -197,7 +200,7 @@ typedef int32_t (*mgdt_progress_fn)(double fraction, void *user);
  *  @param[out] out  the handle; NULL if the call fails
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_create(mgdt_triangulation **out);
+MGDT_API mgdt_status mgdt_create(mgdt_triangulation** out);
 
 /** Makes an empty triangulation all of whose memory comes from `alloc`.
  *  @param alloc, release  both functions, or both NULL for the default allocator
@@ -207,34 +210,34 @@ MGDT_API mgdt_status mgdt_create(mgdt_triangulation **out);
  *  other), MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release,
-                                                void *user, mgdt_triangulation **out);
+                                                void* user, mgdt_triangulation** out);
 
-/** Frees the handle and all it holds. NULL is fine. While a call is inside the handle, as in a
- *  callback, it does nothing: the handle stays and has to be destroyed after that call.
+/** Frees the handle and all it holds. NULL is fine. While a call is running on the handle, as in
+ *  a callback, it does nothing: the handle stays and has to be destroyed after that call.
  *  @since 1.0 */
-MGDT_API void mgdt_destroy(mgdt_triangulation *t);
+MGDT_API void mgdt_destroy(mgdt_triangulation* t);
 
-/** Takes all points out; settings stay, statistics start again at zero. Withdraws a pending request
- *  to stop, see mgdt_cancel().
+/** Takes all points out; settings stay, statistics start again at zero. Withdraws a pending
+ *  cancellation, see mgdt_cancel().
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_clear(mgdt_triangulation *t);
+MGDT_API mgdt_status mgdt_clear(mgdt_triangulation* t);
 
 /** Announces how many points will be given in all, so that storage grows once. Optional.
  *  @param n_points  at least 0
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_TOO_LARGE,
  *  MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_reserve(mgdt_triangulation *t, int64_t n_points);
+MGDT_API mgdt_status mgdt_reserve(mgdt_triangulation* t, int64_t n_points);
 
-/** Frees what the handle keeps for speed alone: room for points to come, working arrays, numbers of
- *  tetrahedra and where locations start. The triangulation stays as it is, with all its numbers;
- *  calls that want any of that make it again, for which they need memory. The order in which later insertions store tetrahedra
- *  may differ (mgdt_set_canonical_output()). What the allocator does not take back stays; the
- *  default one moves blocks within the memory limit.
+/** Frees memory that the handle keeps only for speed: spare room for points, working arrays, the
+ *  numbering of tetrahedra and the search tree of locations. The triangulation and all its numbers
+ *  stay. Later calls allocate that memory again when they need it. The order in which later
+ *  insertions store tetrahedra may differ (mgdt_set_canonical_output()). Memory that the allocator
+ *  does not take back stays; the default one moves blocks within the memory limit.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_shrink(mgdt_triangulation *t);
+MGDT_API mgdt_status mgdt_shrink(mgdt_triangulation* t);
 
 /* --------------------------------------------------------------------------- settings --- */
 
@@ -242,75 +245,75 @@ MGDT_API mgdt_status mgdt_shrink(mgdt_triangulation *t);
  *  @param scheme  an MGDT_ORDER_ value; default MGDT_ORDER_AUTO
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_SCHEME
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_set_order_scheme(mgdt_triangulation *t, int32_t scheme);
+MGDT_API mgdt_status mgdt_set_order_scheme(mgdt_triangulation* t, int32_t scheme);
 /** The order scheme that is set.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_get_order_scheme(const mgdt_triangulation *t, int32_t *scheme);
+MGDT_API mgdt_status mgdt_get_order_scheme(const mgdt_triangulation* t, int32_t* scheme);
 
 /** Sets a parameter of the order schemes.
  *  @param key  an MGDT_PARAMETER_ key, which documents its range and default
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_set_order_parameter(mgdt_triangulation *t, int32_t key, double value);
+MGDT_API mgdt_status mgdt_set_order_parameter(mgdt_triangulation* t, int32_t key, double value);
 /** The value of a parameter; 0 where each scheme has a default of its own.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_get_order_parameter(const mgdt_triangulation *t, int32_t key,
-                                              double *value);
+MGDT_API mgdt_status mgdt_get_order_parameter(const mgdt_triangulation* t, int32_t key,
+                                              double* value);
 
 /** Sets the seed of the schemes that shuffle. The same seed gives the same run; the tetrahedra
  *  are the same for every seed. Default 0.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_set_seed(mgdt_triangulation *t, uint64_t seed);
+MGDT_API mgdt_status mgdt_set_seed(mgdt_triangulation* t, uint64_t seed);
 /** The seed that is set.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_get_seed(const mgdt_triangulation *t, uint64_t *seed);
+MGDT_API mgdt_status mgdt_get_seed(const mgdt_triangulation* t, uint64_t* seed);
 
 /** Sets how many threads a call may use: insertions, exports, checks, and the location and nearest
- *  vertices of many points. The tetrahedra do not depend on it; the order of storage, in which tetrahedra are
- *  exported unless output is canonical, may differ from run to run when it is not 1. Threads are
- *  started by a call that has work for them and joined before it returns; the calling thread is one
- *  of them. Where the system refuses threads, a call does with those it has.
+ *  vertices of many points. The tetrahedra do not depend on it. If it is not 1, the order of
+ *  storage, in which tetrahedra are exported unless output is canonical, may differ from run to
+ *  run. A call that has work for several threads starts them and joins them before it returns; the
+ *  calling thread is one of them. If the system refuses threads, the call runs with those it has.
  *  @param n  at least 1, or 0 for all cores; default 1. More than 254 count as 254
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_set_threads(mgdt_triangulation *t, int32_t n);
-/** The number of threads as it was set, 0 for all cores; MGDT_STAT_THREADS has that of the last
- *  insertion.
+MGDT_API mgdt_status mgdt_set_threads(mgdt_triangulation* t, int32_t n);
+/** The number of threads as it was set, 0 for all cores. MGDT_STAT_THREADS is the number of threads
+ *  of the last insertion.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_get_threads(const mgdt_triangulation *t, int32_t *n);
+MGDT_API mgdt_status mgdt_get_threads(const mgdt_triangulation* t, int32_t* n);
 
 /** Sets the number that the first point and the first tetrahedron have in all calls.
  *  @param base  0 (default) or 1
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_set_index_base(mgdt_triangulation *t, int32_t base);
+MGDT_API mgdt_status mgdt_set_index_base(mgdt_triangulation* t, int32_t base);
 /** The index base that is set.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_get_index_base(const mgdt_triangulation *t, int32_t *base);
+MGDT_API mgdt_status mgdt_get_index_base(const mgdt_triangulation* t, int32_t* base);
 
-/** Limits the memory that the handle may hold; what would pass it gets MGDT_ERR_OUT_OF_MEMORY. The
- *  working memory of a call counts as long as the call runs. A limit below what is held takes
- *  nothing away: the next call that needs more memory is refused, be it an insertion or an export,
- *  and the handle stays as it is.
+/** Limits the memory that the handle may hold; a call that would exceed the limit gets
+ *  MGDT_ERR_OUT_OF_MEMORY. The working memory of a call counts while the call runs. A limit below
+ *  what is held frees nothing: the next call that needs more memory, an insertion or an export, is
+ *  refused, and the handle stays as it is.
  *  @param bytes  at least 0; 0 (default) for no limit
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_set_memory_limit(mgdt_triangulation *t, int64_t bytes);
+MGDT_API mgdt_status mgdt_set_memory_limit(mgdt_triangulation* t, int64_t bytes);
 /** The memory limit that is set, 0 for none.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_get_memory_limit(const mgdt_triangulation *t, int64_t *bytes);
+MGDT_API mgdt_status mgdt_get_memory_limit(const mgdt_triangulation* t, int64_t* bytes);
 
 /** Chooses between speed and memory. A triangulation keeps the circumsphere of every tetrahedron,
  *  which is three tenths of its memory. In compact storage spheres are computed from the vertices
- *  whenever they are wanted: insertions and locations take longer (docs/performance.md), the
- *  tetrahedra are the same, so are the calls; the order in which later insertions store them may
+ *  when they are needed: insertions and locations take longer (docs/performance.md), the tetrahedra
+ *  are the same, and so are the calls; the order in which later insertions store them may
  *  differ (mgdt_set_canonical_output()). May be called between any two calls: with 1 after the last
  *  insertion it gives that memory back, where the allocator can shrink a block within the memory
  *  limit; with 0 it computes the spheres again. Neither moves a tetrahedron: their numbers hold,
@@ -319,13 +322,13 @@ MGDT_API mgdt_status mgdt_get_memory_limit(const mgdt_triangulation *t, int64_t 
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_OUT_OF_MEMORY (for
  *          0; nothing has changed then)
  *  @since 1.1 */
-MGDT_API mgdt_status mgdt_set_compact(mgdt_triangulation *t, int32_t on);
+MGDT_API mgdt_status mgdt_set_compact(mgdt_triangulation* t, int32_t on);
 /** Whether storage is compact, 0 or 1.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_get_compact(const mgdt_triangulation *t, int32_t *on);
+MGDT_API mgdt_status mgdt_get_compact(const mgdt_triangulation* t, int32_t* on);
 
-/** Sets the callback that hears of progress and may cancel. mgdt_insert_points() and
+/** Sets the callback that receives progress and may cancel. mgdt_insert_points() and
  *  mgdt_insert_points_strided() call it if they are given points: with 0 before the first point,
  *  about a hundred times on the way (less often for fewer points), and with 1 when all are in,
  *  where it is too late to cancel. No other function calls it: exports, locations, mgdt_check(),
@@ -334,22 +337,22 @@ MGDT_API mgdt_status mgdt_get_compact(const mgdt_triangulation *t, int32_t *on);
  *  @param user  passed to it
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_set_progress(mgdt_triangulation *t, mgdt_progress_fn fn, void *user);
+MGDT_API mgdt_status mgdt_set_progress(mgdt_triangulation* t, mgdt_progress_fn fn, void* user);
 /** The callback that is set and what is passed to it, so that it can be put back after another one.
  *  @param[out] fn    NULL if there is none
- *  @param[out] user  may be NULL: then it is not asked for
+ *  @param[out] user  may be NULL: then it is not written
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_get_progress(const mgdt_triangulation *t, mgdt_progress_fn *fn,
-                                       void **user);
+MGDT_API mgdt_status mgdt_get_progress(const mgdt_triangulation* t, mgdt_progress_fn* fn,
+                                       void** user);
 
 /** Asks the insertion that is running on the handle to stop soon; it returns MGDT_ERR_CANCELLED.
- *  If it comes too late for that one, it is forgotten with it. Where none is running, the next
- *  insertion of any points is stopped, unless mgdt_clear() comes before it. Safe from any thread
- *  and from signal handlers.
+ *  If that insertion finishes first, the request is dropped. If none is running, the request stays
+ *  pending and stops the next insertion of any points, unless mgdt_clear() comes before it. Safe
+ *  from any thread and from signal handlers.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation *t);
+MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation* t);
 
 /** Makes the exported arrays a function of the set of points alone, byte for byte: tetrahedra
  *  sorted, the least vertex index of each first and the next least second; hull facets sorted, the
@@ -357,11 +360,11 @@ MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation *t);
  *  @param on  0 (default) or 1
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_set_canonical_output(mgdt_triangulation *t, int32_t on);
+MGDT_API mgdt_status mgdt_set_canonical_output(mgdt_triangulation* t, int32_t on);
 /** Whether output is canonical, 0 or 1.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_get_canonical_output(const mgdt_triangulation *t, int32_t *on);
+MGDT_API mgdt_status mgdt_get_canonical_output(const mgdt_triangulation* t, int32_t* on);
 
 /** Chooses the instruction set of the kernel; for tests and measurements. The tetrahedra are the
  *  same for each. Without this call it is the best that the processor has, or the one that the
@@ -370,7 +373,7 @@ MGDT_API mgdt_status mgdt_get_canonical_output(const mgdt_triangulation *t, int3
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER (t), MGDT_ERR_INVALID_ARGUMENT (an unknown name, or a
  *  set that this processor does not have). mgdt_isa_name() says which it is
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_set_isa(mgdt_triangulation *t, const char *name);
+MGDT_API mgdt_status mgdt_set_isa(mgdt_triangulation* t, const char* name);
 
 /* ----------------------------------------------------------------------------- points --- */
 
@@ -380,14 +383,15 @@ MGDT_API mgdt_status mgdt_set_isa(mgdt_triangulation *t, const char *name);
  *  @param n    number of points, at least 0
  *  @param xyz  3 n coordinates, x y z of each point in turn; copied; may be NULL if n is 0
  *  @return MGDT_OK; MGDT_ERR_INVALID_ARGUMENT (n is negative, whatever xyz is),
- *  MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_FINITE (the message names the index) or MGDT_ERR_TOO_LARGE with nothing changed; MGDT_ERR_CANCELLED,
- *  MGDT_ERR_OUT_OF_MEMORY or MGDT_ERR_TOO_LARGE with a valid triangulation of the points that
- *  got in. The others have no vertex in the point map; they may be given again, under new indices.
- *  mgdt_point_count() tells whether the call's points were counted at all: running out of memory
- *  before that changes nothing. Points that were held because they did not span space go in with
- *  the first call that does; cancelling does not lose them, running out of memory then may
+ *  MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_FINITE (the message names the index) or MGDT_ERR_TOO_LARGE,
+ *  with nothing changed; MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY or MGDT_ERR_TOO_LARGE with a
+ *  valid triangulation of the points that got in. The others have no vertex in the point map; they
+ *  may be given again, under new indices. mgdt_point_count() shows whether the points of the call
+ *  were counted at all: running out of memory before that changes nothing. Points that were kept
+ *  because they did not span space are inserted by the first call that spans it; cancelling does
+ *  not lose them, running out of memory then may
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_insert_points(mgdt_triangulation *t, int64_t n, const double *xyz);
+MGDT_API mgdt_status mgdt_insert_points(mgdt_triangulation* t, int64_t n, const double* xyz);
 
 /** The same for coordinates in separate arrays or inside records.
  *  @param x, y, z  the first point's coordinates
@@ -396,43 +400,43 @@ MGDT_API mgdt_status mgdt_insert_points(mgdt_triangulation *t, int64_t n, const 
  *                  are not aligned, as in packed records, must be copied
  *  @return as mgdt_insert_points()
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_insert_points_strided(mgdt_triangulation *t, int64_t n, const double *x,
-                                                const double *y, const double *z, int64_t stride);
+MGDT_API mgdt_status mgdt_insert_points_strided(mgdt_triangulation* t, int64_t n, const double* x,
+                                                const double* y, const double* z, int64_t stride);
 
 /* ----------------------------------------------------------------------------- counts --- */
 
 /** Number of points ever given to the handle (those refused whole do not count); 0 for NULL.
  *  @since 1.0 */
-MGDT_API int64_t mgdt_point_count(const mgdt_triangulation *t);
+MGDT_API int64_t mgdt_point_count(const mgdt_triangulation* t);
 
 /** Number of vertices: distinct points that are in; 0 for NULL.
  *  @since 1.0 */
-MGDT_API int64_t mgdt_vertex_count(const mgdt_triangulation *t);
+MGDT_API int64_t mgdt_vertex_count(const mgdt_triangulation* t);
 
 /** Dimension of the points' affine hull: -1 empty (or NULL), 0 one point, 1 a line, 2 a plane,
  *  3 space. There are tetrahedra only at 3.
  *  @since 1.0 */
-MGDT_API int32_t mgdt_dimension(const mgdt_triangulation *t);
+MGDT_API int32_t mgdt_dimension(const mgdt_triangulation* t);
 
 /** Number of tetrahedra; 0 for NULL.
  *  @since 1.0 */
-MGDT_API int64_t mgdt_tetrahedron_count(const mgdt_triangulation *t);
+MGDT_API int64_t mgdt_tetrahedron_count(const mgdt_triangulation* t);
 
 /** Number of triangles on the convex hull; 0 for NULL.
  *  @since 1.0 */
-MGDT_API int64_t mgdt_hull_facet_count(const mgdt_triangulation *t);
+MGDT_API int64_t mgdt_hull_facet_count(const mgdt_triangulation* t);
 
 /** Number of edges of the tetrahedra; 0 for NULL.
  *  @since 1.0 */
-MGDT_API int64_t mgdt_edge_count(const mgdt_triangulation *t);
+MGDT_API int64_t mgdt_edge_count(const mgdt_triangulation* t);
 
 /** Length of the list of mgdt_get_vertex_tetrahedra(): 4 times the tetrahedra; 0 for NULL.
  *  @since 1.0 */
-MGDT_API int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation *t);
+MGDT_API int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation* t);
 
 /* ----------------------------------------------------------------------------- export --- */
 
-/** Writes the vertices of each tetrahedron, 4 a tetrahedron, positively oriented:
+/** Writes the vertices of each tetrahedron, 4 per tetrahedron, positively oriented:
  *  (v1 - v0) x (v2 - v0) . (v3 - v0) > 0, exactly. A vertex is the index of the first point
  *  given at its place.
  *  @param capacity  elements in v, at least 4 mgdt_tetrahedron_count(t)
@@ -440,54 +444,54 @@ MGDT_API int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation *t);
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_BUFFER_TOO_SMALL,
  *  MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_get_tetrahedra(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
+MGDT_API mgdt_status mgdt_get_tetrahedra(const mgdt_triangulation* t, int64_t capacity, int64_t* v);
 /** @copydoc mgdt_get_tetrahedra
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_get_tetrahedra_i32(const mgdt_triangulation *t, int64_t capacity,
-                                             int32_t *v);
+MGDT_API mgdt_status mgdt_get_tetrahedra_i32(const mgdt_triangulation* t, int64_t capacity,
+                                             int32_t* v);
 
-/** Writes the neighbours of each tetrahedron, 4 a tetrahedron, in the order of
+/** Writes the neighbours of each tetrahedron, 4 per tetrahedron, in the order of
  *  mgdt_get_tetrahedra(): neighbour i shares the facet opposite vertex i; none on the hull.
  *  @param capacity  elements in v, at least 4 mgdt_tetrahedron_count(t)
  *  @return as mgdt_get_tetrahedra()
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_get_neighbors(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
+MGDT_API mgdt_status mgdt_get_neighbors(const mgdt_triangulation* t, int64_t capacity, int64_t* v);
 /** @copydoc mgdt_get_neighbors
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_get_neighbors_i32(const mgdt_triangulation *t, int64_t capacity,
-                                            int32_t *v);
+MGDT_API mgdt_status mgdt_get_neighbors_i32(const mgdt_triangulation* t, int64_t capacity,
+                                            int32_t* v);
 
 /** Writes the triangles of the convex hull, 3 vertices each, counter-clockwise seen from outside.
  *  Coplanar parts of the hull come as the triangles of the perturbed triangulation.
  *  @param capacity  elements in v, at least 3 mgdt_hull_facet_count(t)
  *  @return as mgdt_get_tetrahedra()
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_get_hull_facets(const mgdt_triangulation *t, int64_t capacity,
-                                          int64_t *v);
+MGDT_API mgdt_status mgdt_get_hull_facets(const mgdt_triangulation* t, int64_t capacity,
+                                          int64_t* v);
 /** @copydoc mgdt_get_hull_facets
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_get_hull_facets_i32(const mgdt_triangulation *t, int64_t capacity,
-                                              int32_t *v);
+MGDT_API mgdt_status mgdt_get_hull_facets_i32(const mgdt_triangulation* t, int64_t capacity,
+                                              int32_t* v);
 
 /** Writes the edges, 2 vertices each, the lesser index first; each edge once.
  *  @param capacity  elements in v, at least 2 mgdt_edge_count(t)
  *  @return as mgdt_get_tetrahedra()
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_get_edges(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
+MGDT_API mgdt_status mgdt_get_edges(const mgdt_triangulation* t, int64_t capacity, int64_t* v);
 /** @copydoc mgdt_get_edges
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_get_edges_i32(const mgdt_triangulation *t, int64_t capacity, int32_t *v);
+MGDT_API mgdt_status mgdt_get_edges_i32(const mgdt_triangulation* t, int64_t capacity, int32_t* v);
 
 /** Writes for each point ever given the index of the point that stands for it as a vertex: its
  *  own, or that of the first point given at the same place, or none if it is not in.
  *  @param capacity  elements in v, at least mgdt_point_count(t)
  *  @return as mgdt_get_tetrahedra()
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_get_point_map(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
+MGDT_API mgdt_status mgdt_get_point_map(const mgdt_triangulation* t, int64_t capacity, int64_t* v);
 /** @copydoc mgdt_get_point_map
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_get_point_map_i32(const mgdt_triangulation *t, int64_t capacity,
-                                            int32_t *v);
+MGDT_API mgdt_status mgdt_get_point_map_i32(const mgdt_triangulation* t, int64_t capacity,
+                                            int32_t* v);
 
 /** Writes the tetrahedra around each vertex as a compressed list. Those of point k (counted from
  *  0) are list[offsets[k] - base] to list[offsets[k + 1] - base - 1], ascending. A point that is
@@ -498,14 +502,14 @@ MGDT_API mgdt_status mgdt_get_point_map_i32(const mgdt_triangulation *t, int64_t
  *  @param[out] list        numbers of tetrahedra
  *  @return as mgdt_get_tetrahedra()
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_get_vertex_tetrahedra(const mgdt_triangulation *t,
-                                                int64_t offset_capacity, int64_t *offsets,
-                                                int64_t capacity, int64_t *list);
+MGDT_API mgdt_status mgdt_get_vertex_tetrahedra(const mgdt_triangulation* t,
+                                                int64_t offset_capacity, int64_t* offsets,
+                                                int64_t capacity, int64_t* list);
 /** @copydoc mgdt_get_vertex_tetrahedra
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_get_vertex_tetrahedra_i32(const mgdt_triangulation *t,
-                                                    int64_t offset_capacity, int32_t *offsets,
-                                                    int64_t capacity, int32_t *list);
+MGDT_API mgdt_status mgdt_get_vertex_tetrahedra_i32(const mgdt_triangulation* t,
+                                                    int64_t offset_capacity, int32_t* offsets,
+                                                    int64_t capacity, int32_t* list);
 
 /* ---------------------------------------------------------------------------- queries --- */
 
@@ -515,14 +519,14 @@ MGDT_API mgdt_status mgdt_get_vertex_tetrahedra_i32(const mgdt_triangulation *t,
  *  @param[out] tetrahedron   its number, or none
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_FINITE, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_locate(const mgdt_triangulation *t, const double *xyz,
-                                 int64_t *tetrahedron);
+MGDT_API mgdt_status mgdt_locate(const mgdt_triangulation* t, const double* xyz,
+                                 int64_t* tetrahedron);
 /** @copydoc mgdt_locate
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_locate_i32(const mgdt_triangulation *t, const double *xyz,
-                                     int32_t *tetrahedron);
+MGDT_API mgdt_status mgdt_locate_i32(const mgdt_triangulation* t, const double* xyz,
+                                     int32_t* tetrahedron);
 
-/** The same for many points, in any order: much faster than one by one.
+/** The same for many points, in any order: much faster than single calls.
  *  @param n                number of points, at least 0
  *  @param xyz              3 n coordinates
  *  @param[out] tetrahedra  n numbers
@@ -538,41 +542,42 @@ MGDT_API mgdt_status mgdt_locate_i32(const mgdt_triangulation *t, const double *
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_NOT_FINITE (the
  *  message names the point; nothing is written), MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_locate_points(const mgdt_triangulation *t, int64_t n, const double *xyz,
-                                        int64_t *tetrahedra, double *weights);
+MGDT_API mgdt_status mgdt_locate_points(const mgdt_triangulation* t, int64_t n, const double* xyz,
+                                        int64_t* tetrahedra, double* weights);
 /** @copydoc mgdt_locate_points
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_locate_points_i32(const mgdt_triangulation *t, int64_t n,
-                                            const double *xyz, int32_t *tetrahedra,
-                                            double *weights);
+MGDT_API mgdt_status mgdt_locate_points_i32(const mgdt_triangulation* t, int64_t n,
+                                            const double* xyz, int32_t* tetrahedra,
+                                            double* weights);
 
-/** Finds the vertex nearest to a point, exactly; of several as near, the lowest index. Works in
+/** Finds the vertex nearest to a point, exactly; of several that are equally near, the one with the
+ *  lowest index. Works in
  *  every dimension.
  *  @param xyz          3 coordinates
  *  @param[out] vertex  its index; none if the triangulation is empty
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_FINITE, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_nearest_vertex(const mgdt_triangulation *t, const double *xyz,
-                                         int64_t *vertex);
+MGDT_API mgdt_status mgdt_nearest_vertex(const mgdt_triangulation* t, const double* xyz,
+                                         int64_t* vertex);
 /** @copydoc mgdt_nearest_vertex
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_nearest_vertex_i32(const mgdt_triangulation *t, const double *xyz,
-                                             int32_t *vertex);
+MGDT_API mgdt_status mgdt_nearest_vertex_i32(const mgdt_triangulation* t, const double* xyz,
+                                             int32_t* vertex);
 
 /** The same for many points, in any order, and with threads (mgdt_set_threads()): much faster than
- *  one by one. Where there are no tetrahedra, each point is compared with every vertex.
+ *  single calls. Where there are no tetrahedra, each point is compared with every vertex.
  *  @param n              number of points, at least 0
  *  @param xyz            3 n coordinates
  *  @param[out] vertices  n indices of vertices; none if the triangulation is empty
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_NOT_FINITE (the
  *  message names the point; nothing is written), MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_nearest_vertices(const mgdt_triangulation *t, int64_t n,
-                                           const double *xyz, int64_t *vertices);
+MGDT_API mgdt_status mgdt_nearest_vertices(const mgdt_triangulation* t, int64_t n,
+                                           const double* xyz, int64_t* vertices);
 /** @copydoc mgdt_nearest_vertices
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_nearest_vertices_i32(const mgdt_triangulation *t, int64_t n,
-                                               const double *xyz, int32_t *vertices);
+MGDT_API mgdt_status mgdt_nearest_vertices_i32(const mgdt_triangulation* t, int64_t n,
+                                               const double* xyz, int32_t* vertices);
 
 /* ------------------------------------------------------------------------------ trust --- */
 
@@ -581,7 +586,7 @@ MGDT_API mgdt_status mgdt_nearest_vertices_i32(const mgdt_triangulation *t, int6
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_CHECK_FAILED (the
  *  message says what and where), MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_check(const mgdt_triangulation *t, int32_t level);
+MGDT_API mgdt_status mgdt_check(const mgdt_triangulation* t, int32_t level);
 
 /* ---------------------------------------------------------------------------- figures --- */
 
@@ -590,17 +595,17 @@ MGDT_API mgdt_status mgdt_check(const mgdt_triangulation *t, int32_t level);
  *  @param[out] value
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_get_stat(const mgdt_triangulation *t, int32_t key, double *value);
+MGDT_API mgdt_status mgdt_get_stat(const mgdt_triangulation* t, int32_t key, double* value);
 
 /** Name of a statistic ("walk steps"); NULL for an unknown key.
  *  @since 1.0 */
-MGDT_API const char *mgdt_stat_name(int32_t key);
+MGDT_API const char* mgdt_stat_name(int32_t key);
 
 /* ------------------------------------------------------------------------------- text --- */
 
 /** One line that describes a status; never NULL. The string is static.
  *  @since 1.0 */
-MGDT_API const char *mgdt_status_string(mgdt_status s);
+MGDT_API const char* mgdt_status_string(mgdt_status s);
 
 /** Copies the message of the last call that failed on the handle, NUL-terminated and cut to
  *  capacity; an empty string if none has failed. With calls from several threads it is the last
@@ -609,28 +614,28 @@ MGDT_API const char *mgdt_status_string(mgdt_status s);
  *  @param[out] buffer  256 bytes hold every message
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_get_error(const mgdt_triangulation *t, int64_t capacity, char *buffer);
+MGDT_API mgdt_status mgdt_get_error(const mgdt_triangulation* t, int64_t capacity, char* buffer);
 
 /** Name of an order scheme ("multi-grid"); NULL for an unknown one. The string is static.
  *  @since 1.0 */
-MGDT_API const char *mgdt_order_scheme_name(int32_t scheme);
+MGDT_API const char* mgdt_order_scheme_name(int32_t scheme);
 
 /** The order scheme of a name.
  *  @param[out] scheme  an MGDT_ORDER_ value; not touched if the call fails
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_SCHEME
  *  @since 1.0 */
-MGDT_API mgdt_status mgdt_order_scheme_from_name(const char *name, int32_t *scheme);
+MGDT_API mgdt_status mgdt_order_scheme_from_name(const char* name, int32_t* scheme);
 
 /** The order schemes one by one, so that all can be listed: the default first, then by number.
  *  @param index  from 0, whatever the index base of a handle
  *  @param[out] scheme  an MGDT_ORDER_ value; not touched if the call fails
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_SCHEME from the number of schemes on
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_order_scheme_at(int32_t index, int32_t *scheme);
+MGDT_API mgdt_status mgdt_order_scheme_at(int32_t index, int32_t* scheme);
 
 /** Version of the library that is running, "1.0.0". The string is static.
  *  @since 1.0 */
-MGDT_API const char *mgdt_version_string(void);
+MGDT_API const char* mgdt_version_string(void);
 
 /** Version of the binary interface: 1. Programs built for it run with every library that says 1.
  *  @since 1.0 */
@@ -639,7 +644,7 @@ MGDT_API int32_t mgdt_abi_version(void);
 /** Instruction set of the kernel that the handle uses ("baseline", see mgdt_set_isa()). The
  *  string is static; an empty one for NULL.
  *  @since 1.0 */
-MGDT_API const char *mgdt_isa_name(const mgdt_triangulation *t);
+MGDT_API const char* mgdt_isa_name(const mgdt_triangulation* t);
 
 #ifdef __cplusplus
 }
