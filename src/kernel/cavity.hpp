@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The cavity: all tetrahedra in conflict with q, grown from one of them, and its boundary.
 //
-// One array holds the members, each a tetrahedron and the face it is reached through. The
+// One array holds the members, each a tetrahedron and the face through which it was reached. The
 // neighbours of one are tested together, and no branch is unpredictable: the outcome moves the ends
 // of the arrays by 0 to 4, and only the rare undecided sign branches. A tetrahedron outside may be
 // tested through several faces; each is a facet of the boundary.
 //
 // Entering the cavity marks a tetrahedron in its second vertex, so that an insertion can be given
-// up until the star is built. The mark is where no test of kept spheres looks, since a load that
-// may meet a store just made waits for it. Among other threads it is in a table of the thread's
-// own.
+// up until the star is built. Tests with kept spheres do not read the second vertex, so none has to
+// wait for the store of a mark. Among other threads the marks are in a table of the thread's own.
 #pragma once
 
 #include <algorithm>
@@ -24,11 +23,11 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Where a cavity begins: the tetrahedra in conflict among one that is in conflict, or among the
-// neighbours of one that is not.
+// Where a cavity begins: at a tetrahedron in conflict if `faces` is 0; otherwise at the neighbours
+// beyond these faces of a tetrahedron that is not in conflict.
 struct CavityStart {
     TetId tetrahedron;
-    std::uint32_t faces;  // beyond which the neighbours are in conflict; 0: the tetrahedron itself
+    std::uint32_t faces;  // as bits
 };
 
 // How far the arrays of the workspace are filled. A loop that makes no out-of-line calls works on a
@@ -65,7 +64,8 @@ struct CavityFront {
                 tetrahedra[start.tetrahedron].v[1] |= in_cavity;
             return;
         }
-        // Seen from its neighbours, t is outside. With two of them all its vertices are corners.
+        // t is outside. Its facets to the members are boundary facets; a single one has only three
+        // of its vertices, so that the fourth is replaced by another of the three.
         const bool is_one = (start.faces & (start.faces - 1)) == 0;
         for (unsigned i = 0; i < 4; ++i) {
             w.first_corners[i] = is_one && (start.faces >> i & 1) ? t.v[(i + 1) & 3] : t.v[i];
@@ -74,15 +74,15 @@ struct CavityFront {
         }
         take(tetrahedra.four(t.n), t.n, start.faces);
     }
-    // What tells whether a tetrahedron is in.
+    // A function that says whether a tetrahedron is in the cavity.
     MGDT_ALWAYS_INLINE auto membership() const {
         if constexpr (Access::is_concurrent)
             return [m = marks](FacetCode code) { return m.has(tetrahedron_of(code)); };
         else
             return [all = tetrahedra](FacetCode code) { return all.of(code).is_in_cavity(); };
     }
-    // Of four neighbours that were tested, through facets with these codes, takes those in conflict
-    // in, unless they are in already; the facets of the others are the boundary's.
+    // Adds the neighbours in conflict to the cavity, unless they are members already. The facets of
+    // the other active ones go to the boundary. `codes` are the facets on the neighbours' side.
     MGDT_ALWAYS_INLINE void sort_out(const Neighbors& four, const FacetCode* codes,
                                      std::uint32_t active, std::uint32_t conflict) {
         boundary_end += append(boundary_end, codes, active & ~conflict);
@@ -127,15 +127,16 @@ struct CavityFront {
     TetrahedronView<Record> tetrahedra;
     FacetCode* next;  // the first member whose neighbours are still to be tested
     FacetCode* end;
-    FacetCode* limit;  // the last end that leaves room for the neighbours of one
+    FacetCode* limit;  // the last end that leaves room for the neighbours of one, 16 bytes
     FacetCode* boundary_end;
     MarkTable::View marks;  // used among other threads
 };
 
 constexpr std::uint32_t not_owned = 16;
 
-// Which of the undecided among four neighbours are in conflict, or not_owned. On a lattice there
-// are many, and they are unpredictable, hence few branches.
+// Which of the undecided among four neighbours are in conflict, or not_owned. Members of the cavity
+// are, and their marked records must not be tested. Points of a lattice leave many signs undecided,
+// of either outcome, hence few branches.
 template <class Access, class IsIn>
 MGDT_PREDICATES_APART std::uint32_t decide(Access access, const Mesh& mesh, Workspace& w,
                                            IsIn is_in, const FacetCode* n, std::uint32_t undecided,
@@ -146,8 +147,8 @@ MGDT_PREDICATES_APART std::uint32_t decide(Access access, const Mesh& mesh, Work
     for (undecided &= ~conflict; undecided != 0; undecided &= undecided - 1) {
         const unsigned k = lowest_bit(undecided);
         const Tetrahedron& t = mesh.tetrahedra[tetrahedron_of(n[k])];
-        // A ghost's tie is decided by the tetrahedron behind it, which is a neighbour of mine only
-        // if the ghost is mine.
+        // A ghost's tie is decided by the finite tetrahedron on the other side of its hull facet,
+        // which this thread may read only if it owns the ghost.
         if (!access.try_own(t)) return not_owned;
         ++w.counters.exact_calls;
         conflict |= hide_from_optimizer(is_conflict_near_tie(mesh, t, q)) << k;
@@ -170,7 +171,7 @@ struct Tests {
 };
 
 // Tests the neighbours of one member after the other and sorts them, until there is something rare
-// to do. All of that is done elsewhere, since what lives across a call has few registers.
+// to do. The caller does that, since a call in this loop would cost it registers.
 template <class Access>
 MGDT_ALWAYS_INLINE Pause grow(Access access, const Mesh& mesh, const Query& q,
                               CavityFront<Access>& cavity, Tests& tests) {
@@ -179,8 +180,8 @@ MGDT_ALWAYS_INLINE Pause grow(Access access, const Mesh& mesh, const Query& q,
     const QueryRows query(q);
     std::uint32_t active = tests.active, conflict = 0, undecided = 0;
     Pause pause = Pause::no_room;
-    // Each member's code is read one turn ahead: a load right after the stores that this turn
-    // makes would wait for all of them, and the turns would not overlap.
+    // The code of the next member is loaded before the stores of this turn: a load after them would
+    // wait for all of them, and the turns would not overlap.
     FacetCode member = *front.next;
     while (front.end <= front.limit) {
         if (MGDT_UNLIKELY(!access.try_own(front.tetrahedra.of(member)))) {
@@ -200,7 +201,7 @@ MGDT_ALWAYS_INLINE Pause grow(Access access, const Mesh& mesh, const Query& q,
         FacetCode following = *front.next;
         const bool is_last = front.next == front.end;
         front.sort_out(four, n, active, conflict);
-        if (MGDT_UNLIKELY(is_last)) {
+        if (MGDT_UNLIKELY(is_last)) {  // there was no next member before sort_out()
             if (front.next == front.end) {
                 pause = Pause::done;
                 break;

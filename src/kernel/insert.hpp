@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The insertion of a point: the walk to a tetrahedron in conflict with it, the cavity of all that
-// are, and the star that replaces them. Compiled in each island.
+// The insertion of a point: the walk to a tetrahedron in conflict with it, the cavity of all
+// tetrahedra in conflict, and the star that replaces them. Compiled in each island.
 #pragma once
 
 #include "kernel/cavity.hpp"
@@ -14,10 +14,11 @@ inline namespace MGDT_ISLAND {
 template <class Access>
 MGDT_ALWAYS_INLINE Insertion insert_with(Access access, Mesh& mesh, Workspace& w, VertexId q,
                                          TetId start) {
-    // has_extremes is set when a vertex outside the normal range is copied into the mesh.
+    // A mesh without extreme vertices has none at q either: the second test is skipped.
     const double* const point = mesh.point(q);
     const Query query(point, MGDT_LIKELY(!mesh.has_extremes) || in_normal_range(point));
     const typename Access::SphereSource spheres(mesh);
+    // Whether the walk starts in the star of the previous insertion.
     const bool is_in_star = w.slot_count != 0 && start == tetrahedron_of(w.slots.data[0]);
     const WalkResult found = walk(
         access, mesh,
@@ -48,7 +49,7 @@ constexpr KernelCalls kernel_calls = {insert<Spheres>, insert_concurrent<Spheres
                                       locate_begin<Spheres>, locate_step<Spheres>,
                                       locate_jump<Spheres>};
 
-// What the library calls, of this island.
+// The functions of this island that the library calls.
 constexpr Kernel kernel_named(const char* isa) {
     return {isa, kernel_calls<KeptSpheres>, kernel_calls<ComputedSpheres>};
 }

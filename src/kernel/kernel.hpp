@@ -26,7 +26,7 @@ struct LocationWalk {
     // whose facet q is.
     bool is_certain;
     bool may_end_outside;     // whether such a ghost will do, however far away it is
-    std::size_t steps_taken;  // counted by who calls locate_step()
+    std::size_t steps_taken;  // counted by the caller of locate_step()
 };
 
 struct KernelCalls {
@@ -40,7 +40,7 @@ struct KernelCalls {
     // A location's first power, and its next step; false where it ends. See walk.hpp.
     void (*locate_begin)(const Mesh& mesh, LocationWalk& walk);
     bool (*locate_step)(const Mesh& mesh, LocationWalk& walk);
-    // Takes a walk that has become long on from the best of so many tetrahedra all over the mesh.
+    // Continues a long walk from the best of `tries` tetrahedra all over the mesh.
     void (*locate_jump)(const Mesh& mesh, LocationWalk& walk, std::size_t tries);
 };
 

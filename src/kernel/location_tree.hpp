@@ -11,22 +11,22 @@ class LocationTree {
   public:
     // Below this many vertices a walk is short from anywhere.
     static constexpr std::size_t smallest = 512;
-    // Of vertices that come together, and of those that come alone, it takes one of so many.
+    // It takes in one of this many vertices that come in a batch, and of those that come alone.
     static constexpr std::size_t stride = 16, stride_of_lone = 4;
 
     // Over the vertices before `end`, which are in the mesh; at least one.
-    // Linear but for a logarithm.
+    // O(n log n).
     LocationTree(Allocator& allocator, const Mesh& mesh, std::size_t end);
 
     // Takes in the vertices from `begin` to `end`, as far as memory and depth allow.
     void add(const Mesh& mesh, std::size_t begin, std::size_t end) noexcept;
-    // Whether it had to leave out so many, as of points that advance along a line, that it is time
-    // to make another.
+    // Whether it had to leave out too many vertices, as of points that advance along a line, so
+    // that another tree should be made.
     bool is_outgrown() const noexcept { return missed_ > made_over_ / 2; }
     // A vertex near q.
     VertexId near(const double* q) const noexcept;
 
-    // Whether descending it ends, always at one of so many vertices.
+    // Whether every descent ends, at a vertex before `vertices`.
     bool is_sound(std::size_t vertices) const;
 
   private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rough walk: a visibility walk by orientations in plain doubles, without error bounds. It
-// covers the distance where powers cannot tell the way: among tetrahedra of one sphere, and where
+// covers the distance where powers do not show the way: among tetrahedra of one sphere, and where
 // coordinates are outside the normal range. What it finds is only a better start for the exact
 // walk, which confirms it in one step if it is right.
 #pragma once

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// set_sphere() and set_normal() of circumsphere.hpp for as many tetrahedra at a time as a vector
-// has doubles. R is the vector's type, such as Four of the island avx2.
+// set_sphere() and set_normal() of circumsphere.hpp for several tetrahedra at a time, one for each
+// double of a vector. R is the type of the vector, such as Four of the island avx2.
 #pragma once
 
 #include <type_traits>

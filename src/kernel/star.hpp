@@ -16,7 +16,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Where the numbers of the facets' vertices go: those of a small star, and of any.
+// Arrays of the local numbers of each facet's vertices: bytes for a small star, words for any.
 struct SmallCorners {
     Workspace::SmallStar* star;
     MGDT_ALWAYS_INLINE void put(std::size_t i, std::uint32_t a, std::uint32_t b,
@@ -37,8 +37,9 @@ struct Corners {
 };
 
 // Writes the vertices of the new tetrahedra, (q, a, b, c) for a facet (a, b, c) seen from inside,
-// and links them with what stays. Fills `edges` for link_inside(). By itself, so that the loop has
-// all registers.
+// and links them with what stays. Fills `edges` for link_inside(), where
+// face k of the new tetrahedron is opposite its vertex k. Not inlined, so that the loop has all
+// registers.
 template <class Tetrahedra, class Lookup, class Edges, class CornersOf>
 MGDT_NOT_INLINE void link_outside(const Tetrahedra tetrahedra, const Workspace& w, VertexId q,
                                   Lookup number, Edges edges, CornersOf corners) {
@@ -61,7 +62,8 @@ MGDT_NOT_INLINE void link_outside(const Tetrahedra tetrahedra, const Workspace& 
     }
 }
 
-// Links the new tetrahedron of a facet (a, b, c) with others of the star.
+// Links the new tetrahedron of a facet (a, b, c) with others of the star: the neighbour across an
+// edge has it in the opposite direction.
 template <class Edges>
 MGDT_ALWAYS_INLINE void link_inside(const Edges& edges, std::uint32_t a, std::uint32_t b,
                                     std::uint32_t c, Tetrahedron& t) {
@@ -75,7 +77,7 @@ struct GhostsOfStar {
     TetId last;
 };
 
-// A facet's last two vertices tell whether its tetrahedron is a ghost: unpredictable, hence
+// The new tetrahedron of a facet is a ghost if vertex b or c is at infinity: unpredictable, hence
 // branchless.
 template <class Number>
 MGDT_ALWAYS_INLINE GhostsOfStar ghosts_of_star(const Workspace& w, std::uint32_t infinite,
@@ -90,7 +92,8 @@ MGDT_ALWAYS_INLINE GhostsOfStar ghosts_of_star(const Workspace& w, std::uint32_t
     return {count, tetrahedron_of(w.slots.data[last])};
 }
 
-// Outside the normal range the bounds prove nothing: leave every test to the predicates.
+// Outside the normal range the bounds prove nothing. An infinite bound leaves every test to the
+// predicates.
 inline void distrust_extremes(Mesh& mesh, const Workspace& w, VertexId q) {
     const bool extreme = !in_normal_range(mesh.point(q));
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
@@ -104,12 +107,12 @@ inline void distrust_extremes(Mesh& mesh, const Workspace& w, VertexId q) {
     }
 }
 
-// Slots of the cavity serve again: their lines are at hand.
+// The slots of the cavity are used again, because they are in the cache.
 template <class Access>
 MGDT_ALWAYS_INLINE void choose_slots(Access access, Workspace& w) {
     const std::size_t removed = w.cavity_size, created = w.boundary_size;
     FacetCode* const slots = w.slots.data;
-    // In blocks, so that the number of turns is predictable: slots past the end do no harm.
+    // In blocks, so that the number of turns is predictable; the array has room past its end.
     constexpr std::size_t block = 32;
     const FacetCode* const cavity = w.cavity.data;
     for (std::size_t i = 0; i < removed; i += block)
@@ -134,8 +137,8 @@ MGDT_ALWAYS_INLINE std::size_t count_ghosts(const Tetrahedra tetrahedra, const W
     return ghosts;
 }
 
-// A small star changes the place of its vertices by a few tetrahedra, but the slots of a large one
-// may end up as far apart as it is wide: each of its vertices learns where it is.
+// The slots of a large star may be far apart in space, so each of its vertices gets a new hint. A
+// small star can leave old hints in place.
 template <class Access, class Tetrahedra>
 MGDT_NOT_INLINE void set_near_of_star(Access access, const Tetrahedra tetrahedra,
                                       const Workspace& w) {
@@ -246,8 +249,8 @@ TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
     assert_star_is_sound(mesh, w, q);
 #endif
 
-    // With the new vertex a few of its neighbours learn where they are now; every vertex has its
-    // turn often enough to stay near its slot.
+    // New hints for the new vertex and three of its neighbours. This is often enough for every
+    // vertex to stay near its hint.
     const TetId first = tetrahedron_of(w.slots.data[0]);
     for (const VertexId v : mesh.tetrahedra[first].v) access.set_vertex_hint(v, first);
     w.counters.removed += removed;

@@ -23,16 +23,16 @@ class SlotSupply {
     struct SlotRange {
         TetId begin, end;
     };
-    // Of `least` slots or more; throws NoSlots where there are not so many.
+    // Of `least` slots or more; throws NoSlots if there are fewer.
     struct NoSlots {};
     SlotRange take(std::size_t least);
     // How many that may be.
     std::size_t most(std::size_t least) const noexcept {
         return least > slots_at_once_ ? least : slots_at_once_;
     }
-    // Makes sure that the mesh can list so many more free slots at the end.
+    // Makes sure that the mesh can list `more` further free slots at the end.
     void promise(std::size_t more);
-    // Moves free slots of the mesh to a list that has room for so many, which were promised.
+    // Moves free slots of the mesh, at most `most`, to a list that has room for them.
     void take_free(Buffer<TetId>& list, std::size_t most) noexcept;
 
   private:
@@ -47,15 +47,15 @@ class SlotSupply {
 // be seen by other threads, which may test them too.
 //
 // A hash table whose entries are of 32 bits: a tetrahedron's lowest bits are its place, the others
-// are in the entry, below the stamp of the insertion that made it. So nothing need be taken out:
-// entries of other stamps are free. A tetrahedron whose place another one of the same cavity holds
+// are in the entry, below the stamp of the insertion that made it. So no entry has to be taken out:
+// those with other stamps are free. A tetrahedron whose place another one of the same cavity holds
 // goes to a list.
 class MarkTable {
   public:
     explicit MarkTable(Allocator& allocator) noexcept
         : entries_(allocator), displaced_(allocator) {}
-    // Empties the set and makes room for so many. It is no larger than they want, however large it
-    // has been: entries all over a large one would leave the cache.
+    // Empties the set and makes room for `members`. The table is no larger than they need, however
+    // large it has been: entries spread over a large one would not stay in the cache.
     MGDT_ALWAYS_INLINE void begin(std::size_t members) {
         view_.stamp += one_stamp;
         view_.mask = least - 1;
@@ -108,7 +108,7 @@ class MarkTable {
     MGDT_ALWAYS_INLINE View view() const noexcept { return view_; }
 
   private:
-    // Entries for so many, none of them with the stamp.
+    // Entries for `members`, none of them with the stamp.
     void resize(std::size_t members);
 
     static constexpr unsigned least_bits = 10;
@@ -118,7 +118,7 @@ class MarkTable {
     static_assert((std::uint64_t{max_tetrahedra} - 1) >> least_bits < one_stamp);
 
     Buffer<std::uint32_t> entries_;
-    Buffer<TetId> displaced_;  // as many as there may be members
+    Buffer<TetId> displaced_;  // room for every member
     std::uint32_t displaced_count_ = 0;
     View view_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Conflicts that the filter of cached spheres leaves open, where doubles can still tell: on a
-// lattice, whose ties they break exactly, and by the predicates' own filter, which does not mind
-// how long and thin a tetrahedron is. Each island has
+// Conflicts that the filter of cached spheres leaves open, where doubles can still decide: on
+// a lattice, whose ties they break exactly, and by the predicates' own filter, which holds for
+// tetrahedra however long and thin. Each island has
 //
 //   perturbed_doubles(t, vertices, query)
 //

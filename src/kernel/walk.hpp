@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The walk: from a tetrahedron near q to one in conflict with q.
 //
-// Powers of q with respect to the circumspheres of two tetrahedra that share a facet differ by an
-// affine function that vanishes on the facet and is negative on the far side, so descending the
-// power is a visibility walk without orientation tests. It cannot cycle, since each computed
-// power is a fixed number (after the first step all are computed in one way), and it stops at the
-// first conflict: the cavity grows from there, and the tetrahedron that contains q is never looked
-// for. Where rounding leaves a local minimum without conflict, an exact visibility walk takes over.
+// For two neighbours, the power of q with respect to the far one minus that with respect to the
+// near one is an affine function of q, zero on the shared facet and negative beyond it. So
+// descending the power is a visibility walk without orientation tests. It cannot cycle: each step
+// takes a smaller power, and a tetrahedron has one computed power (all are computed in one way
+// after the first step). The walk stops at the first conflict, where the cavity begins; the
+// tetrahedron that contains q is never looked for. Where rounding leaves a local minimum without
+// conflict, an exact visibility walk takes over.
 #pragma once
 
 #include "kernel/cavity.hpp"
@@ -19,8 +20,8 @@ namespace mgdt {
 inline namespace MGDT_ISLAND {
 
 struct WalkResult {
-    // In conflict with q; or the tetrahedron that has the vertex; or no_tetrahedron where the way
-    // leads to one that may not be entered.
+    // Where the cavity begins. With a duplicate, the tetrahedron that has the vertex;
+    // no_tetrahedron if the walk came to a tetrahedron that this thread may not enter.
     CavityStart start;
     VertexId duplicate;  // the vertex at q's place, or infinite_vertex
 };
@@ -28,8 +29,9 @@ struct WalkResult {
 inline constexpr WalkResult no_way = {{no_tetrahedron, 0}, infinite_vertex};
 
 // The exact walk. It ends in the closed tetrahedron that contains q, or in a ghost whose facet q
-// is strictly beyond; or before one that may not be entered, and gives no_tetrahedron.
-// point_of(v, room) gives a vertex's coordinates, in `room` if need be.
+// is strictly beyond. If the next tetrahedron may not be entered, it gives no_tetrahedron. Faces
+// are tested from a different one on at each step. point_of(v, room) gives the coordinates of a
+// vertex, which it may compute into `room`.
 template <class TryOwn, class PointOf>
 TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters, TryOwn try_own,
                  PointOf point_of) {
@@ -40,7 +42,7 @@ TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters,
         double room[4][3];
         const double* p[4];
         for (unsigned i = 0; i < 4; ++i) p[i] = point_of(tet.v[i], room[i]);
-        // Side of q with respect to a face: positive where the vertex opposite is.
+        // Positive if q and the vertex opposite the face are on the same side of it.
         const auto side = [&](unsigned face) {
             const double* corner[4] = {p[0], p[1], p[2], p[3]};
             corner[face] = q;
@@ -64,10 +66,10 @@ TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters,
     }
 }
 
-// Among points of one sphere all powers of another are 0, and tetrahedra inside are so long and
-// thin that a walk through them visits hundreds. The way over the hull is short: from ghost to
-// ghost, to the one whose facet q is highest above, until one is certainly in conflict. Gives
-// no_tetrahedron where that ends without, as it does for q inside.
+// If all points are on one sphere, all powers of a further point of that sphere are 0. The
+// tetrahedra inside are long and thin, and a walk through them visits hundreds. A walk over the
+// hull is short: from ghost to ghost, each time to the one above whose facet q is highest, until
+// one is certainly in conflict. Gives no_tetrahedron if it finds none, as for q inside.
 template <class Access>
 inline TetId walk_hull(Access access, const Mesh& mesh, TetId ghost, const Query& q,
                        Counters& counters) {
@@ -75,7 +77,7 @@ inline TetId walk_hull(Access access, const Mesh& mesh, TetId ghost, const Query
     const auto tetrahedra = spheres.tetrahedra;
     struct View {
         Power power;
-        double height;
+        double height;  // of q above the plane of the facet
     };
     const auto look = [&](TetId t) {
         const Sphere s = spheres.sphere(t);
@@ -127,9 +129,9 @@ inline TetId ghost_of_star(const Mesh& mesh, const Workspace& w) {
     return no_tetrahedron;
 }
 
-// A better start than any tetrahedron of the star built last: that of least power among a few
-// spread over it. They share their base vertex and are still in the cache, and the right side of
-// the star saves a step or more.
+// A start in the star built last: the tetrahedron of least power among four that are spread over
+// the star. They share their base vertex and are still in the cache, and starting on the right side
+// of the star saves a step or more.
 template <class Spheres>
 WalkStart start_in_star(const Spheres& from, const Workspace& w, const Query& q,
                         Counters& counters) {
@@ -138,13 +140,13 @@ WalkStart start_in_star(const Spheres& from, const Workspace& w, const Query& q,
     for (std::size_t i = 0; i < sample; ++i) codes[i] = w.slots.data[i * w.slot_count / sample];
     const FourPowers powers(from, from.tetrahedra.four(codes), q);
     counters.walk_tests += sample;
-    const unsigned best = powers.least_finite(infinity) & 3;
+    const unsigned best = powers.least_finite(infinity) & 3;  // the first if all are ghosts
     return {tetrahedron_of(codes[best]), powers[best]};
 }
 
-// A walk that has become long looks at as many tetrahedra all over the mesh as it has taken steps,
-// and goes on from that of least power if it is less than where it is. So a walk past all
-// tetrahedra of a chain or a fan takes the square root of their number.
+// A long walk samples random tetrahedra of the mesh, one for each step that it has taken, and goes
+// on from that of least power if this is less than the power where it is. So a walk along a chain
+// or fan of n tetrahedra takes about sqrt(n) steps.
 template <class Spheres>
 MGDT_NOT_INLINE void jump(const Mesh& mesh, WalkStart& here, const Query& q, std::size_t tries,
                           Counters& counters) {
@@ -166,8 +168,7 @@ MGDT_NOT_INLINE void jump(const Mesh& mesh, WalkStart& here, const Query& q, std
     }
 }
 
-// The number of steps after which a walk is long: jumps come after as many, twice and four times as
-// many, and so on.
+// A walk jumps after this number of steps, twice it, four times it, and so on.
 constexpr std::uint64_t long_walk = 64;
 
 // a_ghost() gives a ghost near the start, or no_tetrahedron. Where the walk may not jump, it goes
@@ -193,15 +194,15 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
         const std::uint32_t conflict = powers.negative() & decided;
         counters.walk_tests += 4;
         ++counters.walk_steps;
-        // Neighbours that are in conflict but not certainly so are found again from the others, or
-        // through t, which must then not be taken for outside without a test of its own.
+        // If all five signs are certain, t is outside, and the cavity begins with its neighbours in
+        // conflict. Otherwise it begins with one of them, and growing it tests t and the others.
         if (conflict != 0) {
             if (MGDT_UNLIKELY(decided != 0xF || !here.power.is_decided()))
                 return {{tetrahedron_of(t.n[lowest_bit(conflict)]), 0}, infinite_vertex};
             return {{here.tetrahedron, conflict}, infinite_vertex};
         }
-        // A ghost is entered only when it is certainly in conflict: its value is no power that
-        // compares with those of spheres.
+        // A ghost's value cannot be compared with the power of a sphere: the walk enters a ghost
+        // only if it is certainly in conflict, and from a ghost any finite neighbour is better.
         const unsigned next = powers.least_finite(t.is_ghost() ? infinity : here.power.value);
         if (next == 4) break;
         here = {tetrahedron_of(t.n[next]), powers[next]};
@@ -245,7 +246,8 @@ bool locate_step(const Mesh& mesh, LocationWalk& w) {
     }
     const unsigned next = powers.least_finite(w.value);
     if (next == 4) {
-        // Of the finite ones none is less, so only the certainty is missing, and the ghosts.
+        // No finite neighbour has a smaller power. It is certain if the values of all four are
+        // above by more than their errors, where a ghost's value is compared with 0.
         w.is_certain = powers.above({w.value, w.error}) == 0xF;
         return false;
     }

@@ -35,7 +35,7 @@ void Workspace::grow_cavity(std::size_t members, std::size_t facets, std::size_t
 
 void Workspace::grow_star(std::size_t removed, std::size_t created) {
     constexpr std::size_t past = 64;
-    // A cavity of so many tetrahedra, each but the first adding one vertex, has at most 3 more.
+    // Each tetrahedron of a cavity but the first adds at most one vertex: n have at most n + 3.
     constexpr std::size_t least = medium_vertices - 3;
     const auto generous = [](std::size_t wanted, std::size_t had) {
         return wanted > had ? std::max(wanted, had + had / 2) : had;

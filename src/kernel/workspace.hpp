@@ -52,10 +52,10 @@ struct Workspace {
     Workspace(const Workspace&) = delete;
     Workspace& operator=(const Workspace&) = delete;
 
-    // Room for cavities with so many members, and so many facets; what is there so far is kept.
+    // Room for cavities of `needed` members; keeps the first `members` and `facets` that are there.
     void grow_cavity(std::size_t members, std::size_t facets, std::size_t needed);
-    // Room for the star of a cavity with so many tetrahedra and boundary facets. The arrays have
-    // what a vector of 8 stores past their ends.
+    // Room for a star that replaces `removed` tetrahedra by `created` ones. The arrays have room
+    // for what a vector of 8 stores past their ends.
     void grow_star(std::size_t removed, std::size_t created);
     // Gives all room back.
     void reset() noexcept;

@@ -9,7 +9,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Of as many facets as a vector has elements; bs and cs are the numbers of b and c.
+// The spheres of one facet for each element of a vector; bs and cs are the numbers of b and c.
 template <bool at_hull, class R, class Number>
 MGDT_ALWAYS_INLINE SphereColumns<R> star_spheres(const LocalColumns<R>& a, const LocalColumns<R>& b,
                                                  const LocalColumns<R>& c, const Number* bs,
