@@ -30,8 +30,8 @@ module mgdt_constants
     integer, parameter :: mgdt_err_too_large = 31
     ! mgdt_cancel() or the progress callback asked to stop.
     integer, parameter :: mgdt_err_cancelled = 40
-    ! Another call is inside the handle: a callback called its own handle, or two threads broke the
-    ! thread rule. Every function that takes a handle may return it, except mgdt_cancel() and
+    ! Another call is running on the handle: a callback called its own handle, or two threads broke
+    ! the thread rule. Every function that takes a handle may return it, except mgdt_cancel() and
     ! mgdt_get_error(). Since 1.2.
     integer, parameter :: mgdt_err_busy = 41
     ! mgdt_check() found a defect.
@@ -81,8 +81,8 @@ module mgdt_constants
     integer, parameter :: mgdt_separation_none = 0
     ! One point from each cell at a time, as in the paper (4.3).
     integer, parameter :: mgdt_separation_passes = 1
-    ! The points along the path are dealt into rounds, one of twelve before the others (of up to
-    ! 4,096, one of four).
+    ! The points along the path are divided into rounds: one point of each twelve goes to an earlier
+    ! round than the others, one of each four once at most 4,096 points are left.
     integer, parameter :: mgdt_separation_rounds = 2
 
     ! Figures.
@@ -102,7 +102,7 @@ module mgdt_constants
     integer, parameter :: mgdt_stat_tetrahedra_created = 31
     ! Decisions that the floating-point filter left open.
     integer, parameter :: mgdt_stat_exact_calls = 40
-    ! Insertions that met another thread; tried again.
+    ! Insertions that met another thread and were tried again.
     integer, parameter :: mgdt_stat_put_off = 45
     ! Points inserted while other threads had no work.
     integer, parameter :: mgdt_stat_inserted_alone = 46
@@ -122,7 +122,7 @@ module mgdt_constants
     integer, parameter :: mgdt_stat_peak_memory_bytes = 71
 
     ! Levels.
-    ! Adjacency, shared facets, Euler, every point accounted for.
+    ! Adjacency, shared facets, Euler, all points accounted for.
     integer, parameter :: mgdt_check_combinatorial = 1
     ! Exact positive orientation, exact local Delaunay.
     integer, parameter :: mgdt_check_geometric = 2

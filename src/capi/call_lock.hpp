@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which calls are inside a handle: a readers-writer lock that never waits. A call that changes the
-// handle enters alone, calls that only read it enter together, and one that cannot enter is told
-// so. So a call from a callback, or from a second thread against the thread rule, gets a status and
-// does no harm.
+// handle enters alone, calls that only read it enter together, and one that cannot enter is
+// refused. So a call from a callback, or from a second thread against the thread rule, gets a
+// status and does no harm.
 #pragma once
 
 #include <cstdint>

@@ -11,10 +11,10 @@ namespace {
 
 // Points between two times that a thread gives its blocks back.
 constexpr std::size_t piece_size = 64;
-// At so many times along its zone, but not before so many tries, a thread looks how many failed:
-// with more than a quarter of them it waits, since the thread that it meets may be about to go on
-// or suspended by the system. When waiting, each time twice as long, has not helped so many times
-// in a row, it leaves the rest of the round to the others.
+// A thread looks `trials` times along its zone, but not before `least_trial` tries, how many tries
+// failed. If more than a quarter did, it waits, since the thread that it meets may be about to go
+// on or suspended by the system. When waiting, each time twice as long, has not helped `most_waits`
+// times in a row, it leaves the rest of the round to the others.
 constexpr std::size_t trials = 64, least_trial = 512;
 constexpr unsigned most_waits = 4;
 constexpr std::chrono::microseconds first_wait{100};
@@ -22,8 +22,9 @@ constexpr std::chrono::microseconds first_wait{100};
 constexpr std::size_t far_away = 512;
 constexpr std::uint32_t most_slots_at_once = 16384;
 // A point whose cavity has grown so large when it comes to what another thread owns is a hub, which
-// has an edge to most of the vertices around. It cannot go in among others, and until it is in,
-// what goes in is made in its place: so all stop for it, unless that is too often.
+// has an edge to most of the vertices around. It cannot be inserted while other threads insert, and
+// until it is, they build tetrahedra in its place that it removes again. So all threads stop for
+// it, unless that happens too often.
 constexpr std::size_t least_hub = 1024, most_stops = 16;
 
 }  // namespace
@@ -120,7 +121,7 @@ void Triangulation::ConcurrentInsertion::insert_round(std::size_t begin, std::si
             try {
                 mesh.reserve_tetrahedra(mesh.tetrahedra.capacity() + more);
             } catch (...) {
-                members = 1;  // with one thread there is no waste, and it tells what is wrong
+                members = 1;  // one thread wastes no slots, and reports the error
             }
         } else {
             members /= 2;  // what is left is where threads met: fewer will meet less
@@ -331,8 +332,8 @@ bool Triangulation::ConcurrentInsertion::arrive(Member& member, std::size_t k) {
         if (!thread_state.try_own(near)) return false;
         const TetId t = mesh.vertex_hint[near];
         if (t == no_tetrahedron) return false;
-        // The guards of a tetrahedron that another thread may be changing. They are believed when
-        // they are read again, the same, by who owns both: then nobody can be.
+        // The guards of a tetrahedron that another thread may be changing. Once this thread owns
+        // both, it reads them again: if they are the same, no other thread can be changing it.
         VertexId first[2], again[2];
         read_racing(mesh.tetrahedra[t].v, first);
         if (first[0] == infinite_vertex) return false;

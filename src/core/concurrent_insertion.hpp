@@ -36,7 +36,7 @@ class Triangulation::ConcurrentInsertion {
     };
 
     void insert_round(std::size_t begin, std::size_t end);
-    // Inserts items on so many threads and lists those that are left.
+    // Inserts items on `members` threads and lists those that are left.
     void insert_concurrently(const Items& items, unsigned members);
     void work(Member& member, const Items& items);
     bool is_too_crowded(Member& member, std::size_t tries, std::size_t failures);

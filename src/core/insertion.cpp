@@ -72,9 +72,9 @@ void bring_to_front(Schedule& schedule, const std::size_t positions[4]) {
 
 }  // namespace
 
-// Takes it for granted that every point becomes a vertex; compact_vertices() corrects that. To
-// enter each when it is inserted would be a store to anywhere between those of its star, which
-// would all wait for it.
+// Assumes that every point becomes a vertex; compact_vertices() corrects that. Filling the point
+// map at each insertion would be a random-access store, for which the stores of its star would
+// wait.
 void Triangulation::copy_vertices(Team& team, const Batch& batch, const Schedule& schedule,
                                   std::size_t base) {
     const std::size_t size = batch.points.size;
@@ -262,7 +262,8 @@ void Triangulation::insert_scheduled(const Batch& batch, const Schedule& schedul
                                      std::size_t done, bool may_stop) {
     const std::size_t n = batch.points.size;
     const LocationTree* const tree = done == 0 ? tree_for_insertion(base) : nullptr;
-    // With more points than vertices can have numbers repeats get none: who comes behind moves up.
+    // If there are more points than numbers for vertices, a repeat leaves its number to later
+    // points.
     const bool is_crowded = base + n > mesh_.vertex_limit;
     std::size_t in = done;
     const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);

@@ -170,7 +170,7 @@ std::size_t Triangulation::points_to_span_space(const Batch& batch, AffineBasis&
     return i;
 }
 
-// Inserts all that was held, with as many new points as it takes to span space. These were
+// Inserts all that was held, with the new points that are needed to span space. These were
 // accepted before, so this part of the call does not stop for a request to cancel.
 void Triangulation::insert_degenerate(Team& team, const Batch& batch, std::size_t spanning) {
     Batch all(allocator_);

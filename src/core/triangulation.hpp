@@ -24,7 +24,7 @@ namespace mgdt {
 struct Settings {
     std::int32_t scheme = MGDT_ORDER_AUTO;
     OrderParameters order;
-    std::int32_t threads = 1;            // 0: as many as the machine has
+    std::int32_t threads = 1;            // 0: all cores
     std::size_t points_a_thread = 8192;  // with fewer a thread does not pay; lowered by tests
     void (*pause)() = nullptr;  // for tests: called where threads take and give back blocks
     std::int32_t index_base = 0;

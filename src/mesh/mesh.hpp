@@ -9,8 +9,8 @@
 
 namespace mgdt {
 
-// Writes the first facets of consecutive slots, in blocks whose turns can be foretold: the array
-// has room for 16 more.
+// Writes the first facets of consecutive slots, in blocks, so that the number of turns is
+// predictable: the array has room for 16 more.
 MGDT_ALWAYS_INLINE void write_run(FacetCode* slots, TetId first, std::size_t count) noexcept {
     constexpr std::size_t block = 16;
     for (std::size_t i = 0; i < count; i += block)
@@ -27,7 +27,7 @@ struct Mesh {
 
     // Empties the mesh but for the vertex at infinity. The scale stays.
     void clear();
-    // Makes it possible to take and free so many slots. Throws std::bad_alloc, or
+    // Makes it possible to take and free that number of slots. Throws std::bad_alloc, or
     // MGDT_ERR_TOO_LARGE beyond max_tetrahedra, with nothing changed.
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) {
         if (MGDT_UNLIKELY(tetrahedra.size() + taken > prefaulted_slots + free_slots.size() ||
@@ -44,7 +44,7 @@ struct Mesh {
     }
     // Gives back storage that is not used, where that can be.
     void shrink() noexcept;
-    // Storage for so many tetrahedra, growing by more than asked for, never beyond the limit.
+    // Makes room for `count` tetrahedra; grows by more than asked for, never beyond the limit.
     void reserve_tetrahedra(std::size_t count);
     // Writes the first facet of each. The array has room for 16 more than count.
     void take_slots(FacetCode* slots, std::size_t count) noexcept;
@@ -62,7 +62,7 @@ struct Mesh {
     TetrahedronStore tetrahedra;
     Buffer<TetId> free_slots;  // slots of dead tetrahedra
     std::size_t ghost_count = 0;
-    TetId a_ghost = no_tetrahedron;  // the last one made: who removes it makes others
+    TetId a_ghost = no_tetrahedron;  // the last one made; removing it always creates others
     int scale = 0;                   // coordinates carry the factor 2^scale, see mesh/scale.hpp
     // Slots that may be taken without another look; the pages of those beyond are not there yet.
     std::size_t prefaulted_slots = 0;

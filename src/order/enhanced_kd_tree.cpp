@@ -47,7 +47,7 @@ class CellOrder {
 
 }  // namespace
 
-// S.H. Lo (2014), section 3.4: over 1000 points a cell, and a regular grid inside each.
+// S.H. Lo (2014), section 3.4: more than 1000 points per cell, and a regular grid inside each.
 void order_enhanced_kd_tree(Team& team, const PointSet& points, const OrderParameters& parameters,
                             Schedule& out) {
     const double per_cell = parameters.points_per_cell_or(1000);

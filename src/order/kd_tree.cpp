@@ -6,7 +6,8 @@
 
 namespace mgdt {
 
-// S.H. Lo (2014), section 3: about 10 points a cell, which go in in the order of the input.
+// S.H. Lo (2014), section 3: about 10 points per cell, which are inserted in the order of the
+// input.
 void order_kd_tree(Team& team, const PointSet& points, const OrderParameters& parameters,
                    Schedule& out) {
     const double per_cell = parameters.points_per_cell_or(10);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A radix sort by 64-bit keys that reads no more of the keys than it takes to tell them apart.
+// A radix sort by 64-bit keys that reads no more of the keys than it needs to distinguish them.
 #pragma once
 
 #include <algorithm>
@@ -44,8 +44,8 @@ struct Counters {
     std::uint32_t of_digit[most_digits][1u << digit_bits];
 };
 
-// How many of the bits low..high-1 to sort n records by first: as many as they need, and are told
-// apart in two passes.
+// How many of the bits low..high-1 to sort n records by first: enough to distinguish nearly all of
+// them, in two passes.
 inline unsigned first_width(std::size_t n, unsigned low, unsigned high) noexcept {
     return std::min({bit_width(n) + 2, high - low, most_digits * digit_bits});
 }
@@ -95,7 +95,7 @@ MGDT_NOT_INLINE Record* least_digit_first(Record* a, Record* b, std::size_t n, u
 }  // namespace radix_detail
 
 // Sorts n < 2^32 records by bits low..high-1 of their keys; higher bits are the same in all of
-// them. Takes the top bits first, as many as n records need, and then sorts what they leave
+// them. Takes the top bits first, see first_width(), then sorts the records that they leave
 // equal, so a set whose keys differ early costs two passes whatever the keys' length.
 // `scratch` has room for n records. With low = 0, records of equal keys keep their order.
 template <class Record>

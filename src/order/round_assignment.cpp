@@ -8,8 +8,8 @@
 namespace mgdt {
 namespace {
 
-// Of so many consecutive places one is chosen for the round before, of those in the middle, so that
-// a round's points keep their distance.
+// From each block of consecutive places one place is chosen for the round before. It is one in the
+// middle of the block, so that the points of a round keep their distance.
 template <std::size_t places, unsigned bits>
 struct Block {
     static constexpr std::size_t size = places;
@@ -47,7 +47,7 @@ Loneliest loneliest(const CurveOrder& curve, std::size_t first, Place place) {
     return {best, most};
 }
 
-// A point beside the middle of its block is chosen where it lies so many levels farther from its
+// A point beside the middle of its block is chosen where it lies this many levels farther from its
 // neighbours: the centre of a sphere, an apex above a plane. Such a point has an edge to most of
 // the others. The later it comes, the more tetrahedra are made in its place and removed again.
 constexpr unsigned levels_of_a_hub = 3;

@@ -8,7 +8,7 @@
 
 namespace mgdt {
 
-// The round of each place of an order. Where that is a curve, it tells which points stand alone.
+// The round of each place of an order. A curve also says which points stand alone.
 class RoundAssignment {
   public:
     RoundAssignment(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed,
@@ -30,17 +30,15 @@ class RoundAssignment {
 // Biased rounds as in BRIO, but spread evenly instead of drawn independently at random: along the
 // order, one point of every twelve goes in before the other eleven, of those again one of every
 // twelve before the rest, and so on. No round has the gaps and crowds of an independent choice, so
-// fewer tetrahedra are built to be removed again, and fewer rounds do. A million points take 20.5
-// removals an insertion with one of eight, 21.1 with one of twelve, 21.5 with one of sixteen (as
-// many as BRIO with one of eight), but what was built before is visited the less often. Twelve
-// removes no more than the paper's multi-grid plus one on an ellipsoid; sixteen does. Of up to
-// 4,096 points, which stay in the cache, it is one of four.
+// fewer tetrahedra are built to be removed again, and fewer rounds do. docs/experiments.md has the
+// figures for one of eight, twelve and sixteen. Of up to 4,096 points, which stay in the cache, it
+// is one of four.
 //
 // Along a curve the one is not any of the twelve but, of those in the middle, the one that lies
 // farthest from the next along the curve; which of several that lie equally far, or of all where
 // there is no curve, is drawn. On thin sets these are the points that stick out, and what comes
-// later falls between them: 4% fewer removals on a spiral, on diagonals and on a line, fewer than
-// in random order; on a uniform set, where they are any, as many.
+// later falls between them: 4 % fewer removals on a spiral, on diagonals and on a line, fewer than
+// in random order, and the same number on a uniform set.
 //
 // Fills order and rounds of a schedule; index(k) is the point at place k of the order.
 template <class Index>

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Who may change what while several threads insert.
+// Which thread may change what while several threads insert.
 //
-// Every vertex belongs to nobody or to one thread, together with a block of vertices next to it in
-// the order of insertion, which lie near it. A facet is guarded by the newest of its vertices: it
-// belongs to whoever that belongs to. The facets of a tetrahedron have two guards among them, its
-// newest vertex, v[0], and the newest of the other three, which is v[1] (mesh/tetrahedron.hpp). The
-// rule: who changes a tetrahedron owns both, and with them its facets. From that follows what makes
-// plain loads and stores enough:
+// Every vertex is owned by one thread or by none, together with a block of vertices next to it in
+// the order of insertion, which lie near it. The guard of a facet is the newest of its vertices:
+// the thread that owns the guard owns the facet. The facets of a tetrahedron have two guards among
+// them, its newest vertex, v[0], and the newest of the other three, which is v[1]
+// (mesh/tetrahedron.hpp). The rule: a thread that changes a tetrahedron owns both guards, and with
+// them all its facets. It follows that plain loads and stores are enough:
 //
 // - The neighbour of a tetrahedron that is mine has a facet of mine, hence one of its guards is
-//   mine, and nobody else can change it: it may be tested without owning both. Insertions test no
-//   others. Its link through our facet is mine to write.
+//   mine, and no other thread can change it: it may be tested without owning both. Insertions test
+//   no others. Its link through our facet is mine to write.
 // - A new tetrahedron joins the new vertex, which is mine, to a facet of mine: it is mine.
-// - Giving a block back publishes what was written to whoever takes it next, who must have it
-//   before touching any of that.
+// - Giving a block back publishes what was written to the thread that takes it next, which must
+//   own the block before it reads or writes any of that.
 //
 // The vertex at infinity is older than all others and guards nothing. A vertex of early rounds,
 // with tetrahedra far and wide, guards few of them. Blocks are kept for some insertions in one

@@ -30,7 +30,8 @@ class DisjointSets {
             const std::uint32_t step = above_[i].load(std::memory_order_relaxed);
             if (step == 0) return i;
             const std::uint32_t next = above_[i - step].load(std::memory_order_relaxed);
-            // The way gets shorter for who comes later; if another thread did that, as well.
+            // Shortens the way for later calls. If another thread did so first, that serves as
+            // well.
             std::uint32_t seen = step;
             if (next != 0)
                 above_[i].compare_exchange_weak(seen, step + next, std::memory_order_relaxed);

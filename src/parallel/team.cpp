@@ -108,7 +108,7 @@ void Team::start(unsigned members, FunctionRef<void(unsigned)> body) {
 }
 
 void Team::Crew::work(unsigned member) noexcept {
-    CancellationDisabled::for_good();  // callbacks may tell others which thread this is
+    CancellationDisabled::for_good();  // callbacks may pass this thread's id to others
     const FpEnvironment environment;
     unsigned long long seen = 0;
     for (;;) {

@@ -33,7 +33,7 @@ class Team {
     // The most members that a team has: owners of blocks are numbered in a byte.
     static constexpr unsigned most = 254;
 
-    // Of `size` members, or of as many as the system has threads for; with a size of 1 it is free.
+    // Of `size` members, or fewer if the system refuses threads. A team of one costs nothing.
     explicit Team(unsigned size = 1) {
         if (size > 1) assemble(size);
     }

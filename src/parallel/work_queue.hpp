@@ -17,7 +17,7 @@ class WorkQueue {
         bool is_stolen;  // from the end of another member's part, so the next one lies before it
     };
 
-    // Empty, for up to so many members.
+    // Empty, for at most `most_members` members.
     WorkQueue(Allocator& allocator, unsigned most_members)
         : ends_(allocator, std::size_t{stride} * most_members) {}
 
@@ -42,7 +42,7 @@ class WorkQueue {
                          from != member};
                 return true;
             }
-            // The one who has most left.
+            // The member with the most left.
             std::size_t most = 0;
             for (unsigned m = 0; m < members_; ++m) {
                 const std::size_t left = size_of(ends(m).load(std::memory_order_relaxed));

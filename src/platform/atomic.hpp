@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Atomics, and what those who look for data races have to be told. Helgrind knows locks but not
-// atomics: in a build with the option `helgrind` it hears which they are, and where what one thread
-// wrote is handed to another through one. In all other builds nothing is left of it. The thread
-// sanitizer knows atomics.
+// Atomics, and annotations for tools that look for data races. Helgrind knows locks but not
+// atomics: a build with the option `helgrind` annotates atomics, and where one hands to another
+// thread what this thread wrote. In all other builds the annotations are empty. ThreadSanitizer
+// knows atomics.
 #pragma once
 
 #include <atomic>
@@ -55,7 +55,8 @@ inline void annotate_acquire([[maybe_unused]] const void* atomic) noexcept {
 #endif
 }
 
-// Two words that another thread may be writing, which nobody shall call a race.
+// Reads two words that another thread may be writing: an intentional race, of which ThreadSanitizer
+// and Helgrind are informed.
 MGDT_NO_SANITIZE_THREAD inline void read_racing(const volatile std::uint32_t* from,
                                                 std::uint32_t to[2]) noexcept {
 #if MGDT_HELGRIND

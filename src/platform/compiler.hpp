@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the compiler is told, and operations that it has instructions for.
+// Attributes and hints for the compiler, and operations for which there are instructions.
 #pragma once
 
 #include <cstdint>

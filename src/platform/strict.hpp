@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Refuses to be compiled by rules of arithmetic that are not those of IEEE 754: exactness is lost
-// without a sound. Compilers tell such rules by macros; meson.build refuses the flags themselves.
+// Refuses to be compiled with rules of arithmetic other than those of IEEE 754, with which
+// exactness would be lost silently. Compilers announce such rules by macros; meson.build refuses
+// the flags.
 #pragma once
 
 #include <cfloat>
@@ -10,7 +11,7 @@
 #error "mgdt is exact and cannot be compiled with -ffast-math, -Ofast or a part of them"
 #endif
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
-// 32-bit x86 computes in the x87 unit unless it is told otherwise.
+// 32-bit x86 computes in the x87 unit by default.
 #error \
     "mgdt is exact and needs doubles that are computed as doubles: on 32-bit x86 compile with -msse2 -mfpmath=sse, which are meson setup build -Dc_args='-msse2 -mfpmath=sse' -Dcpp_args='-msse2 -mfpmath=sse'"
 #endif

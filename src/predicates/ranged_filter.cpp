@@ -4,8 +4,8 @@
 // longer than another. The second is in doubles with an exponent.
 //
 // A determinant of differences from one point is the same for differences along any tree over the
-// points. Those along the shortest tree keep what tells the points of a cluster apart, however far
-// the other points are.
+// points. Those along the shortest tree keep what distinguishes the points of a cluster, however
+// far the other points are.
 #include "determinants.hpp"
 #include "ranged.hpp"
 #include "stages.hpp"

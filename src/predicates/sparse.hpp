@@ -17,7 +17,7 @@ struct Sparse {
     static constexpr int capacity = 24;
     static_assert(capacity <= 1 << merge_bits);
 
-    int count = 0;  // more than the capacity: terms were lost, and the number tells nothing
+    int count = 0;  // more than the capacity: terms were lost, and the number is meaningless
     int exponent[capacity];
     Integer<Bits> factor[capacity];
 

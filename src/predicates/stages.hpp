@@ -13,7 +13,7 @@ int orientation_filter(const double* a, const double* b, const double* c, const 
                        const Bound& bound = orientation_bound);
 int orientation_lattice(const double* a, const double* b, const double* c, const double* d);
 int orientation_native(const double* a, const double* b, const double* c, const double* d);
-// Of sparse integers, where the differences span at least so many bits.
+// Of sparse integers, where the differences span at least `least` bits.
 enum class Terms { single, any };  // what each difference may be
 constexpr int sparse_least = 512;  // below it plain integers are as fast
 MGDT_PREDICATES_APART int orientation_sparse(const double* a, const double* b, const double* c,

@@ -257,9 +257,10 @@ void export_hull_facets(const ExportView& view, Int* out) {
         [&](std::size_t, std::size_t place, const HullFacet& f) { write(place, f); });
 }
 
-// Sorted by their ends, the caller's indices or else those of the vertices. An edge is told by the
-// tetrahedra around it whose two neighbours there are in later slots. The first of them all is one,
-// so each edge is told, by few tetrahedra, and none needs another record than its own.
+// Edges are sorted by their ends, by the caller's indices or else by vertices. A tetrahedron emits
+// those of its edges at which both neighbours are in later slots. The tetrahedron in the first slot
+// around an edge is always one, and few others are, so each edge is emitted, and equal ones are
+// next to each other after sorting. No tetrahedron needs another record than its own.
 template <class Int>
 void export_edges(const ExportView& view, Int* out) {
     const Mesh& mesh = view.mesh;

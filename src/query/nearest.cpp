@@ -90,8 +90,8 @@ class NearestVertex {
         has_place_ = locator.scale_exactly(q, p_);
     }
 
-    // The square of a vertex's distance in doubles, infinity if it is too large; 0, which tells
-    // nothing, if q has no place in the mesh's scale.
+    // The square of a vertex's distance in doubles, infinity if it is too large; 0, which
+    // decides nothing, if q has no place in the mesh's scale.
     double estimate(VertexId v) const {
         if (!has_place_) return 0;
         const double* const x = mesh_.point(v);

@@ -22,7 +22,7 @@ template <class IsNew>
 Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
     Buffer<TetId> ghosts(allocator);
     if (mesh.live_count() == 0) return ghosts;
-    // One place more, for those that are not new: which are, cannot be foretold.
+    // One place more, for a ghost that is not new. Newness is unpredictable, hence branchless.
     ghosts.resize(mesh.ghost_count + 1);
     std::size_t size = 0;
     const auto push = [&](TetId t) {
