@@ -6,7 +6,7 @@ submodule (mgdt) mgdt_arrays
     use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t
     use mgdt_c
     use mgdt_layout, only: transpose_i32, transpose_i64
-    use mgdt_support, only: borrow, decimal, finish, tell
+    use mgdt_support, only: borrow, decimal, finish, report
     implicit none
 
     interface export_1
@@ -181,7 +181,7 @@ contains
         if (.not. is_contiguous(v)) &
             allocate (records(min(count, size(v, kind=int64))), stat=failed)
         if (failed /= 0) then
-            call tell_no_copy(procedure, stat, errmsg)
+            call report_no_copy(procedure, stat, errmsg)
             return
         end if
         call borrow(self%handle, handle, status)
@@ -221,7 +221,7 @@ contains
         if (.not. in_place) &
             allocate (records(width, min(count, size(v, 3 - along, int64))), stat=failed)
         if (failed /= 0) then
-            call tell_no_copy(procedure, stat, errmsg)
+            call report_no_copy(procedure, stat, errmsg)
             return
         end if
         call borrow(self%handle, handle, status)
@@ -264,7 +264,7 @@ contains
         if (.not. is_contiguous(v)) &
             allocate (records(min(count, size(v, kind=int64))), stat=failed)
         if (failed /= 0) then
-            call tell_no_copy(procedure, stat, errmsg)
+            call report_no_copy(procedure, stat, errmsg)
             return
         end if
         call borrow(self%handle, handle, status)
@@ -304,7 +304,7 @@ contains
         if (.not. in_place) &
             allocate (records(width, min(count, size(v, 3 - along, int64))), stat=failed)
         if (failed /= 0) then
-            call tell_no_copy(procedure, stat, errmsg)
+            call report_no_copy(procedure, stat, errmsg)
             return
         end if
         call borrow(self%handle, handle, status)
@@ -339,23 +339,23 @@ contains
 
         fits = dim == 1 .or. dim == 2
         if (.not. fits) then
-            call tell(procedure, int(mgdt_err_invalid_argument, c_int32_t), &
+            call report(procedure, int(mgdt_err_invalid_argument, c_int32_t), &
                       'dim is '//decimal(int(dim, int64))//'; it must be 1 or 2', stat, errmsg)
             return
         end if
         fits = extents(dim) == width
         if (.not. fits) &
-            call tell(procedure, int(mgdt_err_invalid_argument, c_int32_t), &
+            call report(procedure, int(mgdt_err_invalid_argument, c_int32_t), &
                       'the array has extent '//decimal(extents(dim))//' in dimension '// &
                       decimal(int(dim, int64))//'; it must be '//decimal(width), stat, errmsg)
     end function
 
-    subroutine tell_no_copy(procedure, stat, errmsg)
+    subroutine report_no_copy(procedure, stat, errmsg)
         character(*), intent(in) :: procedure
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
 
-        call tell(procedure, int(mgdt_err_out_of_memory, c_int32_t), &
+        call report(procedure, int(mgdt_err_out_of_memory, c_int32_t), &
                   'there is no memory for the copy that an array of this layout needs', stat, errmsg)
     end subroutine
 end submodule mgdt_arrays

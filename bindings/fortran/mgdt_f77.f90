@@ -8,7 +8,7 @@
 !   word, so there is no table, no limit on their number and no lock: threads with handles of their
 !   own do not meet. A handle that MGNEW did not fill or MGFREE emptied gets status 10.
 ! - INTEGER is the default integer of the flags in force; reals are 8 bytes long. A number that does
-!   not fit an INTEGER gets status 21 and is not stored. MGKIND tells whether the caller's integers
+!   not fit an INTEGER gets status 21 and is not stored. MGKIND says whether the caller's integers
 !   and reals are the same. MGNEW, and calls with a count, refuse integers that are seen to differ.
 ! - The last argument is the status: 0, or one of those in mgdt_f77.inc. The other output arguments
 !   of a call that failed are as they were.

@@ -103,7 +103,7 @@ contains
         overlap = b > a - 8 .and. b < a + bytes .and. b /= a
     end function
 
-    ! A status in the caller's INTEGER, which has so many bits.
+    ! A status in the caller's INTEGER of `bits` bits.
     subroutine store_status(status, address, bits)
         integer, intent(in) :: status, bits
         type(c_ptr), intent(in) :: address

@@ -6,7 +6,7 @@ submodule (mgdt) mgdt_life
     use, intrinsic :: iso_c_binding, only: c_associated, c_int32_t, c_int64_t, c_null_funptr
     use, intrinsic :: iso_fortran_env, only: error_unit
     use mgdt_c
-    use mgdt_support, only: finish, make, tell
+    use mgdt_support, only: finish, make, report
     implicit none
 
 contains
@@ -17,7 +17,7 @@ contains
         integer(c_int32_t) :: status
 
         if (c_associated(self%handle)) then
-            call tell('create', int(mgdt_err_invalid_argument, c_int32_t), &
+            call report('create', int(mgdt_err_invalid_argument, c_int32_t), &
                       'the triangulation is made already; destroy it first', stat, errmsg)
             return
         end if

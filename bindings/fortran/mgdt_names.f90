@@ -8,7 +8,7 @@ module mgdt_names
                       c_order_scheme_name, c_stat_name, &
                       c_status_string, c_version_string
     use mgdt_constants, only: mgdt_ok
-    use mgdt_support, only: c_text, tell, to_c
+    use mgdt_support, only: c_text, report, to_c
     implicit none
     private
     public :: version, abi_version, status_string, stat_name, order_scheme_name, &
@@ -65,7 +65,7 @@ contains
 
         status = c_order_scheme_from_name(trim(name)//c_null_char, found)
         if (status == mgdt_ok) scheme = found
-        call tell('mgdt_order_scheme_from_name', status, &
+        call report('mgdt_order_scheme_from_name', status, &
                   'there is no order scheme "'//trim(name)//'"', stat, errmsg)
     end subroutine
 
@@ -79,6 +79,6 @@ contains
 
         status = c_order_scheme_at(to_c(max(k, 0) - 1), found)
         if (status == mgdt_ok) scheme = found
-        call tell('mgdt_order_scheme_at', status, 'there are not so many order schemes', stat, errmsg)
+        call report('mgdt_order_scheme_at', status, 'there are fewer order schemes', stat, errmsg)
     end subroutine
 end module mgdt_names

@@ -3,7 +3,7 @@
 submodule (mgdt) mgdt_points
     use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t, c_intptr_t, c_loc
     use mgdt_c, only: c_insert_points_strided
-    use mgdt_support, only: decimal, finish, make, tell
+    use mgdt_support, only: decimal, finish, make, report
     implicit none
 
     integer(c_int64_t), parameter :: real_bytes = 8
@@ -15,7 +15,7 @@ contains
 
         n = size(xyz, kind=int64)/3
         if (3*n /= size(xyz, kind=int64)) then
-            call tell('insert', int(mgdt_err_invalid_argument, c_int32_t), &
+            call report('insert', int(mgdt_err_invalid_argument, c_int32_t), &
                       'xyz has '//decimal(size(xyz, kind=int64))// &
                       ' elements; they must be 3 a point', stat, errmsg)
         else
@@ -25,7 +25,7 @@ contains
 
     module procedure insert_xyz_2
         if (size(xyz, 1) /= 3) then
-            call tell('insert', int(mgdt_err_invalid_argument, c_int32_t), &
+            call report('insert', int(mgdt_err_invalid_argument, c_int32_t), &
                       'xyz has extent '//decimal(size(xyz, 1, kind=int64))// &
                       ' in dimension 1; it must be 3', stat, errmsg)
         else
@@ -36,7 +36,7 @@ contains
 
     module procedure insert_x_y_z
         if (any([size(y, kind=int64), size(z, kind=int64)] /= size(x, kind=int64))) then
-            call tell('insert', int(mgdt_err_invalid_argument, c_int32_t), &
+            call report('insert', int(mgdt_err_invalid_argument, c_int32_t), &
                       'x has '//decimal(size(x, kind=int64))//' elements, y '// &
                       decimal(size(y, kind=int64))//', z '//decimal(size(z, kind=int64)), &
                       stat, errmsg)

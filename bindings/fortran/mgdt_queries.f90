@@ -5,7 +5,7 @@
 submodule (mgdt) mgdt_queries
     use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t, c_loc
     use mgdt_c
-    use mgdt_support, only: borrow, decimal, finish, tell, to_c
+    use mgdt_support, only: borrow, decimal, finish, report, to_c
     implicit none
 
 contains
@@ -161,7 +161,7 @@ contains
                       decimal(points(2))//' are needed'
         end if
         fit = message == ''
-        if (.not. fit) call tell(procedure, status, message, stat, errmsg)
+        if (.not. fit) call report(procedure, status, message, stat, errmsg)
     end function
 
     module procedure nearest_vertex_i32

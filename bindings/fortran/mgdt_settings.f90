@@ -7,7 +7,7 @@ submodule (mgdt) mgdt_settings
                                            c_null_char, c_null_funptr
     use mgdt_c
     use mgdt_callbacks, only: relay
-    use mgdt_support, only: borrow, finish, make, narrow, tell, to_c
+    use mgdt_support, only: borrow, finish, make, narrow, report, to_c
     implicit none
 
 contains
@@ -29,7 +29,7 @@ contains
         if (found == mgdt_ok) then
             call self%set_order_scheme(scheme, stat, errmsg)
         else
-            call tell('set_order_scheme', to_c(found), trim(message), stat, errmsg)
+            call report('set_order_scheme', to_c(found), trim(message), stat, errmsg)
         end if
     end procedure
 

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: MIT
-! What both Fortran interfaces need to speak with C: integers, strings, and how errors are told.
+! What both Fortran interfaces need to speak with C: integers, strings, and how errors are reported.
 module mgdt_support
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int32_t, &
                                            c_int64_t, c_null_char, c_ptr
@@ -8,7 +8,7 @@ module mgdt_support
     use mgdt_constants, only: mgdt_err_index_range, mgdt_ok
     implicit none
     private
-    public :: to_c, c_text, last_message, make, borrow, finish, tell, narrow, decimal
+    public :: to_c, c_text, last_message, make, borrow, finish, report, narrow, decimal
 
 contains
 
@@ -96,12 +96,12 @@ contains
         if (present(owned)) then
             if (.not. c_associated(owned)) call c_destroy(handle)
         end if
-        call tell(procedure, status, message, stat, errmsg)
+        call report(procedure, status, message, stat, errmsg)
     end subroutine
 
     ! Tells of an error as ALLOCATE does: stat= is always set and errmsg= on errors alone, and an
     ! error that nobody asked for stops the program.
-    subroutine tell(procedure, status, message, stat, errmsg)
+    subroutine report(procedure, status, message, stat, errmsg)
         character(*), intent(in) :: procedure, message
         integer(c_int32_t), intent(in) :: status
         integer, intent(out), optional :: stat
@@ -128,12 +128,12 @@ contains
 
         if (status == mgdt_ok .and. &
             (found > huge(number) .or. found < -int(huge(number), int64) - 1)) then
-            call tell(procedure, int(mgdt_err_index_range, c_int32_t), &
+            call report(procedure, int(mgdt_err_index_range, c_int32_t), &
                       decimal(found)//' does not fit a 32-bit integer', stat, errmsg)
             return
         end if
         if (status == mgdt_ok) number = int(found, int32)
-        call tell(procedure, status, message, stat, errmsg)
+        call report(procedure, status, message, stat, errmsg)
     end subroutine
 
     pure function decimal(value) result(text)

@@ -2,7 +2,7 @@
 """Many readers or one writer: the library's thread rule, kept for the user. And long reading.
 
 Python runs signal handlers in the main thread, between bytecodes, so none run during a call of the
-library. The library cannot be told to stop a call that reads. So the main thread leaves a long one
+library. The library cannot stop a call that reads. So the main thread leaves a long one
 to a thread of its own, and waits on a queue, which signals do interrupt. What a handler raises goes
 on to the user at once. The call goes on to its end, as a reader like any other: who changes the
 triangulation waits for it. Its result is dropped.
@@ -59,7 +59,7 @@ class Gate:
         self._changed = threading.Condition(threading.Lock())
         _gates.add(self)
         # By thread: one whose way out was cut short by a signal takes its old place again. Each
-        # tells whether nobody waits for its result any more.
+        # says whether nobody waits for its result any more.
         self._readers: dict[int, Callable[[], bool]] = {}
         self._has_writer = False
         # Readers that come after a writer wait for it: readers without a pause would keep it out.
@@ -178,7 +178,7 @@ class _Outcome:
 def interruptibly(work: Callable[[Callable[[], bool]], _T], is_long: bool) -> _T:
     """Does the work, such that on the main thread signals interrupt it if it is long.
 
-    The work is given a function that tells whether it has been left. It may then end early.
+    The work is given a function that says whether it has been left. It may then end early.
     """
     if not is_long or threading.current_thread() is not threading.main_thread():
         return work(_never)

@@ -26,7 +26,7 @@ _ORDER_PARAMETERS = _interface.CONSTANTS["parameter"]
 _SEPARATIONS = _interface.CONSTANTS["separation"]
 _MESSAGE_BYTES = 256
 
-# The library sorts locations in blocks of as many. A location that nobody waits for ends there.
+# The library sorts locations in blocks of this size. A location that nobody waits for ends there.
 _LOCATION_BLOCK = 1 << 20
 
 

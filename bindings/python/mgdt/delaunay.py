@@ -79,9 +79,9 @@ class Delaunay(GrowingTriangulation):
 
     Notes
     -----
-    Points equal to an earlier one are no vertices; `coplanar` and `point_map` tell. Fewer than
+    Points equal to an earlier one are no vertices; `coplanar` and `point_map` list them. Fewer than
     four points, or points on one plane, are no error: there are no simplices then (`dimension`
-    tells why), until `add_points` brings points that span space with them.
+    says why), until `add_points` brings points that span space with them.
 
     Simplices are positively oriented: ``(v1 - v0) x (v2 - v0) . (v3 - v0) > 0``.
 

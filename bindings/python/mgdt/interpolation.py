@@ -64,7 +64,7 @@ class Interpolator:
         Raises
         ------
         ValueError
-            If there are not as many values as points.
+            If the numbers of values and points differ.
         """
         given = np.asarray(values)
         if given.dtype.kind not in "biufc":

@@ -405,7 +405,7 @@ module Mgdt
       self
     end
 
-    # What the library is told: 1 to stop. Nothing may leave through the library's frames, so an
+    # What is returned to the library: 1 to stop. Nothing may leave through the library's frames, so an
     # exception is kept for later, and the `return` below ends a break, a throw or Thread#kill.
     def ask(progress, fraction)
       answer = 1
