@@ -21,15 +21,16 @@ Points lattice(Random&, std::size_t n) {
     while (side * side * side < n) ++side;
     std::size_t i = 0;
     return repeat(n, [&] {
-        const Point p{static_cast<double>(i / (side * side)), static_cast<double>(i / side % side),
-                      static_cast<double>(i % side)};
+        const std::size_t layer = i / (side * side), row = i / side % side, column = i % side;
+        const Point p{static_cast<double>(layer), static_cast<double>(row),
+                      static_cast<double>(column)};
         ++i;
         return p;
     });
 }
 
 Points integer_sphere(Random& random, std::size_t n) {
-    // 1105 = 5 * 13 * 17 has three prime factors that are 1 modulo 4, hence so many points.
+    // 1105 = 5 * 13 * 17 has three prime factors that are 1 modulo 4, hence many points.
     constexpr int radius = 1105;
     Points points;
     for (int x = -radius; x <= radius; ++x) {

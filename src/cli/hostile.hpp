@@ -10,7 +10,7 @@
 
 namespace mgdt::cli::hostile {
 
-/// The first n integer points of the smallest cube that has as many.
+/// The first n integer points of the smallest cube that has n of them.
 Points lattice(Random& random, std::size_t n);
 /// n of the 6630 integer points of the sphere of radius 1105 about the origin, in random order; all
 /// of them if n is larger.

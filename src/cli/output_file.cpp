@@ -75,7 +75,7 @@ std::string follow_links(const std::string& path) {
         if (next.empty() || next[0] == '/' || slash == std::string::npos) {
             target = next;
         } else {
-            target = target.substr(0, slash + 1) + next;
+            target.replace(slash + 1, std::string::npos, next);
         }
     }
     fail_writing(path, ELOOP);

@@ -37,7 +37,7 @@ class Triangulation {
 
     // Inserts the points, with a progress bar. `name` is the file's, for messages.
     void insert(const std::vector<double>& points, const std::string& name);
-    // The same with progress told to another.
+    // The same with progress reported to another callback.
     void insert(const std::vector<double>& points, const std::string& name,
                 mgdt_progress_fn progress, void* user);
 

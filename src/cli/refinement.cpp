@@ -19,7 +19,7 @@ using Index = std::uint32_t;
 using Tetrahedron = std::array<Index, 4>;
 
 constexpr Index kNone = std::numeric_limits<Index>::max();
-constexpr double kShrink = 0.8;  // about twice as many nodes a pass
+constexpr double kShrink = 0.8;  // each pass about doubles the nodes
 constexpr std::size_t kEdgeEnds[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
 double squared_distance(const Point& a, const Point& b) {

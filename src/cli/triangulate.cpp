@@ -38,13 +38,13 @@ void print_statistics(std::FILE* out, const Triangulation& t, const TriangulateO
     const auto rate = [&](const char* name, std::int32_t key) {
         line(name, fmt::format("{:.3f}", statistic(t, key) / inserted));
     };
-    rate("walk steps a point", MGDT_STAT_WALK_STEPS);
-    rate("conflict tests a point", MGDT_STAT_CONFLICT_TESTS);
-    rate("removed a point", MGDT_STAT_TETRAHEDRA_REMOVED);
-    rate("created a point", MGDT_STAT_TETRAHEDRA_CREATED);
+    rate("walk steps per point", MGDT_STAT_WALK_STEPS);
+    rate("conflict tests per point", MGDT_STAT_CONFLICT_TESTS);
+    rate("removed per point", MGDT_STAT_TETRAHEDRA_REMOVED);
+    rate("created per point", MGDT_STAT_TETRAHEDRA_CREATED);
     const double seconds =
         statistic(t, MGDT_STAT_ORDER_SECONDS) + statistic(t, MGDT_STAT_INSERT_SECONDS);
-    if (seconds > 0) line("points a second", fmt::format("{:.0f}", inserted / seconds));
+    if (seconds > 0) line("points per second", fmt::format("{:.0f}", inserted / seconds));
 }
 
 const char* shape(std::int32_t dimension) {

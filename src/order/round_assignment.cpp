@@ -25,12 +25,12 @@ constexpr std::size_t largest_first = 64;
 // Which of the middle ones is farthest from both of its neighbours along the curve, and by how many
 // levels; place(i) is that of the i-th of them, from -1 on. Of equal ones the first from `first`
 // on, cyclically.
-struct Loneliest {
+struct MostIsolated {
     std::size_t i;
     unsigned levels;
 };
 template <class Block, class Place>
-Loneliest loneliest(const CurveOrder& curve, std::size_t first, Place place) {
+MostIsolated most_isolated(const CurveOrder& curve, std::size_t first, Place place) {
     constexpr std::size_t middle = Block::middle;
     unsigned apart[middle + 1];
     for (std::size_t i = 0; i <= middle; ++i) apart[i] = curve.levels_apart(place(i - 1), place(i));
@@ -52,10 +52,11 @@ Loneliest loneliest(const CurveOrder& curve, std::size_t first, Place place) {
 // the others. The later it comes, the more tetrahedra are made in its place and removed again.
 constexpr unsigned levels_of_a_hub = 3;
 
-// The loneliest from `begin` to `end` if it is one of these, else `otherwise`; of `count` places.
+// The most_isolated from `begin` to `end` if it is one of these, else `otherwise`; of `count`
+// places.
 template <class Place>
-std::size_t hub_or(std::size_t otherwise, unsigned levels, const CurveOrder& curve,
-                   std::size_t begin, std::size_t end, std::size_t count, Place place) {
+std::size_t isolated_hub_or(std::size_t otherwise, unsigned levels, const CurveOrder& curve,
+                            std::size_t begin, std::size_t end, std::size_t count, Place place) {
     unsigned before = begin == 0 ? ~0u : curve.levels_apart(place(begin - 1), place(begin));
     unsigned most = levels + levels_of_a_hub - 1;
     for (std::size_t k = begin; k < end; ++k) {
@@ -119,10 +120,12 @@ class RoundAssignment::Chooser {
         std::size_t at = from + drawn;
         if (curve_) {
             const auto place_of = [&](std::size_t k) { return place(k); };
-            const Loneliest found =
-                loneliest<Block>(*curve_, drawn, [&](std::size_t i) { return place(from + i); });
-            at = hub_or(from + found.i, found.levels, *curve_, first, from, left_, place_of);
-            at = hub_or(at, found.levels, *curve_, from + Block::middle, last, left_, place_of);
+            const MostIsolated found = most_isolated<Block>(
+                *curve_, drawn, [&](std::size_t i) { return place(from + i); });
+            at = isolated_hub_or(from + found.i, found.levels, *curve_, first, from, left_,
+                                 place_of);
+            at = isolated_hub_or(at, found.levels, *curve_, from + Block::middle, last, left_,
+                                 place_of);
         }
         const std::uint32_t chosen = place(at);
         rounds_.back_[chosen] = static_cast<std::uint8_t>(rounds_.rounds_ + 1);

@@ -44,8 +44,8 @@ void locate_points(const ExportView& view, const Locator& where, const PointSet&
                    Int* tetrahedra, double* weights) {
     locate_each(view, where, places, true, [&](std::size_t i, TetId found, TetId) {
         const bool is_inside = found != no_tetrahedron;
-        tetrahedra[i] =
-            static_cast<Int>((is_inside ? view.numbering->number(found) : -1) + view.base);
+        const std::int32_t number = is_inside ? view.numbering->number(found) : -1;
+        tetrahedra[i] = static_cast<Int>(number) + static_cast<Int>(view.base);
         if (!weights) return;
         double* const out = weights + 4 * i;
         std::fill(out, out + 4, 0.0);

@@ -159,8 +159,8 @@ class Tables(BenchTest):
                    "--runs", 1, "--csv", "t.csv")
         row = self.rows()[0]
         self.assertEqual(row["tetrahedra"], stats["tetrahedra"])
-        for name, stat in (("np", "walk steps a point"), ("nr", "removed a point"),
-                           ("created", "created a point")):
+        for name, stat in (("np", "walk steps per point"), ("nr", "removed per point"),
+                           ("created", "created per point")):
             self.assertEqual(f"{float(row[name]):.3f}", stats[stat])
 
     def test_threads_are_used(self):

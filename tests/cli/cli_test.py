@@ -168,15 +168,15 @@ class Pipelines(CliTest):
         self.mgdt("generate", "uniform", 2000, "-o", "p.npy", "--quiet")
         self.assertEqual(self.out, b"")
         text = self.mgdt("triangulate", "p.npy", "--stats").decode()
-        for line in ["walk steps a point", "removed a point", "created a point", "exact calls"]:
+        for line in ["walk steps per point", "removed per point", "created per point", "exact calls"]:
             self.assertIn(line, text)
-        values = dict(line.rsplit(None, 1) for line in text.splitlines() if "a point" in line)
-        self.assertGreater(float(values["created a point"]), 10)
+        values = dict(line.rsplit(None, 1) for line in text.splitlines() if "per point" in line)
+        self.assertGreater(float(values["created per point"]), 10)
         self.assertEqual(self.mgdt("triangulate", "p.npy", "-o", "m.vtu", "-q"), b"")
         self.assertEqual(self.err, "")
         self.mgdt("triangulate", "p.npy", "-o", "-", "--to", "vtu", "--stats")
         self.assertTrue(self.out.startswith(b"<?xml"))
-        self.assertIn("removed a point", self.err)
+        self.assertIn("removed per point", self.err)
 
     def test_flat_points_are_no_error(self):
         for kind in ["coplanar", "collinear", "one-point"]:

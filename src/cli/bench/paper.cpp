@@ -39,9 +39,9 @@ bool is_hopeless(const std::string& scheme_or_peer, const std::string& distribut
     const auto is_any_of = [&](std::initializer_list<const char*> kinds) {
         return std::find(kinds.begin(), kinds.end(), distribution) != kinds.end();
     };
-    // A minute a million points, and 1800 bytes a point.
+    // A minute per million points, and 1800 bytes per point.
     if (scheme_or_peer == "qhull") return points > 1000000;
-    // Walks from end to end of the set: 3000 tetrahedra a point at 0.4M on the line.
+    // Walks from end to end of the set: 3000 tetrahedra per point at 0.4M on the line.
     if (scheme_or_peer == "random") return points > 400000 || is_any_of({"line", "diagonal"});
     if (scheme_or_peer == "regular-grid") {
         return points > 2000000 && is_any_of({"line", "diagonal", "ellipse", "spiral", "cluster"});

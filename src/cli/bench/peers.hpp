@@ -11,7 +11,7 @@ namespace mgdt::cli::bench {
 // build folder. Empty if there is none.
 std::string find_runner(const std::string& peer, const std::string& directory);
 
-// What to tell who has no runner.
+// The message for a user who has no runner.
 std::string how_to_get_runner(const std::string& peer, const std::string& directory);
 
 }  // namespace mgdt::cli::bench

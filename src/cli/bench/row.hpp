@@ -46,7 +46,7 @@ inline constexpr std::array<const char*, figure_count> figure_names{"np",
                                                                     "system_seconds",
                                                                     "user_seconds"};
 
-// What a library does not tell is empty.
+// A figure that a library does not report is empty.
 using Figures = std::array<std::optional<double>, figure_count>;
 
 // Behind the scheme of a run in compact storage.

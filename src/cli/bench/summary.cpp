@@ -58,6 +58,7 @@ std::vector<Median> medians(const std::vector<Row>& rows) {
         groups[place->second].push_back(&row);
     }
     std::vector<Median> result;
+    result.reserve(groups.size());
     for (const std::vector<const Row*>& group : groups) result.push_back(median_of(group));
 
     std::map<SetKey, std::map<std::string, double>> peers;

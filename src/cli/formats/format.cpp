@@ -72,14 +72,14 @@ const Format& input_format(const Source& source, const std::string& name) {
     if (!name.empty()) return format_from_name(name);
     if (const Format* f = format_from_path(source.path)) return *f;
     if (const Format* f = format_from_content(source.bytes)) return *f;
-    source.fail(fmt::format("cannot tell the format; say it with --from ({})", names()));
+    source.fail(fmt::format("unknown format; choose it with --from ({})", names()));
 }
 
 const Format& output_format(const std::string& path, const std::string& name) {
     if (!name.empty()) return format_from_name(name);
     if (const Format* f = format_from_path(path)) return *f;
     throw Error(exit_usage,
-                fmt::format("{}: cannot tell the format from the name; say it with --to ({})",
+                fmt::format("{}: unknown format by the name; choose it with --to ({})",
                             path == "-" ? "standard output" : printable(path), names()));
 }
 

@@ -28,7 +28,7 @@ NumberStatus parse_plain(std::string_view text, double& value, const char*& end)
     end = result.ptr;
     if (result.ec == std::errc::invalid_argument) return NumberStatus::not_a_number;
     if (result.ec == std::errc::result_out_of_range) {
-        // Too large or too small: strtod tells which, and rounds the small ones to a subnormal or
+        // Too large or too small: strtod says which, and rounds the small ones to a subnormal or
         // zero. The program never leaves the "C" locale.
         value = std::strtod(std::string(first, end).c_str(), nullptr);
         if (std::isinf(value)) return NumberStatus::too_large;
