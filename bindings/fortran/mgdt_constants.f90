@@ -63,14 +63,15 @@ module mgdt_constants
 
     ! Parameters.
     ! Mean number of points in a cell. Default 8 (grids), 10 (kd-tree), 1000 (enhanced kd-tree's
-    ! tree cells; its inner grids use 8). Range 1 to 1e6; 0 gives the default back. Multi-grid with
-    ! separation 2 makes its cells as small as its keys allow instead.
+    ! tree cells; its inner grids use 8). Range 1 to 1e6; 0 gives the default back. With
+    ! MGDT_SEPARATION_ROUNDS, its default, multi-grid ignores this value and makes its cells as
+    ! small as its sort keys can number.
     integer, parameter :: mgdt_parameter_points_per_cell = 10
-    ! Multi-grid: a cell with more points than this gets a grid of its own. Default 200, but 8 with
-    ! separation 2; range 1 to 1e9; 0 gives the default back.
+    ! Multi-grid: a cell with more points than this gets a grid of its own. Default 8, or 200
+    ! without MGDT_SEPARATION_ROUNDS; range 1 to 1e9; 0 gives the default back.
     integer, parameter :: mgdt_parameter_threshold = 20
     ! Regular grid and multi-grid: how points of a cell are kept apart, an MGDT_SEPARATION_ value.
-    ! Default MGDT_SEPARATION_ROUNDS, where the path of multi-grid is a Hilbert curve.
+    ! The default is MGDT_SEPARATION_ROUNDS; with it multi-grid follows a Hilbert curve.
     integer, parameter :: mgdt_parameter_separation = 30
     ! BRIO: each round holds this many times the points of all rounds before it, plus one. Default
     ! 7.5, range above 1 to 1e6; 0 gives the default back.
@@ -81,8 +82,9 @@ module mgdt_constants
     integer, parameter :: mgdt_separation_none = 0
     ! One point from each cell at a time, as in the paper (4.3).
     integer, parameter :: mgdt_separation_passes = 1
-    ! The points along the path are divided into rounds: one point of each twelve goes to an earlier
-    ! round than the others, one of each four once at most 4,096 points are left.
+    ! The points along the path are divided into rounds. Of each twelve consecutive points one goes
+    ! to an earlier round, those are divided again, and so on; at most 4,096 points are divided by
+    ! four.
     integer, parameter :: mgdt_separation_rounds = 2
 
     ! Figures.

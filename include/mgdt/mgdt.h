@@ -34,12 +34,13 @@
  *   mgdt_cancel() and mgdt_get_error().
  * - A call that breaks one of these two rules gets MGDT_ERR_BUSY, changes nothing and writes no
  *   output; the message names the call that is running on the handle. While a call with a non-const
- *   handle runs, all others are refused: counts are those of an empty handle, mgdt_isa_name() gives
- *   an empty string, and mgdt_destroy() does nothing. While a call with a const handle runs, calls
- *   with a non-const handle are refused, and mgdt_destroy() does nothing. One case is not detected:
- *   a call with a non-const handle from another thread while mgdt_locate(), mgdt_nearest_vertex(),
- *   their _i32 forms, a getter of a setting, mgdt_get_stat() or a count runs. (Since 1.2; before,
- *   all of this was undefined.)
+ *   handle runs, every other call but mgdt_cancel() and mgdt_get_error() is refused. Functions that
+ *   return no status then answer as for an empty handle: counts are 0, the dimension is -1,
+ *   mgdt_isa_name() gives an empty string, and mgdt_destroy() does nothing. While a call with a
+ *   const handle runs, calls with a non-const handle are refused, and mgdt_destroy() does nothing.
+ *   One case is not detected: a call with a non-const handle from another thread while
+ *   mgdt_locate(), mgdt_nearest_vertex(), their _i32 forms, a getter of a setting, mgdt_get_stat()
+ *   or a count runs. (Since 1.2; before, all of this was undefined.)
  * - Callbacks must return: no longjmp(), no pthread_exit(). They should not throw; an exception of
  *   the progress callback counts as a nonzero result, one of an mgdt_alloc_fn as NULL, and one of
  *   an mgdt_free_fn is dropped.
@@ -133,14 +134,15 @@ enum {
  *  concern it. */
 enum {
     /** Mean number of points in a cell. Default 8 (grids), 10 (kd-tree), 1000 (enhanced kd-tree's
-     *  tree cells; its inner grids use 8). Range 1 to 1e6; 0 gives the default back. Multi-grid
-     *  with separation 2 makes its cells as small as its keys allow instead. */
+     *  tree cells; its inner grids use 8). Range 1 to 1e6; 0 gives the default back. With
+     *  MGDT_SEPARATION_ROUNDS, its default, multi-grid ignores this value and makes its cells as
+     *  small as its sort keys can number. */
     MGDT_PARAMETER_POINTS_PER_CELL = 10,
-    /** Multi-grid: a cell with more points than this gets a grid of its own. Default 200, but 8
-     *  with separation 2; range 1 to 1e9; 0 gives the default back. */
+    /** Multi-grid: a cell with more points than this gets a grid of its own. Default 8, or
+     *  200 without MGDT_SEPARATION_ROUNDS; range 1 to 1e9; 0 gives the default back. */
     MGDT_PARAMETER_THRESHOLD = 20,
     /** Regular grid and multi-grid: how points of a cell are kept apart, an MGDT_SEPARATION_ value.
-     *  Default MGDT_SEPARATION_ROUNDS, where the path of multi-grid is a Hilbert curve. */
+     *  The default is MGDT_SEPARATION_ROUNDS; with it multi-grid follows a Hilbert curve. */
     MGDT_PARAMETER_SEPARATION = 30,
     /** BRIO: each round holds this many times the points of all rounds before it, plus one.
      *  Default 7.5, range above 1 to 1e6; 0 gives the default back. */
@@ -151,13 +153,15 @@ enum {
 enum {
     MGDT_SEPARATION_NONE = 0,   /**< A cell is emptied before the next one. */
     MGDT_SEPARATION_PASSES = 1, /**< One point from each cell at a time, as in the paper (4.3). */
-    /** The points along the path are divided into rounds: one point of each twelve goes to an
-     *  earlier round than the others, one of each four once at most 4,096 points are left. */
+    /** The points along the path are divided into rounds. Of each twelve consecutive points one
+     * goes to an earlier round, those are divided again, and so on; at most 4,096 points are
+     * divided by four. */
     MGDT_SEPARATION_ROUNDS = 2
 };
 
-/** Keys of mgdt_get_stat(). Counts are of the whole life of the handle since mgdt_create() or
- *  mgdt_clear(); seconds are wall-clock time. */
+/** Keys of mgdt_get_stat(). Counts and seconds add up since mgdt_create() or mgdt_clear(); seconds
+ *  are wall-clock time. Levels, rounds and threads are those of the last insertion. mgdt_clear()
+ *  does not reset the memory figures. */
 enum {
     MGDT_STAT_POINTS_INSERTED = 10,    /**< Points that became vertices. */
     MGDT_STAT_DUPLICATES = 11,         /**< Points equal to an earlier vertex. */
@@ -354,9 +358,10 @@ MGDT_API mgdt_status mgdt_get_progress(const mgdt_triangulation* t, mgdt_progres
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation* t);
 
-/** Makes the exported arrays a function of the set of points alone, byte for byte: tetrahedra
- *  sorted, the least vertex index of each first and the next least second; hull facets sorted, the
- *  least index first; edges sorted. Off, they come in the order of storage, which is faster.
+/** Makes the exported arrays depend, byte for byte, on the points, their indices and the index base
+ *  alone, not on the order scheme, the threads or the division into calls: tetrahedra are sorted,
+ *  the least vertex index of each first and the next least second; hull facets are sorted, the
+ *  least index first; edges are sorted. Off, they come in the order of storage, which is faster.
  *  @param on  0 (default) or 1
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.0 */
@@ -398,7 +403,8 @@ MGDT_API mgdt_status mgdt_insert_points(mgdt_triangulation* t, int64_t n, const 
  *  @param stride   distance from one point's x (y, z) to the next one's, in doubles, any sign. A
  *                  record with aligned doubles is a whole number of them long; coordinates that
  *                  are not aligned, as in packed records, must be copied
- *  @return as mgdt_insert_points()
+ *  @return as mgdt_insert_points(); MGDT_ERR_INVALID_ARGUMENT also if the stride takes the points
+ *  beyond all memory
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_insert_points_strided(mgdt_triangulation* t, int64_t n, const double* x,
                                                 const double* y, const double* z, int64_t stride);
@@ -633,7 +639,7 @@ MGDT_API mgdt_status mgdt_order_scheme_from_name(const char* name, int32_t* sche
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_order_scheme_at(int32_t index, int32_t* scheme);
 
-/** Version of the library that is running, "1.0.0". The string is static.
+/** Version of the library that is running, for example "1.2.0". The string is static.
  *  @since 1.0 */
 MGDT_API const char* mgdt_version_string(void);
 

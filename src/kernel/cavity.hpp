@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The cavity: all tetrahedra in conflict with q, grown from one of them, and its boundary.
+// The cavity: all tetrahedra in conflict with q, and its boundary.
 //
 // One array holds the members, each a tetrahedron and the face through which it was reached. The
-// neighbours of one are tested together, and no branch is unpredictable: the outcome moves the ends
-// of the arrays by 0 to 4, and only the rare undecided sign branches. A tetrahedron outside may be
-// tested through several faces; each is a facet of the boundary.
+// neighbours of one are tested together. There is no branch on whether a neighbour is in conflict:
+// four codes are written, and the end of each array moves by the number that counts. The branches
+// that remain are rarely taken. A tetrahedron outside may be tested through several faces; each is
+// a facet of the boundary.
 //
-// Entering the cavity marks a tetrahedron in its second vertex, so that an insertion can be given
-// up until the star is built. Tests with kept spheres do not read the second vertex, so none has to
-// wait for the store of a mark. Among other threads the marks are in a table of the thread's own.
+// A tetrahedron that joins the cavity gets a mark, one bit of its second vertex. Nothing else
+// changes before the star is built, so an insertion is given up by removing the marks. Tests with
+// kept spheres do not read the second vertex, so none has to wait for the store of a mark. Among
+// other threads the marks are in a table of the thread's own.
 #pragma once
 
 #include <algorithm>
@@ -30,8 +32,8 @@ struct CavityStart {
     std::uint32_t faces;  // as bits
 };
 
-// How far the arrays of the workspace are filled. A loop that makes no out-of-line calls works on a
-// copy, which stays in registers.
+// How far the arrays of the workspace are filled. grow() works on a local copy: its loop makes no
+// out-of-line calls, so the copy stays in registers.
 template <class Access>
 struct CavityFront {
     using Record = TetrahedronStore::Record<Access::SphereSource::are_kept>;
@@ -64,8 +66,9 @@ struct CavityFront {
                 tetrahedra[start.tetrahedron].v[1] |= in_cavity;
             return;
         }
-        // t is outside. Its facets to the members are boundary facets; a single one has only three
-        // of its vertices, so that the fourth is replaced by another of the three.
+        // t stays outside, and its facets to members are boundary facets. first_corners may only
+        // hold vertices of the cavity: two such facets have all four vertices of t, but a single
+        // one lacks the vertex opposite it, for which another vertex of t stands.
         const bool is_one = (start.faces & (start.faces - 1)) == 0;
         for (unsigned i = 0; i < 4; ++i) {
             w.first_corners[i] = is_one && (start.faces >> i & 1) ? t.v[(i + 1) & 3] : t.v[i];
@@ -100,7 +103,8 @@ struct CavityFront {
     MGDT_ALWAYS_INLINE std::size_t members(const Workspace& w) const {
         return static_cast<std::size_t>(end - w.cavity.data);
     }
-    // Room for one more member's neighbours.
+    // Enlarges the arrays for the neighbours of one more member. Gives the cavity up and throws
+    // again if memory runs out.
     void enlarge(Access access, Mesh& mesh, Workspace& w) {
         const std::size_t passed = static_cast<std::size_t>(next - w.cavity.data),
                           size = members(w),
@@ -127,16 +131,17 @@ struct CavityFront {
     TetrahedronView<Record> tetrahedra;
     FacetCode* next;  // the first member whose neighbours are still to be tested
     FacetCode* end;
-    FacetCode* limit;  // the last end that leaves room for the neighbours of one, 16 bytes
+    FacetCode* limit;  // the largest `end` that leaves room for four more
     FacetCode* boundary_end;
     MarkTable::View marks;  // used among other threads
 };
 
+// No set of four faces: another thread owns a neighbour.
 constexpr std::uint32_t not_owned = 16;
 
-// Which of the undecided among four neighbours are in conflict, or not_owned. Members of the cavity
-// are, and their marked records must not be tested. Points of a lattice leave many signs undecided,
-// of either outcome, hence few branches.
+// Which of the undecided neighbours are in conflict, or not_owned if another thread owns one. A
+// neighbour that is a member counts as in conflict and is not tested, because its vertex is marked.
+// Points of a lattice give many undecided signs with unpredictable answers, hence few branches.
 template <class Access, class IsIn>
 MGDT_PREDICATES_APART std::uint32_t decide(Access access, const Mesh& mesh, Workspace& w,
                                            IsIn is_in, const FacetCode* n, std::uint32_t undecided,
@@ -161,11 +166,16 @@ MGDT_ALWAYS_INLINE std::uint32_t other_faces(FacetCode code) {
     return 0xFu ^ (1u << face_of(code));
 }
 
-// Why growing pauses: the neighbours of all members are tested; there is no room for those of one
-// more; the next member may not be entered; or a test of its neighbours is undecided.
-enum class Pause { done, no_room, not_entered, undecided };
+// Why growing pauses.
+enum class Pause {
+    done,         // the neighbours of all members are tested
+    no_room,      // the arrays have no room for the neighbours of the next member
+    not_entered,  // another thread owns the next member
+    undecided,    // the filter leaves the sign of a neighbour open
+};
 
-// The tests of the next member's neighbours, as bits: beyond which faces, and what they say.
+// One bit for each face of the next member: the neighbours beyond active faces are tested, and the
+// others are the results.
 struct Tests {
     std::uint32_t active, conflict, undecided;
 };
@@ -216,7 +226,8 @@ MGDT_ALWAYS_INLINE Pause grow(Access access, const Mesh& mesh, const Query& q,
     return pause;
 }
 
-// Whether the cavity was dug: not if a tetrahedron of it may not be entered.
+// Digs the cavity. Returns false, with the insertion given up, if a member or an undecided
+// neighbour belongs to another thread.
 template <class Access>
 MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart start,
                                 const Query& q) {
