@@ -184,10 +184,12 @@ void Triangulation::insert_batch(Team& team, const Batch& batch, bool fresh, boo
     } close{*this, team, base, batch.first_index};
     const std::size_t done = fresh ? 4 : 0;
     // Several threads cannot do without numbers for repeats.
-    if (team.size() == 1 || schedule.rounds.size() == 1 || base + n > mesh_.vertex_limit)
+    if (team.size() == 1 || schedule.rounds.size() == 1 || base + n > mesh_.vertex_limit) {
         insert_scheduled(batch, schedule, base, done, may_stop);
-    else
+    } else {
+        make_guards_agree();
         ConcurrentInsertion(*this, team, batch, schedule, base, may_stop).run(done);
+    }
 }
 
 // Vertices 1 to 4 and the vertex at infinity: one tetrahedron and four ghosts, each the

@@ -52,6 +52,10 @@ class Triangulation {
     // Inserts n points, coordinate k of point i at axis[k][i * stride]. Throws Error and
     // std::bad_alloc as mgdt_insert_points() documents.
     void insert(std::size_t n, const double* const axis[3], std::ptrdiff_t stride);
+    // Takes points out, given by their indices counted from 0. Throws Error for an index of no
+    // point that is in, or that is there twice, with nothing changed; std::bad_alloc, or Error if
+    // cancelled, when the points before are out.
+    void remove(const Buffer<std::uint32_t>& points);
     void clear() noexcept;
     void reserve(std::size_t points);
     // Gives back what is kept for speed alone.
@@ -90,6 +94,7 @@ class Triangulation {
   private:
     struct Batch;
     class ConcurrentInsertion;
+    struct Removal;
 
     int scale_for(std::size_t n, const double* const axis[3], std::ptrdiff_t stride) const;
     void set_scale(int scale);
@@ -108,6 +113,11 @@ class Triangulation {
     void insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
                           std::size_t done, bool may_stop);
     void compact_vertices(Team& team, std::size_t begin, std::size_t first_point) noexcept;
+    void renumber_moved(Team& team, std::size_t end, std::size_t moved) noexcept;
+    void renumber_points(Team& team, std::size_t end, std::size_t first_point) noexcept;
+    void require_removable(const Buffer<std::uint32_t>& points) const;
+    void make_guards_agree() noexcept;
+    void close_gaps(Buffer<VertexId>& gaps) noexcept;
     // Enter the outcome of an insertion in the point map and the statistics: q is a vertex, as the
     // map has it already, or a repeat of one.
     void note(VertexId q, const Insertion& result);

@@ -14,14 +14,6 @@ constexpr std::size_t min_items_per_thread = 65536;
 // Tetrahedra that a turn through all of them passes while one vertex is looked for.
 constexpr std::size_t passed = 2048;
 
-// A tetrahedron of vertex v, whose slot is near those of v's.
-TetId tetrahedron_with(const Locator& locator, VertexId v) {
-    double q[3];
-    locator.unscaled(v, q);
-    TetId hint = locator.mesh.live_from(locator.mesh.vertex_hint[v]);
-    return locator.locate(q, hint);
-}
-
 // Gives a vertex another number in all its tetrahedra, of which one is given; star is for lists.
 void renumber_star(Mesh& mesh, TetId first, VertexId from, VertexId to, Buffer<TetId>& star) {
     star.clear();
@@ -43,7 +35,7 @@ void renumber_stars(Mesh& mesh, const KernelCalls& calls, std::size_t end) {
     for (std::size_t v = end; v < mesh.vertices.size(); ++v) {
         if (mesh.vertex_hint[v] == no_tetrahedron) continue;
         const auto from = static_cast<VertexId>(v);
-        renumber_star(mesh, tetrahedron_with(locator, from), from, mesh.vertices[v].moved_to, star);
+        renumber_star(mesh, locator.tetrahedron_of(from), from, mesh.vertices[v].moved_to, star);
     }
 }
 
@@ -85,21 +77,33 @@ void Triangulation::compact_vertices(Team& team, std::size_t begin,
         ++moved;
     }
     if (moved > 0) {
-        bool is_done = moved <= mesh_.tetrahedra.size() / passed;
-        try {
-            if (is_done) renumber_stars(mesh_, calls(), end);
-        } catch (const std::bad_alloc&) {
-            is_done = false;
-        }
-        if (!is_done) renumber_all(team, mesh_, end);
-        VertexId* const of_points = point_map_.data() + first_point;
-        team.split(point_map_.size() - first_point, min_items_per_thread,
-                   [&](std::size_t from, std::size_t to, unsigned) {
-                       for (std::size_t i = from; i < to; ++i) renumber(mesh_, end, of_points[i]);
-                   });
+        renumber_moved(team, end, moved);
+        renumber_points(team, end, first_point);
     }
     mesh_.vertices.resize_within_capacity(end);
     hints.resize_within_capacity(end);
+}
+
+// Vertices from `end` on, of which `moved` have tetrahedra, get the numbers in their records in
+// these.
+void Triangulation::renumber_moved(Team& team, std::size_t end, std::size_t moved) noexcept {
+    if (mesh_.live_count() == 0) return;
+    bool is_done = moved <= mesh_.tetrahedra.size() / passed;
+    try {
+        if (is_done) renumber_stars(mesh_, calls(), end);
+    } catch (const std::bad_alloc&) {
+        is_done = false;
+    }
+    if (!is_done) renumber_all(team, mesh_, end);
+}
+
+// The same for points from `first_point` on in the map.
+void Triangulation::renumber_points(Team& team, std::size_t end, std::size_t first_point) noexcept {
+    VertexId* const of_points = point_map_.data() + first_point;
+    team.split(point_map_.size() - first_point, min_items_per_thread,
+               [&](std::size_t from, std::size_t to, unsigned) {
+                   for (std::size_t i = from; i < to; ++i) renumber(mesh_, end, of_points[i]);
+               });
 }
 
 }  // namespace mgdt

@@ -11,10 +11,15 @@ void Mesh::clear() {
     vertices.resize(1);
     vertices[0] = Vertex{{0, 0, 0}, no_index, 0};
     vertex_hint.clear();
+    drop_tetrahedra();
+    has_extremes = false;
+}
+
+void Mesh::drop_tetrahedra() noexcept {
     tetrahedra.clear();
     free_slots.clear();
     ghost_count = 0;
-    has_extremes = false;
+    guards_agree = true;
 }
 
 void Mesh::shrink() noexcept {

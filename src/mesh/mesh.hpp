@@ -42,6 +42,8 @@ struct Mesh {
         }
         return a_ghost;
     }
+    // Leaves the vertices without tetrahedra.
+    void drop_tetrahedra() noexcept;
     // Gives back storage that is not used, where that can be.
     void shrink() noexcept;
     // Makes room for `count` tetrahedra; grows by more than asked for, never beyond the limit.
@@ -68,6 +70,9 @@ struct Mesh {
     std::size_t prefaulted_slots = 0;
     // Lowered by tests. A vertex has to leave the bit of a mark free.
     std::uint32_t slot_limit = max_tetrahedra, vertex_limit = in_cavity;
+    // Whether tetrahedra that share a facet have the same guard for it. Filling the hole of a
+    // vertex does not see to that.
+    bool guards_agree = true;
     bool has_extremes = false;  // some vertex is outside the range in which filters are proved
 
   private:

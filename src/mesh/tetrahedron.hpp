@@ -113,4 +113,21 @@ static_assert(sizeof(KeptSphere) == 16);
 // (q, a, b, c) positive for a point q beyond the face.
 inline constexpr unsigned char outer_face[4][3] = {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
 
+// The places that four vertices have in a record whose first two have the largest numbers, without
+// a change of orientation: vertex i goes to place[i]. Returns whether some vertex moves. The vertex
+// at infinity, whose number is the least, comes third or fourth.
+inline bool places_by_number(const VertexId (&v)[4], unsigned (&place)[4]) noexcept {
+    unsigned order[4] = {0, 1, 2, 3};
+    bool is_odd = false;
+    for (unsigned i = 1; i < 4; ++i)
+        for (unsigned j = i; j > 0 && v[order[j]] > v[order[j - 1]]; --j) {
+            const unsigned higher = order[j];
+            order[j] = order[j - 1];
+            order[j - 1] = higher;
+            is_odd = !is_odd;
+        }
+    for (unsigned i = 0; i < 4; ++i) place[order[i]] = is_odd && i >= 2 ? 5 - i : i;
+    return place[0] != 0 || place[1] != 1 || place[2] != 2;
+}
+
 }  // namespace mgdt

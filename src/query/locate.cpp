@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "query/locate.hpp"
 
+#include <algorithm>
+
 #include "kernel/walk.hpp"
 #include "mesh/scale.hpp"
 #include "predicates/barycentric.hpp"
@@ -15,6 +17,15 @@ bool Locator::scale_exactly(const double* q, double* to) const {
         to[k] = scaled(q[k], mesh.scale);
     }
     return is_exact;
+}
+
+TetId Locator::tetrahedron_of(VertexId v) const {
+    TetId hint = mesh.live_from(mesh.vertex_hint[v]);
+    const VertexId* const corners = mesh.tetrahedra[hint].v;
+    if (std::find(corners, corners + 4, v) != corners + 4) return hint;
+    double q[3];
+    unscaled(v, q);
+    return locate(q, hint);
 }
 
 void Locator::unscaled(VertexId v, double* to) const {

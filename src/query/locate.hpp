@@ -28,6 +28,8 @@ struct Locator {
     VertexId nearest_vertex(const double* q, Allocator& allocator) const;
     // The same from a tetrahedron near q, which only a mesh that has none does without.
     VertexId nearest_vertex(const double* q, TetId near, Allocator& allocator) const;
+    // A tetrahedron of vertex v, near whose hint there is one.
+    TetId tetrahedron_of(VertexId v) const;
     // A vertex as the caller gave it.
     void unscaled(VertexId v, double* to) const;
 

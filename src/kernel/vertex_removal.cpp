@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include "kernel/vertex_removal.hpp"
+
+#include <algorithm>
+
+#include "kernel/circumsphere.hpp"
+#include "platform/error.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+namespace {
+
+std::size_t power_of_two_above(std::size_t n) noexcept {
+    std::size_t size = 64;
+    while (size < n) size *= 2;
+    return size;
+}
+
+std::size_t hash(std::uint64_t key) noexcept {
+    key *= 0x9E3779B97F4A7C15u;
+    return static_cast<std::size_t>(key >> 32);
+}
+
+}  // namespace
+
+VertexRemoval::VertexRemoval(Allocator& allocator) noexcept
+    : star_(allocator),
+      link_(allocator),
+      numbers_(allocator),
+      facets_(allocator),
+      places_(allocator),
+      filling_(allocator),
+      slots_(allocator) {}
+
+void VertexRemoval::prepare(Mesh& mesh, VertexId v, TetId t) {
+    find_star(mesh, v, t);
+    number_link(mesh, v);
+    facets_.clear();
+    filling_.clear();
+    places_.clear();
+    places_.resize(power_of_two_above(8 * star_.size()), no_index);
+    ghosts_made_ = 0;
+    add_boundary(mesh, v);
+    // Finite facets lead everywhere; those of ghosts are met from them.
+    for (std::size_t i = 0; i < facets_.size(); ++i) {
+        const Facet& f = facets_[i];
+        if (f.is_closed || f.v[0] == infinite_ || f.v[1] == infinite_ || f.v[2] == infinite_)
+            continue;
+        close(i, apex_of(mesh, f));
+    }
+    for (const Facet& f : facets_)
+        if (!f.is_closed) fail(MGDT_ERR_INTERNAL, "a hole is not filled; please report it");
+
+    const std::size_t stays = mesh.finite_count() - (star_.size() - ghosts_gone_);
+    leaves_space_ = stays + (filling_.size() - ghosts_made_) > 0;
+    const std::size_t removed = star_.size(), created = filling_.size();
+    slots_.clear();
+    slots_.resize(std::max(removed, created) + 16);
+    mesh.reserve_slots(created > removed ? created - removed : 0,
+                       removed > created ? removed - created : 0);
+}
+
+// Marks are on the star while it is looked for.
+void VertexRemoval::find_star(Mesh& mesh, VertexId v, TetId first) {
+    star_.clear();
+    ghosts_gone_ = 0;
+    const auto take_marks_off = [&] {
+        for (const TetId t : star_) mesh.tetrahedra[t].v[1] = unmarked(mesh.tetrahedra[t].v[1]);
+    };
+    const auto enter = [&](TetId t) {
+        Tetrahedron& record = mesh.tetrahedra[t];
+        if (record.is_in_cavity()) return;
+        star_.push_back(t);
+        record.v[1] |= in_cavity;
+        ghosts_gone_ += record.is_ghost();
+    };
+    try {
+        enter(first);
+        for (std::size_t i = 0; i < star_.size(); ++i) {
+            const Tetrahedron t = mesh.tetrahedra[star_[i]];
+            for (unsigned face = 0; face < 4; ++face)
+                if (unmarked(t.v[face]) != v) enter(tetrahedron_of(t.n[face]));
+        }
+    } catch (...) {
+        take_marks_off();
+        throw;
+    }
+    take_marks_off();
+}
+
+void VertexRemoval::number_link(const Mesh& mesh, VertexId v) {
+    link_.clear();
+    // By Euler, a link of F facets has F / 2 + 2 vertices.
+    const std::size_t most = star_.size() / 2 + 2, size = power_of_two_above(4 * most);
+    link_.reserve(most);
+    numbers_.clear();
+    numbers_.resize(size, no_index);
+    infinite_ = no_index;
+    for (const TetId t : star_)
+        for (const VertexId u : mesh.tetrahedra[t].v) {
+            if (u == v) continue;
+            std::size_t h = hash(u) & (size - 1);
+            while (numbers_[h] != no_index && link_[numbers_[h]] != u) h = (h + 1) & (size - 1);
+            if (numbers_[h] != no_index) continue;
+            numbers_[h] = static_cast<Number>(link_.size());
+            if (u == infinite_vertex) infinite_ = numbers_[h];
+            link_.push_back(u);
+        }
+}
+
+VertexRemoval::Number VertexRemoval::number_of(VertexId v) const noexcept {
+    std::size_t h = hash(v) & (numbers_.size() - 1);
+    while (link_[numbers_[h]] != v) h = (h + 1) & (numbers_.size() - 1);
+    return numbers_[h];
+}
+
+void VertexRemoval::add_boundary(const Mesh& mesh, VertexId v) {
+    for (const TetId t : star_) {
+        const Tetrahedron& record = mesh.tetrahedra[t];
+        const auto face = static_cast<unsigned>(std::find(record.v, record.v + 4, v) - record.v);
+        const FacetCode code = record.n[face];
+        const Tetrahedron& outside = mesh.tetrahedra[tetrahedron_of(code)];
+        const unsigned char* const corner = outer_face[face_of(code)];
+        join({number_of(outside.v[corner[0]]), number_of(outside.v[corner[1]]),
+              number_of(outside.v[corner[2]])},
+             code, true);
+    }
+}
+
+// The place of the facet with these vertices, in any order, among `places_`; or a free one.
+std::size_t VertexRemoval::place_of(const Number (&v)[3]) const noexcept {
+    Number a = v[0], b = v[1], c = v[2];
+    if (a > b) std::swap(a, b);
+    if (b > c) std::swap(b, c);
+    if (a > b) std::swap(a, b);
+    const std::size_t mask = places_.size() - 1;
+    std::size_t h = hash((std::uint64_t{a} * 0x10001u + b) * 0x1000003u + c) & mask;
+    for (; places_[h] != no_index; h = (h + 1) & mask) {
+        const Number(&u)[3] = facets_[places_[h]].v;
+        const auto has = [&](Number x) { return u[0] == x || u[1] == x || u[2] == x; };
+        if (has(a) && has(b) && has(c)) break;
+    }
+    return h;
+}
+
+void VertexRemoval::enlarge_places() {
+    Buffer<std::uint32_t> larger(places_.allocator());
+    larger.resize(2 * places_.size(), no_index);
+    places_ = std::move(larger);
+    for (std::uint32_t i = 0; i < facets_.size(); ++i) places_[place_of(facets_[i].v)] = i;
+}
+
+void VertexRemoval::join(const Number (&v)[3], FacetCode behind, bool is_outside) {
+    if (2 * (facets_.size() + 1) > places_.size()) enlarge_places();
+    const std::size_t place = place_of(v);
+    if (places_[place] == no_index) {
+        facets_.push_back({{v[0], v[1], v[2]}, behind, is_outside, false});
+        places_[place] = static_cast<std::uint32_t>(facets_.size() - 1);
+        return;
+    }
+    Facet& f = facets_[places_[place]];
+    if (f.is_closed) fail(MGDT_ERR_INTERNAL, "a facet is met three times; please report it");
+    f.is_closed = true;
+    const auto link = [&](FacetCode from, bool from_outside, FacetCode to, bool to_outside) {
+        if (from_outside) return;
+        Filling& t = filling_[tetrahedron_of(from)];
+        t.n[face_of(from)] = to;
+        t.is_outside[face_of(from)] = to_outside;
+    };
+    link(behind, is_outside, f.behind, f.is_outside);
+    link(f.behind, f.is_outside, behind, is_outside);
+}
+
+// The vertex of the link that makes the tetrahedron on the inner side of a finite facet.
+VertexRemoval::Number VertexRemoval::apex_of(const Mesh& mesh, const Facet& facet) const {
+    const double* const a = point(mesh, facet.v[0]);
+    const double* const b = point(mesh, facet.v[1]);
+    const double* const c = point(mesh, facet.v[2]);
+    const bool is_normal =
+        !mesh.has_extremes || (in_normal_range(a) && in_normal_range(b) && in_normal_range(c));
+    const LocalVertex rb = relative_to(b, a), rc = relative_to(c, a);
+    Number best = no_index;
+    const double* d = nullptr;
+    Sphere sphere;
+    for (Number k = 0; k < link_.size(); ++k) {
+        if (k == infinite_ || k == facet.v[0] || k == facet.v[1] || k == facet.v[2]) continue;
+        const double* const e = point(mesh, k);
+        if (best != no_index) {
+            const Power p = power(sphere, a, Query(e));
+            // (a, c, b, d) is positively oriented.
+            if (p.is_decided() ? p.value > 0 : side_of_sphere_perturbed(a, c, b, d, e) < 0)
+                continue;
+        }
+        if (orientation(e, a, b, c) <= 0) continue;
+        best = k;
+        d = e;
+        set_sphere(rc, rb, relative_to(d, a), sphere);
+        if (!is_normal || (mesh.has_extremes && !in_normal_range(d))) sphere.e = infinity;
+    }
+    return best == no_index ? infinite_ : best;
+}
+
+// Puts the tetrahedron of an open facet and this apex into the filling.
+void VertexRemoval::close(std::size_t facet, Number apex) {
+    if (apex == no_index || filling_.size() >= max_tetrahedra)
+        fail(MGDT_ERR_INTERNAL, "a facet has no apex; please report it");
+    const Facet f = facets_[facet];
+    const auto t = static_cast<TetId>(filling_.size());
+    filling_.push_back({{apex, f.v[0], f.v[1], f.v[2]}, {}, {}});
+    ghosts_made_ += apex == infinite_;
+    const Filling made = filling_[t];
+    join({f.v[0], f.v[1], f.v[2]}, facet_code(t, 0), false);
+    for (unsigned face = 1; face < 4; ++face) {
+        const unsigned char* const corner = outer_face[face];
+        join({made.v[corner[0]], made.v[corner[1]], made.v[corner[2]]}, facet_code(t, face), false);
+    }
+}
+
+TetId VertexRemoval::replace(Mesh& mesh) noexcept {
+    const std::size_t removed = star_.size(), created = filling_.size();
+    for (std::size_t i = 0; i < std::min(removed, created); ++i) slots_[i] = first_facet(star_[i]);
+    for (std::size_t i = created; i < removed; ++i) mesh.free_slot(star_[i]);
+    if (created > removed) mesh.take_slots(slots_.data() + removed, created - removed);
+
+    const auto places = [&](const Filling& t, unsigned(&place)[4]) {
+        const VertexId v[4] = {link_[t.v[0]], link_[t.v[1]], link_[t.v[2]], link_[t.v[3]]};
+        places_by_number(v, place);
+    };
+    for (std::size_t i = 0; i < created; ++i) {
+        const Filling& t = filling_[i];
+        unsigned place[4], other_place[4];
+        places(t, place);
+        const TetId id = tetrahedron_of(slots_[i]);
+        Tetrahedron& record = mesh.tetrahedra[id];
+        for (unsigned face = 0; face < 4; ++face) {
+            record.v[place[face]] = link_[t.v[face]];
+            FacetCode n = t.n[face];
+            if (t.is_outside[face]) {
+                mesh.tetrahedra[tetrahedron_of(n)].n[face_of(n)] = facet_code(id, place[face]);
+            } else {
+                places(filling_[tetrahedron_of(n)], other_place);
+                n = facet_code(tetrahedron_of(slots_[tetrahedron_of(n)]), other_place[face_of(n)]);
+            }
+            record.n[place[face]] = n;
+            if (link_[t.v[face]] != infinite_vertex) mesh.vertex_hint[link_[t.v[face]]] = id;
+        }
+        if (mesh.tetrahedra.has_spheres())
+            mesh.tetrahedra.sphere(id) = rounded(circumsphere(record, mesh.vertices.data()));
+        if (record.is_ghost()) mesh.a_ghost = id;
+    }
+    mesh.ghost_count = mesh.ghost_count + ghosts_made_ - ghosts_gone_;
+    return tetrahedron_of(slots_[0]);
+}
+
+}  // namespace mgdt

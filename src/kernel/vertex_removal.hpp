@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// The removal of a vertex: the tetrahedra of its star leave a hole, which is filled with the
+// tetrahedra of the Delaunay triangulation of the remaining points.
+//
+// All vertices of these tetrahedra are in the link of the vertex that goes, that is among the other
+// vertices of its star. So the hole is filled facet by facet, inwards from its boundary. The
+// tetrahedron at a facet is the one whose circumsphere has no vertex of the link inside: beyond the
+// facet, spheres through it grow from one candidate to the next, and one pass over the link finds
+// the least. Where no vertex is beyond, the facet is on the hull, and a ghost goes there. The
+// perturbation leaves exactly one candidate. docs/theory.md, "Removing a vertex", proves that the
+// result is the triangulation of all remaining points.
+#pragma once
+
+#include "mesh/mesh.hpp"
+
+namespace mgdt {
+
+class VertexRemoval {
+  public:
+    explicit VertexRemoval(Allocator& allocator) noexcept;
+
+    // Prepares the removal of vertex v, of which t is a tetrahedron: finds its star and what fills
+    // the hole. Throws std::bad_alloc, and MGDT_ERR_TOO_LARGE for too many tetrahedra; the mesh is
+    // unchanged in any case.
+    void prepare(Mesh& mesh, VertexId v, TetId t);
+    // Whether the remaining points still span space. If not, there is nothing to replace.
+    bool leaves_space() const noexcept { return leaves_space_; }
+    // Replaces the star by what was prepared; returns a tetrahedron that is new.
+    TetId replace(Mesh& mesh) noexcept;
+
+  private:
+    // A local number of a vertex of the link.
+    using Number = std::uint32_t;
+    // Opposite the i-th vertex is the facet with this code. `is_outside`: a neighbour that stays;
+    // else 4 * tetrahedron + face in the filling.
+    struct Filling {
+        Number v[4];
+        FacetCode n[4];
+        bool is_outside[4];
+    };
+    // A facet of the hole or of the filling, as the tetrahedron sees it that comes on its inner
+    // side: (apex, v[0], v[1], v[2]) is positively oriented.
+    struct Facet {
+        Number v[3];
+        FacetCode behind;  // the tetrahedron on its other side, as in Filling
+        bool is_outside, is_closed;
+    };
+
+    void find_star(Mesh& mesh, VertexId v, TetId t);
+    void number_link(const Mesh& mesh, VertexId v);
+    Number number_of(VertexId v) const noexcept;
+    void add_boundary(const Mesh& mesh, VertexId v);
+    // Adds a facet; links the tetrahedra on its two sides when it comes for the second time.
+    void join(const Number (&v)[3], FacetCode behind, bool is_outside);
+    std::size_t place_of(const Number (&v)[3]) const noexcept;
+    void enlarge_places();
+    Number apex_of(const Mesh& mesh, const Facet& facet) const;
+    void close(std::size_t facet, Number apex);
+    const double* point(const Mesh& mesh, Number k) const noexcept { return mesh.point(link_[k]); }
+
+    Buffer<TetId> star_;
+    Buffer<VertexId> link_;   // by local number
+    Buffer<Number> numbers_;  // open-addressed by vertex
+    Buffer<Facet> facets_;
+    Buffer<std::uint32_t> places_;  // open-addressed by the facet's vertices
+    Buffer<Filling> filling_;
+    Buffer<FacetCode> slots_;
+    std::size_t ghosts_gone_ = 0, ghosts_made_ = 0;
+    Number infinite_ = no_index;  // the number of the vertex at infinity
+    bool leaves_space_ = true;
+};
+
+}  // namespace mgdt
