@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/triangulation.hpp"
-#include "kernel/vertex_removal.hpp"
 #include "platform/error.hpp"
 #include "query/locate.hpp"
 
@@ -25,7 +24,7 @@ struct PointOfVertex {
 struct Triangulation::Removal {
     Removal(Triangulation& triangulation, std::size_t n)
         : t(triangulation),
-          vertex(triangulation.allocator_),
+          vertex(triangulation.vertex_removal_),
           gaps(triangulation.allocator_),
           points(triangulation.allocator_) {
         gaps.reserve(n);
@@ -39,7 +38,7 @@ struct Triangulation::Removal {
     void take_out(std::uint32_t point);
 
     Triangulation& t;
-    VertexRemoval vertex;
+    VertexRemoval& vertex;
     Buffer<VertexId> gaps;         // vertices that are gone
     Buffer<PointOfVertex> points;  // sorted
 };

@@ -16,6 +16,7 @@ Triangulation::Triangulation(mgdt_alloc_fn alloc, mgdt_free_fn release, void* us
       kernel_(&default_kernel()),
       mesh_(allocator_),
       workspace_(allocator_),
+      vertex_removal_(allocator_),
       short_schedule_(allocator_, allocator_),
       point_map_(allocator_),
       degenerate_(allocator_),
@@ -54,6 +55,7 @@ void Triangulation::shrink() noexcept {
     location_tree_.forget();
     // What takes no block comes first: the others may need room to move.
     workspace_.reset();
+    vertex_removal_.reset();
     for (Buffer<std::uint32_t>* part :
          {&short_schedule_.order, &short_schedule_.rounds, &short_schedule_.hints})
         part->reset();

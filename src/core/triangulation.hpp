@@ -12,6 +12,7 @@
 #include "kernel/circumsphere.hpp"
 #include "kernel/kernel.hpp"
 #include "kernel/location_tree.hpp"
+#include "kernel/vertex_removal.hpp"
 #include "mesh/scale.hpp"
 #include "order/schedule.hpp"
 #include "parallel/team.hpp"
@@ -130,6 +131,7 @@ class Triangulation {
     const Kernel* kernel_;
     Mesh mesh_;
     Workspace workspace_;
+    VertexRemoval vertex_removal_;
     Schedule short_schedule_;  // of batches that need none: its memory is kept
     Buffer<VertexId> point_map_;
     DegeneratePoints degenerate_;

@@ -176,26 +176,36 @@ VertexRemoval::Number VertexRemoval::apex_of(const Mesh& mesh, const Facet& face
     const double* const a = point(mesh, facet.v[0]);
     const double* const b = point(mesh, facet.v[1]);
     const double* const c = point(mesh, facet.v[2]);
+    const bool has_extremes = mesh.has_extremes;
     const bool is_normal =
-        !mesh.has_extremes || (in_normal_range(a) && in_normal_range(b) && in_normal_range(c));
+        !has_extremes || (in_normal_range(a) && in_normal_range(b) && in_normal_range(c));
+    // (a, c, b, e) is positively oriented for e beyond the facet: n . (e - a) > 0.
     const LocalVertex rb = relative_to(b, a), rc = relative_to(c, a);
+    const double n[3] = {rc.y * rb.z - rc.z * rb.y, rc.z * rb.x - rc.x * rb.z,
+                         rc.x * rb.y - rc.y * rb.x};
+    const double side_bound = proved_bounds.sphere_det * unit_roundoff * (rb.largest * rc.largest);
     Number best = no_index;
     const double* d = nullptr;
     Sphere sphere;
     for (Number k = 0; k < link_.size(); ++k) {
         if (k == infinite_ || k == facet.v[0] || k == facet.v[1] || k == facet.v[2]) continue;
         const double* const e = point(mesh, k);
+        const LocalVertex re = relative_to(e, a);
+        const bool is_trusted = is_normal && (!has_extremes || in_normal_range(e));
+        // As set_sphere() takes a determinant for positive.
+        const double side = n[0] * re.x + n[1] * re.y + n[2] * re.z;
+        const double least = side_bound * re.largest;
+        if (is_trusted && side < -least) continue;
         if (best != no_index) {
-            const Power p = power(sphere, a, Query(e));
-            // (a, c, b, d) is positively oriented.
+            const Power p = power(sphere, a, Query(e, is_trusted));
             if (p.is_decided() ? p.value > 0 : side_of_sphere_perturbed(a, c, b, d, e) < 0)
                 continue;
         }
-        if (orientation(e, a, b, c) <= 0) continue;
+        if (!(is_trusted && side > least) && orientation(a, c, b, e) <= 0) continue;
         best = k;
         d = e;
-        set_sphere(rc, rb, relative_to(d, a), sphere);
-        if (!is_normal || (mesh.has_extremes && !in_normal_range(d))) sphere.e = infinity;
+        set_sphere(rc, rb, re, sphere);
+        if (!is_trusted) sphere.e = infinity;
     }
     return best == no_index ? infinite_ : best;
 }
@@ -206,7 +216,7 @@ void VertexRemoval::close(std::size_t facet, Number apex) {
         fail(MGDT_ERR_INTERNAL, "a facet has no apex; please report it");
     const Facet f = facets_[facet];
     const auto t = static_cast<TetId>(filling_.size());
-    filling_.push_back({{apex, f.v[0], f.v[1], f.v[2]}, {}, {}});
+    filling_.push_back({{apex, f.v[0], f.v[1], f.v[2]}, {}, {}, {}});
     ghosts_made_ += apex == infinite_;
     const Filling made = filling_[t];
     join({f.v[0], f.v[1], f.v[2]}, facet_code(t, 0), false);
@@ -222,27 +232,27 @@ TetId VertexRemoval::replace(Mesh& mesh) noexcept {
     for (std::size_t i = created; i < removed; ++i) mesh.free_slot(star_[i]);
     if (created > removed) mesh.take_slots(slots_.data() + removed, created - removed);
 
-    const auto places = [&](const Filling& t, unsigned(&place)[4]) {
+    for (Filling& t : filling_) {
         const VertexId v[4] = {link_[t.v[0]], link_[t.v[1]], link_[t.v[2]], link_[t.v[3]]};
-        places_by_number(v, place);
-    };
+        places_by_number(v, t.place);
+    }
     for (std::size_t i = 0; i < created; ++i) {
         const Filling& t = filling_[i];
-        unsigned place[4], other_place[4];
-        places(t, place);
         const TetId id = tetrahedron_of(slots_[i]);
         Tetrahedron& record = mesh.tetrahedra[id];
         for (unsigned face = 0; face < 4; ++face) {
-            record.v[place[face]] = link_[t.v[face]];
+            const VertexId v = link_[t.v[face]];
+            const unsigned place = t.place[face];
             FacetCode n = t.n[face];
             if (t.is_outside[face]) {
-                mesh.tetrahedra[tetrahedron_of(n)].n[face_of(n)] = facet_code(id, place[face]);
+                mesh.tetrahedra[tetrahedron_of(n)].n[face_of(n)] = facet_code(id, place);
             } else {
-                places(filling_[tetrahedron_of(n)], other_place);
-                n = facet_code(tetrahedron_of(slots_[tetrahedron_of(n)]), other_place[face_of(n)]);
+                const TetId other = tetrahedron_of(n);
+                n = facet_code(tetrahedron_of(slots_[other]), filling_[other].place[face_of(n)]);
             }
-            record.n[place[face]] = n;
-            if (link_[t.v[face]] != infinite_vertex) mesh.vertex_hint[link_[t.v[face]]] = id;
+            record.v[place] = v;
+            record.n[place] = n;
+            if (v != infinite_vertex) mesh.vertex_hint[v] = id;
         }
         if (mesh.tetrahedra.has_spheres())
             mesh.tetrahedra.sphere(id) = rounded(circumsphere(record, mesh.vertices.data()));
@@ -250,6 +260,16 @@ TetId VertexRemoval::replace(Mesh& mesh) noexcept {
     }
     mesh.ghost_count = mesh.ghost_count + ghosts_made_ - ghosts_gone_;
     return tetrahedron_of(slots_[0]);
+}
+
+void VertexRemoval::reset() noexcept {
+    star_.reset();
+    link_.reset();
+    numbers_.reset();
+    facets_.reset();
+    places_.reset();
+    filling_.reset();
+    slots_.reset();
 }
 
 }  // namespace mgdt

@@ -25,6 +25,8 @@ class VertexRemoval {
     void prepare(Mesh& mesh, VertexId v, TetId t);
     // Whether the remaining points still span space. If not, there is nothing to replace.
     bool leaves_space() const noexcept { return leaves_space_; }
+    // Gives back the room that is kept from one removal to the next.
+    void reset() noexcept;
     // Replaces the star by what was prepared; returns a tetrahedron that is new.
     TetId replace(Mesh& mesh) noexcept;
 
@@ -37,6 +39,7 @@ class VertexRemoval {
         Number v[4];
         FacetCode n[4];
         bool is_outside[4];
+        unsigned place[4];  // of the i-th vertex in the record
     };
     // A facet of the hole or of the filling, as the tetrahedron sees it that comes on its inner
     // side: (apex, v[0], v[1], v[2]) is positively oriented.
