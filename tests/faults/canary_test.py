@@ -19,8 +19,8 @@ def writers(header):
     for _, name, parameters in declarations:
         for parameter in parameters.split(","):
             words = " ".join(parameter.split())
-            if "*" not in words or words.startswith("const ") or words == "void *user" or \
-                    re.fullmatch(r"mgdt_triangulation \*\w+", words):
+            if "*" not in words or words.startswith("const ") or re.fullmatch(r"void ?\* ?user", words) or \
+                    re.fullmatch(r"mgdt_triangulation ?\* ?\w+", words):
                 continue
             found.add(name)
     return found, len(declarations)

@@ -143,7 +143,7 @@ TEST_P(Removal, BatchesAndInsertionsInTurns) {
         const auto t = empty();
         t->set_kernel(*find_kernel(GetParam()));
         Points xyz;
-        for (int round = 0; round < 6; ++round) {
+        for (std::size_t round = 0; round < 6; ++round) {
             insert(*t, set);
             xyz.insert(xyz.end(), set.begin(), set.end());
             std::vector<std::uint32_t> in;
