@@ -33,7 +33,7 @@ def main():
         for file, problem in zip(files, pool.map(lambda f: findings(build, str(f)), files)):
             check(str(file.relative_to(source)), problem, names_passed=False)
     check("files to look at", "" if len(files) > 70 else f"only {len(files)}")
-    # Something is found where it is: a header that uses 0 for a pointer.
+    # Something is found where it is: a source that uses 0 for a pointer.
     wrong = Path(build) / "tests" / "tidy_test.cpp"
     wrong.write_text("int* nothing = 0;\n", encoding="utf-8")
     run = subprocess.run(["clang-tidy", f"--config-file={source / '.clang-tidy'}", str(wrong), "--"],

@@ -16,8 +16,6 @@ namespace {
 
 // Below this many points a schedule costs more than it gains.
 constexpr std::size_t smallest_schedule = 16;
-// Points between two looks at the cancel flag.
-constexpr std::size_t poll_interval = 1024;
 
 // Adds the time that passes to one of the statistics, and from count_for() on to another: to look
 // at the clock is a fiftieth of inserting a point.

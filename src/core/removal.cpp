@@ -117,15 +117,11 @@ void Triangulation::remove(const Buffer<std::uint32_t>& points) {
     require_removable(points);
     const std::size_t n = points.size();
     if (n == 0) return;
-    struct Forget {
-        Atomic<bool>& flag;
-        ~Forget() { flag.store(false, std::memory_order_relaxed); }
-    } forget{cancelled_};
+    const ForgetRequest forget{cancelled_};
     Removal removal(*this, n);
     removal.find_equal_points(points);
     forget_numbering();
     location_tree_.forget();
-    constexpr std::size_t poll_interval = 1024;
     const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
     std::size_t next_report = 0;
     for (std::size_t i = 0; i < n; ++i) {

@@ -90,11 +90,7 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
                          static_cast<long long>(first) + settings_.index_base);
     if (n == 0) return;
 
-    // A request to stop concerns this call alone, however it ends.
-    struct Forget {
-        Atomic<bool>& flag;
-        ~Forget() { flag.store(false, std::memory_order_relaxed); }
-    } forget{cancelled_};
+    const ForgetRequest forget{cancelled_};
 
     point_map_.grow(first + n);
     forget_numbering();

@@ -96,6 +96,13 @@ class Triangulation {
     struct Batch;
     class ConcurrentInsertion;
     struct Removal;
+    // A request to stop concerns the call that it meets alone, however that ends.
+    struct ForgetRequest {
+        Atomic<bool>& flag;
+        ~ForgetRequest() { flag.store(false, std::memory_order_relaxed); }
+    };
+    // Points between two looks at the request.
+    static constexpr std::size_t poll_interval = 1024;
 
     int scale_for(std::size_t n, const double* const axis[3], std::ptrdiff_t stride) const;
     void set_scale(int scale);

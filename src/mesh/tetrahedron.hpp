@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #include "platform/compiler.hpp"
 
@@ -121,9 +122,7 @@ inline bool places_by_number(const VertexId (&v)[4], unsigned (&place)[4]) noexc
     bool is_odd = false;
     for (unsigned i = 1; i < 4; ++i)
         for (unsigned j = i; j > 0 && v[order[j]] > v[order[j - 1]]; --j) {
-            const unsigned higher = order[j];
-            order[j] = order[j - 1];
-            order[j - 1] = higher;
+            std::swap(order[j], order[j - 1]);
             is_odd = !is_odd;
         }
     for (unsigned i = 0; i < 4; ++i) place[order[i]] = is_odd && i >= 2 ? 5 - i : i;
