@@ -16,26 +16,42 @@ void Triangulation::Batch::use(const PointScan& scan, std::size_t n, const doubl
                             scaled(1.0, std::min(std::max(scale_exponent, -1022), 1023)));
 }
 
+void Triangulation::Batch::begin_gathering(std::size_t most) {
+    gathered.reserve(3 * most);
+    indices.reserve(most);
+    gathered.clear();
+    indices.clear();
+}
+
+void Triangulation::Batch::gather(const double* p, std::uint32_t index) noexcept {
+    const std::size_t size = indices.size();
+    gathered.resize_within_capacity(3 * (size + 1));
+    std::copy_n(p, 3, &gathered[3 * size]);
+    indices.resize_within_capacity(size + 1);
+    indices[size] = index;
+}
+
+void Triangulation::Batch::end_gathering() {
+    const double* const axis[3] = {gathered.data(), gathered.data() + 1, gathered.data() + 2};
+    Team alone;
+    const PointScan scan(alone, indices.size(), axis, 3, 0);
+    use(scan, indices.size(), axis, 3, 0, 0);
+}
+
 void Triangulation::Batch::gather(const Mesh& mesh, const Buffer<VertexId>& point_map,
                                   const Batch& added, std::size_t count) {
     const std::size_t before = added.first_index;
-    gathered.resize(3 * (before + count));
-    indices.resize(before + count);
-    std::size_t size = 0;
-    for (std::size_t i = 0; i < before; ++i) {
-        // A point that a cancelled call left out stays out.
-        if (point_map[i] == infinite_vertex) continue;
-        std::copy_n(mesh.point(point_map[i]), 3, &gathered[3 * size]);
-        indices[size++] = static_cast<std::uint32_t>(i);
-    }
+    begin_gathering(before + count);
+    // A point that a cancelled call left out stays out.
+    for (std::size_t i = 0; i < before; ++i)
+        if (point_map[i] != infinite_vertex)
+            gather(mesh.point(point_map[i]), static_cast<std::uint32_t>(i));
     for (std::size_t i = 0; i < count; ++i) {
-        added.get(i, &gathered[3 * size]);
-        indices[size++] = added.index(i);
+        double p[3];
+        added.get(i, p);
+        gather(p, added.index(i));
     }
-    const double* const axis[3] = {&gathered[0], &gathered[1], &gathered[2]};
-    Team alone;
-    const PointScan scan(alone, size, axis, 3, 0);
-    use(scan, size, axis, 3, 0, 0);
+    end_gathering();
 }
 
 void Triangulation::Batch::drop_front(std::size_t count) {

@@ -26,6 +26,10 @@ struct Triangulation::Batch {
         use(scan, n, axis, stride, scale_exponent, first);
     }
 
+    // Makes this a batch of scaled points that come one by one.
+    void begin_gathering(std::size_t most);
+    void gather(const double* p, std::uint32_t index) noexcept;
+    void end_gathering();
     // Makes this the batch of all points that are in (all held) and the first `count` of `added`.
     void gather(const Mesh& mesh, const Buffer<VertexId>& point_map, const Batch& added,
                 std::size_t count);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The insertion of one batch of points: schedule, copy, and one point after another.
 #include <algorithm>
-#include <chrono>
 
 #include "core/batch.hpp"
 #include "core/concurrent_insertion.hpp"
+#include "core/stopwatch.hpp"
 #include "core/triangulation.hpp"
 #include "order/round_assignment.hpp"
 #include "platform/borrowed_arena.hpp"
@@ -16,26 +16,6 @@ namespace {
 
 // Below this many points a schedule costs more than it gains.
 constexpr std::size_t smallest_schedule = 16;
-
-// Adds the time that passes to one of the statistics, and from count_for() on to another: to look
-// at the clock is a fiftieth of inserting a point.
-class Stopwatch {
-  public:
-    explicit Stopwatch(double& seconds) : seconds_(&seconds), start_(clock::now()) {}
-    ~Stopwatch() { count_for(*seconds_); }
-
-    void count_for(double& seconds) {
-        const clock::time_point now = clock::now();
-        *seconds_ += std::chrono::duration<double>(now - start_).count();
-        seconds_ = &seconds;
-        start_ = now;
-    }
-
-  private:
-    using clock = std::chrono::steady_clock;
-    double* seconds_;
-    clock::time_point start_;
-};
 
 // Moves four positions to the front of the schedule; the others keep their order.
 void bring_to_front(Schedule& schedule, const std::size_t positions[4]) {

@@ -3,76 +3,48 @@
 // its last point the vertex goes, and the hole is filled (kernel/vertex_removal.hpp).
 #include <algorithm>
 
+#include "core/batch.hpp"
+#include "core/equal_points.hpp"
+#include "core/stopwatch.hpp"
 #include "core/triangulation.hpp"
 #include "platform/error.hpp"
 #include "query/locate.hpp"
 
 namespace mgdt {
-namespace {
 
-// A point that is in, by its vertex.
-struct PointOfVertex {
-    VertexId vertex;
-    std::uint32_t point;
-    bool operator<(const PointOfVertex& other) const {
-        return vertex != other.vertex ? vertex < other.vertex : point < other.point;
-    }
-};
-
-}  // namespace
-
-struct Triangulation::Removal {
-    Removal(Triangulation& triangulation, std::size_t n)
+class Triangulation::Removal {
+  public:
+    Removal(Triangulation& triangulation, const Buffer<std::uint32_t>& points)
         : t(triangulation),
           vertex(triangulation.vertex_removal_),
-          gaps(triangulation.allocator_),
-          points(triangulation.allocator_) {
-        gaps.reserve(n);
+          equal_points(triangulation.allocator_, triangulation.mesh_.vertices.size()),
+          gaps(triangulation.allocator_) {
+        gaps.reserve(points.size());
+        if (t.statistics_.duplicates != 0) equal_points.find(t.point_map_, points);
     }
     ~Removal() { t.close_gaps(gaps); }
+    Removal(const Removal&) = delete;
+    Removal& operator=(const Removal&) = delete;
 
-    // The points at the vertices of those that are taken out, if some share a vertex.
-    void find_equal_points(const Buffer<std::uint32_t>& removed);
-    // The least other point at a vertex of several; no_index if there is none.
-    std::uint32_t other_point(VertexId v, std::uint32_t than) const;
     void take_out(std::uint32_t point);
 
+  private:
     Triangulation& t;
     VertexRemoval& vertex;
-    Buffer<VertexId> gaps;         // vertices that are gone
-    Buffer<PointOfVertex> points;  // sorted
+    EqualPoints equal_points;
+    Buffer<VertexId> gaps;  // vertices that are gone
 };
-
-void Triangulation::Removal::find_equal_points(const Buffer<std::uint32_t>& removed) {
-    if (t.statistics_.duplicates == 0) return;
-    Buffer<bool> is_affected(t.allocator_);
-    is_affected.resize(t.mesh_.vertices.size(), false);
-    for (const std::uint32_t i : removed) is_affected[t.point_map_[i]] = true;
-    for (std::size_t i = 0; i < t.point_map_.size(); ++i) {
-        const VertexId v = t.point_map_[i];
-        if (v != infinite_vertex && is_affected[v])
-            points.push_back({v, static_cast<std::uint32_t>(i)});
-    }
-    std::sort(points.begin(), points.end());
-}
-
-std::uint32_t Triangulation::Removal::other_point(VertexId v, std::uint32_t than) const {
-    const PointOfVertex first = {v, 0};
-    for (const PointOfVertex* p = std::lower_bound(points.begin(), points.end(), first);
-         p != points.end() && p->vertex == v; ++p)
-        if (p->point != than && t.point_map_[p->point] == v) return p->point;
-    return no_index;
-}
 
 void Triangulation::Removal::take_out(std::uint32_t point) {
     Mesh& mesh = t.mesh_;
     const VertexId v = t.point_map_[point];
-    const std::uint32_t other = other_point(v, point);
+    const std::uint32_t other = equal_points.least_other(t.point_map_, v, point);
     if (other != no_index) {
         std::uint32_t& stand_in = mesh.vertices[v].index;
         if (stand_in == point) stand_in = other;
         t.point_map_[point] = infinite_vertex;
         --t.statistics_.duplicates;
+        ++t.statistics_.removed;
         return;
     }
     if (mesh.live_count() != 0) {
@@ -80,6 +52,7 @@ void Triangulation::Removal::take_out(std::uint32_t point) {
         if (vertex.leaves_space()) {
             t.last_ = vertex.replace(mesh);
             mesh.guards_agree = false;
+            t.statistics_.link_vertices += vertex.link_size();
         } else {
             mesh.drop_tetrahedra();
             mesh.vertex_hint.clear();
@@ -91,9 +64,11 @@ void Triangulation::Removal::take_out(std::uint32_t point) {
     gaps.push_back(v);
     t.point_map_[point] = infinite_vertex;
     --t.statistics_.points_inserted;
+    ++t.statistics_.removed;
 }
 
-void Triangulation::require_removable(const Buffer<std::uint32_t>& points) const {
+// All are in, and each is there once.
+void Triangulation::require_in(const Buffer<std::uint32_t>& points, const char* what) const {
     const auto named = [&](std::uint32_t i) {
         return static_cast<long long>(i) + settings_.index_base;
     };
@@ -110,30 +85,66 @@ void Triangulation::require_removable(const Buffer<std::uint32_t>& points) const
     std::sort(sorted.begin(), sorted.end());
     const std::uint32_t* const twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end())
-        fail(MGDT_ERR_INVALID_ARGUMENT, "point %lld is to be removed twice", named(*twice));
+        fail(MGDT_ERR_INVALID_ARGUMENT, "point %lld is to be %s twice", named(*twice), what);
+}
+
+void Triangulation::rebuild_without(const Buffer<std::uint32_t>& points) {
+    Batch rest(allocator_);
+    {
+        Buffer<bool> leaves(allocator_);
+        leaves.resize(point_map_.size(), false);
+        for (const std::uint32_t i : points) leaves[i] = true;
+        rest.begin_gathering(point_map_.size() - points.size());
+        for (std::uint32_t i = 0; i < point_map_.size(); ++i)
+            if (point_map_[i] != infinite_vertex && !leaves[i])
+                rest.gather(mesh_.point(point_map_[i]), i);
+    }
+    rest.end_gathering();
+    rebuild(rest, 0, points.size());
+    statistics_.removed += points.size();
 }
 
 void Triangulation::remove(const Buffer<std::uint32_t>& points) {
-    require_removable(points);
+    require_in(points, "removed");
     const std::size_t n = points.size();
     if (n == 0) return;
     const ForgetRequest forget{cancelled_};
-    Removal removal(*this, n);
-    removal.find_equal_points(points);
+    const Stopwatch watch(statistics_.remove_seconds);
     forget_numbering();
     location_tree_.forget();
-    const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
-    std::size_t next_report = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const bool is_due = i >= next_report;
-        if (is_due) {
-            next_report += report_interval;
-            report(i, n);
+    exponents_are_wide_ = true;
+    report(0, n);
+    stop_if_cancelled(0, n);
+    // Points that are held cost nothing to take out.
+    if (mesh_.live_count() == 0 || !try_to_rebuild(n, [&] { rebuild_without(points); })) {
+        Removal removal(*this, points);
+        const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
+        std::size_t next_report = report_interval;
+        for (std::size_t i = 0; i < n; ++i) {
+            const bool is_due = i >= next_report;
+            if (is_due) {
+                next_report += report_interval;
+                report(i, n);
+            }
+            if (is_due || i % poll_interval == 0) stop_if_cancelled(i, n);
+            removal.take_out(points[i]);
         }
-        if (is_due || i % poll_interval == 0) stop_if_cancelled(i, n);
-        removal.take_out(points[i]);
     }
     report(n, n);
+}
+
+void Triangulation::forget_absent_points() noexcept {
+    forget_numbering();
+    std::uint32_t next = 0;
+    for (std::uint32_t i = 0; i < point_map_.size(); ++i) {
+        const VertexId v = point_map_[i];
+        if (v == infinite_vertex) continue;
+        point_map_[next] = v;
+        // The first of its points is the least.
+        if (mesh_.vertices[v].index == i) mesh_.vertices[v].index = next;
+        ++next;
+    }
+    point_map_.resize_within_capacity(next);
 }
 
 // Several threads need guards that agree. A hole is filled by vertices of any age, and a vertex

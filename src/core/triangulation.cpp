@@ -35,6 +35,7 @@ void Triangulation::clear() noexcept {
     degenerate_.clear();
     basis_.clear();
     exponents_ = ExponentRange();
+    exponents_are_wide_ = false;
     last_ = no_tetrahedron;
     workspace_.slot_count = 0;
     statistics_ = Statistics();
@@ -221,6 +222,7 @@ CheckInput Triangulation::check_input() const {
             statistics_.points_inserted,
             statistics_.duplicates,
             exponents_,
+            exponents_are_wide_,
             last_,
             location_tree_.peek()};
 }

@@ -27,6 +27,9 @@ struct Settings {
     OrderParameters order;
     std::int32_t threads = 1;            // 0: all cores
     std::size_t points_a_thread = 8192;  // with fewer a thread does not pay; lowered by tests
+    // A call that removes or moves more than one in this many vertices triangulates the others, or
+    // all, anew; changed by tests.
+    std::size_t vertices_a_rebuild = 16;
     void (*pause)() = nullptr;  // for tests: called where threads take and give back blocks
     std::int32_t index_base = 0;
     bool canonical_output = false;
@@ -39,8 +42,15 @@ struct Statistics {
     std::uint64_t duplicates = 0;
     std::uint64_t deferred = 0;        // insertions given up at another thread's, and tried again
     std::uint64_t inserted_alone = 0;  // while the other threads had nothing to do
+    std::uint64_t removed = 0;         // points
+    std::uint64_t moved = 0;           // points, to other coordinates
+    std::uint64_t put_back = 0;        // moves that were a removal and an insertion
+    std::uint64_t link_vertices = 0;   // around the vertices whose stars were filled
+    std::uint64_t rebuilds = 0;
     double order_seconds = 0;
     double insert_seconds = 0;
+    double remove_seconds = 0;
+    double move_seconds = 0;
     double levels = 0;
     double rounds = 0;
     double threads = 0;
@@ -57,6 +67,11 @@ class Triangulation {
     // point that is in, or that is there twice, with nothing changed; std::bad_alloc, or Error if
     // cancelled, when the points before are out.
     void remove(const Buffer<std::uint32_t>& points);
+    // Moves points to the n places in `xyz`. Throws as remove(), and Error for a coordinate that is
+    // not finite.
+    void move(const Buffer<std::uint32_t>& points, const double* xyz);
+    // Numbers the points that are in anew, in their order from 0 on, and forgets the others.
+    void forget_absent_points() noexcept;
     void clear() noexcept;
     void reserve(std::size_t points);
     // Gives back what is kept for speed alone.
@@ -95,7 +110,9 @@ class Triangulation {
   private:
     struct Batch;
     class ConcurrentInsertion;
-    struct Removal;
+    class Removal;
+    class Motion;
+    struct MovedPoints;
     // A request to stop concerns the call that it meets alone, however that ends.
     struct ForgetRequest {
         Atomic<bool>& flag;
@@ -123,7 +140,15 @@ class Triangulation {
     void compact_vertices(Team& team, std::size_t begin, std::size_t first_point) noexcept;
     void renumber_moved(Team& team, std::size_t end, std::size_t moved) noexcept;
     void renumber_points(Team& team, std::size_t end, std::size_t first_point) noexcept;
-    void require_removable(const Buffer<std::uint32_t>& points) const;
+    void require_in(const Buffer<std::uint32_t>& points, const char* what) const;
+    bool is_rebuild_faster(std::size_t points) const noexcept;
+    // Has body() rebuild where that is faster or the only way, if there is memory for it.
+    template <class Body>
+    bool try_to_rebuild(std::size_t points, Body body);
+    void rebuild(const Batch& all);
+    void rebuild(const Batch& all, std::size_t done, std::size_t total);
+    void rebuild_without(const Buffer<std::uint32_t>& points);
+    void rebuild_moved(const MovedPoints& moved, std::size_t first);
     void make_guards_agree() noexcept;
     void close_gaps(Buffer<VertexId>& gaps) noexcept;
     // Enter the outcome of an insertion in the point map and the statistics: q is a vertex, as the
@@ -143,7 +168,8 @@ class Triangulation {
     Buffer<VertexId> point_map_;
     DegeneratePoints degenerate_;
     AffineBasis basis_;
-    ExponentRange exponents_;
+    ExponentRange exponents_;  // of all points that came, and of more once some have left
+    bool exponents_are_wide_ = false;
     TetId last_ = no_tetrahedron;   // of the last insertion: where the next walk starts
     std::uint64_t lone_steps_ = 0;  // of batches' first walks since there was no tree
     Statistics statistics_;
@@ -151,5 +177,18 @@ class Triangulation {
     mutable Cached<Numbering> numbering_;
     mutable Cached<LocationTree> location_tree_;
 };
+
+template <class Body>
+bool Triangulation::try_to_rebuild(std::size_t points, Body body) {
+    const bool is_held = mesh_.live_count() == 0;
+    if (!is_held && !is_rebuild_faster(points)) return false;
+    try {
+        body();
+        return true;
+    } catch (const std::bad_alloc&) {
+        if (is_held) throw;
+        return false;
+    }
+}
 
 }  // namespace mgdt

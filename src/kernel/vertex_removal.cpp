@@ -30,9 +30,11 @@ VertexRemoval::VertexRemoval(Allocator& allocator) noexcept
       facets_(allocator),
       places_(allocator),
       filling_(allocator),
-      slots_(allocator) {}
+      slots_(allocator),
+      kept_(allocator) {}
 
 void VertexRemoval::prepare(Mesh& mesh, VertexId v, TetId t) {
+    vertex_ = v;
     find_star(mesh, v, t);
     number_link(mesh, v);
     facets_.clear();
@@ -56,8 +58,9 @@ void VertexRemoval::prepare(Mesh& mesh, VertexId v, TetId t) {
     const std::size_t removed = star_.size(), created = filling_.size();
     slots_.clear();
     slots_.resize(std::max(removed, created) + 16);
-    mesh.reserve_slots(created > removed ? created - removed : 0,
-                       removed > created ? removed - created : 0);
+    const std::size_t more = created > removed ? created - removed : 0;
+    // Those that are taken are freed if this is undone.
+    mesh.reserve_slots(more, removed > created ? removed - created : more);
 }
 
 // Marks are on the star while it is looked for.
@@ -262,7 +265,38 @@ TetId VertexRemoval::replace(Mesh& mesh) noexcept {
     return tetrahedron_of(slots_[0]);
 }
 
+void VertexRemoval::keep_star(const Mesh& mesh) {
+    kept_.clear();
+    kept_.reserve(star_.size());
+    for (const TetId t : star_) kept_.push_back(mesh.tetrahedra[t]);
+    a_ghost_ = mesh.a_ghost;
+}
+
+TetId VertexRemoval::undo(Mesh& mesh) noexcept {
+    const std::size_t removed = star_.size(), created = filling_.size();
+    for (std::size_t i = removed; i < created; ++i) mesh.free_slot(tetrahedron_of(slots_[i]));
+    if (removed > created)
+        mesh.free_slots.resize_within_capacity(mesh.free_slots.size() - (removed - created));
+    for (std::size_t i = 0; i < removed; ++i) {
+        const TetId id = star_[i];
+        Tetrahedron& record = mesh.tetrahedra[id];
+        record = kept_[i];
+        for (unsigned face = 0; face < 4; ++face) {
+            const FacetCode n = record.n[face];
+            if (record.v[face] == vertex_)
+                mesh.tetrahedra[tetrahedron_of(n)].n[face_of(n)] = facet_code(id, face);
+            if (record.v[face] != infinite_vertex) mesh.vertex_hint[record.v[face]] = id;
+        }
+        if (mesh.tetrahedra.has_spheres())
+            mesh.tetrahedra.sphere(id) = rounded(circumsphere(record, mesh.vertices.data()));
+    }
+    mesh.ghost_count = mesh.ghost_count + ghosts_gone_ - ghosts_made_;
+    mesh.a_ghost = a_ghost_;
+    return star_[0];
+}
+
 void VertexRemoval::reset() noexcept {
+    kept_.reset();
     star_.reset();
     link_.reset();
     numbers_.reset();

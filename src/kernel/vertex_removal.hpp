@@ -27,8 +27,15 @@ class VertexRemoval {
     bool leaves_space() const noexcept { return leaves_space_; }
     // Gives back the room that is kept from one removal to the next.
     void reset() noexcept;
+    // Vertices around the one that goes, without that at infinity.
+    std::size_t link_size() const noexcept { return link_.size() - (infinite_ != no_index); }
     // Replaces the star by what was prepared; returns a tetrahedron that is new.
     TetId replace(Mesh& mesh) noexcept;
+    // Keeps the star, so that undo() can put it back while nothing else has changed. Throws
+    // std::bad_alloc; the mesh is unchanged in any case.
+    void keep_star(const Mesh& mesh);
+    // Returns a tetrahedron of the star.
+    TetId undo(Mesh& mesh) noexcept;
 
   private:
     // A local number of a vertex of the link.
@@ -68,6 +75,9 @@ class VertexRemoval {
     Buffer<std::uint32_t> places_;  // open-addressed by the facet's vertices
     Buffer<Filling> filling_;
     Buffer<FacetCode> slots_;
+    Buffer<Tetrahedron> kept_;
+    VertexId vertex_ = infinite_vertex;  // that goes
+    TetId a_ghost_ = no_tetrahedron;     // of the mesh, when the star was kept
     std::size_t ghosts_gone_ = 0, ghosts_made_ = 0;
     Number infinite_ = no_index;  // the number of the vertex at infinity
     bool leaves_space_ = true;

@@ -17,6 +17,7 @@ struct CheckInput {
     int dimension;
     std::uint64_t points_inserted, duplicates;
     ExponentRange exponents;   // of the caller's coordinates
+    bool exponents_are_wide;   // they are of coordinates that are gone too
     TetId last;                // where the next walk starts
     const LocationTree* tree;  // if there is one
 };

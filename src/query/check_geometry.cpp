@@ -56,7 +56,8 @@ void Checker::coordinates() const {
         fail(MGDT_ERR_CHECK_FAILED, "coordinates are outside the filters' range, unnoticed");
     // Points that are not in count among those given.
     const ExponentRange& given = input_.exponents;
-    const bool all_in = input_.points_inserted + input_.duplicates == input_.point_map.size();
+    const bool all_in = !input_.exponents_are_wide &&
+                        input_.points_inserted + input_.duplicates == input_.point_map.size();
     const bool equal = all.highest == given.highest && all.lowest_bit == given.lowest_bit;
     const bool within = all.highest <= given.highest && all.lowest_bit >= given.lowest_bit;
     if (all_in ? !equal : !within)

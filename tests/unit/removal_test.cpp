@@ -1,109 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Points are taken out: the tetrahedra are those of a triangulation of the others alone.
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <new>
-#include <set>
 
-#include "surgery.hpp"
+#include "histories.hpp"
 
 namespace mgdt {
 namespace {
 
-using namespace surgery;
-
-std::unique_ptr<Triangulation> empty(unsigned threads = 1) {
-    auto t = std::make_unique<Triangulation>(nullptr, nullptr, nullptr);
-    t->settings().threads = static_cast<std::int32_t>(threads);
-    return t;
-}
-
-void insert(Triangulation& t, const Points& xyz) {
-    const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
-    t.insert(xyz.size() / 3, axis, 3);
-}
-
-void remove(Triangulation& t, const std::vector<std::uint32_t>& points) {
-    Buffer<std::uint32_t> list(t.allocator());
-    list.reserve(points.size());
-    for (const std::uint32_t i : points) list.push_back(i);
-    t.remove(list);
-}
-
-std::string complaint(const Triangulation& t, int level = 3) {
-    Team team;
-    try {
-        check_triangulation(team, t.check_input(), t.allocator(), level, 0);
-        return {};
-    } catch (const Error& error) {
-        return error.message;
-    }
-}
-
-// The tetrahedra by the caller's indices, each from its least one on, in order.
-std::set<std::array<std::uint32_t, 4>> tetrahedra(const Triangulation& t) {
-    std::set<std::array<std::uint32_t, 4>> all;
-    for (TetId id = 0; id < t.mesh().tetrahedra.size(); ++id) {
-        const Tetrahedron& record = t.mesh().tetrahedra[id];
-        if (record.is_dead() || record.is_ghost()) continue;
-        std::array<std::uint32_t, 4> v;
-        for (unsigned i = 0; i < 4; ++i) v[i] = t.mesh().vertices[record.v[i]].index;
-        std::sort(v.begin(), v.end());
-        all.insert(v);
-    }
-    return all;
-}
-
-// The triangulation of the points that are in, given with the others left out.
-void expect_as_fresh(const Triangulation& t, const Points& xyz) {
-    ASSERT_EQ(complaint(t), "");
-    Points rest;
-    std::vector<std::uint32_t> index;
-    for (std::uint32_t i = 0; i < t.point_map().size(); ++i) {
-        if (t.point_map()[i] == infinite_vertex) continue;
-        rest.insert(rest.end(), xyz.begin() + 3 * i, xyz.begin() + 3 * i + 3);
-        index.push_back(i);
-    }
-    const auto fresh = empty();
-    insert(*fresh, rest);
-    EXPECT_EQ(t.dimension(), fresh->dimension());
-    EXPECT_EQ(t.vertex_count(), fresh->vertex_count());
-    EXPECT_EQ(t.statistics().duplicates, fresh->statistics().duplicates);
-    std::set<std::array<std::uint32_t, 4>> expected;
-    for (std::array<std::uint32_t, 4> v : tetrahedra(*fresh)) {
-        for (std::uint32_t& i : v) i = index[i];
-        expected.insert(v);
-    }
-    EXPECT_EQ(tetrahedra(t), expected);
-}
-
-Points sphere(std::size_t n, Random& random, bool with_centre) {
-    Points xyz;
-    for (std::size_t i = 0; i < n; ++i) {
-        double p[3], square = 0;
-        for (double& x : p) x = uniform(random) - 0.5;
-        for (const double x : p) square += x * x;
-        for (const double x : p) xyz.push_back(x / std::sqrt(square));
-    }
-    if (with_centre) xyz.insert(xyz.end(), {0, 0, 0});
-    return xyz;
-}
-
-// Ties everywhere, repeats, points in a plane, coordinates that no filter is proved for.
-std::vector<Points> sets(Random& random) {
-    std::vector<Points> all = {uniform_points(300, random), lattice(6), sphere(150, random, true)};
-    Points repeats = lattice(3), flat = uniform_points(60, random),
-           tiny = uniform_points(80, random);
-    for (std::size_t i = 0; i < 40; ++i)
-        for (std::size_t k = 0; k < 3; ++k) repeats.push_back(repeats[3 * (i % 27) + k]);
-    for (std::size_t i = 0; i < 55; ++i) flat[3 * i + 2] = 0.25;
-    for (std::size_t i = 0; i < tiny.size(); ++i) tiny[i] *= i % 7 == 0 ? 1e-170 : 1e-160;
-    Points mixed = uniform_points(100, random);
-    for (std::size_t i = 0; i < 3 * 20; ++i) mixed[i] *= 1e200;
-    all.insert(all.end(), {repeats, flat, tiny, mixed});
-    return all;
-}
+using namespace histories;
 
 class Removal : public testing::TestWithParam<const char*> {
   protected:
@@ -139,23 +44,23 @@ TEST_P(Removal, OneByOneDownToNothing) {
 
 TEST_P(Removal, BatchesAndInsertionsInTurns) {
     Random random(2);
-    for (const Points& set : sets(random)) {
-        const auto t = empty();
-        t->set_kernel(*find_kernel(GetParam()));
-        Points xyz;
-        for (std::size_t round = 0; round < 6; ++round) {
-            insert(*t, set);
-            xyz.insert(xyz.end(), set.begin(), set.end());
-            std::vector<std::uint32_t> in;
-            for (std::uint32_t i = 0; i < t->point_map().size(); ++i)
-                if (t->point_map()[i] != infinite_vertex) in.push_back(i);
-            std::shuffle(in.begin(), in.end(), random);
-            in.resize(in.size() * (round + 1) / 6);
-            remove(*t, in);
-            expect_as_fresh(*t, xyz);
-            if (HasFatalFailure()) return;
+    for (const std::size_t share : {0, 16})
+        for (const Points& set : sets(random)) {
+            const auto t = empty();
+            t->settings().vertices_a_rebuild = share;
+            t->set_kernel(*find_kernel(GetParam()));
+            Points xyz;
+            for (std::size_t round = 0; round < 6; ++round) {
+                insert(*t, set);
+                xyz.insert(xyz.end(), set.begin(), set.end());
+                std::vector<std::uint32_t> in = points_in(*t);
+                std::shuffle(in.begin(), in.end(), random);
+                in.resize(in.size() * (round + 1) / 6);
+                remove(*t, in);
+                expect_as_fresh(*t, xyz);
+                if (HasFatalFailure()) return;
+            }
         }
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Removal, testing::Values("baseline", "avx2", "avx512"),
@@ -166,6 +71,7 @@ TEST(RemovalAndThreads, InsertAfterRemoval) {
     const Points first = uniform_points(3000, random), second = uniform_points(6000, random);
     const auto t = empty(4);
     t->settings().points_a_thread = 64;
+    t->settings().vertices_a_rebuild = 0;
     insert(*t, first);
     std::vector<std::uint32_t> some;
     for (std::uint32_t i = 0; i < 3000; i += 3) some.push_back(i);
@@ -191,6 +97,7 @@ TEST(RemovalAndProgress, WhatWasDoneBeforeACancellationStays) {
     Random random(6);
     const Points xyz = uniform_points(400, random);
     const auto t = empty();
+    t->settings().vertices_a_rebuild = 0;
     insert(*t, xyz);
     t->settings().progress = [](double fraction, void*) -> std::int32_t { return fraction >= 0.5; };
     std::vector<std::uint32_t> points;
@@ -245,6 +152,68 @@ TEST(RemovalWithoutMemory, LeavesATriangulation) {
         if (HasFatalFailure()) return;
     }
     EXPECT_GT(failures, 10u);
+}
+
+// Many at once are left out of a new triangulation. A request to stop, or a lack of memory for it,
+// undoes that.
+TEST(RemovalByRebuild, IsAllOrNothing) {
+    Random random(8);
+    const Points xyz = uniform_points(400, random);
+    std::vector<std::uint32_t> points;
+    for (std::uint32_t i = 0; i < 200; ++i) points.push_back(2 * i);
+    const auto t = empty();
+    insert(*t, xyz);
+    t->settings().progress = [](double fraction, void*) -> std::int32_t { return fraction >= 0.5; };
+    try {
+        remove(*t, points);
+        ADD_FAILURE() << "not cancelled";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status, MGDT_ERR_CANCELLED);
+        EXPECT_STREQ(error.message, "cancelled after 0 of 200 points");
+    }
+    EXPECT_EQ(t->vertex_count(), 400u);
+    expect_as_fresh(*t, xyz);
+    t->settings().progress = nullptr;
+    // Enough for the list of points alone.
+    t->allocator().set_limit(t->allocator().bytes() + 40000);
+    remove(*t, points);
+    t->allocator().set_limit(0);
+    EXPECT_EQ(t->statistics().rebuilds, 0u);
+    EXPECT_EQ(t->vertex_count(), 200u);
+    expect_as_fresh(*t, xyz);
+    insert(*t, xyz);
+    points.clear();
+    for (std::uint32_t i = 400; i < 600; ++i) points.push_back(i);
+    remove(*t, points);
+    EXPECT_EQ(t->statistics().rebuilds, 1u);
+    EXPECT_EQ(t->statistics().removed, 400u);
+    Points both = xyz;
+    both.insert(both.end(), xyz.begin(), xyz.end());
+    expect_as_fresh(*t, both);
+}
+
+TEST(AbsentPoints, AreForgottenAndTheOthersKeepTheirOrder) {
+    Random random(9);
+    for (const Points& set : sets(random)) {
+        const auto t = empty();
+        insert(*t, set);
+        insert(*t, set);
+        std::vector<std::uint32_t> leaving = points_in(*t);
+        std::shuffle(leaving.begin(), leaving.end(), random);
+        leaving.resize(leaving.size() / 2);
+        remove(*t, leaving);
+        Points rest;
+        for (const std::uint32_t i : points_in(*t))
+            for (std::size_t k = 0; k < 3; ++k) rest.push_back(set[(3 * i + k) % set.size()]);
+        t->forget_absent_points();
+        EXPECT_EQ(t->point_map().size(), rest.size() / 3);
+        EXPECT_EQ(points_in(*t).size(), rest.size() / 3);
+        expect_as_fresh(*t, rest);
+        insert(*t, set);
+        rest.insert(rest.end(), set.begin(), set.end());
+        expect_as_fresh(*t, rest);
+        if (HasFatalFailure()) return;
+    }
 }
 
 TEST(RemovalArguments, AreRefusedWithTheirIndex) {

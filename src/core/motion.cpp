@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// Points move: one by one, each by a removal and an insertion, or all at once by a rebuild.
+#include <algorithm>
+#include <cmath>
+
+#include "core/batch.hpp"
+#include "core/equal_points.hpp"
+#include "core/stopwatch.hpp"
+#include "core/triangulation.hpp"
+#include "platform/error.hpp"
+#include "query/locate.hpp"
+
+namespace mgdt {
+
+// Those whose coordinates change, with the new ones as the caller gave them.
+struct Triangulation::MovedPoints {
+    explicit MovedPoints(Allocator& allocator) : points(allocator), xyz(allocator) {}
+
+    std::size_t size() const noexcept { return points.size(); }
+    // Scaled, -0 made 0.
+    void place(std::size_t k, int scale, double (&p)[3]) const noexcept {
+        for (std::size_t i = 0; i < 3; ++i) p[i] = scaled(xyz[3 * k + i], scale) + 0.0;
+    }
+
+    Buffer<std::uint32_t> points;
+    Buffer<double> xyz;
+};
+
+class Triangulation::Motion {
+  public:
+    Motion(Triangulation& triangulation, const MovedPoints& moved)
+        : t_(triangulation),
+          moved_(moved),
+          equal_points_(triangulation.allocator_, triangulation.mesh_.vertices.size()),
+          gaps_(triangulation.allocator_) {}
+    ~Motion() { t_.close_gaps(gaps_); }
+    Motion(const Motion&) = delete;
+    Motion& operator=(const Motion&) = delete;
+
+    void one_by_one();
+
+  private:
+    bool try_to_move_vertex(VertexId v, std::uint32_t point, const double (&p)[3]);
+    void split_off(VertexId v, std::uint32_t point, const double (&p)[3], std::uint32_t other);
+    Insertion insert(VertexId q, TetId start);
+
+    Triangulation& t_;
+    const MovedPoints& moved_;
+    EqualPoints equal_points_;
+    Buffer<VertexId> gaps_;  // vertices that are gone
+};
+
+void Triangulation::Motion::one_by_one() {
+    const std::size_t n = moved_.size();
+    gaps_.reserve(n);
+    if (t_.statistics_.duplicates != 0) equal_points_.find(t_.point_map_, moved_.points);
+    const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
+    std::size_t next_report = report_interval;
+    for (std::size_t k = 0; k < n; ++k) {
+        const bool is_due = k >= next_report;
+        if (is_due) {
+            next_report += report_interval;
+            t_.report(k, n);
+        }
+        if (is_due || k % poll_interval == 0) t_.stop_if_cancelled(k, n);
+        const std::uint32_t point = moved_.points[k];
+        double p[3];
+        moved_.place(k, t_.mesh_.scale, p);
+        if (!in_normal_range(p)) t_.mesh_.has_extremes = true;
+        const VertexId v = t_.point_map_[point];
+        const std::uint32_t other = equal_points_.least_other(t_.point_map_, v, point);
+        if (other != no_index) {
+            split_off(v, point, p, other);
+        } else if (!try_to_move_vertex(v, point, p)) {
+            // The others do not span space without this vertex.
+            t_.rebuild_moved(moved_, k);
+            gaps_.clear();
+            return;
+        }
+        ++t_.statistics_.moved;
+        ++t_.statistics_.put_back;
+    }
+}
+
+Insertion Triangulation::Motion::insert(VertexId q, TetId start) {
+    t_.workspace_.may_jump = true;
+    return t_.calls().insert(t_.mesh_, t_.workspace_, q, start);
+}
+
+// A vertex with one point keeps its number.
+bool Triangulation::Motion::try_to_move_vertex(VertexId v, std::uint32_t point,
+                                               const double (&p)[3]) {
+    Mesh& mesh = t_.mesh_;
+    VertexRemoval& removal = t_.vertex_removal_;
+    removal.prepare(mesh, v, Locator{mesh, t_.calls(), nullptr}.tetrahedron_of(v));
+    if (!removal.leaves_space()) return false;
+    removal.keep_star(mesh);
+    double before[3];
+    std::copy_n(mesh.vertices[v].x, 3, before);
+    t_.last_ = removal.replace(mesh);
+    mesh.guards_agree = false;
+    mesh.vertex_hint[v] = no_tetrahedron;
+    t_.workspace_.slot_count = 0;
+    std::copy_n(p, 3, mesh.vertices[v].x);
+    try {
+        const Insertion result = insert(v, t_.last_);
+        if (result.duplicate != infinite_vertex) {
+            equal_points_.join(result.duplicate, point);
+            gaps_.push_back(v);
+            t_.note_repeat(v, result.duplicate);
+            --t_.statistics_.points_inserted;
+        }
+        t_.last_ = result.tetrahedron;
+    } catch (...) {
+        std::copy_n(before, 3, mesh.vertices[v].x);
+        t_.last_ = removal.undo(mesh);
+        t_.workspace_.slot_count = 0;
+        throw;
+    }
+    t_.statistics_.link_vertices += removal.link_size();
+    return true;
+}
+
+// One of several points at a vertex goes elsewhere; `other` is the least of those that stay.
+void Triangulation::Motion::split_off(VertexId v, std::uint32_t point, const double (&p)[3],
+                                      std::uint32_t other) {
+    Mesh& mesh = t_.mesh_;
+    const auto q = static_cast<VertexId>(mesh.vertices.size());
+    if (q >= mesh.vertex_limit)
+        fail(MGDT_ERR_TOO_LARGE, "more than %u vertices", mesh.vertex_limit);
+    mesh.vertices.grow(q + 1);
+    mesh.vertex_hint.grow(q + 1);
+    mesh.vertices.push_back(Vertex{{p[0], p[1], p[2]}, point, 0});
+    mesh.vertex_hint.push_back(no_tetrahedron);
+    Insertion result;
+    try {
+        result = insert(q, Locator{mesh, t_.calls(), nullptr}.tetrahedron_of(v));
+        if (result.duplicate != infinite_vertex) equal_points_.join(result.duplicate, point);
+    } catch (...) {
+        mesh.vertices.pop_back();
+        mesh.vertex_hint.pop_back();
+        throw;
+    }
+    t_.last_ = result.tetrahedron;
+    t_.note(q, result);
+    --t_.statistics_.duplicates;
+    std::uint32_t& stand_in = mesh.vertices[v].index;
+    if (stand_in == point) stand_in = other;
+    if (result.duplicate == infinite_vertex) {
+        t_.point_map_[point] = q;
+    } else {
+        mesh.vertices.pop_back();
+        mesh.vertex_hint.pop_back();
+    }
+}
+
+// All points, where they are now; those from `first` on among the moved ones where they go.
+void Triangulation::rebuild_moved(const MovedPoints& moved, std::size_t first) {
+    const std::size_t n = moved.size();
+    Batch all(allocator_);
+    {
+        Buffer<std::uint32_t> order(allocator_);
+        order.resize(point_map_.size(), no_index);
+        for (std::size_t k = first; k < n; ++k)
+            order[moved.points[k]] = static_cast<std::uint32_t>(k);
+        all.begin_gathering(point_map_.size());
+        for (std::uint32_t i = 0; i < point_map_.size(); ++i) {
+            if (point_map_[i] == infinite_vertex) continue;
+            double p[3];
+            std::copy_n(mesh_.point(point_map_[i]), 3, p);
+            if (order[i] != no_index) moved.place(order[i], mesh_.scale, p);
+            all.gather(p, i);
+        }
+    }
+    all.end_gathering();
+    rebuild(all, first, n);
+    statistics_.moved += n - first;
+}
+
+void Triangulation::move(const Buffer<std::uint32_t>& points, const double* xyz) {
+    const std::size_t n = points.size();
+    require_in(points, "moved");
+    const auto is_finite = [](double x) { return x - x == 0; };
+    for (std::size_t i = 0; i < 3 * n; ++i)
+        if (!is_finite(xyz[i]))
+            fail(MGDT_ERR_NOT_FINITE, "coordinate %c of point %lld is %s", "xyz"[i % 3],
+                 static_cast<long long>(points[i / 3]) + settings_.index_base,
+                 xyz[i] != xyz[i] ? "NaN" : "infinite");
+
+    const ForgetRequest forget{cancelled_};
+    Stopwatch watch(statistics_.move_seconds);
+    MovedPoints moved(allocator_);
+    moved.points.reserve(n);
+    moved.xyz.reserve(3 * n);
+    const Locator locator{mesh_, calls(), nullptr};
+    for (std::size_t i = 0; i < n; ++i) {
+        double now[3];
+        locator.unscaled(point_map_[points[i]], now);
+        if (std::equal(now, now + 3, xyz + 3 * i)) continue;
+        moved.points.push_back(points[i]);
+        for (std::size_t k = 0; k < 3; ++k) moved.xyz.push_back(xyz[3 * i + k]);
+    }
+    const std::size_t size = moved.size();
+    if (size == 0) return;
+    const double* const axis[3] = {moved.xyz.data(), moved.xyz.data() + 1, moved.xyz.data() + 2};
+    Team alone;
+    exponents_.add(PointScan(alone, size, axis, 3, 0).exponents);
+    exponents_are_wide_ = true;
+    forget_numbering();
+    location_tree_.forget();
+    set_scale(scale_for(size, axis, 3));
+    report(0, size);
+    stop_if_cancelled(0, size);
+    if (!try_to_rebuild(size, [&] { rebuild_moved(moved, 0); })) Motion(*this, moved).one_by_one();
+    report(size, size);
+}
+
+}  // namespace mgdt

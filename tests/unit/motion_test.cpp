@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// Points move: the tetrahedra are those of a triangulation of the points where they are.
+#include <algorithm>
+#include <limits>
+#include <new>
+
+#include "histories.hpp"
+
+namespace mgdt {
+namespace {
+
+using namespace histories;
+
+// Moves points and notes it in xyz.
+void move_to(Triangulation& t, Points& xyz, const std::vector<std::uint32_t>& points,
+             const Points& places) {
+    move(t, points, places);
+    for (std::size_t k = 0; k < points.size(); ++k)
+        std::copy_n(&places[3 * k], 3, &xyz[3 * points[k]]);
+}
+
+class Motion : public testing::TestWithParam<const char*> {
+  protected:
+    void SetUp() override {
+        if (!find_kernel(GetParam())) GTEST_SKIP() << "not on this processor";
+    }
+};
+
+// A little, far, onto each other, away from each other, out of the hull and into a plane.
+TEST_P(Motion, AnyHistory) {
+    Random random(1);
+    for (const std::size_t share : {0, 16})
+        for (Points xyz : sets(random)) {
+            const auto t = empty();
+            t->set_kernel(*find_kernel(GetParam()));
+            t->set_compact(share == 0);
+            t->settings().vertices_a_rebuild = share;
+            insert(*t, xyz);
+            const std::size_t n = xyz.size() / 3;
+            for (std::size_t round = 0; round < 12; ++round) {
+                std::vector<std::uint32_t> points = points_in(*t);
+                std::shuffle(points.begin(), points.end(), random);
+                points.resize(round < 3 ? 1 : points.size() * round / 12);
+                Points places;
+                for (const std::uint32_t i : points) {
+                    const std::size_t other = static_cast<std::size_t>(random()) % n;
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        const double x = xyz[3 * i + k], y = xyz[3 * other + k];
+                        const double to[6] = {x + 0.01 * (y - x), y,  k == 2 ? 0.25 : x,
+                                              x + 3 * (y - x),    -x, x};
+                        places.push_back(to[(round + (i % 5 == 0)) % 6]);
+                    }
+                }
+                move_to(*t, xyz, points, places);
+                expect_as_fresh(*t, xyz);
+                if (HasFailure()) return;
+                if (round == 6) {
+                    remove(*t, {points[0]});
+                    insert(*t, {xyz[0], xyz[1], xyz[2] + 1});
+                    xyz.insert(xyz.end(), {xyz[0], xyz[1], xyz[2] + 1});
+                }
+            }
+            EXPECT_GT(t->statistics().moved, 0u);
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Motion, testing::Values("baseline", "avx2", "avx512"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST(MotionAndDimension, PointsLeaveSpaceAndComeBack) {
+    Points xyz = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0, 1, 1, 0};
+    const auto t = empty();
+    insert(*t, xyz);
+    EXPECT_EQ(t->dimension(), 3);
+    move_to(*t, xyz, {3}, {3, 2, 0});
+    EXPECT_EQ(t->dimension(), 2);
+    expect_as_fresh(*t, xyz);
+    move_to(*t, xyz, {2, 4, 5, 3}, {5, 0, 0, 6, 0, 0, 6, 0, 0, 1, 0, 0});
+    EXPECT_EQ(t->dimension(), 1);
+    EXPECT_EQ(t->vertex_count(), 4u);
+    expect_as_fresh(*t, xyz);
+    move_to(*t, xyz, {0, 1, 2, 3, 4, 5}, Points(18, 7.0));
+    EXPECT_EQ(t->dimension(), 0);
+    expect_as_fresh(*t, xyz);
+    move_to(*t, xyz, {5, 1, 3}, {0, 0, 0, 1, 0, 0, 0, 1, 0.5});
+    EXPECT_EQ(t->dimension(), 3);
+    expect_as_fresh(*t, xyz);
+}
+
+// All points go to one place and back, some of them at a time.
+TEST(MotionOfEqualPoints, JoinAndPart) {
+    Random random(2);
+    const Points from = uniform_points(200, random);
+    Points xyz = from;
+    const auto t = empty();
+    t->settings().vertices_a_rebuild = 0;
+    insert(*t, xyz);
+    for (const bool back : {false, true})
+        for (std::uint32_t first = 0; first < 150; first += 30) {
+            std::vector<std::uint32_t> points;
+            Points places;
+            for (std::uint32_t i = first; i < first + 30; ++i) {
+                points.push_back(back ? 149 - i : i);
+                for (std::size_t k = 0; k < 3; ++k)
+                    places.push_back(from[3 * (back ? points.back() : 170) + k]);
+            }
+            move_to(*t, xyz, points, places);
+            expect_as_fresh(*t, xyz);
+            if (HasFatalFailure()) return;
+        }
+    EXPECT_EQ(xyz, from);
+    EXPECT_EQ(t->vertex_count(), 200u);
+}
+
+// Each allocation fails in turn: the points before have moved, the others have not.
+TEST(MotionWithoutMemory, LeavesEachPointInOnePlace) {
+    static std::size_t left;
+    const auto alloc = [](std::size_t size, std::size_t align, void*) -> void* {
+        if (left == 0) return nullptr;
+        --left;
+        return ::operator new(size, std::align_val_t(align), std::nothrow);
+    };
+    const auto release = [](void* p, std::size_t, std::size_t align, void*) {
+        ::operator delete(p, std::align_val_t(align));
+    };
+    Random random(7);
+    Points given = sphere(60, random, true);
+    given.insert(given.end(), given.begin(), given.begin() + 90);  // repeats
+    const Points far = uniform_points(60, random);
+    bool is_done = false;
+    std::size_t failures = 0, within = 0;
+    for (std::size_t allowed = 0; !is_done; ++allowed) {
+        left = 1000000;
+        Triangulation t(alloc, release, nullptr);
+        Points xyz = given, places = far;
+        insert(t, xyz);
+        Buffer<std::uint32_t> points(t.allocator());
+        points.reserve(60);
+        // Onto the centre, to where there is no point, and onto each other.
+        for (std::uint32_t i = 20; i < 80; ++i) {
+            points.push_back(i);
+            double* const place = &places[3 * (i - 20)];
+            if (i % 7 == 0) std::fill_n(place, 3, 0.0);
+            if (i % 7 == 1) std::copy_n(&far[0], 3, place);
+        }
+        t.shrink();
+        left = allowed;
+        try {
+            t.move(points, places.data());
+            is_done = true;
+        } catch (const std::bad_alloc&) {
+            ++failures;
+        }
+        left = 1000000;
+        std::size_t done = 0;
+        const auto is_at = [&](std::uint32_t i, const double* place) {
+            const VertexId v = t.point_map()[i];
+            return v != infinite_vertex && std::equal(place, place + 3, t.mesh().point(v));
+        };
+        while (done < 60 && is_at(points[done], &places[3 * done])) {
+            std::copy_n(&places[3 * done], 3, &xyz[3 * points[done]]);
+            ++done;
+        }
+        within += done > 0 && done < 60;
+        ASSERT_EQ(done == 60, is_done) << allowed;
+        expect_as_fresh(t, xyz);
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(failures, 10u);
+    EXPECT_GT(within, 0u);
+}
+
+TEST(MotionAndProgress, WhatWasDoneBeforeACancellationStays) {
+    Random random(6);
+    for (const std::size_t share : {0, 16}) {
+        Points xyz = uniform_points(400, random);
+        const Points places = uniform_points(200, random);
+        const auto t = empty();
+        t->settings().vertices_a_rebuild = share;
+        insert(*t, xyz);
+        t->settings().progress = [](double fraction, void*) -> std::int32_t {
+            return fraction >= 0.5;
+        };
+        std::vector<std::uint32_t> points;
+        for (std::uint32_t i = 0; i < 200; ++i) points.push_back(i);
+        try {
+            move(*t, points, places);
+            ADD_FAILURE() << "not cancelled";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.status, MGDT_ERR_CANCELLED);
+            EXPECT_STREQ(error.message, share == 0 ? "cancelled after 100 of 200 points"
+                                                   : "cancelled after 0 of 200 points");
+        }
+        if (share == 0) std::copy_n(places.begin(), 300, xyz.begin());
+        expect_as_fresh(*t, xyz);
+    }
+}
+
+TEST(MotionArguments, AreRefusedWithTheirIndex) {
+    Random random(5);
+    const Points xyz = uniform_points(20, random);
+    const auto t = empty();
+    insert(*t, xyz);
+    remove(*t, {4});
+    t->settings().index_base = 1;
+    const auto message = [&](const std::vector<std::uint32_t>& points,
+                             const Points& places) -> std::string {
+        try {
+            move(*t, points, places);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.status, std::string(error.message).find("coordinate") == 0
+                                        ? MGDT_ERR_NOT_FINITE
+                                        : MGDT_ERR_INVALID_ARGUMENT);
+            return error.message;
+        }
+        return {};
+    };
+    const double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(message({3, 20}, Points(6)), "there is no point 21: 20 were given");
+    EXPECT_EQ(message({3, 5, 3}, Points(9)), "point 4 is to be moved twice");
+    EXPECT_EQ(message({3, 4}, Points(6)), "point 5 is not in the triangulation");
+    EXPECT_EQ(message({3, 5}, {1, 2, 3, 4, -infinity, 6}), "coordinate y of point 6 is infinite");
+    EXPECT_EQ(message({3, 5}, {1, 2, std::nan(""), 4, 5, 6}), "coordinate z of point 4 is NaN");
+    expect_as_fresh(*t, xyz);
+}
+
+// As often as one likes, without more memory.
+TEST(Churn, TakesNoMoreMemory) {
+    Random random(10);
+    Points xyz = uniform_points(500, random);
+    const auto t = empty();
+    insert(*t, xyz);
+    std::size_t bytes = 0;
+    for (std::size_t round = 0; round < 3000; ++round) {
+        const std::uint32_t i = static_cast<std::uint32_t>(random() % 500);
+        const Points place = uniform_points(1, random);
+        if (round % 2 == 0) {
+            move_to(*t, xyz, {i}, place);
+        } else {
+            remove(*t, {i});
+            xyz.erase(xyz.begin() + 3 * i, xyz.begin() + 3 * i + 3);
+            t->forget_absent_points();
+            insert(*t, place);
+            xyz.insert(xyz.end(), place.begin(), place.end());
+        }
+        if (round == 1000) bytes = t->allocator().bytes();
+    }
+    EXPECT_LE(t->allocator().bytes(), bytes + bytes / 8);
+    EXPECT_EQ(t->vertex_count(), 500u);
+    expect_as_fresh(*t, xyz);
+}
+
+}  // namespace
+}  // namespace mgdt
