@@ -49,12 +49,15 @@ module mgdt
     public :: mgdt_parameter_points_per_cell, mgdt_parameter_threshold, &
               mgdt_parameter_separation, mgdt_parameter_round_ratio
     public :: mgdt_separation_none, mgdt_separation_passes, mgdt_separation_rounds
-    public :: mgdt_stat_points_inserted, mgdt_stat_duplicates, mgdt_stat_walk_steps, &
-              mgdt_stat_walk_tests, mgdt_stat_conflict_tests, mgdt_stat_tetrahedra_removed, &
-              mgdt_stat_tetrahedra_created, mgdt_stat_exact_calls, mgdt_stat_put_off, &
+    public :: mgdt_stat_points_inserted, mgdt_stat_duplicates, mgdt_stat_points_removed, &
+              mgdt_stat_points_moved, mgdt_stat_put_back, mgdt_stat_rebuilds, &
+              mgdt_stat_walk_steps, mgdt_stat_walk_tests, mgdt_stat_conflict_tests, &
+              mgdt_stat_tetrahedra_removed, mgdt_stat_tetrahedra_created, &
+              mgdt_stat_link_vertices, mgdt_stat_exact_calls, mgdt_stat_put_off, &
               mgdt_stat_inserted_alone, mgdt_stat_order_seconds, mgdt_stat_insert_seconds, &
-              mgdt_stat_grid_levels, mgdt_stat_rounds, mgdt_stat_threads, &
-              mgdt_stat_memory_bytes, mgdt_stat_peak_memory_bytes
+              mgdt_stat_remove_seconds, mgdt_stat_move_seconds, mgdt_stat_grid_levels, &
+              mgdt_stat_rounds, mgdt_stat_threads, mgdt_stat_memory_bytes, &
+              mgdt_stat_peak_memory_bytes
     public :: mgdt_check_combinatorial, mgdt_check_geometric, mgdt_check_canonical
 
     ! A triangulation that grows as points are inserted. It frees what it holds when it goes out of
@@ -94,6 +97,14 @@ module mgdt
         ! points
         procedure, private :: insert_xyz_1, insert_xyz_2, insert_x_y_z
         generic :: insert => insert_xyz_1, insert_xyz_2, insert_x_y_z
+        procedure, private :: remove_points_i32, remove_points_i64
+        generic :: remove_points => remove_points_i32, remove_points_i64
+        procedure, private :: move_all_1, move_all_2, move_points_i32_1, move_points_i32_2, &
+            move_points_i64_1, move_points_i64_2
+        generic :: move_points => move_all_1, move_all_2, move_points_i32_1, move_points_i32_2, &
+            move_points_i64_1, move_points_i64_2
+        procedure, private :: renumber_points_i32, renumber_points_i64
+        generic :: renumber_points => renumber_points_i32, renumber_points_i64
         ! counts
         procedure :: point_count, vertex_count, dimension => dimension_of, tetrahedron_count, &
                      hull_facet_count, edge_count, vertex_tetrahedra_count
@@ -399,6 +410,78 @@ module mgdt
         end subroutine
     end interface
 
+    interface  ! points that leave and move, since 1.2
+        ! Takes points out, given by their indices. The others keep theirs.
+        module subroutine remove_points_i32(self, points, stat, errmsg)
+            class(mgdt_triangulation), intent(inout) :: self
+            integer(int32), contiguous, intent(in) :: points(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine remove_points_i64(self, points, stat, errmsg)
+            class(mgdt_triangulation), intent(inout) :: self
+            integer(int64), contiguous, intent(in) :: points(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! Moves all points to xyz(3, point_count()), where those that are not in stay out.
+        module subroutine move_all_1(self, xyz, stat, errmsg)
+            class(mgdt_triangulation), intent(inout) :: self
+            real(real64), contiguous, intent(in) :: xyz(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine move_all_2(self, xyz, stat, errmsg)
+            class(mgdt_triangulation), intent(inout) :: self
+            real(real64), contiguous, intent(in) :: xyz(:, :)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! Moves points, given by their indices, to xyz(3, size(points)).
+        module subroutine move_points_i32_1(self, points, xyz, stat, errmsg)
+            class(mgdt_triangulation), intent(inout) :: self
+            integer(int32), contiguous, intent(in), target :: points(:)
+            real(real64), contiguous, intent(in) :: xyz(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine move_points_i32_2(self, points, xyz, stat, errmsg)
+            class(mgdt_triangulation), intent(inout) :: self
+            integer(int32), contiguous, intent(in), target :: points(:)
+            real(real64), contiguous, intent(in) :: xyz(:, :)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine move_points_i64_1(self, points, xyz, stat, errmsg)
+            class(mgdt_triangulation), intent(inout) :: self
+            integer(int64), contiguous, intent(in), target :: points(:)
+            real(real64), contiguous, intent(in) :: xyz(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine move_points_i64_2(self, points, xyz, stat, errmsg)
+            class(mgdt_triangulation), intent(inout) :: self
+            integer(int64), contiguous, intent(in), target :: points(:)
+            real(real64), contiguous, intent(in) :: xyz(:, :)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! Numbers the points that are in anew, from the index base on, and forgets the others.
+        ! new_index(point_count()), as that was before, gets the new index of each, or none.
+        module subroutine renumber_points_i32(self, new_index, stat, errmsg)
+            class(mgdt_triangulation), intent(inout) :: self
+            integer(int32), contiguous, intent(inout) :: new_index(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine renumber_points_i64(self, new_index, stat, errmsg)
+            class(mgdt_triangulation), intent(inout) :: self
+            integer(int64), contiguous, intent(inout) :: new_index(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+    end interface
+
     interface  ! arrays
         ! Tetrahedra, neighbours, hull facets and edges may go to any array section. Contiguous
         ! arrays (4, n) and (4 n) are written in place, and so are arrays (n, 4) of just the size
@@ -406,7 +489,7 @@ module mgdt
         ! along which the vertices of one tetrahedron lie: 1 (default), or 2 for arrays (n, 4).
 
         ! The vertices of each tetrahedron, tetrahedra(4, tetrahedron_count()), positively oriented:
-        ! (v2 - v1) x (v3 - v1) . (v4 - v1) > 0. A vertex is the first point given at its place.
+        ! (v2 - v1) x (v3 - v1) . (v4 - v1) > 0. A vertex is the first point that is in at its place.
         module subroutine get_tetrahedra_i32_1(self, tetrahedra, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
             integer(int32), intent(inout) :: tetrahedra(:)

@@ -4,7 +4,8 @@
 ! The C functions of mgdt as they stand in mgdt/mgdt.h, where they are documented. Module mgdt and
 ! mgdt_f77.f90 are built on these; programs rarely need them.
 !
-! c_NAME is mgdt_NAME. Functions with 32-bit and 64-bit arrays are one generic name. A result that is
+! c_NAME is mgdt_NAME. Functions with 32-bit and 64-bit arrays are one generic name, except where
+! the array may be null: those are c_NAME_i32 and c_NAME_i64. A result that is
 ! a pointer is to a static string that ends with NUL, or null. Counts are pure, so that they may give
 ! the bounds of automatic arrays.
 module mgdt_c
@@ -216,6 +217,24 @@ module mgdt_c
             integer(c_int64_t), value :: stride
             integer(c_int32_t) :: status
         end function
+        function c_move_points_i32(t, n, points, xyz) result(status) &
+            bind(c, name='mgdt_move_points_i32')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: n
+            type(c_ptr), value :: points
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_move_points_i64(t, n, points, xyz) result(status) &
+            bind(c, name='mgdt_move_points')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: n
+            type(c_ptr), value :: points
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int32_t) :: status
+        end function
         pure function c_point_count(t) result(count) bind(c, name='mgdt_point_count')
             import :: c_int64_t, c_ptr
             type(c_ptr), value :: t
@@ -313,6 +332,43 @@ module mgdt_c
             import :: c_ptr
             type(c_ptr), value :: t
             type(c_ptr) :: text
+        end function
+    end interface
+
+    interface c_remove_points
+        function c_remove_points_i32(t, n, points) result(status) &
+            bind(c, name='mgdt_remove_points_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: n
+            integer(c_int32_t), intent(in) :: points(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_remove_points_i64(t, n, points) result(status) bind(c, name='mgdt_remove_points')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: n
+            integer(c_int64_t), intent(in) :: points(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_renumber_points
+        function c_renumber_points_i32(t, capacity, new_index) result(status) &
+            bind(c, name='mgdt_renumber_points_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: new_index(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_renumber_points_i64(t, capacity, new_index) result(status) &
+            bind(c, name='mgdt_renumber_points')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: new_index(*)
+            integer(c_int32_t) :: status
         end function
     end interface
 

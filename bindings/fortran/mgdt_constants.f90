@@ -92,6 +92,14 @@ module mgdt_constants
     integer, parameter :: mgdt_stat_points_inserted = 10
     ! Points equal to an earlier vertex.
     integer, parameter :: mgdt_stat_duplicates = 11
+    ! Points taken out. Since 1.2.
+    integer, parameter :: mgdt_stat_points_removed = 12
+    ! Moves to other coordinates. Since 1.2.
+    integer, parameter :: mgdt_stat_points_moved = 13
+    ! Moves that were a removal and an insertion. Since 1.2.
+    integer, parameter :: mgdt_stat_put_back = 14
+    ! Removals and moves that triangulated anew. Since 1.2.
+    integer, parameter :: mgdt_stat_rebuilds = 15
     ! Tetrahedra visited by walks (the paper's NP, summed).
     integer, parameter :: mgdt_stat_walk_steps = 20
     ! Circumspheres evaluated by walks.
@@ -102,6 +110,8 @@ module mgdt_constants
     integer, parameter :: mgdt_stat_tetrahedra_removed = 30
     ! Tetrahedra created by insertions.
     integer, parameter :: mgdt_stat_tetrahedra_created = 31
+    ! Vertices around those that removals and moves took out, summed. Since 1.2.
+    integer, parameter :: mgdt_stat_link_vertices = 32
     ! Decisions that the floating-point filter left open.
     integer, parameter :: mgdt_stat_exact_calls = 40
     ! Insertions that met another thread and were tried again.
@@ -112,6 +122,10 @@ module mgdt_constants
     integer, parameter :: mgdt_stat_order_seconds = 50
     ! Time spent inserting.
     integer, parameter :: mgdt_stat_insert_seconds = 51
+    ! Time spent in mgdt_remove_points(). Since 1.2.
+    integer, parameter :: mgdt_stat_remove_seconds = 52
+    ! Time spent in mgdt_move_points(). Since 1.2.
+    integer, parameter :: mgdt_stat_move_seconds = 53
     ! Deepest level of grids or trees in the last schedule.
     integer, parameter :: mgdt_stat_grid_levels = 60
     ! Rounds in the last schedule.

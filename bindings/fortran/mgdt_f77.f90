@@ -393,6 +393,64 @@ subroutine mginss(h, n, x, y, z, inc, ierr)
             c_loc(z), int(inc, c_int64_t))
 end subroutine
 
+! Takes N points out, IPTS(N). Since 1.2.
+subroutine mgrem(h, n, ipts, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: n
+    integer, intent(in) :: ipts(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, n)) return
+    ierr = c_remove_points(handle_of(h), int(n, c_int64_t), ipts)
+end subroutine
+
+! Moves N points, IPTS(N), to XYZ(3, N). Since 1.2.
+subroutine mgmov(h, n, ipts, xyz, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: n
+    integer, intent(in), target :: ipts(*)
+    real(c_double), intent(in) :: xyz(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, n)) return
+    if (bit_size(n) == 32) then
+        ierr = c_move_points_i32(handle_of(h), int(n, c_int64_t), c_loc(ipts), xyz)
+    else
+        ierr = c_move_points_i64(handle_of(h), int(n, c_int64_t), c_loc(ipts), xyz)
+    end if
+end subroutine
+
+! Moves all N points to XYZ(3, N), where those that are not in stay out. Since 1.2.
+subroutine mgmova(h, n, xyz, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: n
+    real(c_double), intent(in) :: xyz(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, n)) return
+    ierr = c_move_points_i64(handle_of(h), int(n, c_int64_t), c_null_ptr, xyz)
+end subroutine
+
+! Numbers the points that are in anew and forgets the others; INEW(MAXP) gets the new number of
+! each point, or none. Since 1.2.
+subroutine mgrnum(h, maxp, inew, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: maxp
+    integer, intent(inout) :: inew(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, maxp)) return
+    ierr = c_renumber_points(handle_of(h), int(maxp, c_int64_t), inew)
+end subroutine
+
 ! ------------------------------------------------------------------------------ counts
 
 ! Points ever given.

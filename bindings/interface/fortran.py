@@ -20,7 +20,8 @@ C_HEAD = """\
 ! The C functions of mgdt as they stand in mgdt/mgdt.h, where they are documented. Module mgdt and
 ! mgdt_f77.f90 are built on these; programs rarely need them.
 !
-! c_NAME is mgdt_NAME. Functions with 32-bit and 64-bit arrays are one generic name. A result that is
+! c_NAME is mgdt_NAME. Functions with 32-bit and 64-bit arrays are one generic name, except where
+! the array may be null: those are c_NAME_i32 and c_NAME_i64. A result that is
 ! a pointer is to a static string that ends with NUL, or null. Counts are pure, so that they may give
 ! the bounds of automatic arrays.
 module mgdt_c
@@ -98,6 +99,9 @@ def procedure(function: Function, name: str, is_abstract: bool = False) -> str:
 
 def c_module(interface: Interface) -> str:
     twins = {f.twin_of: f for f in interface.functions if f.twin_of}
+    # Those whose arguments have the same types in Fortran cannot be one generic name.
+    alike = {f.name for f in interface.functions if f.name in twins and
+             list(map(declared, f.parameters)) == list(map(declared, twins[f.name].parameters))}
     first = "mgdt_get_" + next(iter(ROWS))
     like = [f for f in interface.functions if f.name == first]
     text = C_HEAD.replace("@exports@\n", "    ! What the exports of one array have in common.\n"
@@ -106,9 +110,12 @@ def c_module(interface: Interface) -> str:
     for function in interface.functions:
         if function.name not in twins and not function.twin_of:
             text += procedure(function, "c_" + function.short_name)
+        elif function.name in alike:
+            name = "c_" + function.short_name
+            text += procedure(twins[function.name], name + "_i32") + procedure(function, name + "_i64")
     text += "    end interface\n"
     for function in interface.functions:
-        if function.name in twins:
+        if function.name in twins and function.name not in alike:
             name = "c_" + function.short_name
             text += f"\n    interface {name}\n"
             text += procedure(twins[function.name], name + "_i32") + procedure(function, name + "_i64")

@@ -205,7 +205,7 @@ class Calls:
                               f"int({n}, c_int64_t)" if is_large(p) else f"to_c({n})")
             elif shape or function.name in self._twins:
                 # The function of the caller's kind of integer.
-                declared.append(f"integer, intent(inout) :: {n}{shape}")
+                declared.append(f"integer, intent({intent}) :: {n}{shape}")
                 actual.append(n)
             else:
                 declared.append(f"integer, intent(inout) :: {n}")

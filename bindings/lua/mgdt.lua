@@ -305,7 +305,8 @@ function Triangulation:set_progress(fn)
     self.progress = fn
 end
 
---- Stops the insertion that is running (from a progress function), or else the next one.
+--- Stops the insertion, removal or move that is running (from a progress function), or else the next
+--- one.
 function Triangulation:cancel()
     if not self.handle then handle_of(self) end
     C.mgdt_cancel(self.handle)
@@ -369,6 +370,59 @@ function Triangulation:insert_strided(n, x, y, z, stride)
     with_progress(self, handle, C.mgdt_insert_points_strided, n, axes[1], axes[2], axes[3], stride)
 end
 jit.off(Triangulation.insert_strided)
+
+-- Indices of points: a table of whole numbers, or an FFI array or pointer of int64_t with n.
+local function indices(points, n)
+    local element, length = shape_of(points)
+    if element == "int64_t" then
+        n = whole(n or length, "the number of points")
+        if length and n > length then
+            bad_argument("points holds %d indices, too few for %d points", length, n)
+        end
+        return ffi.cast("const int64_t *", points), n
+    end
+    if type(points) ~= "table" then
+        bad_argument("points must be a table of indices, or an FFI array or pointer of int64_t")
+    end
+    local list = ffi.new("int64_t[?]", #points)
+    for k, i in ipairs(points) do list[k - 1] = whole(i, "an index") end
+    return list, #points
+end
+
+--- Takes points out, given by their indices, each once; the others keep theirs. Since 1.2.
+function Triangulation:remove(points, n)
+    local handle = handle_of(self)
+    local list, count = indices(points, n)
+    with_progress(self, handle, C.mgdt_remove_points, count, list)
+end
+jit.off(Triangulation.remove)
+
+--- Moves points, given by their indices, each once, to as many places, given as for insert; or, with
+--- nil for the points, all of them in their order, where those that are not in stay out. n is the
+--- number of points where either is a pointer. Since 1.2.
+function Triangulation:move(points, places, n)
+    local handle = handle_of(self)
+    local list, listed
+    if points ~= nil then list, listed = indices(points, n) end
+    local known = type(places) == "table" or not (n or listed)
+    local xyz, count = coordinates(places, not known and (n or listed) or nil, "places")
+    if listed and count ~= listed then
+        bad_argument("there are %d points and %d places", listed, count)
+    end
+    with_progress(self, handle, C.mgdt_move_points, count, list, xyz)
+end
+jit.off(Triangulation.move)
+
+--- Numbers the points that are in anew, in their order from the index base on, and forgets the
+--- others: a new array of int64_t with the new index of each point, or t.none, and its length. Since
+--- 1.2.
+function Triangulation:renumber()
+    local handle = handle_of(self)
+    local n = tonumber(C.mgdt_point_count(handle))
+    local index = ffi.new("int64_t[?]", n)
+    ensure(handle, C.mgdt_renumber_points(handle, n, index))
+    return index, n
+end
 
 -- ------------------------------------------------------------------------------ counts, export
 

@@ -33,6 +33,12 @@
     F(set_isa);                   \
     F(insert_points);             \
     F(insert_points_strided);     \
+    F(remove_points);             \
+    F(remove_points_i32);         \
+    F(move_points);               \
+    F(move_points_i32);           \
+    F(renumber_points);           \
+    F(renumber_points_i32);       \
     F(point_count);               \
     F(vertex_count);              \
     F(dimension);                 \

@@ -43,7 +43,7 @@ static void bad_argument(const char* what) {
 typedef struct {
     mgdt_triangulation* t; /* NULL where the slot is free */
     double serial;
-    int busy; /* inserting, so that a progress function may only cancel */
+    int busy; /* being changed, so that a progress function may only cancel */
 } slot;
 
 static slot* slots;
@@ -172,7 +172,7 @@ static mxArray* export_rows(const mgdt_triangulation* t, get_function get, int64
     return result;
 }
 
-/* --------------------------------------------------------------------------------- insertion */
+/* ------------------------------------------------------------------ points in, out and moved */
 
 typedef struct {
     mxArray* function;
@@ -202,24 +202,68 @@ static int32_t report(double fraction, void* user) {
     return stop;
 }
 
-static void insert(slot* s, const mxArray* matrix, const mxArray* function) {
+/* What a call that may take long is given. */
+typedef struct {
     int64_t n;
-    const double* const xyz = points(matrix, &n);
+    const int64_t* points; /* or NULL */
+    const double* xyz;
+} change;
+
+typedef mgdt_status (*change_function)(mgdt_triangulation* t, const change* c);
+
+/* Makes a change, with a function that hears of progress, or []. */
+static void run(slot* s, change_function make, const change* c, const mxArray* function) {
     const size_t at = (size_t)(s - slots);
     mgdt_triangulation* const t = s->t;
     progress p = {NULL, NULL};
     mgdt_status status;
-    if (n == 0) return;
+    if (c->n == 0) return;
     if (function && !mxIsEmpty(function)) {
         p.function = mxDuplicateArray(function);
         mgdt.set_progress(t, report, &p);
     }
     s->busy = 1;
-    status = mgdt.insert_points_strided(t, n, xyz, xyz + n, xyz + 2 * n, 1);
+    status = make(t, c);
     slots[at].busy = 0; /* the progress function may have made handles, which moves the slots */
     mgdt.set_progress(t, NULL, NULL);
     if (p.problem) mexCallMATLAB(0, NULL, 1, &p.problem, "rethrow");
     ensure(t, status);
+}
+
+static mgdt_status make_insertion(mgdt_triangulation* t, const change* c) {
+    return mgdt.insert_points_strided(t, c->n, c->xyz, c->xyz + c->n, c->xyz + 2 * c->n, 1);
+}
+
+static mgdt_status make_removal(mgdt_triangulation* t, const change* c) {
+    return mgdt.remove_points(t, c->n, c->points);
+}
+
+static mgdt_status make_move(mgdt_triangulation* t, const change* c) {
+    return mgdt.move_points(t, c->n, c->points, c->xyz);
+}
+
+static void insert(slot* s, const mxArray* matrix, const mxArray* function) {
+    change c = {0, NULL, NULL};
+    c.xyz = points(matrix, &c.n);
+    run(s, make_insertion, &c, function);
+}
+
+/* Numbers of points, a vector of whole numbers. */
+static const int64_t* numbers(const mxArray* a, int64_t* n) {
+    int64_t* list;
+    int64_t k;
+    if (!a || !mxIsDouble(a) || mxIsComplex(a) || mxIsSparse(a))
+        bad_argument("numbers of points must be a full real vector of doubles");
+    *n = (int64_t)mxGetNumberOfElements(a);
+    list = room(*n, sizeof *list);
+    for (k = 0; k < *n; ++k) {
+        const double x = mxGetPr(a)[k];
+        if (!(x >= -9e15 && x <= 9e15) || x != (double)(int64_t)x)
+            mexErrMsgIdAndTxt("mgdt:invalid_argument",
+                              "the number of a point is %g; it must be a whole number", x);
+        list[k] = (int64_t)x;
+    }
+    return list;
 }
 
 /* ------------------------------------------------------------------------------------ queries */
@@ -233,6 +277,32 @@ static const double* rows_of_points(const mxArray* matrix, int64_t* n) {
     for (k = 0; k < *n; ++k)
         for (i = 0; i < 3; ++i) xyz[3 * k + i] = columns[i * *n + k];
     return xyz;
+}
+
+static void remove_points(slot* s, const mxArray* list, const mxArray* function) {
+    change c = {0, NULL, NULL};
+    c.points = numbers(list, &c.n);
+    run(s, make_removal, &c, function);
+}
+
+/* With [] for the list: all points. */
+static void move_points(slot* s, const mxArray* list, const mxArray* matrix,
+                        const mxArray* function) {
+    change c = {0, NULL, NULL};
+    int64_t listed = 0;
+    if (list && !mxIsEmpty(list)) c.points = numbers(list, &listed);
+    c.xyz = rows_of_points(matrix, &c.n);
+    if (c.points && listed != c.n)
+        mexErrMsgIdAndTxt("mgdt:invalid_argument", "there are %lld points and %lld places",
+                          (long long)listed, (long long)c.n);
+    run(s, make_move, &c, function);
+}
+
+static mxArray* renumber(mgdt_triangulation* t) {
+    const int64_t n = mgdt.point_count(t);
+    int64_t* const index = room(n, sizeof *index);
+    ensure(t, mgdt.renumber_points(t, n, index));
+    return rows(index, n, 1);
 }
 
 static void locate(const mgdt_triangulation* t, const mxArray* matrix, int nlhs, mxArray** plhs) {
@@ -477,6 +547,12 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         plhs[0] = get(s->t, text(first, "the setting"));
     } else if (strcmp(command, "insert") == 0) {
         insert(s, first, second);
+    } else if (strcmp(command, "remove") == 0) {
+        remove_points(s, first, second);
+    } else if (strcmp(command, "move") == 0) {
+        move_points(s, first, second, nrhs > 4 ? prhs[4] : NULL);
+    } else if (strcmp(command, "renumber") == 0) {
+        plhs[0] = renumber(s->t);
     } else if (strcmp(command, "count") == 0) {
         plhs[0] = count_of(s->t, text(first, "the count"));
     } else if (strcmp(command, "export") == 0) {

@@ -92,14 +92,25 @@ classdef mgdt_triangulation < handle
 
     % Inserts points, n x 3; any number of times.
     function insert (t, points)
-      if (! isa (points, "double") || issparse (points))
-        if (! (isnumeric (points) || islogical (points)))
-          error ("mgdt:invalid_argument", "mgdt: points are of class %s; they must be numeric", ...
-                 class (points));
-        end
-        points = double (full (points));
-      end
-      mgdt_mex ("insert", t.handle (), points, t.progress);
+      mgdt_mex ("insert", t.handle (), t.doubles (points, "points"), t.progress);
+    end
+
+    % Takes points out, given by their numbers, each once; the others keep theirs. Since 1.2.
+    function remove (t, points)
+      mgdt_mex ("remove", t.handle (), t.doubles (points, "points"), t.progress);
+    end
+
+    % Moves points, given by their numbers, each once, to the rows of an n x 3 matrix; t.move ([],
+    % places) moves all in their order, where those that are not in stay out. Since 1.2.
+    function move (t, points, places)
+      mgdt_mex ("move", t.handle (), t.doubles (points, "points"), ...
+                t.doubles (places, "places"), t.progress);
+    end
+
+    % Numbers the points that are in anew, in their order, and forgets the others: the new number of
+    % each point, n x 1; 0 if it was not in. Since 1.2.
+    function index = renumber (t)
+      index = mgdt_mex ("renumber", t.handle ());
     end
 
     % Takes all points out; settings stay.
@@ -112,7 +123,7 @@ classdef mgdt_triangulation < handle
       mgdt_mex ("reserve", t.handle (), n);
     end
 
-    % Stops the insertion that is running (from a progress function), or else the next one.
+    % Stops the insertion, removal or move that is running (from a progress function), or else the next one.
     function cancel (t)
       mgdt_mex ("cancel", t.handle ());
     end
@@ -225,6 +236,16 @@ classdef mgdt_triangulation < handle
   end
 
   methods (Access = private)
+    function x = doubles (t, x, name)
+      if (! isa (x, "double") || issparse (x))
+        if (! (isnumeric (x) || islogical (x)))
+          error ("mgdt:invalid_argument", "mgdt: %s are of class %s; they must be numeric", ...
+                 name, class (x));
+        end
+        x = double (full (x));
+      end
+    end
+
     function id = handle (t)
       id = t.id;
       if (isempty (id))

@@ -21,8 +21,9 @@
  * - Coordinates are in any one unit of length; every finite double is accepted.
  * - Indices start at the handle's index base (0, or 1 for Fortran): the k-th point ever given
  *   to the handle, k = 0, 1, ..., has index k + base, and tetrahedra are numbered likewise.
- *   "None" is base - 1. Numbers of tetrahedra hold until the next insertion, mgdt_clear(),
- *   mgdt_set_index_base() or mgdt_set_canonical_output().
+ *   "None" is base - 1. A point keeps its index until mgdt_clear() or mgdt_renumber_points().
+ *   Numbers of tetrahedra hold until the next insertion, removal or move, mgdt_clear(),
+ *   mgdt_renumber_points(), mgdt_set_index_base() or mgdt_set_canonical_output().
  * - Output arrays are the caller's. Their capacity is counted in array elements, not bytes
  *   and not tetrahedra; one that is too small gets MGDT_ERR_BUFFER_TOO_SMALL and is not touched.
  * - Functions ending in _i32 are their 64-bit namesakes with 32-bit integers in the arrays; an
@@ -160,21 +161,29 @@ enum {
 };
 
 /** Keys of mgdt_get_stat(). Counts and seconds add up since mgdt_create() or mgdt_clear(); seconds
- *  are wall-clock time. Levels, rounds and threads are those of the last insertion. mgdt_clear()
- *  does not reset the memory figures. */
+ *  are wall-clock time. The first two count what is in now. Levels, rounds and threads are those of
+ *  the last insertion. mgdt_clear() does not reset the memory figures. */
 enum {
-    MGDT_STAT_POINTS_INSERTED = 10,    /**< Points that became vertices. */
-    MGDT_STAT_DUPLICATES = 11,         /**< Points equal to an earlier vertex. */
-    MGDT_STAT_WALK_STEPS = 20,         /**< Tetrahedra visited by walks (the paper's NP, summed). */
-    MGDT_STAT_WALK_TESTS = 21,         /**< Circumspheres evaluated by walks. */
-    MGDT_STAT_CONFLICT_TESTS = 22,     /**< Circumspheres evaluated while cavities grew. */
+    MGDT_STAT_POINTS_INSERTED = 10, /**< Points that became vertices. */
+    MGDT_STAT_DUPLICATES = 11,      /**< Points equal to an earlier vertex. */
+    MGDT_STAT_POINTS_REMOVED = 12,  /**< Points taken out. Since 1.2. */
+    MGDT_STAT_POINTS_MOVED = 13,    /**< Moves to other coordinates. Since 1.2. */
+    MGDT_STAT_PUT_BACK = 14,        /**< Moves that were a removal and an insertion. Since 1.2. */
+    MGDT_STAT_REBUILDS = 15,        /**< Removals and moves that triangulated anew. Since 1.2. */
+    MGDT_STAT_WALK_STEPS = 20,      /**< Tetrahedra visited by walks (the paper's NP, summed). */
+    MGDT_STAT_WALK_TESTS = 21,      /**< Circumspheres evaluated by walks. */
+    MGDT_STAT_CONFLICT_TESTS = 22,  /**< Circumspheres evaluated while cavities grew. */
     MGDT_STAT_TETRAHEDRA_REMOVED = 30, /**< Tetrahedra removed by insertions (NR, summed). */
     MGDT_STAT_TETRAHEDRA_CREATED = 31, /**< Tetrahedra created by insertions. */
-    MGDT_STAT_EXACT_CALLS = 40,        /**< Decisions that the floating-point filter left open. */
+    /** Vertices around those that removals and moves took out, summed. Since 1.2. */
+    MGDT_STAT_LINK_VERTICES = 32,
+    MGDT_STAT_EXACT_CALLS = 40,    /**< Decisions that the floating-point filter left open. */
     MGDT_STAT_PUT_OFF = 45,        /**< Insertions that met another thread and were tried again. */
     MGDT_STAT_INSERTED_ALONE = 46, /**< Points inserted while other threads had no work. */
     MGDT_STAT_ORDER_SECONDS = 50,  /**< Time spent on schedules, of more than 16 points. */
     MGDT_STAT_INSERT_SECONDS = 51, /**< Time spent inserting. */
+    MGDT_STAT_REMOVE_SECONDS = 52, /**< Time spent in mgdt_remove_points(). Since 1.2. */
+    MGDT_STAT_MOVE_SECONDS = 53,   /**< Time spent in mgdt_move_points(). Since 1.2. */
     MGDT_STAT_GRID_LEVELS = 60,    /**< Deepest level of grids or trees in the last schedule. */
     MGDT_STAT_ROUNDS = 61,         /**< Rounds in the last schedule. */
     MGDT_STAT_THREADS = 62,        /**< Threads of the last insertion. */
@@ -194,8 +203,9 @@ enum {
 typedef void* (*mgdt_alloc_fn)(size_t size, size_t align, void* user);
 /** Takes memory back; `size` and `align` are those of the allocation. */
 typedef void (*mgdt_free_fn)(void* p, size_t size, size_t align, void* user);
-/** Progress of the running insertion, `fraction` from 0 to 1, on the calling thread. A nonzero
- *  return value cancels. It must not call the handle, except mgdt_cancel() and mgdt_get_error(). */
+/** Progress of the running insertion, removal or move, `fraction` from 0 to 1, on the calling
+ *  thread. A nonzero return value cancels. It must not call the handle, except mgdt_cancel()
+ *  and mgdt_get_error(). */
 typedef int32_t (*mgdt_progress_fn)(double fraction, void* user);
 
 /* ------------------------------------------------------------------------------- life --- */
@@ -332,11 +342,12 @@ MGDT_API mgdt_status mgdt_set_compact(mgdt_triangulation* t, int32_t on);
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_get_compact(const mgdt_triangulation* t, int32_t* on);
 
-/** Sets the callback that receives progress and may cancel. mgdt_insert_points() and
- *  mgdt_insert_points_strided() call it if they are given points: with 0 before the first point,
- *  about a hundred times on the way (less often for fewer points), and with 1 when all are in,
- *  where it is too late to cancel. No other function calls it: exports, locations, mgdt_check(),
- *  mgdt_reserve() and mgdt_set_compact() cannot be cancelled.
+/** Sets the callback that receives progress and may cancel. mgdt_insert_points(),
+ *  mgdt_insert_points_strided(), mgdt_remove_points() and mgdt_move_points() call it if they are
+ *  given points: with 0 before the first point, about a hundred times on the way (less often for
+ *  fewer points), and with 1 when all are done, where it is too late to cancel. No other function
+ *  calls it: exports, locations, mgdt_check(), mgdt_reserve() and mgdt_set_compact() cannot be
+ *  cancelled.
  *  @param fn  NULL for none (default)
  *  @param user  passed to it
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
@@ -350,10 +361,10 @@ MGDT_API mgdt_status mgdt_set_progress(mgdt_triangulation* t, mgdt_progress_fn f
 MGDT_API mgdt_status mgdt_get_progress(const mgdt_triangulation* t, mgdt_progress_fn* fn,
                                        void** user);
 
-/** Asks the insertion that is running on the handle to stop soon; it returns MGDT_ERR_CANCELLED.
- *  If that insertion finishes first, the request is dropped. If none is running, the request stays
- *  pending and stops the next insertion of any points, unless mgdt_clear() comes before it. Safe
- *  from any thread and from signal handlers.
+/** Asks the insertion, removal or move that is running on the handle to stop soon; it returns
+ *  MGDT_ERR_CANCELLED. If it finishes first, the request is dropped. If none is running, the
+ *  request stays pending and stops the next one of any points, unless mgdt_clear() comes first.
+ *  Safe from any thread and from signal handlers.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation* t);
@@ -409,9 +420,65 @@ MGDT_API mgdt_status mgdt_insert_points(mgdt_triangulation* t, int64_t n, const 
 MGDT_API mgdt_status mgdt_insert_points_strided(mgdt_triangulation* t, int64_t n, const double* x,
                                                 const double* y, const double* z, int64_t stride);
 
+/** Takes points out. The tetrahedra are then those of the points that remain. Of several points at
+ *  one place the vertex stays until the last of them goes; the first that remains stands for it.
+ *  Points that no longer span space are kept until others span it with them. Every other point
+ *  keeps its index; one that is out is not in the point map, counts in mgdt_point_count() until
+ *  mgdt_renumber_points(), and can come back as a new point alone.
+ *  @param n       number of points, at least 0
+ *  @param points  n indices, in any order, each once; may be NULL if n is 0
+ *  @return MGDT_OK; MGDT_ERR_INVALID_ARGUMENT (n is negative, whatever points is; an index of no
+ *  point, of one that is not in, or one that is there twice: the message names it) or
+ *  MGDT_ERR_NULL_POINTER, with nothing changed; MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY or
+ *  MGDT_ERR_TOO_LARGE with a valid triangulation: the first points of the list are out, as many as
+ *  the message says, and the others are in
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_remove_points(mgdt_triangulation* t, int64_t n, const int64_t* points);
+/** @copydoc mgdt_remove_points
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_remove_points_i32(mgdt_triangulation* t, int64_t n,
+                                            const int32_t* points);
+
+/** Moves points to other places. They keep their indices, and the tetrahedra are then those of all
+ *  points where they are. Of several points at one place each can go elsewhere, and a point that
+ *  comes to another shares its vertex; the first of them stands for it. Points may come to span
+ *  space, or cease to. A point that does not change costs little.
+ *  @param n       number of points: at least 0; 0 or mgdt_point_count(t) if points is NULL
+ *  @param points  n indices, in any order, each once; or NULL for all points in their order, where
+ *                 those that are not in stay out, whatever their coordinates
+ *  @param xyz     3 n coordinates, x y z of each point in turn; copied; may be NULL if n is 0
+ *  @return MGDT_OK; MGDT_ERR_INVALID_ARGUMENT (as mgdt_remove_points(), and an n other than
+ *  mgdt_point_count(t) without a list), MGDT_ERR_NULL_POINTER or MGDT_ERR_NOT_FINITE (the message
+ *  names the index), with nothing changed; MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY or
+ *  MGDT_ERR_TOO_LARGE with a valid triangulation: the first points of the list have moved, as
+ *  many as the message says, and the others are where they were
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_move_points(mgdt_triangulation* t, int64_t n, const int64_t* points,
+                                      const double* xyz);
+/** @copydoc mgdt_move_points
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_move_points_i32(mgdt_triangulation* t, int64_t n, const int32_t* points,
+                                          const double* xyz);
+
+/** Numbers the points that are in anew, in their order, from the index base on, and forgets those
+ *  that are not: mgdt_point_count() is then the number of points that are in. Nothing is renumbered
+ *  without this call.
+ *  @param capacity        elements in new_index, at least mgdt_point_count(t) before the call
+ *  @param[out] new_index  for each point its new index, or none if it was not in; may be NULL if
+ *                         there are no points
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_BUFFER_TOO_SMALL
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_renumber_points(mgdt_triangulation* t, int64_t capacity,
+                                          int64_t* new_index);
+/** @copydoc mgdt_renumber_points
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_renumber_points_i32(mgdt_triangulation* t, int64_t capacity,
+                                              int32_t* new_index);
+
 /* ----------------------------------------------------------------------------- counts --- */
 
-/** Number of points ever given to the handle (those refused whole do not count); 0 for NULL.
+/** Number of points ever given to the handle, those refused whole and those that
+ *  mgdt_renumber_points() forgot left out; 0 for NULL.
  *  @since 1.0 */
 MGDT_API int64_t mgdt_point_count(const mgdt_triangulation* t);
 
@@ -444,7 +511,7 @@ MGDT_API int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation* t);
 
 /** Writes the vertices of each tetrahedron, 4 per tetrahedron, positively oriented:
  *  (v1 - v0) x (v2 - v0) . (v3 - v0) > 0, exactly. A vertex is the index of the first point
- *  given at its place.
+ *  that is in at its place.
  *  @param capacity  elements in v, at least 4 mgdt_tetrahedron_count(t)
  *  @param[out] v    may be NULL if there are no tetrahedra
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_BUFFER_TOO_SMALL,
@@ -488,8 +555,9 @@ MGDT_API mgdt_status mgdt_get_edges(const mgdt_triangulation* t, int64_t capacit
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_get_edges_i32(const mgdt_triangulation* t, int64_t capacity, int32_t* v);
 
-/** Writes for each point ever given the index of the point that stands for it as a vertex: its
- *  own, or that of the first point given at the same place, or none if it is not in.
+/** Writes for each point of mgdt_point_count() the index of the point that stands for it as a
+ *  vertex: its own, or that of the first point that is in at the same place, or none if it is not
+ *  in.
  *  @param capacity  elements in v, at least mgdt_point_count(t)
  *  @return as mgdt_get_tetrahedra()
  *  @since 1.0 */

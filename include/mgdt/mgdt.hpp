@@ -209,6 +209,61 @@ class Triangulation {
                                           stride));
     }
 
+    /* Points that leave and move, given by indices: any contiguous container of std::int64_t or
+     * std::int32_t, or a list in braces. @throw Cancelled, OutOfMemory, Error, and what the
+     * progress callback throws @since 1.2 */
+
+    /** mgdt_remove_points(). */
+    template <class Indices, class = detail::size_t_of<Indices>>
+    void remove(const Indices& points) {
+        const auto list = row_of(points);
+        const auto n = static_cast<std::int64_t>(list.size());
+        if constexpr (std::is_same_v<decltype(list), const Span<const std::int64_t>>)
+            finish(mgdt_remove_points(handle_.get(), n, list.data()));
+        else
+            finish(mgdt_remove_points_i32(handle_.get(), n, list.data()));
+    }
+    void remove(std::initializer_list<std::int64_t> points) {
+        remove(Span<const std::int64_t>(points.begin(), points.size()));
+    }
+    /** mgdt_move_points(): to as many places. */
+    template <class Indices, class = detail::size_t_of<Indices>>
+    void move(const Indices& points, Points places) {
+        const auto list = row_of(points);
+        if (list.size() != places.count())
+            throw Error(MGDT_ERR_INVALID_ARGUMENT, "there are " + std::to_string(list.size()) +
+                                                       " points and " +
+                                                       std::to_string(places.count()) + " places");
+        // A list of no points has no address.
+        if (list.empty()) return;
+        const auto n = static_cast<std::int64_t>(list.size());
+        if constexpr (std::is_same_v<decltype(list), const Span<const std::int64_t>>)
+            finish(mgdt_move_points(handle_.get(), n, list.data(), places.data()));
+        else
+            finish(mgdt_move_points_i32(handle_.get(), n, list.data(), places.data()));
+    }
+    void move(std::initializer_list<std::int64_t> points, Points places) {
+        move(Span<const std::int64_t>(points.begin(), points.size()), places);
+    }
+    /** The same for all points in their order; those that are not in stay out. */
+    void move(Points places) {
+        finish(mgdt_move_points(handle_.get(), static_cast<std::int64_t>(places.count()), nullptr,
+                                places.data()));
+    }
+    /** The new index of each point, or none; mgdt_renumber_points(). @throw Error,
+     *  std::bad_alloc (the vector's) */
+    template <class Int = std::int64_t>
+    std::vector<Int> renumber() {
+        static_assert(detail::is_index_v<Int>, "indices are std::int64_t or std::int32_t");
+        std::vector<Int> index(static_cast<std::size_t>(point_count()));
+        const std::int64_t n = point_count();
+        if constexpr (std::is_same_v<Int, std::int64_t>)
+            require(mgdt_renumber_points(handle_.get(), n, index.data()));
+        else
+            require(mgdt_renumber_points_i32(handle_.get(), n, index.data()));
+        return index;
+    }
+
     /* Counts. */
 
     /** mgdt_point_count(). */
@@ -500,6 +555,13 @@ class Triangulation {
                       "indices are std::int64_t or std::int32_t, or std::arrays of as many of them "
                       "as belong together");
         return Span<Int>(pointer<Int>(c), static_cast<std::size_t>(std::size(c)) * Group::width);
+    }
+    // The same for indices that are only read.
+    template <class C>
+    static auto row_of(const C& c) {
+        using Int = detail::element_t<const C>;
+        static_assert(detail::is_index_v<Int>, "indices are std::int64_t or std::int32_t");
+        return Span<const Int>(std::data(c), static_cast<std::size_t>(std::size(c)));
     }
     template <class Int>
     using Export = mgdt_status (*)(const mgdt_triangulation*, std::int64_t, Int*);

@@ -14,7 +14,12 @@ namespace mgdt {
 
 // Those whose coordinates change, with the new ones as the caller gave them.
 struct Triangulation::MovedPoints {
-    explicit MovedPoints(Allocator& allocator) : points(allocator), xyz(allocator) {}
+    MovedPoints(Allocator& allocator, std::size_t listed)
+        : points(allocator), xyz(allocator), places_in_list(allocator), list_size(listed) {
+        points.reserve(listed);
+        xyz.reserve(3 * listed);
+        places_in_list.reserve(listed);
+    }
 
     std::size_t size() const noexcept { return points.size(); }
     // Scaled, -0 made 0.
@@ -24,6 +29,9 @@ struct Triangulation::MovedPoints {
 
     Buffer<std::uint32_t> points;
     Buffer<double> xyz;
+    // Where each is in the caller's list, which has those that stay as well.
+    Buffer<std::uint32_t> places_in_list;
+    std::size_t list_size;
 };
 
 class Triangulation::Motion {
@@ -40,6 +48,7 @@ class Triangulation::Motion {
     void one_by_one();
 
   private:
+    bool try_to_move(std::size_t k);
     bool try_to_move_vertex(VertexId v, std::uint32_t point, const double (&p)[3]);
     void split_off(VertexId v, std::uint32_t point, const double (&p)[3], std::uint32_t other);
     Insertion insert(VertexId q, TetId start);
@@ -62,24 +71,35 @@ void Triangulation::Motion::one_by_one() {
             next_report += report_interval;
             t_.report(k, n);
         }
-        if (is_due || k % poll_interval == 0) t_.stop_if_cancelled(k, n);
-        const std::uint32_t point = moved_.points[k];
-        double p[3];
-        moved_.place(k, t_.mesh_.scale, p);
-        if (!in_normal_range(p)) t_.mesh_.has_extremes = true;
-        const VertexId v = t_.point_map_[point];
-        const std::uint32_t other = equal_points_.least_other(t_.point_map_, v, point);
-        if (other != no_index) {
-            split_off(v, point, p, other);
-        } else if (!try_to_move_vertex(v, point, p)) {
-            // The others do not span space without this vertex.
-            t_.rebuild_moved(moved_, k);
-            gaps_.clear();
-            return;
+        const std::size_t done = moved_.places_in_list[k];
+        if (is_due || k % poll_interval == 0) t_.stop_if_cancelled(done, moved_.list_size);
+        try {
+            if (!try_to_move(k)) {
+                // The others do not span space without this vertex.
+                t_.rebuild_moved(moved_, k);
+                gaps_.clear();
+                return;
+            }
+        } catch (const std::bad_alloc&) {
+            fail_without_memory(done, moved_.list_size);
         }
-        ++t_.statistics_.moved;
-        ++t_.statistics_.put_back;
     }
+}
+
+bool Triangulation::Motion::try_to_move(std::size_t k) {
+    const std::uint32_t point = moved_.points[k];
+    double p[3];
+    moved_.place(k, t_.mesh_.scale, p);
+    if (!in_normal_range(p)) t_.mesh_.has_extremes = true;
+    const VertexId v = t_.point_map_[point];
+    const std::uint32_t other = equal_points_.least_other(t_.point_map_, v, point);
+    if (other != no_index)
+        split_off(v, point, p, other);
+    else if (!try_to_move_vertex(v, point, p))
+        return false;
+    ++t_.statistics_.moved;
+    ++t_.statistics_.put_back;
+    return true;
 }
 
 Insertion Triangulation::Motion::insert(VertexId q, TetId start) {
@@ -173,7 +193,7 @@ void Triangulation::rebuild_moved(const MovedPoints& moved, std::size_t first) {
         }
     }
     all.end_gathering();
-    rebuild(all, first, n);
+    rebuild(all, moved.places_in_list[first], moved.list_size);
     statistics_.moved += n - first;
 }
 
@@ -189,9 +209,7 @@ void Triangulation::move(const Buffer<std::uint32_t>& points, const double* xyz)
 
     const ForgetRequest forget{cancelled_};
     Stopwatch watch(statistics_.move_seconds);
-    MovedPoints moved(allocator_);
-    moved.points.reserve(n);
-    moved.xyz.reserve(3 * n);
+    MovedPoints moved(allocator_, n);
     const Locator locator{mesh_, calls(), nullptr};
     for (std::size_t i = 0; i < n; ++i) {
         double now[3];
@@ -199,6 +217,7 @@ void Triangulation::move(const Buffer<std::uint32_t>& points, const double* xyz)
         if (std::equal(now, now + 3, xyz + 3 * i)) continue;
         moved.points.push_back(points[i]);
         for (std::size_t k = 0; k < 3; ++k) moved.xyz.push_back(xyz[3 * i + k]);
+        moved.places_in_list.push_back(static_cast<std::uint32_t>(i));
     }
     const std::size_t size = moved.size();
     if (size == 0) return;
@@ -210,7 +229,7 @@ void Triangulation::move(const Buffer<std::uint32_t>& points, const double* xyz)
     location_tree_.forget();
     set_scale(scale_for(size, axis, 3));
     report(0, size);
-    stop_if_cancelled(0, size);
+    stop_if_cancelled(0, n);
     if (!try_to_rebuild(size, [&] { rebuild_moved(moved, 0); })) Motion(*this, moved).one_by_one();
     report(size, size);
 }

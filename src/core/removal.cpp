@@ -127,7 +127,11 @@ void Triangulation::remove(const Buffer<std::uint32_t>& points) {
                 report(i, n);
             }
             if (is_due || i % poll_interval == 0) stop_if_cancelled(i, n);
-            removal.take_out(points[i]);
+            try {
+                removal.take_out(points[i]);
+            } catch (const std::bad_alloc&) {
+                fail_without_memory(i, n);
+            }
         }
     }
     report(n, n);

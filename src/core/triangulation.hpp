@@ -64,8 +64,8 @@ class Triangulation {
     // std::bad_alloc as mgdt_insert_points() documents.
     void insert(std::size_t n, const double* const axis[3], std::ptrdiff_t stride);
     // Takes points out, given by their indices counted from 0. Throws Error for an index of no
-    // point that is in, or that is there twice, with nothing changed; std::bad_alloc, or Error if
-    // cancelled, when the points before are out.
+    // point that is in, or that is there twice, and std::bad_alloc, with nothing changed; Error if
+    // cancelled or out of memory when the points before are out.
     void remove(const Buffer<std::uint32_t>& points);
     // Moves points to the n places in `xyz`. Throws as remove(), and Error for a coordinate that is
     // not finite.
@@ -157,6 +157,7 @@ class Triangulation {
     void note_repeat(VertexId q, VertexId vertex);
     void report(std::size_t done, std::size_t total);
     void stop_if_cancelled(std::size_t done, std::size_t total);
+    [[noreturn]] static void fail_without_memory(std::size_t done, std::size_t total);
 
     mutable Allocator allocator_;
     Settings settings_;

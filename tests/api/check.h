@@ -48,6 +48,7 @@ void test_settings(void);
 void test_insertion(void);
 void test_export(void);
 void test_queries(void);
+void test_changes(void);
 void test_memory(void);
 void test_progress(void);
 void test_environment(void);

@@ -34,6 +34,12 @@ static void null_handles(void) {
     CHECK_EQUAL(mgdt_insert_points(NULL, 4, simplex), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_insert_points_strided(NULL, 4, simplex, simplex, simplex, 3),
                 MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_remove_points(NULL, 1, &i), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_remove_points_i32(NULL, 1, &j), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_move_points(NULL, 1, &i, simplex), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_move_points_i32(NULL, 1, &j, simplex), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_renumber_points(NULL, 1, &i), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_renumber_points_i32(NULL, 1, &j), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_point_count(NULL), 0);
     CHECK_EQUAL(mgdt_vertex_count(NULL), 0);
     CHECK_EQUAL(mgdt_dimension(NULL), -1);

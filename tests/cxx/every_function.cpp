@@ -76,6 +76,12 @@ int main() {
         if (t.locate(points[0]) < 0 || t.locate(points[1]) != -1) return 2;
         if (t.nearest_vertex(points[0]) != 0) return 3;
         t.shrink();
+        t.insert({{3, 3, 4}, {4, 4, 5}});
+        t.move({10}, std::vector<double>{3, 3, 5});
+        t.move(std::vector<std::int32_t>{11}, std::vector<double>{3, 3, 6});
+        t.remove({10});
+        t.remove(std::vector<std::int32_t>{11});
+        if (t.renumber<std::int32_t>().back() != -1 || t.renumber().back() != 9) return 23;
         if (t.point_count() != 10 || t.vertex_count() != 6 || t.dimension() != 3) return 4;
         if (t.statistic(mgdt::Statistic::duplicates) != 4) return 5;
         if (t.tetrahedron_count() * 4 != t.vertex_tetrahedra_count()) return 6;

@@ -252,6 +252,50 @@ TEST(CxxQueries, OnePointAtATime) {
     EXPECT_EQ(Triangulation().locate({0, 0, 0}), -1);
 }
 
+template <class Int>
+void leave_and_move() {
+    auto points = points_in_cube(size(400));
+    const std::size_t n = points.size();
+    Triangulation t = triangulated(points);
+    std::vector<Int> some, others;
+    std::vector<mgdt::Point> places;
+    for (std::size_t k = 0; k < n; k += 2) {
+        some.push_back(Int(k));
+        if (k + 1 == n) continue;
+        others.push_back(Int(k + 1));
+        points[k + 1] = {points[k + 1][0] / 2, points[k + 1][1], points[k + 1][2] + 1};
+        places.push_back(points[k + 1]);
+    }
+    t.move(others, places);
+    t.remove(some);
+    EXPECT_EQ(t.vertex_count(), std::int64_t(others.size()));
+    t.move(points);
+    EXPECT_EQ(t.statistic(mgdt::Statistic::points_moved), double(others.size()));
+    const std::vector<Int> index = t.renumber<Int>();
+    for (std::size_t k = 0; k < n; ++k) EXPECT_EQ(index[k], k % 2 ? Int(k / 2) : -1);
+    t.set_canonical_output(true);
+    Triangulation fresh = triangulated(places);
+    fresh.set_canonical_output(true);
+    EXPECT_EQ(t.tetrahedra(), fresh.tetrahedra());
+    t.check();
+    EXPECT_EQ(status_of([&] { t.remove(std::vector<Int>{3, 3}); }), MGDT_ERR_INVALID_ARGUMENT);
+    EXPECT_EQ(status_of([&] { t.move(std::vector<Int>{3}, places); }), MGDT_ERR_INVALID_ARGUMENT);
+    t.remove(std::vector<Int>());
+    t.move(std::vector<Int>(), std::vector<mgdt::Point>());
+}
+
+TEST(CxxChanges, LeaveAndMove) {
+    leave_and_move<std::int64_t>();
+    leave_and_move<std::int32_t>();
+    Triangulation t = triangulated(points_in_cube(20));
+    t.remove({1, 2});
+    t.move({3}, std::vector<double>{0.5, 0.5, 0.5});
+    t.set_progress([](double) -> bool { throw 42; });
+    EXPECT_THROW(t.remove({4}), int);
+    EXPECT_THROW(t.move({4}, std::vector<double>{1, 2, 3}), int);
+    EXPECT_EQ(t.vertex_count(), 18);
+}
+
 TEST(CxxFigures, AddUp) {
     const auto points = points_in_cube(size(1000));
     Triangulation t = triangulated(points);

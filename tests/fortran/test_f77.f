@@ -14,6 +14,7 @@
       CALL TSTSET
       CALL TSTTXT
       CALL TSTPRO
+      CALL TSTCHG
       CALL TSTBAD
       WRITE (*, '(I6, A, I6, A)') NCHK, ' checks,', NBAD, ' failed'
       IF (NBAD .GT. 0 .OR. NCHK .EQ. 0) STOP 1
@@ -421,6 +422,74 @@
    70 CONTINUE
       CALL EXPECT(YES, 'nearest vertices')
       CALL MGFREE(H, IERR)
+      END
+
+! Points leave, move and get other numbers: the same as without.
+      SUBROUTINE TSTCHG
+      IMPLICIT NONE
+      INTEGER N, MAXT
+      PARAMETER (N = 200, MAXT = 1000)
+      INTEGER H(4), G(4), IERR, IP(N), INEW(N), I, K, NT, MT
+      INTEGER IH(4, MAXT), IG(4, MAXT)
+      DOUBLE PRECISION XYZ(3, N), P(3, N)
+      LOGICAL YES
+      CALL MKPTS(N, XYZ)
+      DO 20 I = 1, N
+        DO 10 K = 1, 3
+          P(K, I) = XYZ(K, I)
+          IF (I .GT. 50 .AND. I .LE. 100) P(K, I) = 0.5D0*XYZ(K, I)
+   10   CONTINUE
+   20 CONTINUE
+      CALL MGNEW(H, IERR)
+      CALL MGCANO(H, 1, IERR)
+      CALL MGINS(H, N, XYZ, IERR)
+      DO 30 I = 1, 50
+        IP(I) = 50 + I
+   30 CONTINUE
+      CALL MGMOV(H, 50, IP, P(1, 51), IERR)
+      CALL GOOD(H, IERR, 'MGMOV')
+      DO 40 I = 1, 100
+        IP(I) = 100 + I
+   40 CONTINUE
+      CALL MGREM(H, 100, IP, IERR)
+      CALL GOOD(H, IERR, 'MGREM')
+      CALL MGMOVA(H, N, P, IERR)
+      CALL GOOD(H, IERR, 'MGMOVA')
+      CALL MGRNUM(H, N, INEW, IERR)
+      CALL GOOD(H, IERR, 'MGRNUM')
+      YES = .TRUE.
+      DO 50 I = 1, N
+        IF (I .LE. 100) YES = YES .AND. INEW(I) .EQ. I
+        IF (I .GT. 100) YES = YES .AND. INEW(I) .EQ. 0
+   50 CONTINUE
+      CALL EXPECT(YES, 'new numbers')
+      CALL MGCHK(H, 3, IERR)
+      CALL GOOD(H, IERR, 'MGCHK after changes')
+      CALL MGNEW(G, IERR)
+      CALL MGCANO(G, 1, IERR)
+      CALL MGINS(G, 100, P, IERR)
+      CALL MGTETS(H, MAXT, IH, IERR)
+      CALL MGTETS(G, MAXT, IG, IERR)
+      CALL MGNTET(H, NT, IERR)
+      CALL MGNTET(G, MT, IERR)
+      YES = NT .EQ. MT
+      DO 70 I = 1, MIN(NT, MT)
+        DO 60 K = 1, 4
+          YES = YES .AND. IH(K, I) .EQ. IG(K, I)
+   60   CONTINUE
+   70 CONTINUE
+      CALL EXPECT(YES, 'tetrahedra after changes')
+      IP(1) = 101
+      CALL MGREM(H, 1, IP, IERR)
+      CALL BAD(H, IERR, 11, 'there is no point 101: 100 were given')
+      CALL MGMOV(H, 1, IP, P, IERR)
+      CALL BAD(H, IERR, 11, 'there is no point 101')
+      CALL MGMOVA(H, 99, P, IERR)
+      CALL BAD(H, IERR, 11, '99 places')
+      CALL MGRNUM(H, 99, INEW, IERR)
+      CALL BAD(H, IERR, 20, 'new_index')
+      CALL MGFREE(H, IERR)
+      CALL MGFREE(G, IERR)
       END
 
 ! Settings do not change the tetrahedra.

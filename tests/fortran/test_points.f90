@@ -27,6 +27,7 @@ program test_points
     call test_records()
     call test_calls()
     call test_flat()
+    call test_changes()
     call conclude()
 
 contains
@@ -131,5 +132,59 @@ contains
         call t%insert([0._real64, 0._real64, 1._real64])
         call expect(t%dimension() == 3 .and. t%tetrahedron_count() > 0, 'and go in with one above it')
         call t%check(mgdt_check_canonical)
+    end subroutine
+
+    ! The last third leaves, the middle one moves, and all are numbered anew: the same as without.
+    subroutine test_changes()
+        type(mgdt_triangulation) :: other
+        real(real64) :: places(3, n)
+        integer(int32) :: i, new32(n), last(n/3)
+        integer(int64) :: new(n), middle(n/3)
+        integer :: stat
+        character(256) :: message
+
+        last = [(int(2*n/3 + i, int32), i=1, n/3)]
+        middle = [(int(n/3 + i, int64), i=1, n/3)]
+        call other%set_canonical_output(.true.)
+        call other%insert(xyz)
+        places = xyz
+        places(:, n/3 + 1:2*n/3) = 0.25_real64*xyz(:, n/3 + 1:2*n/3)
+        call other%move_points(middle, places(:, n/3 + 1:2*n/3))
+        call other%move_points(int(middle(:2), int32), reshape(xyz(:, n/3 + 1:n/3 + 2), [6]))
+        call other%move_points(middle(:2), reshape(xyz(:, n/3 + 1:n/3 + 2), [6]))
+        call other%move_points(int(middle(:2), int32), xyz(:, n/3 + 1:n/3 + 2))
+        call other%remove_points(last)
+        places(:, n/3 + 1:n/3 + 2) = xyz(:, n/3 + 1:n/3 + 2)
+        call expect(other%point_count() == n, 'points that are out are counted')
+        call other%move_points(places)
+        call other%move_points(reshape(places, [3*n]))
+        call other%renumber_points(new)
+        call expect(all(new == [(i, i=1, 2*n/3), (0_int32, i=1, n/3)]), 'new numbers')
+        call expect(other%point_count() == 2*n/3, 'and then they are not')
+        call other%renumber_points(new32(:2*n/3))
+        call expect(all(new32(:2*n/3) == [(i, i=1, 2*n/3)]), 'nothing to renumber')
+        call other%check(mgdt_check_canonical)
+        call t%clear()
+        call t%insert(places(:, :2*n/3))
+        deallocate (wanted)
+        allocate (wanted(4, other%tetrahedron_count()))
+        call other%get_tetrahedra(wanted)
+        call expect_same('after removals and moves')
+
+        call other%remove_points([1, 7, 1], stat, message)
+        call expect(stat == mgdt_err_invalid_argument .and. index(message, 'point 1 is') > 0, message)
+        call other%remove_points([0_int64], stat, message)
+        call expect(stat == mgdt_err_invalid_argument, 'there is no point 0')
+        call other%move_points([1, 2], places(:, :3), stat, message)
+        call expect(stat == mgdt_err_invalid_argument .and. message == 'there are 2 points and 3 places', &
+                    message)
+        call other%move_points(places(:2, :), stat, message)
+        call expect(stat == mgdt_err_invalid_argument, 'xyz(2, n)')
+        call other%move_points(middle, places(:2, :n/3), stat, message)
+        call expect(stat == mgdt_err_invalid_argument, 'two coordinates')
+        call other%move_points(middle(:0), places(:, :0))
+        call other%remove_points(middle(:0))
+        call other%renumber_points(new(:3), stat, message)
+        call expect(stat == mgdt_err_buffer_too_small, 'new_index(3)')
     end subroutine
 end program

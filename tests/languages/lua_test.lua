@@ -195,6 +195,64 @@ test("location and nearest vertices", function()
     equal(mgdt.new():locate(0, 0, 0), nil, "location in an empty triangulation")
 end)
 
+test("points leave, move and get other numbers", function()
+    local t = mgdt.new { canonical = true }
+    local _, length = read("points", "double")
+    local n = length / 3
+    t:insert(points)
+    local out, some, places, rest = {}, {}, {}, {}
+    for k = 0, n - 1 do
+        local place = { points[3 * k], points[3 * k + 1], points[3 * k + 2] }
+        if k % 3 == 0 then
+            out[#out + 1] = k
+        else
+            if k % 3 == 1 then
+                place[3] = place[3] + 1
+                some[#some + 1] = k
+                places[#places + 1] = place
+            end
+            rest[#rest + 1] = place
+        end
+    end
+    t:move(some, places)
+    t:remove(ffi.new("int64_t[?]", #out, out))
+    local all = ffi.new("double[?]", length, 0 / 0)
+    for k, i in ipairs(some) do
+        for axis = 0, 2 do all[3 * i + axis] = places[k][axis + 1] end
+    end
+    for k = 2, n - 1, 3 do
+        for axis = 0, 2 do all[3 * k + axis] = points[3 * k + axis] end
+    end
+    t:move(nil, all)
+    equal(t:point_count(), n, "points")
+    local index, number = t:renumber()
+    equal(number, n, "new numbers")
+    equal(tonumber(index[0]), -1, "a point that is out")
+    equal(tonumber(index[5]), 3, "a point that is in")
+    equal(t:point_count(), #rest, "points that are in")
+    local fresh = mgdt.new { canonical = true }
+    fresh:insert(rest)
+    local expected, rows = fresh:tetrahedra()
+    equal(t:tetrahedron_count(), rows, "tetrahedra")
+    local found = t:tetrahedra()
+    for k = 0, rows - 1 do
+        for i = 0, 3 do equal(found[k][i], expected[k][i], "a vertex") end
+    end
+    equal(t:check(), true)
+    t:set_progress(function() return true end)
+    refused("cancelled", { "after 0 of 1" }, t.remove, t, { 1 })
+    refused("cancelled", { "after 0 of 1" }, t.move, t, { 1 }, { { 5, 5, 5 } })
+    t:set_progress(nil)
+    refused("invalid_argument", { "point 3" }, t.remove, t, { 3, 3 })
+    refused("invalid_argument", { "an index" }, t.remove, t, { 0.5 })
+    refused("invalid_argument", { "table of indices" }, t.remove, t, "3")
+    refused("invalid_argument", { "1 points and 2 places" }, t.move, t, { 3 }, { { 0, 0, 0 }, { 1, 1, 1 } })
+    refused("not_finite", { "point 3" }, t.move, t, { 3 }, { { 0, 0 / 0, 0 } })
+    t:remove {}
+    t:move({}, {})
+    equal(t:point_count(), #rest, "points")
+end)
+
 test("settings are read as they are set", function()
     local t = mgdt.new()
     equal(t:get_order(), "auto", "order")

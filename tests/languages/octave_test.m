@@ -4,8 +4,8 @@
 %
 %   octave-cli --path BINDING --path TESTS --eval 'octave_test ("REFERENCE_FOLDER")'
 function octave_test (folder)
-  tests = {@cube, @exports, @as_delaunayn, @front, @ways_to_give_points, @location, @settings, @flat, ...
-           @bad_values, @memory_limit, @compact, @progress, @handles, @freed, @help_texts};
+  tests = {@cube, @exports, @as_delaunayn, @front, @ways_to_give_points, @location, @changes, @settings, ...
+           @flat, @bad_values, @memory_limit, @compact, @progress, @handles, @freed, @help_texts};
   passed = failed = 0;
   for k = 1:numel (tests)
     try
@@ -180,6 +180,40 @@ function location (folder)
   assert (mgdt_triangulation ().nearest ([0 0 0]), NaN);
   assert (mgdt_triangulation ().locate ([0 0 0]), NaN);
   assert (size (t.locate (zeros (0, 3))), [0 1]);
+end
+
+function changes (folder)
+  points = read_points (folder);
+  n = rows (points);
+  t = mgdt_triangulation ("canonical", true);
+  t.insert (points);
+  out = (1:3:n)';
+  some = (2:3:n)';
+  places = points;
+  places(some, 3) += 1;
+  t.move (some, places(some, :));
+  t.remove (int32 (out));
+  places(out, :) = NaN;
+  t.move ([], places);
+  index = t.renumber ();
+  assert (index(1:6), [0 1 2 0 3 4]');
+  places(out, :) = [];
+  assert (t.point_count (), rows (places));
+  fresh = mgdt_triangulation ("canonical", true);
+  fresh.insert (places);
+  assert (t.tetrahedra (), fresh.tetrahedra ());
+  t.check ();
+  t.set ("progress", @(fraction) true);
+  refused ("mgdt:cancelled", {"after 0 of 1"}, @() t.remove (1));
+  refused ("mgdt:cancelled", {"after 0 of 1"}, @() t.move (1, [5 5 5]));
+  t.set ("progress", []);
+  refused ("mgdt:invalid_argument", {"point 3"}, @() t.remove ([3 3]));
+  refused ("mgdt:invalid_argument", {"0.5"}, @() t.remove (0.5));
+  refused ("mgdt:invalid_argument", {"numeric"}, @() t.remove ({}));
+  refused ("mgdt:invalid_argument", {"1 points and 2 places"}, @() t.move (3, [0 0 0; 1 1 1]));
+  refused ("mgdt:not_finite", {"point 3"}, @() t.move (3, [0 NaN 0]));
+  t.remove ([]);
+  assert (t.point_count (), rows (places));
 end
 
 function settings (folder)

@@ -161,6 +161,34 @@ class MgdtTest < Minitest::Test
     assert_nil Mgdt::Triangulation.new.locate([0, 0, 0])
   end
 
+  def test_points_leave_and_move
+    t = triangulation
+    places = POINTS.map(&:dup)
+    out, some = (0...POINTS.size).partition { |k| k % 3 == 0 }
+    some.select! { |k| k % 3 == 1 }
+    some.each { |k| places[k] = [places[k][0], places[k][1], places[k][2] + 1] }
+    assert_same t, t.move(some, places.values_at(*some))
+    assert_same t, t.remove(out)
+    t.move_all(places.each_with_index.map { |p, k| out.include?(k) ? [NAN] * 3 : p })
+    index = t.renumber
+    assert_equal [nil, 0, 1, nil, 2, 3], index.first(6)
+    rest = places.each_with_index.reject { |_, k| out.include?(k) }.map(&:first)
+    assert_equal rest.size, t.point_count
+    fresh = Mgdt::Triangulation.new(canonical: true)
+    fresh.insert(rest)
+    assert_equal fresh.tetrahedra, t.tetrahedra
+    assert t.check
+    assert_raises(Mgdt::Cancelled) { t.remove([1]) { :cancel } }
+    assert_raises(Mgdt::Cancelled) { t.move([1], [[5, 5, 5]]) { :cancel } }
+    refused(Mgdt::InvalidArgument, "point 3") { t.remove([3, 3]) }
+    refused(Mgdt::InvalidArgument, "0.5") { t.remove([0.5]) }
+    refused(Mgdt::InvalidArgument, "Array") { t.remove("3") }
+    refused(Mgdt::InvalidArgument, "1 points and 2") { t.move([3], [[0, 0, 0], [1, 1, 1]]) }
+    refused(Mgdt::NotFinite, "point 3") { t.move([3], [[0, NAN, 0]]) }
+    assert_same t, t.remove([])
+    assert_equal rest.size, t.vertex_count + t.statistic(:duplicates)
+  end
+
   def test_index_base_one
     t = triangulation(index_base: 1)
     assert_equal(expected(:tetrahedra).map { |v| v.map { |k| k + 1 } }, t.tetrahedra)

@@ -152,12 +152,105 @@ class Rounds(unittest.TestCase):
         )
         self.assertGreater(figures["memory_bytes"], 48 * tri.nsimplex)
         self.assertGreater(figures["insert_seconds"], 0)
-        self.assertEqual(len(figures), 17)
+        self.assertEqual(len(figures), 24)
         self.assertIn(tri.isa, ("baseline", "avx2", "avx512"))
         self.assertEqual(repr(tri), f"<mgdt.Delaunay: 1007 points, {tri.nsimplex} tetrahedra>")
 
     def test_version(self):
         self.assertEqual(mgdt.__version__, mgdt.library_version())
+
+
+class Changes(unittest.TestCase):
+    def compare(self, tri, places, is_in):
+        """The same, array by array, as an object that never had another point."""
+        fresh = mgdt.Delaunay(places[is_in], canonical=True)
+        index = np.flatnonzero(is_in)
+        tri.check()
+        np.testing.assert_array_equal(tri.points[is_in], places[is_in])
+        np.testing.assert_array_equal(tri.simplices, index[fresh.simplices])
+        np.testing.assert_array_equal(tri.neighbors, fresh.neighbors)
+        np.testing.assert_array_equal(tri.convex_hull, index[fresh.convex_hull])
+        np.testing.assert_array_equal(tri.point_map[is_in], index[fresh.point_map])
+        self.assertTrue((tri.point_map[~is_in] == -1).all())
+        np.testing.assert_array_equal(tri.min_bound, fresh.min_bound)
+
+    def test_histories(self):
+        rng = np.random.default_rng(4)
+        places = np.round(random_points(300, 31) * 8) / 8
+        tri = mgdt.Delaunay(places, incremental=True, canonical=True)
+        is_in = np.ones(300, dtype=bool)
+        for share in (0.01, 0.3, 0.02, 0.5):
+            out = is_in & (rng.random(300) < share)
+            tri.remove_points(out if share > 0.1 else np.flatnonzero(out)[::-1])
+            is_in &= ~out
+            self.compare(tri, places, is_in)
+            places = places.copy()
+            some = np.flatnonzero(is_in & (rng.random(300) < share))
+            places[some] = random_points(len(some), 32)
+            tri.move_points(places[some], some)
+            self.compare(tri, places, is_in)
+            places = places + 0.01 * rng.random(places.shape)
+            tri.move_points(np.where(is_in[:, None], places, np.nan))
+            self.compare(tri, places, is_in)
+            twin = pickle.loads(pickle.dumps(tri))
+            np.testing.assert_array_equal(twin.simplices, tri.simplices)
+        index = tri.renumber_points()
+        np.testing.assert_array_equal(index, np.where(is_in, np.cumsum(is_in) - 1, -1))
+        self.compare(tri, places[is_in], np.ones(is_in.sum(), dtype=bool))
+        tri.add_points(random_points(50, 33))
+        tri.check()
+        self.assertEqual(tri.npoints, is_in.sum() + 50)
+        self.assertEqual(pickle.loads(pickle.dumps(tri)).nsimplex, tri.nsimplex)
+
+    def test_refused(self):
+        tri = mgdt.Delaunay(random_points(50, 34), incremental=True)
+        tri.remove_points([7])
+        before = tri.simplices
+        for wrong, words in (
+            (lambda: tri.remove_points([7]), "point 7 is not in"),
+            (lambda: tri.remove_points([3, 3]), "point 3 is to be removed twice"),
+            (lambda: tri.remove_points([50]), "there is no point 50"),
+            (lambda: tri.remove_points([-1]), "there is no point -1"),
+            (lambda: tri.remove_points([2**40]), "there is no point 1099511627776"),
+            (lambda: tri.remove_points([0.5]), "must be integers"),
+            (lambda: tri.remove_points([[1, 2]]), "must be integers"),
+            (lambda: tri.remove_points([True, False]), "the mask has shape"),
+            (lambda: tri.move_points([[0, 0, 0]], [1, 2]), "2 points and 1 places"),
+            (lambda: tri.move_points([[0, 0, 0]]), "50 points and 1 places"),
+            (lambda: tri.move_points([[0, 0, 0], [0, np.nan, 0]], [1, 2]), "point 2 is NaN"),
+        ):
+            self.assertRaisesRegex(ValueError, words, wrong)
+        np.testing.assert_array_equal(tri.simplices, before)
+        tri.remove_points([])
+        tri.move_points(np.empty((0, 3)), [])
+        tri.close()
+        for closed in (
+            lambda: tri.remove_points([1]),
+            lambda: tri.move_points([[0, 0, 0]], [1]),
+            tri.renumber_points,
+        ):
+            self.assertRaisesRegex(RuntimeError, "incremental", closed)
+
+    def test_cancelling(self):
+        places = random_points(20_000, 35)
+        tri = mgdt.Delaunay(places, incremental=True, canonical=True)
+        tri.progress = lambda fraction: mgdt.CANCEL if fraction > 0.5 else None
+        some = np.arange(0, 1000)
+        some[::2] = np.arange(1000, 1500)
+        with self.assertRaisesRegex(mgdt.Cancelled, "cancelled after 5.. of 1000 points"):
+            tri.move_points(random_points(1000, 36), some)
+        moved = (tri.points != places).any(axis=1)
+        self.assertTrue(500 <= moved.sum() < 600)
+        self.assertTrue(moved[some[: moved.sum()]].all())
+        tri.progress = None
+        self.compare(tri, tri.points, np.ones(20_000, dtype=bool))
+        tri.progress = lambda fraction: mgdt.CANCEL if fraction > 0.5 else None
+        with self.assertRaisesRegex(mgdt.Cancelled, "cancelled after 5.. of 1000 points"):
+            tri.remove_points(some)
+        tri.progress = None
+        is_in = tri.point_map >= 0
+        self.assertTrue(500 <= (~is_in).sum() < 600)
+        self.compare(tri, tri.points, is_in)
 
 
 class Progress(unittest.TestCase):
@@ -184,7 +277,9 @@ class Progress(unittest.TestCase):
             self.assertAlmostEqual(left_out[100:].mean(), 1 - at, delta=0.02)
             self.assertEqual(len(tri.coplanar), 0)
             self.assertTrue((tri.vertex_to_simplex[left_out] == -1).all())
-            self.assertRaises(pickle.PicklingError, pickle.dumps, tri)
+            twin = pickle.loads(pickle.dumps(tri))
+            np.testing.assert_array_equal(twin.point_map, tri.point_map)
+            self.assertEqual(twin.nsimplex, tri.nsimplex)
             # It goes on: the same points again, under new indices.
             tri.progress = None
             tri.add_points(tri.points[left_out])

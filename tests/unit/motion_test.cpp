@@ -144,11 +144,16 @@ TEST(MotionWithoutMemory, LeavesEachPointInOnePlace) {
             if (i % 7 == 1) std::copy_n(&far[0], 3, place);
         }
         t.shrink();
+        std::string message;
         left = allowed;
         try {
             t.move(points, places.data());
             is_done = true;
         } catch (const std::bad_alloc&) {
+            ++failures;
+        } catch (const Error& error) {
+            ASSERT_EQ(error.status, MGDT_ERR_OUT_OF_MEMORY);
+            message = error.message;
             ++failures;
         }
         left = 1000000;
@@ -160,6 +165,9 @@ TEST(MotionWithoutMemory, LeavesEachPointInOnePlace) {
         while (done < 60 && is_at(points[done], &places[3 * done])) {
             std::copy_n(&places[3 * done], 3, &xyz[3 * points[done]]);
             ++done;
+        }
+        if (!message.empty()) {
+            EXPECT_EQ(message, "out of memory after " + std::to_string(done) + " of 60 points");
         }
         within += done > 0 && done < 60;
         ASSERT_EQ(done == 60, is_done) << allowed;

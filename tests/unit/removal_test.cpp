@@ -136,16 +136,24 @@ TEST(RemovalWithoutMemory, LeavesATriangulation) {
         Buffer<std::uint32_t> points(t.allocator());
         points.reserve(40);
         for (std::uint32_t i = 30; i < 70; ++i) points.push_back(i);
+        std::string message;
         left = allowed;
         try {
             t.remove(points);
             is_done = true;
         } catch (const std::bad_alloc&) {
             ++failures;
+        } catch (const Error& error) {
+            ASSERT_EQ(error.status, MGDT_ERR_OUT_OF_MEMORY);
+            message = error.message;
+            ++failures;
         }
         left = 1000000;
         std::size_t out = 0;
         while (out < 40 && t.point_map()[points[out]] == infinite_vertex) ++out;
+        if (!message.empty()) {
+            EXPECT_EQ(message, "out of memory after " + std::to_string(out) + " of 40 points");
+        }
         for (std::size_t i = out; i < 40; ++i)
             ASSERT_NE(t.point_map()[points[i]], infinite_vertex) << allowed << ' ' << i;
         expect_as_fresh(t, xyz);

@@ -37,6 +37,14 @@ int32_t mgdt_set_isa(mgdt_triangulation *t, const char *name);
 int32_t mgdt_insert_points(mgdt_triangulation *t, int64_t n, const double *xyz);
 int32_t mgdt_insert_points_strided(mgdt_triangulation *t, int64_t n, const double *x,
                                    const double *y, const double *z, int64_t stride);
+int32_t mgdt_remove_points(mgdt_triangulation *t, int64_t n, const int64_t *points);
+int32_t mgdt_remove_points_i32(mgdt_triangulation *t, int64_t n, const int32_t *points);
+int32_t mgdt_move_points(mgdt_triangulation *t, int64_t n, const int64_t *points,
+                         const double *xyz);
+int32_t mgdt_move_points_i32(mgdt_triangulation *t, int64_t n, const int32_t *points,
+                             const double *xyz);
+int32_t mgdt_renumber_points(mgdt_triangulation *t, int64_t capacity, int64_t *new_index);
+int32_t mgdt_renumber_points_i32(mgdt_triangulation *t, int64_t capacity, int32_t *new_index);
 int64_t mgdt_point_count(const mgdt_triangulation *t);
 int64_t mgdt_vertex_count(const mgdt_triangulation *t);
 int32_t mgdt_dimension(const mgdt_triangulation *t);
@@ -92,9 +100,11 @@ return {
         regular_grid = 60, kd_tree = 70, enhanced_kd_tree = 80, multi_grid = 90 },
     parameter = { points_per_cell = 10, threshold = 20, separation = 30, round_ratio = 40 },
     separation = { none = 0, passes = 1, rounds = 2 },
-    statistic = { points_inserted = 10, duplicates = 11, walk_steps = 20, walk_tests = 21,
-        conflict_tests = 22, tetrahedra_removed = 30, tetrahedra_created = 31, exact_calls = 40,
+    statistic = { points_inserted = 10, duplicates = 11, points_removed = 12, points_moved = 13,
+        put_back = 14, rebuilds = 15, walk_steps = 20, walk_tests = 21, conflict_tests = 22,
+        tetrahedra_removed = 30, tetrahedra_created = 31, link_vertices = 32, exact_calls = 40,
         put_off = 45, inserted_alone = 46, order_seconds = 50, insert_seconds = 51,
-        grid_levels = 60, rounds = 61, threads = 62, memory_bytes = 70, peak_memory_bytes = 71 },
+        remove_seconds = 52, move_seconds = 53, grid_levels = 60, rounds = 61, threads = 62,
+        memory_bytes = 70, peak_memory_bytes = 71 },
     check = { combinatorial = 1, geometric = 2, canonical = 3 },
 }

@@ -110,6 +110,10 @@ class PointStore:
         self._room[self._size : size] = points
         self._size = size
 
+    def replace(self, points: FloatArray) -> None:
+        """Takes an array of its own in place of all points; earlier views keep the old one."""
+        self._room, self._size = points, len(points)
+
     @property
     def all(self) -> FloatArray:
         # The caller's own array where it was given at once.

@@ -124,19 +124,44 @@ class Handle:
         stride = stride_in_doubles(points)
         if stride is None:
             points, stride = np.ascontiguousarray(points), 3
-        insertion.attach(partial(self._library.mgdt_cancel, self._pointer))
-        report = _interface.PROGRESS(insertion.report)
-        self._call("mgdt_set_progress", report, None)
         try:
             if points.flags.c_contiguous:
-                self._call("mgdt_insert_points", len(points), address(points))
+                self._change(insertion, "mgdt_insert_points", len(points), address(points))
             else:
                 columns = (address(points, k) for k in range(3))
-                self._call("mgdt_insert_points_strided", len(points), *columns, stride)
+                name_of_call = "mgdt_insert_points_strided"
+                self._change(insertion, name_of_call, len(points), *columns, stride)
         except _errors.ArgumentError as error:
             if error.status != _errors.NOT_FINITE:
                 raise
             raise _errors.make(error.status, describe_not_finite(points, name)) from None
+
+    def remove(self, points: IndexArray, insertion: Insertion) -> None:
+        """Takes out points of a contiguous list."""
+        self._change(insertion, "mgdt_remove_points_i32", len(points), address(points))
+
+    def move(self, points: IndexArray, places: FloatArray, insertion: Insertion) -> None:
+        """Moves points of a contiguous list to contiguous rows."""
+        name = "mgdt_move_points_i32"
+        self._change(insertion, name, len(points), address(points), address(places))
+
+    def renumber(self) -> IndexArray:
+        return self._export("mgdt_renumber_points_i32", self.point_count)
+
+    def moved_count(self) -> int:
+        """Moves so far."""
+        value = ctypes.c_double()
+        key = _interface.CONSTANTS["statistic"]["points_moved"]
+        self._call("mgdt_get_stat", key, ctypes.byref(value))
+        return int(value.value)
+
+    def _change(self, insertion: Insertion, name: str, *arguments: Any) -> None:
+        """A call that may take long and can be stopped."""
+        insertion.attach(partial(self._library.mgdt_cancel, self._pointer))
+        report = _interface.PROGRESS(insertion.report)
+        self._call("mgdt_set_progress", report, None)
+        try:
+            self._call(name, *arguments)
         finally:
             insertion.detach()
             self._call("mgdt_set_progress", _library.NO_PROGRESS, None)

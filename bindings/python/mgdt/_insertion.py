@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One insertion that may take long: progress, cancelling, and Ctrl-C.
+"""One insertion, removal or move that may take long: progress, cancelling, and Ctrl-C.
 
 Python runs signal handlers in the main thread, between bytecodes. During a call of the library
 there are none. A callback of ctypes is no place for them either: where a handler raises as the
@@ -38,7 +38,7 @@ SHORT = 50_000
 
 
 class Insertion:
-    """One call of ``mgdt_insert_points``, and the ways to stop it.
+    """One call of ``mgdt_insert_points`` or another that changes points, and the ways to stop it.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ class Insertion:
             self.is_stopped = True
 
     def run(self, work: Callable[[], None], n: int) -> None:
-        """Does the work, the insertion of n points, and raises what it raised or what stopped it.
+        """Does the work on n points, and raises what it raised or what stopped it.
 
         When this returns or raises, the work has ended or will never begin.
         """

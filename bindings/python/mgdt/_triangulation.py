@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import operator
-import pickle
 import threading
 from contextlib import contextmanager
 from functools import partial
@@ -157,6 +156,13 @@ class GrowingTriangulation:
     # Points in
 
     def _insert(self, points: FloatArray, restart: bool = False) -> None:
+        self._change(
+            lambda insertion: self._insert_by(insertion, points, restart),
+            len(points) + (self.npoints if restart else 0),
+        )
+
+    def _change(self, change: Callable[[Insertion], None], n: int) -> None:
+        """Makes a change of n points, which can be stopped."""
         insertion = Insertion(self._guarded_progress())
         caller = threading.get_ident()
 
@@ -167,12 +173,12 @@ class GrowingTriangulation:
                     raise _errors.make(_errors.CANCELLED, "cancelled before the first point")
                 try:
                     self._running = insertion
-                    self._insert_by(insertion, points, restart)
+                    change(insertion)
                 finally:
                     self._running = None
 
         self._gate.refuse_if_kept_out()
-        insertion.run(work, len(points) + (self.npoints if restart else 0))
+        insertion.run(work, n)
 
     def _guarded_progress(self) -> Optional[ProgressFunction]:
         if self.progress is None:
@@ -228,11 +234,146 @@ class GrowingTriangulation:
         Adding points in many rounds is cheap: a point costs the same however many are there. Since
         1.0.
         """
+        self._require_incremental("added")
+        self._insert(as_points(points), restart)
+
+    def _require_incremental(self, change: str) -> None:
         if not self._incremental or self._closed:
             raise RuntimeError(
-                "points can be added only to Delaunay(points, incremental=True) before close()"
+                f"points can be {change} only in Delaunay(points, incremental=True) before close()"
             )
-        self._insert(as_points(points), restart)
+
+    # Points out, and moved
+
+    def remove_points(self, points: ArrayLike) -> None:
+        """Takes points out, given by their indices. The others keep theirs.
+
+        Parameters
+        ----------
+        points : array_like of int, shape (m,)
+            Each once, in any order; or a mask, array_like of bool, shape (npoints,).
+
+        Raises
+        ------
+        RuntimeError
+            If the object was made without ``incremental=True``, or is closed.
+        ValueError
+            For an index of no point, of one that is not in, or that is there twice. Nothing has
+            changed then.
+        Exception
+            What the constructor raises. After `Cancelled`, `OutOfMemoryError` and KeyboardInterrupt
+            some of the points are out: `point_map` is -1 for them.
+
+        Notes
+        -----
+        A point that is out stays in `points`; `renumber_points` forgets it. Since 1.2.
+        """
+        self._require_incremental("removed")
+        indices = self._indices(points)
+
+        def remove(insertion: Insertion) -> None:
+            try:
+                self._held().remove(indices, insertion)
+            finally:
+                self._cache = {}
+
+        self._change(remove, len(indices))
+
+    def move_points(self, xyz: ArrayLike, points: Optional[ArrayLike] = None) -> None:
+        """Moves points. They keep their indices.
+
+        Parameters
+        ----------
+        xyz : array_like of float, shape (m, 3)
+            Where the points go.
+        points : array_like of int, shape (m,), optional
+            Which points, by their indices, each once; or a mask, array_like of bool, shape
+            (npoints,). None for all: then those that are not in stay out, and their rows of `xyz`
+            are not looked at.
+
+        Raises
+        ------
+        RuntimeError
+            If the object was made without ``incremental=True``, or is closed.
+        ValueError
+            For what the constructor and `remove_points` refuse. Nothing has changed then.
+        Exception
+            What the constructor raises. After `Cancelled`, `OutOfMemoryError` and KeyboardInterrupt
+            some of the points have moved; `points` says where each is.
+
+        Notes
+        -----
+        `points` becomes another array. Since 1.2.
+        """
+        self._require_incremental("moved")
+        places = np.ascontiguousarray(as_points(xyz))
+        listed = None if points is None else self._indices(points)
+
+        def move(insertion: Insertion) -> None:
+            handle = self._held()
+            indices, rows = listed, places
+            if indices is None:
+                indices = np.arange(handle.point_count, dtype=np.int32)
+            if len(indices) != len(rows):
+                raise ValueError(f"there are {len(indices)} points and {len(rows)} places")
+            if listed is None:
+                is_in = handle.point_map() >= 0
+                if not is_in.all():
+                    indices, rows = indices[is_in], np.ascontiguousarray(rows[is_in])
+            now = self._store.all.copy()
+            before = handle.moved_count()
+            is_done = False
+            try:
+                handle.move(indices, rows, insertion)
+                is_done = True
+            finally:
+                # The library counts those that changed.
+                stays = 0 if is_done else handle.moved_count() - before
+                changed = np.flatnonzero((now[indices] != rows).any(axis=1)) if stays else None
+                size = len(indices) if is_done else 0 if changed is None else changed[stays - 1] + 1
+                now[indices[:size]] = rows[:size]
+                self._store.replace(now)
+                self._cache = {}
+
+        self._change(move, len(places))
+
+    def renumber_points(self) -> IndexArray:
+        """Numbers the points that are in anew, in their order, and forgets the others.
+
+        Returns
+        -------
+        ndarray of int32, shape (npoints,) as it was
+            For each point its new index; -1 if it was not in.
+
+        Notes
+        -----
+        `points` becomes another array. Since 1.2.
+        """
+        self._require_incremental("renumbered")
+        with self._writing() as handle:
+            index = handle.renumber()
+            self._store.replace(self._store.all[index >= 0])
+            self._batches = [len(self._store.all)]
+            self._cache = {}
+            return index
+
+    def _indices(self, points: ArrayLike) -> IndexArray:
+        array = np.asarray(points)
+        if array.dtype == np.bool_:
+            if array.shape != (self.npoints,):
+                raise ValueError(f"the mask has shape {array.shape}; it must be ({self.npoints},)")
+            array = np.flatnonzero(array)
+        if array.size == 0:
+            return np.empty(0, dtype=np.int32)
+        if array.ndim != 1 or not np.issubdtype(array.dtype, np.integer):
+            raise ValueError(
+                f"points are {array.dtype} of shape {array.shape}; they must be integers of shape (m,)"
+            )
+        # An index that does not fit is one of no point.
+        for index in (array.min(), array.max()):
+            if not 0 <= index < self.npoints:
+                raise ValueError(f"there is no point {index}: {self.npoints} were given")
+        return np.ascontiguousarray(array, dtype=np.int32)
 
     def close(self) -> None:
         """Ends adding of points, as in SciPy. All else stays; see `release`. Since 1.0."""
@@ -344,12 +485,12 @@ class GrowingTriangulation:
 
     @property
     def points(self) -> FloatArray:
-        """All points ever given, shape (npoints, 3)."""
+        """All points ever given, where they are now, shape (npoints, 3)."""
         return self._store.all
 
     @property
     def npoints(self) -> int:
-        """Number of points ever given."""
+        """Number of points ever given, those left out that `renumber_points` forgot."""
         return len(self._store.all)
 
     @property
@@ -358,16 +499,16 @@ class GrowingTriangulation:
         with self._reading() as handle:
             return handle.tetrahedron_count
 
-    # Copies for other processes: the same calls again give the same simplices.
+    # Copies for other processes: the same calls again give the same simplices, in another order where
+    # points were removed or moved.
 
     def __getstate__(self) -> dict[str, Any]:
         with self._reading() as handle:
             point_map = handle.point_map()
             points = self.points.copy()
             batches = list(self._batches)
-        if (point_map < 0).any():
-            raise pickle.PicklingError("points that a stopped insertion left out cannot be pickled")
         return {
+            "absent": np.flatnonzero(point_map < 0),
             "points": points,
             "batches": batches,
             "settings": self._settings,
@@ -382,6 +523,10 @@ class GrowingTriangulation:
         ends = np.cumsum(state["batches"], dtype=np.int64)
         for begin, end in zip(np.concatenate([[0], ends]), ends):
             self._insert(state["points"][begin:end])
+        # States of before 1.2 have no such points.
+        absent = state.get("absent", np.empty(0, dtype=np.int64))
+        if len(absent) > 0:
+            self.remove_points(absent)
         self._closed = state["closed"]
 
     def __repr__(self) -> str:

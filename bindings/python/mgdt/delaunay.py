@@ -35,7 +35,7 @@ class Delaunay(GrowingTriangulation):
     furthest_site : bool, optional
         Must be false: mgdt has no furthest-site triangulation.
     incremental : bool, optional
-        Whether `add_points` will be used. If so, the coordinates are copied; if not, `points` is
+        Whether `add_points`, `remove_points` or `move_points` will be used. If so, the coordinates are copied; if not, `points` is
         the array given.
     qhull_options : str, optional
         Qhull's options. Those that do not change an exact triangulation are accepted and have no
@@ -114,7 +114,7 @@ class Delaunay(GrowingTriangulation):
 
     def _bounds(self) -> tuple[FloatArray, FloatArray]:
         def find() -> Any:
-            points = self.points
+            points = self.points[self.point_map >= 0]
             return points.min(axis=0, initial=np.inf), points.max(axis=0, initial=-np.inf)
 
         bounds: tuple[FloatArray, FloatArray] = self._cached("bounds", find)
@@ -122,18 +122,19 @@ class Delaunay(GrowingTriangulation):
 
     @property
     def min_bound(self) -> FloatArray:
-        """Least coordinates of the points, shape (3,); inf without points."""
+        """Least coordinates of the points that are in, shape (3,); inf without points."""
         return self._bounds()[0]
 
     @property
     def max_bound(self) -> FloatArray:
-        """Largest coordinates of the points, shape (3,); -inf without points."""
+        """Largest coordinates of the points that are in, shape (3,); -inf without points."""
         return self._bounds()[1]
 
     @property
     def point_map(self) -> IndexArray:
         """For each point the vertex that stands for it, int32, shape (npoints,): its own index,
-        that of the first point at the same place, or -1 if a stopped insertion left it out."""
+        that of the first point at the same place, or -1 if it is not in: removed, or left out by a
+        stopped insertion."""
         return self._exported("point_map")
 
     @property
@@ -191,8 +192,8 @@ class Delaunay(GrowingTriangulation):
         """For each point one of the simplices around it, int32, shape (npoints,).
 
         For a point equal to an earlier one it is the simplex of the vertex that stands for it, as
-        in `coplanar`. SciPy gives the number of that vertex in its place. -1 for points that a
-        stopped insertion left out, and where there are no simplices.
+        in `coplanar`. SciPy gives the number of that vertex in its place. -1 for points that
+        are not in, and where there are no simplices.
         """
 
         def find() -> IndexArray:

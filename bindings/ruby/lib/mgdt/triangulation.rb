@@ -188,7 +188,43 @@ module Mgdt
                 x, y, z, integer(stride, "the stride", 63))
     end
 
-    # Stops the insertion that is running, or else the next one. From any thread, and from the
+    # Takes points out, given by an Array of their numbers, each once; the others keep theirs. A block
+    # hears of progress as in insert. Since 1.2.
+    def remove(points, &progress)
+      list = numbers(points)
+      insert_by(:mgdt_remove_points, progress, list.size, list.pack("q*"))
+    end
+
+    # Moves points, given by an Array of their numbers, each once, to as many places, given as for
+    # insert. Since 1.2.
+    def move(points, places, &progress)
+      list = numbers(points)
+      given = Points.new(places)
+      raise argument("there are #{list.size} points and #{given.count} places") unless
+        given.count == list.size
+
+      insert_by(:mgdt_move_points, progress, list.size, list.pack("q*"), given.data)
+    end
+
+    # Moves all points, in their order; those that are not in stay out. Since 1.2.
+    def move_all(places, &progress)
+      given = Points.new(places)
+      insert_by(:mgdt_move_points, progress, given.count, nil, given.data)
+    end
+
+    # Numbers the points that are in anew, in their order, from index_base on, and forgets the others.
+    # An Array of the new number of each point, nil if it was not in. Since 1.2.
+    def renumber
+      with_handle do |handle|
+        length = Library.mgdt_point_count(handle)
+        out = FFI::MemoryPointer.new(:int64, [length, 1].max)
+        ensure_good(handle, Library.mgdt_renumber_points(handle, length, out))
+        none = @index_base - 1
+        out.read_array_of_int64(length).map { |k| k == none ? nil : k }
+      end
+    end
+
+    # Stops the insertion, removal or move that is running, or else the next one. From any thread, and from the
     # block; from a trap handler by Thread.new { t.cancel }, since Ruby has no locks there.
     def cancel
       @closing.synchronize do
@@ -320,6 +356,13 @@ module Mgdt
       return value if value.is_a?(Integer) && value.abs < 2**bits
 
       raise argument("#{what} is #{value.inspect}; it must be an Integer below 2**#{bits}")
+    end
+
+    def numbers(points)
+      raise argument("points are of class #{points.class}; they must be an Array of numbers") unless
+        points.is_a?(Array)
+
+      points.map { |k| integer(k, "the number of a point", 63) }
     end
 
     def separation(value)

@@ -53,16 +53,23 @@ pub const MGDT_SEPARATION_ROUNDS: i32 = 2;
 
 pub const MGDT_STAT_POINTS_INSERTED: i32 = 10;
 pub const MGDT_STAT_DUPLICATES: i32 = 11;
+pub const MGDT_STAT_POINTS_REMOVED: i32 = 12;
+pub const MGDT_STAT_POINTS_MOVED: i32 = 13;
+pub const MGDT_STAT_PUT_BACK: i32 = 14;
+pub const MGDT_STAT_REBUILDS: i32 = 15;
 pub const MGDT_STAT_WALK_STEPS: i32 = 20;
 pub const MGDT_STAT_WALK_TESTS: i32 = 21;
 pub const MGDT_STAT_CONFLICT_TESTS: i32 = 22;
 pub const MGDT_STAT_TETRAHEDRA_REMOVED: i32 = 30;
 pub const MGDT_STAT_TETRAHEDRA_CREATED: i32 = 31;
+pub const MGDT_STAT_LINK_VERTICES: i32 = 32;
 pub const MGDT_STAT_EXACT_CALLS: i32 = 40;
 pub const MGDT_STAT_PUT_OFF: i32 = 45;
 pub const MGDT_STAT_INSERTED_ALONE: i32 = 46;
 pub const MGDT_STAT_ORDER_SECONDS: i32 = 50;
 pub const MGDT_STAT_INSERT_SECONDS: i32 = 51;
+pub const MGDT_STAT_REMOVE_SECONDS: i32 = 52;
+pub const MGDT_STAT_MOVE_SECONDS: i32 = 53;
 pub const MGDT_STAT_GRID_LEVELS: i32 = 60;
 pub const MGDT_STAT_ROUNDS: i32 = 61;
 pub const MGDT_STAT_THREADS: i32 = 62;
@@ -135,6 +142,38 @@ extern "C" {
         y: *const f64,
         z: *const f64,
         stride: i64,
+    ) -> mgdt_status;
+    pub fn mgdt_remove_points(
+        t: *mut mgdt_triangulation,
+        n: i64,
+        points: *const i64,
+    ) -> mgdt_status;
+    pub fn mgdt_remove_points_i32(
+        t: *mut mgdt_triangulation,
+        n: i64,
+        points: *const i32,
+    ) -> mgdt_status;
+    pub fn mgdt_move_points(
+        t: *mut mgdt_triangulation,
+        n: i64,
+        points: *const i64,
+        xyz: *const f64,
+    ) -> mgdt_status;
+    pub fn mgdt_move_points_i32(
+        t: *mut mgdt_triangulation,
+        n: i64,
+        points: *const i32,
+        xyz: *const f64,
+    ) -> mgdt_status;
+    pub fn mgdt_renumber_points(
+        t: *mut mgdt_triangulation,
+        capacity: i64,
+        new_index: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_renumber_points_i32(
+        t: *mut mgdt_triangulation,
+        capacity: i64,
+        new_index: *mut i32,
     ) -> mgdt_status;
     pub fn mgdt_point_count(t: *const mgdt_triangulation) -> i64;
     pub fn mgdt_vertex_count(t: *const mgdt_triangulation) -> i64;

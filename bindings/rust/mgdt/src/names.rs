@@ -163,6 +163,14 @@ pub enum Statistic {
     PointsInserted = sys::MGDT_STAT_POINTS_INSERTED,
     /// Points equal to an earlier vertex.
     Duplicates = sys::MGDT_STAT_DUPLICATES,
+    /// Points taken out. Since 1.2.
+    PointsRemoved = sys::MGDT_STAT_POINTS_REMOVED,
+    /// Moves to other coordinates. Since 1.2.
+    PointsMoved = sys::MGDT_STAT_POINTS_MOVED,
+    /// Moves that were a removal and an insertion. Since 1.2.
+    PutBack = sys::MGDT_STAT_PUT_BACK,
+    /// Removals and moves that triangulated anew. Since 1.2.
+    Rebuilds = sys::MGDT_STAT_REBUILDS,
     /// Tetrahedra visited by walks.
     WalkSteps = sys::MGDT_STAT_WALK_STEPS,
     /// Circumspheres evaluated by walks.
@@ -173,6 +181,8 @@ pub enum Statistic {
     TetrahedraRemoved = sys::MGDT_STAT_TETRAHEDRA_REMOVED,
     /// Tetrahedra created by insertions.
     TetrahedraCreated = sys::MGDT_STAT_TETRAHEDRA_CREATED,
+    /// Vertices around those that removals and moves took out. Since 1.2.
+    LinkVertices = sys::MGDT_STAT_LINK_VERTICES,
     /// Decisions that the floating-point filter left open.
     ExactCalls = sys::MGDT_STAT_EXACT_CALLS,
     /// Insertions that met another thread, and were tried again.
@@ -183,6 +193,10 @@ pub enum Statistic {
     OrderSeconds = sys::MGDT_STAT_ORDER_SECONDS,
     /// Wall-clock seconds spent inserting.
     InsertSeconds = sys::MGDT_STAT_INSERT_SECONDS,
+    /// Wall-clock seconds spent removing points. Since 1.2.
+    RemoveSeconds = sys::MGDT_STAT_REMOVE_SECONDS,
+    /// Wall-clock seconds spent moving points. Since 1.2.
+    MoveSeconds = sys::MGDT_STAT_MOVE_SECONDS,
     /// Deepest level of grids or trees in the last schedule.
     GridLevels = sys::MGDT_STAT_GRID_LEVELS,
     /// Rounds in the last schedule.
@@ -197,19 +211,26 @@ pub enum Statistic {
 
 impl Statistic {
     /// All statistics.
-    pub const ALL: [Statistic; 17] = [
+    pub const ALL: [Statistic; 24] = [
         Statistic::PointsInserted,
         Statistic::Duplicates,
+        Statistic::PointsRemoved,
+        Statistic::PointsMoved,
+        Statistic::PutBack,
+        Statistic::Rebuilds,
         Statistic::WalkSteps,
         Statistic::WalkTests,
         Statistic::ConflictTests,
         Statistic::TetrahedraRemoved,
         Statistic::TetrahedraCreated,
+        Statistic::LinkVertices,
         Statistic::ExactCalls,
         Statistic::PutOff,
         Statistic::InsertedAlone,
         Statistic::OrderSeconds,
         Statistic::InsertSeconds,
+        Statistic::RemoveSeconds,
+        Statistic::MoveSeconds,
         Statistic::GridLevels,
         Statistic::Rounds,
         Statistic::Threads,

@@ -360,9 +360,60 @@ impl Triangulation {
         self.ensure(status)
     }
 
+    /// Takes points out, given by their numbers, each once; the others keep theirs. A number of no
+    /// point that is in changes nothing. After [`ErrorKind::OutOfMemory`] the first points of the list
+    /// are out, as many as the message says. Since 1.2.
+    pub fn remove(&mut self, points: &[usize]) -> Result<(), Error> {
+        let list = as_numbers(points);
+        let status =
+            unsafe { sys::mgdt_remove_points(self.raw_mut(), as_i64(list.len()), list.as_ptr()) };
+        self.ensure(status)
+    }
+
+    /// Moves points, given by their numbers, each once, to as many places. After
+    /// [`ErrorKind::OutOfMemory`] the first points of the list have moved, as many as the message
+    /// says. Since 1.2.
+    pub fn move_points(&mut self, points: &[usize], places: &[[f64; 3]]) -> Result<(), Error> {
+        if points.len() != places.len() {
+            return Err(Error::new(
+                ErrorKind::InvalidArgument,
+                format!("there are {} points and {} places", points.len(), places.len()),
+            ));
+        }
+        let list = as_numbers(points);
+        let status = unsafe {
+            sys::mgdt_move_points(
+                self.raw_mut(),
+                as_i64(list.len()),
+                list.as_ptr(),
+                places.as_ptr().cast::<f64>(),
+            )
+        };
+        self.ensure(status)
+    }
+
+    /// Moves all points, in their order; those that are not in stay out. Since 1.2.
+    pub fn move_all(&mut self, places: &[[f64; 3]]) -> Result<(), Error> {
+        let n = as_i64(places.len());
+        let xyz = places.as_ptr().cast::<f64>();
+        let status = unsafe { sys::mgdt_move_points(self.raw_mut(), n, ptr::null(), xyz) };
+        self.ensure(status)
+    }
+
+    /// Numbers the points that are in anew, in their order from 0 on, and forgets the others. For
+    /// each point its new number, or None if it was not in. Since 1.2.
+    pub fn renumber(&mut self) -> Result<Vec<Option<usize>>, Error> {
+        let mut numbers = vec![0i64; self.point_count()];
+        let n = as_i64(numbers.len());
+        let status =
+            unsafe { sys::mgdt_renumber_points(self.raw_mut(), n, numbers.as_mut_ptr()) };
+        self.ensure(status)?;
+        Ok(numbers.into_iter().map(|k| usize::try_from(k).ok()).collect())
+    }
+
     // --------------------------------------------------------------------------------- counts
 
-    /// Number of points ever given.
+    /// Number of points ever given, those left out that [`renumber`](Self::renumber) forgot.
     pub fn point_count(&self) -> usize {
         unsafe { sys::mgdt_point_count(self.raw()) as usize }
     }
@@ -411,6 +462,10 @@ impl Triangulation {
 pub(crate) fn as_i64(n: usize) -> i64 {
     // What is larger is more than there can be, and is refused as such.
     i64::try_from(n).unwrap_or(i64::MAX)
+}
+
+fn as_numbers(points: &[usize]) -> Vec<i64> {
+    points.iter().map(|&k| as_i64(k)).collect()
 }
 
 fn status_text(status: sys::mgdt_status) -> String {

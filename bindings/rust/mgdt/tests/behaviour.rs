@@ -90,6 +90,46 @@ fn flat_and_small_sets_are_valid_and_wait() {
 }
 
 #[test]
+fn points_leave_move_and_get_other_numbers() {
+    let mut points = random_points(200, 3);
+    let mut t = with(&points);
+    t.set_canonical_output(true);
+    let out: Vec<usize> = (0..200).step_by(2).collect();
+    let some: Vec<usize> = (1..200).step_by(4).collect();
+    for &k in &some {
+        points[k][2] += 1.0;
+    }
+    let places: Vec<[f64; 3]> = some.iter().map(|&k| points[k]).collect();
+    t.move_points(&some, &places).unwrap();
+    t.remove(&out).unwrap();
+    for &k in &out {
+        points[k] = [f64::NAN; 3];
+    }
+    t.move_all(&points).unwrap();
+    assert_eq!(t.statistic(Statistic::PointsMoved), 50.0);
+    let numbers = t.renumber().unwrap();
+    assert_eq!(numbers[..4], [None, Some(0), None, Some(1)]);
+    let rest: Vec<[f64; 3]> = points.into_iter().skip(1).step_by(2).collect();
+    let mut fresh = with(&rest);
+    fresh.set_canonical_output(true);
+    assert_eq!(t.tetrahedra().unwrap(), fresh.tetrahedra().unwrap());
+    t.check(Check::Canonical).unwrap();
+    let wrong = ErrorKind::InvalidArgument;
+    refused(t.remove(&[3, 3]), wrong, &["point 3"]);
+    refused(t.remove(&[100]), wrong, &["no point 100"]);
+    refused(t.remove(&[usize::MAX]), wrong, &[]);
+    refused(t.move_points(&[3], &[]), wrong, &["1 points and 0"]);
+    refused(t.move_all(&[[0.0; 3]]), wrong, &["1 places"]);
+    let nowhere = [[0.0, f64::NAN, 0.0]];
+    refused(t.move_points(&[3], &nowhere), ErrorKind::NotFinite, &["point 3"]);
+    t.canceller().cancel();
+    refused(t.remove(&[3]), ErrorKind::Cancelled, &["after 0 of 1"]);
+    t.remove(&[]).unwrap();
+    t.move_points(&[], &[]).unwrap();
+    assert_eq!(t.vertex_count(), 100);
+}
+
+#[test]
 fn bad_values_are_refused_and_change_nothing() {
     let points = random_points(100, 1);
     let mut t = with(&points);

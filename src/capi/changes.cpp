@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Points that leave, move and get other indices.
+#include "capi/counts.hpp"
+#include "capi/handle.hpp"
+
+using namespace mgdt;
+
+namespace {
+
+// The caller's indices, counted from 0. One that no point can have is made one that none has.
+template <class Int>
+void read_points(const Triangulation& core, std::size_t n, const Int* points,
+                 Buffer<std::uint32_t>& list) {
+    const auto given = static_cast<std::uint64_t>(core.point_map().size());
+    if (n > given)
+        fail(MGDT_ERR_INVALID_ARGUMENT, "%zu indices, where there are %llu points", n,
+             static_cast<unsigned long long>(given));
+    list.resize(n);
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::int64_t i = points[k];
+        const std::uint64_t from_zero =
+            static_cast<std::uint64_t>(i) - static_cast<std::uint64_t>(core.settings().index_base);
+        if (from_zero >= given)
+            fail(MGDT_ERR_INVALID_ARGUMENT, "there is no point %lld: %llu were given",
+                 static_cast<long long>(i), static_cast<unsigned long long>(given));
+        list[k] = static_cast<std::uint32_t>(from_zero);
+    }
+}
+
+template <class Int>
+mgdt_status remove(mgdt_triangulation* t, int64_t n, const Int* points, const char* name) {
+    return guard(
+        t,
+        [&] {
+            const std::size_t count = require_count(n);
+            if (count == 0) return;
+            require_pointer(points, "points");
+            Buffer<std::uint32_t> list(t->core.allocator());
+            read_points(t->core, count, points, list);
+            t->core.remove(list);
+        },
+        name);
+}
+
+// All points, where those that are not in are left out.
+void move_all(Triangulation& core, std::size_t count, const double* xyz) {
+    const Buffer<VertexId>& map = core.point_map();
+    if (count != map.size())
+        fail(MGDT_ERR_INVALID_ARGUMENT, "%zu places for %zu points", count, map.size());
+    Buffer<std::uint32_t> list(core.allocator());
+    Buffer<double> places(core.allocator());
+    list.reserve(count);
+    places.reserve(3 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (map[i] == infinite_vertex) continue;
+        list.push_back(static_cast<std::uint32_t>(i));
+        for (std::size_t k = 0; k < 3; ++k) places.push_back(xyz[3 * i + k]);
+    }
+    core.move(list, places.data());
+}
+
+template <class Int>
+mgdt_status move(mgdt_triangulation* t, int64_t n, const Int* points, const double* xyz,
+                 const char* name) {
+    return guard(
+        t,
+        [&] {
+            const std::size_t count = require_count(n);
+            if (count == 0) return;
+            require_pointer(xyz, "xyz");
+            if (!points) return move_all(t->core, count, xyz);
+            Buffer<std::uint32_t> list(t->core.allocator());
+            read_points(t->core, count, points, list);
+            t->core.move(list, xyz);
+        },
+        name);
+}
+
+template <class Int>
+mgdt_status renumber(mgdt_triangulation* t, int64_t capacity, Int* new_index, const char* name) {
+    return guard(
+        t,
+        [&] {
+            const Buffer<VertexId>& map = t->core.point_map();
+            if (!map.empty()) require_pointer(new_index, "new_index");
+            require_capacity(capacity, map.size(), "new_index");
+            require_range<Int>(map.size(), t);
+            const auto base = static_cast<Int>(t->core.settings().index_base);
+            Int next = base;
+            for (std::size_t i = 0; i < map.size(); ++i)
+                new_index[i] = map[i] == infinite_vertex ? static_cast<Int>(base - 1) : next++;
+            t->core.forget_absent_points();
+        },
+        name);
+}
+
+}  // namespace
+
+extern "C" mgdt_status mgdt_remove_points(mgdt_triangulation* t, int64_t n, const int64_t* points) {
+    return remove(t, n, points, __func__);
+}
+
+extern "C" mgdt_status mgdt_remove_points_i32(mgdt_triangulation* t, int64_t n,
+                                              const int32_t* points) {
+    return remove(t, n, points, __func__);
+}
+
+extern "C" mgdt_status mgdt_move_points(mgdt_triangulation* t, int64_t n, const int64_t* points,
+                                        const double* xyz) {
+    return move(t, n, points, xyz, __func__);
+}
+
+extern "C" mgdt_status mgdt_move_points_i32(mgdt_triangulation* t, int64_t n, const int32_t* points,
+                                            const double* xyz) {
+    return move(t, n, points, xyz, __func__);
+}
+
+extern "C" mgdt_status mgdt_renumber_points(mgdt_triangulation* t, int64_t capacity,
+                                            int64_t* new_index) {
+    return renumber(t, capacity, new_index, __func__);
+}
+
+extern "C" mgdt_status mgdt_renumber_points_i32(mgdt_triangulation* t, int64_t capacity,
+                                                int32_t* new_index) {
+    return renumber(t, capacity, new_index, __func__);
+}
