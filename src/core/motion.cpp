@@ -200,6 +200,7 @@ void Triangulation::rebuild_moved(const MovedPoints& moved, std::size_t first) {
 void Triangulation::move(const Buffer<std::uint32_t>& points, const double* xyz) {
     const std::size_t n = points.size();
     require_in(points, "moved");
+    if (n == 0) return;
     const auto is_finite = [](double x) { return x - x == 0; };
     for (std::size_t i = 0; i < 3 * n; ++i)
         if (!is_finite(xyz[i]))

@@ -148,6 +148,8 @@ void Triangulation::forget_absent_points() noexcept {
         if (mesh_.vertices[v].index == i) mesh_.vertices[v].index = next;
         ++next;
     }
+    // Coordinates of points that were left out of an insertion count among those given.
+    if (next < point_map_.size()) exponents_are_wide_ = true;
     point_map_.resize_within_capacity(next);
 }
 

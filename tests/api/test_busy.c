@@ -26,7 +26,9 @@ static void change(guest* g) {
     static const double point[12] = {0.5, 0.5, 0.5, 0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1};
     mgdt_triangulation* const t = g->t;
     int k;
-    for (k = 0; k < 14; ++k) {
+    static const int64_t first = 0;
+    int64_t index[n];
+    for (k = 0; k < 17; ++k) {
         const mgdt_status status =
             k == 0    ? mgdt_insert_points(t, 4, point)
             : k == 1  ? mgdt_insert_points_strided(t, 4, point, point + 1, point + 2, 3)
@@ -41,6 +43,9 @@ static void change(guest* g) {
             : k == 10 ? mgdt_set_memory_limit(t, 1)
             : k == 11 ? mgdt_set_compact(t, 1)
             : k == 12 ? mgdt_set_progress(t, NULL, NULL)
+            : k == 13 ? mgdt_remove_points(t, 1, &first)
+            : k == 14 ? mgdt_move_points(t, 1, &first, point)
+            : k == 15 ? mgdt_renumber_points(t, n, index)
                       : mgdt_set_canonical_output(t, 1);
         CHECK_EQUAL(status, MGDT_ERR_BUSY);
         CHECK_ERROR(t, "mgdt_");

@@ -200,6 +200,14 @@ const Function functions[] = {
          return mgdt_nearest_vertices_i32(t, queries, query_points(),
                                           static_cast<std::int32_t*>(g.array[0]));
      }},
+    {"mgdt_renumber_points", of_count<std::int64_t, mgdt_point_count, 1>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_renumber_points(t, g.capacity[0], static_cast<std::int64_t*>(g.array[0]));
+     }},
+    {"mgdt_renumber_points_i32", of_count<std::int32_t, mgdt_point_count, 1>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_renumber_points_i32(t, g.capacity[0], static_cast<std::int32_t*>(g.array[0]));
+     }},
     {"mgdt_get_order_scheme", of_one<std::int32_t>,
      [](mgdt_triangulation* t, const Given& g) {
          return mgdt_get_order_scheme(t, static_cast<std::int32_t*>(g.array[0]));
@@ -437,6 +445,24 @@ TEST(Canary, Input) {
             EXPECT_EQ(mgdt_nearest_vertex(t.get(), last, found.data()), MGDT_OK);
             EXPECT_EQ(mgdt_nearest_vertices(t.get(), count, xyz, found.data()), MGDT_OK);
             EXPECT_EQ(std::memcmp(copy.data(), xyz, copy.size() * sizeof(double)), 0);
+            const Array list(n, sizeof(std::int64_t), place),
+                list32(n, sizeof(std::int32_t), place);
+            auto* const points = static_cast<std::int64_t*>(list.data());
+            auto* const points32 = static_cast<std::int32_t*>(list32.data());
+            for (std::size_t i = 0; i < n; ++i) {
+                points[i] = static_cast<std::int64_t>(n - 1 - i);
+                points32[i] = static_cast<std::int32_t>(points[i]);
+            }
+            EXPECT_EQ(mgdt_move_points(t.get(), count, points, xyz), MGDT_OK);
+            EXPECT_EQ(mgdt_move_points_i32(reversed.get(), count, points32, xyz), MGDT_OK);
+            EXPECT_EQ(mgdt_move_points(t.get(), count, nullptr, xyz), MGDT_OK);
+            EXPECT_EQ(std::memcmp(copy.data(), xyz, copy.size() * sizeof(double)), 0);
+            EXPECT_EQ(mgdt_remove_points(t.get(), count, points), MGDT_OK);
+            EXPECT_EQ(mgdt_remove_points_i32(reversed.get(), count, points32), MGDT_OK);
+            for (std::size_t i = 0; i < n; ++i) {
+                EXPECT_EQ(points[i], static_cast<std::int64_t>(n - 1 - i));
+                EXPECT_EQ(points32[i], static_cast<std::int32_t>(n - 1 - i));
+            }
         }
 }
 

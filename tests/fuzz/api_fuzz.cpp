@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A program of calls on one handle, read from the input: settings, insertions of all shapes, calls
-// that are refused, cancelled or run out of memory, queries in between, and callbacks that call the
-// handle. After each call the
-// handle proves itself, and at the end its tetrahedra are those that the points have by other ways.
+// A program of calls on one handle, read from the input: settings, insertions of all shapes, points
+// that leave and move, calls that are refused, cancelled or run out of memory, queries in between,
+// and callbacks that call the handle. After each call the handle proves itself, and at the end its
+// tetrahedra are those that the points have by other ways.
 #include <atomic>
 #include <optional>
 #include <thread>
@@ -52,6 +52,8 @@ class Calls {
     }
 
   private:
+    struct Snapshot;
+
     void step() {
         switch (in_.below(22)) {
             case 0:
@@ -95,6 +97,15 @@ class Calls {
                 break;
             case 13:
                 query_in_need();
+                break;
+            case 19:
+                remove();
+                break;
+            case 20:
+                move();
+                break;
+            case 21:
+                renumber();
                 break;
             default:
                 insert();
@@ -207,7 +218,7 @@ class Calls {
         ok(mgdt_clear(t_));
         points_.clear();
         was_in_.clear();
-        lost_ = cancelled_ = false;  // a request to stop is withdrawn
+        cancelled_ = false;  // a request to stop is withdrawn
         verify();
     }
 
@@ -319,19 +330,204 @@ class Calls {
                        : was_in_[i] && !(held && status == MGDT_ERR_OUT_OF_MEMORY))
                 FUZZ_REQUIRE(now.is_in(i), "point " + std::to_string(i) + " is not in");
         }
-        lost_ = lost_ || status != MGDT_OK;
         was_in_.resize(points_.size());
         for (std::size_t i = 0; i < points_.size(); ++i) was_in_[i] = now.is_in(i);
-        if (!lost_) verify_statistics(now);
+        verify_statistics(now);
     }
 
     void verify_statistics(const Exports& now) {
         double inserted = 0, repeats = 0;
+        std::int64_t in = 0;
+        for (std::size_t i = 0; i < points_.size(); ++i) in += now.is_in(i);
         ok(mgdt_get_stat(t_, MGDT_STAT_POINTS_INSERTED, &inserted));
         ok(mgdt_get_stat(t_, MGDT_STAT_DUPLICATES, &repeats));
         FUZZ_REQUIRE(inserted == static_cast<double>(now.vertices), std::to_string(inserted));
-        FUZZ_REQUIRE(repeats == static_cast<double>(now.points - now.vertices),
-                     std::to_string(repeats));
+        FUZZ_REQUIRE(repeats == static_cast<double>(in - now.vertices), std::to_string(repeats));
+    }
+
+    // ------------------------------------------------------------------- points out and moved
+
+    // Indices of points, counted from 0: seldom one of no point, one that is not in, or one twice.
+    Indices draw_list() {
+        const std::size_t n = in_.byte() & 31;
+        Indices list;
+        for (std::size_t k = 0; k < n; ++k) {
+            const unsigned b = in_.byte();
+            auto i = static_cast<std::int64_t>(points_.empty() ? 0 : b % points_.size());
+            if (b == 255) i = -1;
+            if (b == 254) i = static_cast<std::int64_t>(points_.size());
+            const bool is_good = is_in(i) && std::find(list.begin(), list.end(), i) == list.end();
+            if (is_good || b >= 240) list.push_back(i);
+        }
+        return list;
+    }
+    bool is_in(std::int64_t i) const {
+        return i >= 0 && i < static_cast<std::int64_t>(points_.size()) &&
+               was_in_[static_cast<std::size_t>(i)];
+    }
+    bool is_good(Indices list) const {
+        std::sort(list.begin(), list.end());
+        return std::all_of(list.begin(), list.end(), [&](std::int64_t i) { return is_in(i); }) &&
+               std::adjacent_find(list.begin(), list.end()) == list.end();
+    }
+    // As the call takes it, in one of two widths.
+    template <class Int>
+    std::vector<Int> given(const Indices& list) const {
+        std::vector<Int> out;
+        for (const std::int64_t i : list) out.push_back(static_cast<Int>(i + base_));
+        return out;
+    }
+
+    // How many points of the list a call has done that ended so. `changes`: it has something to do.
+    std::size_t done(mgdt_status status, std::size_t n, bool changes, bool could_stop,
+                     bool was_cancelled) {
+        FUZZ_REQUIRE(status == MGDT_OK || (status == MGDT_ERR_CANCELLED && could_stop) ||
+                         may_run_out(status),
+                     error_of(t_));
+        FUZZ_REQUIRE(status != MGDT_OK || !(stopped_ || (was_cancelled && changes)),
+                     "not cancelled");
+        refuses_ = false;
+        cancelled_ = false;
+        if (status == MGDT_OK) return n;
+        // Where memory runs out at the very beginning, a request to stop may still be pending.
+        if (status == MGDT_ERR_OUT_OF_MEMORY) cancel();
+        unsigned long first = 0, of = n;
+        const std::string text = error_of(t_);
+        const std::size_t after = text.find("after ");
+        if (after != std::string::npos) {
+            const int found = std::sscanf(text.c_str() + after, "after %lu of %lu", &first, &of);
+            FUZZ_REQUIRE(found == 2 && first < of, text);
+        }
+        FUZZ_REQUIRE(of == n, text);
+        return first;
+    }
+
+    void remove() {
+        const Indices list = draw_list();
+        const auto n = static_cast<std::int64_t>(list.size());
+        begin_change();
+        const bool was_cancelled = cancelled_;
+        const Snapshot before(*this);
+        const std::vector<std::int64_t> wide = given<std::int64_t>(list);
+        const std::vector<std::int32_t> narrow = given<std::int32_t>(list);
+        const mgdt_status status = in_.flag() ? mgdt_remove_points(t_, n, wide.data())
+                                              : mgdt_remove_points_i32(t_, n, narrow.data());
+        if (!is_good(list)) {
+            expect_refused(status, before);
+            return;
+        }
+        if (n == 0) {
+            ok(status);
+            return;
+        }
+        const std::size_t out =
+            done(status, list.size(), true, stop_at_ != 0 || was_cancelled, was_cancelled);
+        for (std::size_t k = 0; k < out; ++k) was_in_[static_cast<std::size_t>(list[k])] = false;
+        expect_in();
+    }
+
+    void move() {
+        const bool is_all = in_.flag() && points_.size() < 32;
+        Indices list;
+        if (!is_all) list = draw_list();
+        for (std::size_t i = 0; is_all && i < points_.size(); ++i)
+            if (was_in_[i]) list.push_back(static_cast<std::int64_t>(i));
+        std::vector<Point> places = draw_points(list.size());
+        // Some stay where they are, or go back there.
+        while (places.size() < list.size()) {
+            const std::int64_t i = list[places.size()];
+            places.push_back(is_in(i) ? points_[static_cast<std::size_t>(i)] : Point{});
+        }
+        begin_change();
+        const bool was_cancelled = cancelled_;
+        const Snapshot before(*this);
+        const mgdt_status status = give_move(is_all, list, places);
+        const bool is_finite = std::all_of(places.begin(), places.end(), [](const Point& p) {
+            return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+        });
+        if (!is_good(list)) {
+            expect_refused(status, before);
+            return;
+        }
+        if (list.empty()) {
+            FUZZ_REQUIRE(status == MGDT_OK || may_run_out(status), error_of(t_));
+            refuses_ = false;
+            before.expect_same();
+            return;
+        }
+        if (!is_finite) {
+            if (may_run_out(status)) {
+                done(status, list.size(), false, false, false);
+            } else {
+                FUZZ_REQUIRE(status == MGDT_ERR_NOT_FINITE, mgdt_status_string(status));
+                refuses_ = false;
+            }
+            before.expect_same();
+            return;
+        }
+        bool changes = false;
+        for (std::size_t k = 0; k < list.size(); ++k)
+            changes = changes || points_[static_cast<std::size_t>(list[k])] != places[k];
+        const std::size_t moved =
+            done(status, list.size(), changes, stop_at_ != 0 || was_cancelled, was_cancelled);
+        for (std::size_t k = 0; k < moved; ++k)
+            points_[static_cast<std::size_t>(list[k])] = places[k];
+        expect_in();
+    }
+
+    mgdt_status give_move(bool is_all, const Indices& list, const std::vector<Point>& places) {
+        std::vector<double> xyz;
+        const auto n = static_cast<std::int64_t>(is_all ? points_.size() : list.size());
+        if (is_all) xyz.assign(3 * points_.size(), std::numeric_limits<double>::quiet_NaN());
+        if (!is_all) xyz.resize(3 * list.size());
+        for (std::size_t k = 0; k < list.size(); ++k)
+            std::copy(places[k].begin(), places[k].end(),
+                      &xyz[3 * (is_all ? static_cast<std::size_t>(list[k]) : k)]);
+        const std::vector<std::int64_t> wide = given<std::int64_t>(list);
+        const std::vector<std::int32_t> narrow = given<std::int32_t>(list);
+        if (in_.flag()) return mgdt_move_points(t_, n, is_all ? nullptr : wide.data(), xyz.data());
+        return mgdt_move_points_i32(t_, n, is_all ? nullptr : narrow.data(), xyz.data());
+    }
+
+    void renumber() {
+        const std::size_t n = points_.size();
+        const auto count = static_cast<std::int64_t>(n);
+        Exact<std::int64_t> wide(n, margin_);
+        Exact<std::int32_t> narrow(n, margin_);
+        const bool is_wide = in_.flag();
+        ok(is_wide ? mgdt_renumber_points(t_, count, wide.data())
+                   : mgdt_renumber_points_i32(t_, count, narrow.data()));
+        Indices index = wide.take();
+        const std::vector<std::int32_t> same = narrow.take();
+        if (!is_wide) index.assign(same.begin(), same.end());
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            FUZZ_REQUIRE(index[i] - base_ == (was_in_[i] ? static_cast<std::int64_t>(next) : -1),
+                         std::to_string(index[i]));
+            if (was_in_[i]) points_[next++] = points_[i];
+        }
+        points_.resize(next);
+        was_in_.assign(next, true);
+        expect_in();
+    }
+
+    void begin_change() {
+        refuses_ = memory_.is_armed();
+        stopped_ = false;
+    }
+
+    void expect_refused(mgdt_status status, const Snapshot& before) {
+        FUZZ_REQUIRE(status == MGDT_ERR_INVALID_ARGUMENT || may_run_out(status),
+                     mgdt_status_string(status));
+        refuses_ = false;
+        before.expect_same();
+    }
+
+    void expect_in() {
+        const Exports now = verify();
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            FUZZ_REQUIRE(now.is_in(i) == was_in_[i], "point " + std::to_string(i));
+        verify_statistics(now);
     }
 
     void refused() {
@@ -540,7 +736,6 @@ class Calls {
     std::vector<bool> was_in_;
     std::size_t work_ = 0;
     bool may_be_wide_ = false, is_wide_ = false;  // points that need the longest integers
-    bool lost_ = false;                           // some call failed half way
     bool refuses_ = false;                        // the allocator was armed before the call
     bool cancelled_ = false;
     std::size_t margin_ = 0;

@@ -161,9 +161,19 @@ inline void wrong_call(Input& in, mgdt_triangulation* t) {
 inline void busy_call(unsigned which, mgdt_triangulation* t) {
     const double xyz[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
     mgdt_status status = MGDT_ERR_BUSY;
-    switch (which % 11) {
+    std::int64_t first = 0;
+    switch (which % 14) {
         case 0:
             status = mgdt_insert_points(t, 4, xyz);
+            break;
+        case 11:
+            status = mgdt_remove_points(t, 1, &first);
+            break;
+        case 12:
+            status = mgdt_move_points(t, 1, &first, xyz);
+            break;
+        case 13:
+            status = mgdt_renumber_points(t, 1, &first);
             break;
         case 1:
             status = mgdt_insert_points_strided(t, -1, xyz, nullptr, xyz, 1);

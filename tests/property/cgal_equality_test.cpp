@@ -114,6 +114,58 @@ void compare(const std::vector<double>& xyz, const Expected& expected, std::int3
     ASSERT_EQ(mgdt_check(t.get(), MGDT_CHECK_CANONICAL), MGDT_OK) << property::error_of(t.get());
 }
 
+// The same points after others were there, and these were elsewhere.
+void compare_after_changes(const std::vector<double>& xyz, const Expected& expected,
+                           std::size_t batches) {
+    SCOPED_TRACE("after changes in " + std::to_string(batches) + " batches");
+    const std::size_t n = xyz.size() / 3;
+    std::mt19937_64 random(n + batches);
+    std::vector<double> first = xyz;
+    // A third goes to where others are, or between them.
+    std::vector<std::int64_t> moved, extra;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (random() % 3 != 0) continue;
+        const std::size_t j = random() % n;
+        for (std::size_t k = 0; k < 3; ++k)
+            first[3 * i + k] =
+                random() % 2 == 0 ? xyz[3 * j + k] : xyz[3 * i + k] / 2 + xyz[3 * j + k] / 2;
+        moved.push_back(static_cast<std::int64_t>(i));
+    }
+    for (std::size_t i = 0; i < n / 3; ++i) {
+        const std::size_t j = random() % n, l = random() % n;
+        for (std::size_t k = 0; k < 3; ++k)
+            first.push_back(xyz[3 * j + k] / 2 + xyz[3 * l + k] / 2);
+        extra.push_back(static_cast<std::int64_t>(n + i));
+    }
+    std::shuffle(moved.begin(), moved.end(), random);
+    std::shuffle(extra.begin(), extra.end(), random);
+    const property::Handle t = property::create();
+    ASSERT_EQ(property::insert(t.get(), first, {0}), MGDT_OK) << property::error_of(t.get());
+    for (std::size_t b = 0; b < batches; ++b) {
+        const std::size_t m0 = moved.size() * b / batches, m1 = moved.size() * (b + 1) / batches;
+        std::vector<double> places;
+        for (std::size_t k = m0; k < m1; ++k)
+            places.insert(places.end(), &xyz[3 * static_cast<std::size_t>(moved[k])],
+                          &xyz[3 * static_cast<std::size_t>(moved[k])] + 3);
+        ASSERT_EQ(mgdt_move_points(t.get(), static_cast<std::int64_t>(m1 - m0), moved.data() + m0,
+                                   places.data()),
+                  MGDT_OK)
+            << property::error_of(t.get());
+        const std::size_t e0 = extra.size() * b / batches, e1 = extra.size() * (b + 1) / batches;
+        ASSERT_EQ(
+            mgdt_remove_points(t.get(), static_cast<std::int64_t>(e1 - e0), extra.data() + e0),
+            MGDT_OK)
+            << property::error_of(t.get());
+    }
+    std::vector<std::int64_t> index(first.size() / 3);
+    ASSERT_EQ(mgdt_renumber_points(t.get(), static_cast<std::int64_t>(index.size()), index.data()),
+              MGDT_OK);
+    ASSERT_EQ(mgdt_dimension(t.get()), expected.dimension);
+    ASSERT_TRUE(property::point_map(t.get()) == expected.map);
+    ASSERT_TRUE(property::keys(property::tetrahedra(t.get())) == expected.tetrahedra);
+    ASSERT_EQ(mgdt_check(t.get(), MGDT_CHECK_CANONICAL), MGDT_OK) << property::error_of(t.get());
+}
+
 void compare_schemes(const std::vector<double>& xyz, const Expected& expected) {
     for (std::int32_t scheme : order_schemes) {
         if (!options.every_scheme && scheme != MGDT_ORDER_AUTO) continue;
@@ -121,6 +173,11 @@ void compare_schemes(const std::vector<double>& xyz, const Expected& expected) {
             compare(xyz, expected, scheme, batches);
             if (testing::Test::HasFatalFailure()) return;
         }
+    }
+    // In one call all is triangulated anew; in many, stars are filled one by one.
+    for (const std::size_t batches : {std::size_t{1}, xyz.size() / 150 + 1}) {
+        compare_after_changes(xyz, expected, batches);
+        if (testing::Test::HasFatalFailure()) return;
     }
 }
 

@@ -224,6 +224,17 @@ TEST(AbsentPoints, AreForgottenAndTheOthersKeepTheirOrder) {
     }
 }
 
+TEST(AbsentPoints, OfAnInsertionThatWasStopped) {
+    const auto t = empty();
+    insert(*t, {0, 0, 0});
+    t->cancel();
+    EXPECT_THROW(insert(*t, {1e5, 1e-5, 3}), Error);
+    EXPECT_EQ(t->point_map().size(), 2u);
+    t->forget_absent_points();
+    EXPECT_EQ(t->point_map().size(), 1u);
+    expect_as_fresh(*t, {0, 0, 0});
+}
+
 TEST(RemovalArguments, AreRefusedWithTheirIndex) {
     Random random(5);
     const Points xyz = uniform_points(20, random);
