@@ -430,8 +430,8 @@ MGDT_API mgdt_status mgdt_insert_points_strided(mgdt_triangulation* t, int64_t n
  *  @return MGDT_OK; MGDT_ERR_INVALID_ARGUMENT (n is negative, whatever points is; an index of no
  *  point, of one that is not in, or one that is there twice: the message names it) or
  *  MGDT_ERR_NULL_POINTER, with nothing changed; MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY or
- *  MGDT_ERR_TOO_LARGE with a valid triangulation: the first points of the list are out, as many as
- *  the message says, and the others are in
+ *  MGDT_ERR_TOO_LARGE with a valid triangulation: as many points as the message says are out, and
+ *  the others are in; the point map says which
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_remove_points(mgdt_triangulation* t, int64_t n, const int64_t* points);
 /** @copydoc mgdt_remove_points

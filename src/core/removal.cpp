@@ -26,6 +26,12 @@ class Triangulation::Removal {
     Removal(const Removal&) = delete;
     Removal& operator=(const Removal&) = delete;
 
+    // Fetches what taking the point out will begin with.
+    void announce(std::uint32_t point) const noexcept {
+        if (t.mesh_.vertex_hint.empty()) return;
+        const TetId near = t.mesh_.vertex_hint[t.point_map_[point]];
+        if (near != no_tetrahedron) t.mesh_.tetrahedra.prefetch(near);
+    }
     void take_out(std::uint32_t point);
 
   private:
@@ -48,7 +54,7 @@ void Triangulation::Removal::take_out(std::uint32_t point) {
         return;
     }
     if (mesh.live_count() != 0) {
-        vertex.prepare(mesh, v, Locator{mesh, t.calls(), nullptr}.tetrahedron_of(v));
+        vertex.prepare(*t.kernel_, mesh, v, Locator{mesh, t.calls(), nullptr}.tetrahedron_of(v));
         if (vertex.leaves_space()) {
             t.last_ = vertex.replace(mesh);
             mesh.guards_agree = false;
@@ -118,6 +124,15 @@ void Triangulation::remove(const Buffer<std::uint32_t>& points) {
     // Points that are held cost nothing to take out.
     if (mesh_.live_count() == 0 || !try_to_rebuild(n, [&] { rebuild_without(points); })) {
         Removal removal(*this, points);
+        // In the order of vertices, which mostly follow a curve: what one needs is near what the
+        // one before has used.
+        Buffer<std::uint32_t> order(allocator_);
+        order.reserve(n);
+        for (const std::uint32_t i : points) order.push_back(i);
+        std::sort(order.begin(), order.end(), [this](std::uint32_t i, std::uint32_t j) {
+            return point_map_[i] != point_map_[j] ? point_map_[i] < point_map_[j] : i < j;
+        });
+        constexpr std::size_t ahead = 4;
         const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
         std::size_t next_report = report_interval;
         for (std::size_t i = 0; i < n; ++i) {
@@ -127,8 +142,9 @@ void Triangulation::remove(const Buffer<std::uint32_t>& points) {
                 report(i, n);
             }
             if (is_due || i % poll_interval == 0) stop_if_cancelled(i, n);
+            if (i + ahead < n) removal.announce(order[i + ahead]);
             try {
-                removal.take_out(points[i]);
+                removal.take_out(order[i]);
             } catch (const std::bad_alloc&) {
                 fail_without_memory(i, n);
             }

@@ -29,7 +29,7 @@ struct Settings {
     std::size_t points_a_thread = 8192;  // with fewer a thread does not pay; lowered by tests
     // A call that removes or moves more than one in this many vertices triangulates the others, or
     // all, anew; changed by tests.
-    std::size_t vertices_a_rebuild = 16;
+    std::size_t vertices_a_rebuild = 10;
     void (*pause)() = nullptr;  // for tests: called where threads take and give back blocks
     std::int32_t index_base = 0;
     bool canonical_output = false;

@@ -3,6 +3,7 @@
 // tetrahedra in conflict, and the star that replaces them. Compiled in each island.
 #pragma once
 
+#include "kernel/apex.hpp"
 #include "kernel/cavity.hpp"
 #include "kernel/kernel.hpp"
 #include "kernel/star.hpp"
@@ -51,7 +52,7 @@ constexpr KernelCalls kernel_calls = {insert<Spheres>, insert_concurrent<Spheres
 
 // The functions of this island that the library calls.
 constexpr Kernel kernel_named(const char* isa) {
-    return {isa, kernel_calls<KeptSpheres>, kernel_calls<ComputedSpheres>};
+    return {isa, kernel_calls<KeptSpheres>, kernel_calls<ComputedSpheres>, find_apex};
 }
 
 }  // namespace MGDT_ISLAND

@@ -29,6 +29,22 @@ struct LocationWalk {
     std::size_t steps_taken;  // counted by the caller of locate_step()
 };
 
+// The link of a vertex that is removed, in columns by local number, padded to fours.
+struct LinkColumns {
+    const double *x, *y, *z;
+    double* skipped;  // -0.0 for the vertex at infinity and what is padding, else 0.0
+    std::size_t size;
+};
+
+// What makes a tetrahedron with a facet of the hole, and its sphere relative to the facet's first
+// vertex.
+struct ApexResult {
+    std::uint32_t number;  // in the link, or one of these
+    Sphere sphere;
+};
+inline constexpr std::uint32_t infinite_apex = no_index - 1;  // the facet is on the hull
+inline constexpr std::uint32_t no_apex = no_index;            // the filter does not decide
+
 struct KernelCalls {
     // Inserts vertex q, whose record is in the mesh, walking from `start`. Strong guarantee: when
     // it throws (std::bad_alloc, Error with MGDT_ERR_TOO_LARGE) the triangulation is unchanged.
@@ -48,6 +64,8 @@ struct Kernel {
     const char* isa;
     KernelCalls with_spheres;     // for a mesh that keeps them
     KernelCalls without_spheres;  // for one that does not
+    // All of the link has to be in the range in which filters are proved.
+    ApexResult (*find_apex)(const LinkColumns& link, const std::uint32_t (&facet)[3]);
 
     const KernelCalls& on(const Mesh& mesh) const noexcept {
         return mesh.tetrahedra.has_spheres() ? with_spheres : without_spheres;

@@ -2,6 +2,7 @@
 #include "kernel/vertex_removal.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "kernel/circumsphere.hpp"
 #include "platform/error.hpp"
@@ -26,6 +27,7 @@ std::size_t hash(std::uint64_t key) noexcept {
 VertexRemoval::VertexRemoval(Allocator& allocator) noexcept
     : star_(allocator),
       link_(allocator),
+      columns_(allocator),
       numbers_(allocator),
       facets_(allocator),
       places_(allocator),
@@ -33,7 +35,7 @@ VertexRemoval::VertexRemoval(Allocator& allocator) noexcept
       slots_(allocator),
       kept_(allocator) {}
 
-void VertexRemoval::prepare(Mesh& mesh, VertexId v, TetId t) {
+void VertexRemoval::prepare(const Kernel& kernel, Mesh& mesh, VertexId v, TetId t) {
     vertex_ = v;
     find_star(mesh, v, t);
     number_link(mesh, v);
@@ -43,12 +45,15 @@ void VertexRemoval::prepare(Mesh& mesh, VertexId v, TetId t) {
     places_.resize(power_of_two_above(8 * star_.size()), no_index);
     ghosts_made_ = 0;
     add_boundary(mesh, v);
+    const LinkColumns columns = columns_of_link(mesh);
     // Finite facets lead everywhere; those of ghosts are met from them.
     for (std::size_t i = 0; i < facets_.size(); ++i) {
         const Facet& f = facets_[i];
         if (f.is_closed || f.v[0] == infinite_ || f.v[1] == infinite_ || f.v[2] == infinite_)
             continue;
-        close(i, apex_of(mesh, f));
+        ApexResult apex = {no_apex, {}};
+        if (!mesh.has_extremes) apex = kernel.find_apex(columns, f.v);
+        close(mesh, i, apex.number == no_apex ? apex_of(mesh, f) : apex);
     }
     for (const Facet& f : facets_)
         if (!f.is_closed) fail(MGDT_ERR_INTERNAL, "a hole is not filled; please report it");
@@ -75,6 +80,8 @@ void VertexRemoval::find_star(Mesh& mesh, VertexId v, TetId first) {
         if (record.is_in_cavity()) return;
         star_.push_back(t);
         record.v[1] |= in_cavity;
+        // Its neighbours come soon, in the star or beyond its boundary.
+        for (const FacetCode n : record.n) mesh.tetrahedra.prefetch(tetrahedron_of(n));
         ghosts_gone_ += record.is_ghost();
     };
     try {
@@ -108,7 +115,25 @@ void VertexRemoval::number_link(const Mesh& mesh, VertexId v) {
             numbers_[h] = static_cast<Number>(link_.size());
             if (u == infinite_vertex) infinite_ = numbers_[h];
             link_.push_back(u);
+            prefetch(mesh.point(u));
         }
+}
+
+LinkColumns VertexRemoval::columns_of_link(const Mesh& mesh) {
+    const std::size_t size = (link_.size() + 3) / 4 * 4;
+    columns_.clear();
+    columns_.resize(4 * size);
+    double* const x = columns_.data();
+    double *const y = x + size, *const z = y + size, *const skipped = z + size;
+    for (std::size_t k = 0; k < size; ++k) {
+        const bool is_vertex = k < link_.size() && k != infinite_;
+        const double* const p = mesh.point(is_vertex ? link_[k] : infinite_vertex);
+        x[k] = p[0];
+        y[k] = p[1];
+        z[k] = p[2];
+        skipped[k] = is_vertex ? 0.0 : -0.0;
+    }
+    return {x, y, z, skipped, size};
 }
 
 VertexRemoval::Number VertexRemoval::number_of(VertexId v) const noexcept {
@@ -132,16 +157,16 @@ void VertexRemoval::add_boundary(const Mesh& mesh, VertexId v) {
 
 // The place of the facet with these vertices, in any order, among `places_`; or a free one.
 std::size_t VertexRemoval::place_of(const Number (&v)[3]) const noexcept {
-    Number a = v[0], b = v[1], c = v[2];
-    if (a > b) std::swap(a, b);
-    if (b > c) std::swap(b, c);
-    if (a > b) std::swap(a, b);
+    const auto in_order = [](const Number(&u)[3]) -> std::array<Number, 3> {
+        const Number least = std::min({u[0], u[1], u[2]}), most = std::max({u[0], u[1], u[2]});
+        return {least, u[0] ^ u[1] ^ u[2] ^ least ^ most, most};
+    };
+    const auto [a, b, c] = in_order(v);
     const std::size_t mask = places_.size() - 1;
     std::size_t h = hash((std::uint64_t{a} * 0x10001u + b) * 0x1000003u + c) & mask;
     for (; places_[h] != no_index; h = (h + 1) & mask) {
-        const Number(&u)[3] = facets_[places_[h]].v;
-        const auto has = [&](Number x) { return u[0] == x || u[1] == x || u[2] == x; };
-        if (has(a) && has(b) && has(c)) break;
+        const auto [d, e, f] = in_order(facets_[places_[h]].v);
+        if (((a ^ d) | (b ^ e) | (c ^ f)) == 0) break;
     }
     return h;
 }
@@ -174,8 +199,9 @@ void VertexRemoval::join(const Number (&v)[3], FacetCode behind, bool is_outside
     link(f.behind, f.is_outside, behind, is_outside);
 }
 
-// The vertex of the link that makes the tetrahedron on the inner side of a finite facet.
-VertexRemoval::Number VertexRemoval::apex_of(const Mesh& mesh, const Facet& facet) const {
+// The vertex of the link that makes the tetrahedron on the inner side of a finite facet: where
+// floating-point arithmetic leaves it open.
+ApexResult VertexRemoval::apex_of(const Mesh& mesh, const Facet& facet) const {
     const double* const a = point(mesh, facet.v[0]);
     const double* const b = point(mesh, facet.v[1]);
     const double* const c = point(mesh, facet.v[2]);
@@ -210,22 +236,33 @@ VertexRemoval::Number VertexRemoval::apex_of(const Mesh& mesh, const Facet& face
         set_sphere(rc, rb, re, sphere);
         if (!is_trusted) sphere.e = infinity;
     }
-    return best == no_index ? infinite_ : best;
+    return {best == no_index ? infinite_apex : best, sphere};
+}
+
+Sphere VertexRemoval::ghost_sphere(const Mesh& mesh, const Facet& facet) const {
+    const double* const a = point(mesh, facet.v[0]);
+    const double* const b = point(mesh, facet.v[1]);
+    const double* const c = point(mesh, facet.v[2]);
+    Sphere sphere;
+    set_normal(relative_to(c, a), relative_to(b, a), sphere);
+    if (!in_normal_range(a) || !in_normal_range(b) || !in_normal_range(c)) sphere.e = -infinity;
+    return sphere;
 }
 
 // Puts the tetrahedron of an open facet and this apex into the filling.
-void VertexRemoval::close(std::size_t facet, Number apex) {
-    if (apex == no_index || filling_.size() >= max_tetrahedra)
-        fail(MGDT_ERR_INTERNAL, "a facet has no apex; please report it");
+void VertexRemoval::close(const Mesh& mesh, std::size_t facet, ApexResult apex) {
     const Facet f = facets_[facet];
+    const bool is_ghost = apex.number == infinite_apex;
+    if (is_ghost) apex = {infinite_, ghost_sphere(mesh, f)};
+    if (apex.number == no_index || filling_.size() >= max_tetrahedra)
+        fail(MGDT_ERR_INTERNAL, "a facet has no apex; please report it");
+    ghosts_made_ += is_ghost;
     const auto t = static_cast<TetId>(filling_.size());
-    filling_.push_back({{apex, f.v[0], f.v[1], f.v[2]}, {}, {}, {}});
-    ghosts_made_ += apex == infinite_;
-    const Filling made = filling_[t];
-    join({f.v[0], f.v[1], f.v[2]}, facet_code(t, 0), false);
-    for (unsigned face = 1; face < 4; ++face) {
+    const Number v[4] = {f.v[0], f.v[2], f.v[1], apex.number};
+    filling_.push_back({{v[0], v[1], v[2], v[3]}, {}, {}, apex.sphere});
+    for (unsigned face = 4; face-- > 0;) {
         const unsigned char* const corner = outer_face[face];
-        join({made.v[corner[0]], made.v[corner[1]], made.v[corner[2]]}, facet_code(t, face), false);
+        join({v[corner[0]], v[corner[1]], v[corner[2]]}, facet_code(t, face), false);
     }
 }
 
@@ -235,30 +272,23 @@ TetId VertexRemoval::replace(Mesh& mesh) noexcept {
     for (std::size_t i = created; i < removed; ++i) mesh.free_slot(star_[i]);
     if (created > removed) mesh.take_slots(slots_.data() + removed, created - removed);
 
-    for (Filling& t : filling_) {
-        const VertexId v[4] = {link_[t.v[0]], link_[t.v[1]], link_[t.v[2]], link_[t.v[3]]};
-        places_by_number(v, t.place);
-    }
+    const bool has_spheres = mesh.tetrahedra.has_spheres();
     for (std::size_t i = 0; i < created; ++i) {
         const Filling& t = filling_[i];
         const TetId id = tetrahedron_of(slots_[i]);
         Tetrahedron& record = mesh.tetrahedra[id];
         for (unsigned face = 0; face < 4; ++face) {
             const VertexId v = link_[t.v[face]];
-            const unsigned place = t.place[face];
             FacetCode n = t.n[face];
-            if (t.is_outside[face]) {
-                mesh.tetrahedra[tetrahedron_of(n)].n[face_of(n)] = facet_code(id, place);
-            } else {
-                const TetId other = tetrahedron_of(n);
-                n = facet_code(tetrahedron_of(slots_[other]), filling_[other].place[face_of(n)]);
-            }
-            record.v[place] = v;
-            record.n[place] = n;
+            if (t.is_outside[face])
+                mesh.tetrahedra[tetrahedron_of(n)].n[face_of(n)] = facet_code(id, face);
+            else
+                n = facet_code(tetrahedron_of(slots_[tetrahedron_of(n)]), face_of(n));
+            record.v[face] = v;
+            record.n[face] = n;
             if (v != infinite_vertex) mesh.vertex_hint[v] = id;
         }
-        if (mesh.tetrahedra.has_spheres())
-            mesh.tetrahedra.sphere(id) = rounded(circumsphere(record, mesh.vertices.data()));
+        if (has_spheres) mesh.tetrahedra.sphere(id) = rounded(t.sphere);
         if (record.is_ghost()) mesh.a_ghost = id;
     }
     mesh.ghost_count = mesh.ghost_count + ghosts_made_ - ghosts_gone_;
@@ -299,6 +329,7 @@ void VertexRemoval::reset() noexcept {
     kept_.reset();
     star_.reset();
     link_.reset();
+    columns_.reset();
     numbers_.reset();
     facets_.reset();
     places_.reset();

@@ -7,11 +7,12 @@
 // tetrahedron at a facet is the one whose circumsphere has no vertex of the link inside: beyond the
 // facet, spheres through it grow from one candidate to the next, and one pass over the link finds
 // the least. Where no vertex is beyond, the facet is on the hull, and a ghost goes there. The
-// perturbation leaves exactly one candidate. docs/theory.md, "Removing a vertex", proves that the
-// result is the triangulation of all remaining points.
+// kernel's find_apex() does this with vectors where floating-point arithmetic decides; elsewhere
+// exact predicates do, and the perturbation leaves exactly one candidate. docs/theory.md, "Removing
+// a vertex", proves that the result is the triangulation of all remaining points.
 #pragma once
 
-#include "mesh/mesh.hpp"
+#include "kernel/kernel.hpp"
 
 namespace mgdt {
 
@@ -22,7 +23,7 @@ class VertexRemoval {
     // Prepares the removal of vertex v, of which t is a tetrahedron: finds its star and what fills
     // the hole. Throws std::bad_alloc, and MGDT_ERR_TOO_LARGE for too many tetrahedra; the mesh is
     // unchanged in any case.
-    void prepare(Mesh& mesh, VertexId v, TetId t);
+    void prepare(const Kernel& kernel, Mesh& mesh, VertexId v, TetId t);
     // Whether the remaining points still span space. If not, there is nothing to replace.
     bool leaves_space() const noexcept { return leaves_space_; }
     // Gives back the room that is kept from one removal to the next.
@@ -40,13 +41,14 @@ class VertexRemoval {
   private:
     // A local number of a vertex of the link.
     using Number = std::uint32_t;
-    // Opposite the i-th vertex is the facet with this code. `is_outside`: a neighbour that stays;
-    // else 4 * tetrahedron + face in the filling.
+    // A tetrahedron as its record will be: the vertices of the facet from which it was found, and
+    // the apex. Opposite the i-th vertex is the facet with this code. `is_outside`: a neighbour
+    // that stays; else 4 * tetrahedron + face in the filling.
     struct Filling {
         Number v[4];
         FacetCode n[4];
         bool is_outside[4];
-        unsigned place[4];  // of the i-th vertex in the record
+        Sphere sphere;
     };
     // A facet of the hole or of the filling, as the tetrahedron sees it that comes on its inner
     // side: (apex, v[0], v[1], v[2]) is positively oriented.
@@ -58,18 +60,21 @@ class VertexRemoval {
 
     void find_star(Mesh& mesh, VertexId v, TetId t);
     void number_link(const Mesh& mesh, VertexId v);
+    LinkColumns columns_of_link(const Mesh& mesh);
     Number number_of(VertexId v) const noexcept;
     void add_boundary(const Mesh& mesh, VertexId v);
     // Adds a facet; links the tetrahedra on its two sides when it comes for the second time.
     void join(const Number (&v)[3], FacetCode behind, bool is_outside);
     std::size_t place_of(const Number (&v)[3]) const noexcept;
     void enlarge_places();
-    Number apex_of(const Mesh& mesh, const Facet& facet) const;
-    void close(std::size_t facet, Number apex);
+    ApexResult apex_of(const Mesh& mesh, const Facet& facet) const;
+    Sphere ghost_sphere(const Mesh& mesh, const Facet& facet) const;
+    void close(const Mesh& mesh, std::size_t facet, ApexResult apex);
     const double* point(const Mesh& mesh, Number k) const noexcept { return mesh.point(link_[k]); }
 
     Buffer<TetId> star_;
     Buffer<VertexId> link_;   // by local number
+    Buffer<double> columns_;  // x, y, z of the link, and what is skipped
     Buffer<Number> numbers_;  // open-addressed by vertex
     Buffer<Facet> facets_;
     Buffer<std::uint32_t> places_;  // open-addressed by the facet's vertices

@@ -361,8 +361,8 @@ impl Triangulation {
     }
 
     /// Takes points out, given by their numbers, each once; the others keep theirs. A number of no
-    /// point that is in changes nothing. After [`ErrorKind::OutOfMemory`] the first points of the list
-    /// are out, as many as the message says. Since 1.2.
+    /// point that is in changes nothing. After [`ErrorKind::OutOfMemory`] as many of the points are out as the
+    /// message says. Since 1.2.
     pub fn remove(&mut self, points: &[usize]) -> Result<(), Error> {
         let list = as_numbers(points);
         let status =

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+// As in the island avx2: links are short.
+#pragma once
+
+#include "kernel/avx2/apex.hpp"

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// No vectors: one vertex after another is looked at, by VertexRemoval itself. See kernel/apex.hpp.
+#pragma once
+
+namespace mgdt {
+inline namespace MGDT_ISLAND {
+
+inline ApexResult find_apex(const LinkColumns&, const std::uint32_t (&)[3]) {
+    return {no_apex, {}};
+}
+
+}  // namespace MGDT_ISLAND
+}  // namespace mgdt
