@@ -64,6 +64,7 @@ struct BenchOptions {
     std::string data_directory;
     std::string peer_directory;  // empty: beside the program
     std::string command;         // as it was typed
+    bool churn = false;          // what `bench --churn` measures, instead
     bool quiet = false;
 };
 int run_bench(const BenchOptions& options);

@@ -159,6 +159,9 @@ void add_bench(CLI::App& app, BenchOptions& options) {
     CLI::Option* paper =
         app.add_flag("--paper", options.plan.paper, "What the paper ran in its tables 1 to 9")
             ->excludes(sizes);
+    app.add_flag("--churn", options.churn,
+                 "Time points that leave and move, not insertions; prints a table alone")
+        ->excludes(paper);
     app.add_option("--largest", options.largest, "Largest of the paper's sets (default 2e6)")
         ->needs(paper)
         ->type_name("N");

@@ -290,6 +290,7 @@ void Triangulation::note_repeat(VertexId q, VertexId vertex) {
     point_map_[index] = vertex;
     std::uint32_t& least = mesh_.vertices[vertex].index;
     least = std::min(least, index);
+    mesh_.vertices[vertex].moved_to = has_equals;
     ++statistics_.duplicates;
 }
 

@@ -62,7 +62,7 @@ class Triangulation::Motion {
 void Triangulation::Motion::one_by_one() {
     const std::size_t n = moved_.size();
     gaps_.reserve(n);
-    if (t_.statistics_.duplicates != 0) equal_points_.find(t_.point_map_, moved_.points);
+    if (t_.are_equals_among(moved_.points)) equal_points_.find(t_.point_map_, moved_.points);
     const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
     std::size_t next_report = report_interval;
     for (std::size_t k = 0; k < n; ++k) {
@@ -227,7 +227,7 @@ void Triangulation::move(const Buffer<std::uint32_t>& points, const double* xyz)
     exponents_.add(PointScan(alone, size, axis, 3, 0).exponents);
     exponents_are_wide_ = true;
     forget_numbering();
-    location_tree_.forget();
+    change_location_tree(size);
     set_scale(scale_for(size, axis, 3));
     report(0, size);
     stop_if_cancelled(0, n);

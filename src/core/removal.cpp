@@ -20,7 +20,7 @@ class Triangulation::Removal {
           equal_points(triangulation.allocator_, triangulation.mesh_.vertices.size()),
           gaps(triangulation.allocator_) {
         gaps.reserve(points.size());
-        if (t.statistics_.duplicates != 0) equal_points.find(t.point_map_, points);
+        if (t.are_equals_among(points)) equal_points.find(t.point_map_, points);
     }
     ~Removal() { t.close_gaps(gaps); }
     Removal(const Removal&) = delete;
@@ -61,6 +61,7 @@ void Triangulation::Removal::take_out(std::uint32_t point) {
             t.statistics_.link_vertices += vertex.link_size();
         } else {
             mesh.drop_tetrahedra();
+            t.location_tree_.forget();
             mesh.vertex_hint.clear();
             t.last_ = no_tetrahedron;
         }
@@ -71,6 +72,14 @@ void Triangulation::Removal::take_out(std::uint32_t point) {
     t.point_map_[point] = infinite_vertex;
     --t.statistics_.points_inserted;
     ++t.statistics_.removed;
+}
+
+// Whether some of these points share a vertex with others, or have done so.
+bool Triangulation::are_equals_among(const Buffer<std::uint32_t>& points) const noexcept {
+    return statistics_.duplicates != 0 &&
+           std::any_of(points.begin(), points.end(), [this](std::uint32_t i) {
+               return mesh_.vertices[point_map_[i]].moved_to == has_equals;
+           });
 }
 
 // All are in, and each is there once.
@@ -117,7 +126,7 @@ void Triangulation::remove(const Buffer<std::uint32_t>& points) {
     const ForgetRequest forget{cancelled_};
     const Stopwatch watch(statistics_.remove_seconds);
     forget_numbering();
-    location_tree_.forget();
+    change_location_tree(n);
     exponents_are_wide_ = true;
     report(0, n);
     stop_if_cancelled(0, n);

@@ -184,10 +184,12 @@ void Triangulation::hold(const Batch& batch, const AffineBasis& basis) {
         batch.get(i, p);
         const std::size_t before = vertex_count();
         point_map_[batch.index(i)] = degenerate_.add(mesh_, p, batch.index(i));
-        if (vertex_count() > before)
+        if (vertex_count() > before) {
             ++statistics_.points_inserted;
-        else
+        } else {
             ++statistics_.duplicates;
+            mesh_.vertices[point_map_[batch.index(i)]].moved_to = has_equals;
+        }
         if (!in_normal_range(p)) mesh_.has_extremes = true;
     }
     basis_ = basis;
@@ -229,6 +231,12 @@ CheckInput Triangulation::check_input() const {
             exponents_are_wide_,
             last_,
             location_tree_.peek()};
+}
+
+// So many vertices leave or move.
+void Triangulation::change_location_tree(std::size_t vertices) noexcept {
+    LocationTree* const tree = location_tree_.peek();
+    if (tree && !tree->takes_changes(vertices)) location_tree_.forget();
 }
 
 const LocationTree* Triangulation::location_tree(std::size_t end) const noexcept {

@@ -135,12 +135,14 @@ class Triangulation {
     const LocationTree* location_tree(std::size_t end) const noexcept;
     const LocationTree* tree_for_insertion(std::size_t end) noexcept;
     void extend_location_tree(std::size_t begin) noexcept;
+    void change_location_tree(std::size_t vertices) noexcept;
     void insert_scheduled(const Batch& batch, const Schedule& schedule, std::size_t base,
                           std::size_t done, bool may_stop);
     void compact_vertices(Team& team, std::size_t begin, std::size_t first_point) noexcept;
     void renumber_moved(Team& team, std::size_t end, std::size_t moved) noexcept;
     void renumber_points(Team& team, std::size_t end, std::size_t first_point) noexcept;
     void require_in(const Buffer<std::uint32_t>& points, const char* what) const;
+    bool are_equals_among(const Buffer<std::uint32_t>& points) const noexcept;
     bool is_rebuild_faster(std::size_t points) const noexcept;
     // Has body() rebuild where that is faster or the only way, if there is memory for it.
     template <class Body>

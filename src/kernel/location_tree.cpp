@@ -98,8 +98,11 @@ LocationTree::Child LocationTree::build(Sample* begin, Sample* end) {
 LocationTree::Child LocationTree::split_leaf(const Mesh& mesh, std::size_t leaf,
                                              const Sample& another) {
     Sample samples[most_in_leaf + 1];
-    for (std::ptrdiff_t i = 0; i < most_in_leaf; ++i)
-        samples[i] = sample(mesh, leaves_[leaf].vertices[i]);
+    for (std::ptrdiff_t i = 0; i < most_in_leaf; ++i) {
+        // One that is no longer there is taken for the new one.
+        const VertexId v = leaves_[leaf].vertices[i];
+        samples[i] = v < mesh.vertices.size() ? sample(mesh, v) : another;
+    }
     samples[most_in_leaf] = another;
     Sample* const end = samples + most_in_leaf + 1;
     std::uint32_t axis;
@@ -171,7 +174,9 @@ bool LocationTree::is_sound(std::size_t vertices) const {
         if (leaf.vertices[0] == infinite_vertex) return false;
         for (std::ptrdiff_t k = 0; k < most_in_leaf; ++k) {
             const VertexId v = leaf.vertices[k];
-            if (v >= vertices || (v == infinite_vertex && leaf.x[0][k] != unused)) return false;
+            if ((v >= vertices && changed_ == 0) ||
+                (v == infinite_vertex && leaf.x[0][k] != unused))
+                return false;
         }
     }
     return reached.size() == counts[0] + counts[1];
@@ -199,8 +204,12 @@ VertexId LocationTree::near(const double* q) const noexcept {
 }
 
 TetId start_of_walk(const Mesh& mesh, const LocationTree* tree, TetId last, const double* q) {
-    if (!tree) return last == no_tetrahedron ? mesh.live_from(0) : last;
+    const TetId anywhere = last == no_tetrahedron ? mesh.live_from(0) : last;
+    if (!tree) return anywhere;
     const VertexId near = tree->near(q);
+    // Since vertices have left, the number may be that of one that is not inserted yet.
+    if (near >= mesh.vertex_hint.size() || mesh.vertex_hint[near] == no_tetrahedron)
+        return anywhere;
     if (last != no_tetrahedron && square_distance(mesh.point(mesh.tetrahedra[last].v[0]), q) <=
                                       square_distance(mesh.point(near), q))
         return last;

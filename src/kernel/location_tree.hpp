@@ -23,10 +23,16 @@ class LocationTree {
     // Whether it had to leave out too many vertices, as of points that advance along a line, so
     // that another tree should be made.
     bool is_outgrown() const noexcept { return missed_ > made_over_ / 2; }
-    // A vertex near q.
+    // Some vertices leave, move or get other numbers. Those that the tree has stay in it, so that
+    // walks may begin elsewhere. Returns whether it is of use yet.
+    bool takes_changes(std::size_t vertices) noexcept {
+        changed_ += vertices;
+        return changed_ <= stride * made_over_ / 4;
+    }
+    // A vertex near q, unless it has changed; then it may not be there at all.
     VertexId near(const double* q) const noexcept;
 
-    // Whether every descent ends, at a vertex before `vertices`.
+    // Whether every descent ends, at a vertex before `vertices` where none have changed.
     bool is_sound(std::size_t vertices) const;
 
   private:
@@ -69,7 +75,7 @@ class LocationTree {
     Buffer<Node> nodes_;
     Buffer<Leaf> leaves_;
     Child root_;
-    std::size_t made_over_ = 0, missed_ = 0;  // vertices
+    std::size_t made_over_ = 0, missed_ = 0, changed_ = 0;  // vertices
 };
 
 // The live tetrahedron to start a walk to q from: near the tree's vertex, or `last` where that is

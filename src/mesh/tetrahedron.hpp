@@ -50,9 +50,11 @@ MGDT_ALWAYS_INLINE constexpr VertexId unmarked(VertexId v) noexcept {
 struct alignas(32) Vertex {
     double x[3];          // scaled, see mesh/scale.hpp
     std::uint32_t index;  // least of the caller's points here, counted from 0
-    VertexId moved_to;    // used while vertices are renumbered
+    VertexId moved_to;    // its new number, while vertices are renumbered; else see below
 };
 static_assert(sizeof(Vertex) == 32);
+// In `moved_to`: other points are or were here too.
+inline constexpr VertexId has_equals = 1;
 
 // v[0], the base vertex, was inserted last of the four, and v[1] before it: so the newest vertex of
 // face 0 is v[1], that of any other face v[0]. Finite: positively oriented. Ghost: v[2] or v[3] is

@@ -221,6 +221,26 @@ class Tables(BenchTest):
         os.close(master)
 
 
+class Churn(BenchTest):
+    def test_table(self):
+        lines = self.bench("--churn", "--distributions", "uniform,lattice-repeats", "--sizes", "1000,3000",
+                           "--runs", 2, "--compact").splitlines()
+        self.assertEqual(lines[0].split()[:4], ["distribution", "points", "insert", "out"])
+        self.assertEqual([line.split()[0] for line in lines[1:]],
+                         ["uniform"] * 2 + ["lattice-repeats"] * 2)
+        for line in lines[1:]:
+            for figure in line.split()[2:10]:
+                self.assertGreater(float(figure), 0)
+            self.assertLess(abs(float(line.split()[10].rstrip("%"))), 30)
+
+    def test_what_it_does_not_take(self):
+        for options in (["--csv", "t.csv"], ["--json", "t.json"], ["--peers", "cgal"],
+                        ["--schemes", "auto"], ["--threads", "1,2"], ["--time-limit", "5"]):
+            self.fails(2, "bench", "--churn", *options, says="--churn takes")
+        self.fails(2, "bench", "--churn", "--paper", says="churn")
+        self.fails(2, "bench", "--churn", "--sizes", "0", says="at least 1")
+
+
 class GoingOn(BenchTest):
     PLAN = ["--distributions", "uniform,line", "--sizes", "2000", "--runs", "2", "--csv", "t.csv"]
 

@@ -235,12 +235,13 @@ TEST(MotionArguments, AreRefusedWithTheirIndex) {
 // As often as one likes, without more memory.
 TEST(Churn, TakesNoMoreMemory) {
     Random random(10);
-    Points xyz = uniform_points(500, random);
+    const std::size_t n = 700;  // enough for a location tree
+    Points xyz = uniform_points(n, random);
     const auto t = empty();
     insert(*t, xyz);
     std::size_t bytes = 0;
-    for (std::size_t round = 0; round < 3000; ++round) {
-        const std::uint32_t i = static_cast<std::uint32_t>(random() % 500);
+    for (std::size_t round = 0; round < 8000; ++round) {
+        const std::uint32_t i = static_cast<std::uint32_t>(random() % n);
         const Points place = uniform_points(1, random);
         if (round % 2 == 0) {
             move_to(*t, xyz, {i}, place);
@@ -251,10 +252,10 @@ TEST(Churn, TakesNoMoreMemory) {
             insert(*t, place);
             xyz.insert(xyz.end(), place.begin(), place.end());
         }
-        if (round == 1000) bytes = t->allocator().bytes();
+        if (round == 4000) bytes = t->allocator().bytes();
     }
     EXPECT_LE(t->allocator().bytes(), bytes + bytes / 8);
-    EXPECT_EQ(t->vertex_count(), 500u);
+    EXPECT_EQ(t->vertex_count(), n);
     expect_as_fresh(*t, xyz);
 }
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 
+#include "cli/bench/churn.hpp"
 #include "cli/bench/json.hpp"
 #include "cli/bench/peers.hpp"
 #include "cli/bench/result_file.hpp"
@@ -201,6 +202,28 @@ class Benchmark {
 }  // namespace
 
 int run_bench(const BenchOptions& options) {
+    if (options.churn) {
+        const bool has_others = !options.csv.empty() || !options.json.empty() ||
+                                !options.plan.peers.empty() || !options.plan.schemes.empty() ||
+                                options.time_limit > 0 || options.plan.threads.size() > 1;
+        if (has_others) {
+            throw Error(exit_usage,
+                        "--churn takes --distributions, --sizes, --runs, --seed, "
+                        "--compact and one number of --threads alone");
+        }
+        const Plan plan = make_plan(plan_options(options));
+        ChurnOptions churn;
+        for (const PlannedSet& set : plan.sets) {
+            check_data(set.name.distribution, options.data_directory);
+            churn.sets.push_back(set.name);
+        }
+        if (!options.plan.threads.empty()) churn.threads = options.plan.threads.front();
+        if (options.plan.runs > 0) churn.runs = options.plan.runs;
+        churn.compact = options.plan.compact;
+        churn.data_directory = options.data_directory;
+        run_churn(churn);
+        return exit_ok;
+    }
     return Benchmark(options).run();
 }
 
