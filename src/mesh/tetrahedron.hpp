@@ -57,7 +57,8 @@ static_assert(sizeof(Vertex) == 32);
 inline constexpr VertexId has_equals = 1;
 
 // v[0], the base vertex, was inserted last of the four, and v[1] before it: so the newest vertex of
-// face 0 is v[1], that of any other face v[0]. Finite: positively oriented. Ghost: v[2] or v[3] is
+// face 0 is v[1], that of any other face v[0]. (Not so in a hole that was filled, see
+// Mesh::guards_agree.) Finite: positively oriented. Ghost: v[2] or v[3] is
 // the vertex at infinity and stands beyond the hull facet of the other three.
 struct alignas(16) Tetrahedron {
     VertexId v[4];
