@@ -120,7 +120,7 @@ module mgdt_constants
     integer, parameter :: mgdt_stat_inserted_alone = 46
     ! Time spent on schedules, of more than 16 points.
     integer, parameter :: mgdt_stat_order_seconds = 50
-    ! Time spent inserting.
+    ! Time spent inserting, to triangulate anew as well.
     integer, parameter :: mgdt_stat_insert_seconds = 51
     ! Time spent in mgdt_remove_points(). Since 1.2.
     integer, parameter :: mgdt_stat_remove_seconds = 52

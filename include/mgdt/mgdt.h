@@ -181,7 +181,7 @@ enum {
     MGDT_STAT_PUT_OFF = 45,        /**< Insertions that met another thread and were tried again. */
     MGDT_STAT_INSERTED_ALONE = 46, /**< Points inserted while other threads had no work. */
     MGDT_STAT_ORDER_SECONDS = 50,  /**< Time spent on schedules, of more than 16 points. */
-    MGDT_STAT_INSERT_SECONDS = 51, /**< Time spent inserting. */
+    MGDT_STAT_INSERT_SECONDS = 51, /**< Time spent inserting, to triangulate anew as well. */
     MGDT_STAT_REMOVE_SECONDS = 52, /**< Time spent in mgdt_remove_points(). Since 1.2. */
     MGDT_STAT_MOVE_SECONDS = 53,   /**< Time spent in mgdt_move_points(). Since 1.2. */
     MGDT_STAT_GRID_LEVELS = 60,    /**< Deepest level of grids or trees in the last schedule. */
@@ -430,8 +430,8 @@ MGDT_API mgdt_status mgdt_insert_points_strided(mgdt_triangulation* t, int64_t n
  *  @return MGDT_OK; MGDT_ERR_INVALID_ARGUMENT (n is negative, whatever points is; an index of no
  *  point, of one that is not in, or one that is there twice: the message names it) or
  *  MGDT_ERR_NULL_POINTER, with nothing changed; MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY or
- *  MGDT_ERR_TOO_LARGE with a valid triangulation: as many points as the message says are out, and
- *  the others are in; the point map says which
+ *  MGDT_ERR_TOO_LARGE with a valid triangulation: as many points as the message says are out (none
+ *  where it does not say), and the others are in; the point map says which
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_remove_points(mgdt_triangulation* t, int64_t n, const int64_t* points);
 /** @copydoc mgdt_remove_points
@@ -451,7 +451,8 @@ MGDT_API mgdt_status mgdt_remove_points_i32(mgdt_triangulation* t, int64_t n,
  *  mgdt_point_count(t) without a list), MGDT_ERR_NULL_POINTER or MGDT_ERR_NOT_FINITE (the message
  *  names the index), with nothing changed; MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY or
  *  MGDT_ERR_TOO_LARGE with a valid triangulation: the first points of the list have moved, as
- *  many as the message says, and the others are where they were
+ *  many as the message says (none where it does not say), and the others are where they were.
+ *  Without a list, points that are not in do not count there
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_move_points(mgdt_triangulation* t, int64_t n, const int64_t* points,
                                       const double* xyz);

@@ -84,11 +84,12 @@ mgdt_status renumber(mgdt_triangulation* t, int64_t capacity, Int* new_index, co
             const Buffer<VertexId>& map = t->core.point_map();
             if (!map.empty()) require_pointer(new_index, "new_index");
             require_capacity(capacity, map.size(), "new_index");
-            require_range<Int>(map.size(), t);
-            const auto base = static_cast<Int>(t->core.settings().index_base);
-            Int next = base;
+            const Statistics& now = t->core.statistics();
+            require_range<Int>(now.points_inserted + now.duplicates, t);
+            const std::int64_t base = t->core.settings().index_base;
+            std::int64_t next = base;
             for (std::size_t i = 0; i < map.size(); ++i)
-                new_index[i] = map[i] == infinite_vertex ? static_cast<Int>(base - 1) : next++;
+                new_index[i] = static_cast<Int>(map[i] == infinite_vertex ? base - 1 : next++);
             t->core.forget_absent_points();
         },
         name);

@@ -17,7 +17,7 @@ void Triangulation::Batch::use(const PointScan& scan, std::size_t n, const doubl
 }
 
 void Triangulation::Batch::begin_gathering(std::size_t most) {
-    gathered.reserve(3 * most);
+    gathered.reserve(3 * std::max<std::size_t>(most, 1));  // no points have an address too
     indices.reserve(most);
     gathered.clear();
     indices.clear();

@@ -63,27 +63,16 @@ void Triangulation::Motion::one_by_one() {
     const std::size_t n = moved_.size();
     gaps_.reserve(n);
     if (t_.are_equals_among(moved_.points)) equal_points_.find(t_.point_map_, moved_.points);
-    const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
-    std::size_t next_report = report_interval;
-    for (std::size_t k = 0; k < n; ++k) {
-        const bool is_due = k >= next_report;
-        if (is_due) {
-            next_report += report_interval;
-            t_.report(k, n);
-        }
-        const std::size_t done = moved_.places_in_list[k];
-        if (is_due || k % poll_interval == 0) t_.stop_if_cancelled(done, moved_.list_size);
-        try {
-            if (!try_to_move(k)) {
-                // The others do not span space without this vertex.
-                t_.rebuild_moved(moved_, k);
-                gaps_.clear();
-                return;
-            }
-        } catch (const std::bad_alloc&) {
-            fail_without_memory(done, moved_.list_size);
-        }
-    }
+    t_.change_one_by_one(
+        n, moved_.list_size,
+        [this](std::size_t k) { return std::size_t{moved_.places_in_list[k]}; },
+        [this](std::size_t k) {
+            if (try_to_move(k)) return true;
+            // The others do not span space without this vertex.
+            t_.rebuild_moved(moved_, k);
+            gaps_.clear();
+            return false;
+        });
 }
 
 bool Triangulation::Motion::try_to_move(std::size_t k) {
@@ -221,7 +210,12 @@ void Triangulation::move(const Buffer<std::uint32_t>& points, const double* xyz)
         moved.places_in_list.push_back(static_cast<std::uint32_t>(i));
     }
     const std::size_t size = moved.size();
-    if (size == 0) return;
+    report(0, n);
+    stop_if_cancelled(0, n);
+    if (size == 0) {
+        report(n, n);
+        return;
+    }
     const double* const axis[3] = {moved.xyz.data(), moved.xyz.data() + 1, moved.xyz.data() + 2};
     Team alone;
     exponents_.add(PointScan(alone, size, axis, 3, 0).exponents);
@@ -229,8 +223,6 @@ void Triangulation::move(const Buffer<std::uint32_t>& points, const double* xyz)
     forget_numbering();
     change_location_tree(size);
     set_scale(scale_for(size, axis, 3));
-    report(0, size);
-    stop_if_cancelled(0, n);
     if (!try_to_rebuild(size, [&] { rebuild_moved(moved, 0); })) Motion(*this, moved).one_by_one();
     report(size, size);
 }

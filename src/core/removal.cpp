@@ -142,22 +142,13 @@ void Triangulation::remove(const Buffer<std::uint32_t>& points) {
             return point_map_[i] != point_map_[j] ? point_map_[i] < point_map_[j] : i < j;
         });
         constexpr std::size_t ahead = 4;
-        const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
-        std::size_t next_report = report_interval;
-        for (std::size_t i = 0; i < n; ++i) {
-            const bool is_due = i >= next_report;
-            if (is_due) {
-                next_report += report_interval;
-                report(i, n);
-            }
-            if (is_due || i % poll_interval == 0) stop_if_cancelled(i, n);
-            if (i + ahead < n) removal.announce(order[i + ahead]);
-            try {
+        change_one_by_one(
+            n, n, [](std::size_t i) { return i; },
+            [&](std::size_t i) {
+                if (i + ahead < n) removal.announce(order[i + ahead]);
                 removal.take_out(order[i]);
-            } catch (const std::bad_alloc&) {
-                fail_without_memory(i, n);
-            }
-        }
+                return true;
+            });
     }
     report(n, n);
 }

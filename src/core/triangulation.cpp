@@ -217,10 +217,6 @@ void Triangulation::stop_if_cancelled(std::size_t done, std::size_t total) {
         fail(MGDT_ERR_CANCELLED, "cancelled after %zu of %zu points", done, total);
 }
 
-void Triangulation::fail_without_memory(std::size_t done, std::size_t total) {
-    fail(MGDT_ERR_OUT_OF_MEMORY, "out of memory after %zu of %zu points", done, total);
-}
-
 CheckInput Triangulation::check_input() const {
     return {mesh_,
             point_map_,

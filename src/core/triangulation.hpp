@@ -17,6 +17,7 @@
 #include "order/schedule.hpp"
 #include "parallel/team.hpp"
 #include "platform/cached.hpp"
+#include "platform/error.hpp"
 #include "query/check.hpp"
 #include "query/numbering.hpp"
 
@@ -159,7 +160,10 @@ class Triangulation {
     void note_repeat(VertexId q, VertexId vertex);
     void report(std::size_t done, std::size_t total);
     void stop_if_cancelled(std::size_t done, std::size_t total);
-    [[noreturn]] static void fail_without_memory(std::size_t done, std::size_t total);
+    // Makes n changes, step(k) for each k until one returns false, with progress. What stops them
+    // says that done(k) of the `total` points that the caller has listed are done.
+    template <class Done, class Step>
+    void change_one_by_one(std::size_t n, std::size_t total, Done done, Step step);
 
     mutable Allocator allocator_;
     Settings settings_;
@@ -190,7 +194,32 @@ bool Triangulation::try_to_rebuild(std::size_t points, Body body) {
         return true;
     } catch (const std::bad_alloc&) {
         if (is_held) throw;
-        return false;
+    } catch (const Error& error) {
+        // There may be more tetrahedra on the way than at the end.
+        if (is_held || error.status != MGDT_ERR_TOO_LARGE) throw;
+    }
+    return false;
+}
+
+template <class Done, class Step>
+void Triangulation::change_one_by_one(std::size_t n, std::size_t total, Done done, Step step) {
+    const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
+    std::size_t next_report = report_interval;
+    for (std::size_t k = 0; k < n; ++k) {
+        const bool is_due = k >= next_report;
+        if (is_due) {
+            next_report += report_interval;
+            report(k, n);
+        }
+        if (is_due || k % poll_interval == 0) stop_if_cancelled(done(k), total);
+        try {
+            if (!step(k)) return;
+        } catch (const std::bad_alloc&) {
+            fail(MGDT_ERR_OUT_OF_MEMORY, "out of memory after %zu of %zu points", done(k), total);
+        } catch (const Error& error) {
+            if (error.status != MGDT_ERR_TOO_LARGE) throw;
+            fail(MGDT_ERR_TOO_LARGE, "%s after %zu of %zu points", error.message, done(k), total);
+        }
     }
 }
 

@@ -239,6 +239,7 @@ class Churn(BenchTest):
             self.fails(2, "bench", "--churn", *options, says="--churn takes")
         self.fails(2, "bench", "--churn", "--paper", says="churn")
         self.fails(2, "bench", "--churn", "--sizes", "0", says="at least 1")
+        self.fails(2, "bench", "--churn", "--sizes", "99", says="100 points are needed")
 
 
 class GoingOn(BenchTest):

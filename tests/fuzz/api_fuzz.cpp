@@ -473,11 +473,8 @@ class Calls {
             before.expect_same();
             return;
         }
-        bool changes = false;
-        for (std::size_t k = 0; k < list.size(); ++k)
-            changes = changes || points_[static_cast<std::size_t>(list[k])] != places[k];
         const std::size_t moved =
-            done(status, list.size(), changes, stop_at_ != 0 || was_cancelled, was_cancelled);
+            done(status, list.size(), true, stop_at_ != 0 || was_cancelled, was_cancelled);
         for (std::size_t k = 0; k < moved; ++k)
             points_[static_cast<std::size_t>(list[k])] = places[k];
         expect_in();

@@ -194,6 +194,8 @@ class Changes(unittest.TestCase):
             self.compare(tri, places, is_in)
             twin = pickle.loads(pickle.dumps(tri))
             np.testing.assert_array_equal(twin.simplices, tri.simplices)
+        tri.add_points(np.empty((0, 3)), restart=True)
+        self.compare(tri, places, is_in)
         index = tri.renumber_points()
         np.testing.assert_array_equal(index, np.where(is_in, np.cumsum(is_in) - 1, -1))
         self.compare(tri, places[is_in], np.ones(is_in.sum(), dtype=bool))

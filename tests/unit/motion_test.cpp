@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Points move: the tetrahedra are those of a triangulation of the points where they are.
 #include <algorithm>
+#include <cstdio>
 #include <limits>
 #include <new>
 
@@ -29,7 +30,7 @@ class Motion : public testing::TestWithParam<const char*> {
 // A little, far, onto each other, away from each other, out of the hull and into a plane.
 TEST_P(Motion, AnyHistory) {
     Random random(1);
-    for (const std::size_t share : {0, 16})
+    for (const std::size_t share : {0u, 16u})
         for (Points xyz : sets(random)) {
             const auto t = empty();
             t->set_kernel(*find_kernel(GetParam()));
@@ -178,9 +179,49 @@ TEST(MotionWithoutMemory, LeavesEachPointInOnePlace) {
     EXPECT_GT(within, 0u);
 }
 
+// Points on two lines have tetrahedra in a number that is quadratic in theirs: more than fit.
+TEST(MotionWithoutSlots, LeavesEachPointInOnePlace) {
+    Random random(8);
+    for (const bool one_call : {false, true}) {
+        Points xyz = uniform_points(200, random);
+        const auto t = empty();
+        const_cast<Mesh&>(t->mesh()).slot_limit = 3000;
+        insert(*t, xyz);
+        std::vector<std::uint32_t> points;
+        Points places;
+        for (std::uint32_t i = 0; i < 200; ++i) {
+            points.push_back(i);
+            const double s = 0.01 * (i / 2) + 0.001 * uniform(random);
+            places.insert(places.end(), {i % 2 == 0 ? s : 0.5, i % 2 == 0 ? 0.5 : s, i % 2 + 0.0});
+        }
+        std::string message;
+        std::size_t done = 0;
+        try {
+            if (one_call) move(*t, points, places);
+            for (; !one_call && done < 200; ++done)
+                move(*t, {points[done]}, Points(&places[3 * done], &places[3 * done] + 3));
+        } catch (const Error& error) {
+            EXPECT_EQ(error.status, MGDT_ERR_TOO_LARGE);
+            message = error.message;
+        }
+        unsigned long said = 0;
+        const std::size_t at = message.find("after ");
+        ASSERT_NE(at, std::string::npos) << message;
+        ASSERT_EQ(std::sscanf(message.c_str() + at, "after %lu of", &said), 1);
+        if (one_call) {
+            done = said;
+            EXPECT_GT(said, 0u);
+        } else {
+            EXPECT_EQ(said, 0u);
+        }
+        std::copy_n(places.begin(), 3 * done, xyz.begin());
+        expect_as_fresh(*t, xyz);
+    }
+}
+
 TEST(MotionAndProgress, WhatWasDoneBeforeACancellationStays) {
     Random random(6);
-    for (const std::size_t share : {0, 16}) {
+    for (const std::size_t share : {0u, 16u}) {
         Points xyz = uniform_points(400, random);
         const Points places = uniform_points(200, random);
         const auto t = empty();

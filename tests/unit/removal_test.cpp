@@ -45,7 +45,7 @@ TEST_P(Removal, OneByOneDownToNothing) {
 
 TEST_P(Removal, BatchesAndInsertionsInTurns) {
     Random random(2);
-    for (const std::size_t share : {0, 16})
+    for (const std::size_t share : {0u, 16u})
         for (const Points& set : sets(random)) {
             const auto t = empty();
             t->settings().vertices_a_rebuild = share;
@@ -71,7 +71,8 @@ TEST_P(Removal, ApexOfAFacet) {
     const Kernel& kernel = *find_kernel(GetParam());
     std::vector<Points> all = sets(random);
     const std::size_t with_ties = all.size();
-    for (const std::size_t n : {4, 5, 6, 7, 8, 9, 16, 33}) all.push_back(uniform_points(n, random));
+    for (const std::size_t n : {4u, 5u, 6u, 7u, 8u, 9u, 16u, 33u})
+        all.push_back(uniform_points(n, random));
     for (std::size_t set = 0; set < all.size(); ++set) {
         const auto t = empty();
         insert(*t, all[set]);

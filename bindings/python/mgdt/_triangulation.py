@@ -192,7 +192,9 @@ class GrowingTriangulation:
 
     def _insert_by(self, insertion: Insertion, points: FloatArray, restart: bool) -> None:
         handle = self._held()
+        absent = np.empty(0, dtype=np.int32)
         if restart:
+            absent = np.flatnonzero(handle.point_map() < 0).astype(np.int32)
             if not finite_rows(points).all():
                 raise _errors.make(_errors.NOT_FINITE, describe_not_finite(points, "points"))
             points = np.concatenate([self._store.all, points])
@@ -207,6 +209,9 @@ class GrowingTriangulation:
                 self._store.append(points)
                 self._batches.append(len(points))
                 self._cache = {}
+        # What was out stays out.
+        if len(absent) > 0:
+            handle.remove(absent, Insertion(None))
 
     def add_points(self, points: ArrayLike, restart: bool = False) -> None:
         """Adds points; they get the next indices.
@@ -351,8 +356,9 @@ class GrowingTriangulation:
         """
         self._require_incremental("renumbered")
         with self._writing() as handle:
+            kept = self._store.all[handle.point_map() >= 0]
             index = handle.renumber()
-            self._store.replace(self._store.all[index >= 0])
+            self._store.replace(kept)
             self._batches = [len(self._store.all)]
             self._cache = {}
             return index

@@ -17,6 +17,7 @@ namespace {
 
 // Single calls and rounds of a run, at most.
 constexpr std::size_t most_calls = 10000;
+constexpr std::size_t fewest_points = 100;
 
 double median(std::vector<double> v) {
     std::sort(v.begin(), v.end());
@@ -79,9 +80,13 @@ class Run {
         const double before = bytes();
         f.round.push_back(timed(few, [&] {
             for (std::size_t k = 0; k < few; ++k) {
-                const std::int64_t i =
-                    count(random_() % static_cast<std::uint64_t>(mgdt_point_count(t) - count(k)));
-                if (mgdt_remove_points(t, 1, &i) != MGDT_OK) continue;  // it has left before
+                mgdt_status status = MGDT_ERR_INVALID_ARGUMENT;
+                while (status == MGDT_ERR_INVALID_ARGUMENT) {  // it has left before
+                    const std::int64_t i = count(static_cast<std::size_t>(random_()) %
+                                                 static_cast<std::size_t>(mgdt_point_count(t)));
+                    status = mgdt_remove_points(t, 1, &i);
+                }
+                require(status);
                 require(mgdt_insert_points(t, 1, &xyz_[3 * (k % n)]));
             }
         }));
@@ -152,6 +157,10 @@ void run_churn(const ChurnOptions& options) {
                         fmt::format("{} {}: {}", set.distribution, set.points, points.status()));
         }
         const std::vector<double> xyz = points.read();
+        if (xyz.size() < 3 * fewest_points) {
+            throw Error(exit_usage, fmt::format("--churn: {} {} are too few; {} points are needed",
+                                                set.distribution, xyz.size() / 3, fewest_points));
+        }
         Figures f;
         for (int run = 0; run < options.runs; ++run)
             Run(options, xyz, set.seed + static_cast<std::uint64_t>(run)).run(f);
