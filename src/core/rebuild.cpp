@@ -36,7 +36,8 @@ void Triangulation::rebuild(const Batch& all) {
         std::swap(statistics_.points_inserted, points_inserted);
         std::swap(statistics_.duplicates, duplicates);
         std::swap(last_, last);
-        workspace_.slot_count = 0;
+        // Its vectors read past the end of a star, where it has vertices of the other mesh.
+        workspace_.reset();
         location_tree_.forget();
     };
     forget_numbering();
