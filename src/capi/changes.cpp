@@ -7,7 +7,7 @@ using namespace mgdt;
 
 namespace {
 
-// The caller's indices, counted from 0. One that no point can have is made one that none has.
+// The caller's indices, counted from 0. One of no point is refused while it has all its bits.
 template <class Int>
 void read_points(const Triangulation& core, std::size_t n, const Int* points,
                  Buffer<std::uint32_t>& list) {

@@ -48,6 +48,7 @@ class Triangulation {
     std::string check(int level) const;
 
     const mgdt_triangulation* get() const { return handle_; }
+    mgdt_triangulation* get() { return handle_; }
 
   private:
     // What the handle says of a call that failed, or else what the status means.

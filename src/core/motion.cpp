@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Points move: one by one, each by a removal and an insertion, or all at once by a rebuild.
 #include <algorithm>
-#include <cmath>
 
 #include "core/batch.hpp"
 #include "core/equal_points.hpp"
@@ -190,12 +189,8 @@ void Triangulation::move(const Buffer<std::uint32_t>& points, const double* xyz)
     const std::size_t n = points.size();
     require_in(points, "moved");
     if (n == 0) return;
-    const auto is_finite = [](double x) { return x - x == 0; };
     for (std::size_t i = 0; i < 3 * n; ++i)
-        if (!is_finite(xyz[i]))
-            fail(MGDT_ERR_NOT_FINITE, "coordinate %c of point %lld is %s", "xyz"[i % 3],
-                 static_cast<long long>(points[i / 3]) + settings_.index_base,
-                 xyz[i] != xyz[i] ? "NaN" : "infinite");
+        require_finite(xyz[i], i % 3, static_cast<long long>(points[i / 3]) + settings_.index_base);
 
     const ForgetRequest forget{cancelled_};
     Stopwatch watch(statistics_.move_seconds);

@@ -58,6 +58,12 @@ struct Extremes {
 
 }  // namespace
 
+void require_finite(double x, std::size_t axis, long long point) {
+    if (!is_finite(x))
+        fail(MGDT_ERR_NOT_FINITE, "coordinate %c of point %lld is %s", "xyz"[axis], point,
+             x != x ? "NaN" : "infinite");
+}
+
 PointScan::PointScan(Team& team, std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
                      long long first_index) {
     const auto coordinate = [&](std::size_t i, std::size_t k) {
@@ -94,10 +100,7 @@ PointScan::PointScan(Team& team, std::size_t n, const double* const axis[3], std
     if (!is_finite(poison)) {
         for (std::size_t i = 0; i < n; ++i)
             for (std::size_t k = 0; k < 3; ++k)
-                if (!is_finite(coordinate(i, k)))
-                    fail(MGDT_ERR_NOT_FINITE, "coordinate %c of point %lld is %s", "xyz"[k],
-                         first_index + static_cast<long long>(i),
-                         coordinate(i, k) != coordinate(i, k) ? "NaN" : "infinite");
+                require_finite(coordinate(i, k), k, first_index + static_cast<long long>(i));
     }
     if (n > 0 && greatest > 0) {
         exponents.add(greatest);

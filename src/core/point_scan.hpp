@@ -10,6 +10,9 @@
 
 namespace mgdt {
 
+// Throws MGDT_ERR_NOT_FINITE for a coordinate of the point that the message is to name.
+void require_finite(double x, std::size_t axis, long long point);
+
 struct PointScan {
     // Throws MGDT_ERR_NOT_FINITE; `first_index` numbers the first point in the message.
     PointScan(Team& team, std::size_t n, const double* const axis[3], std::ptrdiff_t stride,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 #include <set>
 
 #include "surgery.hpp"
@@ -13,6 +14,19 @@ namespace mgdt {
 namespace histories {
 
 using namespace surgery;
+
+// As an allocator: so many blocks, then none.
+struct LimitedBlocks {
+    static inline std::size_t left = 0;
+    static void* alloc(std::size_t size, std::size_t align, void*) {
+        if (left == 0) return nullptr;
+        --left;
+        return ::operator new(size, std::align_val_t(align), std::nothrow);
+    }
+    static void release(void* p, std::size_t, std::size_t align, void*) {
+        ::operator delete(p, std::align_val_t(align));
+    }
+};
 
 inline std::unique_ptr<Triangulation> empty(unsigned threads = 1) {
     auto t = std::make_unique<Triangulation>(nullptr, nullptr, nullptr);

@@ -115,15 +115,7 @@ TEST(MotionOfEqualPoints, JoinAndPart) {
 
 // Each allocation fails in turn: the points before have moved, the others have not.
 TEST(MotionWithoutMemory, LeavesEachPointInOnePlace) {
-    static std::size_t left;
-    const auto alloc = [](std::size_t size, std::size_t align, void*) -> void* {
-        if (left == 0) return nullptr;
-        --left;
-        return ::operator new(size, std::align_val_t(align), std::nothrow);
-    };
-    const auto release = [](void* p, std::size_t, std::size_t align, void*) {
-        ::operator delete(p, std::align_val_t(align));
-    };
+    std::size_t& left = LimitedBlocks::left;
     Random random(7);
     Points given = sphere(60, random, true);
     given.insert(given.end(), given.begin(), given.begin() + 90);  // repeats
@@ -132,7 +124,7 @@ TEST(MotionWithoutMemory, LeavesEachPointInOnePlace) {
     std::size_t failures = 0, within = 0;
     for (std::size_t allowed = 0; !is_done; ++allowed) {
         left = 1000000;
-        Triangulation t(alloc, release, nullptr);
+        Triangulation t(LimitedBlocks::alloc, LimitedBlocks::release, nullptr);
         Points xyz = given, places = far;
         insert(t, xyz);
         Buffer<std::uint32_t> points(t.allocator());

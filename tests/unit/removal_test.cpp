@@ -172,15 +172,7 @@ TEST(RemovalAndProgress, WhatWasDoneBeforeACancellationStays) {
 
 // Each allocation fails in turn: the points before are out, the others are in.
 TEST(RemovalWithoutMemory, LeavesATriangulation) {
-    static std::size_t left;
-    const auto alloc = [](std::size_t size, std::size_t align, void*) -> void* {
-        if (left == 0) return nullptr;
-        --left;
-        return ::operator new(size, std::align_val_t(align), std::nothrow);
-    };
-    const auto release = [](void* p, std::size_t, std::size_t align, void*) {
-        ::operator delete(p, std::align_val_t(align));
-    };
+    std::size_t& left = LimitedBlocks::left;
     Random random(7);
     Points xyz = sphere(60, random, true);
     xyz.insert(xyz.end(), xyz.begin(), xyz.begin() + 30);  // repeats
@@ -188,7 +180,7 @@ TEST(RemovalWithoutMemory, LeavesATriangulation) {
     std::size_t failures = 0;
     for (std::size_t allowed = 0; !is_done; ++allowed) {
         left = 1000000;
-        Triangulation t(alloc, release, nullptr);
+        Triangulation t(LimitedBlocks::alloc, LimitedBlocks::release, nullptr);
         insert(t, xyz);
         Buffer<std::uint32_t> points(t.allocator());
         points.reserve(40);

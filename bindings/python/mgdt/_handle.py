@@ -150,10 +150,7 @@ class Handle:
 
     def moved_count(self) -> int:
         """Moves so far."""
-        value = ctypes.c_double()
-        key = _interface.CONSTANTS["statistic"]["points_moved"]
-        self._call("mgdt_get_stat", key, ctypes.byref(value))
-        return int(value.value)
+        return int(self._statistic(_interface.CONSTANTS["statistic"]["points_moved"]))
 
     def _change(self, insertion: Insertion, name: str, *arguments: Any) -> None:
         """A call that may take long and can be stopped."""
@@ -284,12 +281,16 @@ class Handle:
 
     def statistics(self) -> dict[str, float]:
         figures: dict[str, float] = {}
-        value = ctypes.c_double()
         for key in _STATISTICS:
             name = _library.text(self._library.mgdt_stat_name(key)).replace(" ", "_")
-            self._call("mgdt_get_stat", key, ctypes.byref(value))
-            figures[name] = value.value if name.endswith("seconds") else int(value.value)
+            value = self._statistic(key)
+            figures[name] = value if name.endswith("seconds") else int(value)
         return figures
+
+    def _statistic(self, key: int) -> float:
+        value = ctypes.c_double()
+        self._call("mgdt_get_stat", key, ctypes.byref(value))
+        return value.value
 
     def isa(self) -> str:
         return _library.text(self._library.mgdt_isa_name(self._pointer))

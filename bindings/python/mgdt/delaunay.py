@@ -35,8 +35,8 @@ class Delaunay(GrowingTriangulation):
     furthest_site : bool, optional
         Must be false: mgdt has no furthest-site triangulation.
     incremental : bool, optional
-        Whether `add_points`, `remove_points` or `move_points` will be used. If so, the coordinates are copied; if not, `points` is
-        the array given.
+        Whether `add_points`, `remove_points` or `move_points` will be used. If so, the coordinates
+        are copied; if not, `points` is the array given.
     qhull_options : str, optional
         Qhull's options. Those that do not change an exact triangulation are accepted and have no
         effect; others are refused.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "cli/bench/summary.hpp"
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/program_triangulation.hpp"
@@ -19,12 +20,7 @@ namespace {
 constexpr std::size_t most_calls = 10000;
 constexpr std::size_t fewest_points = 100;
 
-double median(std::vector<double> v) {
-    std::sort(v.begin(), v.end());
-    return v[v.size() / 2];
-}
-
-struct Figures {
+struct ChurnFigures {
     // Microseconds per point that is inserted, removed or moved.
     std::vector<double> insert, remove, remove_one, move_one, round;
     std::vector<double> move_all;  // all of them, in units of the insertion of all
@@ -37,9 +33,9 @@ class Run {
     Run(const ChurnOptions& options, const std::vector<double>& xyz, std::uint64_t seed)
         : t_(settings(options)), xyz_(xyz), random_(seed) {}
 
-    void run(Figures& f) {
+    void run(ChurnFigures& f) {
         const std::size_t n = xyz_.size() / 3, few = std::min(most_calls, n / 20 + 1);
-        auto* const t = const_cast<mgdt_triangulation*>(t_.get());
+        mgdt_triangulation* const t = t_.get();
         const auto count = [](std::size_t k) { return static_cast<std::int64_t>(k); };
         const auto timed = [&](std::size_t points, const auto& body) {
             check_interrupt();
@@ -161,7 +157,7 @@ void run_churn(const ChurnOptions& options) {
             throw Error(exit_usage, fmt::format("--churn: {} {} are too few; {} points are needed",
                                                 set.distribution, xyz.size() / 3, fewest_points));
         }
-        Figures f;
+        ChurnFigures f;
         for (int run = 0; run < options.runs; ++run)
             Run(options, xyz, set.seed + static_cast<std::uint64_t>(run)).run(f);
         const double insert = median(f.insert), remove = median(f.remove), all = median(f.move_all);
