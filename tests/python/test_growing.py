@@ -253,6 +253,13 @@ class Changes(unittest.TestCase):
         is_in = tri.point_map >= 0
         self.assertTrue(500 <= (~is_in).sum() < 600)
         self.compare(tri, tri.points, is_in)
+        # Nor does a restart that is stopped bring them back.
+        tri.progress = lambda fraction: mgdt.CANCEL if fraction > 0.5 else None
+        with self.assertRaises(mgdt.Cancelled):
+            tri.add_points(np.empty((0, 3)), restart=True)
+        tri.progress = None
+        self.assertTrue((tri.point_map[~is_in] == -1).all())
+        self.compare(tri, tri.points, tri.point_map >= 0)
 
 
 class Progress(unittest.TestCase):

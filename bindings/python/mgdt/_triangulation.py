@@ -209,9 +209,10 @@ class GrowingTriangulation:
                 self._store.append(points)
                 self._batches.append(len(points))
                 self._cache = {}
-        # What was out stays out.
-        if len(absent) > 0:
-            handle.remove(absent, Insertion(None))
+                # What was out stays out.
+                back = absent[handle.point_map()[absent] >= 0]
+                if len(back) > 0:
+                    handle.remove(back, Insertion(None))
 
     def add_points(self, points: ArrayLike, restart: bool = False) -> None:
         """Adds points; they get the next indices.
