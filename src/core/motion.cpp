@@ -100,7 +100,7 @@ bool Triangulation::Motion::try_to_move_vertex(VertexId v, std::uint32_t point,
                                                const double (&p)[3]) {
     Mesh& mesh = t_.mesh_;
     VertexRemoval& removal = t_.vertex_removal_;
-    removal.prepare(*t_.kernel_, mesh, v, Locator{mesh, t_.calls(), nullptr}.tetrahedron_of(v));
+    t_.prepare_removal(v);
     if (!removal.leaves_space()) return false;
     removal.keep_star(mesh);
     double before[3];

@@ -8,7 +8,6 @@
 #include "core/stopwatch.hpp"
 #include "core/triangulation.hpp"
 #include "platform/error.hpp"
-#include "query/locate.hpp"
 
 namespace mgdt {
 
@@ -54,7 +53,7 @@ void Triangulation::Removal::take_out(std::uint32_t point) {
         return;
     }
     if (mesh.live_count() != 0) {
-        vertex.prepare(*t.kernel_, mesh, v, Locator{mesh, t.calls(), nullptr}.tetrahedron_of(v));
+        t.prepare_removal(v);
         if (vertex.leaves_space()) {
             t.last_ = vertex.replace(mesh);
             mesh.guards_agree = false;

@@ -31,6 +31,9 @@ struct Settings {
     // A call that removes or moves more than one in this many vertices triangulates the others, or
     // all, anew; changed by tests.
     std::size_t vertices_a_rebuild = 10;
+    // A vertex with so many around it is removed by way of a triangulation of these; lowered by
+    // tests.
+    std::size_t large_link = 128;
     void (*pause)() = nullptr;  // for tests: called where threads take and give back blocks
     std::int32_t index_base = 0;
     bool canonical_output = false;
@@ -150,6 +153,8 @@ class Triangulation {
     bool try_to_rebuild(std::size_t points, Body body);
     void rebuild(const Batch& all);
     void rebuild(const Batch& all, std::size_t done, std::size_t total);
+    void prepare_removal(VertexId v);
+    bool fill_from_link();
     void rebuild_without(const Buffer<std::uint32_t>& points);
     void rebuild_moved(const MovedPoints& moved, std::size_t first);
     void make_guards_agree() noexcept;
@@ -217,6 +222,8 @@ void Triangulation::change_one_by_one(std::size_t n, std::size_t total, Done don
         } catch (const std::bad_alloc&) {
             fail(MGDT_ERR_OUT_OF_MEMORY, "out of memory after %zu of %zu points", done(k), total);
         } catch (const Error& error) {
+            if (error.status == MGDT_ERR_CANCELLED)
+                fail(MGDT_ERR_CANCELLED, "cancelled after %zu of %zu points", done(k), total);
             if (error.status != MGDT_ERR_TOO_LARGE) throw;
             fail(MGDT_ERR_TOO_LARGE, "%s after %zu of %zu points", error.message, done(k), total);
         }

@@ -35,16 +35,14 @@ VertexRemoval::VertexRemoval(Allocator& allocator) noexcept
       slots_(allocator),
       kept_(allocator) {}
 
-void VertexRemoval::prepare(const Kernel& kernel, Mesh& mesh, VertexId v, TetId t) {
+void VertexRemoval::find(Mesh& mesh, VertexId v, TetId t) {
     vertex_ = v;
     find_star(mesh, v, t);
     number_link(mesh, v);
-    facets_.clear();
-    filling_.clear();
-    places_.clear();
-    places_.resize(power_of_two_above(8 * star_.size()), no_index);
-    ghosts_made_ = 0;
-    add_boundary(mesh, v);
+}
+
+void VertexRemoval::fill(const Kernel& kernel, Mesh& mesh) {
+    begin_filling(mesh);
     const LinkColumns columns = columns_of_link(mesh);
     // Finite facets lead everywhere; those of ghosts are met from them.
     for (std::size_t i = 0; i < facets_.size(); ++i) {
@@ -55,6 +53,19 @@ void VertexRemoval::prepare(const Kernel& kernel, Mesh& mesh, VertexId v, TetId 
         if (!mesh.has_extremes) apex = kernel.find_apex(columns, f.v);
         close(mesh, i, apex.number == no_apex ? apex_of(mesh, f) : apex);
     }
+    end_filling(mesh);
+}
+
+void VertexRemoval::begin_filling(const Mesh& mesh) {
+    facets_.clear();
+    filling_.clear();
+    places_.clear();
+    places_.resize(power_of_two_above(8 * star_.size()), no_index);
+    ghosts_made_ = 0;
+    add_boundary(mesh);
+}
+
+void VertexRemoval::end_filling(Mesh& mesh) {
     for (const Facet& f : facets_)
         if (!f.is_closed) fail(MGDT_ERR_INTERNAL, "a hole is not filled; please report it");
 
@@ -66,6 +77,76 @@ void VertexRemoval::prepare(const Kernel& kernel, Mesh& mesh, VertexId v, TetId 
     const std::size_t more = created > removed ? created - removed : 0;
     // Those that are taken are freed if this is undone.
     mesh.reserve_slots(more, removed > created ? removed - created : more);
+}
+
+// The tetrahedra of the link's triangulation that are inside the hole: those at the inner side of
+// its boundary, and all that are met from them without passing it.
+void VertexRemoval::fill_from(const Mesh& triangulated_link, Mesh& mesh) {
+    begin_filling(mesh);
+    const Mesh& link = triangulated_link;
+    const Buffer<FacetCode> outside = boundary_in(link);
+    Buffer<TetId> inside(star_.allocator());
+    Buffer<std::uint32_t> place(star_.allocator());
+    inside.reserve(link.live_count());
+    place.resize(link.tetrahedra.size(), no_index);
+    const auto enter = [&](TetId t) {
+        if (place[t] != no_index) return;
+        place[t] = static_cast<std::uint32_t>(inside.size());
+        inside.push_back(t);
+    };
+    for (FacetCode f = 0; f < outside.size(); ++f)
+        if (outside[f] != no_index) enter(tetrahedron_of(f));
+    for (std::size_t i = 0; i < inside.size(); ++i)
+        for (unsigned face = 0; face < 4; ++face)
+            if (outside[facet_code(inside[i], face)] == no_index)
+                enter(tetrahedron_of(link.tetrahedra[inside[i]].n[face]));
+
+    filling_.reserve(inside.size());
+    for (const TetId t : inside) {
+        Tetrahedron record = link.tetrahedra[t];
+        Filling filling = {};
+        for (unsigned face = 0; face < 4; ++face) {
+            filling.v[face] = number_in(link, record.v[face]);
+            record.v[face] = link_[filling.v[face]];
+            const FacetCode n = outside[facet_code(t, face)];
+            filling.is_outside[face] = n != no_index;
+            filling.n[face] =
+                filling.is_outside[face]
+                    ? n
+                    : facet_code(place[tetrahedron_of(record.n[face])], face_of(record.n[face]));
+        }
+        filling.sphere = circumsphere(record, mesh.vertices.data());
+        ghosts_made_ += record.is_ghost();
+        filling_.push_back(filling);
+    }
+    end_filling(mesh);
+}
+
+// By facet of the link's triangulation: the tetrahedron beyond it that stays, where it is in the
+// hole's boundary and seen from inside.
+Buffer<FacetCode> VertexRemoval::boundary_in(const Mesh& triangulated_link) {
+    const Mesh& link = triangulated_link;
+    Buffer<FacetCode> outside(star_.allocator());
+    outside.resize(4 * link.tetrahedra.size(), no_index);
+    for (TetId t = 0; t < link.tetrahedra.size(); ++t) {
+        const Tetrahedron& record = link.tetrahedra[t];
+        if (record.is_dead()) continue;
+        for (unsigned face = 0; face < 4; ++face) {
+            const unsigned char* const corner = outer_face[face];
+            // From inside the order of a facet's vertices is the reverse.
+            const Number v[3] = {number_in(link, record.v[corner[0]]),
+                                 number_in(link, record.v[corner[2]]),
+                                 number_in(link, record.v[corner[1]])};
+            const std::size_t place = place_of(v);
+            if (places_[place] == no_index) continue;
+            Facet& f = facets_[places_[place]];
+            const std::size_t first = static_cast<std::size_t>(std::find(f.v, f.v + 3, v[0]) - f.v);
+            if (f.v[(first + 1) % 3] != v[1]) continue;
+            f.is_closed = true;
+            outside[facet_code(t, face)] = f.behind;
+        }
+    }
+    return outside;
 }
 
 // Marks are on the star while it is looked for.
@@ -142,10 +223,11 @@ VertexRemoval::Number VertexRemoval::number_of(VertexId v) const noexcept {
     return numbers_[h];
 }
 
-void VertexRemoval::add_boundary(const Mesh& mesh, VertexId v) {
+void VertexRemoval::add_boundary(const Mesh& mesh) {
     for (const TetId t : star_) {
         const Tetrahedron& record = mesh.tetrahedra[t];
-        const auto face = static_cast<unsigned>(std::find(record.v, record.v + 4, v) - record.v);
+        const auto face =
+            static_cast<unsigned>(std::find(record.v, record.v + 4, vertex_) - record.v);
         const FacetCode code = record.n[face];
         const Tetrahedron& outside = mesh.tetrahedra[tetrahedron_of(code)];
         const unsigned char* const corner = outer_face[face_of(code)];

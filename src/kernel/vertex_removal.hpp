@@ -8,8 +8,10 @@
 // facet, spheres through it grow from one candidate to the next, and one pass over the link finds
 // the least. Where no vertex is beyond, the facet is on the hull, and a ghost goes there. The
 // kernel's find_apex() does this with vectors where floating-point arithmetic decides; elsewhere
-// exact predicates do, and the perturbation leaves exactly one candidate. docs/theory.md, "Removing
-// a vertex", proves that the result is the triangulation of all remaining points.
+// exact predicates do, and the perturbation leaves exactly one candidate. That takes time quadratic
+// in the size of the link; a large one is triangulated by itself, and its tetrahedra inside the
+// hole are sewn in. docs/theory.md, "Removing a vertex", proves that the result is the
+// triangulation of all remaining points.
 #pragma once
 
 #include "kernel/kernel.hpp"
@@ -20,10 +22,15 @@ class VertexRemoval {
   public:
     explicit VertexRemoval(Allocator& allocator) noexcept;
 
-    // Prepares the removal of vertex v, of which t is a tetrahedron: finds its star and what fills
-    // the hole. Throws std::bad_alloc, and MGDT_ERR_TOO_LARGE for too many tetrahedra; the mesh is
-    // unchanged in any case.
-    void prepare(const Kernel& kernel, Mesh& mesh, VertexId v, TetId t);
+    // Prepares the removal of vertex v, of which t is a tetrahedron: find() finds its star and its
+    // link, then a fill finds what fills the hole. They throw std::bad_alloc, and a fill
+    // MGDT_ERR_TOO_LARGE for too many tetrahedra; the mesh is unchanged in any case.
+    void find(Mesh& mesh, VertexId v, TetId t);
+    void fill(const Kernel& kernel, Mesh& mesh);
+    // From a triangulation of the link, in which the points are in the order of link().
+    void fill_from(const Mesh& triangulated_link, Mesh& mesh);
+    // The vertices around the one that goes; perhaps that at infinity too.
+    const Buffer<VertexId>& link() const noexcept { return link_; }
     // Whether the remaining points still span space. If not, there is nothing to replace.
     bool leaves_space() const noexcept { return leaves_space_; }
     // Gives back the room that is kept from one removal to the next.
@@ -62,7 +69,16 @@ class VertexRemoval {
     void number_link(const Mesh& mesh, VertexId v);
     LinkColumns columns_of_link(const Mesh& mesh);
     Number number_of(VertexId v) const noexcept;
-    void add_boundary(const Mesh& mesh, VertexId v);
+    void begin_filling(const Mesh& mesh);
+    void end_filling(Mesh& mesh);
+    void add_boundary(const Mesh& mesh);
+    Buffer<FacetCode> boundary_in(const Mesh& triangulated_link);
+    // A vertex of the link's triangulation.
+    Number number_in(const Mesh& triangulated_link, VertexId u) const noexcept {
+        if (u == infinite_vertex) return infinite_;
+        const std::uint32_t i = triangulated_link.vertices[u].index;
+        return i < infinite_ ? i : i + 1;
+    }
     // Adds a facet; links the tetrahedra on its two sides when it comes for the second time.
     void join(const Number (&v)[3], FacetCode behind, bool is_outside);
     std::size_t place_of(const Number (&v)[3]) const noexcept;

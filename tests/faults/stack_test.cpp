@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The stack of every call and of every thread that a call starts stays below the bound that mgdt.h
 // states, whatever the points: first measured on large stacks, then run on stacks that end there.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -258,6 +260,54 @@ void small_sets(Meter& meter) {
     }
 }
 
+// One point after another, then many with a call; around the last of them are all others.
+void changes(Meter& meter) {
+    for (const Set& set : sets)
+        for (const char* isa : {"baseline", "avx2", "avx512"}) {
+            SCOPED_TRACE(std::string(set.name) + ", " + isa);
+            const Handle t = create();
+            if (mgdt_set_isa(t.get(), isa) != MGDT_OK) continue;
+            Points xyz = set.points(set.n);
+            ASSERT_EQ(mgdt_insert_points(t.get(), count(xyz), xyz.data()), MGDT_OK);
+            for (std::int64_t i = 0; i + 1 < std::min<std::int64_t>(100, count(xyz)); i += 2) {
+                meter("mgdt_remove_points", [&] { return mgdt_remove_points(t.get(), 1, &i); });
+                const std::int64_t next = i + 1;
+                meter("mgdt_move_points",
+                      [&] { return mgdt_move_points(t.get(), 1, &next, &xyz[3 * i]); });
+            }
+            meter("mgdt_move_points, all",
+                  [&] { return mgdt_move_points(t.get(), count(xyz), nullptr, xyz.data()); });
+        }
+    Points hub(3, 0.0);
+    const Points around = random_points(2000);
+    for (std::size_t i = 0; i < around.size(); i += 3) {
+        double p[3], square = 0;
+        for (std::size_t k = 0; k < 3; ++k) p[k] = around[i + k] - 0.5, square += p[k] * p[k];
+        for (const double x : p) hub.push_back(x / std::sqrt(square));
+    }
+    // Ties that take the widest integers.
+    Points wide(3, 0.0);
+    for (int k = 1; k <= 40; ++k)
+        for (int signs = 0; signs < 8; ++signs)
+            for (const double x :
+                 {signs & 1 ? 0x1p1000 : -0x1p1000, signs & 2 ? 0x1.8p1 * k : -0x1.8p1 * k,
+                  signs & 4 ? 0x1p-1074 * k : -0x1p-1074 * k})
+                wide.push_back(x);
+    for (const Points& xyz : {hub, wide}) {
+        const Handle t = create();
+        ASSERT_EQ(mgdt_insert_points(t.get(), count(xyz), xyz.data()), MGDT_OK);
+        const std::int64_t centre = 0;
+        const double place[3] = {0.1, 0, 0};
+        meter("mgdt_move_points, large link",
+              [&] { return mgdt_move_points(t.get(), 1, &centre, place); });
+        meter("mgdt_remove_points, large link",
+              [&] { return mgdt_remove_points(t.get(), 1, &centre); });
+        double link_sizes;
+        ASSERT_EQ(mgdt_get_stat(t.get(), MGDT_STAT_LINK_VERTICES, &link_sizes), MGDT_OK);
+        EXPECT_GT(link_sizes, 2 * 128.0);
+    }
+}
+
 // Calls that are given up: deep in an insertion, and for what they were given.
 void failures(Meter& meter) {
     const Points xyz = nested(300);
@@ -341,6 +391,7 @@ void large_sets(Meter& meter) {
 
 void make_all_calls(Meter& meter) {
     small_sets(meter);
+    changes(meter);
     failures(meter);
     large_sets(meter);
 }

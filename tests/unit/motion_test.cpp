@@ -36,6 +36,7 @@ TEST_P(Motion, AnyHistory) {
             t->set_kernel(*find_kernel(GetParam()));
             t->set_compact(share == 0);
             t->settings().vertices_a_rebuild = share;
+            if (share == 0) t->settings().large_link = 16;
             insert(*t, xyz);
             const std::size_t n = xyz.size() / 3;
             for (std::size_t round = 0; round < 12; ++round) {

@@ -25,6 +25,7 @@ TEST_P(Removal, OneByOneDownToNothing) {
             const auto t = empty();
             t->set_kernel(*find_kernel(GetParam()));
             t->set_compact(compact);
+            if (compact) t->settings().large_link = 4;
             insert(*t, xyz);
             std::vector<std::uint32_t> order(xyz.size() / 3);
             for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -49,6 +50,7 @@ TEST_P(Removal, BatchesAndInsertionsInTurns) {
         for (const Points& set : sets(random)) {
             const auto t = empty();
             t->settings().vertices_a_rebuild = share;
+            if (share != 0) t->settings().large_link = 5;
             t->set_kernel(*find_kernel(GetParam()));
             Points xyz;
             for (std::size_t round = 0; round < 6; ++round) {
@@ -141,13 +143,77 @@ TEST(RemovalAndThreads, InsertAfterRemoval) {
     expect_as_fresh(*t, xyz);
 }
 
+// The hole of a vertex that all others are around, on the hull and inside it.
 TEST(RemovalOfHub, CentreOfASphere) {
     Random random(4);
-    const Points xyz = sphere(is_small() ? 500 : 3000, random, true);
+    const std::size_t n = is_small() ? 500 : 10000;
+    for (const bool is_closed : {false, true}) {
+        Points xyz = sphere(n, random, true);
+        if (!is_closed)
+            for (std::size_t i = 0; i < n; ++i) xyz[3 * i + 2] = std::abs(xyz[3 * i + 2]);
+        const auto t = empty();
+        insert(*t, xyz);
+        const auto centre = static_cast<std::uint32_t>(n);
+        remove(*t, {centre});
+        EXPECT_GT(t->statistics().link_vertices, n * 9 / 10);
+        expect_as_fresh(*t, xyz);
+        insert(*t, {0, 0, 0});
+        xyz.insert(xyz.end(), {0, 0, 0});
+        // Moves that are made and that are not: a point is there already.
+        for (const std::size_t to : {n, std::size_t{7}}) {
+            Points place(xyz.begin() + 3 * to, xyz.begin() + 3 * to + 3);
+            if (to == n) place[0] = 0.125;
+            move(*t, {centre + 1}, place);
+            std::copy_n(place.data(), 3, &xyz[3 * (n + 1)]);
+            expect_as_fresh(*t, xyz);
+            if (HasFatalFailure()) return;
+        }
+    }
+}
+
+// A cone over a regular polygon: without its apex the link is flat, and so are all.
+TEST(RemovalOfHub, ApexOverAPlane) {
+    Points xyz;
+    for (int i = 0; i < 300; ++i)
+        xyz.insert(xyz.end(), {std::cos(i * 0.02), std::sin(i * 0.02), 0.0});
+    xyz.insert(xyz.end(), {0, 0, 1, 0, 0, -1});
     const auto t = empty();
     insert(*t, xyz);
-    remove(*t, {static_cast<std::uint32_t>(xyz.size() / 3 - 1)});
+    remove(*t, {300});
+    EXPECT_EQ(t->dimension(), 3);
     expect_as_fresh(*t, xyz);
+    remove(*t, {301});
+    EXPECT_EQ(t->dimension(), 2);
+    expect_as_fresh(*t, xyz);
+}
+
+// As an allocator: asks for a stop when the coordinates of a large link are copied.
+struct StopAtLargeBlock {
+    static inline Triangulation* asks = nullptr;
+    static void* alloc(std::size_t size, std::size_t align, void*) {
+        if (asks && size > 70000) asks->cancel();
+        return ::operator new(size, std::align_val_t(align), std::nothrow);
+    }
+};
+
+TEST(RemovalOfHub, StopsWhileTheLinkIsTriangulated) {
+    Random random(14);
+    const Points xyz = sphere(3000, random, true);
+    Triangulation t(StopAtLargeBlock::alloc, LimitedBlocks::release, nullptr);
+    insert(t, xyz);
+    StopAtLargeBlock::asks = &t;
+    std::string message;
+    try {
+        remove(t, {3000});
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status, MGDT_ERR_CANCELLED);
+        message = error.message;
+    }
+    StopAtLargeBlock::asks = nullptr;
+    EXPECT_EQ(message, "cancelled after 0 of 1 points");
+    expect_as_fresh(t, xyz);
+    remove(t, {3000});
+    expect_as_fresh(t, xyz);
 }
 
 TEST(RemovalAndProgress, WhatWasDoneBeforeACancellationStays) {
@@ -181,6 +247,7 @@ TEST(RemovalWithoutMemory, LeavesATriangulation) {
     for (std::size_t allowed = 0; !is_done; ++allowed) {
         left = 1000000;
         Triangulation t(LimitedBlocks::alloc, LimitedBlocks::release, nullptr);
+        t.settings().large_link = 20;
         insert(t, xyz);
         Buffer<std::uint32_t> points(t.allocator());
         points.reserve(40);
