@@ -23,7 +23,8 @@ module mgdt
     use, intrinsic :: iso_c_binding, only: c_funptr, c_null_ptr, c_ptr
     use, intrinsic :: iso_fortran_env, only: int32, int64, real64
     use mgdt_c, only: c_dimension, c_edge_count, c_hull_facet_count, c_isa_name, c_point_count, &
-                      c_tetrahedron_count, c_vertex_count, c_vertex_tetrahedra_count
+                      c_tetrahedron_count, c_vertex_count, c_vertex_neighbors_count, &
+                      c_vertex_tetrahedra_count
     use mgdt_callbacks, only: mgdt_observer, mgdt_progress, progress_box
     use mgdt_constants
     use mgdt_names, only: mgdt_version => version, mgdt_abi_version => abi_version, &
@@ -107,7 +108,7 @@ module mgdt
         generic :: renumber_points => renumber_points_i32, renumber_points_i64
         ! counts
         procedure :: point_count, vertex_count, dimension => dimension_of, tetrahedron_count, &
-                     hull_facet_count, edge_count, vertex_tetrahedra_count
+                     hull_facet_count, edge_count, vertex_tetrahedra_count, vertex_neighbors_count
         ! arrays
         procedure, private :: get_tetrahedra_i32_1, get_tetrahedra_i32_2, get_tetrahedra_i64_1, &
             get_tetrahedra_i64_2
@@ -128,6 +129,9 @@ module mgdt
         generic :: get_point_map => get_point_map_i32, get_point_map_i64
         procedure, private :: get_vertex_tetrahedra_i32, get_vertex_tetrahedra_i64
         generic :: get_vertex_tetrahedra => get_vertex_tetrahedra_i32, get_vertex_tetrahedra_i64
+        procedure, private :: get_vertex_neighbors_i32, get_vertex_neighbors_i64
+        generic :: get_vertex_neighbors => get_vertex_neighbors_i32, get_vertex_neighbors_i64
+        procedure :: get_circumcenters
         ! queries, trust, figures, text
         procedure, private :: locate_i32, locate_i64
         generic :: locate => locate_i32, locate_i64
@@ -629,6 +633,29 @@ module mgdt
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine
+        ! The neighbours of each point, the vertices that edges join it to, as such a list.
+        ! offsets(point_count() + 1), list(vertex_neighbors_count()).
+        module subroutine get_vertex_neighbors_i32(self, offsets, list, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer(int32), contiguous, intent(inout) :: offsets(:), list(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine get_vertex_neighbors_i64(self, offsets, list, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer(int64), contiguous, intent(inout) :: offsets(:), list(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! The centre of each tetrahedron's circumsphere, xyz(3, tetrahedron_count()), and the square
+        ! of its radius, radius2(tetrahedron_count()): the numbers nearest to the exact ones.
+        module subroutine get_circumcenters(self, xyz, radius2, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            real(real64), contiguous, intent(inout) :: xyz(:, :)
+            real(real64), contiguous, intent(inout), optional, target :: radius2(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
     end interface
 
     interface  ! queries
@@ -798,6 +825,14 @@ contains
         integer(int64) :: count
 
         count = c_vertex_tetrahedra_count(self%handle)
+    end function
+
+    ! Length of the list of get_vertex_neighbors: twice the edges.
+    elemental function vertex_neighbors_count(self) result(count)
+        class(mgdt_triangulation), intent(in) :: self
+        integer(int64) :: count
+
+        count = c_vertex_neighbors_count(self%handle)
     end function
 
     ! Dimension of the points' affine hull: -1 empty, 0 one point, 1 a line, 2 a plane, 3 space.

@@ -3,7 +3,7 @@
 !
 ! Exported arrays. Shapes are checked here, capacities by C.
 submodule (mgdt) mgdt_arrays
-    use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t
+    use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t, c_loc
     use mgdt_c
     use mgdt_layout, only: transpose_i32, transpose_i64
     use mgdt_support, only: borrow, decimal, finish, report
@@ -115,7 +115,7 @@ contains
         call borrow(self%handle, handle, status)
         if (status == mgdt_ok) &
             status = c_get_vertex_tetrahedra(handle, size(offsets, kind=c_int64_t), offsets, &
-                                             size(list, kind=c_int64_t), list)
+                                    size(list, kind=c_int64_t), list)
         call finish(handle, 'get_vertex_tetrahedra', status, stat, errmsg, owned=self%handle)
     end procedure
 
@@ -126,8 +126,47 @@ contains
         call borrow(self%handle, handle, status)
         if (status == mgdt_ok) &
             status = c_get_vertex_tetrahedra(handle, size(offsets, kind=c_int64_t), offsets, &
-                                             size(list, kind=c_int64_t), list)
+                                    size(list, kind=c_int64_t), list)
         call finish(handle, 'get_vertex_tetrahedra', status, stat, errmsg, owned=self%handle)
+    end procedure
+
+    module procedure get_vertex_neighbors_i32
+        type(c_ptr) :: handle
+        integer(c_int32_t) :: status
+
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) &
+            status = c_get_vertex_neighbors(handle, size(offsets, kind=c_int64_t), offsets, &
+                                    size(list, kind=c_int64_t), list)
+        call finish(handle, 'get_vertex_neighbors', status, stat, errmsg, owned=self%handle)
+    end procedure
+
+    module procedure get_vertex_neighbors_i64
+        type(c_ptr) :: handle
+        integer(c_int32_t) :: status
+
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) &
+            status = c_get_vertex_neighbors(handle, size(offsets, kind=c_int64_t), offsets, &
+                                    size(list, kind=c_int64_t), list)
+        call finish(handle, 'get_vertex_neighbors', status, stat, errmsg, owned=self%handle)
+    end procedure
+
+    module procedure get_circumcenters
+        type(c_ptr) :: handle, squares
+        integer(c_int32_t) :: status
+        integer(int64) :: room
+
+        if (.not. fits('get_circumcenters', shape(xyz, int64), 3_int64, 1, stat, errmsg)) return
+        room = size(xyz, 2, int64)
+        squares = c_null_ptr
+        if (present(radius2)) then
+            room = min(room, size(radius2, kind=int64))
+            if (size(radius2) > 0) squares = c_loc(radius2)
+        end if
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) status = c_get_circumcenters(handle, room, xyz, squares)
+        call finish(handle, 'get_circumcenters', status, stat, errmsg, owned=self%handle)
     end procedure
 
     subroutine export_i32(self, get, procedure, capacity, v, stat, errmsg)

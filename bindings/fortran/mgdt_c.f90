@@ -271,6 +271,21 @@ module mgdt_c
             type(c_ptr), value :: t
             integer(c_int64_t) :: count
         end function
+        pure function c_vertex_neighbors_count(t) result(count) &
+            bind(c, name='mgdt_vertex_neighbors_count')
+            import :: c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t) :: count
+        end function
+        function c_get_circumcenters(t, capacity, xyz, radius2) result(status) &
+            bind(c, name='mgdt_get_circumcenters')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            real(c_double), intent(inout) :: xyz(*)
+            type(c_ptr), value :: radius2
+            integer(c_int32_t) :: status
+        end function
         function c_check(t, level) result(status) bind(c, name='mgdt_check')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: t
@@ -480,6 +495,31 @@ module mgdt_c
         function c_get_vertex_tetrahedra_i64(t, offset_capacity, offsets, capacity, list) &
             result(status) &
             bind(c, name='mgdt_get_vertex_tetrahedra')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: offset_capacity
+            integer(c_int64_t), intent(inout) :: offsets(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: list(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_get_vertex_neighbors
+        function c_get_vertex_neighbors_i32(t, offset_capacity, offsets, capacity, list) &
+            result(status) &
+            bind(c, name='mgdt_get_vertex_neighbors_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: offset_capacity
+            integer(c_int32_t), intent(inout) :: offsets(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: list(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_get_vertex_neighbors_i64(t, offset_capacity, offsets, capacity, list) &
+            result(status) &
+            bind(c, name='mgdt_get_vertex_neighbors')
             import :: c_int32_t, c_int64_t, c_ptr
             type(c_ptr), value :: t
             integer(c_int64_t), value :: offset_capacity

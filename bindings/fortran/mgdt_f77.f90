@@ -525,6 +525,18 @@ subroutine mgnvtt(h, n, ierr)
     call store_count(c_vertex_tetrahedra_count(handle_of(h)), handle_of(h), n, ierr)
 end subroutine
 
+! Length of the list of MGVNBS.
+subroutine mgnvnb(h, n, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(inout) :: n
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, n)) return
+    call store_count(c_vertex_neighbors_count(handle_of(h)), handle_of(h), n, ierr)
+end subroutine
+
 ! Dimension of the points' affine hull: -1 (empty) to 3.
 subroutine mgdim(h, n, ierr)
     use mgdt_f77_support
@@ -672,6 +684,36 @@ subroutine mgvts(h, maxo, ioff, maxl, list, ierr)
     if (integers_differ(h, ierr, maxo)) return
     ierr = c_get_vertex_tetrahedra(handle_of(h), int(maxo, c_int64_t), ioff, &
             int(maxl, c_int64_t), list)
+end subroutine
+
+! Neighbours of each point K, the vertices that edges join it to, in the same way.
+subroutine mgvnbs(h, maxo, ioff, maxl, list, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: maxo
+    integer, intent(inout) :: ioff(*)
+    integer, intent(in) :: maxl
+    integer, intent(inout) :: list(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, maxo)) return
+    ierr = c_get_vertex_neighbors(handle_of(h), int(maxo, c_int64_t), ioff, &
+            int(maxl, c_int64_t), list)
+end subroutine
+
+! Centres of the circumspheres of the tetrahedra, XYZ(3, MAXT), and squares of the radii, R2(MAXT).
+subroutine mgcirc(h, maxt, xyz, r2, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: maxt
+    real(c_double), intent(inout) :: xyz(*)
+    real(c_double), intent(inout), target :: r2(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, maxt)) return
+    ierr = c_get_circumcenters(handle_of(h), int(maxt, c_int64_t), xyz, c_loc(r2))
 end subroutine
 
 ! ----------------------------------------------------------------------------- queries

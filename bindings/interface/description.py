@@ -29,6 +29,8 @@ LENGTHS = {
     "mgdt_get_edges": {"v": "capacity"},
     "mgdt_get_point_map": {"v": "capacity"},
     "mgdt_get_vertex_tetrahedra": {"offsets": "offset_capacity", "list": "capacity"},
+    "mgdt_get_vertex_neighbors": {"offsets": "offset_capacity", "list": "capacity"},
+    "mgdt_get_circumcenters": {"xyz": "3*capacity", "radius2": "?capacity"},
     "mgdt_locate": {"xyz": "3", "tetrahedron": "1"},
     "mgdt_locate_points": {"xyz": "3*n", "tetrahedra": "n", "weights": "?4*n"},
     "mgdt_nearest_vertex": {"xyz": "3", "vertex": "1"},

@@ -478,16 +478,35 @@ Triangulation.edges = exporter(C.mgdt_edge_count, 2, C.mgdt_get_edges_i32, C.mgd
 Triangulation.point_map = exporter(C.mgdt_point_count, 1, C.mgdt_get_point_map_i32,
     C.mgdt_get_point_map)
 
---- Tetrahedra around each vertex: offsets and list. Those of point k (counted from 0) are
---- list[offsets[k] - base] to list[offsets[k + 1] - base - 1].
-function Triangulation:vertex_tetrahedra()
+-- Offsets and list. Those of point k (counted from 0) are list[offsets[k] - base] to
+-- list[offsets[k + 1] - base - 1].
+local function lists(count, get)
+    return function(self)
+        local handle = handle_of(self)
+        local points = tonumber(C.mgdt_point_count(handle))
+        local length = tonumber(count(handle))
+        local offsets = ffi.new("int32_t[?]", points + 1)
+        local list = ffi.new("int32_t[?]", length)
+        ensure(handle, get(handle, points + 1, offsets, length, list))
+        return offsets, list, length
+    end
+end
+
+--- Tetrahedra around each vertex: offsets and list, and its length.
+Triangulation.vertex_tetrahedra = lists(C.mgdt_vertex_tetrahedra_count,
+    C.mgdt_get_vertex_tetrahedra_i32)
+
+--- Neighbours of each vertex, those that edges join it to: offsets and list, and its length.
+Triangulation.vertex_neighbors = lists(C.mgdt_vertex_neighbors_count,
+    C.mgdt_get_vertex_neighbors_i32)
+
+--- The centre of each tetrahedron's circumsphere, 3 doubles each, and the square of its radius.
+function Triangulation:circumcenters()
     local handle = handle_of(self)
-    local points = tonumber(C.mgdt_point_count(handle))
-    local length = tonumber(C.mgdt_vertex_tetrahedra_count(handle))
-    local offsets = ffi.new("int32_t[?]", points + 1)
-    local list = ffi.new("int32_t[?]", length)
-    ensure(handle, C.mgdt_get_vertex_tetrahedra_i32(handle, points + 1, offsets, length, list))
-    return offsets, list, length
+    local n = tonumber(C.mgdt_tetrahedron_count(handle))
+    local xyz, squares = ffi.new("double[?]", 3 * n), ffi.new("double[?]", n)
+    ensure(handle, C.mgdt_get_circumcenters(handle, n, xyz, squares))
+    return xyz, squares, n
 end
 
 -- ------------------------------------------------------------------------------------ queries

@@ -46,6 +46,7 @@
     F(hull_facet_count);          \
     F(edge_count);                \
     F(vertex_tetrahedra_count);   \
+    F(vertex_neighbors_count);    \
     F(get_tetrahedra);            \
     F(get_tetrahedra_i32);        \
     F(get_neighbors);             \
@@ -58,6 +59,9 @@
     F(get_point_map_i32);         \
     F(get_vertex_tetrahedra);     \
     F(get_vertex_tetrahedra_i32); \
+    F(get_vertex_neighbors);      \
+    F(get_vertex_neighbors_i32);  \
+    F(get_circumcenters);         \
     F(locate);                    \
     F(locate_i32);                \
     F(locate_points);             \

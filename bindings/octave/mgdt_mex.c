@@ -334,12 +334,31 @@ static mxArray* nearest(const mgdt_triangulation* t, const mxArray* matrix) {
     return result;
 }
 
-static void vertex_tetrahedra(const mgdt_triangulation* t, int nlhs, mxArray** plhs) {
-    const int64_t n = mgdt.point_count(t), length = mgdt.vertex_tetrahedra_count(t);
+typedef mgdt_status (*lists_getter)(const mgdt_triangulation*, int64_t, int64_t*, int64_t,
+                                    int64_t*);
+
+static void lists(const mgdt_triangulation* t, lists_getter get, int64_t length, int nlhs,
+                  mxArray** plhs) {
+    const int64_t n = mgdt.point_count(t);
     int64_t *const offsets = room(n + 1, sizeof *offsets), *const list = room(length, sizeof *list);
-    ensure(t, mgdt.get_vertex_tetrahedra(t, n + 1, offsets, length, list));
+    ensure(t, get(t, n + 1, offsets, length, list));
     plhs[0] = rows(offsets, n + 1, 1);
     if (nlhs > 1) plhs[1] = rows(list, length, 1);
+}
+
+static void circumcenters(const mgdt_triangulation* t, int nlhs, mxArray** plhs) {
+    const int64_t n = mgdt.tetrahedron_count(t);
+    double *const xyz = room(3 * n, sizeof *xyz), *const squares = room(n, sizeof *squares);
+    double* to;
+    int64_t k, i;
+    ensure(t, mgdt.get_circumcenters(t, n, xyz, squares));
+    plhs[0] = mxCreateDoubleMatrix((mwSize)n, 3, mxREAL);
+    to = mxGetPr(plhs[0]);
+    for (k = 0; k < n; ++k)
+        for (i = 0; i < 3; ++i) to[i * n + k] = xyz[3 * k + i];
+    if (nlhs < 2) return;
+    plhs[1] = mxCreateDoubleMatrix((mwSize)n, 1, mxREAL);
+    for (k = 0; k < n; ++k) mxGetPr(plhs[1])[k] = squares[k];
 }
 
 static mxArray* statistics(const mgdt_triangulation* t) {
@@ -558,7 +577,11 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     } else if (strcmp(command, "export") == 0) {
         plhs[0] = export_of(s->t, text(first, "the export"));
     } else if (strcmp(command, "vertex_tetrahedra") == 0) {
-        vertex_tetrahedra(s->t, nlhs, plhs);
+        lists(s->t, mgdt.get_vertex_tetrahedra, mgdt.vertex_tetrahedra_count(s->t), nlhs, plhs);
+    } else if (strcmp(command, "vertex_neighbors") == 0) {
+        lists(s->t, mgdt.get_vertex_neighbors, mgdt.vertex_neighbors_count(s->t), nlhs, plhs);
+    } else if (strcmp(command, "circumcenters") == 0) {
+        circumcenters(s->t, nlhs, plhs);
     } else if (strcmp(command, "locate") == 0) {
         locate(s->t, first, nlhs, plhs);
     } else if (strcmp(command, "nearest") == 0) {

@@ -178,6 +178,16 @@ classdef mgdt_triangulation < handle
       [offsets, list] = mgdt_mex ("vertex_tetrahedra", t.handle ());
     end
 
+    % Neighbours of each vertex, those that edges join it to, in the same way.
+    function [offsets, list] = vertex_neighbors (t)
+      [offsets, list] = mgdt_mex ("vertex_neighbors", t.handle ());
+    end
+
+    % Centres of the circumspheres of the tetrahedra, m x 3, and the squares of the radii, m x 1.
+    function [centers, squares] = circumcenters (t)
+      [centers, squares] = mgdt_mex ("circumcenters", t.handle ());
+    end
+
     % Tetrahedra that contain the points of an n x 3 matrix, n x 1, NaN outside the hull, and the
     % barycentric weights of their vertices, n x 4: as tsearchn.
     function [where, weights] = locate (t, points)

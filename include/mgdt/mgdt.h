@@ -508,6 +508,10 @@ MGDT_API int64_t mgdt_edge_count(const mgdt_triangulation* t);
  *  @since 1.0 */
 MGDT_API int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation* t);
 
+/** Length of the list of mgdt_get_vertex_neighbors(): twice the edges; 0 for NULL.
+ *  @since 1.2 */
+MGDT_API int64_t mgdt_vertex_neighbors_count(const mgdt_triangulation* t);
+
 /* ----------------------------------------------------------------------------- export --- */
 
 /** Writes the vertices of each tetrahedron, 4 per tetrahedron, positively oriented:
@@ -585,6 +589,36 @@ MGDT_API mgdt_status mgdt_get_vertex_tetrahedra(const mgdt_triangulation* t,
 MGDT_API mgdt_status mgdt_get_vertex_tetrahedra_i32(const mgdt_triangulation* t,
                                                     int64_t offset_capacity, int32_t* offsets,
                                                     int64_t capacity, int32_t* list);
+
+/** Writes the neighbours of each vertex, the vertices that edges join it to, as a compressed list.
+ *  Those of point k (counted from 0) are list[offsets[k] - base] to list[offsets[k + 1] - base -
+ * 1], ascending. A point that is no vertex has none, and there are none without tetrahedra.
+ *  @param offset_capacity  elements in offsets, at least mgdt_point_count(t) + 1
+ *  @param[out] offsets     positions in list, in the handle's index base
+ *  @param capacity         elements in list, at least mgdt_vertex_neighbors_count(t)
+ *  @param[out] list        indices of points; may be NULL if there are no tetrahedra
+ *  @return as mgdt_get_tetrahedra()
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_vertex_neighbors(const mgdt_triangulation* t, int64_t offset_capacity,
+                                               int64_t* offsets, int64_t capacity, int64_t* list);
+/** @copydoc mgdt_get_vertex_neighbors
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_vertex_neighbors_i32(const mgdt_triangulation* t,
+                                                   int64_t offset_capacity, int32_t* offsets,
+                                                   int64_t capacity, int32_t* list);
+
+/** Writes the centre of each tetrahedron's circumsphere, a vertex of the Voronoi diagram, and the
+ *  square of its radius, in the order of mgdt_get_tetrahedra(). Each number is the double nearest
+ *  to the exact one, and infinite beyond the largest double. So tetrahedra with one circumsphere,
+ *  as in a lattice, have the same numbers. With threads (mgdt_set_threads()).
+ *  @param capacity      tetrahedra that there is room for, at least mgdt_tetrahedron_count(t)
+ *  @param[out] xyz      3 capacity elements: x y z of each centre; may be NULL if there are no
+ *                       tetrahedra
+ *  @param[out] radius2  capacity elements; or NULL
+ *  @return as mgdt_get_tetrahedra()
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_circumcenters(const mgdt_triangulation* t, int64_t capacity,
+                                            double* xyz, double* radius2);
 
 /* ---------------------------------------------------------------------------- queries --- */
 

@@ -293,6 +293,11 @@ class Triangulation {
         return mgdt_vertex_tetrahedra_count(handle_.get());
     }
 
+    /** mgdt_vertex_neighbors_count(). @since 1.2 */
+    [[nodiscard]] std::int64_t vertex_neighbors_count() const noexcept {
+        return mgdt_vertex_neighbors_count(handle_.get());
+    }
+
     /* Export. Without an argument: a vector, of 64-bit integers unless asked for others, as in
      * `t.tetrahedra<std::int32_t>()`. With one: a contiguous container of std::int64_t or
      * std::int32_t, or of std::arrays of as many as belong together, that is large enough.
@@ -347,27 +352,34 @@ class Triangulation {
     }
     /** mgdt_get_vertex_tetrahedra(). */
     template <class Int = std::int64_t>
-    [[nodiscard]] VertexTetrahedra<Int> vertex_tetrahedra() const {
-        VertexTetrahedra<Int> result;
-        result.offsets.resize(static_cast<std::size_t>(point_count()) + 1);
-        result.list.resize(static_cast<std::size_t>(vertex_tetrahedra_count()));
-        vertex_tetrahedra(result.offsets, result.list);
-        return result;
+    [[nodiscard]] PointLists<Int> vertex_tetrahedra() const {
+        return lists<Int>(vertex_tetrahedra_count(), mgdt_get_vertex_tetrahedra,
+                          mgdt_get_vertex_tetrahedra_i32);
     }
     template <class Offsets, class List>
     void vertex_tetrahedra(Offsets&& offsets, List&& list) const {
-        const auto first = flat<1>(offsets);
-        const auto second = flat<1>(list);
-        using Int = std::remove_reference_t<decltype(first[0])>;
-        static_assert(std::is_same_v<decltype(first), decltype(second)>,
-                      "offsets and list have the same kind of integers");
-        const auto n = static_cast<std::int64_t>(first.size());
-        const auto m = static_cast<std::int64_t>(second.size());
-        if constexpr (std::is_same_v<Int, std::int64_t>)
-            require(mgdt_get_vertex_tetrahedra(handle_.get(), n, first.data(), m, second.data()));
-        else
-            require(
-                mgdt_get_vertex_tetrahedra_i32(handle_.get(), n, first.data(), m, second.data()));
+        write_lists(offsets, list, mgdt_get_vertex_tetrahedra, mgdt_get_vertex_tetrahedra_i32);
+    }
+    /** mgdt_get_vertex_neighbors(). @since 1.2 */
+    template <class Int = std::int64_t>
+    [[nodiscard]] PointLists<Int> vertex_neighbors() const {
+        return lists<Int>(vertex_neighbors_count(), mgdt_get_vertex_neighbors,
+                          mgdt_get_vertex_neighbors_i32);
+    }
+    template <class Offsets, class List>
+    void vertex_neighbors(Offsets&& offsets, List&& list) const {
+        write_lists(offsets, list, mgdt_get_vertex_neighbors, mgdt_get_vertex_neighbors_i32);
+    }
+    /** mgdt_get_circumcenters(). @since 1.2 */
+    [[nodiscard]] Circumspheres circumspheres() const {
+        Circumspheres result;
+        const auto n = static_cast<std::size_t>(tetrahedron_count());
+        result.centers.resize(n);
+        result.squared_radii.resize(n);
+        require(mgdt_get_circumcenters(handle_.get(), static_cast<std::int64_t>(n),
+                                       n == 0 ? nullptr : result.centers[0].data(),
+                                       result.squared_radii.data()));
+        return result;
     }
 
     /* Queries. @throw OutOfMemory, Error, std::bad_alloc (the vectors') */
@@ -580,6 +592,34 @@ class Triangulation {
         static_assert(detail::is_index_v<Int>, "indices are std::int64_t or std::int32_t");
         std::vector<std::array<Int, K>> v(static_cast<std::size_t>(count));
         write<K>(v, wide, narrow);
+        return v;
+    }
+    template <class Int>
+    using ListExport = mgdt_status (*)(const mgdt_triangulation*, std::int64_t, Int*, std::int64_t,
+                                       Int*);
+    template <class Offsets, class List>
+    void write_lists(Offsets& offsets, List& list, ListExport<std::int64_t> wide,
+                     ListExport<std::int32_t> narrow) const {
+        const auto first = flat<1>(offsets);
+        const auto second = flat<1>(list);
+        using Int = std::remove_reference_t<decltype(first[0])>;
+        static_assert(std::is_same_v<decltype(first), decltype(second)>,
+                      "offsets and list have the same kind of integers");
+        const auto n = static_cast<std::int64_t>(first.size());
+        const auto m = static_cast<std::int64_t>(second.size());
+        if constexpr (std::is_same_v<Int, std::int64_t>)
+            require(wide(handle_.get(), n, first.data(), m, second.data()));
+        else
+            require(narrow(handle_.get(), n, first.data(), m, second.data()));
+    }
+    template <class Int>
+    PointLists<Int> lists(std::int64_t length, ListExport<std::int64_t> wide,
+                          ListExport<std::int32_t> narrow) const {
+        static_assert(detail::is_index_v<Int>, "indices are std::int64_t or std::int32_t");
+        PointLists<Int> v;
+        v.offsets.resize(static_cast<std::size_t>(point_count()) + 1);
+        v.list.resize(static_cast<std::size_t>(length));
+        write_lists(v.offsets, v.list, wide, narrow);
         return v;
     }
     template <class Int>

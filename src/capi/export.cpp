@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "query/export.hpp"
 
+#include <algorithm>
+
 #include "capi/counts.hpp"
 #include "capi/handle.hpp"
 
@@ -84,21 +86,58 @@ mgdt_status point_map(const mgdt_triangulation* t, int64_t capacity, Int* v, con
         [&](const ExportView& view) { export_point_map(view, t->core.point_map(), v); }, name);
 }
 
-template <class Int>
-mgdt_status vertex_tetrahedra(const mgdt_triangulation* t, int64_t offset_capacity, Int* offsets,
-                              int64_t capacity, Int* list, const char* name) {
+// What a compressed list by points has.
+struct ListShape {
+    bool numbers;       // tetrahedra are to be numbered
+    std::size_t count;  // elements in the list
+    std::size_t end;    // its elements, counted from 0, are below
+};
+
+template <class Int, class Measure, class Body>
+mgdt_status run_list_export(const mgdt_triangulation* t, std::int64_t offset_capacity, Int* offsets,
+                            std::int64_t capacity, Int* list, Measure shape, Body body,
+                            const char* name) {
     return guard(
         t,
         [&] {
             const std::size_t points = t->core.point_map().size();
-            const std::size_t count = static_cast<std::size_t>(4 * tetrahedron_count(t->core));
+            const auto [numbers, count, end] = shape(t->core);
             require_pointer(offsets, "offsets");
             if (count > 0) require_pointer(list, "list");
             require_capacity(offset_capacity, points + 1, "offsets");
             require_capacity(capacity, count, "list");
-            require_range<Int>(count + 1, t);  // the last offset is past the end
+            require_range<Int>(std::max<std::uint64_t>(count + 1, end), t);  // the last offset too
             Team team(t->core.threads_for(count, min_items_per_thread));
-            export_vertex_tetrahedra(view_of(team, t, true), points, offsets, list);
+            body(view_of(team, t, numbers), points);
+        },
+        name);
+}
+
+template <class Int>
+mgdt_status vertex_tetrahedra(const mgdt_triangulation* t, int64_t offset_capacity, Int* offsets,
+                              int64_t capacity, Int* list, const char* name) {
+    return run_list_export(
+        t, offset_capacity, offsets, capacity, list,
+        [](const Triangulation& core) {
+            return ListShape{true, static_cast<std::size_t>(4 * tetrahedron_count(core)), 0};
+        },
+        [&](const ExportView& view, std::size_t points) {
+            export_vertex_tetrahedra(view, points, offsets, list);
+        },
+        name);
+}
+
+template <class Int>
+mgdt_status vertex_neighbors(const mgdt_triangulation* t, int64_t offset_capacity, Int* offsets,
+                             int64_t capacity, Int* list, const char* name) {
+    return run_list_export(
+        t, offset_capacity, offsets, capacity, list,
+        [](const Triangulation& core) {
+            return ListShape{false, static_cast<std::size_t>(2 * edge_count(core)),
+                             core.point_map().size()};
+        },
+        [&](const ExportView& view, std::size_t points) {
+            export_vertex_neighbors(view, points, offsets, list);
         },
         name);
 }
@@ -120,14 +159,31 @@ MGDT_EXPORT(hull_facets)
 MGDT_EXPORT(edges)
 MGDT_EXPORT(point_map)
 
-extern "C" mgdt_status mgdt_get_vertex_tetrahedra(const mgdt_triangulation* t,
-                                                  int64_t offset_capacity, int64_t* offsets,
-                                                  int64_t capacity, int64_t* list) {
-    return vertex_tetrahedra(t, offset_capacity, offsets, capacity, list, __func__);
-}
+#define MGDT_LIST_EXPORT(name)                                                                   \
+    extern "C" mgdt_status mgdt_get_##name(const mgdt_triangulation* t, int64_t offset_capacity, \
+                                           int64_t* offsets, int64_t capacity, int64_t* list) {  \
+        return name(t, offset_capacity, offsets, capacity, list, __func__);                      \
+    }                                                                                            \
+    extern "C" mgdt_status mgdt_get_##name##_i32(const mgdt_triangulation* t,                    \
+                                                 int64_t offset_capacity, int32_t* offsets,      \
+                                                 int64_t capacity, int32_t* list) {              \
+        return name(t, offset_capacity, offsets, capacity, list, __func__);                      \
+    }
+MGDT_LIST_EXPORT(vertex_tetrahedra)
+MGDT_LIST_EXPORT(vertex_neighbors)
 
-extern "C" mgdt_status mgdt_get_vertex_tetrahedra_i32(const mgdt_triangulation* t,
-                                                      int64_t offset_capacity, int32_t* offsets,
-                                                      int64_t capacity, int32_t* list) {
-    return vertex_tetrahedra(t, offset_capacity, offsets, capacity, list, __func__);
+extern "C" mgdt_status mgdt_get_circumcenters(const mgdt_triangulation* t, int64_t capacity,
+                                              double* xyz, double* radius2) {
+    return guard(t, [&] {
+        const auto count = static_cast<std::size_t>(tetrahedron_count(t->core));
+        if (count > 0) require_pointer(xyz, "xyz");
+        if (capacity < 0 || static_cast<std::uint64_t>(capacity) < count)
+            fail(capacity < 0 ? MGDT_ERR_INVALID_ARGUMENT : MGDT_ERR_BUFFER_TOO_SMALL,
+                 "the arrays have room for %lld tetrahedra; %zu are needed",
+                 static_cast<long long>(capacity), count);
+        if (count == 0) return;
+        constexpr std::size_t tetrahedra_a_thread = 4096;
+        Team team(t->core.threads_for(count, tetrahedra_a_thread));
+        export_circumcenters(view_of(team, t, true), xyz, radius2);
+    });
 }

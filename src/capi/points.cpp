@@ -74,3 +74,7 @@ extern "C" int64_t mgdt_edge_count(const mgdt_triangulation* t) {
 extern "C" int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation* t) {
     return 4 * mgdt_tetrahedron_count(t);
 }
+
+extern "C" int64_t mgdt_vertex_neighbors_count(const mgdt_triangulation* t) {
+    return 2 * mgdt_edge_count(t);
+}

@@ -161,42 +161,6 @@ HullFacet hull_facet(const Mesh& mesh, TetId ghost) {
     return f;
 }
 
-// Edge e of a tetrahedron joins its vertices edge_ends[e][0] and [1].
-constexpr unsigned char edge_ends[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
-
-// For each set of faces, a bit each, the edges that lie in two of them, a bit each. An edge lies in
-// the two faces opposite the vertices that it does not join.
-struct EdgesBetween {
-    unsigned char of_faces[16] = {};
-    constexpr EdgesBetween() {
-        for (unsigned faces = 0; faces < 16; ++faces)
-            for (unsigned e = 0; e < 6; ++e) {
-                const unsigned both = 0xFu & ~(1u << edge_ends[e][0] | 1u << edge_ends[e][1]);
-                if ((faces & both) == both)
-                    of_faces[faces] = static_cast<unsigned char>(of_faces[faces] | 1u << e);
-            }
-    }
-};
-constexpr EdgesBetween edges_between;
-
-// The edges of the face opposite a vertex: those that lie in it and in another one.
-constexpr unsigned edges_of_face(unsigned face) {
-    unsigned edges = 0;
-    for (unsigned other = 0; other < 4; ++other)
-        if (other != face) edges |= edges_between.of_faces[1u << face | 1u << other];
-    return edges;
-}
-
-// The edges that this tetrahedron lists, so that each is listed once: those where both of its
-// neighbours are in later slots. None that end at infinity.
-unsigned owned_edges(const Tetrahedron& t, TetId id) {
-    if (t.is_dead()) return 0;
-    unsigned later = 0;
-    for (unsigned f = 0; f < 4; ++f) later |= (tetrahedron_of(t.n[f]) > id ? 1u : 0u) << f;
-    const unsigned edges = edges_between.of_faces[later];
-    return t.is_ghost() ? edges & edges_of_face(static_cast<unsigned>(t.infinite_slot())) : edges;
-}
-
 }  // namespace
 
 template <class Int>
@@ -257,66 +221,6 @@ void export_hull_facets(const ExportView& view, Int* out) {
         [&](std::size_t, std::size_t place, const HullFacet& f) { write(place, f); });
 }
 
-// Edges are sorted by their ends, by the caller's indices or else by vertices. A tetrahedron emits
-// those of its edges at which both neighbours are in later slots. The tetrahedron in the first slot
-// around an edge is always one, and few others are, so each edge is emitted, and equal ones are
-// next to each other after sorting. No tetrahedron needs another record than its own.
-template <class Int>
-void export_edges(const ExportView& view, Int* out) {
-    const Mesh& mesh = view.mesh;
-    const VertexIndices indices(view.team, mesh, view.allocator);
-    const auto name = [&](VertexId v) { return view.canonical ? indices[v] : v; };
-    const auto each = [&](std::size_t begin, std::size_t end, auto f) {
-        for (std::size_t id = begin; id < end; ++id) {
-            const Tetrahedron& t = mesh.tetrahedra[id];
-            mesh.tetrahedra.prefetch(id + ahead);
-            for (unsigned left = owned_edges(t, static_cast<TetId>(id)); left != 0;
-                 left &= left - 1) {
-                const unsigned char* const at = edge_ends[lowest_bit(left)];
-                const VertexId a = name(t.v[at[0]]), b = name(t.v[at[1]]);
-                f(std::min(a, b), std::max(a, b));
-            }
-        }
-    };
-    const std::size_t names = view.canonical ? indices.end() : mesh.vertices.size();
-    constexpr std::size_t min_items_per_thread = 65536, names_a_thread = 16384;
-    Buffer<std::uint32_t> ends(view.allocator, names + 1), others(view.allocator);
-    make_lists(
-        view.team, view.allocator, mesh.tetrahedra.size(), min_items_per_thread, names, ends.data(),
-        each, [&](std::size_t size) { others.resize(size); },
-        [&](std::size_t place, std::uint32_t other) { others[place] = other; });
-    // Each list sorted, each edge once; then written from where the members before end.
-    Buffer<std::uint32_t> sizes(view.allocator, names);
-    std::size_t place_of[Team::most + 1] = {};
-    view.team.split(names, names_a_thread, [&](std::size_t begin, std::size_t end, unsigned m) {
-        std::size_t sum = 0;
-        for (std::size_t k = begin; k < end; ++k) {
-            std::uint32_t* const first = others.begin() + ends[k];
-            std::uint32_t* const last = others.begin() + ends[k + 1];
-            std::sort(first, last);
-            sizes[k] = static_cast<std::uint32_t>(std::unique(first, last) - first);
-            sum += sizes[k];
-        }
-        place_of[m + 1] = sum;
-    });
-    for (unsigned m = 0; m < Team::most; ++m) place_of[m + 1] += place_of[m];
-    view.team.split(names, names_a_thread, [&](std::size_t begin, std::size_t end, unsigned m) {
-        Int* to = out + 2 * place_of[m];
-        for (std::size_t k = begin; k < end; ++k) {
-            for (std::size_t i = ends[k]; i < ends[k] + sizes[k]; ++i) {
-                std::uint32_t a = static_cast<std::uint32_t>(k), b = others[i];
-                if (!view.canonical) {
-                    const std::uint32_t index_a = indices[a], index_b = indices[b];
-                    a = std::min(index_a, index_b);
-                    b = std::max(index_a, index_b);
-                }
-                *to++ = static_cast<Int>(a) + static_cast<Int>(view.base);
-                *to++ = static_cast<Int>(b) + static_cast<Int>(view.base);
-            }
-        }
-    });
-}
-
 template <class Int>
 void export_point_map(const ExportView& view, const Buffer<VertexId>& point_map, Int* out) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);
@@ -363,7 +267,6 @@ void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* o
     template void export_tetrahedra(const ExportView&, Int*);                         \
     template void export_neighbors(const ExportView&, Int*);                          \
     template void export_hull_facets(const ExportView&, Int*);                        \
-    template void export_edges(const ExportView&, Int*);                              \
     template void export_point_map(const ExportView&, const Buffer<VertexId>&, Int*); \
     template void export_vertex_tetrahedra(const ExportView&, std::size_t, Int*, Int*);
 MGDT_INSTANTIATE(std::int64_t)

@@ -26,9 +26,15 @@ void export_hull_facets(const ExportView& view, Int* out);
 template <class Int>
 void export_edges(const ExportView& view, Int* out);
 template <class Int>
+void export_vertex_neighbors(const ExportView& view, std::size_t points, Int* offsets, Int* list);
+template <class Int>
 void export_point_map(const ExportView& view, const Buffer<VertexId>& point_map, Int* out);
 template <class Int>
 void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* offsets, Int* list);
+
+// Of each tetrahedron the centre of its circumsphere, and the square of the radius unless that is
+// NULL.
+void export_circumcenters(const ExportView& view, double* xyz, double* radius2);
 
 // Places of a tetrahedron's vertices in its exported record: as stored, or canonical.
 void export_places(const ExportView& view, const Tetrahedron& t, unsigned places[4]);

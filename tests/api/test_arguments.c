@@ -47,6 +47,7 @@ static void null_handles(void) {
     CHECK_EQUAL(mgdt_hull_facet_count(NULL), 0);
     CHECK_EQUAL(mgdt_edge_count(NULL), 0);
     CHECK_EQUAL(mgdt_vertex_tetrahedra_count(NULL), 0);
+    CHECK_EQUAL(mgdt_vertex_neighbors_count(NULL), 0);
     CHECK_EQUAL(mgdt_get_tetrahedra(NULL, 1, &i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_tetrahedra_i32(NULL, 1, &j), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_neighbors(NULL, 1, &i), MGDT_ERR_NULL_POINTER);
@@ -59,6 +60,9 @@ static void null_handles(void) {
     CHECK_EQUAL(mgdt_get_point_map_i32(NULL, 1, &j), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_vertex_tetrahedra(NULL, 1, &i, 1, &i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_vertex_tetrahedra_i32(NULL, 1, &j, 1, &j), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_vertex_neighbors(NULL, 1, &i, 1, &i), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_vertex_neighbors_i32(NULL, 1, &j, 1, &j), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_circumcenters(NULL, 1, &d, &d), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate(NULL, simplex, &i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate_points(NULL, 1, simplex, &i, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate_points_i32(NULL, 1, simplex, &j, NULL), MGDT_ERR_NULL_POINTER);
@@ -91,6 +95,11 @@ static void null_arrays(const mgdt_triangulation* t) {
     CHECK_EQUAL(mgdt_get_vertex_tetrahedra(t, many, i, many, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_vertex_tetrahedra_i32(t, many, NULL, 4, j), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_vertex_tetrahedra_i32(t, many, j, many, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_vertex_neighbors(t, many, NULL, 4, i), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_vertex_neighbors(t, many, i, many, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_vertex_neighbors_i32(t, many, NULL, 4, j), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_vertex_neighbors_i32(t, many, j, many, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_circumcenters(t, many, NULL, &d), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate(t, NULL, i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate(t, simplex, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate_i32(t, NULL, j), MGDT_ERR_NULL_POINTER);
@@ -296,6 +305,10 @@ static void empty(void) {
     CHECK_EQUAL(mgdt_get_point_map(t, 0, NULL), MGDT_OK);
     CHECK_EQUAL(mgdt_get_vertex_tetrahedra(t, 1, offsets, 0, NULL), MGDT_OK);
     CHECK_EQUAL(offsets[0], 0);
+    offsets[0] = 5;
+    CHECK_EQUAL(mgdt_get_vertex_neighbors(t, 1, offsets, 0, NULL), MGDT_OK);
+    CHECK_EQUAL(offsets[0], 0);
+    CHECK_EQUAL(mgdt_get_circumcenters(t, 0, NULL, NULL), MGDT_OK);
     CHECK_EQUAL(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_OK);
     CHECK_EQUAL(mgdt_locate(t, simplex, &out), MGDT_OK);
     CHECK_EQUAL(out, -1);

@@ -86,6 +86,7 @@ static void read_while_it_changes(guest* g) {
     CHECK_EQUAL(mgdt_hull_facet_count(t), 0);
     CHECK_EQUAL(mgdt_edge_count(t), 0);
     CHECK_EQUAL(mgdt_vertex_tetrahedra_count(t), 0);
+    CHECK_EQUAL(mgdt_vertex_neighbors_count(t), 0);
     CHECK(strcmp(mgdt_isa_name(t), "") == 0);
     expect_refused(g, mgdt_get_tetrahedra(t, size, a), "mgdt_get_tetrahedra()");
     expect_refused(g, mgdt_get_tetrahedra_i32(t, size, c), "mgdt_get_tetrahedra_i32()");
@@ -101,6 +102,11 @@ static void read_while_it_changes(guest* g) {
                    "mgdt_get_vertex_tetrahedra()");
     expect_refused(g, mgdt_get_vertex_tetrahedra_i32(t, size, c, size, d),
                    "mgdt_get_vertex_tetrahedra_i32()");
+    expect_refused(g, mgdt_get_vertex_neighbors(t, size, a, size, b),
+                   "mgdt_get_vertex_neighbors()");
+    expect_refused(g, mgdt_get_vertex_neighbors_i32(t, size, c, size, d),
+                   "mgdt_get_vertex_neighbors_i32()");
+    expect_refused(g, mgdt_get_circumcenters(t, 1, w, NULL), "mgdt_get_circumcenters()");
     expect_refused(g, mgdt_locate(t, g->xyz, a), "mgdt_locate()");
     expect_refused(g, mgdt_locate_i32(t, g->xyz, c), "mgdt_locate_i32()");
     expect_refused(g, mgdt_locate_points(t, 1, g->xyz, a, w), "mgdt_locate_points()");

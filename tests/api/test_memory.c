@@ -207,6 +207,13 @@ static mgdt_status export_all(const mgdt_triangulation* t, int64_t* v, int64_t* 
     TRY(mgdt_get_edges(t, size, v));
     TRY(mgdt_get_point_map(t, size, v));
     TRY(mgdt_get_vertex_tetrahedra(t, size, v, size, list));
+    TRY(mgdt_get_vertex_neighbors(t, size, v, size, list));
+    if (status == MGDT_OK) {
+        double* const centers = malloc((size_t)(3 * size) * sizeof *centers);
+        if (centers == NULL) abort();
+        status = mgdt_get_circumcenters(t, size, centers, NULL);
+        free(centers);
+    }
     TRY(mgdt_locate(t, q, v));
     TRY(mgdt_locate_points(t, 2, q, v, weights));
     TRY(mgdt_nearest_vertex(t, q, v));

@@ -40,6 +40,19 @@ mgdt_status get_lists(const mgdt_triangulation* t, std::int64_t capacity, std::i
     const std::int64_t offsets = mgdt_point_count(t) + 1;
     return mgdt_get_vertex_tetrahedra(t, offsets, v, capacity - offsets, v + offsets);
 }
+std::int64_t neighbor_lists(const mgdt_triangulation* t) {
+    return mgdt_point_count(t) + 1 + mgdt_vertex_neighbors_count(t);
+}
+mgdt_status get_neighbor_lists(const mgdt_triangulation* t, std::int64_t capacity,
+                               std::int64_t* v) {
+    const std::int64_t offsets = mgdt_point_count(t) + 1;
+    return mgdt_get_vertex_neighbors(t, offsets, v, capacity - offsets, v + offsets);
+}
+mgdt_status get_circumcenters(const mgdt_triangulation* t, std::int64_t capacity, std::int64_t* v) {
+    static_assert(sizeof(double) == sizeof(std::int64_t), "the room is for doubles as well");
+    double* const xyz = reinterpret_cast<double*>(v);
+    return mgdt_get_circumcenters(t, capacity / 4, xyz, xyz + capacity / 4 * 3);
+}
 
 constexpr Export exports[] = {
     {"tetrahedra", false, false, corners, mgdt_get_tetrahedra},
@@ -48,6 +61,8 @@ constexpr Export exports[] = {
     {"edges", false, false, ends, mgdt_get_edges},
     {"point map", false, false, mgdt_point_count, mgdt_get_point_map},
     {"tetrahedra of vertices", false, false, lists, get_lists},
+    {"neighbours of vertices", false, false, neighbor_lists, get_neighbor_lists},
+    {"circumcentres", false, false, corners, get_circumcenters},
     {"canonical tetrahedra, first", true, true, corners, mgdt_get_tetrahedra},
     {"canonical tetrahedra, again", true, false, corners, mgdt_get_tetrahedra},
     {"canonical neighbours", true, false, corners, mgdt_get_neighbors},

@@ -24,6 +24,8 @@ std::size_t exports(const mgdt::Triangulation& t, const std::vector<mgdt::Point>
     auto edges = t.edges<Int>();
     auto map = t.point_map<Int>();
     auto around = t.vertex_tetrahedra<Int>();
+    auto linked = t.vertex_neighbors<Int>();
+    t.vertex_neighbors(linked.offsets, linked.list);
     auto located = t.locate_with_weights<Int>(points);
     auto found = t.locate_points<Int>(points);
     t.tetrahedra(tetrahedra);
@@ -37,7 +39,7 @@ std::size_t exports(const mgdt::Triangulation& t, const std::vector<mgdt::Point>
     t.locate_points(points, found);
     t.locate_points(points, found, located.weights);
     return tetrahedra.size() + neighbors.size() + facets.size() + edges.size() + map.size() +
-           around[0].size() + found.size() + nearest.size();
+           around[0].size() + linked[0].size() + found.size() + nearest.size();
 }
 
 }  // namespace
@@ -85,6 +87,8 @@ int main() {
         if (t.point_count() != 10 || t.vertex_count() != 6 || t.dimension() != 3) return 4;
         if (t.statistic(mgdt::Statistic::duplicates) != 4) return 5;
         if (t.tetrahedron_count() * 4 != t.vertex_tetrahedra_count()) return 6;
+        if (t.edge_count() * 2 != t.vertex_neighbors_count()) return 6;
+        if (t.circumspheres().centers.size() != t.circumspheres().squared_radii.size()) return 6;
         if (t.hull_facet_count() < 4 || t.edge_count() < 6) return 7;
         if (!mgdt::name(mgdt::Order::brio) || !mgdt::name(mgdt::Statistic::rounds)) return 8;
         if (!mgdt::version() || mgdt::abi_version() != 1 || !mgdt::status_string(0)) return 9;

@@ -54,6 +54,7 @@ void expect_moved_from(Triangulation& t) {
     EXPECT_EQ(c.hull_facet_count(), 0);
     EXPECT_EQ(c.edge_count(), 0);
     EXPECT_EQ(c.vertex_tetrahedra_count(), 0);
+    EXPECT_EQ(c.vertex_neighbors_count(), 0);
     EXPECT_EQ(c.dimension(), -1);
     EXPECT_STREQ(c.isa(), "");
     EXPECT_EQ(c.last_error(), "");
@@ -86,6 +87,8 @@ void expect_moved_from(Triangulation& t) {
     null([&] { (void)c.edges(); });
     null([&] { (void)c.point_map(); });
     null([&] { (void)c.vertex_tetrahedra(); });
+    null([&] { (void)c.vertex_neighbors(); });
+    null([&] { (void)c.circumspheres(); });
     null([&] { c.tetrahedra(buffer); });
     null([&] { c.vertex_tetrahedra(buffer, buffer); });
     null([&] { (void)c.locate({0, 0, 0}); });

@@ -101,6 +101,16 @@ TYPED_TEST(CxxResults, VertexTetrahedraInEitherBase) {
             EXPECT_EQ(std::vector<TypeParam>(found.begin(), found.end()), expected[k]);
         }
         EXPECT_TRUE(around[200].empty());
+        std::vector<std::vector<TypeParam>> joined(201);
+        for (const std::array<TypeParam, 2>& e : t.edges<TypeParam>())
+            for (std::size_t i = 0; i < 2; ++i)
+                joined[std::size_t(e[i]) - std::size_t(base)].push_back(e[1 - i]);
+        const auto neighbors = t.vertex_neighbors<TypeParam>();
+        EXPECT_EQ(std::int64_t(neighbors.list.size()), t.vertex_neighbors_count());
+        for (std::size_t k = 0; k < 201; ++k) {
+            std::sort(joined[k].begin(), joined[k].end());
+            EXPECT_EQ(std::vector<TypeParam>(neighbors[k].begin(), neighbors[k].end()), joined[k]);
+        }
         EXPECT_EQ(t.point_map<TypeParam>().back(), 3 + base);
     }
 }

@@ -120,6 +120,16 @@ std::vector<Wanted> of_vertices(T t) {
             {mgdt_vertex_tetrahedra_count(t), sizeof(Int), true, false}};
 }
 template <class Int>
+std::vector<Wanted> of_neighbors(T t) {
+    return {{mgdt_point_count(t) + 1, sizeof(Int), true, false},
+            {mgdt_vertex_neighbors_count(t), sizeof(Int), true, false}};
+}
+// The capacity is that of both arrays, in tetrahedra.
+std::vector<Wanted> of_circumcenters(T t) {
+    const std::int64_t n = mgdt_tetrahedron_count(t);
+    return {{3 * n, sizeof(double), false, false}, {n, sizeof(double), false, true}};
+}
+template <class Int>
 std::vector<Wanted> of_queries(T) {
     return {{queries, sizeof(Int), false, false}, {4 * queries, sizeof(double), false, true}};
 }
@@ -161,6 +171,23 @@ const Function functions[] = {
          return mgdt_get_vertex_tetrahedra_i32(
              t, g.capacity[0], static_cast<std::int32_t*>(g.array[0]), g.capacity[1],
              static_cast<std::int32_t*>(g.array[1]));
+     }},
+    {"mgdt_get_vertex_neighbors", of_neighbors<std::int64_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_vertex_neighbors(t, g.capacity[0], static_cast<std::int64_t*>(g.array[0]),
+                                          g.capacity[1], static_cast<std::int64_t*>(g.array[1]));
+     }},
+    {"mgdt_get_vertex_neighbors_i32", of_neighbors<std::int32_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_vertex_neighbors_i32(t, g.capacity[0],
+                                              static_cast<std::int32_t*>(g.array[0]), g.capacity[1],
+                                              static_cast<std::int32_t*>(g.array[1]));
+     }},
+    {"mgdt_get_circumcenters", of_circumcenters,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_circumcenters(t, mgdt_tetrahedron_count(t),
+                                       static_cast<double*>(g.array[0]),
+                                       static_cast<double*>(g.array[1]));
      }},
     {"mgdt_locate", of_one<std::int64_t>,
      [](mgdt_triangulation* t, const Given& g) {

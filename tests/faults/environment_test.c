@@ -178,6 +178,8 @@ static outcome compute(const setting* s, int32_t threads, size_t n, const double
     IN(s, mgdt_get_vertex_tetrahedra(t, size, v, size, list));
     append(&o, v, (n + 1) * sizeof *v);
     append(&o, list, (size_t)mgdt_vertex_tetrahedra_count(t) * sizeof *list);
+    IN(s, mgdt_get_vertex_neighbors(t, size, v, size, list));
+    append(&o, list, (size_t)mgdt_vertex_neighbors_count(t) * sizeof *list);
     IN(s, mgdt_locate_points(t, queries, where, found, weights));
     append(&o, found, sizeof found);
     append(&o, weights, sizeof weights);

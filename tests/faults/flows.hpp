@@ -236,10 +236,11 @@ struct Output {
           queries(random_points(9000, 99)),
           found(9000),
           found32(9000),
-          weights(4 * 9000) {}
+          weights(4 * 9000),
+          reals(3 * static_cast<std::size_t>(mgdt_tetrahedron_count(t))) {}
     bool operator==(const Output& o) const {
         return v == o.v && list == o.list && v32 == o.v32 && list32 == o.list32 &&
-               found == o.found && found32 == o.found32 && weights == o.weights;
+               found == o.found && found32 == o.found32 && weights == o.weights && reals == o.reals;
     }
     std::int64_t size() const { return static_cast<std::int64_t>(v.size()); }
     Numbers v, list;
@@ -247,7 +248,7 @@ struct Output {
     Points queries;
     Numbers found;
     std::vector<std::int32_t> found32;
-    Points weights;
+    Points weights, reals;
 };
 
 // A call that inserts nothing. The last of them is the one that is not const.
@@ -294,6 +295,18 @@ inline constexpr Call calls[] = {
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_get_vertex_tetrahedra_i32(t, o.size(), o.v32.data(), o.size(),
                                                o.list32.data());
+     }},
+    {"get_vertex_neighbors",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_get_vertex_neighbors(t, o.size(), o.v.data(), o.size(), o.list.data());
+     }},
+    {"get_vertex_neighbors_i32",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_get_vertex_neighbors_i32(t, o.size(), o.v32.data(), o.size(), o.list32.data());
+     }},
+    {"get_circumcenters",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_get_circumcenters(t, mgdt_tetrahedron_count(t), o.reals.data(), nullptr);
      }},
     {"locate", [](mgdt_triangulation* t,
                   Output& o) { return mgdt_locate(t, o.queries.data(), o.found.data()); }},

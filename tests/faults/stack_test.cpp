@@ -192,6 +192,12 @@ void read_all(Meter& meter, const mgdt_triangulation* t, const Points& queries) 
           [&] { return mgdt_get_vertex_tetrahedra(t, size, v.data(), size, list.data()); });
     meter("mgdt_get_vertex_tetrahedra",
           [&] { return mgdt_get_vertex_tetrahedra_i32(t, size, v32.data(), size, list32.data()); });
+    meter("mgdt_get_vertex_neighbors",
+          [&] { return mgdt_get_vertex_neighbors(t, size, v.data(), size, list.data()); });
+    Points centers(static_cast<std::size_t>(3 * tetrahedra)),
+        squares(static_cast<std::size_t>(tetrahedra));
+    meter("mgdt_get_circumcenters",
+          [&] { return mgdt_get_circumcenters(t, tetrahedra, centers.data(), squares.data()); });
     meter("mgdt_locate_points",
           [&] { return mgdt_locate_points(t, n, queries.data(), v.data(), weights.data()); });
     meter("mgdt_locate_points",

@@ -40,6 +40,9 @@ int64_t mgdt_edge_count(const mgdt_triangulation* t) {
 int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation* t) {
     return t ? 4 * large : 0;
 }
+int64_t mgdt_vertex_neighbors_count(const mgdt_triangulation* t) {
+    return t ? 2 * large : 0;
+}
 
 mgdt_status mgdt_nearest_vertex(const mgdt_triangulation* t, const double* xyz, int64_t* vertex) {
     if (!t || !xyz) return MGDT_ERR_NULL_POINTER;

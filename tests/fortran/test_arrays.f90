@@ -30,6 +30,8 @@ program test_arrays
     call test_neighbors()
     call test_edges()
     call test_vertex_tetrahedra()
+    call test_vertex_neighbors()
+    call test_circumcenters()
     call test_kinds_and_ranks()
     call test_larger_arrays_and_sections()
     call test_base_0()
@@ -139,6 +141,50 @@ contains
             wanted(edges(1, i), edges(2, i)) = .false.
         end do
         call expect(each_once .and. .not. any(wanted), 'each edge once, the lesser point first')
+    end subroutine
+
+    subroutine test_vertex_neighbors()
+        integer(int32) :: offsets(n + 1), list(2*ne), edges(2, ne), k
+        integer(int64) :: offsets_64(n + 1), list_64(2*ne)
+        logical :: found
+
+        call expect(t%vertex_neighbors_count() == 2*ne, 'length of the neighbours'' list')
+        call t%get_vertex_neighbors(offsets, list)
+        call t%get_vertex_neighbors(offsets_64, list_64)
+        call expect(all(offsets == offsets_64) .and. all(list == list_64), 'neighbours, both kinds')
+        call expect(offsets(1) == 1 .and. offsets(n + 1) == 2*ne + 1, 'ends of the neighbours')
+        call t%get_edges(edges)
+        found = .true.
+        do k = 1, int(ne, int32)
+            found = found .and. any(list(offsets(edges(1, k)):offsets(edges(1, k) + 1) - 1) == edges(2, k))
+            found = found .and. any(list(offsets(edges(2, k)):offsets(edges(2, k) + 1) - 1) == edges(1, k))
+        end do
+        call expect(found, 'the ends of an edge are neighbours')
+    end subroutine
+
+    subroutine test_circumcenters()
+        real(real64) :: centers(3, nt), squares(nt), more(3, nt), small(3, nt - 1), flat(2, nt), d
+        integer :: i, k, stat
+        character(256) :: msg
+        logical :: equal
+
+        call t%get_circumcenters(centers, squares)
+        call t%get_circumcenters(more)
+        call expect(maxval(abs(more - centers)) <= 0, 'centres alone')
+        equal = .true.
+        do i = 1, int(nt)
+            do k = 1, 4
+                d = sum((xyz(:, tets(k, i)) - centers(:, i))**2)
+                equal = equal .and. abs(d - squares(i)) <= 1e-9_real64*(1 + squares(i))
+            end do
+        end do
+        call expect(equal, 'vertices are on the sphere')
+        call t%get_circumcenters(small, stat=stat, errmsg=msg)
+        call expect_error(stat, mgdt_err_buffer_too_small, msg, 'room for')
+        call t%get_circumcenters(centers, squares(:nt - 1), stat, msg)
+        call expect_error(stat, mgdt_err_buffer_too_small, msg, 'room for')
+        call t%get_circumcenters(flat, stat=stat, errmsg=msg)
+        call expect_error(stat, mgdt_err_invalid_argument, msg, 'must be 3')
     end subroutine
 
     subroutine test_vertex_tetrahedra()

@@ -95,7 +95,8 @@
       INTEGER H(4), IERR, NPT, NVT, NT, NF, NE, NL, IDIM, I, K, J, L
       INTEGER ITET(4, MAXT), INBR(4, MAXT), IFAC(3, MAXT)
       INTEGER IEDG(2, MAXT), MAP(N), IOFF(N + 1), LIST(4*MAXT)
-      INTEGER ITET0(4, MAXT), NONE
+      INTEGER ITET0(4, MAXT), NONE, NB, IOFF2(N + 1), LIST2(4*MAXT)
+      DOUBLE PRECISION CENTER(3, MAXT), R2(MAXT), D
       DOUBLE PRECISION XYZ(3, N), X(2*N), Y(2*N), Z(2*N), V, VH, VOL6
       DOUBLE PRECISION O(3)
       LOGICAL YES
@@ -137,6 +138,9 @@
       CALL EXPECT(IDIM .EQ. 3 .AND. NPT .EQ. N, 'dimension, points')
       CALL EXPECT(NVT - NE + (4*NT + NF)/2 - NT .EQ. 1, 'Euler')
       CALL EXPECT(NL .EQ. 4*NT .AND. NVT .LT. N, 'list, duplicate')
+      CALL MGNVNB(H, NB, IERR)
+      CALL GOOD(H, IERR, 'MGNVNB')
+      CALL EXPECT(NB .EQ. 2*NE, 'list of neighbours')
 
       CALL MGTETS(H, MAXT, ITET, IERR)
       CALL GOOD(H, IERR, 'MGTETS')
@@ -150,6 +154,18 @@
       CALL GOOD(H, IERR, 'MGMAP')
       CALL MGVTS(H, N + 1, IOFF, NL, LIST, IERR)
       CALL GOOD(H, IERR, 'MGVTS')
+      CALL MGVNBS(H, N + 1, IOFF2, NB, LIST2, IERR)
+      CALL GOOD(H, IERR, 'MGVNBS')
+      CALL EXPECT(IOFF2(N + 1) .EQ. NB + 1, 'end of the neighbours')
+      CALL MGCIRC(H, NT, CENTER, R2, IERR)
+      CALL GOOD(H, IERR, 'MGCIRC')
+      DO 5 K = 1, 4
+        D = 0
+        DO 4 J = 1, 3
+          D = D + (XYZ(J, ITET(K, 1)) - CENTER(J, 1))**2
+    4   CONTINUE
+        CALL EXPECT(ABS(D - R2(1)) .LT. 1D-9*(1 + R2(1)), 'radius')
+    5 CONTINUE
 
       V = 0
       YES = .TRUE.

@@ -68,7 +68,8 @@ inline Indices get(Get<std::int64_t> wide, Get<std::int32_t> narrow, const mgdt_
 struct Exports {
     int base = 0, dimension = -1;
     std::int64_t points = 0, vertices = 0;
-    Indices tetrahedra, neighbors, hull, edges, map, offsets, list;
+    Indices tetrahedra, neighbors, hull, edges, map, offsets, list, neighbor_offsets, neighbor_list;
+    std::vector<double> centers, squares;
 
     Exports(const mgdt_triangulation* t, int index_base, std::size_t margin)
         : base(index_base),
@@ -82,15 +83,22 @@ struct Exports {
                    margin);
         edges = get(mgdt_get_edges, mgdt_get_edges_i32, t, 2 * mgdt_edge_count(t), margin);
         map = get(mgdt_get_point_map, mgdt_get_point_map_i32, t, points, margin);
-        take_list(t, margin);
-        for (Indices* array : {&tetrahedra, &neighbors, &hull, &edges, &map, &offsets, &list})
+        take_list(t, mgdt_get_vertex_tetrahedra, mgdt_get_vertex_tetrahedra_i32,
+                  mgdt_vertex_tetrahedra_count(t), margin, offsets, list);
+        take_list(t, mgdt_get_vertex_neighbors, mgdt_get_vertex_neighbors_i32,
+                  mgdt_vertex_neighbors_count(t), margin, neighbor_offsets, neighbor_list);
+        take_circumcenters(t, margin);
+        for (Indices* array : {&tetrahedra, &neighbors, &hull, &edges, &map, &offsets, &list,
+                               &neighbor_offsets, &neighbor_list})
             for (std::int64_t& v : *array) v -= base;
     }
 
     bool operator==(const Exports& o) const {
         return dimension == o.dimension && points == o.points && vertices == o.vertices &&
                tetrahedra == o.tetrahedra && neighbors == o.neighbors && hull == o.hull &&
-               edges == o.edges && map == o.map && offsets == o.offsets && list == o.list;
+               edges == o.edges && map == o.map && offsets == o.offsets && list == o.list &&
+               neighbor_offsets == o.neighbor_offsets && neighbor_list == o.neighbor_list &&
+               centers == o.centers && squares == o.squares;
     }
     std::size_t count() const { return tetrahedra.size() / 4; }
     bool is_in(std::size_t point) const { return map[point] >= 0; }
@@ -101,6 +109,7 @@ struct Exports {
         verify_neighbors();
         verify_edges();
         verify_list();
+        verify_vertex_neighbors();
         FUZZ_REQUIRE((dimension == 3) == !tetrahedra.empty(), std::to_string(dimension));
         if (dimension != 3) return;
         const auto v = static_cast<std::int64_t>(vertices), e = size(edges) / 2, h = size(hull) / 3,
@@ -136,22 +145,50 @@ struct Exports {
     }
     static std::int64_t size(std::size_t n) { return static_cast<std::int64_t>(n); }
 
-    void take_list(const mgdt_triangulation* t, std::size_t margin) {
-        const auto n = static_cast<std::size_t>(points) + 1;
-        const auto m = static_cast<std::size_t>(mgdt_vertex_tetrahedra_count(t));
+    template <class Wide, class Narrow>
+    void take_list(const mgdt_triangulation* t, Wide wide, Narrow narrow, std::int64_t length,
+                   std::size_t margin, Indices& to_offsets, Indices& to_list) const {
+        const auto n = static_cast<std::size_t>(points) + 1, m = static_cast<std::size_t>(length);
         Exact<std::int64_t> o(n, margin), l(m, margin);
         Exact<std::int32_t> o32(n, margin), l32(m, margin);
-        FUZZ_REQUIRE(mgdt_get_vertex_tetrahedra(t, o.capacity(), o.data(), l.capacity(),
-                                                l.data()) == MGDT_OK,
+        FUZZ_REQUIRE(wide(t, o.capacity(), o.data(), l.capacity(), l.data()) == MGDT_OK,
                      error_of(t));
-        FUZZ_REQUIRE(mgdt_get_vertex_tetrahedra_i32(t, o.capacity(), o32.data(), l.capacity(),
-                                                    l32.data()) == MGDT_OK,
+        FUZZ_REQUIRE(narrow(t, o.capacity(), o32.data(), l.capacity(), l32.data()) == MGDT_OK,
                      error_of(t));
-        offsets = o.take();
-        list = l.take();
+        to_offsets = o.take();
+        to_list = l.take();
         const std::vector<std::int32_t> a = o32.take(), b = l32.take();
-        FUZZ_REQUIRE(std::equal(a.begin(), a.end(), offsets.begin()), "64 and 32 bits differ");
-        FUZZ_REQUIRE(std::equal(b.begin(), b.end(), list.begin()), "64 and 32 bits differ");
+        FUZZ_REQUIRE(std::equal(a.begin(), a.end(), to_offsets.begin()), "64 and 32 bits differ");
+        FUZZ_REQUIRE(std::equal(b.begin(), b.end(), to_list.begin()), "64 and 32 bits differ");
+    }
+
+    void take_circumcenters(const mgdt_triangulation* t, std::size_t margin) {
+        Exact<double> xyz(3 * count(), margin), radius2(count(), margin);
+        FUZZ_REQUIRE(mgdt_get_circumcenters(t, static_cast<std::int64_t>(count()), xyz.data(),
+                                            radius2.data()) == MGDT_OK,
+                     error_of(t));
+        centers = xyz.take();
+        squares = radius2.take();
+        for (const double x : centers) FUZZ_REQUIRE(!std::isnan(x), "a centre");
+        for (const double x : squares) FUZZ_REQUIRE(x >= 0, "a radius");
+    }
+
+    // Each edge from both of its ends.
+    void verify_vertex_neighbors() const {
+        FUZZ_REQUIRE(neighbor_list.size() == edges.size(), std::to_string(edges.size()));
+        std::set<std::array<std::int64_t, 2>> ends;
+        for (std::size_t e = 0; e < edges.size(); e += 2) {
+            ends.insert({edges[e], edges[e + 1]});
+            ends.insert({edges[e + 1], edges[e]});
+        }
+        for (std::size_t k = 0; k + 1 < neighbor_offsets.size(); ++k)
+            for (auto i = neighbor_offsets[k]; i < neighbor_offsets[k + 1]; ++i) {
+                const std::int64_t other = neighbor_list[static_cast<std::size_t>(i)];
+                FUZZ_REQUIRE(ends.count({size(k), other}) == 1, std::to_string(k));
+                FUZZ_REQUIRE(i == neighbor_offsets[k] ||
+                                 neighbor_list[static_cast<std::size_t>(i) - 1] < other,
+                             std::to_string(k));
+            }
     }
 
     void verify_map() const {

@@ -45,7 +45,9 @@ local function read(name, element)
 end
 
 local function same(array, expected, count, what)
-    local flat = ffi.cast(tostring(ffi.typeof(array)):find("int64_t") and "int64_t *" or "int32_t *", array)
+    local kind = tostring(ffi.typeof(array))
+    local element = kind:match("double") or kind:match("int64_t") or "int32_t"
+    local flat = ffi.cast(element .. " *", array)
     for k = 0, count - 1 do
         if tonumber(flat[k]) ~= tonumber(expected[k]) then
             error(("%s differs at element %d: %s, expected %s"):format(what, k,
@@ -112,6 +114,13 @@ test("random points: every export as the C interface writes it", function()
     same(offsets, read("offsets", "int64_t"), n + 1, "offsets")
     same(list, read("list", "int64_t"), length, "list")
     equal(length, 4 * t:tetrahedron_count(), "length of list")
+    offsets, list, length = t:vertex_neighbors()
+    same(offsets, read("neighbor_offsets", "int64_t"), n + 1, "offsets of neighbours")
+    same(list, read("neighbor_list", "int64_t"), length, "neighbours")
+    equal(length, 2 * t:edge_count(), "length of the neighbours' list")
+    local centers, squares, count = t:circumcenters()
+    same(centers, read("centers", "double"), 3 * count, "circumcentres")
+    same(squares, read("squares", "double"), count, "squares of the radii")
     -- Euler's formula for a ball.
     equal(t:vertex_count() - t:edge_count() + (4 * t:tetrahedron_count() + t:hull_facet_count()) / 2
         - t:tetrahedron_count(), 1, "V - E + F - T")

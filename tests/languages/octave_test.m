@@ -88,6 +88,12 @@ function exports (folder)
   [offsets, list] = t.vertex_tetrahedra ();
   assert (offsets, read (folder, "offsets", "int64", 1) + 1);
   assert (list, read (folder, "list", "int64", 1) + 1);
+  [neighbor_offsets, neighbors] = t.vertex_neighbors ();
+  assert (neighbor_offsets, read (folder, "neighbor_offsets", "int64", 1) + 1);
+  assert (neighbors, read (folder, "neighbor_list", "int64", 1) + 1);
+  [centers, squares] = t.circumcenters ();
+  assert (centers, read (folder, "centers", "double", 3));
+  assert (squares, read (folder, "squares", "double", 1));
   tetrahedra = t.tetrahedra ();
   assert (list(offsets(8):offsets(9)-1), find (any (tetrahedra == 8, 2)));
   % Euler's formula for a ball.

@@ -69,6 +69,7 @@ int main(int argc, char** argv) {
     uint64_t state = 20140090;
     mgdt_triangulation* t = NULL;
     int64_t *offsets, *list, tetrahedra, facets, i;
+    double *centers, *squares;
 
     if (argc != 2) stop("usage: reference FOLDER");
     folder = argv[1];
@@ -99,6 +100,14 @@ int main(int argc, char** argv) {
     require(mgdt_get_vertex_tetrahedra(t, n + 1, offsets, 4 * tetrahedra, list), t);
     write_file("offsets", offsets, n + 1);
     write_file("list", list, 4 * tetrahedra);
+    require(mgdt_get_vertex_neighbors(t, n + 1, offsets, 4 * tetrahedra, list), t);
+    write_file("neighbor_offsets", offsets, n + 1);
+    write_file("neighbor_list", list, mgdt_vertex_neighbors_count(t));
+    centers = room(3 * tetrahedra, sizeof *centers);
+    squares = room(tetrahedra, sizeof *squares);
+    require(mgdt_get_circumcenters(t, tetrahedra, centers, squares), t);
+    write_file("centers", centers, 3 * tetrahedra);
+    write_file("squares", squares, tetrahedra);
 
     require(mgdt_locate_points(t, queries, asked, located, weights), t);
     for (i = 0; i < queries; ++i) require(mgdt_nearest_vertex(t, asked + 3 * i, &nearest[i]), t);
@@ -107,6 +116,8 @@ int main(int argc, char** argv) {
     write_file("weights", weights, 4 * queries);
     write_file("nearest", nearest, queries);
 
+    free(squares);
+    free(centers);
     free(list);
     free(offsets);
     mgdt_destroy(t);

@@ -27,6 +27,7 @@ class MgdtTest < Minitest::Test
     flat = bytes(name).unpack("q*")
     width == 1 ? flat : flat.each_slice(width).to_a
   end
+  def self.doubles(name) = bytes(name).unpack("d*")
   PACKED = bytes("points").freeze
   POINTS = PACKED.unpack("d*").each_slice(3).to_a.freeze
   WIDTHS = { tetrahedra: 4, neighbors: 4, hull_facets: 3, edges: 2, point_map: 1 }.freeze
@@ -85,6 +86,11 @@ class MgdtTest < Minitest::Test
     offsets = self.class.integers("offsets")
     list = self.class.integers("list")
     assert_equal offsets.each_cons(2).map { |from, to| list[from...to] }, t.vertex_tetrahedra
+    offsets = self.class.integers("neighbor_offsets")
+    list = self.class.integers("neighbor_list")
+    assert_equal offsets.each_cons(2).map { |from, to| list[from...to] }, t.vertex_neighbors
+    centers = self.class.doubles("centers").each_slice(3).to_a
+    assert_equal [centers, self.class.doubles("squares")], t.circumcenters
     # Euler's formula for a ball.
     facets = (4 * t.tetrahedron_count + t.hull_facet_count) / 2
     assert_equal 1, t.vertex_count - t.edge_count + facets - t.tetrahedron_count
@@ -145,7 +151,7 @@ class MgdtTest < Minitest::Test
     located = self.class.integers("located").map { |k| k == -1 ? nil : k }
     found, weights = t.locate_points(queries)
     assert_equal located, found
-    assert_equal self.class.bytes("weights").unpack("d*").each_slice(4).to_a, weights
+    assert_equal self.class.doubles("weights").each_slice(4).to_a, weights
     assert_equal located, queries.map { |q| t.locate(q) }
     assert_includes 10..190, located.count(nil)
     distinct = POINTS.first(1000)

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <random>
 #include <thread>
 #include <vector>
@@ -210,6 +211,22 @@ std::vector<std::int64_t> everything(const mgdt_triangulation* t) {
         MGDT_OK);
     append(offsets);
     append(list);
+    list.resize(static_cast<std::size_t>(mgdt_vertex_neighbors_count(t)));
+    EXPECT_EQ(
+        mgdt_get_vertex_neighbors(t, static_cast<std::int64_t>(offsets.size()), offsets.data(),
+                                  static_cast<std::int64_t>(list.size()), list.data()),
+        MGDT_OK);
+    append(offsets);
+    append(list);
+    std::vector<double> reals(4 * static_cast<std::size_t>(mgdt_tetrahedron_count(t)));
+    EXPECT_EQ(mgdt_get_circumcenters(t, mgdt_tetrahedron_count(t), reals.data(),
+                                     reals.data() + 3 * mgdt_tetrahedron_count(t)),
+              MGDT_OK);
+    for (const double x : reals) {
+        std::int64_t bits;
+        std::memcpy(&bits, &x, sizeof bits);
+        all.push_back(bits);
+    }
     return all;
 }
 

@@ -122,6 +122,8 @@ class FewPoints(unittest.TestCase):
         self.assertEqual(tri.transform.shape, (0, 4, 3))
         self.assertEqual(tri.equations.shape, (0, 5))
         self.assertEqual(tri.vertex_to_simplex.tolist(), [-1] * tri.npoints)
+        self.assertEqual(tri.circumcenters.shape, (0, 3))
+        self.assertEqual(tri.circumradii.shape, (0,))
         starts, ends = tri.vertex_neighbor_vertices
         self.assertEqual((starts.tolist(), ends.tolist()), ([0] * (tri.npoints + 1), []))
         self.assertEqual(tri.find_simplex([[0, 0, 0], [1, 1, 1]]).tolist(), [-1, -1])
@@ -201,6 +203,27 @@ class Output(unittest.TestCase):
         self.assertEqual(len(tri.edges), len(expected))
         self.assertEqual(row_set(tri.edges), expected)
         self.assertTrue((tri.edges[:, 0] < tri.edges[:, 1]).all())
+
+    def test_circumspheres(self):
+        tri = mgdt.Delaunay(random_points(300))
+        corners = tri.points[tri.simplices]
+        distances = np.linalg.norm(corners - tri.circumcenters[:, np.newaxis], axis=2)
+        self.assertEqual(tri.circumcenters.shape, (tri.nsimplex, 3))
+        np.testing.assert_allclose(distances, np.tile(tri.circumradii, (4, 1)).T, rtol=1e-6)
+        cubes = mgdt.Delaunay(grid(4))
+        self.assertEqual(len(np.unique(cubes.circumcenters, axis=0)), 27)
+        self.assertEqual(len(np.unique(cubes.circumradii)), 1)
+
+    def test_neighbors_of_vertices(self):
+        tri = mgdt.Delaunay(np.concatenate([random_points(200), random_points(200)[:3]]))
+        starts, ends = tri.vertex_neighbor_vertices
+        self.assertEqual((starts.dtype, ends.dtype), (np.int32, np.int32))
+        expected = [set() for _ in range(tri.npoints)]
+        for a, b in tri.edges.tolist():
+            expected[a].add(b)
+            expected[b].add(a)
+        for k, of_point in enumerate(expected):
+            self.assertEqual(ends[starts[k] : starts[k + 1]].tolist(), sorted(of_point))
 
     def test_canonical_output_is_a_function_of_the_points(self):
         points = random_points(400, 11)

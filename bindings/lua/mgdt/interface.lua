@@ -52,6 +52,7 @@ int64_t mgdt_tetrahedron_count(const mgdt_triangulation *t);
 int64_t mgdt_hull_facet_count(const mgdt_triangulation *t);
 int64_t mgdt_edge_count(const mgdt_triangulation *t);
 int64_t mgdt_vertex_tetrahedra_count(const mgdt_triangulation *t);
+int64_t mgdt_vertex_neighbors_count(const mgdt_triangulation *t);
 int32_t mgdt_get_tetrahedra(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
 int32_t mgdt_get_tetrahedra_i32(const mgdt_triangulation *t, int64_t capacity, int32_t *v);
 int32_t mgdt_get_neighbors(const mgdt_triangulation *t, int64_t capacity, int64_t *v);
@@ -66,6 +67,12 @@ int32_t mgdt_get_vertex_tetrahedra(const mgdt_triangulation *t, int64_t offset_c
                                    int64_t *offsets, int64_t capacity, int64_t *list);
 int32_t mgdt_get_vertex_tetrahedra_i32(const mgdt_triangulation *t, int64_t offset_capacity,
                                        int32_t *offsets, int64_t capacity, int32_t *list);
+int32_t mgdt_get_vertex_neighbors(const mgdt_triangulation *t, int64_t offset_capacity,
+                                  int64_t *offsets, int64_t capacity, int64_t *list);
+int32_t mgdt_get_vertex_neighbors_i32(const mgdt_triangulation *t, int64_t offset_capacity,
+                                      int32_t *offsets, int64_t capacity, int32_t *list);
+int32_t mgdt_get_circumcenters(const mgdt_triangulation *t, int64_t capacity, double *xyz,
+                               double *radius2);
 int32_t mgdt_locate(const mgdt_triangulation *t, const double *xyz, int64_t *tetrahedron);
 int32_t mgdt_locate_i32(const mgdt_triangulation *t, const double *xyz, int32_t *tetrahedron);
 int32_t mgdt_locate_points(const mgdt_triangulation *t, int64_t n, const double *xyz,

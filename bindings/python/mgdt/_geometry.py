@@ -167,16 +167,3 @@ def hyperplanes(
         planes[block, :4] = normal.T
         planes[block, 4] = -(normal * lift(last.T, scale, shift).T).sum(axis=0)
     return planes
-
-
-def vertex_neighbors(edges: IndexArray, count: int) -> tuple[IndexArray, IndexArray]:
-    """The neighbours of each of `count` vertices as a compressed list, ascending."""
-    wide = edges.astype(np.int64)
-    # One number for both ends of an edge sorts faster than two.
-    keys = np.concatenate([wide[:, 0] * count + wide[:, 1], wide[:, 1] * count + wide[:, 0]])
-    keys.sort()
-    ends = np.bincount(edges.ravel(), minlength=count)
-    offsets = np.zeros(count + 1, dtype=np.int32)
-    np.cumsum(ends, out=offsets[1:])
-    neighbors = (keys % max(count, 1)).astype(np.int32)
-    return offsets, neighbors

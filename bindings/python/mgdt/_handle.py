@@ -203,6 +203,20 @@ class Handle:
     def edges(self) -> IndexArray:
         return self._export("mgdt_get_edges_i32", self._count("mgdt_edge_count"), 2)
 
+    def vertex_neighbors(self) -> tuple[IndexArray, IndexArray]:
+        offsets = np.empty(self.point_count + 1, dtype=np.int32)
+        found = np.empty(self._count("mgdt_vertex_neighbors_count"), dtype=np.int32)
+        self._call("mgdt_get_vertex_neighbors_i32", offsets.size, address(offsets), found.size,
+                   address(found))
+        return offsets, found
+
+    def circumcenters(self) -> tuple[FloatArray, FloatArray]:
+        """And the squares of the radii."""
+        count = self.tetrahedron_count
+        centers, squares = np.empty((count, 3)), np.empty(count)
+        self._call("mgdt_get_circumcenters", count, address(centers), address(squares))
+        return centers, squares
+
     def point_map(self) -> IndexArray:
         return self._export("mgdt_get_point_map_i32", self.point_count)
 

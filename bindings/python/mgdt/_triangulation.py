@@ -146,12 +146,16 @@ class GrowingTriangulation:
         self._gate.refuse_if_kept_out()
         return interruptibly(read, is_long)
 
-    def _exported(self, name: str) -> IndexArray:
-        def export(handle: Handle, _: object) -> IndexArray:
-            array: IndexArray = getattr(handle, name)()
-            return array
+    def _exported(self, name: str) -> Any:
+        """What the method of the handle that has that name gives."""
 
-        return self._cached(name, lambda: self._read(export, self.npoints >= _LONG_EXPORT))
+        def export(handle: Handle, _: object) -> Any:
+            return getattr(handle, name)()
+
+        def read() -> Any:
+            return self._read(export, self.npoints >= _LONG_EXPORT)
+
+        return self._cached(name, read)
 
     # Points in
 

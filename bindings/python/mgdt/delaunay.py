@@ -135,7 +135,8 @@ class Delaunay(GrowingTriangulation):
         """For each point the vertex that stands for it, int32, shape (npoints,): its own index,
         that of the first point at the same place, or -1 if it is not in: removed, or left out by a
         stopped insertion."""
-        return self._exported("point_map")
+        points: IndexArray = self._exported("point_map")
+        return points
 
     @property
     def dimension(self) -> int:
@@ -168,24 +169,28 @@ class Delaunay(GrowingTriangulation):
     @property
     def simplices(self) -> IndexArray:
         """Vertices of the tetrahedra, int32, shape (nsimplex, 4), positively oriented."""
-        return self._exported("tetrahedra")
+        array: IndexArray = self._exported("tetrahedra")
+        return array
 
     @property
     def neighbors(self) -> IndexArray:
         """Neighbours of the tetrahedra, int32, shape (nsimplex, 4): the k-th shares the facet
         opposite the k-th vertex; -1 at the hull."""
-        return self._exported("neighbors")
+        array: IndexArray = self._exported("neighbors")
+        return array
 
     @property
     def convex_hull(self) -> IndexArray:
         """Triangles of the convex hull, int32, shape (m, 3), counter-clockwise seen from
         outside."""
-        return self._exported("hull_facets")
+        array: IndexArray = self._exported("hull_facets")
+        return array
 
     @property
     def edges(self) -> IndexArray:
         """Edges, int32, shape (m, 2), the lesser vertex first; each once. Not in SciPy."""
-        return self._exported("edges")
+        array: IndexArray = self._exported("edges")
+        return array
 
     @property
     def vertex_to_simplex(self) -> IndexArray:
@@ -212,9 +217,31 @@ class Delaunay(GrowingTriangulation):
     def vertex_neighbor_vertices(self) -> tuple[IndexArray, IndexArray]:
         """Neighbours of the vertices as two int32 arrays: those of vertex k are
         ``indices[indptr[k]:indptr[k + 1]]`` of ``(indptr, indices)``, ascending."""
-        return self._cached(
-            "vertex_neighbors", lambda: _geometry.vertex_neighbors(self.edges, self.npoints)
-        )
+        lists: tuple[IndexArray, IndexArray] = self._exported("vertex_neighbors")
+        return lists
+
+    @property
+    def circumcenters(self) -> FloatArray:
+        """Centres of the simplices' circumspheres, shape (nsimplex, 3): vertices of the Voronoi
+        diagram.
+
+        Each coordinate is the double nearest to the exact one, and infinite beyond the largest. So
+        simplices with one circumsphere, as in a lattice, have equal rows. Not in SciPy. Since 1.2.
+        """
+        centers: FloatArray = self._exported("circumcenters")[0]
+        return centers
+
+    @property
+    def circumradii(self) -> FloatArray:
+        """Radii of the circumspheres, shape (nsimplex,): square roots of doubles that are nearest
+        to the exact squares. Not in SciPy. Since 1.2."""
+
+        def roots() -> FloatArray:
+            squares: FloatArray = self._exported("circumcenters")[1]
+            radii: FloatArray = np.sqrt(squares)
+            return radii
+
+        return self._cached("circumradii", roots)
 
     @property
     def transform(self) -> FloatArray:

@@ -121,17 +121,28 @@ class Points {
     std::size_t count_;
 };
 
-/** The tetrahedra around each vertex; see mgdt_get_vertex_tetrahedra(). */
+/** For each point a list, all one after the other: of the tetrahedra around a vertex, see
+ *  mgdt_get_vertex_tetrahedra(), or of its neighbours, see mgdt_get_vertex_neighbors(). */
 template <class Int>
-struct VertexTetrahedra {
+struct PointLists {
     std::vector<Int> offsets{}; /**< One more than there are points, in the index base. */
-    std::vector<Int> list{};    /**< Numbers of tetrahedra. */
-    /** Those around point k, which is counted from 0 whatever the index base. */
+    std::vector<Int> list{};    /**< Numbers of tetrahedra, or indices of points. */
+    /** Those of point k, which is counted from 0 whatever the index base. */
     [[nodiscard]] Span<const Int> operator[](std::size_t k) const noexcept {
         const Int base = offsets[0];
         return {list.data() + (offsets[k] - base),
                 static_cast<std::size_t>(offsets[k + 1] - offsets[k])};
     }
+};
+
+/** What vertex_tetrahedra() gives. */
+template <class Int>
+using VertexTetrahedra = PointLists<Int>;
+
+/** The circumspheres of the tetrahedra; see mgdt_get_circumcenters(). */
+struct Circumspheres {
+    std::vector<std::array<double, 3>> centers{};
+    std::vector<double> squared_radii{};
 };
 
 /** Where points are; see mgdt_locate_points(). */

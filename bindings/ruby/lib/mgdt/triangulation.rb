@@ -262,18 +262,20 @@ module Mgdt
     def point_map(into: nil) = export(:point_map, :mgdt_point_count, 1, into)
 
     # For each point an Array of the tetrahedra around it; empty for what is no vertex.
-    def vertex_tetrahedra
+    def vertex_tetrahedra = lists(:mgdt_vertex_tetrahedra_count, :mgdt_get_vertex_tetrahedra)
+
+    # For each point an Array of its neighbours, the vertices that edges join it to.
+    def vertex_neighbors = lists(:mgdt_vertex_neighbors_count, :mgdt_get_vertex_neighbors)
+
+    # The circumspheres of the tetrahedra: an Array of centres [x, y, z], and one of the squares of
+    # the radii.
+    def circumcenters
       with_handle do |handle|
-        points = Library.mgdt_point_count(handle)
-        length = Library.mgdt_vertex_tetrahedra_count(handle)
-        offsets = FFI::MemoryPointer.new(:int64, points + 1)
-        list = FFI::MemoryPointer.new(:int64, [length, 1].max)
-        status = Library.mgdt_get_vertex_tetrahedra(handle, points + 1, offsets, length, list)
-        ensure_good(handle, status)
-        all = list.read_array_of_int64(length)
-        offsets.read_array_of_int64(points + 1).each_cons(2).map do |from, to|
-          all[(from - @index_base)...(to - @index_base)]
-        end
+        n = Library.mgdt_tetrahedron_count(handle)
+        xyz = FFI::MemoryPointer.new(:double, [3 * n, 1].max)
+        squares = FFI::MemoryPointer.new(:double, [n, 1].max)
+        ensure_good(handle, Library.mgdt_get_circumcenters(handle, n, xyz, squares))
+        [xyz.read_array_of_double(3 * n).each_slice(3).to_a, squares.read_array_of_double(n)]
       end
     end
 
@@ -478,6 +480,20 @@ module Mgdt
         ensure_good(handle, Library.public_send(:"mgdt_get_#{what}", handle, length, buffer))
         flat = buffer.read_array_of_int64(length)
         width == 1 ? flat : flat.each_slice(width).to_a
+      end
+    end
+
+    def lists(count, get)
+      with_handle do |handle|
+        points = Library.mgdt_point_count(handle)
+        length = Library.public_send(count, handle)
+        offsets = FFI::MemoryPointer.new(:int64, points + 1)
+        list = FFI::MemoryPointer.new(:int64, [length, 1].max)
+        ensure_good(handle, Library.public_send(get, handle, points + 1, offsets, length, list))
+        all = list.read_array_of_int64(length)
+        offsets.read_array_of_int64(points + 1).each_cons(2).map do |from, to|
+          all[(from - @index_base)...(to - @index_base)]
+        end
       end
     end
 

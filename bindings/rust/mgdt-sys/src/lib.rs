@@ -182,6 +182,7 @@ extern "C" {
     pub fn mgdt_hull_facet_count(t: *const mgdt_triangulation) -> i64;
     pub fn mgdt_edge_count(t: *const mgdt_triangulation) -> i64;
     pub fn mgdt_vertex_tetrahedra_count(t: *const mgdt_triangulation) -> i64;
+    pub fn mgdt_vertex_neighbors_count(t: *const mgdt_triangulation) -> i64;
     pub fn mgdt_get_tetrahedra(
         t: *const mgdt_triangulation,
         capacity: i64,
@@ -241,6 +242,26 @@ extern "C" {
         offsets: *mut i32,
         capacity: i64,
         list: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_get_vertex_neighbors(
+        t: *const mgdt_triangulation,
+        offset_capacity: i64,
+        offsets: *mut i64,
+        capacity: i64,
+        list: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_vertex_neighbors_i32(
+        t: *const mgdt_triangulation,
+        offset_capacity: i64,
+        offsets: *mut i32,
+        capacity: i64,
+        list: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_get_circumcenters(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        xyz: *mut f64,
+        radius2: *mut f64,
     ) -> mgdt_status;
     pub fn mgdt_locate(
         t: *const mgdt_triangulation,

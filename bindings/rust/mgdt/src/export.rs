@@ -6,6 +6,13 @@ use crate::{Error, ErrorKind, Triangulation};
 use mgdt_sys as sys;
 
 type Get<I> = unsafe extern "C" fn(*const sys::mgdt_triangulation, i64, *mut I) -> sys::mgdt_status;
+type ListExport = unsafe extern "C" fn(
+    *const sys::mgdt_triangulation,
+    i64,
+    *mut i64,
+    i64,
+    *mut i64,
+) -> sys::mgdt_status;
 type Locate<I> = unsafe extern "C" fn(
     *const sys::mgdt_triangulation,
     i64,
@@ -75,27 +82,38 @@ pub struct Location {
     pub weights: [f64; 4],
 }
 
-/// The tetrahedra around each vertex.
+/// For each point a list: of the tetrahedra around it, or of its neighbours.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct VertexTetrahedra {
+pub struct PointLists {
     offsets: Vec<usize>,
     list: Vec<usize>,
 }
 
-impl VertexTetrahedra {
-    /// Those around a point, ascending; none for one that is no vertex. Panics if there is no such
+/// What [`Triangulation::vertex_tetrahedra`] gives.
+pub type VertexTetrahedra = PointLists;
+
+/// The circumsphere of a tetrahedron.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Circumsphere {
+    /// The double nearest to each coordinate of the centre.
+    pub center: [f64; 3],
+    /// The double nearest to the square of the radius.
+    pub squared_radius: f64,
+}
+
+impl PointLists {
+    /// Those of a point, ascending; none for one that is no vertex. Panics if there is no such
     /// point.
     pub fn of(&self, point: usize) -> &[usize] {
         &self.list[self.offsets[point]..self.offsets[point + 1]]
     }
 
-    /// Where each point's tetrahedra start in the list, and its end: one more than there are
-    /// points.
+    /// Where each point's part of the list starts, and its end: one more than there are points.
     pub fn offsets(&self) -> &[usize] {
         &self.offsets
     }
 
-    /// The tetrahedra of all points, one after the other.
+    /// The lists of all points, one after the other.
     pub fn list(&self) -> &[usize] {
         &self.list
     }
@@ -210,12 +228,22 @@ impl Triangulation {
     }
 
     /// The tetrahedra around each vertex.
-    pub fn vertex_tetrahedra(&self) -> Result<VertexTetrahedra, Error> {
+    pub fn vertex_tetrahedra(&self) -> Result<PointLists, Error> {
         let length = unsafe { sys::mgdt_vertex_tetrahedra_count(self.raw()) };
+        self.lists(length, sys::mgdt_get_vertex_tetrahedra)
+    }
+
+    /// The neighbours of each vertex: those that edges join it to.
+    pub fn vertex_neighbors(&self) -> Result<PointLists, Error> {
+        let length = unsafe { sys::mgdt_vertex_neighbors_count(self.raw()) };
+        self.lists(length, sys::mgdt_get_vertex_neighbors)
+    }
+
+    fn lists(&self, length: i64, get: ListExport) -> Result<PointLists, Error> {
         let mut offsets = vec![0_i64; self.point_count() + 1];
         let mut list = vec![0_i64; length as usize];
         self.ensure(unsafe {
-            sys::mgdt_get_vertex_tetrahedra(
+            get(
                 self.raw(),
                 as_i64(offsets.len()),
                 offsets.as_mut_ptr(),
@@ -223,10 +251,32 @@ impl Triangulation {
                 list.as_mut_ptr(),
             )
         })?;
-        Ok(VertexTetrahedra {
+        Ok(PointLists {
             offsets: offsets.into_iter().map(|k| k as usize).collect(),
             list: list.into_iter().map(|k| k as usize).collect(),
         })
+    }
+
+    /// The circumsphere of each tetrahedron.
+    pub fn circumspheres(&self) -> Result<Vec<Circumsphere>, Error> {
+        let n = self.tetrahedron_count();
+        let mut centers = vec![[0.0; 3]; n];
+        let mut squares = vec![0.0; n];
+        self.ensure(unsafe {
+            sys::mgdt_get_circumcenters(
+                self.raw(),
+                as_i64(n),
+                centers.as_mut_ptr().cast(),
+                squares.as_mut_ptr(),
+            )
+        })?;
+        let pairs = centers.into_iter().zip(squares);
+        Ok(pairs
+            .map(|(center, squared_radius)| Circumsphere {
+                center,
+                squared_radius,
+            })
+            .collect())
     }
 
     /// The tetrahedron that contains a point, its boundary included; None outside the hull.

@@ -25,7 +25,7 @@ mod names;
 mod triangulation;
 
 pub use error::{Error, ErrorKind};
-pub use export::{Int, Location, VertexTetrahedra};
+pub use export::{Circumsphere, Int, Location, PointLists, VertexTetrahedra};
 pub use names::{Check, Order, Parameter, Separation, Statistic};
 pub use triangulation::{Canceller, Triangulation};
 

@@ -16,6 +16,10 @@ fn integers(name: &str) -> Vec<i64> {
     bytes(name).into_iter().map(i64::from_ne_bytes).collect()
 }
 
+fn doubles(name: &str) -> Vec<f64> {
+    bytes(name).into_iter().map(f64::from_ne_bytes).collect()
+}
+
 fn rows<const W: usize>(name: &str) -> Vec<[i64; W]> {
     integers(name)
         .chunks_exact(W)
@@ -24,8 +28,10 @@ fn rows<const W: usize>(name: &str) -> Vec<[i64; W]> {
 }
 
 fn places(name: &str) -> Vec<[f64; 3]> {
-    let all: Vec<f64> = bytes(name).into_iter().map(f64::from_ne_bytes).collect();
-    all.chunks_exact(3).map(|c| c.try_into().unwrap()).collect()
+    doubles(name)
+        .chunks_exact(3)
+        .map(|c| c.try_into().unwrap())
+        .collect()
 }
 
 fn triangulation() -> Triangulation {
@@ -64,6 +70,16 @@ fn every_export() {
     let list: Vec<_> = around.list().iter().map(|&k| k as i64).collect();
     assert_eq!(offsets, integers("offsets"));
     assert_eq!(list, integers("list"));
+    let neighbors = t.vertex_neighbors().unwrap();
+    let offsets: Vec<_> = neighbors.offsets().iter().map(|&k| k as i64).collect();
+    let list: Vec<_> = neighbors.list().iter().map(|&k| k as i64).collect();
+    assert_eq!(offsets, integers("neighbor_offsets"));
+    assert_eq!(list, integers("neighbor_list"));
+    let spheres = t.circumspheres().unwrap();
+    let centers: Vec<_> = spheres.iter().flat_map(|s| s.center).collect();
+    let squares: Vec<_> = spheres.iter().map(|s| s.squared_radius).collect();
+    assert_eq!(centers, doubles("centers"));
+    assert_eq!(squares, doubles("squares"));
     let tetrahedra = t.tetrahedra().unwrap();
     for point in [0, 7, 999, 1009] {
         let expected: Vec<_> = (0..tetrahedra.len())

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "circumcenter.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "determinants.hpp"
+#include "differences.hpp"
+#include "quotient.hpp"
+
+namespace mgdt {
+namespace exact {
+namespace {
+
+constexpr double u = 0x1p-53;
+
+// A number as the sum of two doubles.
+struct Pair {
+    double high, low;
+};
+
+MGDT_PREDICATES_INLINE Pair two_sum(double a, double b) {
+    const double sum = a + b, of_b = sum - a;
+    return {sum, (a - (sum - of_b)) + (b - of_b)};
+}
+
+// Dekker, A floating-point technique for extending the available precision, Numerische Mathematik
+// 18 (1971).
+MGDT_PREDICATES_INLINE Pair two_product(double a, double b) {
+    constexpr double splitter = 0x1p27 + 1;
+    const double product = a * b, ca = splitter * a, cb = splitter * b;
+    const double a1 = ca - (ca - a), b1 = cb - (cb - b), a2 = a - a1, b2 = b - b1;
+    return {product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2};
+}
+
+MGDT_PREDICATES_INLINE double largest_of_three(const double (&v)[3]) {
+    return std::fmax(std::fmax(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
+}
+
+// A vertex relative to the first one.
+struct Row {
+    double x[3], low[3];  // rounded, and what that has left
+    double largest;
+};
+
+MGDT_PREDICATES_INLINE Row row(const double* p, const double* origin) {
+    Row r;
+    each<3>([&](auto k) {
+        const Pair d = two_sum(p[k], -origin[k]);
+        r.x[k] = d.high;
+        r.low[k] = d.low;
+    });
+    r.largest = largest_of_three(r.x);
+    return r;
+}
+
+// |r|^2 - w.r as the sum of r (r - w) over the axes.
+MGDT_PREDICATES_INLINE double residual(const Row& r, const double (&w)[3]) {
+    double product[3], rest = 0;
+    each<3>([&](auto k) {
+        const Pair factor = two_sum(r.x[k], -w[k]);
+        const Pair p = two_product(r.x[k], factor.high);
+        product[k] = p.high;
+        rest += p.low + (r.x[k] * (factor.low + r.low[k]) + r.low[k] * factor.high);
+    });
+    const Pair first = two_sum(product[0], product[1]), all = two_sum(first.high, product[2]);
+    return all.high + (rest + (first.low + all.low));
+}
+
+// The double nearest to high + low, an error of `low` up to `error` included; false where that
+// leaves it open.
+MGDT_PREDICATES_INLINE bool nearest(const Pair& v, double error, double& x) {
+    x = v.high + (v.low + error);
+    return x == v.high + (v.low - error);
+}
+
+MGDT_PREDICATES_INLINE bool is_in_range(const double* p) {
+    const auto fits = [](double x) {
+        const double size = std::fabs(x);
+        return size == 0 || (size >= 0x1p-150 && size <= 0x1p150);
+    };
+    return fits(p[0]) && fits(p[1]) && fits(p[2]);
+}
+
+// x times 2^exponent; false where that is not exact.
+MGDT_PREDICATES_INLINE bool scale_exactly(double& x, int exponent) {
+    if (exponent == 0 || x == 0) return true;
+    x = std::ldexp(x, exponent);
+    return std::fabs(x) >= std::numeric_limits<double>::min() &&
+           std::fabs(x) <= std::numeric_limits<double>::max();
+}
+
+}  // namespace
+
+double sphere_residual(const double* p, const double* origin, const double (&w)[3]) {
+    return residual(row(p, origin), w);
+}
+
+// With w twice the centre relative to the first vertex, w.r = |r|^2 for the other three.
+bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& c,
+                          const CircumcenterBounds& bounds) {
+    for (const double* const x : p)
+        if (!is_in_range(x)) return false;
+    const Row r[3] = {row(p[1], p[0]), row(p[2], p[0]), row(p[3], p[0])};
+    double cross[3][3];
+    each<3>([&](auto i) {
+        const double *const s = r[(i + 1) % 3].x, *const t = r[(i + 2) % 3].x;
+        each<3>([&](auto k) {
+            constexpr std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+            cross[i][k] = s[l] * t[m] - s[m] * t[l];
+        });
+    });
+    const double det =
+        (r[0].x[0] * cross[0][0] + r[0].x[1] * cross[0][1]) + r[0].x[2] * cross[0][2];
+    const double product = r[0].largest * r[1].largest * r[2].largest;
+    if (!(det > 2 * bounds.solution * u * product)) return false;
+    const double inverse = 1 / det;
+    const auto solve = [&](const double(&of)[3], double(&w)[3]) {
+        each<3>([&](auto k) {
+            w[k] = ((of[0] * cross[0][k] + of[1] * cross[1][k]) + of[2] * cross[2][k]) * inverse;
+        });
+    };
+    double of[3], rough[3], correction[3];
+    each<3>([&](auto i) {
+        const double(&x)[3] = r[i].x;
+        of[i] = (x[0] * x[0] + x[1] * x[1]) + x[2] * x[2];
+    });
+    solve(of, rough);
+    each<3>([&](auto i) { of[i] = residual(r[i], rough); });
+    solve(of, correction);
+
+    const double largest = largest_of_three(rough), change = largest_of_three(correction);
+    double sum = 0, rests = 0;
+    each<3>([&](auto i) {
+        const double others = r[(i + 1) % 3].largest * r[(i + 2) % 3].largest;
+        sum += std::fabs(of[i]) * others;
+        rests += r[i].largest * (r[i].largest + largest) * others;
+    });
+    const double error =
+        inverse * u * (bounds.solution * (sum + product * change) + bounds.residual * u * rests);
+
+    Pair w[3], square[3];
+    double rest = 0;
+    bool is_known = true;
+    each<3>([&](auto k) {
+        w[k] = two_sum(rough[k], correction[k]);
+        Pair x = two_sum(p[0][k], 0.5 * w[k].high);
+        x.low += 0.5 * w[k].low;
+        is_known &= nearest(x, error + 4 * u * std::fabs(x.low), c.x[k]);
+        is_known &= scale_exactly(c.x[k], -scale);
+        square[k] = two_product(w[k].high, w[k].high);
+        rest += square[k].low + 2 * w[k].high * w[k].low;
+    });
+    const Pair first = two_sum(square[0].high, square[1].high);
+    const Pair all = two_sum(first.high, square[2].high);
+    const double size = largest + change;
+    is_known &= nearest({all.high, rest + (first.low + all.low)},
+                        (8 * size + 4 * error) * error + 100 * u * u * size * size, c.radius2);
+    c.radius2 *= 0.25;
+    return is_known && scale_exactly(c.radius2, -2 * scale);
+}
+
+namespace {
+
+// One coordinate of the cross product of two vectors.
+template <std::size_t K, class T>
+MGDT_PREDICATES_INLINE auto cross(const T* a, const T* b) {
+    constexpr std::size_t l = (K + 1) % 3, m = (K + 2) % 3;
+    return two_products(a[l], b[m], a[m], b[l]);
+}
+
+// The same coordinate of |b|^2 (c x d) + |c|^2 (d x b) + |d|^2 (b x c).
+template <std::size_t K, class T>
+auto numerator(const T (&v)[12]) {
+    const T *const b = v, *const c = v + 3, *const d = v + 6;
+    const auto bb = SphereDeterminant::square(b), cc = SphereDeterminant::square(c),
+               dd = SphereDeterminant::square(d);
+    return three_products(bb, cross<K>(c, d), cc, cross<K>(b, d), dd, cross<K>(b, c));
+}
+
+template <class T>
+auto doubled_determinant(const T (&v)[12]) {
+    const T *const b = v, *const c = v + 3, *const d = v + 6;
+    const auto det =
+        three_products(b[2], cross<2>(c, d), c[2], cross<2>(b, d), d[2], cross<2>(b, c));
+    return det + det;
+}
+
+// The differences of three vertices and the first, and then that one itself.
+struct VertexAndDifferences : ExactPairs<12> {
+    static constexpr int count = 12;
+};
+
+}  // namespace
+
+void circumcenter_integer(const double* const (&p)[4], int scale, Circumcenter& c,
+                          int least_width) {
+    VertexAndDifferences d;
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t i = 0; i < 3; ++i) d.set(3 * i + k, p[i + 1][k], p[0][k]);
+        d.set(9 + k, p[0][k], 0);
+    }
+    const int unit = d.low - scale;
+    with_integers(d, least_width, [&](const auto& v) {
+        // Twice the determinant.
+        const auto det = apart([&] { return doubled_determinant(v); });
+        const auto w0 = apart([&] { return numerator<0>(v); });
+        const auto w1 = apart([&] { return numerator<1>(v); });
+        const auto w2 = apart([&] { return numerator<2>(v); });
+        c.x[0] = apart([&] { return rounded_quotient(w0 + det * v[9], det, unit); });
+        c.x[1] = apart([&] { return rounded_quotient(w1 + det * v[10], det, unit); });
+        c.x[2] = apart([&] { return rounded_quotient(w2 + det * v[11], det, unit); });
+        c.radius2 = apart(
+            [&] { return rounded_quotient((w0 * w0 + w1 * w1) + w2 * w2, det * det, 2 * unit); });
+        return 0;
+    });
+}
+
+}  // namespace exact
+
+Circumcenter circumcenter(const double* const (&p)[4], int scale) {
+    Circumcenter c;
+    if (!exact::circumcenter_refined(p, scale, c)) exact::circumcenter_integer(p, scale, c);
+    return c;
+}
+
+}  // namespace mgdt

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The centre of a tetrahedron's circumsphere and the square of its radius, as the doubles nearest
+// to the exact ones: for all finite doubles and every tetrahedron, however flat.
+#pragma once
+
+namespace mgdt {
+
+struct Circumcenter {
+    double x[3];
+    double radius2;
+};
+
+// Of a positively oriented tetrahedron with these vertices times 2^-scale. Infinite where the
+// largest double is exceeded. Neither the order of the vertices nor the scale changes the result.
+Circumcenter circumcenter(const double* const (&p)[4], int scale = 0);
+
+namespace exact {
+
+// In docs/theory.md, "Circumcentres": in units of 2^-53 and of 2^-106.
+struct CircumcenterBounds {
+    double solution = 128;  // of the correction, as of a sphere
+    double residual = 240;
+};
+inline constexpr CircumcenterBounds circumcenter_bounds{};
+
+// |r|^2 - w.r for r = p - origin, rounded once but for an error of at most sphere_residual_bound
+// 2^-106 l (l + m), where l is the largest coordinate of r and m that of w.
+double sphere_residual(const double* p, const double* origin, const double (&w)[3]);
+constexpr double sphere_residual_bound = 90;
+
+// The stages, one by one. Doubles that are corrected once: false where that leaves the rounding
+// open. Integers of the least of `widths` that fits and is at least least_width.
+bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& c,
+                          const CircumcenterBounds& bounds = circumcenter_bounds);
+void circumcenter_integer(const double* const (&p)[4], int scale, Circumcenter& c,
+                          int least_width = 0);
+
+}  // namespace exact
+}  // namespace mgdt

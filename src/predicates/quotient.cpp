@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "quotient.hpp"
+
+#include <cmath>
+
+namespace mgdt::exact {
+namespace {
+
+// Makes a its magnitude; returns whether it was negative.
+bool take_sign(Limb* a, int n) {
+    if (a[n - 1] >> (limb_bits - 1) == 0) return false;
+    Limb carry = 1;
+    for (int i = 0; i < n; ++i) {
+        a[i] = ~a[i];
+        carry = add_with_carry(a[i], 0, carry);
+    }
+    return true;
+}
+
+int length_of(const Limb* a, int n) {
+    while (n > 0 && a[n - 1] == 0) --n;
+    if (n == 0) return 0;
+    int length = limb_bits * (n - 1);
+    for (Limb top = a[n - 1]; top != 0; top >>= 1) ++length;
+    return length;
+}
+
+// Bit i, 0 below the first.
+Limb bit(const Limb* a, int i) {
+    return i < 0 ? 0 : a[i / limb_bits] >> (i % limb_bits) & 1U;
+}
+
+// m 2^exponent with the last bit of m standing for all after it, m between 2^54 and 2^57.
+double rounded_once(std::uint64_t m, int exponent) {
+    // Two bits more than the last that a subnormal has: what is shifted out goes to the last.
+    constexpr int least = -1076;
+    if (exponent < least) {
+        const int shift = least - exponent;
+        const std::uint64_t out = shift < 64 ? m & ((std::uint64_t{1} << shift) - 1) : m;
+        m = (shift < 64 ? m >> shift : 0) | (out != 0);
+        exponent = least;
+    }
+    if (exponent > least || m >= std::uint64_t{1} << 54)
+        return std::ldexp(static_cast<double>(m), exponent);
+    const std::uint64_t kept = m >> 2, rest = m & 3;
+    const bool up = rest == 3 || (rest == 2 && (kept & 1) != 0);
+    return std::ldexp(static_cast<double>(kept + up), exponent + 2);
+}
+
+}  // namespace
+
+// Long division from the leading bit on, until the quotient has two bits more than a double.
+double rounded_quotient(Limb* n, int n_size, Limb* d, int d_size, Limb* rest, int exponent) {
+    const bool is_negative = take_sign(n, n_size) != take_sign(d, d_size);
+    const int n_length = length_of(n, n_size), d_length = length_of(d, d_size);
+    if (n_length == 0) return 0;
+    const int size = (d_length + limb_bits - 1) / limb_bits;
+    for (int i = 0; i < size; ++i) rest[i] = 0;
+    // The rest is below d, so shifted by a bit it may need one limb bit more than d has.
+    std::uint64_t quotient = 0;
+    int at = n_length - 1;
+    for (int k = 0; k < d_length - 1; ++k, --at) {
+        Limb carry = bit(n, at);
+        for (int i = 0; i < size; ++i) {
+            const Limb out = rest[i] >> (limb_bits - 1);
+            rest[i] = static_cast<Limb>(rest[i] << 1) | carry;
+            carry = out;
+        }
+    }
+    for (; quotient < std::uint64_t{1} << 54; --at) {
+        Limb carry = bit(n, at);
+        for (int i = 0; i < size; ++i) {
+            const Limb out = rest[i] >> (limb_bits - 1);
+            rest[i] = static_cast<Limb>(rest[i] << 1) | carry;
+            carry = out;
+        }
+        bool fits = carry != 0;
+        if (!fits) {
+            int i = size - 1;
+            while (i > 0 && rest[i] == d[i]) --i;
+            fits = rest[i] >= d[i];
+        }
+        if (fits) {
+            Limb borrow = 0;
+            for (int i = 0; i < size; ++i) borrow = subtract_with_borrow(rest[i], d[i], borrow);
+        }
+        quotient = quotient << 1 | fits;
+    }
+    Limb left = 0;
+    for (int i = 0; i < size; ++i) left |= rest[i];
+    for (int i = at; i >= 0 && left == 0; --i) left |= bit(n, i);
+    const double result = rounded_once(quotient | (left != 0), at + 1 + exponent);
+    return is_negative ? -result : result;
+}
+
+}  // namespace mgdt::exact

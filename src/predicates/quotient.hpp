@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The ratio of two integers as a double that is rounded once.
+#pragma once
+
+#include "integer.hpp"
+
+namespace mgdt::exact {
+
+// n / d * 2^exponent, rounded to nearest, ties to even; infinite beyond the largest double. d is
+// not 0. The limbs, in two's complement, are overwritten; `rest` has room for as many as d.
+double rounded_quotient(Limb* n, int n_size, Limb* d, int d_size, Limb* rest, int exponent);
+
+template <int A, int B>
+MGDT_PREDICATES_APART double rounded_quotient(const Integer<A>& n, const Integer<B>& d,
+                                              int exponent) {
+    Limb of_n[limb_count(A)], of_d[limb_count(B)], rest[limb_count(B)];
+    to_limbs(n, of_n);
+    to_limbs(d, of_d);
+    return rounded_quotient(of_n, limb_count(A), of_d, limb_count(B), rest, exponent);
+}
+
+}  // namespace mgdt::exact
