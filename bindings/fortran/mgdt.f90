@@ -132,6 +132,10 @@ module mgdt
         procedure, private :: get_vertex_neighbors_i32, get_vertex_neighbors_i64
         generic :: get_vertex_neighbors => get_vertex_neighbors_i32, get_vertex_neighbors_i64
         procedure :: get_circumcenters
+        procedure, private :: get_gabriel_edges_i32, get_gabriel_edges_i64
+        generic :: get_gabriel_edges => get_gabriel_edges_i32, get_gabriel_edges_i64
+        procedure, private :: get_spanning_tree_i32, get_spanning_tree_i64
+        generic :: get_spanning_tree => get_spanning_tree_i32, get_spanning_tree_i64
         ! queries, trust, figures, text
         procedure, private :: locate_i32, locate_i64
         generic :: locate => locate_i32, locate_i64
@@ -644,6 +648,37 @@ module mgdt
         module subroutine get_vertex_neighbors_i64(self, offsets, list, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
             integer(int64), contiguous, intent(inout) :: offsets(:), list(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! The edges whose diametral spheres have no vertex inside, and those of the Euclidean minimum
+        ! spanning tree: edges(2, :), of which `count` are set. There are at most edge_count() of the
+        ! former and vertex_count() - 1 of the latter.
+        module subroutine get_gabriel_edges_i32(self, edges, count, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer(int32), contiguous, intent(inout) :: edges(:, :)
+            integer(int32), intent(inout) :: count
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine get_gabriel_edges_i64(self, edges, count, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer(int64), contiguous, intent(inout) :: edges(:, :)
+            integer(int64), intent(inout) :: count
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine get_spanning_tree_i32(self, edges, count, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer(int32), contiguous, intent(inout) :: edges(:, :)
+            integer(int32), intent(inout) :: count
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine get_spanning_tree_i64(self, edges, count, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer(int64), contiguous, intent(inout) :: edges(:, :)
+            integer(int64), intent(inout) :: count
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine

@@ -152,6 +152,50 @@ contains
         call finish(handle, 'get_vertex_neighbors', status, stat, errmsg, owned=self%handle)
     end procedure
 
+    module procedure get_gabriel_edges_i32
+        type(c_ptr) :: handle
+        integer(c_int32_t) :: status
+
+        if (.not. fits('get_gabriel_edges', shape(edges, int64), 2_int64, 1, stat, errmsg)) return
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) &
+            status = c_get_gabriel_edges_i32(handle, size(edges, kind=c_int64_t), edges, count)
+        call finish(handle, 'get_gabriel_edges', status, stat, errmsg, owned=self%handle)
+    end procedure
+
+    module procedure get_gabriel_edges_i64
+        type(c_ptr) :: handle
+        integer(c_int32_t) :: status
+
+        if (.not. fits('get_gabriel_edges', shape(edges, int64), 2_int64, 1, stat, errmsg)) return
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) &
+            status = c_get_gabriel_edges_i64(handle, size(edges, kind=c_int64_t), edges, count)
+        call finish(handle, 'get_gabriel_edges', status, stat, errmsg, owned=self%handle)
+    end procedure
+
+    module procedure get_spanning_tree_i32
+        type(c_ptr) :: handle
+        integer(c_int32_t) :: status
+
+        if (.not. fits('get_spanning_tree', shape(edges, int64), 2_int64, 1, stat, errmsg)) return
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) &
+            status = c_get_spanning_tree_i32(handle, size(edges, kind=c_int64_t), edges, count)
+        call finish(handle, 'get_spanning_tree', status, stat, errmsg, owned=self%handle)
+    end procedure
+
+    module procedure get_spanning_tree_i64
+        type(c_ptr) :: handle
+        integer(c_int32_t) :: status
+
+        if (.not. fits('get_spanning_tree', shape(edges, int64), 2_int64, 1, stat, errmsg)) return
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) &
+            status = c_get_spanning_tree_i64(handle, size(edges, kind=c_int64_t), edges, count)
+        call finish(handle, 'get_spanning_tree', status, stat, errmsg, owned=self%handle)
+    end procedure
+
     module procedure get_circumcenters
         type(c_ptr) :: handle, squares
         integer(c_int32_t) :: status

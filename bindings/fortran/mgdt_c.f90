@@ -530,6 +530,48 @@ module mgdt_c
         end function
     end interface
 
+    interface c_get_gabriel_edges
+        function c_get_gabriel_edges_i32(t, capacity, v, count) result(status) &
+            bind(c, name='mgdt_get_gabriel_edges_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: v(*)
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: status
+        end function
+        function c_get_gabriel_edges_i64(t, capacity, v, count) result(status) &
+            bind(c, name='mgdt_get_gabriel_edges')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: v(*)
+            integer(c_int64_t), intent(inout) :: count
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_get_spanning_tree
+        function c_get_spanning_tree_i32(t, capacity, v, count) result(status) &
+            bind(c, name='mgdt_get_spanning_tree_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: v(*)
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: status
+        end function
+        function c_get_spanning_tree_i64(t, capacity, v, count) result(status) &
+            bind(c, name='mgdt_get_spanning_tree')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: v(*)
+            integer(c_int64_t), intent(inout) :: count
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
     interface c_locate
         function c_locate_i32(t, xyz, tetrahedron) result(status) bind(c, name='mgdt_locate_i32')
             import :: c_double, c_int32_t, c_ptr

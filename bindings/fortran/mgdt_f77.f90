@@ -702,6 +702,34 @@ subroutine mgvnbs(h, maxo, ioff, maxl, list, ierr)
             int(maxl, c_int64_t), list)
 end subroutine
 
+! Edges of the Gabriel graph, IEDG(2, MAXE); N is their number.
+subroutine mggabr(h, maxe, iedg, n, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: maxe
+    integer, intent(inout) :: iedg(*)
+    integer, intent(inout) :: n
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, maxe)) return
+    ierr = c_get_gabriel_edges(handle_of(h), columns(2, maxe), iedg, n)
+end subroutine
+
+! Edges of the Euclidean minimum spanning tree, IEDG(2, MAXE); N is their number.
+subroutine mgtree(h, maxe, iedg, n, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: maxe
+    integer, intent(inout) :: iedg(*)
+    integer, intent(inout) :: n
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, maxe)) return
+    ierr = c_get_spanning_tree(handle_of(h), columns(2, maxe), iedg, n)
+end subroutine
+
 ! Centres of the circumspheres of the tetrahedra, XYZ(3, MAXT), and squares of the radii, R2(MAXT).
 subroutine mgcirc(h, maxt, xyz, r2, ierr)
     use mgdt_f77_support

@@ -30,6 +30,8 @@ LENGTHS = {
     "mgdt_get_point_map": {"v": "capacity"},
     "mgdt_get_vertex_tetrahedra": {"offsets": "offset_capacity", "list": "capacity"},
     "mgdt_get_vertex_neighbors": {"offsets": "offset_capacity", "list": "capacity"},
+    "mgdt_get_gabriel_edges": {"v": "capacity", "count": "1"},
+    "mgdt_get_spanning_tree": {"v": "capacity", "count": "1"},
     "mgdt_get_circumcenters": {"xyz": "3*capacity", "radius2": "?capacity"},
     "mgdt_locate": {"xyz": "3", "tetrahedron": "1"},
     "mgdt_locate_points": {"xyz": "3*n", "tetrahedra": "n", "weights": "?4*n"},
@@ -58,6 +60,9 @@ ROWS = {
     "hull_facets": Rows("facets", 3, "hull_facet_count"),
     "edges": Rows("edges", 2, "edge_count"),
 }
+
+# Graphs: exports of pairs that say themselves how many there are.
+GRAPHS = ("gabriel_edges", "spanning_tree")
 
 # The settings that are single numbers, each with mgdt_set_ and mgdt_get_.
 SETTINGS = ("order_scheme", "order_parameter", "seed", "threads", "index_base", "memory_limit",

@@ -7,7 +7,7 @@ from __future__ import annotations
 import textwrap
 from typing import Optional
 
-from description import ROWS
+from description import GRAPHS, ROWS
 from header import DescriptionError, Function, Interface, Parameter
 
 # The kinds of integers that arrays and large numbers have, and what each is called.
@@ -199,8 +199,9 @@ class Calls:
                 declared.append(f"integer, intent(in) :: {n}")
                 if p.type == "int64_t":
                     counts.append(n)
-                width = ROWS[name.removeprefix("get_")].width if p.name == "capacity" and \
-                    name.removeprefix("get_") in ROWS else 0
+                export = name.removeprefix("get_")
+                width = 0 if p.name != "capacity" else ROWS[export].width if export in ROWS else \
+                    2 if export in GRAPHS else 0
                 actual.append(f"columns({width}, {n})" if width else
                               f"int({n}, c_int64_t)" if is_large(p) else f"to_c({n})")
             elif shape or function.name in self._twins:

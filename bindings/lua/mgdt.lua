@@ -500,6 +500,23 @@ Triangulation.vertex_tetrahedra = lists(C.mgdt_vertex_tetrahedra_count,
 Triangulation.vertex_neighbors = lists(C.mgdt_vertex_neighbors_count,
     C.mgdt_get_vertex_neighbors_i32)
 
+-- Edges as array[k][0] and array[k][1], and their number.
+local function graph(most, get)
+    return function(self)
+        local handle = handle_of(self)
+        local rows = tonumber(most(handle))
+        local edges, count = ffi.new("int32_t[?][2]", rows), ffi.new("int32_t[1]")
+        ensure(handle, get(handle, 2 * rows, ffi.cast("int32_t *", edges), count))
+        return edges, count[0]
+    end
+end
+
+--- Edges that are the diameter of a sphere with no vertex inside, and their number.
+Triangulation.gabriel_edges = graph(C.mgdt_edge_count, C.mgdt_get_gabriel_edges_i32)
+
+--- Edges of the Euclidean minimum spanning tree, and their number.
+Triangulation.spanning_tree = graph(C.mgdt_vertex_count, C.mgdt_get_spanning_tree_i32)
+
 --- The centre of each tetrahedron's circumsphere, 3 doubles each, and the square of its radius.
 function Triangulation:circumcenters()
     local handle = handle_of(self)

@@ -61,6 +61,10 @@
     F(get_vertex_tetrahedra_i32); \
     F(get_vertex_neighbors);      \
     F(get_vertex_neighbors_i32);  \
+    F(get_gabriel_edges);         \
+    F(get_gabriel_edges_i32);     \
+    F(get_spanning_tree);         \
+    F(get_spanning_tree_i32);     \
     F(get_circumcenters);         \
     F(locate);                    \
     F(locate_i32);                \

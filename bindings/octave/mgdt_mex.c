@@ -346,6 +346,17 @@ static void lists(const mgdt_triangulation* t, lists_getter get, int64_t length,
     if (nlhs > 1) plhs[1] = rows(list, length, 1);
 }
 
+typedef mgdt_status (*graph_getter)(const mgdt_triangulation*, int64_t, int64_t*, int64_t*);
+
+static mxArray* graph(const mgdt_triangulation* t, graph_getter get, int64_t most) {
+    int64_t *const v = room(2 * most, sizeof *v), count = 0;
+    mxArray* result;
+    ensure(t, get(t, 2 * most, v, &count));
+    result = rows(v, count, 2);
+    mxFree(v);
+    return result;
+}
+
 static void circumcenters(const mgdt_triangulation* t, int nlhs, mxArray** plhs) {
     const int64_t n = mgdt.tetrahedron_count(t);
     double *const xyz = room(3 * n, sizeof *xyz), *const squares = room(n, sizeof *squares);
@@ -513,6 +524,10 @@ static mxArray* export_of(const mgdt_triangulation* t, const char* what) {
     if (strcmp(what, "hull_facets") == 0)
         return export_rows(t, mgdt.get_hull_facets, mgdt.hull_facet_count(t), 3);
     if (strcmp(what, "edges") == 0) return export_rows(t, mgdt.get_edges, mgdt.edge_count(t), 2);
+    if (strcmp(what, "gabriel_edges") == 0)
+        return graph(t, mgdt.get_gabriel_edges, mgdt.edge_count(t));
+    if (strcmp(what, "spanning_tree") == 0)
+        return graph(t, mgdt.get_spanning_tree, mgdt.vertex_count(t));
     if (strcmp(what, "point_map") == 0)
         return export_rows(t, mgdt.get_point_map, mgdt.point_count(t), 1);
     bad_argument("no such export");

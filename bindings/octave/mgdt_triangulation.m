@@ -183,6 +183,16 @@ classdef mgdt_triangulation < handle
       [offsets, list] = mgdt_mex ("vertex_neighbors", t.handle ());
     end
 
+    % Edges that are the diameter of a sphere with no vertex inside, g x 2.
+    function v = gabriel_edges (t)
+      v = mgdt_mex ("export", t.handle (), "gabriel_edges");
+    end
+
+    % Edges of the Euclidean minimum spanning tree, s x 2.
+    function v = spanning_tree (t)
+      v = mgdt_mex ("export", t.handle (), "spanning_tree");
+    end
+
     % Centres of the circumspheres of the tetrahedra, m x 3, and the squares of the radii, m x 1.
     function [centers, squares] = circumcenters (t)
       [centers, squares] = mgdt_mex ("circumcenters", t.handle ());

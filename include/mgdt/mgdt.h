@@ -607,6 +607,39 @@ MGDT_API mgdt_status mgdt_get_vertex_neighbors_i32(const mgdt_triangulation* t,
                                                    int64_t offset_capacity, int32_t* offsets,
                                                    int64_t capacity, int32_t* list);
 
+/** Writes the Gabriel graph: the edges that are the diameter of a sphere with no vertex inside,
+ *  decided exactly. Of those that cross in the middle of one sphere, as the diagonals of a square,
+ *  it has the one that is an edge of tetrahedra. 2 vertices each, the lesser index first, in the
+ *  order of these; each edge once. There are none without tetrahedra. With threads
+ *  (mgdt_set_threads()).
+ *  @param capacity    elements in v, at least 2 count; 2 mgdt_edge_count(t) is always enough
+ *  @param[out] v      may be NULL if there are none
+ *  @param[out] count  how many edges there are, also where v is too small for them
+ *  @return as mgdt_get_tetrahedra()
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_gabriel_edges(const mgdt_triangulation* t, int64_t capacity,
+                                            int64_t* v, int64_t* count);
+/** @copydoc mgdt_get_gabriel_edges
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_gabriel_edges_i32(const mgdt_triangulation* t, int64_t capacity,
+                                                int32_t* v, int32_t* count);
+
+/** Writes the edges of the Euclidean minimum spanning tree, which joins all vertices and has the
+ *  least length, decided exactly; of trees that are equally long it has the edges that come first
+ *  among those of one length. 2 vertices each, the lesser index first, in the order of these. There
+ *  are none without tetrahedra.
+ *  @param capacity    elements in v, at least 2 (mgdt_vertex_count(t) - 1)
+ *  @param[out] v      may be NULL if there are none
+ *  @param[out] count  how many edges there are, also where v is too small for them
+ *  @return as mgdt_get_tetrahedra()
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_spanning_tree(const mgdt_triangulation* t, int64_t capacity,
+                                            int64_t* v, int64_t* count);
+/** @copydoc mgdt_get_spanning_tree
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_spanning_tree_i32(const mgdt_triangulation* t, int64_t capacity,
+                                                int32_t* v, int32_t* count);
+
 /** Writes the centre of each tetrahedron's circumsphere, a vertex of the Voronoi diagram, and the
  *  square of its radius, in the order of mgdt_get_tetrahedra(). Each number is the double nearest
  *  to the exact one, and infinite beyond the largest double. So tetrahedra with one circumsphere,

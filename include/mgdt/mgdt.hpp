@@ -370,6 +370,16 @@ class Triangulation {
     void vertex_neighbors(Offsets&& offsets, List&& list) const {
         write_lists(offsets, list, mgdt_get_vertex_neighbors, mgdt_get_vertex_neighbors_i32);
     }
+    /** mgdt_get_gabriel_edges(). @since 1.2 */
+    template <class Int = std::int64_t>
+    [[nodiscard]] std::vector<std::array<Int, 2>> gabriel_edges() const {
+        return graph<Int>(edge_count(), mgdt_get_gabriel_edges, mgdt_get_gabriel_edges_i32);
+    }
+    /** mgdt_get_spanning_tree(). @since 1.2 */
+    template <class Int = std::int64_t>
+    [[nodiscard]] std::vector<std::array<Int, 2>> spanning_tree() const {
+        return graph<Int>(vertex_count(), mgdt_get_spanning_tree, mgdt_get_spanning_tree_i32);
+    }
     /** mgdt_get_circumcenters(). @since 1.2 */
     [[nodiscard]] Circumspheres circumspheres() const {
         Circumspheres result;
@@ -620,6 +630,22 @@ class Triangulation {
         v.offsets.resize(static_cast<std::size_t>(point_count()) + 1);
         v.list.resize(static_cast<std::size_t>(length));
         write_lists(v.offsets, v.list, wide, narrow);
+        return v;
+    }
+    template <class Int>
+    using GraphExport = mgdt_status (*)(const mgdt_triangulation*, std::int64_t, Int*, Int*);
+    template <class Int>
+    std::vector<std::array<Int, 2>> graph(std::int64_t most, GraphExport<std::int64_t> wide,
+                                          GraphExport<std::int32_t> narrow) const {
+        static_assert(detail::is_index_v<Int>, "indices are std::int64_t or std::int32_t");
+        std::vector<std::array<Int, 2>> v(static_cast<std::size_t>(most));
+        Int count = 0;
+        Int* const out = v.empty() ? nullptr : v[0].data();
+        if constexpr (std::is_same_v<Int, std::int64_t>)
+            require(wide(handle_.get(), 2 * most, out, &count));
+        else
+            require(narrow(handle_.get(), 2 * most, out, &count));
+        v.resize(static_cast<std::size_t>(count));
         return v;
     }
     template <class Int>

@@ -17,6 +17,14 @@ struct SquareDifference {
     }
 };
 
+// The scalar product of two vectors.
+struct Product {
+    template <class T>
+    auto operator()(const T (&v)[6]) const {
+        return (v[0] * v[3] + v[1] * v[4]) + v[2] * v[5];
+    }
+};
+
 // One coordinate of the cross product of two vectors.
 template <int I>
 struct Cross {
@@ -26,6 +34,10 @@ struct Cross {
     auto operator()(const T (&v)[6]) const {
         return v[j] * v[3 + k] - v[k] * v[3 + j];
     }
+};
+
+struct TwoVectors : exact::ExactPairs<6> {
+    static constexpr int count = 6;
 };
 
 MGDT_PREDICATES_INLINE int square_filter(const Differences<6>& v, const exact::Bound& bound) {
@@ -54,7 +66,50 @@ int compare_distance(const double* q, const double* a, const double* b) {
     return s != exact::undecided ? s : exact::distance_integer(q, a, b);
 }
 
+int compare_lengths(const double* a, const double* b, const double* c, const double* d) {
+    const int s = exact::lengths_filter(a, b, c, d);
+    return s != exact::undecided ? s : exact::lengths_integer(a, b, c, d);
+}
+
+int side_of_diametral_sphere(const double* a, const double* b, const double* q) {
+    const int s = exact::diametral_filter(a, b, q);
+    return s != exact::undecided ? s : exact::diametral_integer(a, b, q);
+}
+
 namespace exact {
+
+int lengths_filter(const double* a, const double* b, const double* c, const double* d,
+                   const Bound& bound) {
+    // Of vectors that have no point in common.
+    Differences<6> v = {{}, a, {}, 0};
+    each<3>([&](auto k) {
+        v.rounded[k] = a[k] - b[k];
+        v.rounded[k + 3] = c[k] - d[k];
+    });
+    v.largest = largest_of<0, 6>(v.rounded);
+    return filtered(v, bound, SquareDifference());
+}
+
+int lengths_integer(const double* a, const double* b, const double* c, const double* d,
+                    int least_width) {
+    TwoVectors v;
+    for (std::size_t k = 0; k < 3; ++k) {
+        v.set(k, a[k], b[k]);
+        v.set(k + 3, c[k], d[k]);
+    }
+    return with_integers(v, least_width,
+                         [](const auto& of) { return sign(SquareDifference()(of)); });
+}
+
+int diametral_filter(const double* a, const double* b, const double* q, const Bound& bound) {
+    const int s = filtered(differences({a, b}, q), bound, Product());
+    return s == undecided ? undecided : -s;
+}
+
+int diametral_integer(const double* a, const double* b, const double* q, int least_width) {
+    return with_integers(ExactDifferences<6>({a, b}, q), least_width,
+                         [](const auto& v) { return -sign(Product()(v)); });
+}
 
 int collinear_filter(const double* a, const double* b, const double* c, const Bound& bound) {
     return cross_filter(differences({b, c}, a), bound);

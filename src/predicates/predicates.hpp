@@ -31,4 +31,10 @@ int compare_lexicographic(const double* a, const double* b);
 // Sign of |q - a|^2 - |q - b|^2.
 int compare_distance(const double* q, const double* a, const double* b);
 
+// Sign of |a - b|^2 - |c - d|^2.
+int compare_lengths(const double* a, const double* b, const double* c, const double* d);
+
+// For the sphere whose diameter is ab: +1 if q is inside, 0 on, -1 outside.
+int side_of_diametral_sphere(const double* a, const double* b, const double* q);
+
 }  // namespace mgdt

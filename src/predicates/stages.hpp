@@ -57,6 +57,15 @@ MGDT_PREDICATES_APART int collinear_ranged(const double* a, const double* b, con
 MGDT_PREDICATES_APART bool collinear_integer(const double* a, const double* b, const double* c,
                                              int least_width = 0);
 
+int lengths_filter(const double* a, const double* b, const double* c, const double* d,
+                   const Bound& bound = distance_bound);
+MGDT_PREDICATES_APART int lengths_integer(const double* a, const double* b, const double* c,
+                                          const double* d, int least_width = 0);
+int diametral_filter(const double* a, const double* b, const double* q,
+                     const Bound& bound = distance_bound);
+MGDT_PREDICATES_APART int diametral_integer(const double* a, const double* b, const double* q,
+                                            int least_width = 0);
+
 // The perturbed side of a sphere: by the determinant in doubles; by integers of 64 bits; by the
 // predicates that it is made of; by the first of the last two that can.
 int perturbed_doubles(const double* a, const double* b, const double* c, const double* d,

@@ -106,6 +106,10 @@ static void read_while_it_changes(guest* g) {
                    "mgdt_get_vertex_neighbors()");
     expect_refused(g, mgdt_get_vertex_neighbors_i32(t, size, c, size, d),
                    "mgdt_get_vertex_neighbors_i32()");
+    expect_refused(g, mgdt_get_gabriel_edges(t, size, a, b), "mgdt_get_gabriel_edges()");
+    expect_refused(g, mgdt_get_gabriel_edges_i32(t, size, c, d), "mgdt_get_gabriel_edges_i32()");
+    expect_refused(g, mgdt_get_spanning_tree(t, size, a, b), "mgdt_get_spanning_tree()");
+    expect_refused(g, mgdt_get_spanning_tree_i32(t, size, c, d), "mgdt_get_spanning_tree_i32()");
     expect_refused(g, mgdt_get_circumcenters(t, 1, w, NULL), "mgdt_get_circumcenters()");
     expect_refused(g, mgdt_locate(t, g->xyz, a), "mgdt_locate()");
     expect_refused(g, mgdt_locate_i32(t, g->xyz, c), "mgdt_locate_i32()");

@@ -117,8 +117,43 @@ static void arrays(void) {
     mgdt_destroy(t);
 }
 
+typedef mgdt_status (*graph)(const mgdt_triangulation*, int64_t, int64_t*, int64_t*);
+typedef mgdt_status (*graph32)(const mgdt_triangulation*, int64_t, int32_t*, int32_t*);
+
+/* A tetrahedron whose longest edge has the others' ends inside its diametral sphere, and a repeat.
+ */
+static void one_graph(graph get, graph32 get32, int64_t size, const int64_t* expected) {
+    static const double xyz[15] = {-5, 0, 0, 5, 0, 0, 0, 1, 0, 0, 0, 2, 5, 0, 0};
+    mgdt_triangulation* t = triangulated(5, xyz);
+    int64_t v[13], count = -7, k;
+    int32_t v32[13], count32 = -7;
+    int base;
+    for (k = 0; k < 13; ++k) v[k] = v32[k] = -7;
+    CHECK_EQUAL(get(t, -1, v, &count), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(count, -7);
+    CHECK_EQUAL(get(t, 2 * size - 1, v, &count), MGDT_ERR_BUFFER_TOO_SMALL);
+    CHECK_EQUAL(get32(t, 2 * size - 1, v32, &count32), MGDT_ERR_BUFFER_TOO_SMALL);
+    CHECK(count == size && count32 == size && v[0] == -7 && v32[0] == -7);
+    for (base = 0; base < 2; ++base) {
+        CHECK_EQUAL(mgdt_set_index_base(t, base), MGDT_OK);
+        CHECK_EQUAL(get(t, 12, v, &count), MGDT_OK);
+        CHECK_EQUAL(get32(t, 2 * size, v32, &count32), MGDT_OK);
+        for (k = 0; k < 2 * size; ++k) CHECK_EQUAL(v[k], expected[k] + base);
+        for (k = 0; k < 2 * size; ++k) CHECK_EQUAL(v32[k], v[k]);
+        CHECK(v[2 * size] == -7 && v32[2 * size] == -7 && count == size && count32 == size);
+    }
+    mgdt_destroy(t);
+}
+
+static void graphs(void) {
+    static const int64_t gabriel[10] = {0, 2, 0, 3, 1, 2, 1, 3, 2, 3}, tree[6] = {0, 2, 1, 2, 2, 3};
+    one_graph(mgdt_get_gabriel_edges, mgdt_get_gabriel_edges_i32, 5, gabriel);
+    one_graph(mgdt_get_spanning_tree, mgdt_get_spanning_tree_i32, 3, tree);
+}
+
 void test_dual(void) {
     neighbors();
+    graphs();
     lattice();
     arrays();
 }

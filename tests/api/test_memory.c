@@ -208,6 +208,8 @@ static mgdt_status export_all(const mgdt_triangulation* t, int64_t* v, int64_t* 
     TRY(mgdt_get_point_map(t, size, v));
     TRY(mgdt_get_vertex_tetrahedra(t, size, v, size, list));
     TRY(mgdt_get_vertex_neighbors(t, size, v, size, list));
+    TRY(mgdt_get_gabriel_edges(t, size, v, list));
+    TRY(mgdt_get_spanning_tree(t, size, v, list));
     if (status == MGDT_OK) {
         double* const centers = malloc((size_t)(3 * size) * sizeof *centers);
         if (centers == NULL) abort();

@@ -48,6 +48,11 @@ mgdt_status get_neighbor_lists(const mgdt_triangulation* t, std::int64_t capacit
     const std::int64_t offsets = mgdt_point_count(t) + 1;
     return mgdt_get_vertex_neighbors(t, offsets, v, capacity - offsets, v + offsets);
 }
+template <mgdt_status (*Get)(const mgdt_triangulation*, std::int64_t, std::int64_t*, std::int64_t*)>
+mgdt_status get_graph(const mgdt_triangulation* t, std::int64_t capacity, std::int64_t* v) {
+    std::int64_t edges;
+    return Get(t, capacity, v, &edges);
+}
 mgdt_status get_circumcenters(const mgdt_triangulation* t, std::int64_t capacity, std::int64_t* v) {
     static_assert(sizeof(double) == sizeof(std::int64_t), "the room is for doubles as well");
     double* const xyz = reinterpret_cast<double*>(v);
@@ -62,6 +67,8 @@ constexpr Export exports[] = {
     {"point map", false, false, mgdt_point_count, mgdt_get_point_map},
     {"tetrahedra of vertices", false, false, lists, get_lists},
     {"neighbours of vertices", false, false, neighbor_lists, get_neighbor_lists},
+    {"Gabriel edges", false, false, ends, get_graph<mgdt_get_gabriel_edges>},
+    {"spanning tree", false, false, ends, get_graph<mgdt_get_spanning_tree>},
     {"circumcentres", false, false, corners, get_circumcenters},
     {"canonical tetrahedra, first", true, true, corners, mgdt_get_tetrahedra},
     {"canonical tetrahedra, again", true, false, corners, mgdt_get_tetrahedra},

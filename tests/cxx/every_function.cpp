@@ -25,6 +25,8 @@ std::size_t exports(const mgdt::Triangulation& t, const std::vector<mgdt::Point>
     auto map = t.point_map<Int>();
     auto around = t.vertex_tetrahedra<Int>();
     auto linked = t.vertex_neighbors<Int>();
+    auto gabriel = t.gabriel_edges<Int>();
+    auto tree = t.spanning_tree<Int>();
     t.vertex_neighbors(linked.offsets, linked.list);
     auto located = t.locate_with_weights<Int>(points);
     auto found = t.locate_points<Int>(points);
@@ -39,7 +41,8 @@ std::size_t exports(const mgdt::Triangulation& t, const std::vector<mgdt::Point>
     t.locate_points(points, found);
     t.locate_points(points, found, located.weights);
     return tetrahedra.size() + neighbors.size() + facets.size() + edges.size() + map.size() +
-           around[0].size() + linked[0].size() + found.size() + nearest.size();
+           around[0].size() + linked[0].size() + gabriel.size() + tree.size() + found.size() +
+           nearest.size();
 }
 
 }  // namespace

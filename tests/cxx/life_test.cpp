@@ -89,6 +89,8 @@ void expect_moved_from(Triangulation& t) {
     null([&] { (void)c.vertex_tetrahedra(); });
     null([&] { (void)c.vertex_neighbors(); });
     null([&] { (void)c.circumspheres(); });
+    null([&] { (void)c.gabriel_edges(); });
+    null([&] { (void)c.spanning_tree(); });
     null([&] { c.tetrahedra(buffer); });
     null([&] { c.vertex_tetrahedra(buffer, buffer); });
     null([&] { (void)c.locate({0, 0, 0}); });

@@ -105,6 +105,11 @@ TYPED_TEST(CxxResults, VertexTetrahedraInEitherBase) {
         for (const std::array<TypeParam, 2>& e : t.edges<TypeParam>())
             for (std::size_t i = 0; i < 2; ++i)
                 joined[std::size_t(e[i]) - std::size_t(base)].push_back(e[1 - i]);
+        EXPECT_EQ(t.spanning_tree<TypeParam>().size(), 199u);
+        const auto edges = t.edges<TypeParam>(), gabriel = t.gabriel_edges<TypeParam>();
+        const std::set<std::array<TypeParam, 2>> all(edges.begin(), edges.end());
+        EXPECT_GT(gabriel.size(), 199u);
+        for (const std::array<TypeParam, 2>& e : gabriel) EXPECT_EQ(all.count(e), 1u);
         const auto neighbors = t.vertex_neighbors<TypeParam>();
         EXPECT_EQ(std::int64_t(neighbors.list.size()), t.vertex_neighbors_count());
         for (std::size_t k = 0; k < 201; ++k) {

@@ -83,6 +83,7 @@ struct Wanted {
     std::size_t element_size;
     bool has_capacity;
     bool may_be_null;
+    bool says_size = false;  // of another array, also where that is too small
 };
 
 constexpr std::int64_t queries = 37;
@@ -124,6 +125,13 @@ std::vector<Wanted> of_neighbors(T t) {
     return {{mgdt_point_count(t) + 1, sizeof(Int), true, false},
             {mgdt_vertex_neighbors_count(t), sizeof(Int), true, false}};
 }
+template <class Int, mgdt_status (*Get)(T, std::int64_t, Int*, Int*)>
+std::vector<Wanted> of_graph(T t) {
+    Int count = 0;
+    (void)Get(t, 0, nullptr, &count);
+    return {{2 * static_cast<std::int64_t>(count), sizeof(Int), true, false},
+            {1, sizeof(Int), false, false, true}};
+}
 // The capacity is that of both arrays, in tetrahedra.
 std::vector<Wanted> of_circumcenters(T t) {
     const std::int64_t n = mgdt_tetrahedron_count(t);
@@ -155,6 +163,15 @@ std::vector<Wanted> of_one(T) {
             }                                                                              \
     }
 
+#define GRAPH(function, Int)                                           \
+    {                                                                  \
+#function, of_graph<Int, function>,                                  \
+            [](mgdt_triangulation* t, const Given& g) {                      \
+                return function(t, g.capacity[0], static_cast<Int*>(g.array[0]), \
+                                static_cast<Int*>(g.array[1]));              \
+            } \
+    }
+
 const Function functions[] = {
     EXPORT(tetrahedra, mgdt_tetrahedron_count, 4),
     EXPORT(neighbors, mgdt_tetrahedron_count, 4),
@@ -183,6 +200,10 @@ const Function functions[] = {
                                               static_cast<std::int32_t*>(g.array[0]), g.capacity[1],
                                               static_cast<std::int32_t*>(g.array[1]));
      }},
+    GRAPH(mgdt_get_gabriel_edges, std::int64_t),
+    GRAPH(mgdt_get_gabriel_edges_i32, std::int32_t),
+    GRAPH(mgdt_get_spanning_tree, std::int64_t),
+    GRAPH(mgdt_get_spanning_tree_i32, std::int32_t),
     {"mgdt_get_circumcenters", of_circumcenters,
      [](mgdt_triangulation* t, const Given& g) {
          return mgdt_get_circumcenters(t, mgdt_tetrahedron_count(t),
@@ -329,15 +350,18 @@ struct Arrays {
                                 wanted[k].element_size, place);
             given.array[k] = arrays[k].data();
             given.capacity[k] = wanted[k].elements;
+            says_size.push_back(wanted[k].says_size);
         }
     }
     void expect_whole() const {
         for (const Array& a : arrays) EXPECT_TRUE(a.is_whole());
     }
     void expect_untouched() const {
-        for (const Array& a : arrays) EXPECT_TRUE(a.is_untouched());
+        for (std::size_t k = 0; k < arrays.size(); ++k)
+            EXPECT_TRUE(says_size[k] ? arrays[k].is_whole() : arrays[k].is_untouched());
     }
     std::vector<Array> arrays;
+    std::vector<bool> says_size;
     Given given = {};
 };
 

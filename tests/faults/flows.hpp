@@ -304,6 +304,22 @@ inline constexpr Call calls[] = {
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_get_vertex_neighbors_i32(t, o.size(), o.v32.data(), o.size(), o.list32.data());
      }},
+    {"get_gabriel_edges",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_get_gabriel_edges(t, o.size(), o.v.data(), o.list.data());
+     }},
+    {"get_gabriel_edges_i32",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_get_gabriel_edges_i32(t, o.size(), o.v32.data(), o.list32.data());
+     }},
+    {"get_spanning_tree",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_get_spanning_tree(t, o.size(), o.v.data(), o.list.data());
+     }},
+    {"get_spanning_tree_i32",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_get_spanning_tree_i32(t, o.size(), o.v32.data(), o.list32.data());
+     }},
     {"get_circumcenters",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_get_circumcenters(t, mgdt_tetrahedron_count(t), o.reals.data(), nullptr);

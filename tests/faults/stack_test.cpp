@@ -194,6 +194,10 @@ void read_all(Meter& meter, const mgdt_triangulation* t, const Points& queries) 
           [&] { return mgdt_get_vertex_tetrahedra_i32(t, size, v32.data(), size, list32.data()); });
     meter("mgdt_get_vertex_neighbors",
           [&] { return mgdt_get_vertex_neighbors(t, size, v.data(), size, list.data()); });
+    meter("mgdt_get_gabriel_edges",
+          [&] { return mgdt_get_gabriel_edges(t, size, v.data(), list.data()); });
+    meter("mgdt_get_spanning_tree",
+          [&] { return mgdt_get_spanning_tree(t, size, v.data(), list.data()); });
     Points centers(static_cast<std::size_t>(3 * tetrahedra)),
         squares(static_cast<std::size_t>(tetrahedra));
     meter("mgdt_get_circumcenters",
@@ -278,8 +282,9 @@ void changes(Meter& meter) {
             for (std::int64_t i = 0; i + 1 < std::min<std::int64_t>(100, count(xyz)); i += 2) {
                 meter("mgdt_remove_points", [&] { return mgdt_remove_points(t.get(), 1, &i); });
                 const std::int64_t next = i + 1;
+                const double* const place = xyz.data() + 3 * i;
                 meter("mgdt_move_points",
-                      [&] { return mgdt_move_points(t.get(), 1, &next, &xyz[3 * i]); });
+                      [&] { return mgdt_move_points(t.get(), 1, &next, place); });
             }
             meter("mgdt_move_points, all",
                   [&] { return mgdt_move_points(t.get(), count(xyz), nullptr, xyz.data()); });

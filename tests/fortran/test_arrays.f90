@@ -31,6 +31,7 @@ program test_arrays
     call test_edges()
     call test_vertex_tetrahedra()
     call test_vertex_neighbors()
+    call test_graphs()
     call test_circumcenters()
     call test_kinds_and_ranks()
     call test_larger_arrays_and_sections()
@@ -160,6 +161,32 @@ contains
             found = found .and. any(list(offsets(edges(2, k)):offsets(edges(2, k) + 1) - 1) == edges(1, k))
         end do
         call expect(found, 'the ends of an edge are neighbours')
+    end subroutine
+
+    subroutine test_graphs()
+        integer(int32) :: edges(2, ne), count, parts(n), map(n), k
+        integer(int64) :: edges_64(2, ne), count_64
+        integer :: stat
+        character(256) :: msg
+
+        call t%get_gabriel_edges(edges, count)
+        call t%get_gabriel_edges(edges_64, count_64)
+        call expect(count == count_64 .and. count < ne .and. count >= n - 1, 'Gabriel edges')
+        call expect(all(edges(:, :count) == edges_64(:, :count)), 'Gabriel edges of both kinds')
+        call t%get_spanning_tree(edges, count)
+        call t%get_spanning_tree(edges_64, count_64)
+        call expect(count == t%vertex_count() - 1 .and. count_64 == count, 'edges of the tree')
+        call expect(all(edges(:, :count) == edges_64(:, :count)), 'trees of both kinds')
+        call t%get_point_map(map)
+        parts = [(k, k = 1, n)]
+        do k = 1, count
+            where (parts == parts(edges(2, k))) parts = parts(edges(1, k))
+        end do
+        call expect(all(parts(map) == parts(map(1))), 'the tree joins all')
+        call t%get_spanning_tree(edges(:, :3), count, stat, msg)
+        call expect_error(stat, mgdt_err_buffer_too_small, msg, 'are needed')
+        call t%get_gabriel_edges(edges(:1, :3), count, stat, msg)
+        call expect_error(stat, mgdt_err_invalid_argument, msg, 'must be 2')
     end subroutine
 
     subroutine test_circumcenters()

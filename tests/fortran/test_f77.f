@@ -96,6 +96,7 @@
       INTEGER ITET(4, MAXT), INBR(4, MAXT), IFAC(3, MAXT)
       INTEGER IEDG(2, MAXT), MAP(N), IOFF(N + 1), LIST(4*MAXT)
       INTEGER ITET0(4, MAXT), NONE, NB, IOFF2(N + 1), LIST2(4*MAXT)
+      INTEGER IEDG2(2, MAXT)
       DOUBLE PRECISION CENTER(3, MAXT), R2(MAXT), D
       DOUBLE PRECISION XYZ(3, N), X(2*N), Y(2*N), Z(2*N), V, VH, VOL6
       DOUBLE PRECISION O(3)
@@ -157,6 +158,14 @@
       CALL MGVNBS(H, N + 1, IOFF2, NB, LIST2, IERR)
       CALL GOOD(H, IERR, 'MGVNBS')
       CALL EXPECT(IOFF2(N + 1) .EQ. NB + 1, 'end of the neighbours')
+      CALL MGGABR(H, MAXT, IEDG2, NB, IERR)
+      CALL GOOD(H, IERR, 'MGGABR')
+      CALL EXPECT(NB .LT. NE .AND. NB .GE. NVT - 1, 'Gabriel edges')
+      CALL MGTREE(H, NVT - 1, IEDG2, NB, IERR)
+      CALL GOOD(H, IERR, 'MGTREE')
+      CALL EXPECT(NB .EQ. NVT - 1, 'edges of the tree')
+      CALL MGTREE(H, NVT - 2, IEDG2, NB, IERR)
+      CALL BAD(H, IERR, MGEBUF, 'are needed')
       CALL MGCIRC(H, NT, CENTER, R2, IERR)
       CALL GOOD(H, IERR, 'MGCIRC')
       DO 5 K = 1, 4

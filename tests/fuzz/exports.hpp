@@ -69,6 +69,7 @@ struct Exports {
     int base = 0, dimension = -1;
     std::int64_t points = 0, vertices = 0;
     Indices tetrahedra, neighbors, hull, edges, map, offsets, list, neighbor_offsets, neighbor_list;
+    Indices gabriel, tree;
     std::vector<double> centers, squares;
 
     Exports(const mgdt_triangulation* t, int index_base, std::size_t margin)
@@ -87,6 +88,8 @@ struct Exports {
                   mgdt_vertex_tetrahedra_count(t), margin, offsets, list);
         take_list(t, mgdt_get_vertex_neighbors, mgdt_get_vertex_neighbors_i32,
                   mgdt_vertex_neighbors_count(t), margin, neighbor_offsets, neighbor_list);
+        gabriel = take_graph(t, mgdt_get_gabriel_edges, mgdt_get_gabriel_edges_i32, margin);
+        tree = take_graph(t, mgdt_get_spanning_tree, mgdt_get_spanning_tree_i32, margin);
         take_circumcenters(t, margin);
         for (Indices* array : {&tetrahedra, &neighbors, &hull, &edges, &map, &offsets, &list,
                                &neighbor_offsets, &neighbor_list})
@@ -98,7 +101,8 @@ struct Exports {
                tetrahedra == o.tetrahedra && neighbors == o.neighbors && hull == o.hull &&
                edges == o.edges && map == o.map && offsets == o.offsets && list == o.list &&
                neighbor_offsets == o.neighbor_offsets && neighbor_list == o.neighbor_list &&
-               centers == o.centers && squares == o.squares;
+               centers == o.centers && squares == o.squares && gabriel == o.gabriel &&
+               tree == o.tree;
     }
     std::size_t count() const { return tetrahedra.size() / 4; }
     bool is_in(std::size_t point) const { return map[point] >= 0; }
@@ -110,6 +114,9 @@ struct Exports {
         verify_edges();
         verify_list();
         verify_vertex_neighbors();
+        FUZZ_REQUIRE(dimension != 3 || static_cast<std::int64_t>(tree.size()) == 2 * (vertices - 1),
+                     "the tree does not join all");
+        FUZZ_REQUIRE(contains(gabriel, tree), "an edge of the tree is not in Gabriel's graph");
         FUZZ_REQUIRE((dimension == 3) == !tetrahedra.empty(), std::to_string(dimension));
         if (dimension != 3) return;
         const auto v = static_cast<std::int64_t>(vertices), e = size(edges) / 2, h = size(hull) / 3,
@@ -162,6 +169,26 @@ struct Exports {
         FUZZ_REQUIRE(std::equal(b.begin(), b.end(), to_list.begin()), "64 and 32 bits differ");
     }
 
+    template <class Wide, class Narrow>
+    Indices take_graph(const mgdt_triangulation* t, Wide wide, Narrow narrow,
+                       std::size_t margin) const {
+        std::int64_t size = -1;
+        std::int32_t size32 = -1;
+        (void)wide(t, 0, nullptr, &size);
+        FUZZ_REQUIRE(size >= 0 && 2 * size <= static_cast<std::int64_t>(edges.size()),
+                     std::to_string(size));
+        Exact<std::int64_t> a(2 * static_cast<std::size_t>(size), margin);
+        Exact<std::int32_t> b(2 * static_cast<std::size_t>(size), margin);
+        FUZZ_REQUIRE(wide(t, a.capacity(), a.data(), &size) == MGDT_OK, error_of(t));
+        FUZZ_REQUIRE(narrow(t, b.capacity(), b.data(), &size32) == MGDT_OK, error_of(t));
+        Indices v = a.take();
+        const std::vector<std::int32_t> same = b.take();
+        FUZZ_REQUIRE(size == size32 && std::equal(v.begin(), v.end(), same.begin()),
+                     "64 and 32 bits differ");
+        for (std::int64_t& k : v) k -= base;
+        return v;
+    }
+
     void take_circumcenters(const mgdt_triangulation* t, std::size_t margin) {
         Exact<double> xyz(3 * count(), margin), radius2(count(), margin);
         FUZZ_REQUIRE(mgdt_get_circumcenters(t, static_cast<std::int64_t>(count()), xyz.data(),
@@ -171,6 +198,15 @@ struct Exports {
         squares = radius2.take();
         for (const double x : centers) FUZZ_REQUIRE(!std::isnan(x), "a centre");
         for (const double x : squares) FUZZ_REQUIRE(x >= 0, "a radius");
+    }
+
+    // Whether the edges, sorted, have all of some others.
+    static bool contains(const Indices& all, const Indices& some) {
+        using Pairs = std::set<std::array<std::int64_t, 2>>;
+        Pairs have, wanted;
+        for (std::size_t e = 0; e < all.size(); e += 2) have.insert({all[e], all[e + 1]});
+        for (std::size_t e = 0; e < some.size(); e += 2) wanted.insert({some[e], some[e + 1]});
+        return std::includes(have.begin(), have.end(), wanted.begin(), wanted.end());
     }
 
     // Each edge from both of its ends.

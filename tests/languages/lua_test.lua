@@ -118,6 +118,12 @@ test("random points: every export as the C interface writes it", function()
     same(offsets, read("neighbor_offsets", "int64_t"), n + 1, "offsets of neighbours")
     same(list, read("neighbor_list", "int64_t"), length, "neighbours")
     equal(length, 2 * t:edge_count(), "length of the neighbours' list")
+    for _, name in ipairs { "gabriel_edges", "spanning_tree" } do
+        local pairs_of_points, number = t[name](t)
+        local reference, size = read(name, "int64_t")
+        equal(2 * number, size, "length of " .. name)
+        same(ffi.cast("int32_t *", pairs_of_points), reference, size, name)
+    end
     local centers, squares, count = t:circumcenters()
     same(centers, read("centers", "double"), 3 * count, "circumcentres")
     same(squares, read("squares", "double"), count, "squares of the radii")

@@ -91,6 +91,8 @@ function exports (folder)
   [neighbor_offsets, neighbors] = t.vertex_neighbors ();
   assert (neighbor_offsets, read (folder, "neighbor_offsets", "int64", 1) + 1);
   assert (neighbors, read (folder, "neighbor_list", "int64", 1) + 1);
+  assert (t.gabriel_edges (), read (folder, "gabriel_edges", "int64", 2) + 1);
+  assert (t.spanning_tree (), read (folder, "spanning_tree", "int64", 2) + 1);
   [centers, squares] = t.circumcenters ();
   assert (centers, read (folder, "centers", "double", 3));
   assert (squares, read (folder, "squares", "double", 1));

@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
     const int64_t n = random_points + repeated_points;
     uint64_t state = 20140090;
     mgdt_triangulation* t = NULL;
-    int64_t *offsets, *list, tetrahedra, facets, i;
+    int64_t *offsets, *list, tetrahedra, facets, edges, i;
     double *centers, *squares;
 
     if (argc != 2) stop("usage: reference FOLDER");
@@ -103,6 +103,10 @@ int main(int argc, char** argv) {
     require(mgdt_get_vertex_neighbors(t, n + 1, offsets, 4 * tetrahedra, list), t);
     write_file("neighbor_offsets", offsets, n + 1);
     write_file("neighbor_list", list, mgdt_vertex_neighbors_count(t));
+    require(mgdt_get_gabriel_edges(t, 4 * tetrahedra, list, &edges), t);
+    write_file("gabriel_edges", list, 2 * edges);
+    require(mgdt_get_spanning_tree(t, 4 * tetrahedra, list, &edges), t);
+    write_file("spanning_tree", list, 2 * edges);
     centers = room(3 * tetrahedra, sizeof *centers);
     squares = room(tetrahedra, sizeof *squares);
     require(mgdt_get_circumcenters(t, tetrahedra, centers, squares), t);

@@ -89,6 +89,8 @@ class MgdtTest < Minitest::Test
     offsets = self.class.integers("neighbor_offsets")
     list = self.class.integers("neighbor_list")
     assert_equal offsets.each_cons(2).map { |from, to| list[from...to] }, t.vertex_neighbors
+    assert_equal self.class.integers("gabriel_edges", 2), t.gabriel_edges
+    assert_equal self.class.integers("spanning_tree", 2), t.spanning_tree
     centers = self.class.doubles("centers").each_slice(3).to_a
     assert_equal [centers, self.class.doubles("squares")], t.circumcenters
     # Euler's formula for a ball.

@@ -218,6 +218,13 @@ std::vector<std::int64_t> everything(const mgdt_triangulation* t) {
         MGDT_OK);
     append(offsets);
     append(list);
+    for (const auto get : {mgdt_get_gabriel_edges, mgdt_get_spanning_tree}) {
+        std::int64_t edges = 0;
+        EXPECT_EQ(get(t, static_cast<std::int64_t>(list.size()), list.data(), &edges), MGDT_OK);
+        list.resize(static_cast<std::size_t>(2 * edges));
+        append(list);
+        list.resize(static_cast<std::size_t>(mgdt_vertex_neighbors_count(t)));
+    }
     std::vector<double> reals(4 * static_cast<std::size_t>(mgdt_tetrahedron_count(t)));
     EXPECT_EQ(mgdt_get_circumcenters(t, mgdt_tetrahedron_count(t), reals.data(),
                                      reals.data() + 3 * mgdt_tetrahedron_count(t)),

@@ -122,6 +122,8 @@ class FewPoints(unittest.TestCase):
         self.assertEqual(tri.transform.shape, (0, 4, 3))
         self.assertEqual(tri.equations.shape, (0, 5))
         self.assertEqual(tri.vertex_to_simplex.tolist(), [-1] * tri.npoints)
+        self.assertEqual(tri.gabriel_edges.shape, (0, 2))
+        self.assertEqual(tri.spanning_tree.shape, (0, 2))
         self.assertEqual(tri.circumcenters.shape, (0, 3))
         self.assertEqual(tri.circumradii.shape, (0,))
         starts, ends = tri.vertex_neighbor_vertices
@@ -224,6 +226,18 @@ class Output(unittest.TestCase):
             expected[b].add(a)
         for k, of_point in enumerate(expected):
             self.assertEqual(ends[starts[k] : starts[k + 1]].tolist(), sorted(of_point))
+
+    def test_graphs(self):
+        tri = mgdt.Delaunay(random_points(200))
+        edges = set(map(tuple, tri.edges.tolist()))
+        gabriel = set(map(tuple, tri.gabriel_edges.tolist()))
+        tree = set(map(tuple, tri.spanning_tree.tolist()))
+        self.assertEqual(len(tree), 199)
+        self.assertTrue(tree < gabriel < edges)
+        a, b = tri.points[tri.edges[:, 0]], tri.points[tri.edges[:, 1]]
+        distances = np.linalg.norm((a + b)[:, np.newaxis] / 2 - tri.points, axis=2)
+        alone = distances.min(axis=1) >= np.linalg.norm(a - b, axis=1) / 2 * (1 - 1e-12)
+        self.assertEqual(set(map(tuple, tri.edges[alone].tolist())), gabriel)
 
     def test_canonical_output_is_a_function_of_the_points(self):
         points = random_points(400, 11)

@@ -115,6 +115,27 @@ inline int compare_distance(const Point& q, const Point& a, const Point& b) {
     return power.sign();
 }
 
+inline int compare_lengths(const Point& a, const Point& b, const Point& c, const Point& d) {
+    const std::vector<BigPoint> p = scaled({a, b, c, d});
+    Big difference;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Big u = p[0][k] - p[1][k], v = p[2][k] - p[3][k];
+        difference += u * u - v * v;
+    }
+    return difference.sign();
+}
+
+// |a - b|^2 against |2 q - a - b|^2, four times the squared distance from the middle.
+inline int side_of_diametral_sphere(const Point& a, const Point& b, const Point& q) {
+    const std::vector<BigPoint> p = scaled({a, b, q});
+    Big difference;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Big u = p[0][k] - p[1][k], v = 2 * p[2][k] - p[0][k] - p[1][k];
+        difference += u * u - v * v;
+    }
+    return difference.sign();
+}
+
 // Number of random cases.
 inline int cases(int count) {
     return is_small() ? 1 + count / 50 : count;

@@ -60,7 +60,15 @@ TEST(Stages, AgreeOnEveryFamily) {
                     right(mgdt::exact::sphere_sparse(a, b, c, d, q, terms, nullptr, 0), sphere));
                 EXPECT_TRUE(right(mgdt::exact::orientation_sparse(a, b, c, d, terms, 0), solid));
             }
+            const int longer = reference::compare_lengths(p[0], p[1], p[2], p[3]);
+            const int inside = reference::side_of_diametral_sphere(p[0], p[1], p[2]);
+            EXPECT_TRUE(right(mgdt::exact::lengths_filter(a, b, c, d), longer));
+            EXPECT_TRUE(right(mgdt::exact::diametral_filter(a, b, c), inside));
+            EXPECT_EQ(mgdt::compare_lengths(a, b, c, d), longer);
+            EXPECT_EQ(mgdt::side_of_diametral_sphere(a, b, c), inside);
             for (int width : widths) {
+                EXPECT_EQ(mgdt::exact::lengths_integer(a, b, c, d, width), longer) << width;
+                EXPECT_EQ(mgdt::exact::diametral_integer(a, b, c, width), inside) << width;
                 EXPECT_EQ(mgdt::exact::sphere_integer(a, b, c, d, q, width), sphere) << width;
                 EXPECT_EQ(mgdt::exact::orientation_integer(a, b, c, d, width), solid) << width;
                 EXPECT_EQ(mgdt::exact::collinear_integer(a, b, c, width), line) << width;

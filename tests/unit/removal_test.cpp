@@ -161,7 +161,7 @@ TEST(RemovalOfHub, CentreOfASphere) {
         xyz.insert(xyz.end(), {0, 0, 0});
         // Moves that are made and that are not: a point is there already.
         for (const std::size_t to : {n, std::size_t{7}}) {
-            Points place(xyz.begin() + 3 * to, xyz.begin() + 3 * to + 3);
+            Points place(&xyz[3 * to], &xyz[3 * to] + 3);
             if (to == n) place[0] = 0.125;
             move(*t, {centre + 1}, place);
             std::copy_n(place.data(), 3, &xyz[3 * (n + 1)]);

@@ -71,6 +71,14 @@ int32_t mgdt_get_vertex_neighbors(const mgdt_triangulation *t, int64_t offset_ca
                                   int64_t *offsets, int64_t capacity, int64_t *list);
 int32_t mgdt_get_vertex_neighbors_i32(const mgdt_triangulation *t, int64_t offset_capacity,
                                       int32_t *offsets, int64_t capacity, int32_t *list);
+int32_t mgdt_get_gabriel_edges(const mgdt_triangulation *t, int64_t capacity, int64_t *v,
+                               int64_t *count);
+int32_t mgdt_get_gabriel_edges_i32(const mgdt_triangulation *t, int64_t capacity, int32_t *v,
+                                   int32_t *count);
+int32_t mgdt_get_spanning_tree(const mgdt_triangulation *t, int64_t capacity, int64_t *v,
+                               int64_t *count);
+int32_t mgdt_get_spanning_tree_i32(const mgdt_triangulation *t, int64_t capacity, int32_t *v,
+                                   int32_t *count);
 int32_t mgdt_get_circumcenters(const mgdt_triangulation *t, int64_t capacity, double *xyz,
                                double *radius2);
 int32_t mgdt_locate(const mgdt_triangulation *t, const double *xyz, int64_t *tetrahedron);

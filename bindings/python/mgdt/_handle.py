@@ -210,6 +210,17 @@ class Handle:
                    address(found))
         return offsets, found
 
+    def _graph(self, name: str, most: int) -> IndexArray:
+        edges, count = np.empty((most, 2), dtype=np.int32), np.empty(1, dtype=np.int32)
+        self._call(name, edges.size, address(edges), address(count))
+        return edges[: count[0]].copy()
+
+    def gabriel_edges(self) -> IndexArray:
+        return self._graph("mgdt_get_gabriel_edges_i32", self._count("mgdt_edge_count"))
+
+    def spanning_tree(self) -> IndexArray:
+        return self._graph("mgdt_get_spanning_tree_i32", self.vertex_count)
+
     def circumcenters(self) -> tuple[FloatArray, FloatArray]:
         """And the squares of the radii."""
         count = self.tetrahedron_count

@@ -221,6 +221,20 @@ class Delaunay(GrowingTriangulation):
         return lists
 
     @property
+    def gabriel_edges(self) -> IndexArray:
+        """Edges of the Gabriel graph, int32, shape (m, 2), sorted: those that are the diameter of a
+        sphere with no vertex inside, decided exactly. Not in SciPy. Since 1.2."""
+        array: IndexArray = self._exported("gabriel_edges")
+        return array
+
+    @property
+    def spanning_tree(self) -> IndexArray:
+        """Edges of the Euclidean minimum spanning tree, int32, shape (m, 2), sorted. Lengths are
+        compared exactly. Empty without simplices. Not in SciPy. Since 1.2."""
+        array: IndexArray = self._exported("spanning_tree")
+        return array
+
+    @property
     def circumcenters(self) -> FloatArray:
         """Centres of the simplices' circumspheres, shape (nsimplex, 3): vertices of the Voronoi
         diagram.

@@ -267,6 +267,12 @@ module Mgdt
     # For each point an Array of its neighbours, the vertices that edges join it to.
     def vertex_neighbors = lists(:mgdt_vertex_neighbors_count, :mgdt_get_vertex_neighbors)
 
+    # The edges that are the diameter of a sphere with no vertex inside: pairs of indices.
+    def gabriel_edges = graph(:mgdt_edge_count, :mgdt_get_gabriel_edges)
+
+    # The edges of the Euclidean minimum spanning tree: pairs of indices.
+    def spanning_tree = graph(:mgdt_vertex_count, :mgdt_get_spanning_tree)
+
     # The circumspheres of the tetrahedra: an Array of centres [x, y, z], and one of the squares of
     # the radii.
     def circumcenters
@@ -480,6 +486,16 @@ module Mgdt
         ensure_good(handle, Library.public_send(:"mgdt_get_#{what}", handle, length, buffer))
         flat = buffer.read_array_of_int64(length)
         width == 1 ? flat : flat.each_slice(width).to_a
+      end
+    end
+
+    def graph(most, get)
+      with_handle do |handle|
+        length = 2 * Library.public_send(most, handle)
+        edges = FFI::MemoryPointer.new(:int64, [length, 1].max)
+        count = FFI::MemoryPointer.new(:int64)
+        ensure_good(handle, Library.public_send(get, handle, length, edges, count))
+        edges.read_array_of_int64(2 * count.read_int64).each_slice(2).to_a
       end
     end
 

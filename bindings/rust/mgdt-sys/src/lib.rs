@@ -257,6 +257,30 @@ extern "C" {
         capacity: i64,
         list: *mut i32,
     ) -> mgdt_status;
+    pub fn mgdt_get_gabriel_edges(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        v: *mut i64,
+        count: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_gabriel_edges_i32(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        v: *mut i32,
+        count: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_get_spanning_tree(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        v: *mut i64,
+        count: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_spanning_tree_i32(
+        t: *const mgdt_triangulation,
+        capacity: i64,
+        v: *mut i32,
+        count: *mut i32,
+    ) -> mgdt_status;
     pub fn mgdt_get_circumcenters(
         t: *const mgdt_triangulation,
         capacity: i64,

@@ -6,6 +6,12 @@ use crate::{Error, ErrorKind, Triangulation};
 use mgdt_sys as sys;
 
 type Get<I> = unsafe extern "C" fn(*const sys::mgdt_triangulation, i64, *mut I) -> sys::mgdt_status;
+type Graph = unsafe extern "C" fn(
+    *const sys::mgdt_triangulation,
+    i64,
+    *mut i64,
+    *mut i64,
+) -> sys::mgdt_status;
 type ListExport = unsafe extern "C" fn(
     *const sys::mgdt_triangulation,
     i64,
@@ -213,6 +219,31 @@ impl Triangulation {
     /// The same into a slice.
     pub fn edges_into<I: Int>(&self, out: &mut [[I; 2]]) -> Result<(), Error> {
         self.rows_into(out, I::EDGES)
+    }
+
+    /// The edges that are the diameter of a sphere with no vertex inside: the Gabriel graph.
+    pub fn gabriel_edges(&self) -> Result<Vec<[usize; 2]>, Error> {
+        self.graph(self.edge_count(), sys::mgdt_get_gabriel_edges)
+    }
+
+    /// The edges of the Euclidean minimum spanning tree.
+    pub fn spanning_tree(&self) -> Result<Vec<[usize; 2]>, Error> {
+        self.graph(self.vertex_count(), sys::mgdt_get_spanning_tree)
+    }
+
+    fn graph(&self, most: usize, get: Graph) -> Result<Vec<[usize; 2]>, Error> {
+        let mut edges = vec![[0_i64; 2]; most];
+        let mut count = 0;
+        self.ensure(unsafe {
+            get(
+                self.raw(),
+                as_i64(2 * most),
+                edges.as_mut_ptr().cast(),
+                &mut count,
+            )
+        })?;
+        edges.truncate(count as usize);
+        Ok(edges.into_iter().map(|e| e.map(|k| k as usize)).collect())
     }
 
     /// For each point ever given the one that stands for it as a vertex: itself, or the first one

@@ -75,6 +75,11 @@ fn every_export() {
     let list: Vec<_> = neighbors.list().iter().map(|&k| k as i64).collect();
     assert_eq!(offsets, integers("neighbor_offsets"));
     assert_eq!(list, integers("neighbor_list"));
+    let signed = |edges: Vec<[usize; 2]>| -> Vec<[i64; 2]> {
+        edges.into_iter().map(|e| e.map(|k| k as i64)).collect()
+    };
+    assert_eq!(signed(t.gabriel_edges().unwrap()), rows::<2>("gabriel_edges"));
+    assert_eq!(signed(t.spanning_tree().unwrap()), rows::<2>("spanning_tree"));
     let spheres = t.circumspheres().unwrap();
     let centers: Vec<_> = spheres.iter().flat_map(|s| s.center).collect();
     let squares: Vec<_> = spheres.iter().map(|s| s.squared_radius).collect();

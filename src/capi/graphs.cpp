@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "query/graphs.hpp"
+
+#include "capi/counts.hpp"
+#include "capi/handle.hpp"
+
+using namespace mgdt;
+
+namespace {
+
+// Checks the array of a graph, whose size is known when it is made, and has write(Int*) fill it.
+template <class Int, class Write>
+void give(const mgdt_triangulation* t, std::size_t edges, int64_t capacity, Int* v, Int* count,
+          Write write) {
+    const auto points = static_cast<std::uint64_t>(point_count(t->core));
+    require_range<Int>(std::max<std::uint64_t>(points, edges + 1), t);
+    *count = static_cast<Int>(edges);
+    if (edges > 0) require_pointer(v, "the output array");
+    require_capacity(capacity, 2 * edges, "the output array");
+    write(static_cast<Int>(t->core.settings().index_base));
+}
+
+template <class Int>
+void gabriel(const mgdt_triangulation* t, int64_t capacity, Int* v, Int* count) {
+    require_pointer(count, "count");
+    require_capacity(capacity, 0, "the output array");
+    Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), 65536));
+    const EdgeLists edges =
+        gabriel_edges(view_of(team, t, false), static_cast<std::size_t>(point_count(t->core)));
+    give(t, edges.size(), capacity, v, count, [&](Int base) {
+        edges.write(
+            [&](std::size_t k, std::size_t place, const std::uint32_t* others, std::size_t size) {
+                for (std::size_t i = 0; i < size; ++i) {
+                    v[2 * (place + i)] = static_cast<Int>(k) + base;
+                    v[2 * (place + i) + 1] = static_cast<Int>(others[i]) + base;
+                }
+            });
+    });
+}
+
+template <class Int>
+void tree(const mgdt_triangulation* t, int64_t capacity, Int* v, Int* count) {
+    require_pointer(count, "count");
+    require_capacity(capacity, 0, "the output array");
+    Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), 65536));
+    const Buffer<std::uint32_t> ends = spanning_tree(view_of(team, t, false), t->core.point_map());
+    give(t, ends.size() / 2, capacity, v, count, [&](Int base) {
+        for (std::size_t i = 0; i < ends.size(); ++i) v[i] = static_cast<Int>(ends[i]) + base;
+    });
+}
+
+}  // namespace
+
+extern "C" mgdt_status mgdt_get_gabriel_edges(const mgdt_triangulation* t, int64_t capacity,
+                                              int64_t* v, int64_t* count) {
+    return guard(t, [&] { gabriel(t, capacity, v, count); });
+}
+
+extern "C" mgdt_status mgdt_get_gabriel_edges_i32(const mgdt_triangulation* t, int64_t capacity,
+                                                  int32_t* v, int32_t* count) {
+    return guard(t, [&] { gabriel(t, capacity, v, count); });
+}
+
+extern "C" mgdt_status mgdt_get_spanning_tree(const mgdt_triangulation* t, int64_t capacity,
+                                              int64_t* v, int64_t* count) {
+    return guard(t, [&] { tree(t, capacity, v, count); });
+}
+
+extern "C" mgdt_status mgdt_get_spanning_tree_i32(const mgdt_triangulation* t, int64_t capacity,
+                                                  int32_t* v, int32_t* count) {
+    return guard(t, [&] { tree(t, capacity, v, count); });
+}

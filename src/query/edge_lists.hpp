@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// The edges of the tetrahedra as lists by one of their ends.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "parallel/team_lists.hpp"
+#include "query/export.hpp"
+
+namespace mgdt {
+
+// Edge e of a tetrahedron joins its vertices edge_ends[e][0] and [1].
+inline constexpr unsigned char edge_ends[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
+// For each set of faces, a bit each, the edges that lie in two of them, a bit each. An edge lies in
+// the two faces opposite the vertices that it does not join.
+struct EdgesBetween {
+    unsigned char of_faces[16] = {};
+    constexpr EdgesBetween() {
+        for (unsigned faces = 0; faces < 16; ++faces)
+            for (unsigned e = 0; e < 6; ++e) {
+                const unsigned both = 0xFu & ~(1u << edge_ends[e][0] | 1u << edge_ends[e][1]);
+                if ((faces & both) == both)
+                    of_faces[faces] = static_cast<unsigned char>(of_faces[faces] | 1u << e);
+            }
+    }
+};
+inline constexpr EdgesBetween edges_between;
+
+// The edges of the face opposite a vertex: those that lie in it and in another one.
+constexpr unsigned edges_of_face(unsigned face) {
+    unsigned edges = 0;
+    for (unsigned other = 0; other < 4; ++other)
+        if (other != face) edges |= edges_between.of_faces[1u << face | 1u << other];
+    return edges;
+}
+
+// The edges that this tetrahedron lists, so that each is listed once: those where both of its
+// neighbours are in later slots. None that end at infinity.
+inline unsigned owned_edges(const Tetrahedron& t, TetId id) {
+    if (t.is_dead()) return 0;
+    unsigned later = 0;
+    for (unsigned f = 0; f < 4; ++f) later |= (tetrahedron_of(t.n[f]) > id ? 1u : 0u) << f;
+    const unsigned edges = edges_between.of_faces[later];
+    return t.is_ghost() ? edges & edges_of_face(static_cast<unsigned>(t.infinite_slot())) : edges;
+}
+
+// Calls f(a, b) for edges of the tetrahedra in slots begin..end-1, a and b being the names of their
+// ends. A tetrahedron emits those of its edges at which both neighbours are in later slots. The
+// tetrahedron in the first slot around an edge is always one, and few others are: each edge is
+// emitted, hardly ever more than once. No tetrahedron needs another record than its own.
+template <class Name, class F>
+void for_each_edge(const Mesh& mesh, std::size_t begin, std::size_t end, Name name, F f) {
+    constexpr std::size_t ahead = 32;
+    for (std::size_t id = begin; id < end; ++id) {
+        const Tetrahedron& t = mesh.tetrahedra[id];
+        mesh.tetrahedra.prefetch(id + ahead);
+        for (unsigned left = owned_edges(t, static_cast<TetId>(id)); left != 0; left &= left - 1) {
+            const unsigned char* const at = edge_ends[lowest_bit(left)];
+            f(name(t.v[at[0]]), name(t.v[at[1]]));
+        }
+    }
+}
+
+// For each of `keys` names those that edges join it to, ascending, each once.
+class EdgeLists {
+  public:
+    // each(begin, end, f) calls f(key, other) for what the slots begin..end-1 give.
+    template <class Each>
+    EdgeLists(const ExportView& view, std::size_t keys, Each each)
+        : team_(view.team),
+          keys_(keys),
+          ends_(view.allocator, keys + 1),
+          others_(view.allocator),
+          sizes_(view.allocator, keys) {
+        constexpr std::size_t min_items_per_thread = 65536;
+        make_lists(
+            view.team, view.allocator, view.mesh.tetrahedra.size(), min_items_per_thread, keys,
+            ends_.data(), each, [&](std::size_t size) { others_.resize(size); },
+            [&](std::size_t place, std::uint32_t other) { others_[place] = other; });
+        set_sizes([&](std::size_t k) {
+            std::uint32_t* const first = others_.begin() + ends_[k];
+            std::uint32_t* const last = others_.begin() + ends_[k + 1];
+            std::sort(first, last);
+            return std::unique(first, last) - first;
+        });
+    }
+
+    // Takes out what is in the lists of the same names.
+    void subtract(const EdgeLists& other) {
+        set_sizes([&](std::size_t k) {
+            std::uint32_t* const first = others_.begin() + ends_[k];
+            const std::uint32_t* const second = other.others_.begin() + other.ends_[k];
+            return std::set_difference(first, first + sizes_[k], second, second + other.sizes_[k],
+                                       first) -
+                   first;
+        });
+    }
+
+    // Members of all lists.
+    std::size_t size() const noexcept { return place_of_[Team::most]; }
+
+    // Calls write(key, place, others, size) for the list of each key, which is written from `place`
+    // on among all members, the threads side by side.
+    template <class Write>
+    void write(Write write) const {
+        team_.split(keys_, keys_a_thread, [&](std::size_t begin, std::size_t end, unsigned m) {
+            std::size_t place = place_of_[m];
+            for (std::size_t k = begin; k < end; ++k) {
+                write(k, place, others_.begin() + ends_[k], std::size_t{sizes_[k]});
+                place += sizes_[k];
+            }
+        });
+    }
+
+  private:
+    template <class Size>
+    void set_sizes(Size size) {
+        std::fill_n(place_of_, Team::most + 1, std::size_t{0});
+        team_.split(keys_, keys_a_thread, [&](std::size_t begin, std::size_t end, unsigned m) {
+            std::size_t sum = 0;
+            for (std::size_t k = begin; k < end; ++k) {
+                sizes_[k] = static_cast<std::uint32_t>(size(k));
+                sum += sizes_[k];
+            }
+            place_of_[m + 1] = sum;
+        });
+        for (unsigned m = 0; m < Team::most; ++m) place_of_[m + 1] += place_of_[m];
+    }
+
+    static constexpr std::size_t keys_a_thread = 16384;
+
+    Team& team_;
+    std::size_t keys_;
+    Buffer<std::uint32_t> ends_, others_, sizes_;
+    std::size_t place_of_[Team::most + 1] = {};  // where the first list of each thread is written
+};
+
+}  // namespace mgdt

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "query/graphs.hpp"
+
+#include <cmath>
+
+#include "predicates/predicates.hpp"
+#include "query/vertex_indices.hpp"
+
+namespace mgdt {
+namespace {
+
+EdgeLists all_edges(const ExportView& view, std::size_t points, const VertexIndices& indices) {
+    const auto name = [&](VertexId v) { return indices[v]; };
+    return EdgeLists(view, points, [&](std::size_t begin, std::size_t end, auto f) {
+        for_each_edge(view.mesh, begin, end, name,
+                      [&](std::uint32_t a, std::uint32_t b) { f(std::min(a, b), std::max(a, b)); });
+    });
+}
+
+// Squared lengths are rounded five times, so sums of three of them have an error below 8 units.
+constexpr double least_length = 0x1p-900, most_length = 0x1p900, length_error = 16 * 0x1p-53;
+
+double rough_length(const double* a, const double* b) {
+    const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+    return x * x + y * y + z * z;
+}
+
+// The corner of a triangle with an obtuse angle, which is inside the diametral sphere of the edge
+// opposite; 3 if there is none.
+unsigned obtuse_corner(const double* const (&p)[3]) {
+    const double opposite[3] = {rough_length(p[1], p[2]), rough_length(p[2], p[0]),
+                                rough_length(p[0], p[1])};
+    const double sum = opposite[0] + opposite[1] + opposite[2];
+    const double error = sum > least_length && sum < most_length ? length_error * sum : sum;
+    for (unsigned i = 0; i < 3; ++i) {
+        const double excess = 2 * opposite[i] - sum;
+        if (excess < -error) continue;
+        if (excess > error || side_of_diametral_sphere(p[(i + 1) % 3], p[(i + 2) % 3], p[i]) > 0)
+            return i;
+    }
+    return 3;
+}
+
+}  // namespace
+
+// The middle of an edge is nearest to its ends if it is in the face that is dual to the edge. Only
+// the other vertices of facets at the edge bound that: docs/theory.md, "Graphs of neighbours".
+EdgeLists gabriel_edges(const ExportView& view, std::size_t points) {
+    const Mesh& mesh = view.mesh;
+    const VertexIndices indices(view.team, mesh, view.allocator);
+    EdgeLists edges = all_edges(view, points, indices);
+    edges.subtract(EdgeLists(view, points, [&](std::size_t begin, std::size_t end, auto f) {
+        for (std::size_t id = begin; id < end; ++id) {
+            const Tetrahedron& t = mesh.tetrahedra[id];
+            if (t.is_dead()) continue;
+            for (unsigned face = 0; face < 4; ++face) {
+                // Each facet from the first of its two records.
+                if (tetrahedron_of(t.n[face]) < id) continue;
+                if (t.is_ghost() && t.v[face] != infinite_vertex) continue;
+                const unsigned char* const corner = outer_face[face];
+                const VertexId v[3] = {t.v[corner[0]], t.v[corner[1]], t.v[corner[2]]};
+                const unsigned i =
+                    obtuse_corner({mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])});
+                if (i == 3) continue;
+                const std::uint32_t a = indices[v[(i + 1) % 3]], b = indices[v[(i + 2) % 3]];
+                f(std::min(a, b), std::max(a, b));
+            }
+        }
+    }));
+    return edges;
+}
+
+namespace {
+
+// Parts that become one another's, by the first point of each.
+class Parts {
+  public:
+    Parts(Allocator& allocator, std::size_t points) : parent_(allocator, points) {
+        for (std::uint32_t i = 0; i < points; ++i) parent_[i] = i;
+    }
+    // False if the two are in one part already.
+    bool join(std::uint32_t a, std::uint32_t b) noexcept {
+        a = first_of(a);
+        b = first_of(b);
+        if (a == b) return false;
+        parent_[std::max(a, b)] = std::min(a, b);
+        return true;
+    }
+
+  private:
+    std::uint32_t first_of(std::uint32_t i) noexcept {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    Buffer<std::uint32_t> parent_;
+};
+
+struct Length {
+    double square;        // rounded five times
+    std::uint32_t place;  // of the edge
+};
+
+}  // namespace
+
+// Kruskal's: the shortest edges first, unless their ends are joined already. All trees of least
+// length are among the edges of the tetrahedra.
+Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexId>& point_map) {
+    const VertexIndices indices(view.team, view.mesh, view.allocator);
+    Buffer<std::uint32_t> ends(view.allocator), tree(view.allocator);
+    Buffer<Length> lengths(view.allocator);
+    const auto point = [&](std::uint32_t end) { return view.mesh.point(point_map[ends[end]]); };
+    {
+        const EdgeLists edges = all_edges(view, point_map.size(), indices);
+        ends.resize(2 * edges.size());
+        lengths.resize(edges.size());
+        edges.write([&](std::size_t k, std::size_t place, const std::uint32_t* others,
+                        std::size_t size) {
+            const double* const p = view.mesh.point(point_map[k]);
+            for (std::size_t i = 0; i < size; ++i) {
+                const double* const q = view.mesh.point(point_map[others[i]]);
+                ends[2 * (place + i)] = static_cast<std::uint32_t>(k);
+                ends[2 * (place + i) + 1] = others[i];
+                lengths[place + i] = {rough_length(p, q), static_cast<std::uint32_t>(place + i)};
+            }
+        });
+    }
+    // Edges are taken in the order of their ends where they are equally long.
+    std::sort(lengths.begin(), lengths.end(), [&](const Length& a, const Length& b) {
+        const double larger = std::fmax(a.square, b.square), difference = a.square - b.square;
+        if (larger > least_length && larger < most_length &&
+            std::fabs(difference) > length_error * larger)
+            return difference < 0;
+        const int s = compare_lengths(point(2 * a.place), point(2 * a.place + 1),
+                                      point(2 * b.place), point(2 * b.place + 1));
+        return s != 0 ? s < 0 : a.place < b.place;
+    });
+    Parts parts(view.allocator, point_map.size());
+    Buffer<bool> is_taken(view.allocator);
+    is_taken.resize(lengths.size(), false);
+    std::size_t taken = 0;
+    for (const Length& edge : lengths) {
+        is_taken[edge.place] = parts.join(ends[2 * edge.place], ends[2 * edge.place + 1]);
+        taken += is_taken[edge.place];
+    }
+    tree.reserve(2 * taken);
+    for (std::size_t e = 0; e < is_taken.size(); ++e) {
+        if (!is_taken[e]) continue;
+        tree.push_back(ends[2 * e]);
+        tree.push_back(ends[2 * e + 1]);
+    }
+    return tree;
+}
+
+}  // namespace mgdt
