@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What fills the hole of a vertex: the kernel finds it facet by facet. Around a vertex with very
-// many neighbours that is slow, and a triangulation of them alone has it.
+// What fills the hole of a vertex: the kernel finds it facet by facet. With very many neighbours
+// that is slow: then they are triangulated by themselves, and the tetrahedra inside the hole are
+// taken from there. Where memory lacks for that the removal fails, for the other way may take
+// hours.
 #include <memory>
 
 #include "core/triangulation.hpp"

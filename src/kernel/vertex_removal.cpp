@@ -107,6 +107,8 @@ void VertexRemoval::fill_from(const Mesh& triangulated_link, Mesh& mesh) {
         Filling filling = {};
         for (unsigned face = 0; face < 4; ++face) {
             filling.v[face] = number_in(link, record.v[face]);
+            if (filling.v[face] == no_index)
+                fail(MGDT_ERR_INTERNAL, "a hole leads out of the hull; please report it");
             record.v[face] = link_[filling.v[face]];
             const FacetCode n = outside[facet_code(t, face)];
             filling.is_outside[face] = n != no_index;
@@ -337,7 +339,7 @@ void VertexRemoval::close(const Mesh& mesh, std::size_t facet, ApexResult apex) 
     const bool is_ghost = apex.number == infinite_apex;
     if (is_ghost) apex = {infinite_, ghost_sphere(mesh, f)};
     if (apex.number == no_index || filling_.size() >= max_tetrahedra)
-        fail(MGDT_ERR_INTERNAL, "a facet has no apex; please report it");
+        fail(MGDT_ERR_INTERNAL, "a hole cannot be filled; please report it");
     ghosts_made_ += is_ghost;
     const auto t = static_cast<TetId>(filling_.size());
     const Number v[4] = {f.v[0], f.v[2], f.v[1], apex.number};

@@ -73,7 +73,7 @@ class VertexRemoval {
     void end_filling(Mesh& mesh);
     void add_boundary(const Mesh& mesh);
     Buffer<FacetCode> boundary_in(const Mesh& triangulated_link);
-    // A vertex of the link's triangulation.
+    // The local number of a vertex of the link's triangulation.
     Number number_in(const Mesh& triangulated_link, VertexId u) const noexcept {
         if (u == infinite_vertex) return infinite_;
         const std::uint32_t i = triangulated_link.vertices[u].index;

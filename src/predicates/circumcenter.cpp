@@ -86,7 +86,8 @@ MGDT_PREDICATES_INLINE bool is_in_range(const double* p) {
 MGDT_PREDICATES_INLINE bool scale_exactly(double& x, int exponent) {
     if (exponent == 0 || x == 0) return true;
     x = std::ldexp(x, exponent);
-    return std::fabs(x) >= std::numeric_limits<double>::min() &&
+    // What is rounded to the least normal number may be a subnormal one.
+    return std::fabs(x) > std::numeric_limits<double>::min() &&
            std::fabs(x) <= std::numeric_limits<double>::max();
 }
 

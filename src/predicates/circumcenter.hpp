@@ -16,9 +16,10 @@ Circumcenter circumcenter(const double* const (&p)[4], int scale = 0);
 
 namespace exact {
 
-// In docs/theory.md, "Circumcentres": in units of 2^-53 and of 2^-106.
+// Coefficients of the error of the correction, in units of 2^-53 and of 2^-106: docs/theory.md,
+// "Circumcentres", proves 20, 75 and 225.
 struct CircumcenterBounds {
-    double solution = 128;  // of the correction, as of a sphere
+    double solution = 128;  // of its numerators and of its determinant, which is above twice this
     double residual = 240;
 };
 inline constexpr CircumcenterBounds circumcenter_bounds{};

@@ -30,7 +30,7 @@ Limb bit(const Limb* a, int i) {
     return i < 0 ? 0 : a[i / limb_bits] >> (i % limb_bits) & 1U;
 }
 
-// m 2^exponent with the last bit of m standing for all after it, m between 2^54 and 2^57.
+// m 2^exponent with the last bit of m standing for all after it; 2^54 <= m < 2^55.
 double rounded_once(std::uint64_t m, int exponent) {
     // Two bits more than the last that a subnormal has: what is shifted out goes to the last.
     constexpr int least = -1076;
@@ -56,25 +56,22 @@ double rounded_quotient(Limb* n, int n_size, Limb* d, int d_size, Limb* rest, in
     if (n_length == 0) return 0;
     const int size = (d_length + limb_bits - 1) / limb_bits;
     for (int i = 0; i < size; ++i) rest[i] = 0;
-    // The rest is below d, so shifted by a bit it may need one limb bit more than d has.
+    // Takes one more bit of n. The rest is below d: with that bit it may be one longer than its
+    // limbs, and what is returned is the last.
+    const auto shift_in = [&](int at) {
+        Limb carry = bit(n, at);
+        for (int i = 0; i < size; ++i) {
+            const Limb out = rest[i] >> (limb_bits - 1);
+            rest[i] = static_cast<Limb>(rest[i] << 1) | carry;
+            carry = out;
+        }
+        return carry;
+    };
     std::uint64_t quotient = 0;
     int at = n_length - 1;
-    for (int k = 0; k < d_length - 1; ++k, --at) {
-        Limb carry = bit(n, at);
-        for (int i = 0; i < size; ++i) {
-            const Limb out = rest[i] >> (limb_bits - 1);
-            rest[i] = static_cast<Limb>(rest[i] << 1) | carry;
-            carry = out;
-        }
-    }
+    for (int k = 0; k < d_length - 1; ++k, --at) shift_in(at);
     for (; quotient < std::uint64_t{1} << 54; --at) {
-        Limb carry = bit(n, at);
-        for (int i = 0; i < size; ++i) {
-            const Limb out = rest[i] >> (limb_bits - 1);
-            rest[i] = static_cast<Limb>(rest[i] << 1) | carry;
-            carry = out;
-        }
-        bool fits = carry != 0;
+        bool fits = shift_in(at) != 0;
         if (!fits) {
             int i = size - 1;
             while (i > 0 && rest[i] == d[i]) --i;

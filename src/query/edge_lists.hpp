@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "parallel/team_lists.hpp"
+#include "platform/error.hpp"
 #include "query/export.hpp"
 
 namespace mgdt {
@@ -63,6 +64,15 @@ void for_each_edge(const Mesh& mesh, std::size_t begin, std::size_t end, Name na
     }
 }
 
+// As `each` of an EdgeLists: each edge from the lesser name of its two ends.
+template <class Name>
+auto edges_from_lesser(const Mesh& mesh, Name name) {
+    return [&mesh, name](std::size_t begin, std::size_t end, auto f) {
+        for_each_edge(mesh, begin, end, name,
+                      [&](std::uint32_t a, std::uint32_t b) { f(std::min(a, b), std::max(a, b)); });
+    };
+}
+
 // For each of `keys` names those that edges join it to, ascending, each once.
 class EdgeLists {
   public:
@@ -75,6 +85,7 @@ class EdgeLists {
           others_(view.allocator),
           sizes_(view.allocator, keys) {
         constexpr std::size_t min_items_per_thread = 65536;
+        require_few(view.mesh.tetrahedra.size(), each);
         make_lists(
             view.team, view.allocator, view.mesh.tetrahedra.size(), min_items_per_thread, keys,
             ends_.data(), each, [&](std::size_t size) { others_.resize(size); },
@@ -91,10 +102,14 @@ class EdgeLists {
     void subtract(const EdgeLists& other) {
         set_sizes([&](std::size_t k) {
             std::uint32_t* const first = others_.begin() + ends_[k];
-            const std::uint32_t* const second = other.others_.begin() + other.ends_[k];
-            return std::set_difference(first, first + sizes_[k], second, second + other.sizes_[k],
-                                       first) -
-                   first;
+            const std::uint32_t* out = other.others_.begin() + other.ends_[k];
+            const std::uint32_t* const out_end = out + other.sizes_[k];
+            std::uint32_t* to = first;
+            for (const std::uint32_t* from = first; from != first + sizes_[k]; ++from) {
+                while (out != out_end && *out < *from) ++out;
+                if (out == out_end || *out != *from) *to++ = *from;
+            }
+            return to - first;
         });
     }
 
@@ -115,6 +130,18 @@ class EdgeLists {
     }
 
   private:
+    // Positions in the lists have 32 bits. The records that emit an edge are at most half of those
+    // around it, so that slots emit fewer than six edges each, from both ends, on the average.
+    template <class Each>
+    static void require_few(std::size_t slots, Each each) {
+        constexpr std::uint64_t most = 0xFFFFFFFFu;
+        if (6 * std::uint64_t{slots} < most) return;
+        std::uint64_t count = 0;
+        each(std::size_t{0}, slots, [&](std::uint32_t, std::uint32_t) { ++count; });
+        if (count >= most)
+            fail(MGDT_ERR_TOO_LARGE, "more than 2^32 ends of edges are to be sorted");
+    }
+
     template <class Size>
     void set_sizes(Size size) {
         std::fill_n(place_of_, Team::most + 1, std::size_t{0});

@@ -15,10 +15,7 @@ void export_edges(const ExportView& view, Int* out) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);
     const auto name = [&](VertexId v) { return view.canonical ? indices[v] : v; };
     const std::size_t names = view.canonical ? indices.end() : view.mesh.vertices.size();
-    const EdgeLists lists(view, names, [&](std::size_t begin, std::size_t end, auto f) {
-        for_each_edge(view.mesh, begin, end, name,
-                      [&](std::uint32_t a, std::uint32_t b) { f(std::min(a, b), std::max(a, b)); });
-    });
+    const EdgeLists lists(view, names, edges_from_lesser(view.mesh, name));
     const Int base = static_cast<Int>(view.base);
     lists.write(
         [&](std::size_t k, std::size_t place, const std::uint32_t* others, std::size_t size) {

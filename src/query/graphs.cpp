@@ -10,11 +10,8 @@ namespace mgdt {
 namespace {
 
 EdgeLists all_edges(const ExportView& view, std::size_t points, const VertexIndices& indices) {
-    const auto name = [&](VertexId v) { return indices[v]; };
-    return EdgeLists(view, points, [&](std::size_t begin, std::size_t end, auto f) {
-        for_each_edge(view.mesh, begin, end, name,
-                      [&](std::uint32_t a, std::uint32_t b) { f(std::min(a, b), std::max(a, b)); });
-    });
+    return EdgeLists(view, points,
+                     edges_from_lesser(view.mesh, [&](VertexId v) { return indices[v]; }));
 }
 
 // Squared lengths are rounded five times, so sums of three of them have an error below 8 units.
@@ -137,12 +134,12 @@ Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexI
     Parts parts(view.allocator, point_map.size());
     Buffer<bool> is_taken(view.allocator);
     is_taken.resize(lengths.size(), false);
-    std::size_t taken = 0;
-    for (const Length& edge : lengths) {
-        is_taken[edge.place] = parts.join(ends[2 * edge.place], ends[2 * edge.place + 1]);
-        taken += is_taken[edge.place];
+    std::size_t left = lengths.empty() ? 0 : view.mesh.vertices.size() - 2;
+    tree.reserve(2 * left);
+    for (const Length* edge = lengths.begin(); left > 0; ++edge) {
+        is_taken[edge->place] = parts.join(ends[2 * edge->place], ends[2 * edge->place + 1]);
+        left -= is_taken[edge->place];
     }
-    tree.reserve(2 * taken);
     for (std::size_t e = 0; e < is_taken.size(); ++e) {
         if (!is_taken[e]) continue;
         tree.push_back(ends[2 * e]);

@@ -195,6 +195,18 @@ TEST(Circumcenter, IsThatOfUnscaledPoints) {
     }
 }
 
+// A centre that is a little below a double, which times 2^-1022 is half way to the least normal
+// number.
+TEST(Circumcenter, IsRoundedOnceToASubnormal) {
+    const double x = 2 - 0x1p-52;
+    Four f = {{{0, 0, 0}, {x, 0x1p-80, 0}, {0, 2, 0}, {0, 0, 2}}};
+    const Reference reference(f);
+    const Circumcenter c =
+        mgdt::circumcenter({f[0].data(), f[1].data(), f[2].data(), f[3].data()}, 1022);
+    EXPECT_EQ(c.x[0], std::nextafter(std::numeric_limits<double>::min(), 0.0));
+    EXPECT_TRUE(reference.is_met_by(c, 1022));
+}
+
 TEST(Circumcenter, DoesNotDependOnTheOrder) {
     Random random(3);
     for (int i = 0; i < 200; ++i) {
