@@ -127,11 +127,11 @@ module mgdt
             get_edges_i64_2
         procedure, private :: get_point_map_i32, get_point_map_i64
         generic :: get_point_map => get_point_map_i32, get_point_map_i64
+        procedure :: get_circumcenters
         procedure, private :: get_vertex_tetrahedra_i32, get_vertex_tetrahedra_i64
         generic :: get_vertex_tetrahedra => get_vertex_tetrahedra_i32, get_vertex_tetrahedra_i64
         procedure, private :: get_vertex_neighbors_i32, get_vertex_neighbors_i64
         generic :: get_vertex_neighbors => get_vertex_neighbors_i32, get_vertex_neighbors_i64
-        procedure :: get_circumcenters
         procedure, private :: get_gabriel_edges_i32, get_gabriel_edges_i64
         generic :: get_gabriel_edges => get_gabriel_edges_i32, get_gabriel_edges_i64
         procedure, private :: get_spanning_tree_i32, get_spanning_tree_i64
@@ -622,9 +622,10 @@ module mgdt
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine
-        ! The tetrahedra around each point, as a compressed list: those of the k-th point (counted
-        ! from 1) are list(offsets(k):offsets(k + 1) - 1), ascending, with index base 1.
-        ! offsets(point_count() + 1), list(vertex_tetrahedra_count()).
+        ! The tetrahedra around each point, and its neighbours, the vertices that edges join it to, as
+        ! compressed lists: those of the k-th point (counted from 1) are
+        ! list(offsets(k):offsets(k + 1) - 1), ascending, with index base 1. offsets(point_count() + 1),
+        ! list(vertex_tetrahedra_count()) or list(vertex_neighbors_count()).
         module subroutine get_vertex_tetrahedra_i32(self, offsets, list, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
             integer(int32), contiguous, intent(inout) :: offsets(:), list(:)
@@ -637,8 +638,6 @@ module mgdt
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine
-        ! The neighbours of each point, the vertices that edges join it to, as such a list.
-        ! offsets(point_count() + 1), list(vertex_neighbors_count()).
         module subroutine get_vertex_neighbors_i32(self, offsets, list, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
             integer(int32), contiguous, intent(inout) :: offsets(:), list(:)

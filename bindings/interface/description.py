@@ -61,6 +61,9 @@ ROWS = {
     "edges": Rows("edges", 2, "edge_count"),
 }
 
+# Compressed lists by points.
+LISTS = ("vertex_tetrahedra", "vertex_neighbors")
+
 # Graphs: exports of pairs that say themselves how many there are.
 GRAPHS = ("gabriel_edges", "spanning_tree")
 

@@ -7,7 +7,7 @@ import textwrap
 from pathlib import Path
 
 import fypp
-from description import F77_NAMES, GRAPHS, ROWS, SETTINGS
+from description import F77_NAMES, GRAPHS, LISTS, ROWS, SETTINGS
 from fortran_calls import KINDS, Calls
 from header import DescriptionError, Function, Interface, Parameter
 
@@ -185,8 +185,8 @@ def of_kinds_and_ranks(name: str) -> list[str]:
 
 def expanded(template: Path, interface: Interface) -> str:
     """The text of a template of fypp's."""
-    names = {"calls": Calls(interface), "KINDS": KINDS, "ROWS": ROWS, "GRAPHS": GRAPHS, "SETTINGS": SETTINGS, "of_kinds": of_kinds,
-             "of_kinds_and_ranks": of_kinds_and_ranks}
+    names = {"calls": Calls(interface), "KINDS": KINDS, "ROWS": ROWS, "LISTS": LISTS, "GRAPHS": GRAPHS,
+             "SETTINGS": SETTINGS, "of_kinds": of_kinds, "of_kinds_and_ranks": of_kinds_and_ranks}
 
     def evaluator(env=None):  # type: ignore[no-untyped-def]  # fypp compares the signature
         return fypp.Evaluator({**(env or {}), **names})

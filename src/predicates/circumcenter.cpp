@@ -7,31 +7,13 @@
 #include "determinants.hpp"
 #include "differences.hpp"
 #include "quotient.hpp"
+#include "twofold.hpp"
 
 namespace mgdt {
 namespace exact {
 namespace {
 
 constexpr double u = 0x1p-53;
-
-// A number as the sum of two doubles.
-struct Pair {
-    double high, low;
-};
-
-MGDT_PREDICATES_INLINE Pair two_sum(double a, double b) {
-    const double sum = a + b, of_b = sum - a;
-    return {sum, (a - (sum - of_b)) + (b - of_b)};
-}
-
-// Dekker, A floating-point technique for extending the available precision, Numerische Mathematik
-// 18 (1971).
-MGDT_PREDICATES_INLINE Pair two_product(double a, double b) {
-    constexpr double splitter = 0x1p27 + 1;
-    const double product = a * b, ca = splitter * a, cb = splitter * b;
-    const double a1 = ca - (ca - a), b1 = cb - (cb - b), a2 = a - a1, b2 = b - b1;
-    return {product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2};
-}
 
 MGDT_PREDICATES_INLINE double largest_of_three(const double (&v)[3]) {
     return std::fmax(std::fmax(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
@@ -46,7 +28,7 @@ struct Row {
 MGDT_PREDICATES_INLINE Row row(const double* p, const double* origin) {
     Row r;
     each<3>([&](auto k) {
-        const Pair d = two_sum(p[k], -origin[k]);
+        const Twofold d = Twofold::sum(p[k], -origin[k]);
         r.x[k] = d.high;
         r.low[k] = d.low;
     });
@@ -58,18 +40,19 @@ MGDT_PREDICATES_INLINE Row row(const double* p, const double* origin) {
 MGDT_PREDICATES_INLINE double residual(const Row& r, const double (&w)[3]) {
     double product[3], rest = 0;
     each<3>([&](auto k) {
-        const Pair factor = two_sum(r.x[k], -w[k]);
-        const Pair p = two_product(r.x[k], factor.high);
+        const Twofold factor = Twofold::sum(r.x[k], -w[k]);
+        const Twofold p = Twofold::product(r.x[k], factor.high);
         product[k] = p.high;
         rest += p.low + (r.x[k] * (factor.low + r.low[k]) + r.low[k] * factor.high);
     });
-    const Pair first = two_sum(product[0], product[1]), all = two_sum(first.high, product[2]);
+    const Twofold first = Twofold::sum(product[0], product[1]),
+                  all = Twofold::sum(first.high, product[2]);
     return all.high + (rest + (first.low + all.low));
 }
 
 // The double nearest to high + low, an error of `low` up to `error` included; false where that
 // leaves it open.
-MGDT_PREDICATES_INLINE bool nearest(const Pair& v, double error, double& x) {
+MGDT_PREDICATES_INLINE bool nearest(const Twofold& v, double error, double& x) {
     x = v.high + (v.low + error);
     return x == v.high + (v.low - error);
 }
@@ -140,20 +123,20 @@ bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& 
     const double error =
         inverse * u * (bounds.solution * (sum + product * change) + bounds.residual * u * rests);
 
-    Pair w[3], square[3];
+    Twofold w[3], square[3];
     double rest = 0;
     bool is_known = true;
     each<3>([&](auto k) {
-        w[k] = two_sum(rough[k], correction[k]);
-        Pair x = two_sum(p[0][k], 0.5 * w[k].high);
+        w[k] = Twofold::sum(rough[k], correction[k]);
+        Twofold x = Twofold::sum(p[0][k], 0.5 * w[k].high);
         x.low += 0.5 * w[k].low;
         is_known &= nearest(x, error + 4 * u * std::fabs(x.low), c.x[k]);
         is_known &= scale_exactly(c.x[k], -scale);
-        square[k] = two_product(w[k].high, w[k].high);
+        square[k] = Twofold::product(w[k].high, w[k].high);
         rest += square[k].low + 2 * w[k].high * w[k].low;
     });
-    const Pair first = two_sum(square[0].high, square[1].high);
-    const Pair all = two_sum(first.high, square[2].high);
+    const Twofold first = Twofold::sum(square[0].high, square[1].high);
+    const Twofold all = Twofold::sum(first.high, square[2].high);
     const double size = largest + change;
     is_known &= nearest({all.high, rest + (first.low + all.low)},
                         (8 * size + 4 * error) * error + 100 * u * u * size * size, c.radius2);
@@ -179,14 +162,6 @@ auto numerator(const T (&v)[12]) {
     return three_products(bb, cross<K>(c, d), cc, cross<K>(b, d), dd, cross<K>(b, c));
 }
 
-template <class T>
-auto doubled_determinant(const T (&v)[12]) {
-    const T *const b = v, *const c = v + 3, *const d = v + 6;
-    const auto det =
-        three_products(b[2], cross<2>(c, d), c[2], cross<2>(b, d), d[2], cross<2>(b, c));
-    return det + det;
-}
-
 // The differences of three vertices and the first, and then that one itself.
 struct VertexAndDifferences : ExactPairs<12> {
     static constexpr int count = 12;
@@ -204,7 +179,10 @@ void circumcenter_integer(const double* const (&p)[4], int scale, Circumcenter& 
     const int unit = d.low - scale;
     with_integers(d, least_width, [&](const auto& v) {
         // Twice the determinant.
-        const auto det = apart([&] { return doubled_determinant(v); });
+        const auto det = apart([&] {
+            const auto once = OrientationDeterminant::of(v);
+            return once + once;
+        });
         const auto w0 = apart([&] { return numerator<0>(v); });
         const auto w1 = apart([&] { return numerator<1>(v); });
         const auto w2 = apart([&] { return numerator<2>(v); });

@@ -43,6 +43,10 @@ MGDT_PREDICATES_INLINE auto three_products(const X& x, const U& u, const X& y, c
 struct OrientationDeterminant {
     template <class T>
     MGDT_PREDICATES_INLINE auto operator()(const T (&v)[9]) const {
+        return of(v);
+    }
+    template <class T>
+    static MGDT_PREDICATES_INLINE auto of(const T* v) {
         const auto cd = two_products(v[3], v[7], v[6], v[4]);
         const auto bd = two_products(v[0], v[7], v[6], v[1]);
         const auto bc = two_products(v[0], v[4], v[3], v[1]);

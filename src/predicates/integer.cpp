@@ -55,20 +55,28 @@ void multiply(const Limb* x, int n, const Limb* y, int m, Limb* r, int size) {
     subtract_from(m, x, n, mask_of(y[m - 1]));
 }
 
-Rounded rounded(Limb* a, int n) {
-    const bool is_negative = a[n - 1] >> (limb_bits - 1) != 0;
-    if (is_negative) {
-        Limb carry = 1;
-        for (int i = 0; i < n; ++i) {
-            a[i] = ~a[i];
-            carry = add_with_carry(a[i], 0, carry);
-        }
+bool take_sign(Limb* a, int n) {
+    if (a[n - 1] >> (limb_bits - 1) == 0) return false;
+    Limb carry = 1;
+    for (int i = 0; i < n; ++i) {
+        a[i] = ~a[i];
+        carry = add_with_carry(a[i], 0, carry);
     }
+    return true;
+}
+
+int length_of(const Limb* a, int n) {
     while (n > 0 && a[n - 1] == 0) --n;
-    if (n == 0) return {0, 0};
+    return n == 0 ? 0 : limb_bits * (n - 1) + bit_length(a[n - 1]);
+}
+
+Rounded rounded(Limb* a, int n) {
+    const bool is_negative = take_sign(a, n);
+    const int length = length_of(a, n);
+    if (length == 0) return {0, 0};
+    n = limb_count(length);
     // The leading 64 bits decide, but for whether any after them is set. That goes to the last of
     // them, which is far below those that a double keeps.
-    const int length = limb_bits * (n - 1) + bit_length(a[n - 1]);
     const int from = length > 64 ? length - 64 : 0;
     const int first = from / limb_bits, offset = from % limb_bits;
     std::uint64_t bits = a[first] >> offset;

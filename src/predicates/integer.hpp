@@ -117,6 +117,11 @@ struct Limbs<Bits, true> {
     Limb data[size];
 };
 
+// Makes a its magnitude; returns whether it was negative.
+bool take_sign(Limb* a, int n);
+// Bits of a magnitude from the leading one on; 0 for 0.
+int length_of(const Limb* a, int n);
+
 // A number rounded to nearest, as value * 2^exponent: the value is a whole number of magnitude at
 // most 2^64. The limbs are overwritten.
 struct Rounded {

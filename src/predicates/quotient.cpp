@@ -6,25 +6,6 @@
 namespace mgdt::exact {
 namespace {
 
-// Makes a its magnitude; returns whether it was negative.
-bool take_sign(Limb* a, int n) {
-    if (a[n - 1] >> (limb_bits - 1) == 0) return false;
-    Limb carry = 1;
-    for (int i = 0; i < n; ++i) {
-        a[i] = ~a[i];
-        carry = add_with_carry(a[i], 0, carry);
-    }
-    return true;
-}
-
-int length_of(const Limb* a, int n) {
-    while (n > 0 && a[n - 1] == 0) --n;
-    if (n == 0) return 0;
-    int length = limb_bits * (n - 1);
-    for (Limb top = a[n - 1]; top != 0; top >>= 1) ++length;
-    return length;
-}
-
 // Bit i, 0 below the first.
 Limb bit(const Limb* a, int i) {
     return i < 0 ? 0 : a[i / limb_bits] >> (i % limb_bits) & 1U;
@@ -54,7 +35,7 @@ double rounded_quotient(Limb* n, int n_size, Limb* d, int d_size, Limb* rest, in
     const bool is_negative = take_sign(n, n_size) != take_sign(d, d_size);
     const int n_length = length_of(n, n_size), d_length = length_of(d, d_size);
     if (n_length == 0) return 0;
-    const int size = (d_length + limb_bits - 1) / limb_bits;
+    const int size = limb_count(d_length);
     for (int i = 0; i < size; ++i) rest[i] = 0;
     // Takes one more bit of n. The rest is below d: with that bit it may be one longer than its
     // limbs, and what is returned is the last.

@@ -2,37 +2,10 @@
 #include "query/sphere_bound.hpp"
 
 #include "kernel/circumsphere.hpp"
+#include "predicates/twofold.hpp"
 
 namespace mgdt {
 namespace {
-
-// A number as the sum of two doubles: about 100 bits.
-struct Twofold {
-    double high, low;
-
-    static Twofold sum(double a, double b) {
-        const double s = a + b, part = s - a;
-        return {s, (a - (s - part)) + (b - part)};
-    }
-    static Twofold product(double a, double b) {
-        const auto upper = [](double x) {
-            const double c = 134217729.0 * x;  // 2^27 + 1
-            return c - (c - x);
-        };
-        const double p = a * b, ah = upper(a), bh = upper(b), al = a - ah, bl = b - bh;
-        return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
-    }
-    friend Twofold operator+(Twofold a, Twofold b) {
-        const Twofold high = sum(a.high, b.high), low = sum(a.low, b.low);
-        const Twofold s = sum(high.high, high.low + low.high);
-        return sum(s.high, s.low + low.low);
-    }
-    friend Twofold operator-(Twofold a, Twofold b) { return a + Twofold{-b.high, -b.low}; }
-    friend Twofold operator*(Twofold a, Twofold b) {
-        const Twofold p = product(a.high, b.high);
-        return sum(p.high, p.low + (a.high * b.low + a.low * b.high));
-    }
-};
 
 struct TwofoldVector {
     Twofold x[3];

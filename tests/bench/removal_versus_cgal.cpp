@@ -3,6 +3,7 @@
 // in one batch and in single calls, and by CGAL, beside the insertion of all of them by each.
 //
 //   removal_versus_cgal [points [runs [distribution...]]]
+// Ends with a vertex of degree 10,000.
 //
 // White-box: it calls the library's own object. Figures are medians of interleaved runs, in
 // microseconds per point; "/ insert" is the ratio to the insertion of a point in the same run.
@@ -11,6 +12,7 @@
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
@@ -82,6 +84,33 @@ void run(const std::vector<double>& xyz, const std::vector<std::uint32_t>& remov
         f.are_equal = f.are_equal && cgal.number_of_finite_cells() == batch.mesh().finite_count();
 }
 
+// A point with all others, on a sphere, around it: its removal beside a triangulation of these.
+void run_hub(std::size_t n, int runs) {
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    std::vector<double> around;
+    while (around.size() < 3 * n) {
+        double p[3], square = 0;
+        for (double& x : p) {
+            x = normal(random);
+            square += x * x;
+        }
+        for (const double x : p) around.push_back(x / std::sqrt(square));
+    }
+    std::vector<double> all(3, 0.0), seconds, of_link;
+    all.insert(all.end(), around.begin(), around.end());
+    const std::uint32_t hub = 0;
+    for (int k = 0; k < runs; ++k) {
+        mgdt::Triangulation t(nullptr, nullptr, nullptr), link(nullptr, nullptr, nullptr);
+        insert(t, all);
+        seconds.push_back(bench::seconds([&] { remove(t, &hub, 1); }));
+        of_link.push_back(bench::seconds([&] { insert(link, around); }));
+    }
+    std::printf(
+        "%zu points on a sphere around one: it leaves in %.3f s, %.1f times their insertion\n", n,
+        median(seconds), median(seconds) / median(of_link));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -110,5 +139,6 @@ int main(int argc, char** argv) {
                     out / batch, out / single, f.are_equal ? "" : "  DIFFERENT TETRAHEDRA");
         are_equal = are_equal && f.are_equal;
     }
+    run_hub(10000, runs);
     return are_equal ? 0 : 1;
 }
