@@ -80,9 +80,17 @@ double sphere_residual(const double* p, const double* origin, const double (&w)[
     return residual(row(p, origin), w);
 }
 
+namespace {
+
+// Twice the centre relative to the first vertex.
+struct DoubledOffset {
+    double rough[3], correction[3];  // to be added
+    double error, size;              // of a coordinate, at most; the largest, nearly
+};
+
 // With w twice the centre relative to the first vertex, w.r = |r|^2 for the other three.
-bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& c,
-                          const CircumcenterBounds& bounds) {
+MGDT_PREDICATES_INLINE bool solve(const double* const (&p)[4], const CircumcenterBounds& bounds,
+                                  DoubledOffset& result) {
     for (const double* const x : p)
         if (!is_in_range(x)) return false;
     const Row r[3] = {row(p[1], p[0]), row(p[2], p[0]), row(p[3], p[0])};
@@ -99,35 +107,46 @@ bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& 
     const double product = r[0].largest * r[1].largest * r[2].largest;
     if (!(det > 2 * bounds.solution * u * product)) return false;
     const double inverse = 1 / det;
-    const auto solve = [&](const double(&of)[3], double(&w)[3]) {
+    const auto times_inverse = [&](const double(&of)[3], double(&w)[3]) {
         each<3>([&](auto k) {
             w[k] = ((of[0] * cross[0][k] + of[1] * cross[1][k]) + of[2] * cross[2][k]) * inverse;
         });
     };
-    double of[3], rough[3], correction[3];
+    double of[3];
     each<3>([&](auto i) {
         const double(&x)[3] = r[i].x;
         of[i] = (x[0] * x[0] + x[1] * x[1]) + x[2] * x[2];
     });
-    solve(of, rough);
-    each<3>([&](auto i) { of[i] = residual(r[i], rough); });
-    solve(of, correction);
+    times_inverse(of, result.rough);
+    each<3>([&](auto i) { of[i] = residual(r[i], result.rough); });
+    times_inverse(of, result.correction);
 
-    const double largest = largest_of_three(rough), change = largest_of_three(correction);
+    const double largest = largest_of_three(result.rough),
+                 change = largest_of_three(result.correction);
     double sum = 0, rests = 0;
     each<3>([&](auto i) {
         const double others = r[(i + 1) % 3].largest * r[(i + 2) % 3].largest;
         sum += std::fabs(of[i]) * others;
         rests += r[i].largest * (r[i].largest + largest) * others;
     });
-    const double error =
+    result.error =
         inverse * u * (bounds.solution * (sum + product * change) + bounds.residual * u * rests);
+    result.size = largest + change;
+    return true;
+}
 
+}  // namespace
+
+bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& c,
+                          const CircumcenterBounds& bounds) {
+    DoubledOffset offset;
+    if (!solve(p, bounds, offset)) return false;
+    const double error = offset.error, size = offset.size;
     Twofold w[3], square[3];
     double rest = 0;
     bool is_known = true;
     each<3>([&](auto k) {
-        w[k] = Twofold::sum(rough[k], correction[k]);
+        w[k] = Twofold::sum(offset.rough[k], offset.correction[k]);
         Twofold x = Twofold::sum(p[0][k], 0.5 * w[k].high);
         x.low += 0.5 * w[k].low;
         is_known &= nearest(x, error + 4 * u * std::fabs(x.low), c.x[k]);
@@ -137,7 +156,6 @@ bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& 
     });
     const Twofold first = Twofold::sum(square[0].high, square[1].high);
     const Twofold all = Twofold::sum(first.high, square[2].high);
-    const double size = largest + change;
     is_known &= nearest({all.high, rest + (first.low + all.low)},
                         (8 * size + 4 * error) * error + 100 * u * u * size * size, c.radius2);
     c.radius2 *= 0.25;
@@ -155,7 +173,7 @@ MGDT_PREDICATES_INLINE auto cross(const T* a, const T* b) {
 
 // The same coordinate of |b|^2 (c x d) + |c|^2 (d x b) + |d|^2 (b x c).
 template <std::size_t K, class T>
-auto numerator(const T (&v)[12]) {
+auto numerator(const T* v) {
     const T *const b = v, *const c = v + 3, *const d = v + 6;
     const auto bb = SphereDeterminant::square(b), cc = SphereDeterminant::square(c),
                dd = SphereDeterminant::square(d);
@@ -195,7 +213,29 @@ void circumcenter_integer(const double* const (&p)[4], int scale, Circumcenter& 
     });
 }
 
+void center_offset_integer(const double* const (&p)[4], double (&offset)[3]) {
+    const ExactDifferences<9> d({p[1], p[2], p[3]}, p[0]);
+    with_integers(d, 0, [&](const auto& v) {
+        const auto det = apart([&] {
+            const auto once = OrientationDeterminant::of(v);
+            return once + once;
+        });
+        offset[0] = apart([&] { return rounded_quotient(numerator<0>(v), det, d.low); });
+        offset[1] = apart([&] { return rounded_quotient(numerator<1>(v), det, d.low); });
+        offset[2] = apart([&] { return rounded_quotient(numerator<2>(v), det, d.low); });
+        return 0;
+    });
+}
+
 }  // namespace exact
+
+void center_offset(const double* const (&p)[4], double (&offset)[3]) {
+    exact::DoubledOffset w;
+    if (!exact::solve(p, exact::circumcenter_bounds, w) ||
+        w.error > 0.5 * center_offset_error * w.size)
+        return exact::center_offset_integer(p, offset);
+    for (int k = 0; k < 3; ++k) offset[k] = 0.5 * (w.rough[k] + w.correction[k]);
+}
 
 Circumcenter circumcenter(const double* const (&p)[4], int scale) {
     Circumcenter c;

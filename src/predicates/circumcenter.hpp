@@ -14,6 +14,11 @@ struct Circumcenter {
 // largest double is exceeded. Neither the order of the vertices nor the scale changes the result.
 Circumcenter circumcenter(const double* const (&p)[4], int scale = 0);
 
+// The centre relative to the first vertex, with an error of at most center_offset_error times its
+// largest coordinate. The order of the vertices may change it within that.
+void center_offset(const double* const (&p)[4], double (&offset)[3]);
+constexpr double center_offset_error = 0x1p-50;
+
 namespace exact {
 
 // Coefficients of the error of the correction, in units of 2^-53 and of 2^-106: docs/theory.md,
@@ -35,6 +40,7 @@ bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& 
                           const CircumcenterBounds& bounds = circumcenter_bounds);
 void circumcenter_integer(const double* const (&p)[4], int scale, Circumcenter& c,
                           int least_width = 0);
+void center_offset_integer(const double* const (&p)[4], double (&offset)[3]);
 
 }  // namespace exact
 }  // namespace mgdt

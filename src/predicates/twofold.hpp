@@ -33,6 +33,15 @@ struct Twofold {
         const Twofold p = product(a.high, b.high);
         return sum(p.high, p.low + (a.high * b.low + a.low * b.high));
     }
+    // The quotient of the upper parts, and that of what it leaves, twice.
+    friend Twofold operator/(Twofold a, Twofold b) {
+        const double first = a.high / b.high;
+        const Twofold rest = a - b * Twofold{first, 0};
+        const double second = rest.high / b.high;
+        const Twofold last = rest - b * Twofold{second, 0};
+        const Twofold q = sum(first, second);
+        return sum(q.high, q.low + last.high / b.high);
+    }
 };
 
 }  // namespace mgdt

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Voronoi cells and their measures: cells that are known, cells that fill their box, and the same
+// bits whatever the order of insertion and the number of threads.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "core/triangulation.hpp"
+#include "dual/measures.hpp"
+#include "predicates/circumcenter.hpp"
+
+namespace mgdt {
+namespace {
+
+using Points = std::vector<double>;
+const Points unit_box = {1, 0, 0, 1, -1, 0, 0, 0, 0, 1, 0, 1, 0, -1, 0, 0, 0, 0, 1, 1, 0, 0, -1, 0};
+
+Points measures(const Points& xyz, Measure measure, const Points& planes, std::int32_t scheme = 0,
+                unsigned threads = 1) {
+    Triangulation t(nullptr, nullptr, nullptr);
+    t.settings().scheme = scheme;
+    const std::size_t n = xyz.size() / 3;
+    const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
+    t.insert(n, axis, 3);
+    Team team(threads);
+    const ExportView view = {team, t.mesh(), nullptr, t.allocator(), 0, false};
+    const Region region(t.allocator(), planes.size() / 4, planes.data(), t.mesh().scale,
+                        t.mesh().point(1));
+    Points x((measure == Measure::centroid ? 3 : 1) * n);
+    export_measures(view, region, measure, n, x.data());
+    return x;
+}
+
+Points uniform(std::size_t n, double z_size = 1) {
+    std::mt19937_64 random(7);
+    Points xyz(3 * n);
+    for (double& x : xyz) x = static_cast<double>(random() >> 11) * 0x1p-53;
+    for (std::size_t i = 0; i < n; ++i) xyz[3 * i + 2] *= z_size;
+    return xyz;
+}
+
+long double sum(const Points& x) {
+    long double all = 0;
+    for (const double v : x) all += v;
+    return all;
+}
+
+Points lattice(int n) {
+    Points xyz;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+            for (int k = 0; k < n; ++k)
+                for (const int x : {i, j, k}) xyz.push_back(x);
+    return xyz;
+}
+
+TEST(Cells, OfALatticeAreCubes) {
+    const Points xyz = lattice(5), volumes = measures(xyz, Measure::volume, {}),
+                 areas = measures(xyz, Measure::area, {}),
+                 faces = measures(xyz, Measure::faces, {}),
+                 centroids = measures(xyz, Measure::centroid, {});
+    for (std::size_t i = 0; i < volumes.size(); ++i) {
+        bool is_inside = true;
+        int neighbors = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double x = xyz[3 * i + k];
+            is_inside &= x > 0 && x < 4;
+            neighbors += (x > 0) + (x < 4);
+        }
+        EXPECT_EQ(faces[i], neighbors);
+        if (is_inside) {
+            EXPECT_EQ(volumes[i], 1);
+            EXPECT_NEAR(areas[i], 6, 6e-12);
+            for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(centroids[3 * i + k], xyz[3 * i + k]);
+        } else {
+            EXPECT_EQ(volumes[i], std::numeric_limits<double>::infinity());
+        }
+    }
+    const Points box = {1, 0,  0, 4.5, -1, 0, 0, .5,  0, 1, 0,  4.5,
+                        0, -1, 0, .5,  0,  0, 1, 4.5, 0, 0, -1, .5};
+    for (const double volume : measures(xyz, Measure::volume, box)) EXPECT_EQ(volume, 1);
+    for (const double area : measures(xyz, Measure::area, box)) EXPECT_NEAR(area, 6, 6e-12);
+    for (const double count : measures(xyz, Measure::faces, box)) EXPECT_EQ(count, 6);
+}
+
+TEST(Cells, FillTheBox) {
+    for (const std::size_t n : {4u, 5u, 20u, 300u, 3000u}) {
+        EXPECT_NEAR(static_cast<double>(sum(measures(uniform(n), Measure::volume, unit_box))), 1,
+                    4e-16)
+            << n;
+        // As flat as that, circumcentres are far outside.
+        Points flat_box = unit_box;
+        flat_box[19] = 1e-7;
+        EXPECT_NEAR(
+            static_cast<double>(sum(measures(uniform(n, 1e-7), Measure::volume, flat_box))) * 1e7,
+            1, 4e-16)
+            << n;
+    }
+}
+
+TEST(Cells, HaveTheSameBitsInWhateverOrder) {
+    const Points xyz = uniform(9000);
+    for (const Measure m : {Measure::volume, Measure::area, Measure::centroid, Measure::faces})
+        for (const Points& planes : {Points{}, unit_box}) {
+            const Points expected = measures(xyz, m, planes);
+            for (const std::int32_t scheme : {MGDT_ORDER_REGULAR_GRID, MGDT_ORDER_MULTI_GRID})
+                EXPECT_EQ(measures(xyz, m, planes, scheme, 2), expected);
+        }
+}
+
+TEST(Cells, OfPointsTimesAPowerOfTwo) {
+    const Points xyz = uniform(200);
+    const Points expected = measures(xyz, Measure::volume, unit_box);
+    for (const int e : {-200, 200}) {
+        Points scaled = xyz, box = unit_box;
+        for (double& x : scaled) x = std::ldexp(x, e);
+        for (std::size_t k = 3; k < box.size(); k += 4) box[k] = std::ldexp(box[k], e);
+        const Points volumes = measures(scaled, Measure::volume, box);
+        for (std::size_t i = 0; i < volumes.size(); ++i)
+            EXPECT_EQ(volumes[i], std::ldexp(expected[i], 3 * e));
+    }
+}
+
+void expect_refused(const Points& planes, mgdt_status status) {
+    try {
+        measures(uniform(10), Measure::volume, planes);
+        ADD_FAILURE() << "planes are taken";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status, status) << error.message;
+    }
+}
+
+TEST(Cells, NeedPlanesThatBoundARegion) {
+    const Points half(unit_box.begin(), unit_box.begin() + 4),
+        open(unit_box.begin(), unit_box.end() - 4);
+    expect_refused(half, MGDT_ERR_INVALID_ARGUMENT);
+    expect_refused(open, MGDT_ERR_INVALID_ARGUMENT);
+    expect_refused({0, 0, 0, 1}, MGDT_ERR_INVALID_ARGUMENT);
+    expect_refused({1, 0, std::nan(""), 1}, MGDT_ERR_NOT_FINITE);
+}
+
+TEST(Cells, TakePlanesThatComeTwice) {
+    Points planes = unit_box;
+    planes.insert(planes.end(), {3, 0, 0, 3, 1, 1, 1, 5});
+    const Points volumes = measures(uniform(300), Measure::volume, planes),
+                 expected = measures(uniform(300), Measure::volume, unit_box);
+    for (std::size_t i = 0; i < volumes.size(); ++i)
+        EXPECT_NEAR(volumes[i], expected[i], 2 * measure_error * expected[i]);
+}
+
+TEST(CenterOffset, IsTheCentreRelativeToTheFirstVertex) {
+    const Points p = {1, 2, 3, 4, 2, 3, 1, 6, 3, 1, 2, 5};
+    double offset[3];
+    center_offset({&p[0], &p[3], &p[6], &p[9]}, offset);
+    EXPECT_EQ(offset[0], 1.5);
+    EXPECT_EQ(offset[1], 2);
+    EXPECT_EQ(offset[2], 1);
+    // Nearly flat: 2^-60 of what is around it is its volume.
+    const Points flat = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0x1p-60};
+    center_offset({&flat[0], &flat[3], &flat[6], &flat[9]}, offset);
+    EXPECT_EQ(offset[0], 0.5);
+    EXPECT_EQ(offset[1], 0.5);
+    EXPECT_EQ(offset[2], 0x1p-61);
+}
+
+}  // namespace
+}  // namespace mgdt
