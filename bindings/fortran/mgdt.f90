@@ -60,6 +60,7 @@ module mgdt
               mgdt_stat_rounds, mgdt_stat_threads, mgdt_stat_memory_bytes, &
               mgdt_stat_peak_memory_bytes
     public :: mgdt_check_combinatorial, mgdt_check_geometric, mgdt_check_canonical
+    public :: mgdt_measure_volume, mgdt_measure_area, mgdt_measure_centroid, mgdt_measure_faces
 
     ! A triangulation that grows as points are inserted. It frees what it holds when it goes out of
     ! scope or is deallocated. It cannot be copied: a = b stops the program, unless b was never
@@ -128,6 +129,8 @@ module mgdt
         procedure, private :: get_point_map_i32, get_point_map_i64
         generic :: get_point_map => get_point_map_i32, get_point_map_i64
         procedure :: get_circumcenters
+        procedure, private :: get_cell_measures_1, get_cell_measures_2
+        generic :: get_cell_measures => get_cell_measures_1, get_cell_measures_2
         procedure, private :: get_vertex_tetrahedra_i32, get_vertex_tetrahedra_i64
         generic :: get_vertex_tetrahedra => get_vertex_tetrahedra_i32, get_vertex_tetrahedra_i64
         procedure, private :: get_vertex_neighbors_i32, get_vertex_neighbors_i64
@@ -687,6 +690,25 @@ module mgdt
             class(mgdt_triangulation), intent(in) :: self
             real(real64), contiguous, intent(inout) :: xyz(:, :)
             real(real64), contiguous, intent(inout), optional, target :: radius2(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! A measure of the Voronoi cell of each point: x(point_count()), or centroids
+        ! x(3, point_count()). Cells are clipped to the planes a b c d, planes(4, :), where
+        ! a*x + b*y + c*z <= d; without planes those of hull vertices are infinite.
+        module subroutine get_cell_measures_1(self, measure, x, planes, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer, intent(in) :: measure
+            real(real64), contiguous, intent(inout) :: x(:)
+            real(real64), contiguous, intent(in), optional, target :: planes(:, :)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine get_cell_measures_2(self, measure, x, planes, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer, intent(in) :: measure
+            real(real64), contiguous, intent(inout) :: x(:, :)
+            real(real64), contiguous, intent(in), optional, target :: planes(:, :)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine

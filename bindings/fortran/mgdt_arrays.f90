@@ -6,7 +6,7 @@ submodule (mgdt) mgdt_arrays
     use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t, c_loc
     use mgdt_c
     use mgdt_layout, only: transpose_i32, transpose_i64
-    use mgdt_support, only: borrow, decimal, finish, report
+    use mgdt_support, only: borrow, decimal, finish, report, to_c
     implicit none
 
     interface export_1
@@ -211,6 +211,41 @@ contains
         call borrow(self%handle, handle, status)
         if (status == mgdt_ok) status = c_get_circumcenters(handle, room, xyz, squares)
         call finish(handle, 'get_circumcenters', status, stat, errmsg, owned=self%handle)
+    end procedure
+
+    module procedure get_cell_measures_1
+        type(c_ptr) :: handle, first
+        integer(c_int32_t) :: status
+        integer(int64) :: n
+
+        n = 0
+        first = c_null_ptr
+        if (present(planes)) then
+            if (.not. fits('get_cell_measures', shape(planes, int64), 4_int64, 1, stat, errmsg)) return
+            n = size(planes, 2, int64)
+            if (n > 0) first = c_loc(planes)
+        end if
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) status = c_get_cell_measures(handle, to_c(measure), n, first, size(x, kind=int64), x)
+        call finish(handle, 'get_cell_measures', status, stat, errmsg, owned=self%handle)
+    end procedure
+
+    module procedure get_cell_measures_2
+        type(c_ptr) :: handle, first
+        integer(c_int32_t) :: status
+        integer(int64) :: n
+
+        if (.not. fits('get_cell_measures', shape(x, int64), 3_int64, 1, stat, errmsg)) return
+        n = 0
+        first = c_null_ptr
+        if (present(planes)) then
+            if (.not. fits('get_cell_measures', shape(planes, int64), 4_int64, 1, stat, errmsg)) return
+            n = size(planes, 2, int64)
+            if (n > 0) first = c_loc(planes)
+        end if
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) status = c_get_cell_measures(handle, to_c(measure), n, first, size(x, kind=int64), x)
+        call finish(handle, 'get_cell_measures', status, stat, errmsg, owned=self%handle)
     end procedure
 
     subroutine export_i32(self, get, procedure, capacity, v, stat, errmsg)

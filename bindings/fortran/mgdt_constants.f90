@@ -144,4 +144,14 @@ module mgdt_constants
     integer, parameter :: mgdt_check_geometric = 2
     ! Convex hull, and ties broken by the perturbation.
     integer, parameter :: mgdt_check_canonical = 3
+
+    ! Measures.
+    ! Volume of the cell.
+    integer, parameter :: mgdt_measure_volume = 10
+    ! Area of its surface.
+    integer, parameter :: mgdt_measure_area = 20
+    ! Its centre of mass, 3 numbers.
+    integer, parameter :: mgdt_measure_centroid = 30
+    ! Number of its faces that have an area.
+    integer, parameter :: mgdt_measure_faces = 40
 end module mgdt_constants

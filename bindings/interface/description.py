@@ -33,6 +33,7 @@ LENGTHS = {
     "mgdt_get_gabriel_edges": {"v": "capacity", "count": "1"},
     "mgdt_get_spanning_tree": {"v": "capacity", "count": "1"},
     "mgdt_get_circumcenters": {"xyz": "3*capacity", "radius2": "?capacity"},
+    "mgdt_get_cell_measures": {"planes": "?4*n_planes", "x": "capacity"},
     "mgdt_locate": {"xyz": "3", "tetrahedron": "1"},
     "mgdt_locate_points": {"xyz": "3*n", "tetrahedra": "n", "weights": "?4*n"},
     "mgdt_nearest_vertex": {"xyz": "3", "vertex": "1"},
@@ -137,6 +138,10 @@ F77_NAMES = {
     "MGDT_CHECK_COMBINATORIAL": "MGCCOM",
     "MGDT_CHECK_GEOMETRIC": "MGCGEO",
     "MGDT_CHECK_CANONICAL": "MGCCAN",
+    "MGDT_MEASURE_VOLUME": "MGMVOL",
+    "MGDT_MEASURE_AREA": "MGMARE",
+    "MGDT_MEASURE_CENTROID": "MGMCEN",
+    "MGDT_MEASURE_FACES": "MGMFAC",
 }
 
 
@@ -156,4 +161,5 @@ GROUPS = (
     Group(("MGDT_SEPARATION_",), "values of MGPSEP", "separation"),
     Group(("MGDT_STAT_",), "figures (MGSTAT)", "statistic"),
     Group(("MGDT_CHECK_",), "levels (MGCHK)", "check"),
+    Group(("MGDT_MEASURE_",), "measures (MGCELL)", "measure"),
 )

@@ -79,31 +79,32 @@ local function shape_of(array)
     end
 end
 
--- Coordinates as a `const double *` and the number of points. FFI arrays are passed as they stand.
-local function coordinates(points, n, what)
+-- Rows of numbers as a `const double *` and how many there are. FFI arrays are passed as they stand.
+local function rows_of(points, n, what, width, row_name)
     if type(points) == "table" then
         if n ~= nil then
             bad_argument("%s is a table, which knows its length; give no number", what)
         end
         local rows = type(points[1]) == "table"
-        local count = rows and #points or #points / 3
+        local count = rows and #points or #points / width
         if count % 1 ~= 0 then
-            bad_argument("%s holds %d numbers, which is no multiple of 3", what, #points)
+            bad_argument("%s holds %d numbers, which is no multiple of %d", what, #points,
+                width)
         end
-        local xyz = ffi.new("double[?]", 3 * count)
+        local xyz = ffi.new("double[?]", width * count)
         for k = 0, count - 1 do
             local row = rows and points[k + 1] or points
-            if type(row) ~= "table" or rows and #row ~= 3 then
-                bad_argument("%s[%d] is not three numbers", what, k + 1)
+            if type(row) ~= "table" or rows and #row ~= width then
+                bad_argument("%s[%d] is not %s numbers", what, k + 1, width == 3 and "three" or "four")
             end
-            for axis = 0, 2 do
-                local value = row[rows and axis + 1 or 3 * k + axis + 1]
+            for axis = 0, width - 1 do
+                local value = row[rows and axis + 1 or width * k + axis + 1]
                 if type(value) ~= "number" then
                     local place = rows and ("[%d][%d]"):format(k + 1, axis + 1)
-                        or ("[%d]"):format(3 * k + axis + 1)
+                        or ("[%d]"):format(width * k + axis + 1)
                     bad_argument("%s%s is %s; it must be a number", what, place, tostring(value))
                 end
-                xyz[3 * k + axis] = value
+                xyz[width * k + axis] = value
             end
         end
         return xyz, count
@@ -115,19 +116,24 @@ local function coordinates(points, n, what)
     end
     if n == nil then
         if not length then
-            bad_argument("%s is a pointer: give the number of points as well", what)
+            bad_argument("%s is a pointer: give the number of %s as well", what, row_name)
         end
-        n = length / 3
+        n = length / width
         if n % 1 ~= 0 then
-            bad_argument("%s holds %d numbers, which is no multiple of 3", what, length)
+            bad_argument("%s holds %d numbers, which is no multiple of %d", what, length, width)
         end
     else
-        n = whole(n, "the number of points")
-        if length and 3 * n > length then
-            bad_argument("%s holds %d numbers, too few for %d points", what, length, n)
+        n = whole(n, "the number of " .. row_name)
+        if length and width * n > length then
+            bad_argument("%s holds %d numbers, too few for %d %s", what, length, n, row_name)
         end
     end
     return ffi.cast("const double *", points), n
+end
+
+-- Coordinates of points.
+local function coordinates(points, n, what)
+    return rows_of(points, n, what, 3, "points")
 end
 
 -- ------------------------------------------------------------------------------ triangulation
@@ -525,6 +531,24 @@ function Triangulation:circumcenters()
     ensure(handle, C.mgdt_get_circumcenters(handle, n, xyz, squares))
     return xyz, squares, n
 end
+
+local measures = constants.measure
+
+--- A measure of each point's Voronoi cell, "volume", "area", "faces", or "centroid", 3 doubles each;
+--- and the number of points. Cells are clipped to the planes {a, b, c, d}, where
+--- a x + b y + c z <= d, given as points are; without any, those of hull vertices are infinite.
+function Triangulation:cell_measures(measure, planes, n)
+    local handle = handle_of(self)
+    local key = measures[measure] or small(measure, "the measure")
+    local rows, number = nil, 0
+    if planes ~= nil then rows, number = rows_of(planes, n, "planes", 4, "planes") end
+    local count = tonumber(C.mgdt_point_count(handle))
+    local room = (key == measures.centroid and 3 or 1) * count
+    local x = ffi.new("double[?]", room)
+    ensure(handle, C.mgdt_get_cell_measures(handle, key, number, rows, room, x))
+    return x, count
+end
+jit.off(Triangulation.cell_measures)
 
 -- ------------------------------------------------------------------------------------ queries
 

@@ -66,6 +66,7 @@
     F(get_spanning_tree);         \
     F(get_spanning_tree_i32);     \
     F(get_circumcenters);         \
+    F(get_cell_measures);         \
     F(locate);                    \
     F(locate_i32);                \
     F(locate_points);             \

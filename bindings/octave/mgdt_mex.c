@@ -130,17 +130,22 @@ static const char* text(const mxArray* a, const char* what) {
 }
 
 /* Points as an n x 3 matrix of doubles, which is x, y and z in separate arrays; [] for none. */
-static const double* points(const mxArray* a, int64_t* n) {
+static const double* columns(const mxArray* a, int width, const char* what, int64_t* n) {
     *n = 0;
     if (!a || !mxIsDouble(a) || mxIsComplex(a) || mxIsSparse(a))
-        bad_argument("points must be a full real matrix of doubles");
+        mexErrMsgIdAndTxt("mgdt:invalid_argument", "%s must be a full real matrix of doubles",
+                          what);
     if (mxIsEmpty(a)) return NULL;
-    if (mxGetNumberOfDimensions(a) != 2 || mxGetN(a) != 3)
-        mexErrMsgIdAndTxt("mgdt:invalid_argument",
-                          "points are %d x %d; they must have three columns", (int)mxGetM(a),
-                          (int)(mxGetNumberOfElements(a) / mxGetM(a)));
+    if (mxGetNumberOfDimensions(a) != 2 || mxGetN(a) != (size_t)width)
+        mexErrMsgIdAndTxt("mgdt:invalid_argument", "%s are %d x %d; they must have %s columns",
+                          what, (int)mxGetM(a), (int)(mxGetNumberOfElements(a) / mxGetM(a)),
+                          width == 3 ? "three" : "four");
     *n = (int64_t)mxGetM(a);
     return mxGetPr(a);
+}
+
+static const double* points(const mxArray* a, int64_t* n) {
+    return columns(a, 3, "points", n);
 }
 
 /* ------------------------------------------------------------------------------------ results */
@@ -268,15 +273,19 @@ static const int64_t* numbers(const mxArray* a, int64_t* n) {
 
 /* ------------------------------------------------------------------------------------ queries */
 
-/* The same points one behind the other, as the library wants places. */
-static const double* rows_of_points(const mxArray* matrix, int64_t* n) {
-    const double* const columns = points(matrix, n);
-    double* const xyz = room(3 * *n, sizeof *xyz);
+/* The same rows one behind the other, as the library wants places. */
+static const double* one_by_one(const double* from, int width, int64_t n) {
+    double* const x = room(width * n, sizeof *x);
     int64_t k;
     int i;
-    for (k = 0; k < *n; ++k)
-        for (i = 0; i < 3; ++i) xyz[3 * k + i] = columns[i * *n + k];
-    return xyz;
+    for (k = 0; k < n; ++k)
+        for (i = 0; i < width; ++i) x[width * k + i] = from[i * n + k];
+    return x;
+}
+
+static const double* rows_of_points(const mxArray* matrix, int64_t* n) {
+    const double* const from = points(matrix, n);
+    return one_by_one(from, 3, *n);
 }
 
 static void remove_points(slot* s, const mxArray* list, const mxArray* function) {
@@ -370,6 +379,25 @@ static void circumcenters(const mgdt_triangulation* t, int nlhs, mxArray** plhs)
     if (nlhs < 2) return;
     plhs[1] = mxCreateDoubleMatrix((mwSize)n, 1, mxREAL);
     for (k = 0; k < n; ++k) mxGetPr(plhs[1])[k] = squares[k];
+}
+
+/* A matrix with a row for each point. */
+static mxArray* cell_measures(const mgdt_triangulation* t, int32_t measure, const mxArray* matrix) {
+    const int width = measure == MGDT_MEASURE_CENTROID ? 3 : 1;
+    const int64_t n = mgdt.point_count(t);
+    double *const x = room(width * n, sizeof *x), *to;
+    const double* planes;
+    int64_t n_planes, k;
+    int i;
+    mxArray* result;
+    planes = columns(matrix, 4, "planes", &n_planes);
+    planes = one_by_one(planes, 4, n_planes);
+    ensure(t, mgdt.get_cell_measures(t, measure, n_planes, planes, width * n, x));
+    result = mxCreateDoubleMatrix((mwSize)n, (mwSize)width, mxREAL);
+    to = mxGetPr(result);
+    for (k = 0; k < n; ++k)
+        for (i = 0; i < width; ++i) to[i * n + k] = x[width * k + i];
+    return result;
 }
 
 static mxArray* statistics(const mgdt_triangulation* t) {
@@ -597,6 +625,8 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         lists(s->t, mgdt.get_vertex_neighbors, mgdt.vertex_neighbors_count(s->t), nlhs, plhs);
     } else if (strcmp(command, "circumcenters") == 0) {
         circumcenters(s->t, nlhs, plhs);
+    } else if (strcmp(command, "cell_measures") == 0) {
+        plhs[0] = cell_measures(s->t, small(first, "the measure"), second);
     } else if (strcmp(command, "locate") == 0) {
         locate(s->t, first, nlhs, plhs);
     } else if (strcmp(command, "nearest") == 0) {

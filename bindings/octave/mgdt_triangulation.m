@@ -198,6 +198,20 @@ classdef mgdt_triangulation < handle
       [centers, squares] = mgdt_mex ("circumcenters", t.handle ());
     end
 
+    % A measure of each point's Voronoi cell, n x 1: "volume", "area" or "faces", or "centroid", n x 3.
+    % Cells are clipped to the planes a b c d of a p x 4 matrix, where a x + b y + c z <= d; without
+    % any, those of hull vertices are infinite.
+    function x = cell_measures (t, measure, planes)
+      names = {"volume", "area", "centroid", "faces"};
+      if (! ischar (measure) || ! any (strcmp (measure, names)))
+        error ("mgdt:unknown_key", "mgdt: the measure must be one of %s", strjoin (names, ", "));
+      end
+      if (nargin < 3)
+        planes = zeros (0, 4);
+      end
+      x = mgdt_mex ("cell_measures", t.handle (), 10 * find (strcmp (measure, names)), planes);
+    end
+
     % Tetrahedra that contain the points of an n x 3 matrix, n x 1, NaN outside the hull, and the
     % barycentric weights of their vertices, n x 4: as tsearchn.
     function [where, weights] = locate (t, points)

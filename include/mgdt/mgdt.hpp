@@ -391,6 +391,18 @@ class Triangulation {
                                        result.squared_radii.data()));
         return result;
     }
+    /** A measure of each cell, one number, or the three of a centroid. Cells are clipped to planes
+     *  a b c d, where a x + b y + c z <= d; mgdt_get_cell_measures(). @since 1.2 */
+    [[nodiscard]] std::vector<double> cell_measures(
+        Measure measure, const std::vector<std::array<double, 4>>& planes = {}) const {
+        const std::size_t width = measure == Measure::centroid ? 3 : 1;
+        std::vector<double> x(width * static_cast<std::size_t>(point_count()));
+        require(mgdt_get_cell_measures(handle_.get(), static_cast<std::int32_t>(measure),
+                                       static_cast<std::int64_t>(planes.size()),
+                                       planes.empty() ? nullptr : planes[0].data(),
+                                       static_cast<std::int64_t>(x.size()), x.data()));
+        return x;
+    }
 
     /* Queries. @throw OutOfMemory, Error, std::bad_alloc (the vectors') */
 

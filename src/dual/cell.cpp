@@ -44,6 +44,7 @@ void Cell<Real>::set_sides(const Mesh& mesh, VertexId v, const Link& link) {
             for (Real& x : side.normal.x) x = scaled_by(x, factor_);
         side.offset = scaled_by(dot(side.normal, side.normal), 0.5);
         side.size = std::sqrt(2 * nearest_double(side.offset));
+        side.error = 5 * rounding_of<Real> * nearest_double(side.offset);
     }
 }
 

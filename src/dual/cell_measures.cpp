@@ -48,23 +48,27 @@ void CellMeasures<Twofold>::Sum::add(const Twofold& term, double error) {
 // normal. Volumes are 12 times too large and areas twice; docs/theory.md, "Cells".
 template <class Real>
 template <Measure M>
-void CellMeasures<Real>::add_edge(const Side<Real>& side, const Real& weight, const Corner<Real>& a,
-                                  const Corner<Real>& b, const Vector<Real>& a_cross_b) {
+void CellMeasures<Real>::add_edge(const Face& face, const Corner<Real>& a, const Corner<Real>& b,
+                                  const Vector<Real>& a_cross_b) {
     constexpr double u = rounding_of<Real>;
+    const Side<Real>& side = face.side;
     const Real along = dot(side.normal, a_cross_b);
     const double error = side.size * (a.size * b.error + b.size * a.error + a.error * b.error +
-                                      16 * u * a.size * b.size);
+                                      24 * u * a.size * b.size);
     if constexpr (M == Measure::volume || M == Measure::centroid) {
-        const Real volume = weight * along;
-        const double w = std::fabs(nearest_double(weight));
-        sums_[0].add(volume, w * error);
+        const Real volume = face.weight * along;
+        const double w = std::fabs(nearest_double(face.weight)),
+                     volume_error = w * error + face.error * std::fabs(nearest_double(along));
+        sums_[0].add(volume, volume_error);
         if constexpr (M == Measure::centroid) {
-            const Real half = scaled_by(weight, 0.5);
+            const Real half = scaled_by(face.weight, 0.5);
             const double distance = 0.5 * w * side.size + a.size + b.size;
+            const double moved = 0.5 * face.error * side.size + a.error + b.error;
             for (int k = 0; k < 3; ++k)
-                sums_[1 + k].add(volume * (half * side.normal.x[k] + (a.x.x[k] + b.x.x[k])),
-                                 w * error * distance + std::fabs(nearest_double(volume)) *
-                                                            (a.error + b.error + 8 * u * distance));
+                sums_[1 + k].add(
+                    volume * (half * side.normal.x[k] + (a.x.x[k] + b.x.x[k])),
+                    volume_error * (distance + moved) +
+                        std::fabs(nearest_double(volume)) * (moved + 8 * u * distance));
         }
     } else {
         const Real one_over_size = to_real<Real>(1 / side.size);
@@ -85,9 +89,9 @@ void CellMeasures<Real>::add_whole(const Link& link) {
             const Side<Real>&p = cell_.side(triangles[i].corner[before(k)]),
                   &r = cell_.side(triangles[i].corner[after(k)]);
             const Vector<Real> a_cross_b = cross(a.x, b.x);
-            add_edge<M>(p, one, a, b, a_cross_b);
+            add_edge<M>({p, one, 0}, a, b, a_cross_b);
             const Real zero = to_real<Real>(0);
-            add_edge<M>(r, one, b, a,
+            add_edge<M>({r, one, 0}, b, a,
                         {{zero - a_cross_b.x[0], zero - a_cross_b.x[1], zero - a_cross_b.x[2]}});
         }
     extent_ = cell_.radius();
@@ -95,20 +99,20 @@ void CellMeasures<Real>::add_whole(const Link& link) {
 
 template <class Real>
 template <Measure M>
-void CellMeasures<Real>::add_polygon(const Side<Real>& side, const Real& weight) {
+void CellMeasures<Real>::add_polygon(const Face& face) {
     const Buffer<Corner<Real>>& corners = polygon_.corners();
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Corner<Real>&a = corners[i], &b = corners[i + 1 == corners.size() ? 0 : i + 1];
-        add_edge<M>(side, weight, a, b, cross(a.x, b.x));
+        add_edge<M>(face, a, b, cross(a.x, b.x));
         is_known_ &= !a.is_ideal;
         extent_ = std::fmax(extent_, a.size);
     }
     // The area by mistake, as add_edge() has it.
     if (polygon_.slack() > 0) {
         const double w = M == Measure::area || M == Measure::faces
-                             ? 1 / side.size
-                             : std::fabs(nearest_double(weight));
-        const double error = 2 * w * side.size * polygon_.slack();
+                             ? 1 / face.side.size
+                             : std::fabs(nearest_double(face.weight));
+        const double error = 2 * w * face.side.size * polygon_.slack();
         const Real nothing = to_real<Real>(0);
         sums_[0].add(nothing, error);
         if constexpr (M == Measure::centroid)
@@ -131,13 +135,37 @@ void CellMeasures<Real>::find_cuts(const Link& link, const Region& region) {
     }
 }
 
+// The triangles of the link around neighbour b, each with the neighbour that it shares with the
+// next.
+template <class Real>
+template <class Visit>
+void CellMeasures<Real>::for_face(const Link& link, std::uint32_t b, Visit visit) const {
+    std::uint32_t i = first_[b];
+    do {
+        const LinkTriangle& t = link.triangles()[i];
+        const unsigned k = t.corner[0] == b ? 0 : t.corner[1] == b ? 1 : 2;
+        visit(i, t.corner[before(k)]);
+        i = t.beyond[after(k)];
+    } while (i != first_[b]);
+}
+
+// Whether no plane touches the face to neighbour b, for sure.
+template <class Real>
+bool CellMeasures<Real>::is_face_inside(const Link& link, std::uint32_t b) const {
+    bool is_inside = true;
+    for_face(link, b, [&](std::uint32_t i, std::uint32_t) {
+        for (const Cut& cut : cutting_)
+            is_inside &= Polygon<Real>::is_inside_for_sure(cell_.corner(i), cut.side);
+    });
+    return is_inside;
+}
+
 // The face to neighbour b: the polygon of its corners, cut by the planes of the region. Corners may
 // be far outside, where roundings are large, or no points at all. Twofold numbers are for cells
 // where that matters: there the face is what is left of a triangle as large as the region.
 template <class Real>
 void CellMeasures<Real>::set_face(const Link& link, const Region& region, std::uint32_t b) {
     constexpr bool by_corners = std::is_same_v<Real, double>;
-    const Buffer<LinkTriangle>& triangles = link.triangles();
     const auto region_label = [&](const Cut& cut) {
         return static_cast<std::uint32_t>(link.neighbor_count() + cut.plane);
     };
@@ -150,17 +178,12 @@ void CellMeasures<Real>::set_face(const Link& link, const Region& region, std::u
                               2 * region.extent() * cell_.factor(), no_label);
         for (const Cut& cut : cutting_) polygon_.clip(cut.side, region_label(cut));
     }
-    std::uint32_t i = first_[b];
-    do {
-        const LinkTriangle& t = triangles[i];
-        const unsigned k = t.corner[0] == b ? 0 : t.corner[1] == b ? 1 : 2;
-        const std::uint32_t next = t.corner[before(k)];
+    for_face(link, b, [&](std::uint32_t i, std::uint32_t next) {
         if (by_corners)
             polygon_.push_back(cell_.corner(i), next);
         else if (link.neighbor(next) != infinite_vertex)
             polygon_.clip(cell_.side(next), next);
-        i = t.beyond[after(k)];
-    } while (i != first_[b]);
+    });
     if (by_corners)
         for (const Cut& cut : cutting_) polygon_.clip(cut.side, region_label(cut));
     else
@@ -190,8 +213,8 @@ void CellMeasures<Real>::add_clipped(const Link& link, const Region& region) {
         if (link.neighbor(b) != infinite_vertex) order_.push_back(b);
     std::sort(order_.begin(), order_.end(),
               [&](std::uint32_t a, std::uint32_t b) { return cell_.index(a) < cell_.index(b); });
-    const auto add_face = [&](const Side<Real>& side, const Real& weight) {
-        add_polygon<M>(side, weight);
+    const auto add_face = [&](const Face& face) {
+        add_polygon<M>(face);
         if (M != Measure::faces) return;
         const double area = sums_[0].value(), error = sums_[0].error();
         faces_ += area > error;
@@ -199,9 +222,15 @@ void CellMeasures<Real>::add_clipped(const Link& link, const Region& region) {
         sums_[0].clear();
     };
     for (const std::uint32_t b : order_) {
-        if (M == Measure::faces && edges_[b] < 3) continue;
+        if constexpr (M == Measure::faces) {
+            if (edges_[b] < 3) continue;
+            if (is_face_inside(link, b)) {
+                ++faces_;
+                continue;
+            }
+        }
         set_face(link, region, b);
-        add_face(cell_.side(b), to_real<Real>(1));
+        add_face({cell_.side(b), to_real<Real>(1), 0});
     }
     for (const Cut& cut : cutting_) {
         region.set_face(cut.plane, point_, cell_.factor(), static_cast<std::uint32_t>(n), polygon_);
@@ -210,8 +239,11 @@ void CellMeasures<Real>::add_clipped(const Link& link, const Region& region) {
             if (polygon_.corners().empty()) break;
         }
         settle(cut.side, link, region);
-        const Real squared = dot(cut.side.normal, cut.side.normal);
-        add_face(cut.side, scaled_by(cut.side.offset, 2) / squared);
+        const Real squared = dot(cut.side.normal, cut.side.normal),
+                   weight = scaled_by(cut.side.offset, 2) / squared;
+        add_face({cut.side, weight,
+                  2 * cut.side.error / nearest_double(squared) +
+                      8 * rounding_of<Real> * std::fabs(nearest_double(weight))});
     }
 }
 
@@ -293,22 +325,25 @@ bool CellMeasures<Real>::measure(const Mesh& mesh, VertexId v, const Link& link,
         case Measure::volume: {
             if (is_infinite) return x[0] = infinity, true;
             const bool is_sure = measure_as<Measure::volume>(mesh, v, link, region);
-            x[0] = std::ldexp(sums_[0].value() / 12, 3 * exponent);
+            x[0] = std::ldexp(std::fmax(sums_[0].value() / 12, 0), 3 * exponent);
             return is_sure;
         }
         case Measure::area: {
             if (is_infinite) return x[0] = infinity, true;
             const bool is_sure = measure_as<Measure::area>(mesh, v, link, region);
-            x[0] = std::ldexp(sums_[0].value() / 2, 2 * exponent);
+            x[0] = std::ldexp(std::fmax(sums_[0].value() / 2, 0), 2 * exponent);
             return is_sure;
         }
         case Measure::centroid: {
             if (is_infinite) return x[0] = x[1] = x[2] = infinity, true;
             const bool is_sure = measure_as<Measure::centroid>(mesh, v, link, region);
             const double volume = sums_[0].value();
-            for (int k = 0; k < 3; ++k)
-                x[k] = scaled(point_[k] + sums_[1 + k].value() / (4 * volume) / cell_.factor(),
-                              -mesh.scale);
+            for (int k = 0; k < 3; ++k) {
+                double offset = sums_[1 + k].value() / (4 * volume);
+                // Beyond what twofold numbers can tell, the vertex is a point of the cell.
+                if (!is_sure && !(std::fabs(offset) <= extent_)) offset = 0;
+                x[k] = scaled(point_[k] + offset / cell_.factor(), -mesh.scale);
+            }
             return is_sure;
         }
         default: {

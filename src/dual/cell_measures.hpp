@@ -51,6 +51,9 @@ class CellMeasures {
     };
 
     void find_cuts(const Link& link, const Region& region);
+    template <class Visit>
+    void for_face(const Link& link, std::uint32_t b, Visit visit) const;
+    bool is_face_inside(const Link& link, std::uint32_t b) const;
     void set_face(const Link& link, const Region& region, std::uint32_t b);
     void settle(const Side<Real>& plane, const Link& link, const Region& region);
     template <Measure M>
@@ -59,11 +62,17 @@ class CellMeasures {
     void add_whole(const Link& link);
     template <Measure M>
     void add_clipped(const Link& link, const Region& region);
+    // A face's side, and twice the multiple of its normal that lies in the face.
+    struct Face {
+        const Side<Real>& side;
+        Real weight;
+        double error;  // of the weight
+    };
     template <Measure M>
-    void add_edge(const Side<Real>& side, const Real& weight, const Corner<Real>& a,
-                  const Corner<Real>& b, const Vector<Real>& a_cross_b);
+    void add_edge(const Face& face, const Corner<Real>& a, const Corner<Real>& b,
+                  const Vector<Real>& a_cross_b);
     template <Measure M>
-    void add_polygon(const Side<Real>& side, const Real& weight);
+    void add_polygon(const Face& face);
     void count_edges(const Mesh& mesh, VertexId v, const Link& link);
     bool is_one_corner(const Mesh& mesh, VertexId v, const Link& link, std::size_t triangle,
                        unsigned beyond) const;

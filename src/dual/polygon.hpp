@@ -20,7 +20,8 @@ template <class Real>
 struct Side {
     Vector<Real> normal;
     Real offset;
-    double size;  // length of the normal
+    double size;   // length of the normal
+    double error;  // of the offset, at most; the normal's is that of one rounding of its numbers
 
     double distance() const noexcept { return std::fabs(nearest_double(offset)) / size; }
 };
@@ -41,7 +42,8 @@ bool meet(const Side<Real>& p, const Side<Real>& q, const Side<Real>& r, Corner<
         corner.x.x[k] = ((p.offset * qr.x[k] + q.offset * rp.x[k]) + r.offset * pq.x[k]) * inverse;
     corner.size = length(corner.x);
     const double distances = p.distance() + q.distance() + r.distance();
-    corner.error = 16 * u * (product / d) * (distances + corner.size);
+    const double errors = p.error / p.size + q.error / q.size + r.error / r.size;
+    corner.error = (product / d) * (16 * u * (distances + corner.size) + errors);
     corner.is_ideal = false;
     return product > 0x1p-900;
 }
@@ -86,6 +88,10 @@ class Polygon {
     static bool is_beyond(const Corner<Real>& corner, const Side<Real>& side) {
         return nearest_double(height(corner, side).value) > 0;
     }
+    static bool is_inside_for_sure(const Corner<Real>& corner, const Side<Real>& side) {
+        const Height h = height(corner, side);
+        return !corner.is_ideal && nearest_double(h.value) < -h.error;
+    }
 
   private:
     struct Height {
@@ -93,6 +99,8 @@ class Polygon {
         double error;
     };
     static Height height(const Corner<Real>& corner, const Side<Real>& side);
+    // Bounds the area that is taken or left by mistake, heights having errors up to `doubt`.
+    double doubt_area(double doubt) const;
     // Where an edge meets a side: one end is inside, or on it, the other one is outside.
     static Corner<Real> crossing(const Corner<Real>& in, const Height& of_in,
                                  const Corner<Real>& out, const Height& of_out);
@@ -114,7 +122,7 @@ typename Polygon<Real>::Height Polygon<Real>::height(const Corner<Real>& corner,
         const bool is_known = std::fabs(nearest_double(along)) > error;
         return {is_known ? along : to_real<Real>(0), error};
     }
-    error += 2 * u * std::fabs(nearest_double(side.offset));
+    error += side.error + 2 * u * std::fabs(nearest_double(side.offset));
     return {along - side.offset, error};
 }
 
@@ -145,8 +153,18 @@ Corner<Real> Polygon<Real>::crossing(const Corner<Real>& in, const Height& of_in
                                        : length(out.x - in.x);
     c.error =
         (e * in.error + d * out.error) / divisor + 6 * u * ((e * in.size + d * out.size) / divisor);
-    const double slack =
-        c.is_ideal ? of_in.error + of_out.error : (of_in.error * e + of_out.error * d) / (w * w);
+    if (c.is_ideal) {
+        c.error += move * (of_in.error + of_out.error);
+        return c;
+    }
+    const double error_of_weight =
+        (in.is_ideal ? 0 : of_out.error) + (out.is_ideal ? 0 : of_in.error);
+    constexpr double lost = 0x1p100;
+    double slack = w > error_of_weight
+                       ? (of_in.error * e + of_out.error * d) / (w * (w - error_of_weight))
+                       : lost;
+    // Between two points it stays between them.
+    if (!in.is_ideal && !out.is_ideal) slack = std::fmin(slack, 1);
     c.error += move * slack;
     return c;
 }
@@ -156,7 +174,7 @@ bool Polygon<Real>::clip(const Side<Real>& side, std::uint32_t label) {
     const std::size_t n = corners_.size();
     heights_.resize(n);
     bool is_off = false, is_cut = false;
-    double doubt = 0, extent = 0;
+    double doubt = 0;
     for (std::size_t i = 0; i < n; ++i) {
         heights_[i] = height(corners_[i], side);
         const double h = nearest_double(heights_[i].value);
@@ -166,6 +184,7 @@ bool Polygon<Real>::clip(const Side<Real>& side, std::uint32_t label) {
         else if (!corners_[i].is_ideal)
             doubt = std::fmax(doubt, heights_[i].error);
     }
+    if (doubt > 0) slack_ += doubt_area(doubt);
     if (is_cut) {
         next_.clear();
         next_labels_.clear();
@@ -186,12 +205,27 @@ bool Polygon<Real>::clip(const Side<Real>& side, std::uint32_t label) {
         std::swap(corners_, next_);
         std::swap(labels_, next_labels_);
     }
-    if (doubt > 0) {
-        // A strip of that breadth along the plane may be there by mistake, or not.
-        for (const Corner<Real>& corner : corners_) extent = std::fmax(extent, corner.size);
-        slack_ += 2 * extent * doubt / side.size;
-    }
     return is_off;
+}
+
+// A strip where the height is at most `doubt` may be there by mistake, or not. The slope gives its
+// breadth, and the polygon is not longer than twice its farthest corner.
+template <class Real>
+double Polygon<Real>::doubt_area(double doubt) const {
+    double extent = 0;
+    std::size_t lowest = 0, highest = 0;
+    const auto height_of = [&](std::size_t i) { return nearest_double(heights_[i].value); };
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        constexpr double lost = 0x1p200;
+        if (corners_[i].is_ideal) return lost;
+        if (height_of(i) < height_of(lowest)) lowest = i;
+        if (height_of(i) > height_of(highest)) highest = i;
+        extent = std::fmax(extent, corners_[i].size);
+    }
+    const double rise = height_of(highest) - height_of(lowest), whole = 4 * extent * extent;
+    if (!(rise > 0)) return whole;
+    const double slope = rise / length(corners_[highest].x - corners_[lowest].x);
+    return std::fmin(whole, 4 * extent * doubt / slope);
 }
 
 template <class Real>

@@ -30,31 +30,50 @@ double Region::Plane::error(const double* p) const {
            (size * (std::fabs(p[0]) + std::fabs(p[1]) + std::fabs(p[2])) + std::fabs(offset));
 }
 
-Region::Region(Allocator& allocator, std::size_t n, const double* planes, int scale,
-               const double* near)
-    : planes_(allocator), corners_(allocator) {
+Region::Region(Allocator& allocator, std::size_t n, const double* planes, const Mesh& mesh,
+               std::int32_t base)
+    : planes_(allocator), corners_(allocator), base_(base) {
     planes_.reserve(n);
     for (std::size_t k = 0; k < n; ++k) {
         const double* const of = planes + 4 * k;
         for (int i = 0; i < 4; ++i)
             if (!std::isfinite(of[i]))
-                fail(MGDT_ERR_NOT_FINITE, "number %d of plane %zu is not finite", i, k);
+                fail(MGDT_ERR_NOT_FINITE, "plane %lld has a number that is not finite", number(k));
         const double largest = largest_of(of);
-        if (largest == 0) fail(MGDT_ERR_INVALID_ARGUMENT, "plane %zu has no normal", k);
+        if (largest == 0) fail(MGDT_ERR_INVALID_ARGUMENT, "plane %lld has no normal", number(k));
         // Lengths of normals between 1 and 4, by powers of two.
         const int shift = -std::ilogb(largest);
         Plane plane;
         for (int i = 0; i < 3; ++i) plane.normal[i] = scaled(of[i], shift);
-        plane.offset = scaled(of[3], shift + scale);
+        plane.offset = scaled(of[3], shift + mesh.scale);
         if (!(std::fabs(plane.offset) < 0x1p900))
-            fail(MGDT_ERR_INVALID_ARGUMENT, "plane %zu is too far from the points", k);
+            fail(MGDT_ERR_INVALID_ARGUMENT, "plane %lld is too far from the points", number(k));
         plane.size =
             std::hypot(std::hypot(plane.normal[0], plane.normal[1]), plane.normal[2]) * (1 + 8 * u);
         plane.first = 0;
         planes_.push_back(plane);
     }
+    require_inside(mesh);
     Polygon<Twofold> polygon(allocator);
-    for (std::size_t k = 0; k < n; ++k) add_face(k, near, polygon);
+    for (std::size_t k = 0; k < n; ++k) add_face(k, mesh.point(1), polygon);
+}
+
+// Names the first point that is outside.
+void Region::require_inside(const Mesh& mesh) const {
+    constexpr std::uint32_t none = 0xffffffffu;
+    std::uint32_t point = none;
+    std::size_t plane = 0;
+    for (VertexId v = 1; v < mesh.vertices.size(); ++v) {
+        const double* const p = mesh.point(v);
+        for (std::size_t k = 0; k < planes_.size(); ++k)
+            if (mesh.vertices[v].index < point && planes_[k].height(p) > planes_[k].error(p)) {
+                point = mesh.vertices[v].index;
+                plane = k;
+            }
+    }
+    if (point != none)
+        fail(MGDT_ERR_INVALID_ARGUMENT, "point %lld is beyond plane %lld", number(point),
+             number(plane));
 }
 
 // What the other planes leave of a triangle that is far too large.
@@ -67,6 +86,7 @@ void Region::add_face(std::size_t k, const double* near, Polygon<Twofold>& polyg
         for (int i = 0; i < 3; ++i) side.normal.x[i] = {planes_[j].normal[i], 0};
         side.offset = {planes_[j].offset, 0};
         side.size = planes_[j].size;
+        side.error = 0;
         return side;
     };
     const Side<Twofold> own = side_of(k);
@@ -87,7 +107,7 @@ void Region::add_face(std::size_t k, const double* near, Polygon<Twofold>& polyg
     for (std::size_t i = 0; i < polygon.corners().size(); ++i)
         if (polygon.label(i) == no_plane)
             fail(MGDT_ERR_INVALID_ARGUMENT,
-                 "the planes do not bound a region: plane %zu has no end", k);
+                 "the planes do not bound a region: plane %lld has no end", number(k));
     polygon.settle(own, side_of);
     for (std::size_t i = 0; i < polygon.corners().size(); ++i) {
         const Corner<Twofold>& corner = polygon.corners()[i];
@@ -127,6 +147,11 @@ Side<Real> Region::side(std::size_t k, const double* point, double factor) const
     for (int i = 0; i < 3; ++i) side.normal.x[i] = to_real<Real>(plane.normal[i]);
     side.size = plane.size;
     set_rounded(side.offset, scaled_by(Twofold{-height.high, -height.low}, factor));
+    const double terms =
+        plane.size * (std::fabs(point[0]) + std::fabs(point[1]) + std::fabs(point[2])) +
+        std::fabs(plane.offset);
+    side.error = rounding_of<Real> * std::fabs(height.high) * factor +
+                 4 * rounding_of<Twofold> * terms * factor;
     return side;
 }
 template Side<double> Region::side(std::size_t, const double*, double) const;
@@ -139,12 +164,6 @@ double Region::clearance(const double* point) const {
         least = std::fmin(least, depth / plane.size);
     }
     return least * (least > 0 ? 1 - 4 * u : 1);
-}
-
-std::size_t Region::plane_beyond(const double* point) const {
-    for (std::size_t k = 0; k < planes_.size(); ++k)
-        if (planes_[k].height(point) > planes_[k].error(point)) return k;
-    return planes_.size();
 }
 
 }  // namespace mgdt

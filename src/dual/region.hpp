@@ -10,10 +10,10 @@ namespace mgdt {
 class Region {
   public:
     // Planes a b c d each: a x + b y + c z <= d. Everything if there are none. Throws Error where a
-    // number is not finite, a plane has no normal, or the planes bound no region.
-    // Coordinates carry the factor 2^scale; `near` is a point of the region.
-    Region(Allocator& allocator, std::size_t n, const double* planes, int scale,
-           const double* near);
+    // number is not finite, a plane has no normal, a vertex is outside by more than rounding, or
+    // the planes do not bound the region. Messages count planes and points from `base`.
+    Region(Allocator& allocator, std::size_t n, const double* planes, const Mesh& mesh,
+           std::int32_t base);
 
     bool is_bounded() const noexcept { return !planes_.empty(); }
     std::size_t size() const noexcept { return planes_.size(); }
@@ -26,8 +26,6 @@ class Region {
     // A bound from below of the distance of a point from the nearest plane; negative for a point
     // that is outside by more than rounding.
     double clearance(const double* point) const;
-    // The plane that a point is beyond by more than rounding; size() if there is none.
-    std::size_t plane_beyond(const double* point) const;
     // The face in plane k, likewise, with the numbers of the other planes as labels, to which
     // `first_label` is added. It turns round the normal.
     template <class Real>
@@ -49,11 +47,15 @@ class Region {
         double error;
         std::uint32_t label;  // the plane of the edge that follows
     };
+    void require_inside(const Mesh& mesh) const;
     void add_face(std::size_t k, const double* near, Polygon<Twofold>& polygon);
+    // Of a plane, for messages.
+    long long number(std::size_t k) const { return static_cast<long long>(k) + base_; }
 
     Buffer<Plane> planes_;
     Buffer<RegionCorner> corners_;
     double extent_ = 0;
+    std::int32_t base_;
 };
 
 }  // namespace mgdt

@@ -13,7 +13,7 @@ namespace mgdt {
 template <class Real>
 constexpr double rounding_of = 0x1p-53;
 template <>
-constexpr double rounding_of<Twofold> = 0x1p-102;
+inline constexpr double rounding_of<Twofold> = 0x1p-102;
 
 template <class Real>
 Real to_real(double x);

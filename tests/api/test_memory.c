@@ -196,6 +196,8 @@ static void every_allocation(int32_t scheme, const double* xyz,
 
 static mgdt_status export_all(const mgdt_triangulation* t, int64_t* v, int64_t* list) {
     static const double q[6] = {0.3, 0.4, 0.5, 9, 9, 9};
+    static const double box[24] = {1, 0,  0, 2, -1, 0, 0, 1, 0, 1, 0,  2,
+                                   0, -1, 0, 1, 0,  0, 1, 2, 0, 0, -1, 1};
     const int64_t size = 4 * mgdt_tetrahedron_count(t);
     double weights[8];
     mgdt_status status = MGDT_OK;
@@ -214,6 +216,8 @@ static mgdt_status export_all(const mgdt_triangulation* t, int64_t* v, int64_t* 
         double* const centers = malloc((size_t)(3 * size) * sizeof *centers);
         if (centers == NULL) abort();
         status = mgdt_get_circumcenters(t, size, centers, NULL);
+        if (status == MGDT_OK)
+            status = mgdt_get_cell_measures(t, MGDT_MEASURE_CENTROID, 6, box, 3 * size, centers);
         free(centers);
     }
     TRY(mgdt_locate(t, q, v));

@@ -59,6 +59,11 @@ mgdt_status get_circumcenters(const mgdt_triangulation* t, std::int64_t capacity
     return mgdt_get_circumcenters(t, capacity / 4, xyz, xyz + capacity / 4 * 3);
 }
 
+mgdt_status get_volumes(const mgdt_triangulation* t, std::int64_t capacity, std::int64_t* v) {
+    return mgdt_get_cell_measures(t, MGDT_MEASURE_VOLUME, 0, nullptr, capacity,
+                                  reinterpret_cast<double*>(v));
+}
+
 constexpr Export exports[] = {
     {"tetrahedra", false, false, corners, mgdt_get_tetrahedra},
     {"neighbours", false, false, corners, mgdt_get_neighbors},
@@ -70,6 +75,7 @@ constexpr Export exports[] = {
     {"Gabriel edges", false, false, ends, get_graph<mgdt_get_gabriel_edges>},
     {"spanning tree", false, false, ends, get_graph<mgdt_get_spanning_tree>},
     {"circumcentres", false, false, corners, get_circumcenters},
+    {"volumes of cells", false, false, mgdt_point_count, get_volumes},
     {"canonical tetrahedra, first", true, true, corners, mgdt_get_tetrahedra},
     {"canonical tetrahedra, again", true, false, corners, mgdt_get_tetrahedra},
     {"canonical neighbours", true, false, corners, mgdt_get_neighbors},

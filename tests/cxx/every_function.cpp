@@ -92,6 +92,8 @@ int main() {
         if (t.tetrahedron_count() * 4 != t.vertex_tetrahedra_count()) return 6;
         if (t.edge_count() * 2 != t.vertex_neighbors_count()) return 6;
         if (t.circumspheres().centers.size() != t.circumspheres().squared_radii.size()) return 6;
+        if (t.cell_measures(mgdt::Measure::faces).size() != 10) return 6;
+        if (t.cell_measures(mgdt::Measure::centroid, {}).size() != 30) return 6;
         if (t.hull_facet_count() < 4 || t.edge_count() < 6) return 7;
         if (!mgdt::name(mgdt::Order::brio) || !mgdt::name(mgdt::Statistic::rounds)) return 8;
         if (!mgdt::version() || mgdt::abi_version() != 1 || !mgdt::status_string(0)) return 9;

@@ -110,11 +110,20 @@ TYPED_TEST(CxxResults, VertexTetrahedraInEitherBase) {
         const std::set<std::array<TypeParam, 2>> all(edges.begin(), edges.end());
         EXPECT_GT(gabriel.size(), 199u);
         for (const std::array<TypeParam, 2>& e : gabriel) EXPECT_EQ(all.count(e), 1u);
+        const auto faces = t.cell_measures(mgdt::Measure::faces);
+        const auto volumes = t.cell_measures(mgdt::Measure::volume, {{1, 0, 0, 1},
+                                                                     {-1, 0, 0, 0},
+                                                                     {0, 1, 0, 1},
+                                                                     {0, -1, 0, 0},
+                                                                     {0, 0, 1, 1},
+                                                                     {0, 0, -1, 0}});
+        EXPECT_NEAR(std::accumulate(volumes.begin(), volumes.end(), 0.0), 1, 1e-13);
         const auto neighbors = t.vertex_neighbors<TypeParam>();
         EXPECT_EQ(std::int64_t(neighbors.list.size()), t.vertex_neighbors_count());
         for (std::size_t k = 0; k < 201; ++k) {
             std::sort(joined[k].begin(), joined[k].end());
             EXPECT_EQ(std::vector<TypeParam>(neighbors[k].begin(), neighbors[k].end()), joined[k]);
+            EXPECT_LE(faces[k], static_cast<double>(joined[k].size()));
         }
         EXPECT_EQ(t.point_map<TypeParam>().back(), 3 + base);
     }

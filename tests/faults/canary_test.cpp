@@ -210,6 +210,18 @@ const Function functions[] = {
                                        static_cast<double*>(g.array[0]),
                                        static_cast<double*>(g.array[1]));
      }},
+    {"mgdt_get_cell_measures",
+     [](T t) {
+         // Points in one plane have no cells.
+         const std::int64_t cells = mgdt_dimension(t) == 3 ? mgdt_point_count(t) : 0;
+         return std::vector<Wanted>{{3 * cells, sizeof(double), false, false}};
+     },
+     [](mgdt_triangulation* t, const Given& g) {
+         const mgdt_status status =
+             mgdt_get_cell_measures(t, MGDT_MEASURE_CENTROID, 0, nullptr, 3 * mgdt_point_count(t),
+                                    static_cast<double*>(g.array[0]));
+         return mgdt_dimension(t) < 3 && status == MGDT_ERR_INVALID_ARGUMENT ? MGDT_OK : status;
+     }},
     {"mgdt_locate", of_one<std::int64_t>,
      [](mgdt_triangulation* t, const Given& g) {
          return mgdt_locate(t, query_points(), static_cast<std::int64_t*>(g.array[0]));

@@ -237,7 +237,8 @@ struct Output {
           found(9000),
           found32(9000),
           weights(4 * 9000),
-          reals(3 * static_cast<std::size_t>(mgdt_tetrahedron_count(t))) {}
+          reals(static_cast<std::size_t>(
+              std::max(3 * mgdt_tetrahedron_count(t), mgdt_point_count(t)))) {}
     bool operator==(const Output& o) const {
         return v == o.v && list == o.list && v32 == o.v32 && list32 == o.list32 &&
                found == o.found && found32 == o.found32 && weights == o.weights && reals == o.reals;
@@ -323,6 +324,12 @@ inline constexpr Call calls[] = {
     {"get_circumcenters",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_get_circumcenters(t, mgdt_tetrahedron_count(t), o.reals.data(), nullptr);
+     }},
+    {"get_cell_measures",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_dimension(t) < 3 ? MGDT_OK
+                                      : mgdt_get_cell_measures(t, MGDT_MEASURE_FACES, 0, nullptr,
+                                                               mgdt_point_count(t), o.reals.data());
      }},
     {"locate", [](mgdt_triangulation* t,
                   Output& o) { return mgdt_locate(t, o.queries.data(), o.found.data()); }},

@@ -202,6 +202,13 @@ void read_all(Meter& meter, const mgdt_triangulation* t, const Points& queries) 
         squares(static_cast<std::size_t>(tetrahedra));
     meter("mgdt_get_circumcenters",
           [&] { return mgdt_get_circumcenters(t, tetrahedra, centers.data(), squares.data()); });
+    if (mgdt_dimension(t) == 3) {
+        Points volumes(static_cast<std::size_t>(mgdt_point_count(t)));
+        meter("mgdt_get_cell_measures", [&] {
+            return mgdt_get_cell_measures(t, MGDT_MEASURE_VOLUME, 0, nullptr, mgdt_point_count(t),
+                                          volumes.data());
+        });
+    }
     meter("mgdt_locate_points",
           [&] { return mgdt_locate_points(t, n, queries.data(), v.data(), weights.data()); });
     meter("mgdt_locate_points",

@@ -33,6 +33,7 @@ program test_arrays
     call test_vertex_neighbors()
     call test_graphs()
     call test_circumcenters()
+    call test_cell_measures()
     call test_kinds_and_ranks()
     call test_larger_arrays_and_sections()
     call test_base_0()
@@ -212,6 +213,36 @@ contains
         call expect_error(stat, mgdt_err_buffer_too_small, msg, 'room for')
         call t%get_circumcenters(flat, stat=stat, errmsg=msg)
         call expect_error(stat, mgdt_err_invalid_argument, msg, 'must be 3')
+    end subroutine
+
+    subroutine test_cell_measures()
+        real(real64) :: volumes(n), faces(n), centroids(3, n), few(n - 1), wide(4, n), box(4, 6)
+        integer :: k, stat
+        character(256) :: msg
+
+        box = 0
+        do k = 1, 3
+            box(k, 2*k - 1) = 1
+            box(k, 2*k) = -1
+        end do
+        box(4, 1::2) = 2
+        box(4, 2::2) = 1
+        call t%get_cell_measures(mgdt_measure_volume, volumes, box)
+        call expect(abs(sum(volumes) - 27) < 1e-12_real64, 'cells fill the box')
+        call t%get_cell_measures(mgdt_measure_centroid, centroids, box)
+        do k = 1, 3
+            call expect(abs(sum(volumes*centroids(k, :)) - 13.5_real64) < 1e-11_real64, 'centroids')
+        end do
+        call t%get_cell_measures(mgdt_measure_faces, faces)
+        call expect(nint(sum(faces), int64) == t%vertex_neighbors_count(), 'faces')
+        call t%get_cell_measures(mgdt_measure_volume, few, stat=stat, errmsg=msg)
+        call expect_error(stat, mgdt_err_buffer_too_small, msg, 'are needed')
+        call t%get_cell_measures(mgdt_measure_centroid, wide, stat=stat, errmsg=msg)
+        call expect_error(stat, mgdt_err_invalid_argument, msg, 'must be 3')
+        call t%get_cell_measures(mgdt_measure_volume, volumes, box(:3, :), stat, msg)
+        call expect_error(stat, mgdt_err_invalid_argument, msg, 'must be 4')
+        call t%get_cell_measures(mgdt_measure_volume, volumes, box(:, :5), stat, msg)
+        call expect_error(stat, mgdt_err_invalid_argument, msg, 'do not bound')
     end subroutine
 
     subroutine test_vertex_tetrahedra()

@@ -99,10 +99,13 @@
       INTEGER IEDG2(2, MAXT)
       DOUBLE PRECISION CENTER(3, MAXT), R2(MAXT), D
       DOUBLE PRECISION XYZ(3, N), X(2*N), Y(2*N), Z(2*N), V, VH, VOL6
-      DOUBLE PRECISION O(3)
+      DOUBLE PRECISION O(3), BOX(4, 6), CELL(N)
       LOGICAL YES
       SAVE
       DATA O /3*0.0D0/
+      DATA BOX /1D0, 0D0, 0D0, 2D0, -1D0, 0D0, 0D0, 1D0,
+     &          0D0, 1D0, 0D0, 2D0, 0D0, -1D0, 0D0, 1D0,
+     &          0D0, 0D0, 1D0, 2D0, 0D0, 0D0, -1D0, 1D0/
       INCLUDE 'mgdt_f77.inc'
       CALL MKPTS(N, XYZ)
       CALL MGNEW(H, IERR)
@@ -175,6 +178,17 @@
     4   CONTINUE
         CALL EXPECT(ABS(D - R2(1)) .LT. 1D-9*(1 + R2(1)), 'radius')
     5 CONTINUE
+      CALL MGCELL(H, MGMVOL, 6, BOX, N, CELL, IERR)
+      CALL GOOD(H, IERR, 'MGCELL')
+      D = 0
+      DO 6 K = 1, N
+        D = D + CELL(K)
+    6 CONTINUE
+      CALL EXPECT(ABS(D - 27) .LT. 1D-12, 'cells fill the box')
+      CALL MGCELL(H, MGMVOL, 5, BOX, N, CELL, IERR)
+      CALL BAD(H, IERR, MGEARG, 'plane 1 has no end')
+      CALL MGCELL(H, MGMCEN, 0, BOX, N, CELL, IERR)
+      CALL BAD(H, IERR, MGEBUF, 'are needed')
 
       V = 0
       YES = .TRUE.

@@ -70,7 +70,7 @@ struct Exports {
     std::int64_t points = 0, vertices = 0;
     Indices tetrahedra, neighbors, hull, edges, map, offsets, list, neighbor_offsets, neighbor_list;
     Indices gabriel, tree;
-    std::vector<double> centers, squares;
+    std::vector<double> centers, squares, volumes, faces;
 
     Exports(const mgdt_triangulation* t, int index_base, std::size_t margin)
         : base(index_base),
@@ -91,6 +91,7 @@ struct Exports {
         gabriel = take_graph(t, mgdt_get_gabriel_edges, mgdt_get_gabriel_edges_i32, margin);
         tree = take_graph(t, mgdt_get_spanning_tree, mgdt_get_spanning_tree_i32, margin);
         take_circumcenters(t, margin);
+        take_cells(t, margin);
         for (Indices* array : {&tetrahedra, &neighbors, &hull, &edges, &map, &offsets, &list,
                                &neighbor_offsets, &neighbor_list})
             for (std::int64_t& v : *array) v -= base;
@@ -101,8 +102,8 @@ struct Exports {
                tetrahedra == o.tetrahedra && neighbors == o.neighbors && hull == o.hull &&
                edges == o.edges && map == o.map && offsets == o.offsets && list == o.list &&
                neighbor_offsets == o.neighbor_offsets && neighbor_list == o.neighbor_list &&
-               centers == o.centers && squares == o.squares && gabriel == o.gabriel &&
-               tree == o.tree;
+               centers == o.centers && squares == o.squares && volumes == o.volumes &&
+               faces == o.faces && gabriel == o.gabriel && tree == o.tree;
     }
     std::size_t count() const { return tetrahedra.size() / 4; }
     bool is_in(std::size_t point) const { return map[point] >= 0; }
@@ -198,6 +199,31 @@ struct Exports {
         squares = radius2.take();
         for (const double x : centers) FUZZ_REQUIRE(!std::isnan(x), "a centre");
         for (const double x : squares) FUZZ_REQUIRE(x >= 0, "a radius");
+    }
+
+    // Cells in themselves, and in a box that all points are in.
+    void take_cells(const mgdt_triangulation* t, std::size_t margin) {
+        const auto take = [&](std::int32_t measure, const std::vector<double>& planes) {
+            const std::int64_t count = measure == MGDT_MEASURE_CENTROID ? 3 * points : points;
+            Exact<double> x(static_cast<std::size_t>(count), margin);
+            const mgdt_status status =
+                mgdt_get_cell_measures(t, measure, static_cast<std::int64_t>(planes.size() / 4),
+                                       planes.data(), count, x.data());
+            FUZZ_REQUIRE(
+                status == (vertices > 0 && dimension < 3 ? MGDT_ERR_INVALID_ARGUMENT : MGDT_OK),
+                error_of(t));
+            return status == MGDT_OK ? x.take() : std::vector<double>{};
+        };
+        volumes = take(MGDT_MEASURE_VOLUME, {});
+        faces = take(MGDT_MEASURE_FACES, {});
+        const std::vector<double> centroids = take(MGDT_MEASURE_CENTROID, {});
+        for (const double x : take(MGDT_MEASURE_AREA, {})) FUZZ_REQUIRE(x >= 0, "an area");
+        for (const double x : centroids) FUZZ_REQUIRE(!std::isnan(x), "a centroid");
+        for (std::size_t k = 0; k < volumes.size(); ++k) {
+            FUZZ_REQUIRE(volumes[k] >= 0, "a volume");
+            const bool is_vertex = is_in(k) && map[k] - base == static_cast<std::int64_t>(k);
+            FUZZ_REQUIRE((faces[k] >= 3) == is_vertex, "number of faces");
+        }
     }
 
     // Whether the edges, sorted, have all of some others.

@@ -127,6 +127,11 @@ test("random points: every export as the C interface writes it", function()
     local centers, squares, count = t:circumcenters()
     same(centers, read("centers", "double"), 3 * count, "circumcentres")
     same(squares, read("squares", "double"), count, "squares of the radii")
+    local box = { { 1, 0, 0, 2 }, { -1, 0, 0, 1 }, { 0, 1, 0, 2 }, { 0, -1, 0, 1 }, { 0, 0, 1, 2 }, { 0, 0, -1, 1 } }
+    local volumes, cells = t:cell_measures("volume", box)
+    same(volumes, read("volumes", "double"), cells, "volumes")
+    same(t:cell_measures("centroid", box), read("centroids", "double"), 3 * cells, "centroids")
+    same(t:cell_measures("faces"), read("faces", "double"), cells, "faces")
     -- Euler's formula for a ball.
     equal(t:vertex_count() - t:edge_count() + (4 * t:tetrahedron_count() + t:hull_facet_count()) / 2
         - t:tetrahedron_count(), 1, "V - E + F - T")

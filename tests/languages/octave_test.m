@@ -96,6 +96,10 @@ function exports (folder)
   [centers, squares] = t.circumcenters ();
   assert (centers, read (folder, "centers", "double", 3));
   assert (squares, read (folder, "squares", "double", 1));
+  box = [1 0 0 2; -1 0 0 1; 0 1 0 2; 0 -1 0 1; 0 0 1 2; 0 0 -1 1];
+  assert (t.cell_measures ("volume", box), read (folder, "volumes", "double", 1));
+  assert (t.cell_measures ("centroid", box), read (folder, "centroids", "double", 3));
+  assert (t.cell_measures ("faces"), read (folder, "faces", "double", 1));
   tetrahedra = t.tetrahedra ();
   assert (list(offsets(8):offsets(9)-1), find (any (tetrahedra == 8, 2)));
   % Euler's formula for a ball.

@@ -64,12 +64,14 @@ static void export_list(const mgdt_triangulation* t, get_function get, int64_t c
 int main(int argc, char** argv) {
     static double xyz[3 * (random_points + repeated_points)], asked[3 * queries];
     static double weights[4 * queries];
+    static const double box[24] = {1, 0,  0, 2, -1, 0, 0, 1, 0, 1, 0,  2,
+                                   0, -1, 0, 1, 0,  0, 1, 2, 0, 0, -1, 1};
     static int64_t located[queries], nearest[queries];
     const int64_t n = random_points + repeated_points;
     uint64_t state = 20140090;
     mgdt_triangulation* t = NULL;
     int64_t *offsets, *list, tetrahedra, facets, edges, i;
-    double *centers, *squares;
+    double *centers, *squares, *measures;
 
     if (argc != 2) stop("usage: reference FOLDER");
     folder = argv[1];
@@ -112,6 +114,13 @@ int main(int argc, char** argv) {
     require(mgdt_get_circumcenters(t, tetrahedra, centers, squares), t);
     write_file("centers", centers, 3 * tetrahedra);
     write_file("squares", squares, tetrahedra);
+    measures = room(3 * n, sizeof *measures);
+    require(mgdt_get_cell_measures(t, MGDT_MEASURE_VOLUME, 6, box, n, measures), t);
+    write_file("volumes", measures, n);
+    require(mgdt_get_cell_measures(t, MGDT_MEASURE_CENTROID, 6, box, 3 * n, measures), t);
+    write_file("centroids", measures, 3 * n);
+    require(mgdt_get_cell_measures(t, MGDT_MEASURE_FACES, 0, NULL, n, measures), t);
+    write_file("faces", measures, n);
 
     require(mgdt_locate_points(t, queries, asked, located, weights), t);
     for (i = 0; i < queries; ++i) require(mgdt_nearest_vertex(t, asked + 3 * i, &nearest[i]), t);
@@ -120,6 +129,7 @@ int main(int argc, char** argv) {
     write_file("weights", weights, 4 * queries);
     write_file("nearest", nearest, queries);
 
+    free(measures);
     free(squares);
     free(centers);
     free(list);

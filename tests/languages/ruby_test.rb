@@ -93,6 +93,10 @@ class MgdtTest < Minitest::Test
     assert_equal self.class.integers("spanning_tree", 2), t.spanning_tree
     centers = self.class.doubles("centers").each_slice(3).to_a
     assert_equal [centers, self.class.doubles("squares")], t.circumcenters
+    box = [[1, 0, 0, 2], [-1, 0, 0, 1], [0, 1, 0, 2], [0, -1, 0, 1], [0, 0, 1, 2], [0, 0, -1, 1]]
+    assert_equal self.class.doubles("volumes"), t.cell_measures(:volume, box)
+    assert_equal self.class.doubles("centroids").each_slice(3).to_a, t.cell_measures(:centroid, box)
+    assert_equal self.class.doubles("faces"), t.cell_measures(:faces)
     # Euler's formula for a ball.
     facets = (4 * t.tetrahedron_count + t.hull_facet_count) / 2
     assert_equal 1, t.vertex_count - t.edge_count + facets - t.tetrahedron_count

@@ -216,6 +216,38 @@ class Output(unittest.TestCase):
         self.assertEqual(len(np.unique(cubes.circumcenters, axis=0)), 27)
         self.assertEqual(len(np.unique(cubes.circumradii)), 1)
 
+    def test_cell_measures(self):
+        points = random_points(300)
+        low, high = points.min(axis=0) - 0.25, points.max(axis=0) + 0.5
+        box = np.concatenate(
+            [np.column_stack([np.eye(3), high]), np.column_stack([-np.eye(3), -low])]
+        )
+        tri = mgdt.Delaunay(np.concatenate([points, points[:2]]))
+        volumes = tri.cell_measures("volume", box)
+        self.assertAlmostEqual(volumes.sum(), np.prod(high - low), delta=1e-12)
+        self.assertEqual(volumes[300:].tolist(), [0, 0])
+        centroids = tri.cell_measures("centroid", box)
+        np.testing.assert_allclose(
+            volumes @ centroids, (low + high) / 2 * np.prod(high - low), rtol=1e-12
+        )
+        # Nothing but the number of faces is finite where a cell has no end.
+        open_ones = np.isinf(tri.cell_measures("volume"))
+        self.assertEqual(
+            np.flatnonzero(open_ones).tolist(), np.unique(tri.convex_hull).tolist()
+        )
+        self.assertEqual(np.isinf(tri.cell_measures("area")).tolist(), open_ones.tolist())
+        self.assertTrue(np.isfinite(tri.cell_measures("faces")).all())
+        self.assertEqual(mgdt.Delaunay(grid(5)).cell_measures("faces")[62], 6)
+        for planes, message in (
+            (box[:5], "plane 5 has no end|do not bound"),
+            (box[:, :3], "shape"),
+            (box - [0, 0, 0, 1], "is beyond plane"),
+        ):
+            with self.assertRaisesRegex(ValueError, message):
+                tri.cell_measures("volume", planes)
+        with self.assertRaisesRegex(ValueError, "there is no measure"):
+            tri.cell_measures("mass")
+
     def test_neighbors_of_vertices(self):
         tri = mgdt.Delaunay(np.concatenate([random_points(200), random_points(200)[:3]]))
         starts, ends = tri.vertex_neighbor_vertices

@@ -81,6 +81,8 @@ int32_t mgdt_get_spanning_tree_i32(const mgdt_triangulation *t, int64_t capacity
                                    int32_t *count);
 int32_t mgdt_get_circumcenters(const mgdt_triangulation *t, int64_t capacity, double *xyz,
                                double *radius2);
+int32_t mgdt_get_cell_measures(const mgdt_triangulation *t, int32_t measure, int64_t n_planes,
+                               const double *planes, int64_t capacity, double *x);
 int32_t mgdt_locate(const mgdt_triangulation *t, const double *xyz, int64_t *tetrahedron);
 int32_t mgdt_locate_i32(const mgdt_triangulation *t, const double *xyz, int32_t *tetrahedron);
 int32_t mgdt_locate_points(const mgdt_triangulation *t, int64_t n, const double *xyz,
@@ -122,4 +124,5 @@ return {
         remove_seconds = 52, move_seconds = 53, grid_levels = 60, rounds = 61, threads = 62,
         memory_bytes = 70, peak_memory_bytes = 71 },
     check = { combinatorial = 1, geometric = 2, canonical = 3 },
+    measure = { volume = 10, area = 20, centroid = 30, faces = 40 },
 }

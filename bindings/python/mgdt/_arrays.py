@@ -55,6 +55,16 @@ def as_places(values: ArrayLike, name: str) -> tuple[FloatArray, tuple[int, ...]
     return np.ascontiguousarray(array.reshape(-1, 3)), array.shape[:-1]
 
 
+def as_planes(values: Optional[ArrayLike]) -> FloatArray:
+    """Planes as contiguous rows (n, 4); none for None."""
+    if values is None:
+        return np.empty((0, 4))
+    array = _as_doubles(values, "planes")
+    if array.ndim != 2 or array.shape[1] != 4:
+        raise ValueError(f"planes must have the shape (n, 4), not {array.shape}")
+    return np.ascontiguousarray(array)
+
+
 def stride_in_doubles(points: FloatArray) -> Optional[int]:
     """The distance from one row to the next in doubles; None if it is no whole number."""
     step: int = points.strides[0]

@@ -24,6 +24,7 @@ from ._insertion import Insertion
 _STATISTICS = _interface.CONSTANTS["statistic"].values()
 _ORDER_PARAMETERS = _interface.CONSTANTS["parameter"]
 _SEPARATIONS = _interface.CONSTANTS["separation"]
+MEASURES = _interface.CONSTANTS["measure"]
 _MESSAGE_BYTES = 256
 
 # The library sorts locations in blocks of this size. A location that nobody waits for ends there.
@@ -227,6 +228,13 @@ class Handle:
         centers, squares = np.empty((count, 3)), np.empty(count)
         self._call("mgdt_get_circumcenters", count, address(centers), address(squares))
         return centers, squares
+
+    def cell_measures(self, measure: str, planes: FloatArray) -> FloatArray:
+        width = 3 if measure == "centroid" else 1
+        x = np.empty((self.point_count, 3) if width == 3 else self.point_count)
+        self._call("mgdt_get_cell_measures", MEASURES[measure], len(planes), address(planes), x.size,
+                   address(x))
+        return x
 
     def point_map(self) -> IndexArray:
         return self._export("mgdt_get_point_map_i32", self.point_count)

@@ -83,6 +83,7 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "mgdt_get_spanning_tree": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p]),
     "mgdt_get_spanning_tree_i32": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p]),
     "mgdt_get_circumcenters": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p]),
+    "mgdt_get_cell_measures": (c_int32, [c_void_p, c_int32, c_int64, c_void_p, c_int64, c_void_p]),
     "mgdt_locate": (c_int32, [c_void_p, c_void_p, c_void_p]),
     "mgdt_locate_i32": (c_int32, [c_void_p, c_void_p, c_void_p]),
     "mgdt_locate_points": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p, c_void_p]),
@@ -175,5 +176,11 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "combinatorial": 1,
         "geometric": 2,
         "canonical": 3,
+    },
+    "measure": {
+        "volume": 10,
+        "area": 20,
+        "centroid": 30,
+        "faces": 40,
     },
 }

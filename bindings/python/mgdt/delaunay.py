@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _geometry, export
-from ._arrays import FloatArray, IndexArray, as_places, finite_rows
-from ._handle import Handle
+from ._arrays import FloatArray, IndexArray, as_places, as_planes, finite_rows
+from ._handle import MEASURES, Handle
 from ._tolerance import in_tolerance
 from ._triangulation import GrowingTriangulation, whole
 from .interpolation import Interpolator
@@ -256,6 +256,34 @@ class Delaunay(GrowingTriangulation):
             return radii
 
         return self._cached("circumradii", roots)
+
+    def cell_measures(self, measure: str, planes: Optional[ArrayLike] = None) -> FloatArray:
+        """Measures the Voronoi cell of each point: what is nearer to it than to any other.
+
+        The same numbers on every run and with any number of threads. Volumes and areas are off by
+        less than 1e-12 of themselves, centroids by less than 1e-12 of the size of the cell. A point
+        that is no vertex has 0. Not in SciPy. Since 1.2.
+
+        Parameters
+        ----------
+        measure : str
+            "volume", "area" (of the surface), "centroid" or "faces" (their number).
+        planes : array_like of float, shape (n, 4), optional
+            Bound the region that cells are clipped to: a, b, c, d each, where
+            a x + b y + c z <= d. No point may be outside. Without them cells of hull vertices have
+            no end, and their measures are infinite but for faces.
+
+        Returns
+        -------
+        ndarray
+            Shape (npoints,), or (npoints, 3) of centroids.
+        """
+        if measure not in MEASURES:
+            raise ValueError(f"there is no measure {measure!r}; there are {', '.join(MEASURES)}")
+        rows = as_planes(planes)
+        return self._read(
+            lambda handle, _: handle.cell_measures(measure, rows), self.npoints >= _LONG_CHECK
+        )
 
     @property
     def transform(self) -> FloatArray:

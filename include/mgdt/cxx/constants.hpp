@@ -75,6 +75,14 @@ enum class Check : std::int32_t {
     canonical = MGDT_CHECK_CANONICAL
 };
 
+/** What is measured of a cell; see MGDT_MEASURE_VOLUME and its neighbours. @since 1.2 */
+enum class Measure : std::int32_t {
+    volume = MGDT_MEASURE_VOLUME,
+    area = MGDT_MEASURE_AREA,
+    centroid = MGDT_MEASURE_CENTROID,
+    faces = MGDT_MEASURE_FACES
+};
+
 /** Name of an order scheme ("multi-grid"); NULL for an unknown one. */
 [[nodiscard]] inline const char* name(Order scheme) noexcept {
     return mgdt_order_scheme_name(static_cast<std::int32_t>(scheme));

@@ -66,6 +66,7 @@ module Mgdt
     [:mgdt_get_spanning_tree, %i[pointer int64 pointer pointer], :int32, true],
     [:mgdt_get_spanning_tree_i32, %i[pointer int64 pointer pointer], :int32, true],
     [:mgdt_get_circumcenters, %i[pointer int64 pointer pointer], :int32, true],
+    [:mgdt_get_cell_measures, %i[pointer int32 int64 pointer int64 pointer], :int32, true],
     [:mgdt_locate, %i[pointer pointer pointer], :int32, false],
     [:mgdt_locate_i32, %i[pointer pointer pointer], :int32, false],
     [:mgdt_locate_points, %i[pointer int64 pointer pointer pointer], :int32, true],
@@ -103,6 +104,7 @@ module Mgdt
       move_seconds: 53, grid_levels: 60, rounds: 61, threads: 62, memory_bytes: 70,
       peak_memory_bytes: 71 },
     check: { combinatorial: 1, geometric: 2, canonical: 3 },
+    measure: { volume: 10, area: 20, centroid: 30, faces: 40 },
   }.freeze
   private_constant :INTERFACE, :CONSTANTS
 end

@@ -10,6 +10,7 @@ module Mgdt
     PARAMETERS = CONSTANTS[:parameter]
     SEPARATIONS = CONSTANTS[:separation]
     LEVELS = CONSTANTS[:check]
+    MEASURES = CONSTANTS[:measure]
     STATISTICS = CONSTANTS[:statistic].values.to_h do |key|
       [Library.mgdt_stat_name(key).tr(" -", "__").to_sym, key]
     end.freeze
@@ -19,7 +20,7 @@ module Mgdt
                  .map { Library.mgdt_order_scheme_name(out.read_int32) }.to_a
     end.freeze
     SETTINGS = %i[order seed threads index_base memory_limit compact canonical isa].freeze
-    private_constant :PARAMETERS, :SEPARATIONS, :LEVELS, :STATISTICS, :SETTINGS
+    private_constant :PARAMETERS, :SEPARATIONS, :LEVELS, :MEASURES, :STATISTICS, :SETTINGS
 
     # Makes an empty triangulation. Settings: order, seed, threads, index_base, memory_limit,
     # compact, canonical, isa, and the parameters of the order schemes: points_per_cell, threshold,
@@ -282,6 +283,21 @@ module Mgdt
         squares = FFI::MemoryPointer.new(:double, [n, 1].max)
         ensure_good(handle, Library.mgdt_get_circumcenters(handle, n, xyz, squares))
         [xyz.read_array_of_double(3 * n).each_slice(3).to_a, squares.read_array_of_double(n)]
+      end
+    end
+
+    # A measure of each point's Voronoi cell: :volume, :area, :faces, or :centroid, an Array of three
+    # numbers. Cells are clipped to the planes [a, b, c, d], where a x + b y + c z <= d, given as
+    # points are; without any, those of hull vertices are infinite.
+    def cell_measures(measure, planes = [])
+      key = MEASURES[measure] || integer(measure, "the measure", 31)
+      rows = Points.new(planes, width: 4, name: "planes")
+      with_handle do |handle|
+        room = Library.mgdt_point_count(handle) * (key == MEASURES[:centroid] ? 3 : 1)
+        x = FFI::MemoryPointer.new(:double, [room, 1].max)
+        ensure_good(handle, Library.mgdt_get_cell_measures(handle, key, rows.count, rows.data, room, x))
+        values = x.read_array_of_double(room)
+        key == MEASURES[:centroid] ? values.each_slice(3).to_a : values
       end
     end
 

@@ -80,6 +80,11 @@ pub const MGDT_CHECK_COMBINATORIAL: i32 = 1;
 pub const MGDT_CHECK_GEOMETRIC: i32 = 2;
 pub const MGDT_CHECK_CANONICAL: i32 = 3;
 
+pub const MGDT_MEASURE_VOLUME: i32 = 10;
+pub const MGDT_MEASURE_AREA: i32 = 20;
+pub const MGDT_MEASURE_CENTROID: i32 = 30;
+pub const MGDT_MEASURE_FACES: i32 = 40;
+
 pub type mgdt_alloc_fn =
     Option<unsafe extern "C" fn(size: usize, align: usize, user: *mut c_void) -> *mut c_void>;
 pub type mgdt_free_fn =
@@ -286,6 +291,14 @@ extern "C" {
         capacity: i64,
         xyz: *mut f64,
         radius2: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_cell_measures(
+        t: *const mgdt_triangulation,
+        measure: i32,
+        n_planes: i64,
+        planes: *const f64,
+        capacity: i64,
+        x: *mut f64,
     ) -> mgdt_status;
     pub fn mgdt_locate(
         t: *const mgdt_triangulation,

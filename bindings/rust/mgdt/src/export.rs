@@ -2,7 +2,7 @@
 //! What a triangulation gives: its parts, and answers about places.
 
 use crate::triangulation::as_i64;
-use crate::{Error, ErrorKind, Triangulation};
+use crate::{Error, ErrorKind, Measure, Triangulation};
 use mgdt_sys as sys;
 
 type Get<I> = unsafe extern "C" fn(*const sys::mgdt_triangulation, i64, *mut I) -> sys::mgdt_status;
@@ -308,6 +308,29 @@ impl Triangulation {
                 squared_radius,
             })
             .collect())
+    }
+
+    /// A measure of each point's Voronoi cell: one number, or the three of a centroid, a point.
+    /// Cells are clipped to planes a b c d, where a x + b y + c z <= d; without any, those of hull
+    /// vertices are infinite.
+    pub fn cell_measures(
+        &self,
+        measure: Measure,
+        planes: &[[f64; 4]],
+    ) -> Result<Vec<f64>, Error> {
+        let width = if measure == Measure::Centroid { 3 } else { 1 };
+        let mut x = vec![0.0; width * self.point_count()];
+        self.ensure(unsafe {
+            sys::mgdt_get_cell_measures(
+                self.raw(),
+                measure as i32,
+                as_i64(planes.len()),
+                planes.as_ptr().cast(),
+                as_i64(x.len()),
+                x.as_mut_ptr(),
+            )
+        })?;
+        Ok(x)
     }
 
     /// The tetrahedron that contains a point, its boundary included; None outside the hull.

@@ -154,6 +154,21 @@ pub enum Check {
     Canonical = sys::MGDT_CHECK_CANONICAL,
 }
 
+/// What [`cell_measures`](crate::Triangulation::cell_measures) measures of a Voronoi cell. Since 1.2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+#[repr(i32)]
+pub enum Measure {
+    /// Volume.
+    Volume = sys::MGDT_MEASURE_VOLUME,
+    /// Area of the surface.
+    Area = sys::MGDT_MEASURE_AREA,
+    /// Centre of mass.
+    Centroid = sys::MGDT_MEASURE_CENTROID,
+    /// Number of faces that have an area.
+    Faces = sys::MGDT_MEASURE_FACES,
+}
+
 /// Figures about a triangulation, of its whole life.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]

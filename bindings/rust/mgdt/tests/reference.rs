@@ -85,6 +85,16 @@ fn every_export() {
     let squares: Vec<_> = spheres.iter().map(|s| s.squared_radius).collect();
     assert_eq!(centers, doubles("centers"));
     assert_eq!(squares, doubles("squares"));
+    let side = |k: usize, sign: f64| {
+        let mut plane = [0.0, 0.0, 0.0, if sign > 0.0 { 2.0 } else { 1.0 }];
+        plane[k] = sign;
+        plane
+    };
+    let cube: Vec<_> = (0..3).flat_map(|k| [side(k, 1.0), side(k, -1.0)]).collect();
+    let measures = |of, planes: &[[f64; 4]]| t.cell_measures(of, planes).unwrap();
+    assert_eq!(measures(mgdt::Measure::Volume, &cube), doubles("volumes"));
+    assert_eq!(measures(mgdt::Measure::Centroid, &cube), doubles("centroids"));
+    assert_eq!(measures(mgdt::Measure::Faces, &[]), doubles("faces"));
     let tetrahedra = t.tetrahedra().unwrap();
     for point in [0, 7, 999, 1009] {
         let expected: Vec<_> = (0..tetrahedra.len())

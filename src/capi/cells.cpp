@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "capi/counts.hpp"
+#include "capi/handle.hpp"
+#include "dual/measures.hpp"
+
+using namespace mgdt;
+
+namespace {
+
+Measure measure_of(std::int32_t measure) {
+    switch (measure) {
+        case MGDT_MEASURE_VOLUME:
+            return Measure::volume;
+        case MGDT_MEASURE_AREA:
+            return Measure::area;
+        case MGDT_MEASURE_CENTROID:
+            return Measure::centroid;
+        case MGDT_MEASURE_FACES:
+            return Measure::faces;
+        default:
+            fail(MGDT_ERR_UNKNOWN_KEY, "there is no measure %d", static_cast<int>(measure));
+    }
+}
+
+std::size_t require_planes(std::int64_t n, const double* planes) {
+    constexpr std::int64_t most = 1 << 30;
+    if (n < 0)
+        fail(MGDT_ERR_INVALID_ARGUMENT, "the number of planes is negative (%lld)",
+             static_cast<long long>(n));
+    if (n > most)
+        fail(MGDT_ERR_TOO_LARGE, "%lld planes are more than %lld", static_cast<long long>(n),
+             static_cast<long long>(most));
+    if (n > 0) require_pointer(planes, "the array of planes");
+    return static_cast<std::size_t>(n);
+}
+
+// Cells are those of points in space.
+void require_space(const Triangulation& core) {
+    static constexpr const char* where[] = {"at one place", "on one line", "in one plane"};
+    if (core.vertex_count() > 0 && core.dimension() < 3)
+        fail(MGDT_ERR_INVALID_ARGUMENT, "there are no cells: all points are %s",
+             where[core.dimension()]);
+}
+
+}  // namespace
+
+extern "C" mgdt_status mgdt_get_cell_measures(const mgdt_triangulation* t, int32_t measure,
+                                              int64_t n_planes, const double* planes,
+                                              int64_t capacity, double* x) {
+    return guard(t, [&] {
+        const Measure m = measure_of(measure);
+        const std::size_t n = require_planes(n_planes, planes);
+        require_space(t->core);
+        const auto points = static_cast<std::size_t>(point_count(t->core));
+        const std::size_t count = (m == Measure::centroid ? 3 : 1) * points;
+        if (count > 0) require_pointer(x, "the output array");
+        require_capacity(capacity, count, "the output array");
+        if (t->core.vertex_count() == 0) return std::fill_n(x, count, 0.0), void();
+        constexpr std::size_t vertices_a_thread = 4096;
+        Team team(t->core.threads_for(points, vertices_a_thread));
+        const ExportView view = view_of(team, t, false);
+        const Region region(view.allocator, n, planes, view.mesh, view.base);
+        export_measures(view, region, m, points, x);
+    });
+}

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// The measures of cells have the errors that are promised: beside rational numbers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "../small.h"
+#include "core/triangulation.hpp"
+#include "dual/measures.hpp"
+#include "exact_cells.hpp"
+
+namespace mgdt {
+namespace {
+
+using exact_cells::Rational;
+using Points = std::vector<double>;
+
+struct Set {
+    const char* name;
+    Points xyz;
+};
+
+Points uniform(std::size_t n, double x_size = 1, double y_size = 1, double z_size = 1) {
+    std::mt19937_64 random(3);
+    Points xyz(3 * n);
+    for (double& x : xyz) x = static_cast<double>(random() >> 11) * 0x1p-53;
+    for (std::size_t i = 0; i < n; ++i) {
+        xyz[3 * i] *= x_size;
+        xyz[3 * i + 1] *= y_size;
+        xyz[3 * i + 2] *= z_size;
+    }
+    return xyz;
+}
+
+Points sphere(std::size_t n) {
+    Points xyz = uniform(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        double* const p = &xyz[3 * i];
+        for (int k = 0; k < 3; ++k) p[k] -= 0.5;
+        const double r = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+        for (int k = 0; k < 3; ++k) p[k] /= r;
+    }
+    return xyz;
+}
+
+// Two clusters of the given size, far from each other.
+Points clusters(std::size_t n, double size) {
+    Points xyz = uniform(n);
+    for (std::size_t i = 0; i < 3 * n; ++i) xyz[i] = xyz[i] * size + (i % 6 < 3 ? 0.25 : 0.75);
+    return xyz;
+}
+
+Points lattice() {
+    Points xyz;
+    for (int i = 0; i < 27; ++i)
+        for (const int x : {i % 3, i / 3 % 3, i / 9}) xyz.push_back(x);
+    return xyz;
+}
+
+Points scaled(Points xyz, double by) {
+    for (double& x : xyz) x *= by;
+    return xyz;
+}
+
+// A box around the points and a plane that cuts one of its corners off.
+Points planes_around(const Points& xyz) {
+    double low[3], high[3], size = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = high[k] = xyz[k];
+        for (std::size_t i = k; i < xyz.size(); i += 3) {
+            low[k] = std::min(low[k], xyz[i]);
+            high[k] = std::max(high[k], xyz[i]);
+        }
+        size = std::max(size, high[k] - low[k]);
+    }
+    Points planes;
+    double corner = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double margin = 0.125 * (high[k] - low[k]);
+        for (const double sign : {1.0, -1.0}) {
+            Points plane = {0, 0, 0, sign > 0 ? high[k] + margin : margin - low[k]};
+            plane[k] = sign;
+            planes.insert(planes.end(), plane.begin(), plane.end());
+        }
+        corner += high[k];
+    }
+    planes.insert(planes.end(), {1, 1, 1, corner});
+    return planes;
+}
+
+class CellBounds : public testing::TestWithParam<Set> {
+  protected:
+    Points measures(Measure measure, const Points& planes) {
+        const Points& xyz = GetParam().xyz;
+        Triangulation t(nullptr, nullptr, nullptr);
+        const std::size_t n = xyz.size() / 3;
+        const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
+        t.insert(n, axis, 3);
+        Team team(1);
+        const ExportView view = {team, t.mesh(), nullptr, t.allocator(), 0, false};
+        const Region region(t.allocator(), planes.size() / 4, planes.data(), t.mesh(), 0);
+        Points x((measure == Measure::centroid ? 3 : 1) * n);
+        export_measures(view, region, measure, n, x.data());
+        return x;
+    }
+    void compare(const Points& planes) {
+        const Points& xyz = GetParam().xyz;
+        const Points volumes = measures(Measure::volume, planes),
+                     areas = measures(Measure::area, planes),
+                     centroids = measures(Measure::centroid, planes),
+                     faces = measures(Measure::faces, planes);
+        double size = 0;
+        for (const double x : xyz) size = std::max(size, std::fabs(x));
+        const Rational far = Rational(size) * Rational(0x1p300);
+        std::size_t finite = 0;
+        for (std::size_t k = 0; 3 * k < xyz.size(); k += is_small() ? 11 : 2) {
+            SCOPED_TRACE(k);
+            const exact_cells::Cell exact =
+                exact_cells::cell(exact_cells::half_spaces(xyz, k, planes), far);
+            EXPECT_EQ(faces[k], exact.faces);
+            if (exact.reach > far) {
+                EXPECT_TRUE(planes.empty());
+                EXPECT_TRUE(std::isinf(volumes[k]) && std::isinf(areas[k]) &&
+                            std::isinf(centroids[3 * k]));
+                continue;
+            }
+            ++finite;
+            const Rational bound = Rational(measure_error) * exact.volume;
+            EXPECT_LE(abs(Rational(volumes[k]) - exact.volume), bound) << volumes[k];
+            EXPECT_LE(std::fabs(areas[k] / exact.area - 1), measure_error * (1 + 1e-3));
+            // In units of the farthest corner's distance, which the cell's size bounds from below
+            // well enough here.
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Rational offset = Rational(centroids[3 * k + i]) - Rational(xyz[3 * k + i]);
+                // The coordinates themselves are rounded.
+                const Rational rounding = Rational(0x1p-52) * abs(Rational(centroids[3 * k + i]));
+                EXPECT_LE(abs(offset * exact.volume - exact.moment[i]),
+                          bound * exact.reach + rounding * exact.volume)
+                    << i;
+            }
+        }
+        if (!planes.empty()) {
+            EXPECT_GT(finite, 1u);
+        }
+    }
+};
+
+TEST_P(CellBounds, HoldWithoutPlanes) {
+    compare({});
+}
+
+TEST_P(CellBounds, HoldWithinPlanes) {
+    compare(planes_around(GetParam().xyz));
+}
+
+// The bound of a corner's error is kept, and not by much more than it has to be.
+TEST(CornerBound, IsKeptAndTight) {
+    std::mt19937_64 random(9);
+    const auto coordinate = [&](double spread) {
+        return 1 + spread * (static_cast<double>(random() >> 11) * 0x1p-53 - 0.5);
+    };
+    double largest = 0;
+    for (int i = 0; i < (is_small() ? 300 : 3000); ++i) {
+        const double spread = std::ldexp(1, -(i % 12));
+        Side<double> side[3];
+        exact_cells::HalfSpace exact[3];
+        const double origin[3] = {coordinate(2), coordinate(2), coordinate(2)};
+        for (int j = 0; j < 3; ++j) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double x = coordinate(spread);
+                side[j].normal.x[k] = x - origin[k];
+                exact[j].normal[k] = Rational(x) - Rational(origin[k]);
+            }
+            side[j].offset = 0.5 * dot(side[j].normal, side[j].normal);
+            side[j].size = length(side[j].normal);
+            side[j].error = 5 * 0x1p-53 * side[j].offset;
+            exact[j].offset = exact_cells::dot(exact[j].normal, exact[j].normal) / 2;
+        }
+        exact_cells::V x;
+        Corner<double> corner;
+        if (!exact_cells::meet(exact[0], exact[1], exact[2], x) ||
+            !meet(side[0], side[1], side[2], corner))
+            continue;
+        double square = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double d = static_cast<double>(Rational(corner.x.x[k]) - x[k]);
+            square += d * d;
+        }
+        largest = std::max(largest, std::sqrt(square) / corner.error);
+    }
+    EXPECT_LE(largest, 1);
+    EXPECT_GT(largest, 0.01);
+}
+
+const Set sets[] = {{"uniform", uniform(20)},
+                    {"lattice", lattice()},
+                    {"sphere", sphere(20)},
+                    {"anisotropic", uniform(20, 1, 1e-3, 1e-6)},
+                    {"flat", uniform(20, 1, 1, 1e-12)},
+                    {"needle", uniform(20, 1, 1e-9, 1e-9)},
+                    {"clusters", clusters(20, 1e-7)},
+                    {"tiny", scaled(uniform(20), 1e-90)},
+                    {"huge", scaled(uniform(20), 1e90)}};
+INSTANTIATE_TEST_SUITE_P(Sets, CellBounds, testing::ValuesIn(sets),
+                         [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace mgdt
