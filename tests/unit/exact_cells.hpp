@@ -72,8 +72,8 @@ inline std::vector<HalfSpace> half_spaces(const std::vector<double>& xyz, std::s
 // any corner.
 inline std::vector<V> face(const std::vector<HalfSpace>& all, std::size_t k, const Rational& far) {
     const V& normal = all[k].normal;
-    int least = 0;
-    for (int i = 1; i < 3; ++i)
+    std::size_t least = 0;
+    for (std::size_t i = 1; i < 3; ++i)
         if (abs(normal[i]) < abs(normal[least])) least = i;
     V axis = {0, 0, 0};
     axis[least] = 1;
