@@ -131,6 +131,11 @@ module mgdt
         procedure :: get_circumcenters
         procedure, private :: get_cell_measures_1, get_cell_measures_2
         generic :: get_cell_measures => get_cell_measures_1, get_cell_measures_2
+        procedure, private :: get_alphas_1, get_alphas_2
+        generic :: get_alphas => get_alphas_1, get_alphas_2
+        procedure, private :: get_alpha_surface_i32, get_alpha_surface_i64
+        generic :: get_alpha_surface => get_alpha_surface_i32, get_alpha_surface_i64
+        procedure :: get_solid_alpha
         procedure, private :: get_vertex_tetrahedra_i32, get_vertex_tetrahedra_i64
         generic :: get_vertex_tetrahedra => get_vertex_tetrahedra_i32, get_vertex_tetrahedra_i64
         procedure, private :: get_vertex_neighbors_i32, get_vertex_neighbors_i64
@@ -709,6 +714,47 @@ module mgdt
             integer, intent(in) :: measure
             real(real64), contiguous, intent(inout) :: x(:, :)
             real(real64), contiguous, intent(in), optional, target :: planes(:, :)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! Alphas, squares of radii, of the tetrahedra (dimension 3), of the facets opposite their
+        ! vertices (2), x(4, tetrahedron_count()), of the edges (1), or of the points (0).
+        module subroutine get_alphas_1(self, dimension, x, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer, intent(in) :: dimension
+            real(real64), contiguous, intent(inout) :: x(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine get_alphas_2(self, dimension, x, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer, intent(in) :: dimension
+            real(real64), contiguous, intent(inout) :: x(:, :)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! The facets between tetrahedra whose alpha is at most alpha2 and others, facets(3, :), of which
+        ! `count` are set, counter-clockwise seen from outside.
+        module subroutine get_alpha_surface_i32(self, alpha2, facets, count, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            real(real64), intent(in) :: alpha2
+            integer(int32), contiguous, intent(inout) :: facets(:, :)
+            integer(int32), intent(inout) :: count
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine get_alpha_surface_i64(self, alpha2, facets, count, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            real(real64), intent(in) :: alpha2
+            integer(int64), contiguous, intent(inout) :: facets(:, :)
+            integer(int64), intent(inout) :: count
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! The least alpha whose tetrahedra are one solid that has all vertices.
+        module subroutine get_solid_alpha(self, alpha2, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            real(real64), intent(inout) :: alpha2
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine

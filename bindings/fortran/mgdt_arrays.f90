@@ -248,6 +248,56 @@ contains
         call finish(handle, 'get_cell_measures', status, stat, errmsg, owned=self%handle)
     end procedure
 
+    module procedure get_alphas_1
+        type(c_ptr) :: handle
+        integer(c_int32_t) :: status
+
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) status = c_get_alphas(handle, to_c(dimension), size(x, kind=int64), x)
+        call finish(handle, 'get_alphas', status, stat, errmsg, owned=self%handle)
+    end procedure
+
+    module procedure get_alphas_2
+        type(c_ptr) :: handle
+        integer(c_int32_t) :: status
+
+        if (.not. fits('get_alphas', shape(x, int64), 4_int64, 1, stat, errmsg)) return
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) status = c_get_alphas(handle, to_c(dimension), size(x, kind=int64), x)
+        call finish(handle, 'get_alphas', status, stat, errmsg, owned=self%handle)
+    end procedure
+
+    module procedure get_alpha_surface_i32
+        type(c_ptr) :: handle
+        integer(c_int32_t) :: status
+
+        if (.not. fits('get_alpha_surface', shape(facets, int64), 3_int64, 1, stat, errmsg)) return
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) &
+            status = c_get_alpha_surface_i32(handle, alpha2, size(facets, kind=c_int64_t), facets, count)
+        call finish(handle, 'get_alpha_surface', status, stat, errmsg, owned=self%handle)
+    end procedure
+
+    module procedure get_alpha_surface_i64
+        type(c_ptr) :: handle
+        integer(c_int32_t) :: status
+
+        if (.not. fits('get_alpha_surface', shape(facets, int64), 3_int64, 1, stat, errmsg)) return
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) &
+            status = c_get_alpha_surface_i64(handle, alpha2, size(facets, kind=c_int64_t), facets, count)
+        call finish(handle, 'get_alpha_surface', status, stat, errmsg, owned=self%handle)
+    end procedure
+
+    module procedure get_solid_alpha
+        type(c_ptr) :: handle
+        integer(c_int32_t) :: status
+
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) status = c_get_solid_alpha(handle, alpha2)
+        call finish(handle, 'get_solid_alpha', status, stat, errmsg, owned=self%handle)
+    end procedure
+
     subroutine export_i32(self, get, procedure, capacity, v, stat, errmsg)
         class(mgdt_triangulation), intent(in) :: self
         procedure(c_export_i32) :: get

@@ -297,6 +297,21 @@ module mgdt_c
             real(c_double), intent(inout) :: x(*)
             integer(c_int32_t) :: status
         end function
+        function c_get_alphas(t, dimension, capacity, alpha2) result(status) &
+            bind(c, name='mgdt_get_alphas')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: dimension
+            integer(c_int64_t), value :: capacity
+            real(c_double), intent(inout) :: alpha2(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_get_solid_alpha(t, alpha2) result(status) bind(c, name='mgdt_get_solid_alpha')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: t
+            real(c_double), intent(inout) :: alpha2
+            integer(c_int32_t) :: status
+        end function
         function c_check(t, level) result(status) bind(c, name='mgdt_check')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: t
@@ -576,6 +591,29 @@ module mgdt_c
             bind(c, name='mgdt_get_spanning_tree')
             import :: c_int32_t, c_int64_t, c_ptr
             type(c_ptr), value :: t
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: v(*)
+            integer(c_int64_t), intent(inout) :: count
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_get_alpha_surface
+        function c_get_alpha_surface_i32(t, alpha2, capacity, v, count) result(status) &
+            bind(c, name='mgdt_get_alpha_surface_i32')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            real(c_double), value :: alpha2
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: v(*)
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: status
+        end function
+        function c_get_alpha_surface_i64(t, alpha2, capacity, v, count) result(status) &
+            bind(c, name='mgdt_get_alpha_surface')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            real(c_double), value :: alpha2
             integer(c_int64_t), value :: capacity
             integer(c_int64_t), intent(inout) :: v(*)
             integer(c_int64_t), intent(inout) :: count

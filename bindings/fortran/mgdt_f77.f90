@@ -762,6 +762,47 @@ subroutine mgcell(h, meas, np, planes, maxx, x, ierr)
             int(maxx, c_int64_t), x)
 end subroutine
 
+! Alphas of simplices of dimension IDIM, X(MAXX): 3 tetrahedra, 2 facets, 4 a tetrahedron, 1 edges,
+! 0 points.
+subroutine mgalph(h, idim, maxx, x, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: idim
+    integer, intent(in) :: maxx
+    real(c_double), intent(inout) :: x(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, maxx)) return
+    ierr = c_get_alphas(handle_of(h), to_c(idim), int(maxx, c_int64_t), x)
+end subroutine
+
+! Facets of the surface of an alpha shape, IFAC(3, MAXF); N is their number.
+subroutine mgasur(h, alpha2, maxf, ifac, n, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    real(c_double), intent(in) :: alpha2
+    integer, intent(in) :: maxf
+    integer, intent(inout) :: ifac(*)
+    integer, intent(inout) :: n
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, maxf)) return
+    ierr = c_get_alpha_surface(handle_of(h), alpha2, columns(3, maxf), ifac, n)
+end subroutine
+
+! The least alpha with all vertices in one solid.
+subroutine mgasol(h, alpha2, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    real(c_double), intent(inout) :: alpha2
+    integer, intent(out) :: ierr
+
+    ierr = c_get_solid_alpha(handle_of(h), alpha2)
+end subroutine
+
 ! ----------------------------------------------------------------------------- queries
 
 ! The tetrahedron that contains P(3), or none.

@@ -34,6 +34,9 @@ LENGTHS = {
     "mgdt_get_spanning_tree": {"v": "capacity", "count": "1"},
     "mgdt_get_circumcenters": {"xyz": "3*capacity", "radius2": "?capacity"},
     "mgdt_get_cell_measures": {"planes": "?4*n_planes", "x": "capacity"},
+    "mgdt_get_alphas": {"alpha2": "capacity"},
+    "mgdt_get_alpha_surface": {"v": "capacity", "count": "1"},
+    "mgdt_get_solid_alpha": {"alpha2": "1"},
     "mgdt_locate": {"xyz": "3", "tetrahedron": "1"},
     "mgdt_locate_points": {"xyz": "3*n", "tetrahedra": "n", "weights": "?4*n"},
     "mgdt_nearest_vertex": {"xyz": "3", "vertex": "1"},
@@ -68,12 +71,16 @@ LISTS = ("vertex_tetrahedra", "vertex_neighbors")
 # Graphs: exports of pairs that say themselves how many there are.
 GRAPHS = ("gabriel_edges", "spanning_tree")
 
+# Integers in a row of an export that FORTRAN 77 takes in columns.
+COLUMNS = {**{name: rows.width for name, rows in ROWS.items()}, **dict.fromkeys(GRAPHS, 2),
+           "alpha_surface": 3}
+
 # The settings that are single numbers, each with mgdt_set_ and mgdt_get_.
 SETTINGS = ("order_scheme", "order_parameter", "seed", "threads", "index_base", "memory_limit",
             "compact", "canonical_output")
 
 # Functions of a handle that may take long though they take no array.
-LONG = {"mgdt_check"}
+LONG = {"mgdt_check", "mgdt_get_solid_alpha"}
 
 # Functions that never take long though they fill an array.
 SHORT = {"mgdt_get_error"}

@@ -7,7 +7,7 @@ from __future__ import annotations
 import textwrap
 from typing import Optional
 
-from description import GRAPHS, ROWS
+from description import COLUMNS, ROWS
 from header import DescriptionError, Function, Interface, Parameter
 
 # The kinds of integers that arrays and large numbers have, and what each is called.
@@ -200,8 +200,7 @@ class Calls:
                 if p.type == "int64_t":
                     counts.append(n)
                 export = name.removeprefix("get_")
-                width = 0 if p.name != "capacity" else ROWS[export].width if export in ROWS else \
-                    2 if export in GRAPHS else 0
+                width = COLUMNS.get(export, 0) if p.name == "capacity" else 0
                 actual.append(f"columns({width}, {n})" if width else
                               f"int({n}, c_int64_t)" if is_large(p) else f"to_c({n})")
             elif shape or function.name in self._twins:

@@ -550,6 +550,47 @@ function Triangulation:cell_measures(measure, planes, n)
 end
 jit.off(Triangulation.cell_measures)
 
+--- Alphas, squares of radii, of the tetrahedra (dimension 3), of their facets (2), 4 each, of the
+--- edges (1), or of the points (0); and how many they are.
+function Triangulation:alphas(dimension)
+    local handle = handle_of(self)
+    dimension = small(dimension, "the dimension")
+    local count = dimension == 3 and C.mgdt_tetrahedron_count or dimension == 1 and C.mgdt_edge_count
+        or C.mgdt_point_count
+    local n = dimension == 2 and 4 * tonumber(C.mgdt_tetrahedron_count(handle)) or tonumber(count(handle))
+    local x = ffi.new("double[?]", n)
+    ensure(handle, C.mgdt_get_alphas(handle, dimension, n, x))
+    return x, n
+end
+
+--- The surface of an alpha shape: array[k][0] to array[k][2], counter-clockwise seen from outside; and
+--- the number of its facets.
+function Triangulation:alpha_surface(alpha2)
+    local handle = handle_of(self)
+    alpha2 = real(alpha2, "alpha2")
+    local count = ffi.new("int32_t[1]")
+    -- Enough for one surface or some; the count says what others need.
+    local room = 2 * tonumber(C.mgdt_vertex_count(handle)) + 4
+    while true do
+        local facets = ffi.new("int32_t[?][3]", room)
+        local value = C.mgdt_get_alpha_surface_i32(handle, alpha2, 3 * room,
+            ffi.cast("int32_t *", facets), count)
+        if value ~= status.buffer_too_small then
+            ensure(handle, value)
+            return facets, count[0]
+        end
+        room = count[0]
+    end
+end
+
+--- The least alpha with all vertices in one solid.
+function Triangulation:solid_alpha()
+    local handle = handle_of(self)
+    local value = ffi.new("double[1]")
+    ensure(handle, C.mgdt_get_solid_alpha(handle, value))
+    return value[0]
+end
+
 -- ------------------------------------------------------------------------------------ queries
 
 local function one(self, ask, x, y, z)

@@ -67,6 +67,10 @@
     F(get_spanning_tree_i32);     \
     F(get_circumcenters);         \
     F(get_cell_measures);         \
+    F(get_alphas);                \
+    F(get_alpha_surface);         \
+    F(get_alpha_surface_i32);     \
+    F(get_solid_alpha);           \
     F(locate);                    \
     F(locate_i32);                \
     F(locate_points);             \

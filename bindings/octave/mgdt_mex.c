@@ -381,6 +381,40 @@ static void circumcenters(const mgdt_triangulation* t, int nlhs, mxArray** plhs)
     for (k = 0; k < n; ++k) mxGetPr(plhs[1])[k] = squares[k];
 }
 
+static mxArray* alphas(const mgdt_triangulation* t, int32_t dimension) {
+    const int64_t n = dimension == 0   ? mgdt.point_count(t)
+                      : dimension == 1 ? mgdt.edge_count(t)
+                                       : mgdt.tetrahedron_count(t);
+    const int width = dimension == 2 ? 4 : 1;
+    double *const x = room(width * n, sizeof *x), *to;
+    int64_t k;
+    int i;
+    mxArray* result;
+    ensure(t, mgdt.get_alphas(t, dimension, width * n, x));
+    result = mxCreateDoubleMatrix((mwSize)n, (mwSize)width, mxREAL);
+    to = mxGetPr(result);
+    for (k = 0; k < n; ++k)
+        for (i = 0; i < width; ++i) to[i * n + k] = x[width * k + i];
+    return result;
+}
+
+static mxArray* alpha_surface(const mgdt_triangulation* t, const mxArray* alpha2) {
+    /* Enough for one surface or some; the count says what others need. */
+    int64_t capacity = 2 * mgdt.vertex_count(t) + 4, count = 0, *v;
+    mgdt_status status;
+    if (!alpha2 || !mxIsDouble(alpha2) || mxIsComplex(alpha2) || mxGetNumberOfElements(alpha2) != 1)
+        bad_argument("alpha2 must be a number");
+    for (;;) {
+        v = room(3 * capacity, sizeof *v);
+        status = mgdt.get_alpha_surface(t, mxGetScalar(alpha2), 3 * capacity, v, &count);
+        if (status != MGDT_ERR_BUFFER_TOO_SMALL) break;
+        mxFree(v);
+        capacity = count;
+    }
+    ensure(t, status);
+    return rows(v, count, 3);
+}
+
 /* A matrix with a row for each point. */
 static mxArray* cell_measures(const mgdt_triangulation* t, int32_t measure, const mxArray* matrix) {
     const int width = measure == MGDT_MEASURE_CENTROID ? 3 : 1;
@@ -625,6 +659,14 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         lists(s->t, mgdt.get_vertex_neighbors, mgdt.vertex_neighbors_count(s->t), nlhs, plhs);
     } else if (strcmp(command, "circumcenters") == 0) {
         circumcenters(s->t, nlhs, plhs);
+    } else if (strcmp(command, "alphas") == 0) {
+        plhs[0] = alphas(s->t, small(first, "the dimension"));
+    } else if (strcmp(command, "alpha_surface") == 0) {
+        plhs[0] = alpha_surface(s->t, first);
+    } else if (strcmp(command, "solid_alpha") == 0) {
+        double alpha2 = 0;
+        ensure(s->t, mgdt.get_solid_alpha(s->t, &alpha2));
+        plhs[0] = mxCreateDoubleScalar(alpha2);
     } else if (strcmp(command, "cell_measures") == 0) {
         plhs[0] = cell_measures(s->t, small(first, "the measure"), second);
     } else if (strcmp(command, "locate") == 0) {

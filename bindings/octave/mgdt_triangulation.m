@@ -198,6 +198,22 @@ classdef mgdt_triangulation < handle
       [centers, squares] = mgdt_mex ("circumcenters", t.handle ());
     end
 
+    % Alphas, squares of radii: of the tetrahedra, m x 1 (dimension 3), of the facets opposite their
+    % vertices, m x 4 (2), of the edges, e x 1 (1), or of the points, n x 1 (0).
+    function x = alphas (t, dimension)
+      x = mgdt_mex ("alphas", t.handle (), dimension);
+    end
+
+    % The surface of an alpha shape, f x 3, counter-clockwise seen from outside.
+    function v = alpha_surface (t, alpha2)
+      v = mgdt_mex ("alpha_surface", t.handle (), alpha2);
+    end
+
+    % The least alpha with all vertices in one solid.
+    function alpha2 = solid_alpha (t)
+      alpha2 = mgdt_mex ("solid_alpha", t.handle ());
+    end
+
     % A measure of each point's Voronoi cell, n x 1: "volume", "area" or "faces", or "centroid", n x 3.
     % Cells are clipped to the planes a b c d of a p x 4 matrix, where a x + b y + c z <= d; without
     % any, those of hull vertices are infinite.

@@ -687,6 +687,50 @@ MGDT_API mgdt_status mgdt_get_cell_measures(const mgdt_triangulation* t, int32_t
                                             int64_t n_planes, const double* planes,
                                             int64_t capacity, double* x);
 
+/** Writes the alpha of each simplex of a dimension, the square of the radius at which it joins the
+ *  alpha shape: that of the least sphere through its vertices if no vertex is inside it, which is
+ *  decided exactly, and otherwise the least alpha of the simplices that it is a face of. So a face
+ *  never has a larger alpha than what it is a face of. Alphas of tetrahedra are those of
+ *  mgdt_get_circumcenters(), others have a relative error below 2e-14. With threads
+ *  (mgdt_set_threads()).
+ *  @param dimension    3: of the tetrahedra, in the order of mgdt_get_tetrahedra(). 2: of facets, 4
+ *                      a tetrahedron, the i-th opposite its vertex i; those that are shared come
+ *                      twice. 1: of the edges, in the order of mgdt_get_edges(). 0: of the
+ *                      points, 0 of a vertex and infinite of one that is none
+ *  @param capacity     elements in alpha2, at least mgdt_tetrahedron_count(t), 4 times that,
+ *                      mgdt_edge_count(t), or mgdt_point_count(t)
+ *  @param[out] alpha2  may be NULL if there are none
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_BUFFER_TOO_SMALL,
+ *  MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_alphas(const mgdt_triangulation* t, int32_t dimension,
+                                     int64_t capacity, double* alpha2);
+
+/** Writes the surface of an alpha shape: the facets between the tetrahedra whose alpha is at most
+ *  alpha2 and all others. It is closed and oriented: each facet counter-clockwise seen from
+ *  outside, its least vertex first, and at each edge as many turn one way as the other. Facets with
+ *  no such tetrahedron at all are left out. In ascending order.
+ *  @param alpha2      the square of a radius, at least 0; infinite for the convex hull
+ *  @param capacity    elements in v, at least 3 count; 12 mgdt_tetrahedron_count(t) always do
+ *  @param[out] v      3 vertices of each facet; may be NULL if there are none
+ *  @param[out] count  how many facets there are, also where v is too small for them
+ *  @return as mgdt_get_tetrahedra(), and MGDT_ERR_INVALID_ARGUMENT for an alpha2 below 0 or NaN
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_alpha_surface(const mgdt_triangulation* t, double alpha2,
+                                            int64_t capacity, int64_t* v, int64_t* count);
+/** @copydoc mgdt_get_alpha_surface
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_alpha_surface_i32(const mgdt_triangulation* t, double alpha2,
+                                                int64_t capacity, int32_t* v, int32_t* count);
+
+/** The least alpha whose tetrahedra are one solid, each reached from any other through facets, that
+ *  has all vertices.
+ *  @param[out] alpha2  the square of a radius; 0 if there are no points
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_INVALID_ARGUMENT (the
+ *  points are all in one plane)
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_solid_alpha(const mgdt_triangulation* t, double* alpha2);
+
 /* ---------------------------------------------------------------------------- queries --- */
 
 /** Finds the tetrahedron that contains a point, its boundary included; none outside the hull. On

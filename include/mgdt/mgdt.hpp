@@ -404,6 +404,45 @@ class Triangulation {
         return x;
     }
 
+    /** The alpha of each simplex of a dimension, facets being 4 a tetrahedron; mgdt_get_alphas().
+     *  @since 1.2 */
+    [[nodiscard]] std::vector<double> alphas(std::int32_t dimension) const {
+        const std::int64_t counts[] = {point_count(), edge_count(), 4 * tetrahedron_count(),
+                                       tetrahedron_count()};
+        const bool is_known = dimension >= 0 && dimension <= 3;
+        std::vector<double> x(is_known ? static_cast<std::size_t>(counts[dimension]) : 0);
+        require(mgdt_get_alphas(handle_.get(), dimension, static_cast<std::int64_t>(x.size()),
+                                x.data()));
+        return x;
+    }
+    /** The surface of an alpha shape; mgdt_get_alpha_surface(). @since 1.2 */
+    template <class Int = std::int64_t>
+    [[nodiscard]] std::vector<std::array<Int, 3>> alpha_surface(double alpha2) const {
+        static_assert(detail::is_index_v<Int>, "indices are std::int64_t or std::int32_t");
+        // Enough for one surface or some; the count says what others need.
+        std::vector<std::array<Int, 3>> v(static_cast<std::size_t>(2 * vertex_count() + 4));
+        for (;;) {
+            Int count = 0;
+            mgdt_status status;
+            const auto room = static_cast<std::int64_t>(3 * v.size());
+            if constexpr (std::is_same_v<Int, std::int64_t>)
+                status = mgdt_get_alpha_surface(handle_.get(), alpha2, room, v[0].data(), &count);
+            else
+                status =
+                    mgdt_get_alpha_surface_i32(handle_.get(), alpha2, room, v[0].data(), &count);
+            const bool is_short = status == MGDT_ERR_BUFFER_TOO_SMALL;
+            if (!is_short) require(status);
+            v.resize(static_cast<std::size_t>(count));
+            if (!is_short) return v;
+        }
+    }
+    /** The least alpha with all vertices in one solid; mgdt_get_solid_alpha(). @since 1.2 */
+    [[nodiscard]] double solid_alpha() const {
+        double alpha2 = 0;
+        require(mgdt_get_solid_alpha(handle_.get(), &alpha2));
+        return alpha2;
+    }
+
     /* Queries. @throw OutOfMemory, Error, std::bad_alloc (the vectors') */
 
     /** The tetrahedron that contains a point, or none; mgdt_locate(). */

@@ -34,14 +34,6 @@ std::size_t require_planes(std::int64_t n, const double* planes) {
     return static_cast<std::size_t>(n);
 }
 
-// Cells are those of points in space.
-void require_space(const Triangulation& core) {
-    static constexpr const char* where[] = {"at one place", "on one line", "in one plane"};
-    if (core.vertex_count() > 0 && core.dimension() < 3)
-        fail(MGDT_ERR_INVALID_ARGUMENT, "there are no cells: all points are %s",
-             where[core.dimension()]);
-}
-
 }  // namespace
 
 extern "C" mgdt_status mgdt_get_cell_measures(const mgdt_triangulation* t, int32_t measure,
@@ -50,7 +42,7 @@ extern "C" mgdt_status mgdt_get_cell_measures(const mgdt_triangulation* t, int32
     return guard(t, [&] {
         const Measure m = measure_of(measure);
         const std::size_t n = require_planes(n_planes, planes);
-        require_space(t->core);
+        require_space(t, "cells");
         const auto points = static_cast<std::size_t>(point_count(t->core));
         const std::size_t count = (m == Measure::centroid ? 3 : 1) * points;
         if (count > 0) require_pointer(x, "the output array");

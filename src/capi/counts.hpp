@@ -2,9 +2,10 @@
 // The counts of the C interface, for calls that are inside the handle.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
-#include "core/triangulation.hpp"
+#include "capi/handle.hpp"
 
 namespace mgdt {
 
@@ -24,6 +25,19 @@ inline std::int64_t edge_count(const Triangulation& t) {
     // Euler: V - E + F - T = 1 for a ball, with 2 F = 4 T + H.
     if (tetrahedron_count(t) == 0) return 0;
     return vertex_count(t) + tetrahedron_count(t) + hull_facet_count(t) / 2 - 1;
+}
+
+// Checks the array of an export whose number of rows is known when it is made, and has write(base)
+// fill it.
+template <class Int, class Write>
+void give_rows(const mgdt_triangulation* t, std::size_t width, std::size_t rows, int64_t capacity,
+               Int* v, Int* count, Write write) {
+    const auto points = static_cast<std::uint64_t>(point_count(t->core));
+    require_range<Int>(std::max<std::uint64_t>(points, rows + 1), t);
+    *count = static_cast<Int>(rows);
+    if (rows > 0) require_pointer(v, "the output array");
+    require_capacity(capacity, width * rows, "the output array");
+    write(static_cast<Int>(t->core.settings().index_base));
 }
 
 }  // namespace mgdt

@@ -8,18 +8,6 @@ using namespace mgdt;
 
 namespace {
 
-// Checks the array of a graph, whose size is known when it is made, and has write(Int*) fill it.
-template <class Int, class Write>
-void give(const mgdt_triangulation* t, std::size_t edges, int64_t capacity, Int* v, Int* count,
-          Write write) {
-    const auto points = static_cast<std::uint64_t>(point_count(t->core));
-    require_range<Int>(std::max<std::uint64_t>(points, edges + 1), t);
-    *count = static_cast<Int>(edges);
-    if (edges > 0) require_pointer(v, "the output array");
-    require_capacity(capacity, 2 * edges, "the output array");
-    write(static_cast<Int>(t->core.settings().index_base));
-}
-
 template <class Int>
 void gabriel(const mgdt_triangulation* t, int64_t capacity, Int* v, Int* count) {
     require_pointer(count, "count");
@@ -27,7 +15,7 @@ void gabriel(const mgdt_triangulation* t, int64_t capacity, Int* v, Int* count) 
     Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), 65536));
     const EdgeLists edges =
         gabriel_edges(view_of(team, t, false), static_cast<std::size_t>(point_count(t->core)));
-    give(t, edges.size(), capacity, v, count, [&](Int base) {
+    give_rows(t, 2, edges.size(), capacity, v, count, [&](Int base) {
         edges.write(
             [&](std::size_t k, std::size_t place, const std::uint32_t* others, std::size_t size) {
                 for (std::size_t i = 0; i < size; ++i) {
@@ -44,7 +32,7 @@ void tree(const mgdt_triangulation* t, int64_t capacity, Int* v, Int* count) {
     require_capacity(capacity, 0, "the output array");
     Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), 65536));
     const Buffer<std::uint32_t> ends = spanning_tree(view_of(team, t, false), t->core.point_map());
-    give(t, ends.size() / 2, capacity, v, count, [&](Int base) {
+    give_rows(t, 2, ends.size() / 2, capacity, v, count, [&](Int base) {
         for (std::size_t i = 0; i < ends.size(); ++i) v[i] = static_cast<Int>(ends[i]) + base;
     });
 }

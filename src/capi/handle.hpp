@@ -183,4 +183,12 @@ void require_range(std::uint64_t end, const mgdt_triangulation* t) {
              static_cast<unsigned long long>(largest));
 }
 
+// Refuses points that span no space; none at all are let pass.
+inline void require_space(const mgdt_triangulation* t, const char* what) {
+    static constexpr const char* where[] = {"at one place", "on one line", "in one plane"};
+    if (t->core.vertex_count() > 0 && t->core.dimension() < 3)
+        fail(MGDT_ERR_INVALID_ARGUMENT, "there are no %s: all points are %s", what,
+             where[t->core.dimension()]);
+}
+
 }  // namespace mgdt

@@ -164,22 +164,6 @@ bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& 
 
 namespace {
 
-// One coordinate of the cross product of two vectors.
-template <std::size_t K, class T>
-MGDT_PREDICATES_INLINE auto cross(const T* a, const T* b) {
-    constexpr std::size_t l = (K + 1) % 3, m = (K + 2) % 3;
-    return two_products(a[l], b[m], a[m], b[l]);
-}
-
-// The same coordinate of |b|^2 (c x d) + |c|^2 (d x b) + |d|^2 (b x c).
-template <std::size_t K, class T>
-auto numerator(const T* v) {
-    const T *const b = v, *const c = v + 3, *const d = v + 6;
-    const auto bb = SphereDeterminant::square(b), cc = SphereDeterminant::square(c),
-               dd = SphereDeterminant::square(d);
-    return three_products(bb, cross<K>(c, d), cc, cross<K>(b, d), dd, cross<K>(b, c));
-}
-
 // The differences of three vertices and the first, and then that one itself.
 struct VertexAndDifferences : ExactPairs<12> {
     static constexpr int count = 12;
@@ -201,9 +185,9 @@ void circumcenter_integer(const double* const (&p)[4], int scale, Circumcenter& 
             const auto once = OrientationDeterminant::of(v);
             return once + once;
         });
-        const auto w0 = apart([&] { return numerator<0>(v); });
-        const auto w1 = apart([&] { return numerator<1>(v); });
-        const auto w2 = apart([&] { return numerator<2>(v); });
+        const auto w0 = apart([&] { return circumcenter_numerator<0>(v); });
+        const auto w1 = apart([&] { return circumcenter_numerator<1>(v); });
+        const auto w2 = apart([&] { return circumcenter_numerator<2>(v); });
         c.x[0] = apart([&] { return rounded_quotient(w0 + det * v[9], det, unit); });
         c.x[1] = apart([&] { return rounded_quotient(w1 + det * v[10], det, unit); });
         c.x[2] = apart([&] { return rounded_quotient(w2 + det * v[11], det, unit); });
@@ -220,9 +204,12 @@ void center_offset_integer(const double* const (&p)[4], double (&offset)[3]) {
             const auto once = OrientationDeterminant::of(v);
             return once + once;
         });
-        offset[0] = apart([&] { return rounded_quotient(numerator<0>(v), det, d.low); });
-        offset[1] = apart([&] { return rounded_quotient(numerator<1>(v), det, d.low); });
-        offset[2] = apart([&] { return rounded_quotient(numerator<2>(v), det, d.low); });
+        offset[0] =
+            apart([&] { return rounded_quotient(circumcenter_numerator<0>(v), det, d.low); });
+        offset[1] =
+            apart([&] { return rounded_quotient(circumcenter_numerator<1>(v), det, d.low); });
+        offset[2] =
+            apart([&] { return rounded_quotient(circumcenter_numerator<2>(v), det, d.low); });
         return 0;
     });
 }

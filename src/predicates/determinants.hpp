@@ -111,4 +111,23 @@ struct SphereDeterminant {
     }
 };
 
+// One coordinate of the cross product of two vectors.
+template <std::size_t K, class T>
+MGDT_PREDICATES_INLINE auto cross_product(const T* a, const T* b) {
+    constexpr std::size_t l = (K + 1) % 3, m = (K + 2) % 3;
+    return two_products(a[l], b[m], a[m], b[l]);
+}
+
+// With rows b, c, d relative to a: the same coordinate of twice the circumcentre relative to a,
+// times [bcd]:
+// |b|^2 (c x d) + |c|^2 (d x b) + |d|^2 (b x c).
+template <std::size_t K, class T>
+MGDT_PREDICATES_INLINE auto circumcenter_numerator(const T* v) {
+    const T *const b = v, *const c = v + 3, *const d = v + 6;
+    const auto bb = SphereDeterminant::square(b), cc = SphereDeterminant::square(c),
+               dd = SphereDeterminant::square(d);
+    return three_products(bb, cross_product<K>(c, d), cc, cross_product<K>(b, d), dd,
+                          cross_product<K>(b, c));
+}
+
 }  // namespace mgdt::exact

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "predicates/predicates.hpp"
+#include "query/parts.hpp"
 #include "query/vertex_indices.hpp"
 
 namespace mgdt {
@@ -22,8 +23,8 @@ double rough_length(const double* a, const double* b) {
     return x * x + y * y + z * z;
 }
 
-// The corner of a triangle with an obtuse angle, which is inside the diametral sphere of the edge
-// opposite; 3 if there is none.
+}  // namespace
+
 unsigned obtuse_corner(const double* const (&p)[3]) {
     const double opposite[3] = {rough_length(p[1], p[2]), rough_length(p[2], p[0]),
                                 rough_length(p[0], p[1])};
@@ -37,8 +38,6 @@ unsigned obtuse_corner(const double* const (&p)[3]) {
     }
     return 3;
 }
-
-}  // namespace
 
 // The middle of an edge is nearest to its ends if it is in the face that is dual to the edge. Only
 // the other vertices of facets at the edge bound that: docs/theory.md, "Graphs of neighbours".
@@ -68,29 +67,6 @@ EdgeLists gabriel_edges(const ExportView& view, std::size_t points) {
 }
 
 namespace {
-
-// Parts that become one another's, by the first point of each.
-class Parts {
-  public:
-    Parts(Allocator& allocator, std::size_t points) : parent_(allocator, points) {
-        for (std::uint32_t i = 0; i < points; ++i) parent_[i] = i;
-    }
-    // False if the two are in one part already.
-    bool join(std::uint32_t a, std::uint32_t b) noexcept {
-        a = first_of(a);
-        b = first_of(b);
-        if (a == b) return false;
-        parent_[std::max(a, b)] = std::min(a, b);
-        return true;
-    }
-
-  private:
-    std::uint32_t first_of(std::uint32_t i) noexcept {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    Buffer<std::uint32_t> parent_;
-};
 
 struct Length {
     double square;        // rounded five times

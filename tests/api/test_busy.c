@@ -111,6 +111,10 @@ static void read_while_it_changes(guest* g) {
     expect_refused(g, mgdt_get_spanning_tree(t, size, a, b), "mgdt_get_spanning_tree()");
     expect_refused(g, mgdt_get_spanning_tree_i32(t, size, c, d), "mgdt_get_spanning_tree_i32()");
     expect_refused(g, mgdt_get_circumcenters(t, 1, w, NULL), "mgdt_get_circumcenters()");
+    expect_refused(g, mgdt_get_alphas(t, 3, 1, w), "mgdt_get_alphas()");
+    expect_refused(g, mgdt_get_alpha_surface(t, 1, size, a, b), "mgdt_get_alpha_surface()");
+    expect_refused(g, mgdt_get_alpha_surface_i32(t, 1, size, c, d), "mgdt_get_alpha_surface_i32()");
+    expect_refused(g, mgdt_get_solid_alpha(t, w), "mgdt_get_solid_alpha()");
     expect_refused(g, mgdt_get_cell_measures(t, MGDT_MEASURE_AREA, 0, NULL, 1, w),
                    "mgdt_get_cell_measures()");
     expect_refused(g, mgdt_locate(t, g->xyz, a), "mgdt_locate()");

@@ -218,8 +218,14 @@ static mgdt_status export_all(const mgdt_triangulation* t, int64_t* v, int64_t* 
         status = mgdt_get_circumcenters(t, size, centers, NULL);
         if (status == MGDT_OK)
             status = mgdt_get_cell_measures(t, MGDT_MEASURE_CENTROID, 6, box, 3 * size, centers);
+        TRY(mgdt_get_alphas(t, 3, size, centers));
+        TRY(mgdt_get_alphas(t, 2, size, centers));
+        TRY(mgdt_get_alphas(t, 1, size, centers));
+        TRY(mgdt_get_alphas(t, 0, size, centers));
+        TRY(mgdt_get_solid_alpha(t, centers));
         free(centers);
     }
+    TRY(mgdt_get_alpha_surface(t, 1e9, size, v, list));
     TRY(mgdt_locate(t, q, v));
     TRY(mgdt_locate_points(t, 2, q, v, weights));
     TRY(mgdt_nearest_vertex(t, q, v));

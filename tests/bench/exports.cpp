@@ -64,6 +64,11 @@ mgdt_status get_volumes(const mgdt_triangulation* t, std::int64_t capacity, std:
                                   reinterpret_cast<double*>(v));
 }
 
+template <std::int32_t dimension>
+mgdt_status get_alphas(const mgdt_triangulation* t, std::int64_t capacity, std::int64_t* v) {
+    return mgdt_get_alphas(t, dimension, capacity, reinterpret_cast<double*>(v));
+}
+
 constexpr Export exports[] = {
     {"tetrahedra", false, false, corners, mgdt_get_tetrahedra},
     {"neighbours", false, false, corners, mgdt_get_neighbors},
@@ -75,6 +80,8 @@ constexpr Export exports[] = {
     {"Gabriel edges", false, false, ends, get_graph<mgdt_get_gabriel_edges>},
     {"spanning tree", false, false, ends, get_graph<mgdt_get_spanning_tree>},
     {"circumcentres", false, false, corners, get_circumcenters},
+    {"alphas of facets", false, false, corners, get_alphas<2>},
+    {"alphas of edges", false, false, mgdt_edge_count, get_alphas<1>},
     {"volumes of cells", false, false, mgdt_point_count, get_volumes},
     {"canonical tetrahedra, first", true, true, corners, mgdt_get_tetrahedra},
     {"canonical tetrahedra, again", true, false, corners, mgdt_get_tetrahedra},

@@ -92,6 +92,10 @@ int main() {
         if (t.tetrahedron_count() * 4 != t.vertex_tetrahedra_count()) return 6;
         if (t.edge_count() * 2 != t.vertex_neighbors_count()) return 6;
         if (t.circumspheres().centers.size() != t.circumspheres().squared_radii.size()) return 6;
+        if (t.alphas(0).size() != 10 || !(t.solid_alpha() > 0)) return 6;
+        if (static_cast<std::int64_t>(t.alpha_surface(1e9).size()) != t.hull_facet_count())
+            return 6;
+        if (t.alpha_surface<std::int32_t>(0).size() != 0) return 6;
         if (t.cell_measures(mgdt::Measure::faces).size() != 10) return 6;
         if (t.cell_measures(mgdt::Measure::centroid, {}).size() != 30) return 6;
         if (t.hull_facet_count() < 4 || t.edge_count() < 6) return 7;

@@ -90,6 +90,9 @@ void expect_moved_from(Triangulation& t) {
     null([&] { (void)c.vertex_neighbors(); });
     null([&] { (void)c.circumspheres(); });
     null([&] { (void)c.cell_measures(mgdt::Measure::volume); });
+    null([&] { (void)c.alphas(3); });
+    null([&] { (void)c.alpha_surface(1); });
+    null([&] { (void)c.solid_alpha(); });
     null([&] { (void)c.gabriel_edges(); });
     null([&] { (void)c.spanning_tree(); });
     null([&] { c.tetrahedra(buffer); });

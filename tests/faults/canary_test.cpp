@@ -132,6 +132,11 @@ std::vector<Wanted> of_graph(T t) {
     return {{2 * static_cast<std::int64_t>(count), sizeof(Int), true, false},
             {1, sizeof(Int), false, false, true}};
 }
+template <class Int>
+std::vector<Wanted> of_surface(T t) {
+    return {{3 * mgdt_hull_facet_count(t), sizeof(Int), true, false},
+            {1, sizeof(Int), false, false, true}};
+}
 // The capacity is that of both arrays, in tetrahedra.
 std::vector<Wanted> of_circumcenters(T t) {
     const std::int64_t n = mgdt_tetrahedron_count(t);
@@ -168,6 +173,15 @@ std::vector<Wanted> of_one(T) {
 #function, of_graph<Int, function>,                                  \
             [](mgdt_triangulation* t, const Given& g) {                      \
                 return function(t, g.capacity[0], static_cast<Int*>(g.array[0]), \
+                                static_cast<Int*>(g.array[1]));              \
+            } \
+    }
+
+#define SURFACE(function, Int)                                         \
+    {                                                                  \
+#function, of_surface<Int>,                                          \
+            [](mgdt_triangulation* t, const Given& g) {                      \
+                return function(t, 1e300, g.capacity[0], static_cast<Int*>(g.array[0]), \
                                 static_cast<Int*>(g.array[1]));              \
             } \
     }
@@ -209,6 +223,25 @@ const Function functions[] = {
          return mgdt_get_circumcenters(t, mgdt_tetrahedron_count(t),
                                        static_cast<double*>(g.array[0]),
                                        static_cast<double*>(g.array[1]));
+     }},
+    {"mgdt_get_alphas",
+     [](T t) {
+         return std::vector<Wanted>{{4 * mgdt_tetrahedron_count(t), sizeof(double), false, false}};
+     },
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_alphas(t, 2, 4 * mgdt_tetrahedron_count(t),
+                                static_cast<double*>(g.array[0]));
+     }},
+    SURFACE(mgdt_get_alpha_surface, std::int64_t),
+    SURFACE(mgdt_get_alpha_surface_i32, std::int32_t),
+    {"mgdt_get_solid_alpha",
+     [](T t) {
+         const bool is_flat = mgdt_dimension(t) >= 0 && mgdt_dimension(t) < 3;
+         return std::vector<Wanted>{{is_flat ? 0 : 1, sizeof(double), false, false}};
+     },
+     [](mgdt_triangulation* t, const Given& g) {
+         const mgdt_status status = mgdt_get_solid_alpha(t, static_cast<double*>(g.array[0]));
+         return status == MGDT_ERR_INVALID_ARGUMENT ? MGDT_OK : status;
      }},
     {"mgdt_get_cell_measures",
      [](T t) {

@@ -325,6 +325,22 @@ inline constexpr Call calls[] = {
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_get_circumcenters(t, mgdt_tetrahedron_count(t), o.reals.data(), nullptr);
      }},
+    {"get_alphas",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_get_alphas(t, 3, mgdt_tetrahedron_count(t), o.reals.data());
+     }},
+    {"get_alpha_surface",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_get_alpha_surface(t, 0.1, o.size(), o.v.data(), o.list.data());
+     }},
+    {"get_alpha_surface_i32",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_get_alpha_surface_i32(t, 1e300, o.size(), o.v32.data(), o.list32.data());
+     }},
+    {"get_solid_alpha",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_dimension(t) < 3 ? MGDT_OK : mgdt_get_solid_alpha(t, o.reals.data());
+     }},
     {"get_cell_measures",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_dimension(t) < 3 ? MGDT_OK

@@ -203,6 +203,14 @@ void read_all(Meter& meter, const mgdt_triangulation* t, const Points& queries) 
     meter("mgdt_get_circumcenters",
           [&] { return mgdt_get_circumcenters(t, tetrahedra, centers.data(), squares.data()); });
     if (mgdt_dimension(t) == 3) {
+        Points alphas(static_cast<std::size_t>(4 * tetrahedra));
+        meter("mgdt_get_alphas",
+              [&] { return mgdt_get_alphas(t, 2, 4 * tetrahedra, alphas.data()); });
+        meter("mgdt_get_alphas",
+              [&] { return mgdt_get_alphas(t, 1, mgdt_edge_count(t), alphas.data()); });
+        meter("mgdt_get_alpha_surface",
+              [&] { return mgdt_get_alpha_surface(t, 1e300, size, v.data(), list.data()); });
+        meter("mgdt_get_solid_alpha", [&] { return mgdt_get_solid_alpha(t, squares.data()); });
         Points volumes(static_cast<std::size_t>(mgdt_point_count(t)));
         meter("mgdt_get_cell_measures", [&] {
             return mgdt_get_cell_measures(t, MGDT_MEASURE_VOLUME, 0, nullptr, mgdt_point_count(t),

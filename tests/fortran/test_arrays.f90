@@ -34,6 +34,7 @@ program test_arrays
     call test_graphs()
     call test_circumcenters()
     call test_cell_measures()
+    call test_alphas()
     call test_kinds_and_ranks()
     call test_larger_arrays_and_sections()
     call test_base_0()
@@ -214,6 +215,41 @@ contains
         call t%get_circumcenters(flat, stat=stat, errmsg=msg)
         call expect_error(stat, mgdt_err_invalid_argument, msg, 'must be 3')
     end subroutine
+
+    subroutine test_alphas()
+        real(real64) :: of_tets(nt), of_facets(4, nt), of_edges(ne), of_points(n), wide(3, nt), alpha2
+        integer(int32) :: facets(3, 4*nt), count
+        integer(int64) :: facets_64(3, 4*nt), count_64
+        integer :: k, stat
+        character(256) :: msg
+
+        call t%get_alphas(3, of_tets)
+        call t%get_alphas(2, of_facets)
+        call t%get_alphas(1, of_edges)
+        call t%get_alphas(0, of_points)
+        do k = 1, 4
+            call expect(all(of_facets(k, :) <= of_tets), 'facets come before their tetrahedra')
+        end do
+        call expect(minval(of_edges) <= minval(of_facets), 'edges come first')
+        call expect(count_of_zeros(of_points) == t%vertex_count(), 'vertices')
+        call t%get_alpha_surface(0.02_real64, facets, count)
+        call t%get_alpha_surface(0.02_real64, facets_64, count_64)
+        call expect(count == count_64 .and. all(facets(:, :count) == facets_64(:, :count)), 'surfaces')
+        call t%get_solid_alpha(alpha2)
+        call expect(any(abs(of_tets - alpha2) <= 0), 'alpha of one solid')
+        call t%get_alphas(2, wide, stat, msg)
+        call expect_error(stat, mgdt_err_invalid_argument, msg, 'must be 4')
+        call t%get_alphas(5, of_tets, stat, msg)
+        call expect_error(stat, mgdt_err_invalid_argument, msg, 'dimension 5')
+        call t%get_alpha_surface(0.02_real64, facets(:, :1), count, stat, msg)
+        call expect_error(stat, mgdt_err_buffer_too_small, msg, 'are needed')
+    end subroutine
+
+    integer function count_of_zeros(x)
+        real(real64), intent(in) :: x(:)
+
+        count_of_zeros = count(x <= 0)
+    end function
 
     subroutine test_cell_measures()
         real(real64) :: volumes(n), faces(n), centroids(3, n), few(n - 1), wide(4, n), box(4, 6)

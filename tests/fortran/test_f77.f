@@ -178,6 +178,17 @@
     4   CONTINUE
         CALL EXPECT(ABS(D - R2(1)) .LT. 1D-9*(1 + R2(1)), 'radius')
     5 CONTINUE
+      CALL MGALPH(H, 3, NT, R2, IERR)
+      CALL GOOD(H, IERR, 'MGALPH')
+      CALL EXPECT(ABS(D - R2(1)) .LT. 1D-9*(1 + R2(1)), 'alpha')
+      CALL MGASUR(H, 1D9, NF, IFAC, NB, IERR)
+      CALL GOOD(H, IERR, 'MGASUR')
+      CALL EXPECT(NB .EQ. NF, 'the hull is a surface')
+      CALL MGASUR(H, -1D0, NF, IFAC, NB, IERR)
+      CALL BAD(H, IERR, MGEARG, 'at least 0')
+      CALL MGASOL(H, V, IERR)
+      CALL GOOD(H, IERR, 'MGASOL')
+      CALL EXPECT(V .GT. 0, 'alpha of one solid')
       CALL MGCELL(H, MGMVOL, 6, BOX, N, CELL, IERR)
       CALL GOOD(H, IERR, 'MGCELL')
       D = 0

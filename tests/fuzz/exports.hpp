@@ -70,7 +70,7 @@ struct Exports {
     std::int64_t points = 0, vertices = 0;
     Indices tetrahedra, neighbors, hull, edges, map, offsets, list, neighbor_offsets, neighbor_list;
     Indices gabriel, tree;
-    std::vector<double> centers, squares, volumes, faces;
+    std::vector<double> centers, squares, volumes, faces, alphas;
 
     Exports(const mgdt_triangulation* t, int index_base, std::size_t margin)
         : base(index_base),
@@ -103,7 +103,7 @@ struct Exports {
                edges == o.edges && map == o.map && offsets == o.offsets && list == o.list &&
                neighbor_offsets == o.neighbor_offsets && neighbor_list == o.neighbor_list &&
                centers == o.centers && squares == o.squares && volumes == o.volumes &&
-               faces == o.faces && gabriel == o.gabriel && tree == o.tree;
+               faces == o.faces && alphas == o.alphas && gabriel == o.gabriel && tree == o.tree;
     }
     std::size_t count() const { return tetrahedra.size() / 4; }
     bool is_in(std::size_t point) const { return map[point] >= 0; }
@@ -201,6 +201,24 @@ struct Exports {
         for (const double x : squares) FUZZ_REQUIRE(x >= 0, "a radius");
     }
 
+    // Faces have no larger alphas than what they are faces of, and the hull is the last surface.
+    void take_alphas(const mgdt_triangulation* t, std::size_t margin) {
+        Exact<double> of_facets(4 * count(), margin);
+        FUZZ_REQUIRE(mgdt_get_alphas(t, 2, static_cast<std::int64_t>(4 * count()),
+                                     of_facets.data()) == MGDT_OK,
+                     error_of(t));
+        alphas = of_facets.take();
+        for (std::size_t k = 0; k < alphas.size(); ++k)
+            FUZZ_REQUIRE(alphas[k] >= 0 && alphas[k] <= squares[k / 4], "the alpha of a facet");
+        std::int64_t facets = -1;
+        Exact<std::int64_t> surface(static_cast<std::size_t>(3 * mgdt_hull_facet_count(t)), margin);
+        FUZZ_REQUIRE(mgdt_get_alpha_surface(t, std::numeric_limits<double>::infinity(),
+                                            3 * mgdt_hull_facet_count(t), surface.data(),
+                                            &facets) == MGDT_OK,
+                     error_of(t));
+        FUZZ_REQUIRE(facets == mgdt_hull_facet_count(t), "facets of the hull");
+    }
+
     // Cells in themselves, and in a box that all points are in.
     void take_cells(const mgdt_triangulation* t, std::size_t margin) {
         const auto take = [&](std::int32_t measure, const std::vector<double>& planes) {
@@ -216,6 +234,7 @@ struct Exports {
         };
         volumes = take(MGDT_MEASURE_VOLUME, {});
         faces = take(MGDT_MEASURE_FACES, {});
+        take_alphas(t, margin);
         const std::vector<double> centroids = take(MGDT_MEASURE_CENTROID, {});
         for (const double x : take(MGDT_MEASURE_AREA, {})) FUZZ_REQUIRE(x >= 0, "an area");
         for (const double x : centroids) FUZZ_REQUIRE(!std::isnan(x), "a centroid");

@@ -96,6 +96,10 @@ function exports (folder)
   [centers, squares] = t.circumcenters ();
   assert (centers, read (folder, "centers", "double", 3));
   assert (squares, read (folder, "squares", "double", 1));
+  assert (t.alphas (2), read (folder, "facet_alphas", "double", 4));
+  assert (t.alphas (1), read (folder, "edge_alphas", "double", 1));
+  assert (t.alpha_surface (0.01), read (folder, "alpha_surface", "int64", 3) + 1);
+  assert (t.solid_alpha (), read (folder, "solid_alpha", "double", 1));
   box = [1 0 0 2; -1 0 0 1; 0 1 0 2; 0 -1 0 1; 0 0 1 2; 0 0 -1 1];
   assert (t.cell_measures ("volume", box), read (folder, "volumes", "double", 1));
   assert (t.cell_measures ("centroid", box), read (folder, "centroids", "double", 3));

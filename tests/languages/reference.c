@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
     uint64_t state = 20140090;
     mgdt_triangulation* t = NULL;
     int64_t *offsets, *list, tetrahedra, facets, edges, i;
-    double *centers, *squares, *measures;
+    double *centers, *squares, *measures, *alphas;
 
     if (argc != 2) stop("usage: reference FOLDER");
     folder = argv[1];
@@ -114,6 +114,15 @@ int main(int argc, char** argv) {
     require(mgdt_get_circumcenters(t, tetrahedra, centers, squares), t);
     write_file("centers", centers, 3 * tetrahedra);
     write_file("squares", squares, tetrahedra);
+    require(mgdt_get_alpha_surface(t, 0.01, 4 * tetrahedra, list, &edges), t);
+    write_file("alpha_surface", list, 3 * edges);
+    alphas = room(4 * tetrahedra, sizeof *alphas);
+    require(mgdt_get_alphas(t, 2, 4 * tetrahedra, alphas), t);
+    write_file("facet_alphas", alphas, 4 * tetrahedra);
+    require(mgdt_get_alphas(t, 1, mgdt_edge_count(t), alphas), t);
+    write_file("edge_alphas", alphas, mgdt_edge_count(t));
+    require(mgdt_get_solid_alpha(t, alphas), t);
+    write_file("solid_alpha", alphas, 1);
     measures = room(3 * n, sizeof *measures);
     require(mgdt_get_cell_measures(t, MGDT_MEASURE_VOLUME, 6, box, n, measures), t);
     write_file("volumes", measures, n);
@@ -129,6 +138,7 @@ int main(int argc, char** argv) {
     write_file("weights", weights, 4 * queries);
     write_file("nearest", nearest, queries);
 
+    free(alphas);
     free(measures);
     free(squares);
     free(centers);

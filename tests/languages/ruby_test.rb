@@ -93,6 +93,10 @@ class MgdtTest < Minitest::Test
     assert_equal self.class.integers("spanning_tree", 2), t.spanning_tree
     centers = self.class.doubles("centers").each_slice(3).to_a
     assert_equal [centers, self.class.doubles("squares")], t.circumcenters
+    assert_equal self.class.doubles("facet_alphas").each_slice(4).to_a, t.alphas(2)
+    assert_equal self.class.doubles("edge_alphas"), t.alphas(1)
+    assert_equal self.class.integers("alpha_surface", 3), t.alpha_surface(0.01)
+    assert_equal self.class.doubles("solid_alpha"), [t.solid_alpha]
     box = [[1, 0, 0, 2], [-1, 0, 0, 1], [0, 1, 0, 2], [0, -1, 0, 1], [0, 0, 1, 2], [0, 0, -1, 1]]
     assert_equal self.class.doubles("volumes"), t.cell_measures(:volume, box)
     assert_equal self.class.doubles("centroids").each_slice(3).to_a, t.cell_measures(:centroid, box)

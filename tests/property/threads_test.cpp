@@ -229,6 +229,13 @@ std::vector<std::int64_t> everything(const mgdt_triangulation* t) {
     EXPECT_EQ(mgdt_get_circumcenters(t, mgdt_tetrahedron_count(t), reals.data(),
                                      reals.data() + 3 * mgdt_tetrahedron_count(t)),
               MGDT_OK);
+    for (const std::int32_t dimension : {1, 2}) {
+        const std::int64_t size =
+            dimension == 1 ? mgdt_edge_count(t) : 4 * mgdt_tetrahedron_count(t);
+        std::vector<double> x(static_cast<std::size_t>(size));
+        EXPECT_EQ(mgdt_get_alphas(t, dimension, size, x.data()), MGDT_OK);
+        reals.insert(reals.end(), x.begin(), x.end());
+    }
     for (const std::int32_t measure : {MGDT_MEASURE_VOLUME, MGDT_MEASURE_FACES}) {
         std::vector<double> x(static_cast<std::size_t>(mgdt_point_count(t)));
         EXPECT_EQ(mgdt_get_cell_measures(t, measure, 0, nullptr, mgdt_point_count(t), x.data()),

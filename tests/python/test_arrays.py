@@ -216,6 +216,32 @@ class Output(unittest.TestCase):
         self.assertEqual(len(np.unique(cubes.circumcenters, axis=0)), 27)
         self.assertEqual(len(np.unique(cubes.circumradii)), 1)
 
+    def test_alphas(self):
+        tri = mgdt.Delaunay(random_points(300))
+        squares = tri.squared_alphas(3)
+        np.testing.assert_array_equal(np.sqrt(squares), tri.circumradii)
+        self.assertTrue((tri.squared_alphas(2) <= squares[:, np.newaxis]).all())
+        self.assertEqual(tri.squared_alphas(1).shape, (len(tri.edges),))
+        self.assertEqual(tri.squared_alphas(0).tolist(), [0] * 300)
+        self.assertEqual(tri.alpha_surface(1e9).shape, tri.convex_hull.shape)
+        self.assertEqual(tri.alpha_surface(0).shape, (0, 3))
+        solid = mgdt.AlphaShape(tri)
+        self.assertEqual(set(solid.simplices.ravel()), set(range(300)))
+        self.assertAlmostEqual(solid.alpha**2, tri.squared_solid_alpha)
+        hull = mgdt.AlphaShape(tri.points, 1e9)
+        self.assertEqual(len(hull.simplices), tri.nsimplex)
+        self.assertGreater(hull.volume, solid.volume)
+        self.assertGreater(solid.area, hull.area)
+        self.assertIn("AlphaShape", repr(hull))
+        # The volume inside a closed surface.
+        a, b, c = np.moveaxis(solid.points[solid.facets], 1, 0)
+        self.assertAlmostEqual(np.einsum("ij,ij->", a, np.cross(b, c)) / 6, solid.volume)
+        for wrong in (-1, np.nan):
+            with self.assertRaisesRegex(ValueError, "at least 0"):
+                mgdt.AlphaShape(tri, wrong)
+            with self.assertRaisesRegex(ValueError, "at least 0"):
+                tri.alpha_surface(wrong)
+
     def test_cell_measures(self):
         points = random_points(300)
         low, high = points.min(axis=0) - 0.25, points.max(axis=0) + 0.5

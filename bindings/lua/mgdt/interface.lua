@@ -83,6 +83,13 @@ int32_t mgdt_get_circumcenters(const mgdt_triangulation *t, int64_t capacity, do
                                double *radius2);
 int32_t mgdt_get_cell_measures(const mgdt_triangulation *t, int32_t measure, int64_t n_planes,
                                const double *planes, int64_t capacity, double *x);
+int32_t mgdt_get_alphas(const mgdt_triangulation *t, int32_t dimension, int64_t capacity,
+                        double *alpha2);
+int32_t mgdt_get_alpha_surface(const mgdt_triangulation *t, double alpha2, int64_t capacity,
+                               int64_t *v, int64_t *count);
+int32_t mgdt_get_alpha_surface_i32(const mgdt_triangulation *t, double alpha2, int64_t capacity,
+                                   int32_t *v, int32_t *count);
+int32_t mgdt_get_solid_alpha(const mgdt_triangulation *t, double *alpha2);
 int32_t mgdt_locate(const mgdt_triangulation *t, const double *xyz, int64_t *tetrahedron);
 int32_t mgdt_locate_i32(const mgdt_triangulation *t, const double *xyz, int32_t *tetrahedron);
 int32_t mgdt_locate_points(const mgdt_triangulation *t, int64_t n, const double *xyz,

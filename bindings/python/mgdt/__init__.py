@@ -17,10 +17,12 @@ from ._errors import (
     TooLargeError,
 )
 from ._insertion import CANCEL
+from .alpha import AlphaShape
 from .delaunay import Delaunay
 from .interpolation import Interpolator
 
 __all__ = [
+    "AlphaShape",
     "ArgumentError",
     "BusyError",
     "CANCEL",

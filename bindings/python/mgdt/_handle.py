@@ -229,6 +229,38 @@ class Handle:
         self._call("mgdt_get_circumcenters", count, address(centers), address(squares))
         return centers, squares
 
+    def alphas(self, dimension: int) -> FloatArray:
+        tetrahedra = self.tetrahedron_count
+        shape: Union[int, tuple[int, int]] = (
+            self.point_count if dimension == 0
+            else self._count("mgdt_edge_count") if dimension == 1
+            else (tetrahedra, 4) if dimension == 2
+            else tetrahedra
+        )
+        x = np.empty(shape)
+        self._call("mgdt_get_alphas", dimension, x.size, address(x))
+        return x
+
+    def alpha_surface(self, alpha2: float) -> IndexArray:
+        count = np.empty(1, dtype=np.int32)
+        # Enough for one surface or some; the count says what others need.
+        facets = np.empty((2 * self.vertex_count + 4, 3), dtype=np.int32)
+        for _ in range(2):
+            status = self._library.mgdt_get_alpha_surface_i32(
+                self._pointer, alpha2, facets.size, address(facets), address(count)
+            )
+            if status != _errors.BUFFER_TOO_SMALL:
+                break
+            facets = np.empty((count[0], 3), dtype=np.int32)
+        if status != _errors.OK:
+            raise _errors.make(status, self._message(status))
+        return facets[: count[0]].copy()
+
+    def solid_alpha(self) -> float:
+        alpha2 = ctypes.c_double()
+        self._call("mgdt_get_solid_alpha", ctypes.byref(alpha2))
+        return alpha2.value
+
     def cell_measures(self, measure: str, planes: FloatArray) -> FloatArray:
         width = 3 if measure == "centroid" else 1
         x = np.empty((self.point_count, 3) if width == 3 else self.point_count)

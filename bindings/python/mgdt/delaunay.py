@@ -257,6 +257,38 @@ class Delaunay(GrowingTriangulation):
 
         return self._cached("circumradii", roots)
 
+    def squared_alphas(self, dimension: int) -> FloatArray:
+        """Squares of the radii at which simplices join the alpha shape, as `gudhi.AlphaComplex` has.
+
+        That of the least sphere through the vertices of a simplex if no vertex is inside it, decided
+        exactly; else the least of the simplices that it is a face of. Not in SciPy. Since 1.2.
+
+        Parameters
+        ----------
+        dimension : int
+            3 for the simplices, shape (nsimplex,); 2 for the facets opposite their vertices,
+            shape (nsimplex, 4); 1 for `edges`; 0 for the points.
+        """
+        dimension = whole(dimension, "dimension", 0, 3)
+        return self._read(lambda handle, _: handle.alphas(dimension), self.npoints >= _LONG_CHECK)
+
+    def alpha_surface(self, alpha: float) -> IndexArray:
+        """Facets between the simplices with circumradii of at most `alpha` and all others, int32,
+        shape (m, 3), counter-clockwise seen from outside: a closed surface. Not in SciPy. Since
+        1.2."""
+        return self._surface(float(alpha) * abs(float(alpha)))
+
+    def _surface(self, alpha2: float) -> IndexArray:
+        return self._read(
+            lambda handle, _: handle.alpha_surface(alpha2), self.npoints >= _LONG_CHECK
+        )
+
+    @property
+    def squared_solid_alpha(self) -> float:
+        """The least squared alpha whose simplices are one solid with all vertices. Since 1.2."""
+        alpha2: float = self._exported("solid_alpha")
+        return alpha2
+
     def cell_measures(self, measure: str, planes: Optional[ArrayLike] = None) -> FloatArray:
         """Measures the Voronoi cell of each point: what is nearer to it than to any other.
 

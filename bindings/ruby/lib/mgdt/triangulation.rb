@@ -11,6 +11,7 @@ module Mgdt
     SEPARATIONS = CONSTANTS[:separation]
     LEVELS = CONSTANTS[:check]
     MEASURES = CONSTANTS[:measure]
+    TOO_SMALL = CONSTANTS[:status][:buffer_too_small]
     STATISTICS = CONSTANTS[:statistic].values.to_h do |key|
       [Library.mgdt_stat_name(key).tr(" -", "__").to_sym, key]
     end.freeze
@@ -20,7 +21,7 @@ module Mgdt
                  .map { Library.mgdt_order_scheme_name(out.read_int32) }.to_a
     end.freeze
     SETTINGS = %i[order seed threads index_base memory_limit compact canonical isa].freeze
-    private_constant :PARAMETERS, :SEPARATIONS, :LEVELS, :MEASURES, :STATISTICS, :SETTINGS
+    private_constant :PARAMETERS, :SEPARATIONS, :LEVELS, :MEASURES, :TOO_SMALL, :STATISTICS, :SETTINGS
 
     # Makes an empty triangulation. Settings: order, seed, threads, index_base, memory_limit,
     # compact, canonical, isa, and the parameters of the order schemes: points_per_cell, threshold,
@@ -300,6 +301,40 @@ module Mgdt
         key == MEASURES[:centroid] ? values.each_slice(3).to_a : values
       end
     end
+
+    # Alphas, squares of radii, of the tetrahedra (dimension 3), of the facets opposite their vertices
+    # (2), four Numbers each, of the edges (1), or of the points (0).
+    def alphas(dimension)
+      with_handle do |handle|
+        counter = { 1 => :mgdt_edge_count, 0 => :mgdt_point_count }.fetch(dimension, :mgdt_tetrahedron_count)
+        n = Library.public_send(counter, handle) * (dimension == 2 ? 4 : 1)
+        x = FFI::MemoryPointer.new(:double, [n, 1].max)
+        key = integer(dimension, "the dimension", 31)
+        ensure_good(handle, Library.mgdt_get_alphas(handle, key, n, x))
+        dimension == 2 ? x.read_array_of_double(n).each_slice(4).to_a : x.read_array_of_double(n)
+      end
+    end
+
+    # The surface of an alpha shape: triples of indices, counter-clockwise seen from outside.
+    def alpha_surface(alpha2)
+      with_handle do |handle|
+        # Enough for one surface or some; the count says what others need.
+        room = (2 * Library.mgdt_vertex_count(handle)) + 4
+        count = FFI::MemoryPointer.new(:int64)
+        loop do
+          facets = FFI::MemoryPointer.new(:int64, 3 * room)
+          status = Library.mgdt_get_alpha_surface(handle, alpha2, 3 * room, facets, count)
+          if status != TOO_SMALL
+            ensure_good(handle, status)
+            break facets.read_array_of_int64(3 * count.read_int64).each_slice(3).to_a
+          end
+          room = count.read_int64
+        end
+      end
+    end
+
+    # The least alpha with all vertices in one solid.
+    def solid_alpha = setting(:mgdt_get_solid_alpha, :double)
 
     # ---- queries
 

@@ -300,6 +300,27 @@ extern "C" {
         capacity: i64,
         x: *mut f64,
     ) -> mgdt_status;
+    pub fn mgdt_get_alphas(
+        t: *const mgdt_triangulation,
+        dimension: i32,
+        capacity: i64,
+        alpha2: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_alpha_surface(
+        t: *const mgdt_triangulation,
+        alpha2: f64,
+        capacity: i64,
+        v: *mut i64,
+        count: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_alpha_surface_i32(
+        t: *const mgdt_triangulation,
+        alpha2: f64,
+        capacity: i64,
+        v: *mut i32,
+        count: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_get_solid_alpha(t: *const mgdt_triangulation, alpha2: *mut f64) -> mgdt_status;
     pub fn mgdt_locate(
         t: *const mgdt_triangulation,
         xyz: *const f64,

@@ -310,6 +310,58 @@ impl Triangulation {
             .collect())
     }
 
+    /// Alphas, squares of radii, of the tetrahedra (dimension 3), of the facets opposite their
+    /// vertices (2), four a tetrahedron, of the edges (1), or of the points (0).
+    pub fn alphas(&self, dimension: i32) -> Result<Vec<f64>, Error> {
+        let count = match dimension {
+            0 => self.point_count(),
+            1 => self.edge_count(),
+            2 => 4 * self.tetrahedron_count(),
+            _ => self.tetrahedron_count(),
+        };
+        let mut x = vec![0.0; count];
+        self.ensure(unsafe {
+            sys::mgdt_get_alphas(self.raw(), dimension, as_i64(count), x.as_mut_ptr())
+        })?;
+        Ok(x)
+    }
+
+    /// The surface of an alpha shape, counter-clockwise seen from outside.
+    pub fn alpha_surface(&self, alpha2: f64) -> Result<Vec<[usize; 3]>, Error> {
+        // Enough for one surface or some; the count says what others need.
+        let mut facets = vec![[0_i64; 3]; 2 * self.vertex_count() + 4];
+        loop {
+            let mut count = 0;
+            let status = unsafe {
+                sys::mgdt_get_alpha_surface(
+                    self.raw(),
+                    alpha2,
+                    as_i64(3 * facets.len()),
+                    facets.as_mut_ptr().cast(),
+                    &mut count,
+                )
+            };
+            let is_short = status == sys::MGDT_ERR_BUFFER_TOO_SMALL;
+            if !is_short {
+                self.ensure(status)?;
+            }
+            facets.resize(count as usize, [0; 3]);
+            if !is_short {
+                return Ok(facets
+                    .into_iter()
+                    .map(|f| f.map(|k| k as usize))
+                    .collect());
+            }
+        }
+    }
+
+    /// The least alpha with all vertices in one solid.
+    pub fn solid_alpha(&self) -> Result<f64, Error> {
+        let mut alpha2 = 0.0;
+        self.ensure(unsafe { sys::mgdt_get_solid_alpha(self.raw(), &mut alpha2) })?;
+        Ok(alpha2)
+    }
+
     /// A measure of each point's Voronoi cell: one number, or the three of a centroid, a point.
     /// Cells are clipped to planes a b c d, where a x + b y + c z <= d; without any, those of hull
     /// vertices are infinite.

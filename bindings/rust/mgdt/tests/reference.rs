@@ -85,6 +85,11 @@ fn every_export() {
     let squares: Vec<_> = spheres.iter().map(|s| s.squared_radius).collect();
     assert_eq!(centers, doubles("centers"));
     assert_eq!(squares, doubles("squares"));
+    assert_eq!(t.alphas(2).unwrap(), doubles("facet_alphas"));
+    assert_eq!(t.alphas(1).unwrap(), doubles("edge_alphas"));
+    let surface: Vec<[i64; 3]> = t.alpha_surface(0.01).unwrap().iter().map(|f| f.map(|k| k as i64)).collect();
+    assert_eq!(surface, rows::<3>("alpha_surface"));
+    assert_eq!(vec![t.solid_alpha().unwrap()], doubles("solid_alpha"));
     let side = |k: usize, sign: f64| {
         let mut plane = [0.0, 0.0, 0.0, if sign > 0.0 { 2.0 } else { 1.0 }];
         plane[k] = sign;

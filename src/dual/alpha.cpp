@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include "dual/alpha.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "parallel/atomic_array.hpp"
+#include "predicates/circumcenter.hpp"
+#include "predicates/facet_sphere.hpp"
+#include "query/graphs.hpp"
+#include "query/parts.hpp"
+#include "query/vertex_indices.hpp"
+
+namespace mgdt {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t slots_a_thread = 4096;
+
+double alpha_of(const Mesh& mesh, const Tetrahedron& t) {
+    return circumcenter(
+               {mesh.point(t.v[0]), mesh.point(t.v[1]), mesh.point(t.v[2]), mesh.point(t.v[3])},
+               mesh.scale)
+        .radius2;
+}
+
+// By slot; infinite where there is no finite tetrahedron.
+Buffer<double> alphas_by_slot(const ExportView& view) {
+    const Mesh& mesh = view.mesh;
+    Buffer<double> alphas(view.allocator, mesh.tetrahedra.size());
+    view.team.split(mesh.tetrahedra.size(), slots_a_thread,
+                    [&](std::size_t begin, std::size_t end, unsigned) {
+                        for (std::size_t id = begin; id < end; ++id) {
+                            const Tetrahedron& t = mesh.tetrahedra[id];
+                            alphas[id] = t.is_dead() || t.is_ghost() ? infinity : alpha_of(mesh, t);
+                        }
+                    });
+    return alphas;
+}
+
+// Whether a vertex of one of the two tetrahedra at a facet is inside the least sphere around it. No
+// other one is then unless one of these is.
+bool is_attached(const Mesh& mesh, const VertexId (&v)[3], const Tetrahedron& t, unsigned face,
+                 const Tetrahedron& other) {
+    const auto is_inside = [&](VertexId apex) {
+        return apex != infinite_vertex &&
+               side_of_facet_sphere(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]),
+                                    mesh.point(apex)) > 0;
+    };
+    if (is_inside(t.v[face])) return true;
+    for (const VertexId apex : other.v)
+        if (apex != v[0] && apex != v[1] && apex != v[2]) return is_inside(apex);
+    return false;
+}
+
+// Calls f(id, face, v, alpha) for each facet from the first of its two records; its vertices are
+// sorted by index.
+template <class F>
+void for_each_facet(const ExportView& view, const Buffer<double>& alphas, std::size_t begin,
+                    std::size_t end, F f) {
+    const Mesh& mesh = view.mesh;
+    for (std::size_t id = begin; id < end; ++id) {
+        const Tetrahedron& t = mesh.tetrahedra[id];
+        if (t.is_dead()) continue;
+        for (unsigned face = 0; face < 4; ++face) {
+            const TetId beyond = tetrahedron_of(t.n[face]);
+            if (beyond < id || (t.is_ghost() && t.v[face] != infinite_vertex)) continue;
+            const unsigned char* const corner = outer_face[face];
+            VertexId v[3] = {t.v[corner[0]], t.v[corner[1]], t.v[corner[2]]};
+            std::sort(v, v + 3, [&](VertexId a, VertexId b) {
+                return mesh.vertices[a].index < mesh.vertices[b].index;
+            });
+            double alpha = std::fmin(alphas[id], alphas[beyond]);
+            if (!is_attached(mesh, v, t, face, mesh.tetrahedra[beyond]))
+                alpha = std::fmin(
+                    alpha, facet_radius2({mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])},
+                                         mesh.scale));
+            f(static_cast<TetId>(id), face, v, alpha);
+        }
+    }
+}
+
+}  // namespace
+
+void export_tetrahedron_alphas(const ExportView& view, double* out) {
+    constexpr std::size_t stretches_a_thread = 64;
+    view.team.split(view.numbering->stretches(), stretches_a_thread,
+                    [&](std::size_t begin, std::size_t end, unsigned) {
+                        view.numbering->for_each(begin, end, [&](TetId id, std::size_t number) {
+                            out[number] = alpha_of(view.mesh, view.mesh.tetrahedra[id]);
+                        });
+                    });
+}
+
+void export_facet_alphas(const ExportView& view, double* out) {
+    const Mesh& mesh = view.mesh;
+    const Buffer<double> alphas = alphas_by_slot(view);
+    const auto write = [&](TetId id, unsigned face, double alpha) {
+        const Tetrahedron& t = mesh.tetrahedra[id];
+        if (t.is_ghost()) return;
+        unsigned places[4], at = 0;
+        export_places(view, t, places);
+        while (places[at] != face) ++at;
+        out[4 * static_cast<std::size_t>(view.numbering->number(id)) + at] = alpha;
+    };
+    view.team.split(
+        mesh.tetrahedra.size(), slots_a_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+            for_each_facet(view, alphas, begin, end,
+                           [&](TetId id, unsigned face, const VertexId(&)[3], double alpha) {
+                               write(id, face, alpha);
+                               const FacetCode beyond = mesh.tetrahedra[id].n[face];
+                               write(tetrahedron_of(beyond), face_of(beyond), alpha);
+                           });
+        });
+}
+
+void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_map, double* out) {
+    const Mesh& mesh = view.mesh;
+    const VertexIndices indices(view.team, mesh, view.allocator);
+    const EdgeLists edges(view, point_map.size(),
+                          edges_from_lesser(mesh, [&](VertexId v) { return indices[v]; }));
+    struct List {
+        std::size_t place, size;
+        const std::uint32_t* others;
+    };
+    Buffer<List> lists(view.allocator, point_map.size());
+    edges.write(
+        [&](std::size_t k, std::size_t place, const std::uint32_t* others, std::size_t size) {
+            lists[k] = {place, size, others};
+        });
+    const auto place_of = [&](std::uint32_t a, std::uint32_t b) {
+        const List& list = lists[std::min(a, b)];
+        const std::uint32_t* const at =
+            std::lower_bound(list.others, list.others + list.size, std::max(a, b));
+        return list.place + static_cast<std::size_t>(at - list.others);
+    };
+    // Numbers that are not negative have the order of their bits.
+    const auto bits_of = [](double x) {
+        std::uint64_t bits;
+        std::memcpy(&bits, &x, sizeof bits);
+        return bits;
+    };
+    AtomicArray<std::uint64_t> least(view.allocator, edges.size());
+    AtomicArray<std::uint8_t> is_attached(view.allocator, edges.size());
+    view.team.split(edges.size(), slots_a_thread,
+                    [&](std::size_t begin, std::size_t end, unsigned) {
+                        for (std::size_t e = begin; e < end; ++e)
+                            least[e].store(bits_of(infinity), std::memory_order_relaxed);
+                    });
+    const Buffer<double> alphas = alphas_by_slot(view);
+    view.team.split(
+        mesh.tetrahedra.size(), slots_a_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+            for_each_facet(view, alphas, begin, end,
+                           [&](TetId, unsigned, const VertexId(&v)[3], double alpha) {
+                               const unsigned obtuse = obtuse_corner(
+                                   {mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])});
+                               for (unsigned i = 0; i < 3; ++i) {
+                                   const std::size_t e =
+                                       place_of(indices[v[(i + 1) % 3]], indices[v[(i + 2) % 3]]);
+                                   if (i == obtuse)
+                                       is_attached[e].store(1, std::memory_order_relaxed);
+                                   std::uint64_t known = least[e].load(std::memory_order_relaxed);
+                                   while (bits_of(alpha) < known &&
+                                          !least[e].compare_exchange_weak(
+                                              known, bits_of(alpha), std::memory_order_relaxed)) {
+                                   }
+                               }
+                           });
+        });
+    const auto alpha_at = [&](std::size_t place, std::uint32_t k, std::uint32_t other) {
+        double alpha;
+        const std::uint64_t bits = least[place].load(std::memory_order_relaxed);
+        std::memcpy(&alpha, &bits, sizeof bits);
+        if (is_attached[place].load(std::memory_order_relaxed) != 0) return alpha;
+        const double *const a = mesh.point(point_map[k]), *const b = mesh.point(point_map[other]);
+        double square = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double half = 0.5 * (a[axis] - b[axis]);
+            square += half * half;
+        }
+        return std::fmin(alpha, std::ldexp(square, -2 * mesh.scale));
+    };
+    if (view.canonical) {
+        edges.write(
+            [&](std::size_t k, std::size_t place, const std::uint32_t* others, std::size_t size) {
+                for (std::size_t i = 0; i < size; ++i)
+                    out[place + i] = alpha_at(place + i, static_cast<std::uint32_t>(k), others[i]);
+            });
+        return;
+    }
+    Buffer<std::int32_t> ends(view.allocator, 2 * edges.size());
+    export_edges({view.team, mesh, view.numbering, view.allocator, 0, false}, ends.data());
+    view.team.split(edges.size(), slots_a_thread,
+                    [&](std::size_t begin, std::size_t end, unsigned) {
+                        for (std::size_t e = begin; e < end; ++e) {
+                            const auto a = static_cast<std::uint32_t>(ends[2 * e]),
+                                       b = static_cast<std::uint32_t>(ends[2 * e + 1]);
+                            out[e] = alpha_at(place_of(a, b), a, b);
+                        }
+                    });
+}
+
+void export_vertex_alphas(const ExportView& view, std::size_t points, double* out) {
+    std::fill_n(out, points, infinity);
+    for (VertexId v = 1; v < view.mesh.vertices.size(); ++v) out[view.mesh.vertices[v].index] = 0;
+}
+
+Buffer<std::uint32_t> alpha_surface(const ExportView& view, double alpha2) {
+    const Mesh& mesh = view.mesh;
+    const Buffer<double> alphas = alphas_by_slot(view);
+    struct Facet {
+        std::uint32_t v[3];
+    };
+    Buffer<Facet> facets(view.allocator);
+    for (TetId id = 0; id < mesh.tetrahedra.size(); ++id) {
+        const Tetrahedron& t = mesh.tetrahedra[id];
+        if (t.is_dead() || t.is_ghost() || !(alphas[id] <= alpha2)) continue;
+        for (unsigned face = 0; face < 4; ++face) {
+            const TetId beyond = tetrahedron_of(t.n[face]);
+            if (!mesh.tetrahedra[beyond].is_ghost() && alphas[beyond] <= alpha2) continue;
+            // outer_face is negative as seen from inside.
+            const unsigned char* const corner = outer_face[face];
+            Facet f = {{mesh.vertices[t.v[corner[0]]].index, mesh.vertices[t.v[corner[2]]].index,
+                        mesh.vertices[t.v[corner[1]]].index}};
+            std::rotate(f.v, std::min_element(f.v, f.v + 3), f.v + 3);
+            facets.push_back(f);
+        }
+    }
+    std::sort(facets.begin(), facets.end(), [](const Facet& a, const Facet& b) {
+        return std::lexicographical_compare(a.v, a.v + 3, b.v, b.v + 3);
+    });
+    Buffer<std::uint32_t> surface(view.allocator);
+    surface.reserve(3 * facets.size());
+    for (const Facet& f : facets)
+        for (const std::uint32_t index : f.v) surface.push_back(index);
+    return surface;
+}
+
+double solid_alpha(const ExportView& view) {
+    const Mesh& mesh = view.mesh;
+    const Buffer<double> alphas = alphas_by_slot(view);
+    Buffer<TetId> order(view.allocator);
+    order.reserve(mesh.finite_count());
+    for (TetId id = 0; id < mesh.tetrahedra.size(); ++id)
+        if (!mesh.tetrahedra[id].is_dead() && !mesh.tetrahedra[id].is_ghost()) order.push_back(id);
+    std::sort(order.begin(), order.end(), [&](TetId a, TetId b) { return alphas[a] < alphas[b]; });
+    Parts parts(view.allocator, mesh.tetrahedra.size());
+    Buffer<bool> is_in(view.allocator), is_reached(view.allocator);
+    is_in.resize(mesh.tetrahedra.size(), false);
+    is_reached.resize(mesh.vertices.size(), false);
+    std::size_t solids = 0, vertices_left = mesh.vertices.size() - 1;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const TetId id = order[k];
+        const Tetrahedron& t = mesh.tetrahedra[id];
+        is_in[id] = true;
+        ++solids;
+        for (unsigned i = 0; i < 4; ++i) {
+            vertices_left -= !is_reached[t.v[i]];
+            is_reached[t.v[i]] = true;
+            const TetId beyond = tetrahedron_of(t.n[i]);
+            if (is_in[beyond] && parts.join(id, beyond)) --solids;
+        }
+        // Tetrahedra of one alpha come together.
+        const bool is_last = k + 1 == order.size() || alphas[order[k + 1]] > alphas[id];
+        if (is_last && solids == 1 && vertices_left == 0) return alphas[id];
+    }
+    return order.empty() ? 0 : infinity;
+}
+
+}  // namespace mgdt

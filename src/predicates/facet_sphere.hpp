@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The least sphere through three points: its centre is in their plane.
+#pragma once
+
+namespace mgdt {
+
+// +1 if q is inside the least sphere through a, b and c, 0 on it, -1 outside. abcq is no plane.
+int side_of_facet_sphere(const double* a, const double* b, const double* c, const double* q);
+
+// The square of its radius, of points times 2^-scale that are not on one line. The relative error
+// is below facet_radius_error; the order of the points may change it within that.
+double facet_radius2(const double* const (&p)[3], int scale = 0);
+constexpr double facet_radius_error = 0x1p-46;
+
+namespace exact {
+
+// The stages of both, for tests. A filter that does not know gives `undecided`, and false.
+int facet_sphere_filter(const double* a, const double* b, const double* c, const double* q);
+int facet_sphere_integer(const double* a, const double* b, const double* c, const double* q,
+                         int least_width = 0);
+bool facet_radius2_plain(const double* const (&p)[3], double& square);
+bool facet_radius2_twofold(const double* const (&p)[3], double& square);
+double facet_radius2_integer(const double* const (&p)[3], int scale, int least_width = 0);
+
+}  // namespace exact
+}  // namespace mgdt
