@@ -20,6 +20,7 @@ from ._insertion import CANCEL
 from .alpha import AlphaShape
 from .delaunay import Delaunay
 from .interpolation import Interpolator
+from .voronoi import Voronoi
 
 __all__ = [
     "AlphaShape",
@@ -35,6 +36,7 @@ __all__ = [
     "OutOfMemoryError",
     "QhullError",
     "TooLargeError",
+    "Voronoi",
     "library_path",
     "library_version",
 ]

@@ -347,10 +347,7 @@ impl Triangulation {
             }
             facets.resize(count as usize, [0; 3]);
             if !is_short {
-                return Ok(facets
-                    .into_iter()
-                    .map(|f| f.map(|k| k as usize))
-                    .collect());
+                return Ok(facets.into_iter().map(|f| f.map(|k| k as usize)).collect());
             }
         }
     }
@@ -365,11 +362,7 @@ impl Triangulation {
     /// A measure of each point's Voronoi cell: one number, or the three of a centroid, a point.
     /// Cells are clipped to planes a b c d, where a x + b y + c z <= d; without any, those of hull
     /// vertices are infinite.
-    pub fn cell_measures(
-        &self,
-        measure: Measure,
-        planes: &[[f64; 4]],
-    ) -> Result<Vec<f64>, Error> {
+    pub fn cell_measures(&self, measure: Measure, planes: &[[f64; 4]]) -> Result<Vec<f64>, Error> {
         let width = if measure == Measure::Centroid { 3 } else { 1 };
         let mut x = vec![0.0; width * self.point_count()];
         self.ensure(unsafe {

@@ -78,8 +78,14 @@ fn every_export() {
     let signed = |edges: Vec<[usize; 2]>| -> Vec<[i64; 2]> {
         edges.into_iter().map(|e| e.map(|k| k as i64)).collect()
     };
-    assert_eq!(signed(t.gabriel_edges().unwrap()), rows::<2>("gabriel_edges"));
-    assert_eq!(signed(t.spanning_tree().unwrap()), rows::<2>("spanning_tree"));
+    assert_eq!(
+        signed(t.gabriel_edges().unwrap()),
+        rows::<2>("gabriel_edges")
+    );
+    assert_eq!(
+        signed(t.spanning_tree().unwrap()),
+        rows::<2>("spanning_tree")
+    );
     let spheres = t.circumspheres().unwrap();
     let centers: Vec<_> = spheres.iter().flat_map(|s| s.center).collect();
     let squares: Vec<_> = spheres.iter().map(|s| s.squared_radius).collect();
@@ -87,7 +93,12 @@ fn every_export() {
     assert_eq!(squares, doubles("squares"));
     assert_eq!(t.alphas(2).unwrap(), doubles("facet_alphas"));
     assert_eq!(t.alphas(1).unwrap(), doubles("edge_alphas"));
-    let surface: Vec<[i64; 3]> = t.alpha_surface(0.01).unwrap().iter().map(|f| f.map(|k| k as i64)).collect();
+    let surface: Vec<[i64; 3]> = t
+        .alpha_surface(0.01)
+        .unwrap()
+        .iter()
+        .map(|f| f.map(|k| k as i64))
+        .collect();
     assert_eq!(surface, rows::<3>("alpha_surface"));
     assert_eq!(vec![t.solid_alpha().unwrap()], doubles("solid_alpha"));
     let side = |k: usize, sign: f64| {
@@ -98,7 +109,10 @@ fn every_export() {
     let cube: Vec<_> = (0..3).flat_map(|k| [side(k, 1.0), side(k, -1.0)]).collect();
     let measures = |of, planes: &[[f64; 4]]| t.cell_measures(of, planes).unwrap();
     assert_eq!(measures(mgdt::Measure::Volume, &cube), doubles("volumes"));
-    assert_eq!(measures(mgdt::Measure::Centroid, &cube), doubles("centroids"));
+    assert_eq!(
+        measures(mgdt::Measure::Centroid, &cube),
+        doubles("centroids")
+    );
     assert_eq!(measures(mgdt::Measure::Faces, &[]), doubles("faces"));
     let tetrahedra = t.tetrahedra().unwrap();
     for point in [0, 7, 999, 1009] {
