@@ -2,7 +2,10 @@
 #include "dual/measures.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "dual/volume_pass.hpp"
 #include "parallel/atomic_array.hpp"
 
 namespace mgdt {
@@ -23,6 +26,55 @@ void find_tetrahedra(const ExportView& view, AtomicArray<TetId>& first) {
                     });
 }
 
+constexpr std::size_t min_vertices_per_thread = 4096;
+
+// One cell, by what is sure.
+class Measurer {
+  public:
+    explicit Measurer(Allocator& allocator)
+        : link_(allocator), in_doubles_(allocator), again_(allocator) {}
+
+    void measure(const Mesh& mesh, VertexId v, TetId first, const Region& region, Measure measure,
+                 double* out) {
+        link_.gather(mesh, v, first);
+        if (in_doubles_.measure(mesh, v, link_, region, measure, Centers::plain, out)) return;
+        if (in_doubles_.measure(mesh, v, link_, region, measure, Centers::corrected, out)) return;
+        again_.measure(mesh, v, link_, region, measure, Centers::plain, out);
+    }
+
+  private:
+    Link link_;
+    CellMeasures<double> in_doubles_;
+    CellMeasures<Twofold> again_;
+};
+
+// Cells that the region cuts, and those that the passes leave open, one by one.
+void export_volumes(const ExportView& view, const Region& region, AtomicArray<TetId>& first,
+                    double* x) {
+    const Mesh& mesh = view.mesh;
+    VolumePass pass(view);
+    view.team.split(
+        mesh.vertices.size() - 1, min_vertices_per_thread,
+        [&](std::size_t begin, std::size_t end, unsigned) {
+            Measurer measurer(view.allocator);
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto v = static_cast<VertexId>(i + 1);
+                double& out = x[mesh.vertices[v].index];
+                double volume;
+                const bool may_be_cut =
+                    region.is_bounded() &&
+                    (pass.is_infinite(v) || !(region.clearance(mesh.point(v)) > pass.radius(v)));
+                if (!region.is_bounded() && pass.is_infinite(v))
+                    out = std::numeric_limits<double>::infinity();
+                else if (!may_be_cut && pass.find(v, volume))
+                    out = std::ldexp(volume, -3 * mesh.scale);
+                else
+                    measurer.measure(mesh, v, first[v].load(std::memory_order_relaxed), region,
+                                     Measure::volume, &out);
+            }
+        });
+}
+
 }  // namespace
 
 void export_measures(const ExportView& view, const Region& region, Measure measure,
@@ -32,23 +84,16 @@ void export_measures(const ExportView& view, const Region& region, Measure measu
     std::fill_n(x, width * points, 0.0);
     AtomicArray<TetId> first(view.allocator, mesh.vertices.size());
     find_tetrahedra(view, first);
-    constexpr std::size_t min_vertices_per_thread = 4096;
-    view.team.split(
-        mesh.vertices.size() - 1, min_vertices_per_thread,
-        [&](std::size_t begin, std::size_t end, unsigned) {
-            Link link(view.allocator);
-            CellMeasures<double> measures(view.allocator);
-            CellMeasures<Twofold> again(view.allocator);
-            for (std::size_t i = begin; i < end; ++i) {
-                const VertexId v = static_cast<VertexId>(i + 1);
-                double* const out = x + width * mesh.vertices[v].index;
-                link.gather(mesh, v, first[v].load(std::memory_order_relaxed));
-                if (measures.measure(mesh, v, link, region, measure, Centers::plain, out)) continue;
-                if (measures.measure(mesh, v, link, region, measure, Centers::corrected, out))
-                    continue;
-                again.measure(mesh, v, link, region, measure, Centers::plain, out);
-            }
-        });
+    if (measure == Measure::volume) return export_volumes(view, region, first, x);
+    view.team.split(mesh.vertices.size() - 1, min_vertices_per_thread,
+                    [&](std::size_t begin, std::size_t end, unsigned) {
+                        Measurer measurer(view.allocator);
+                        for (std::size_t i = begin; i < end; ++i) {
+                            const auto v = static_cast<VertexId>(i + 1);
+                            measurer.measure(mesh, v, first[v].load(std::memory_order_relaxed),
+                                             region, measure, x + width * mesh.vertices[v].index);
+                        }
+                    });
 }
 
 }  // namespace mgdt

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "dual/volume_pass.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "dual/cell_measures.hpp"
+#include "predicates/circumcenter.hpp"
+
+namespace mgdt {
+namespace {
+
+constexpr double u = 0x1p-53;
+constexpr int least_exponent = -500;
+// Sums count units of 2^-60 of the cube of the longest edge, as long as no part has more than a
+// 32nd of that, and 255 have not more than 8; errors units of 2^-66.
+constexpr int sum_bits = 60, error_bits = 66;
+constexpr std::uint32_t most_parts = 255;
+constexpr double most_units = 0x1p55, most_error = 0x1p50;
+
+using V = Vector<double>;
+
+V difference(const double* a, const double* b) {
+    return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
+}
+
+// What many threads do to a number that several may have. One alone does without the lock, which
+// costs as much as all else.
+template <bool alone>
+struct Update {
+    template <class T>
+    static void raise(Atomic<T>& to, T value) {
+        T known = to.load(std::memory_order_relaxed);
+        if (alone) {
+            if (known < value) to.store(value, std::memory_order_relaxed);
+            return;
+        }
+        while (known < value &&
+               !to.compare_exchange_weak(known, value, std::memory_order_relaxed)) {
+        }
+    }
+    template <class T>
+    static void add(Atomic<T>& to, T value) {
+        if (alone)
+            to.store(to.load(std::memory_order_relaxed) + value, std::memory_order_relaxed);
+        else
+            to.fetch_add(value, std::memory_order_relaxed);
+    }
+};
+
+double power_of_two(int exponent) {
+    const std::uint64_t bits = static_cast<std::uint64_t>(exponent + 1023) << 52;
+    double x;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+int exponent_of(double x) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return static_cast<int>(bits >> 52 & 0x7FF) - 1023;
+}
+
+// What a facet, with the squared lengths of its edges opposite its corners, its normal and the
+// height of the circumcentre over it (both times the length of the normal), gives its corners. The
+// normal is not longer than 0.29 times the sum of the squares.
+struct FacetParts {
+    double of[3], error;
+};
+MGDT_ALWAYS_INLINE FacetParts facet_parts(double pp, double qq, double rr, const V& normal,
+                                          double height, double center_error, double radius) {
+    const double sum = pp + qq + rr;
+    const double p = pp * ((qq + rr) - pp), q = qq * ((rr + pp) - qq), r = rr * ((pp + qq) - rr);
+    const double inverse = 1 / dot(normal, normal), factor = 1.0 / 48 * inverse,
+                 by_height = factor * height;
+    const double all = std::fabs(p) + std::fabs(q) + std::fabs(r), square = sum * sum;
+    return {
+        {(q + r) * by_height, (r + p) * by_height, (p + q) * by_height},
+        factor * (std::fabs(height) * (16 * u * square + all * u * (2 * square * inverse + 12)) +
+                  all * sum * (0.29 * center_error + 5 * u * radius))};
+}
+
+}  // namespace
+
+MGDT_ALWAYS_INLINE VolumePass::Parts VolumePass::parts_of(const Mesh& mesh, const Tetrahedron& t) {
+    Parts result;
+    std::uint32_t index[4];
+    for (unsigned i = 0; i < 4; ++i) {
+        result.v[i] = t.v[i];
+        index[i] = mesh.vertices[t.v[i]].index;
+    }
+    bool is_odd = false;
+    const auto order = [&](unsigned i, unsigned j) {
+        const bool swaps = index[j] < index[i];
+        const std::uint32_t least = swaps ? index[j] : index[i], most = swaps ? index[i] : index[j];
+        const VertexId a = swaps ? result.v[j] : result.v[i], b = swaps ? result.v[i] : result.v[j];
+        index[i] = least, index[j] = most, result.v[i] = a, result.v[j] = b;
+        is_odd ^= swaps;
+    };
+    order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+    const double *const p0 = mesh.point(result.v[0]), *const p1 = mesh.point(result.v[1]),
+                        *const p2 = mesh.point(result.v[2]), *const p3 = mesh.point(result.v[3]);
+    const double sign = is_odd ? -1 : 1;
+    const V a = difference(p1, p0), b = difference(p2, p0), c = difference(p3, p0),
+            ab = difference(p2, p1), ac = difference(p3, p1), bc = difference(p3, p2);
+    const V A = cross(b, c), B = cross(c, a), C = cross(a, b), D = cross(ab, ac);
+    const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c), abab = dot(ab, ab),
+                 acac = dot(ac, ac), bcbc = dot(bc, bc);
+    const double det = sign * dot(a, A), a_size = std::sqrt(aa), b_size = std::sqrt(bb),
+                 c_size = std::sqrt(cc), product = a_size * b_size * c_size;
+    V x;
+    double error = -1;
+    if (det > 1024 * u * product) {
+        const double inverse = sign * 0.5 / det;
+        for (int k = 0; k < 3; ++k) x.x[k] = ((aa * A.x[k] + bb * B.x[k]) + cc * C.x[k]) * inverse;
+        result.radius = length(x);
+        error = u * (product / det) * (10.5 * (a_size + b_size + c_size) + 16 * result.radius);
+    }
+    if (!(error >= 0) || error > 400 * u * result.radius) {
+        double offset[3];
+        center_offset({p0, p1, is_odd ? p3 : p2, is_odd ? p2 : p3}, offset);
+        x = {{offset[0], offset[1], offset[2]}};
+        result.radius = length(x);
+        error = 2 * center_offset_error * result.radius;
+    }
+    const V y = x - a;
+    const double radius = result.radius;
+    const FacetParts of_c = facet_parts(abab, bb, aa, C, sign * dot(x, C), error, radius),
+                     of_b = facet_parts(acac, cc, aa, B, sign * dot(x, B), error, radius),
+                     of_a = facet_parts(bcbc, cc, bb, A, sign * dot(x, A), error, radius),
+                     of_d = facet_parts(bcbc, acac, abab, D, -sign * dot(y, D), error, radius);
+    result.volume[0] = (of_c.of[0] + of_b.of[0]) + of_a.of[0];
+    result.volume[1] = (of_c.of[1] + of_b.of[1]) + of_d.of[0];
+    result.volume[2] = (of_c.of[2] + of_a.of[1]) + of_d.of[1];
+    result.volume[3] = (of_b.of[2] + of_a.of[2]) + of_d.of[2];
+    result.error = (of_a.error + of_b.error) + (of_c.error + of_d.error);
+    // Else numbers may have been lost at the ends of the range of doubles.
+    constexpr double least = 0x1p-100, most = 0x1p100;
+    const auto is_long = [](double square) { return square > least * least; };
+    result.is_known = is_long(aa) && is_long(bb) && is_long(cc) && is_long(abab) && is_long(acac) &&
+                      is_long(bcbc) && result.radius < most && result.error < most;
+    return result;
+}
+
+template <bool alone>
+void VolumePass::set_exponents(const Mesh& mesh, std::size_t begin, std::size_t end) {
+    constexpr std::size_t ahead = 8;
+    for (std::size_t id = begin; id < end; ++id) {
+        const Tetrahedron& t = mesh.tetrahedra[id];
+        mesh.tetrahedra.prefetch(id + ahead);
+        if (t.is_dead()) continue;
+        if (t.is_ghost()) {
+            for (const VertexId v : t.v) flags_[v].fetch_or(on_hull, std::memory_order_relaxed);
+            continue;
+        }
+        const auto square = [&](unsigned i, unsigned j) {
+            const V d = difference(mesh.point(t.v[i]), mesh.point(t.v[j]));
+            return dot(d, d);
+        };
+        const double ab = square(0, 1), ac = square(0, 2), ad = square(0, 3), bc = square(1, 2),
+                     bd = square(1, 3), cd = square(2, 3);
+        const double longest[4] = {std::max(std::max(ab, ac), ad), std::max(std::max(ab, bc), bd),
+                                   std::max(std::max(ac, bc), cd), std::max(std::max(ad, bd), cd)};
+        for (unsigned i = 0; i < 4; ++i) {
+            Update<alone>::raise(exponents_[t.v[i]], exponent_of(longest[i]) - least_exponent);
+            Update<alone>::add(counts_[t.v[i]], 1u);
+        }
+    }
+}
+
+// Of the cube of the longest edge at v, at least.
+int VolumePass::exponent(VertexId v) {
+    const int of_square = exponents_[v].load(std::memory_order_relaxed) + least_exponent + 1;
+    return (3 * of_square + 1) >> 1;
+}
+
+template <bool alone>
+void VolumePass::add(const Mesh& mesh, std::size_t begin, std::size_t end) {
+    constexpr std::size_t ahead = 8;
+    for (std::size_t id = begin; id < end; ++id) {
+        const Tetrahedron& t = mesh.tetrahedra[id];
+        mesh.tetrahedra.prefetch(id + ahead);
+        if (t.is_dead() || t.is_ghost()) continue;
+        const Parts parts = parts_of(mesh, t);
+        const float radius = static_cast<float>(std::min(parts.radius * (1 + 0x1p-20), 0x1p126));
+        std::uint32_t bits;
+        std::memcpy(&bits, &radius, sizeof bits);
+        for (unsigned i = 0; i < 4; ++i) {
+            const VertexId v = parts.v[i];
+            Update<alone>::raise(radii_[v], bits);
+            // Only powers of two that are doubles.
+            const int least = exponent(v);
+            const bool is_known = parts.is_known && least > -400 && least < 400;
+            const double one = is_known ? power_of_two(sum_bits - least) : 1;
+            const double units = parts.volume[i] * one,
+                         error = parts.error * one * (1 << (error_bits - sum_bits));
+            if (!is_known || !(std::fabs(units) < most_units) || !(error < most_error)) {
+                flags_[v].fetch_or(is_lost, std::memory_order_relaxed);
+                continue;
+            }
+            Update<alone>::add(sums_[v], static_cast<std::int64_t>(units));
+            Update<alone>::add(errors_[v], static_cast<std::int64_t>(error));
+        }
+    }
+}
+
+VolumePass::VolumePass(const ExportView& view)
+    : exponents_(view.allocator, view.mesh.vertices.size()),
+      radii_(view.allocator, view.mesh.vertices.size()),
+      flags_(view.allocator, view.mesh.vertices.size()),
+      counts_(view.allocator, view.mesh.vertices.size()),
+      sums_(view.allocator, view.mesh.vertices.size()),
+      errors_(view.allocator, view.mesh.vertices.size()) {
+    if (view.team.size() == 1)
+        run<true>(view);
+    else
+        run<false>(view);
+}
+
+template <bool alone>
+void VolumePass::run(const ExportView& view) {
+    constexpr std::size_t slots_a_thread = 16384;
+    const std::size_t slots = view.mesh.tetrahedra.size();
+    view.team.split(slots, slots_a_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+        set_exponents<alone>(view.mesh, begin, end);
+    });
+    view.team.split(slots, slots_a_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+        add<alone>(view.mesh, begin, end);
+    });
+}
+
+double VolumePass::radius(VertexId v) {
+    const std::uint32_t bits = radii_[v].load(std::memory_order_relaxed);
+    float x;
+    std::memcpy(&x, &bits, sizeof x);
+    return static_cast<double>(x);
+}
+
+bool VolumePass::find(VertexId v, double& volume) {
+    const std::uint32_t count = counts_[v].load(std::memory_order_relaxed);
+    if (flags(v) != 0 || count > most_parts) return false;
+    const int least = exponent(v);
+    const auto load = [&](AtomicArray<std::int64_t>& of) {
+        return static_cast<double>(of[v].load(std::memory_order_relaxed));
+    };
+    volume = load(sums_) * power_of_two(least - sum_bits);
+    // A unit for each part that was cut to an integer.
+    const double error = (load(errors_) + count) * power_of_two(least - error_bits) +
+                         count * power_of_two(least - sum_bits);
+    return error <= 0.9 * measure_error * volume;
+}
+
+}  // namespace mgdt
