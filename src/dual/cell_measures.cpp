@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <type_traits>
 
 #include "mesh/scale.hpp"
 #include "predicates/predicates.hpp"
@@ -120,17 +119,21 @@ void CellMeasures<Real>::add_polygon(const Face& face) {
     }
 }
 
-// The planes beyond which some corner of the cell is; all of those that may be in twofold numbers.
+// The planes that some corner of the cell may be beyond, or all.
 template <class Real>
 void CellMeasures<Real>::find_cuts(const Link& link, const Region& region) {
     cutting_.clear();
     if (!region.is_bounded()) return;
     if (cell_.is_bounded() && region.clearance(point_) * cell_.factor() > cell_.radius()) return;
+    const double reach = 2 * region.extent() * cell_.factor();
+    polygon_.set_reach(reach);
     for (std::size_t k = 0; k < region.size(); ++k) {
         const Side<Real> side = region.side<Real>(k, point_, cell_.factor());
-        bool is_cutting = !std::is_same_v<Real, double>;
-        for (std::size_t i = 0; i < link.triangles().size() && !is_cutting; ++i)
-            is_cutting = Polygon<Real>::is_beyond(cell_.corner(i), side);
+        const bool is_cutting = faces_from_ == FacesFrom::triangles ||
+                                !Polygon<Real>::are_inside(side, reach, [&](auto look) {
+                                    for (std::size_t i = 0; i < link.triangles().size(); ++i)
+                                        look(cell_.corner(i));
+                                });
         if (is_cutting) cutting_.push_back({k, side});
     }
 }
@@ -152,20 +155,19 @@ void CellMeasures<Real>::for_face(const Link& link, std::uint32_t b, Visit visit
 // Whether no plane touches the face to neighbour b, for sure.
 template <class Real>
 bool CellMeasures<Real>::is_face_inside(const Link& link, std::uint32_t b) const {
-    bool is_inside = true;
-    for_face(link, b, [&](std::uint32_t i, std::uint32_t) {
-        for (const Cut& cut : cutting_)
-            is_inside &= Polygon<Real>::is_inside_for_sure(cell_.corner(i), cut.side);
-    });
-    return is_inside;
+    for (const Cut& cut : cutting_) {
+        const auto each = [&](auto look) {
+            for_face(link, b, [&](std::uint32_t i, std::uint32_t) { look(cell_.corner(i)); });
+        };
+        if (!Polygon<Real>::are_inside(cut.side, 0x1p900, each)) return false;
+    }
+    return true;
 }
 
-// The face to neighbour b: the polygon of its corners, cut by the planes of the region. Corners may
-// be far outside, where roundings are large, or no points at all. Twofold numbers are for cells
-// where that matters: there the face is what is left of a triangle as large as the region.
+// The face to neighbour b, cut by the planes of the region.
 template <class Real>
 void CellMeasures<Real>::set_face(const Link& link, const Region& region, std::uint32_t b) {
-    constexpr bool by_corners = std::is_same_v<Real, double>;
+    const bool by_corners = faces_from_ == FacesFrom::corners;
     const auto region_label = [&](const Cut& cut) {
         return static_cast<std::uint32_t>(link.neighbor_count() + cut.plane);
     };
@@ -312,7 +314,8 @@ bool CellMeasures<Real>::measure_as(const Mesh& mesh, VertexId v, const Link& li
 template <class Real>
 bool CellMeasures<Real>::measure(const Mesh& mesh, VertexId v, const Link& link,
                                  const Region& region, Measure measure, Centers centers,
-                                 double* x) {
+                                 FacesFrom faces_from, double* x) {
+    faces_from_ = faces_from;
     cell_.make(mesh, v, link, centers);
     point_ = mesh.point(v);
     find_cuts(link, region);

@@ -8,6 +8,10 @@
 
 namespace mgdt {
 
+// A face that planes cut is what they leave of the polygon of its corners, or of a triangle as
+// large as the region, which all neighbours cut then: for corners that are far out, or no points.
+enum class FacesFrom { corners, triangles };
+
 enum class Measure { volume, area, centroid, faces };
 
 // One cell after the other, in the same memory.
@@ -26,7 +30,7 @@ class CellMeasures {
     // Of vertex v, whose link is given, within the region: one double, or the three of a centroid.
     // Returns whether the error is below measure_error for sure.
     bool measure(const Mesh& mesh, VertexId v, const Link& link, const Region& region,
-                 Measure measure, Centers centers, double* x);
+                 Measure measure, Centers centers, FacesFrom faces_from, double* x);
 
   private:
     // Terms, and a bound of the error of each.
@@ -82,6 +86,7 @@ class CellMeasures {
     Sum sums_[4];
     Buffer<std::uint32_t> order_, first_, edges_;
     Buffer<Cut> cutting_;
+    FacesFrom faces_from_ = FacesFrom::corners;
     double extent_ = 0;  // of corners from the vertex
     std::size_t faces_ = 0;
     bool is_known_ = true;           // faces are faces for sure, and all corners are points

@@ -37,9 +37,13 @@ class Measurer {
     void measure(const Mesh& mesh, VertexId v, TetId first, const Region& region, Measure measure,
                  double* out) {
         link_.gather(mesh, v, first);
-        if (in_doubles_.measure(mesh, v, link_, region, measure, Centers::plain, out)) return;
-        if (in_doubles_.measure(mesh, v, link_, region, measure, Centers::corrected, out)) return;
-        again_.measure(mesh, v, link_, region, measure, Centers::plain, out);
+        using F = FacesFrom;
+        for (const Centers centers : {Centers::plain, Centers::corrected})
+            if (in_doubles_.measure(mesh, v, link_, region, measure, centers, F::corners, out))
+                return;
+        for (const FacesFrom faces_from : {F::corners, F::triangles})
+            if (again_.measure(mesh, v, link_, region, measure, Centers::plain, faces_from, out))
+                return;
     }
 
   private:

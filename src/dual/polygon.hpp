@@ -2,6 +2,8 @@
 // Convex polygons in space, a face of a cell each, and what half-spaces leave of them.
 #pragma once
 
+#include <limits>
+
 #include "dual/vector.hpp"
 #include "platform/memory.hpp"
 
@@ -84,13 +86,15 @@ class Polygon {
     // of an edge, if that is more precise.
     template <class SideOf>
     void settle(const Side<Real>& plane, SideOf side);
-    // Whether a corner is not on the inner side.
-    static bool is_beyond(const Corner<Real>& corner, const Side<Real>& side) {
-        return nearest_double(height(corner, side).value) > 0;
-    }
-    static bool is_inside_for_sure(const Corner<Real>& corner, const Side<Real>& side) {
-        const Height h = height(corner, side);
-        return !corner.is_ideal && nearest_double(h.value) < -h.error;
+    // Where rays end at last: bounds the distance of what is looked at from the origin.
+    void set_reach(double reach) noexcept { reach_ = reach; }
+    // Whether all of these corners, each(f) calling f(corner), are on the inner side for sure, and
+    // rays do not leave it within the reach.
+    template <class Each>
+    static bool are_inside(const Side<Real>& side, double reach, Each each) {
+        double top = -std::numeric_limits<double>::infinity(), rise = 0;
+        each([&](const Corner<Real>& corner) { look_up(corner, height(corner, side), top, rise); });
+        return top + rise * reach < 0;
     }
 
   private:
@@ -99,6 +103,17 @@ class Polygon {
         double error;
     };
     static Height height(const Corner<Real>& corner, const Side<Real>& side);
+    // What bounds heights from above: those of points, and how fast rays may rise.
+    static void look_up(const Corner<Real>& corner, const Height& h, double& top, double& rise) {
+        const double value = nearest_double(h.value);
+        if (!corner.is_ideal)
+            top = std::fmax(top, value + h.error);
+        else if (value > 0)
+            top = std::numeric_limits<double>::infinity();
+        else if (value == 0)  // parallel, or nearly so; twice the reach to the other side
+            rise = std::fmax(rise, 4 * h.error / corner.size);
+    }
+    static constexpr double lost_area = 0x1p200;
     // Bounds the area that is taken or left by mistake, heights having errors up to `doubt`.
     double doubt_area(double doubt) const;
     // Where an edge meets a side: one end is inside, or on it, the other one is outside.
@@ -108,7 +123,7 @@ class Polygon {
     Buffer<Corner<Real>> corners_, next_;
     Buffer<std::uint32_t> labels_, next_labels_;
     Buffer<Height> heights_;
-    double slack_ = 0;
+    double slack_ = 0, reach_ = 0;
 };
 
 template <class Real>
@@ -174,17 +189,19 @@ bool Polygon<Real>::clip(const Side<Real>& side, std::uint32_t label) {
     const std::size_t n = corners_.size();
     heights_.resize(n);
     bool is_off = false, is_cut = false;
-    double doubt = 0;
+    double doubt = 0, top = -std::numeric_limits<double>::infinity(), rise = 0;
     for (std::size_t i = 0; i < n; ++i) {
         heights_[i] = height(corners_[i], side);
         const double h = nearest_double(heights_[i].value);
         is_cut |= h > 0;
+        if (h <= 0) look_up(corners_[i], heights_[i], top, rise);
         if (std::fabs(h) > heights_[i].error)
             is_off = true;
         else if (!corners_[i].is_ideal)
             doubt = std::fmax(doubt, heights_[i].error);
     }
     if (doubt > 0) slack_ += doubt_area(doubt);
+    if (rise > 0 && top + rise * reach_ > 0) slack_ += lost_area;
     if (is_cut) {
         next_.clear();
         next_labels_.clear();
@@ -216,8 +233,7 @@ double Polygon<Real>::doubt_area(double doubt) const {
     std::size_t lowest = 0, highest = 0;
     const auto height_of = [&](std::size_t i) { return nearest_double(heights_[i].value); };
     for (std::size_t i = 0; i < corners_.size(); ++i) {
-        constexpr double lost = 0x1p200;
-        if (corners_[i].is_ideal) return lost;
+        if (corners_[i].is_ideal) return lost_area;
         if (height_of(i) < height_of(lowest)) lowest = i;
         if (height_of(i) > height_of(highest)) highest = i;
         extent = std::fmax(extent, corners_[i].size);

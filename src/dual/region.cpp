@@ -55,7 +55,11 @@ Region::Region(Allocator& allocator, std::size_t n, const double* planes, const 
     }
     require_inside(mesh);
     Polygon<Twofold> polygon(allocator);
-    for (std::size_t k = 0; k < n; ++k) add_face(k, mesh.point(1), polygon);
+    // One that does not depend on the order of insertion.
+    VertexId first = 1;
+    for (VertexId v = 2; v < mesh.vertices.size(); ++v)
+        if (mesh.vertices[v].index < mesh.vertices[first].index) first = v;
+    for (std::size_t k = 0; k < n; ++k) add_face(k, mesh.point(first), polygon);
 }
 
 // Names the first point that is outside.
