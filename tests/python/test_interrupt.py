@@ -373,9 +373,10 @@ print("valid")
             """
 many = many[:1000]
 queries = rng.random((20_000_000, 3))
-ready(20 * seconds(lambda: tri.locate(queries[:1_000_000])))
+# Without weights: a C library that fills fresh memory takes long for theirs.
+ready(20 * seconds(lambda: tri.locate(queries[:1_000_000], weights=False)))
 try:
-    tri.locate(queries)
+    tri.locate(queries, weights=False)
     print("not interrupted")
 except KeyboardInterrupt:
     assert tri._gate._readers, "the call had ended"
