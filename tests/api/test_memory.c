@@ -196,8 +196,6 @@ static void every_allocation(int32_t scheme, const double* xyz,
 
 static mgdt_status export_all(const mgdt_triangulation* t, int64_t* v, int64_t* list) {
     static const double q[6] = {0.3, 0.4, 0.5, 9, 9, 9};
-    static const double box[24] = {1, 0,  0, 2, -1, 0, 0, 1, 0, 1, 0,  2,
-                                   0, -1, 0, 1, 0,  0, 1, 2, 0, 0, -1, 1};
     const int64_t size = 4 * mgdt_tetrahedron_count(t);
     double weights[8];
     mgdt_status status = MGDT_OK;
@@ -212,60 +210,91 @@ static mgdt_status export_all(const mgdt_triangulation* t, int64_t* v, int64_t* 
     TRY(mgdt_get_vertex_neighbors(t, size, v, size, list));
     TRY(mgdt_get_gabriel_edges(t, size, v, list));
     TRY(mgdt_get_spanning_tree(t, size, v, list));
-    if (status == MGDT_OK) {
-        double* const centers = malloc((size_t)(3 * size) * sizeof *centers);
-        if (centers == NULL) abort();
-        status = mgdt_get_circumcenters(t, size, centers, NULL);
-        if (status == MGDT_OK)
-            status = mgdt_get_cell_measures(t, MGDT_MEASURE_CENTROID, 6, box, 3 * size, centers);
-        TRY(mgdt_get_alphas(t, 3, size, centers));
-        TRY(mgdt_get_alphas(t, 2, size, centers));
-        TRY(mgdt_get_alphas(t, 1, size, centers));
-        TRY(mgdt_get_alphas(t, 0, size, centers));
-        TRY(mgdt_get_solid_alpha(t, centers));
-        free(centers);
-    }
-    TRY(mgdt_get_alpha_surface(t, 1e9, size, v, list));
     TRY(mgdt_locate(t, q, v));
     TRY(mgdt_locate_points(t, 2, q, v, weights));
     TRY(mgdt_nearest_vertex(t, q, v));
     TRY(mgdt_nearest_vertices(t, 2, q, v));
     TRY(mgdt_check(t, MGDT_CHECK_CANONICAL));
+    return status;
+}
+
+/* Apart, since each refusal makes all calls before it again. */
+static mgdt_status export_dual(const mgdt_triangulation* t, int64_t* v, int64_t* list) {
+    const int64_t size = 4 * mgdt_tetrahedron_count(t);
+    double* const x = malloc((size_t)(3 * size) * sizeof *x);
+    mgdt_status status = MGDT_OK;
+    if (x == NULL) abort();
+    TRY(mgdt_get_circumcenters(t, size, x, NULL));
+    TRY(mgdt_get_alphas(t, 3, size, x));
+    TRY(mgdt_get_alphas(t, 2, size, x));
+    TRY(mgdt_get_alphas(t, 1, size, x));
+    TRY(mgdt_get_alphas(t, 0, size, x));
+    TRY(mgdt_get_solid_alpha(t, x));
+    TRY(mgdt_get_alpha_surface(t, 1e9, size, v, list));
+    TRY(mgdt_get_cell_measures(t, MGDT_MEASURE_VOLUME, 0, NULL, 3 * size, x));
+    free(x);
+    return status;
+}
+
+/* Of few points: those of a lattice are measured with a hundred bits. */
+static mgdt_status export_cells(const mgdt_triangulation* t, int64_t* v, int64_t* list) {
+    static const double box[24] = {1, 0,  0, 2, -1, 0, 0, 1, 0, 1, 0,  2,
+                                   0, -1, 0, 1, 0,  0, 1, 2, 0, 0, -1, 1};
+    double x[3 * 12];
+    mgdt_status status = MGDT_OK;
+    (void)v;
+    (void)list;
+    TRY(mgdt_get_cell_measures(t, MGDT_MEASURE_VOLUME, 6, box, 3 * 12, x));
+    TRY(mgdt_get_cell_measures(t, MGDT_MEASURE_CENTROID, 6, box, 3 * 12, x));
 #undef TRY
     return status;
 }
 
+typedef mgdt_status (*exporter)(const mgdt_triangulation* t, int64_t* v, int64_t* list);
+
+/* Refuses each of its allocations, alone and with all after it. */
+static void refuse_each(source* s, const mgdt_triangulation* t, exporter export, int64_t* v,
+                        int64_t* list) {
+    mgdt_status status;
+    int64_t nth, before;
+    for (nth = 1;; ++nth) {
+        /* One refusal: an array that wanted to grow generously may do with less. */
+        before = s->calls;
+        fail(s, before + nth, before + nth + 1);
+        status = export(t, v, list);
+        CHECK(status == MGDT_ERR_OUT_OF_MEMORY || status == MGDT_OK);
+        /* From there on nothing but refusals. */
+        before = s->calls;
+        fail(s, before + nth, INT64_MAX);
+        status = export(t, v, list);
+        fail(s, 0, 0);
+        if (s->calls < before + nth) break;
+        CHECK_EQUAL(status, MGDT_ERR_OUT_OF_MEMORY);
+    }
+    CHECK_EQUAL(status, MGDT_OK);
+    before = s->bytes; /* what a const call computes once may stay, but does not grow */
+    CHECK_EQUAL(export(t, v, list), MGDT_OK);
+    CHECK_EQUAL(s->bytes, before);
+}
+
 static void exports(const double* xyz) {
     source s = working();
-    mgdt_triangulation* t = NULL;
-    int64_t nth, before, size, *v, *list;
+    double* const corners = random_points(12, 0, 3);
+    mgdt_triangulation *t = NULL, *few = NULL;
+    int64_t before, size, *v, *list;
     int on;
     CHECK_EQUAL(mgdt_create_with_allocator(take, give, &s, &t), MGDT_OK);
     CHECK_EQUAL(mgdt_insert_points(t, point_count, xyz), MGDT_OK);
+    CHECK_EQUAL(mgdt_create_with_allocator(take, give, &s, &few), MGDT_OK);
+    CHECK_EQUAL(mgdt_insert_points(few, 12, corners), MGDT_OK);
     size = 4 * mgdt_tetrahedron_count(t);
     v = malloc((size_t)size * sizeof *v);
     list = malloc((size_t)size * sizeof *list);
     for (on = 0; on < 2; ++on) {
-        mgdt_status status;
         CHECK_EQUAL(mgdt_set_canonical_output(t, on), MGDT_OK);
-        for (nth = 1;; ++nth) {
-            /* One refusal: an array that wanted to grow generously may do with less. */
-            before = s.calls;
-            fail(&s, before + nth, before + nth + 1);
-            status = export_all(t, v, list);
-            CHECK(status == MGDT_ERR_OUT_OF_MEMORY || status == MGDT_OK);
-            /* From there on nothing but refusals. */
-            before = s.calls;
-            fail(&s, before + nth, INT64_MAX);
-            status = export_all(t, v, list);
-            fail(&s, 0, 0);
-            if (s.calls < before + nth) break;
-            CHECK_EQUAL(status, MGDT_ERR_OUT_OF_MEMORY);
-        }
-        CHECK_EQUAL(status, MGDT_OK);
-        before = s.bytes; /* what a const call computes once may stay, but does not grow */
-        CHECK_EQUAL(export_all(t, v, list), MGDT_OK);
-        CHECK_EQUAL(s.bytes, before);
+        refuse_each(&s, t, export_all, v, list);
+        refuse_each(&s, t, export_dual, v, list);
+        refuse_each(&s, few, export_cells, NULL, NULL);
     }
     CHECK_EQUAL(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_OK);
 
@@ -278,9 +307,11 @@ static void exports(const double* xyz) {
     fail(&s, 0, 0);
     CHECK_EQUAL(mgdt_insert_points(t, point_count, xyz), MGDT_OK);
     CHECK_EQUAL(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_OK);
+    mgdt_destroy(few);
     mgdt_destroy(t);
     CHECK_EQUAL(s.live, 0);
     CHECK(!s.wrong);
+    free(corners);
     free(v);
     free(list);
 }

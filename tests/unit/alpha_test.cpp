@@ -152,6 +152,7 @@ void expect_near(double found, const Rational& exact) {
 
 void compare(const Points& xyz) {
     for (const bool canonical : {false, true}) {
+        if (is_small() && canonical) continue;
         Triangulation t;
         t.set_canonical_output(canonical);
         EXPECT_EQ(
@@ -181,7 +182,7 @@ void compare(const Points& xyz) {
 }
 
 TEST(Alphas, AreThoseOfTheDefinition) {
-    const std::size_t n = is_small() ? 12 : 30;
+    const std::size_t n = is_small() ? 8 : 30;
     compare(uniform(n));
     compare(lattice(1));
     compare(lattice(0x1p200));
