@@ -24,14 +24,12 @@ Measure measure_of(std::int32_t measure) {
 
 std::size_t require_planes(std::int64_t n, const double* planes) {
     constexpr std::int64_t most = 1 << 30;
-    if (n < 0)
-        fail(MGDT_ERR_INVALID_ARGUMENT, "the number of planes is negative (%lld)",
-             static_cast<long long>(n));
+    const std::size_t count = require_count(n, "planes");
     if (n > most)
         fail(MGDT_ERR_TOO_LARGE, "%lld planes are more than %lld", static_cast<long long>(n),
              static_cast<long long>(most));
     if (n > 0) require_pointer(planes, "the array of planes");
-    return static_cast<std::size_t>(n);
+    return count;
 }
 
 }  // namespace

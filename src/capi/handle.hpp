@@ -152,14 +152,14 @@ inline void require_pointer(const void* p, const char* name) {
     if (!p) fail(MGDT_ERR_NULL_POINTER, "%s is NULL", name);
 }
 
-// A number of points that a call is given.
-inline std::size_t require_count(std::int64_t n) {
+// A number of points, or of something else, that a call is given.
+inline std::size_t require_count(std::int64_t n, const char* of = "points") {
     if (n < 0)
-        fail(MGDT_ERR_INVALID_ARGUMENT, "the number of points is negative (%lld)",
+        fail(MGDT_ERR_INVALID_ARGUMENT, "the number of %s is negative (%lld)", of,
              static_cast<long long>(n));
     if (static_cast<std::uint64_t>(n) > std::numeric_limits<std::size_t>::max())  // of 32 bits
-        fail(MGDT_ERR_TOO_LARGE, "%lld points are more than memory can hold",
-             static_cast<long long>(n));
+        fail(MGDT_ERR_TOO_LARGE, "%lld %s are more than memory can hold", static_cast<long long>(n),
+             of);
     return static_cast<std::size_t>(n);
 }
 

@@ -31,10 +31,9 @@ void Cell<Real>::set_sides(const Mesh& mesh, VertexId v, const Link& link) {
             is_bounded_ = false;
             continue;
         }
-        for (int k = 0; k < 3; ++k) {
-            set_difference(sides_[i].normal.x[k], neighbor.x[k], origin[k]);
-            largest = std::fmax(largest, std::fabs(nearest_double(sides_[i].normal.x[k])));
-        }
+        sides_[i].normal = difference<Real>(neighbor.x, origin);
+        for (const Real& x : sides_[i].normal.x)
+            largest = std::fmax(largest, std::fabs(nearest_double(x)));
     }
     factor_ = largest < 0x1p-100 || largest > 0x1p100 ? std::ldexp(1.0, -std::ilogb(largest)) : 1;
     for (std::size_t i = 0; i < n; ++i) {

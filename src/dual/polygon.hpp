@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "dual/vector.hpp"
 #include "platform/memory.hpp"
+#include "predicates/vector.hpp"
 
 namespace mgdt {
 

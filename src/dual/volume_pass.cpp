@@ -21,10 +21,6 @@ constexpr double most_units = 0x1p55, most_error = 0x1p50;
 
 using V = Vector<double>;
 
-V difference(const double* a, const double* b) {
-    return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
-}
-
 // What many threads do to a number that several may have. One alone does without the lock, which
 // costs as much as all else.
 template <bool alone>
@@ -102,8 +98,9 @@ MGDT_ALWAYS_INLINE VolumePass::Parts VolumePass::parts_of(const Mesh& mesh, cons
     const double *const p0 = mesh.point(result.v[0]), *const p1 = mesh.point(result.v[1]),
                         *const p2 = mesh.point(result.v[2]), *const p3 = mesh.point(result.v[3]);
     const double sign = is_odd ? -1 : 1;
-    const V a = difference(p1, p0), b = difference(p2, p0), c = difference(p3, p0),
-            ab = difference(p2, p1), ac = difference(p3, p1), bc = difference(p3, p2);
+    const V a = difference<double>(p1, p0), b = difference<double>(p2, p0),
+            c = difference<double>(p3, p0), ab = difference<double>(p2, p1),
+            ac = difference<double>(p3, p1), bc = difference<double>(p3, p2);
     const V A = cross(b, c), B = cross(c, a), C = cross(a, b), D = cross(ab, ac);
     const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c), abab = dot(ab, ab),
                  acac = dot(ac, ac), bcbc = dot(bc, bc);
@@ -155,7 +152,7 @@ void VolumePass::set_exponents(const Mesh& mesh, std::size_t begin, std::size_t 
             continue;
         }
         const auto square = [&](unsigned i, unsigned j) {
-            const V d = difference(mesh.point(t.v[i]), mesh.point(t.v[j]));
+            const V d = difference<double>(mesh.point(t.v[i]), mesh.point(t.v[j]));
             return dot(d, d);
         };
         const double ab = square(0, 1), ac = square(0, 2), ad = square(0, 3), bc = square(1, 2),

@@ -119,8 +119,7 @@ MGDT_PREDICATES_INLINE auto cross_product(const T* a, const T* b) {
 }
 
 // With rows b, c, d relative to a: the same coordinate of twice the circumcentre relative to a,
-// times [bcd]:
-// |b|^2 (c x d) + |c|^2 (d x b) + |d|^2 (b x c).
+// times [bcd], |b|^2 (c x d) + |c|^2 (d x b) + |d|^2 (b x c).
 template <std::size_t K, class T>
 MGDT_PREDICATES_INLINE auto circumcenter_numerator(const T* v) {
     const T *const b = v, *const c = v + 3, *const d = v + 6;

@@ -7,7 +7,7 @@
 #include "differences.hpp"
 #include "filter.hpp"
 #include "quotient.hpp"
-#include "twofold.hpp"
+#include "vector.hpp"
 
 namespace mgdt {
 namespace exact {
@@ -21,26 +21,6 @@ bool is_in_range(double square) {
     return square > least_square && square < most_square;
 }
 
-template <class T>
-struct Rows {
-    T x[3];
-};
-template <class T>
-T product(const Rows<T>& a, const Rows<T>& b) {
-    return (a.x[0] * b.x[0] + a.x[1] * b.x[1]) + a.x[2] * b.x[2];
-}
-template <class T>
-Rows<T> normal(const Rows<T>& a, const Rows<T>& b) {
-    return {{a.x[1] * b.x[2] - a.x[2] * b.x[1], a.x[2] * b.x[0] - a.x[0] * b.x[2],
-             a.x[0] * b.x[1] - a.x[1] * b.x[0]}};
-}
-Rows<double> difference(const double* a, const double* b) {
-    return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
-}
-Rows<Twofold> twofold_difference(const double* a, const double* b) {
-    return {{Twofold::sum(a[0], -b[0]), Twofold::sum(a[1], -b[1]), Twofold::sum(a[2], -b[2])}};
-}
-
 struct Edges : ExactPairs<9> {
     static constexpr int count = 9;
 };
@@ -49,11 +29,28 @@ struct Edges : ExactPairs<9> {
 unsigned widest_corner(const double* const (&p)[3]) {
     double opposite[3];
     for (unsigned i = 0; i < 3; ++i) {
-        const Rows<double> edge = difference(p[(i + 1) % 3], p[(i + 2) % 3]);
-        opposite[i] = product(edge, edge);
+        const Vector<double> edge = difference<double>(p[(i + 1) % 3], p[(i + 2) % 3]);
+        opposite[i] = dot(edge, edge);
     }
     if (opposite[0] >= opposite[1]) return opposite[0] >= opposite[2] ? 0 : 2;
     return opposite[1] >= opposite[2] ? 1 : 2;
+}
+
+// False for needles, whose squared edges at the widest corner have a product above `most` times the
+// square of the cross product.
+template <class Real>
+bool radius2_as(const double* const (&p)[3], double most, double& square) {
+    const unsigned i = widest_corner(p);
+    const double *const origin = p[i], *const a = p[(i + 1) % 3], *const b = p[(i + 2) % 3];
+    const Vector<Real> r = difference<Real>(a, origin), s = difference<Real>(b, origin),
+                       t = difference<Real>(a, b), n = cross(r, s);
+    const Real rr = dot(r, r), ss = dot(s, s), tt = dot(t, t), nn = dot(n, n);
+    if (!is_in_range(nearest_double(rr)) || !is_in_range(nearest_double(ss)) ||
+        !is_in_range(nearest_double(tt)) ||
+        !(nearest_double(rr) * nearest_double(ss) <= most * nearest_double(nn)))
+        return false;
+    square = 0.25 * nearest_double(rr * ss * tt / nn);
+    return true;
 }
 
 }  // namespace
@@ -62,17 +59,18 @@ unsigned widest_corner(const double* const (&p)[3]) {
 // whose centres are beyond their plane, as seen from q, have q outside if the least one has:
 // docs/theory.md.
 int facet_sphere_filter(const double* a, const double* b, const double* c, const double* q) {
-    const Rows<double> r[3] = {difference(b, a), difference(c, a), difference(q, a)};
+    const Vector<double> r[3] = {difference<double>(b, a), difference<double>(c, a),
+                                 difference<double>(q, a)};
     double square[3], length[3];
     for (int i = 0; i < 3; ++i) {
-        square[i] = product(r[i], r[i]);
+        square[i] = dot(r[i], r[i]);
         if (!is_in_range(square[i])) return undecided;
         length[i] = std::sqrt(square[i]);
     }
-    const Rows<double> n = normal(r[0], r[1]);
+    const Vector<double> n = cross(r[0], r[1]);
     const double height =
-        (square[0] * product(normal(r[1], r[2]), n) + square[1] * product(normal(r[2], r[0]), n)) +
-        square[2] * product(n, n);
+        (square[0] * dot(cross(r[1], r[2]), n) + square[1] * dot(cross(r[2], r[0]), n)) +
+        square[2] * dot(n, n);
     const double all = length[0] * length[1] * length[2];
     const double error =
         32 * u * (all * (length[0] + length[1] + length[2])) * (length[0] * length[1]);
@@ -91,28 +89,11 @@ int facet_sphere_integer(const double* a, const double* b, const double* c, cons
 }
 
 bool facet_radius2_plain(const double* const (&p)[3], double& square) {
-    const unsigned i = widest_corner(p);
-    const double *const origin = p[i], *const a = p[(i + 1) % 3], *const b = p[(i + 2) % 3];
-    const Rows<double> r = difference(a, origin), s = difference(b, origin), t = difference(a, b);
-    const Rows<double> n = normal(r, s);
-    const double rr = product(r, r), ss = product(s, s), tt = product(t, t), nn = product(n, n);
-    if (!is_in_range(rr) || !is_in_range(ss) || !is_in_range(tt) || !(rr * ss <= 64 * nn))
-        return false;
-    square = rr * ss * tt / (4 * nn);
-    return true;
+    return radius2_as<double>(p, 64, square);
 }
 
 bool facet_radius2_twofold(const double* const (&p)[3], double& square) {
-    const unsigned i = widest_corner(p);
-    const double *const origin = p[i], *const a = p[(i + 1) % 3], *const b = p[(i + 2) % 3];
-    const Rows<Twofold> r = twofold_difference(a, origin), s = twofold_difference(b, origin),
-                        t = twofold_difference(a, b), n = normal(r, s);
-    const Twofold rr = product(r, r), ss = product(s, s), tt = product(t, t), nn = product(n, n);
-    if (!is_in_range(rr.high) || !is_in_range(ss.high) || !is_in_range(tt.high) ||
-        !(rr.high * ss.high <= 0x1p80 * nn.high))
-        return false;
-    square = 0.25 * (rr * ss * tt / nn).high;
-    return true;
+    return radius2_as<Twofold>(p, 0x1p80, square);
 }
 
 double facet_radius2_integer(const double* const (&p)[3], int scale, int least_width) {

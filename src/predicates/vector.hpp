@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Vectors of doubles or of twofold numbers: cells are measured in doubles, and again in twofold
-// numbers where these do not do.
+// Vectors of doubles or of twofold numbers: what is measured in doubles is measured again in
+// twofold numbers where these do not do.
 #pragma once
 
 #include <cmath>
 
-#include "predicates/twofold.hpp"
+#include "twofold.hpp"
 
 namespace mgdt {
 
@@ -80,6 +80,12 @@ inline void set_difference(double& d, double a, double b) {
 }
 inline void set_difference(Twofold& d, double a, double b) {
     d = Twofold::sum(a, -b);
+}
+template <class Real>
+Vector<Real> difference(const double* a, const double* b) {
+    Vector<Real> d;
+    for (int k = 0; k < 3; ++k) set_difference(d.x[k], a[k], b[k]);
+    return d;
 }
 inline void set_rounded(double& to, const Twofold& x) {
     to = x.high;
