@@ -76,5 +76,15 @@ class ConcurrentAccess {
     const OwnedBlocks::Mine mine_;
 };
 
+// Nothing is changed: what an insertion would remove is found, as it is among other threads.
+template <class Spheres>
+struct ReadingAccess {
+    using SphereSource = Spheres;
+    static constexpr bool is_concurrent = true;
+    MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron&) const noexcept { return true; }
+    MGDT_ALWAYS_INLINE MarkTable& marks() const noexcept { return table; }
+    MarkTable& table;
+};
+
 }  // namespace MGDT_ISLAND
 }  // namespace mgdt

@@ -7,6 +7,7 @@
 
 namespace mgdt {
 
+class MarkTable;
 class ThreadState;
 
 struct Insertion {
@@ -58,6 +59,10 @@ struct KernelCalls {
     bool (*locate_step)(const Mesh& mesh, LocationWalk& walk);
     // Continues a long walk from the best of `tries` tetrahedra all over the mesh.
     void (*locate_jump)(const Mesh& mesh, LocationWalk& walk, std::size_t tries);
+    // The cavity that q would have, of which `start` is a member. It is left in the workspace, and
+    // its tetrahedra in `marks`; many threads may do this to one mesh. Throws std::bad_alloc.
+    void (*find_cavity)(const Mesh& mesh, Workspace& workspace, MarkTable& marks, const double* q,
+                        TetId start);
 };
 
 struct Kernel {

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+//
+// The cell of a place, if it were a vertex, takes a part from the cell of each neighbour. Sibson's
+// weight is the share of that part, Laplace's the area of the face to the neighbour over its
+// distance. Either is a sum over edges of Voronoi cells, from one circumcentre to the next, with
+// the place as the origin (docs/theory.md, "Values between points").
+#include "interpolation/natural_weights.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "predicates/long_float.hpp"
+#include "predicates/twofold.hpp"
+
+namespace mgdt {
+namespace {
+
+constexpr double u = unit_roundoff;
+
+double power_of_two(int exponent) {
+    return std::ldexp(1.0, exponent);
+}
+
+}  // namespace
+
+bool NaturalWeights::find(const Mesh& mesh, const PlaceStar& star, const double* q,
+                          Natural natural) {
+    for (const Stage stage : {Stage::doubles, Stage::twofold, Stage::long_512, Stage::long_2048})
+        if (find_in(stage, mesh, star, q, natural)) return true;
+    return false;
+}
+
+bool NaturalWeights::find_in(Stage stage, const Mesh& mesh, const PlaceStar& star, const double* q,
+                             Natural natural) {
+    double largest = 0;
+    for (PlaceStar::Number k = 0; k < star.size(); ++k)
+        for (unsigned axis = 0; axis < 3; ++axis)
+            largest = std::max(largest, std::fabs(mesh.point(star.vertex(k))[axis] - q[axis]));
+    // Differences of scaled coordinates do not overflow.
+    const int exponent = std::ilogb(largest);
+    factor_ = power_of_two(-exponent);
+    weights_.clear();
+    weights_.resize(star.size(), 0.0);
+    const bool is_ordinary = std::abs(exponent) < 400;
+    switch (stage) {
+        case Stage::doubles:
+            return is_ordinary && !star.is_on_hull() && in_doubles(mesh, star, q, natural);
+        case Stage::twofold:
+            return is_ordinary && in_real<Twofold>(mesh, star, q, natural);
+        case Stage::long_512:
+            return in_real<LongFloat<512>>(mesh, star, q, natural);
+        default:
+            return in_real<LongFloat<2048>>(mesh, star, q, natural);
+    }
+}
+
+bool NaturalWeights::normalize(const PlaceStar& star, bool checks_place) {
+    double sum = 0;
+    for (double& w : weights_) {
+        w = std::max(w, 0.0);
+        sum += w;
+    }
+    for (double& w : weights_) w /= sum;
+    if (!checks_place) return true;
+    double off[3] = {}, mean = 0;
+    for (PlaceStar::Number k = 0; k < star.size(); ++k) {
+        off[0] += weights_[k] * x_[k].x;
+        off[1] += weights_[k] * x_[k].y;
+        off[2] += weights_[k] * x_[k].z;
+        mean += weights_[k] * x_[k].largest;
+    }
+    return max_magnitude(off[0], off[1], off[2]) <= natural_place_error * mean;
+}
+
+// Centres relative to the place; false if one is not known at all.
+bool NaturalWeights::set_centers(const Mesh& mesh, const PlaceStar& star, Natural natural) {
+    // What is smaller may leave the range of doubles in a product of five.
+    constexpr double least = 0x1p-190;
+    const std::size_t removed = star.removed().size(), created = star.created().size();
+    centers_.clear();
+    centers_.resize(removed + created);
+    const auto set = [](const LocalVertex& a, const LocalVertex& b, const LocalVertex& c,
+                        bool is_odd, Sphere& s) {
+        if (!(std::min(std::min(a.largest, b.largest), c.largest) > least)) return false;
+        if (is_odd)
+            set_sphere(a, c, b, s);
+        else
+            set_sphere(a, b, c, s);
+        return s.e < infinity;
+    };
+    Sphere s;
+    for (std::size_t i = 0; i < (natural == Natural::sibson ? removed : 0); ++i) {
+        const PlaceStar::Removed& r = star.removed()[i];
+        const double* const base = mesh.point(star.vertex(r.corner[0]));
+        LocalVertex side[3];
+        for (unsigned k = 0; k < 3; ++k) {
+            const double* const p = mesh.point(star.vertex(r.corner[k + 1]));
+            side[k] = local_vertex((p[0] - base[0]) * factor_, (p[1] - base[1]) * factor_,
+                                   (p[2] - base[2]) * factor_);
+        }
+        if (!set(side[0], side[1], side[2], r.is_odd, s)) return false;
+        const LocalVertex& x = x_[r.corner[0]];
+        Center& c = centers_[i];
+        c.x[0] = x.x + 0.5 * s.w[0];
+        c.x[1] = x.y + 0.5 * s.w[1];
+        c.x[2] = x.z + 0.5 * s.w[2];
+        c.size = max_magnitude(c.x[0], c.x[1], c.x[2]);
+        c.error = 0.5 * s.e + u * (x.largest + c.size);
+    }
+    for (std::size_t i = 0; i < created; ++i) {
+        const PlaceStar::Created& t = star.created()[i];
+        if (!set(x_[t.corner[0]], x_[t.corner[1]], x_[t.corner[2]], t.is_odd, s)) return false;
+        Center& c = centers_[removed + i];
+        for (unsigned k = 0; k < 3; ++k) c.x[k] = 0.5 * s.w[k];
+        c.size = max_magnitude(c.x[0], c.x[1], c.x[2]);
+        c.error = 0.5 * s.e;
+    }
+    return true;
+}
+
+bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const double* q,
+                                Natural natural) {
+    const PlaceStar::Number n = star.size();
+    x_.clear();
+    x_.resize(n);
+    for (PlaceStar::Number k = 0; k < n; ++k) {
+        const double* const p = mesh.point(star.vertex(k));
+        x_[k] =
+            local_vertex((p[0] - q[0]) * factor_, (p[1] - q[1]) * factor_, (p[2] - q[2]) * factor_);
+    }
+    if (!set_centers(mesh, star, natural)) return false;
+    double largest = 0;
+    const std::size_t first = natural == Natural::sibson ? 0 : star.removed().size();
+    for (std::size_t i = first; i < centers_.size(); ++i)
+        largest = std::max(largest, centers_[i].size);
+    if (!(largest < 0x1p200)) return false;
+    // Coordinates are below 2, so a term is below 24 largest^2, and sums of integers do not
+    // overflow.
+    const std::size_t terms = star.old_facets().size() + star.new_facets().size();
+    const double one =
+        power_of_two(63 - static_cast<int>(bit_width(terms)) - 5 - 2 * (std::ilogb(largest) + 1));
+    const bool is_sibson = natural == Natural::sibson;
+    sums_.clear();
+    sums_.resize(n, 0);
+    double error = 0;
+    const auto cross_of = [&](std::uint32_t near, std::uint32_t beyond, bool is_odd,
+                              double(&x)[3]) {
+        const Center &a = centers_[near], &b = centers_[beyond];
+        const double to_units = is_odd == is_sibson ? one : -one;
+        x[0] = (a.x[1] * b.x[2] - a.x[2] * b.x[1]) * to_units;
+        x[1] = (a.x[2] * b.x[0] - a.x[0] * b.x[2]) * to_units;
+        x[2] = (a.x[0] * b.x[1] - a.x[1] * b.x[0]) * to_units;
+        error += (a.error * (b.size + b.error) + b.error * a.size) + 8 * u * (a.size * b.size);
+    };
+    const auto give = [&](std::uint32_t to, const double* x, double dx, double dy, double dz) {
+        sums_[to] += static_cast<std::int64_t>((x[0] * dx + x[1] * dy) + x[2] * dz);
+    };
+    double x[3];
+    if (is_sibson)
+        for (const auto& f : star.old_facets()) {
+            cross_of(f.near, f.beyond, f.is_odd, x);
+            const LocalVertex &i = x_[f.corner[0]], &j = x_[f.corner[1]], &k = x_[f.corner[2]];
+            give(f.corner[0], x, j.x - k.x, j.y - k.y, j.z - k.z);
+            give(f.corner[1], x, k.x - i.x, k.y - i.y, k.z - i.z);
+            give(f.corner[2], x, i.x - j.x, i.y - j.y, i.z - j.z);
+        }
+    for (const auto& f : star.new_facets()) {
+        cross_of(f.near, f.beyond, f.is_odd, x);
+        const LocalVertex &i = x_[f.corner[0]], &j = x_[f.corner[1]];
+        const LocalVertex &to_i = is_sibson ? j : i, &to_j = is_sibson ? i : j;
+        give(f.corner[0], x, -to_i.x, -to_i.y, -to_i.z);
+        give(f.corner[1], x, to_j.x, to_j.y, to_j.z);
+    }
+    double total = 0, error_of_all = 0;
+    const double of_each = 24 * error * one + static_cast<double>(terms);
+    for (PlaceStar::Number k = 0; k < n; ++k) {
+        const double square = is_sibson ? 1 : x_[k].square;
+        weights_[k] = static_cast<double>(sums_[k]) / square;
+        total += weights_[k];
+        error_of_all = std::max(error_of_all, of_each / square);
+    }
+    const bool is_known = 4.1 * error_of_all < natural_weight_error * total;
+    return normalize(star, true) && is_known;
+}
+
+}  // namespace mgdt

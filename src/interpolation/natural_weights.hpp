@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The natural-neighbour coordinates of a place: the weights that Sibson's and Laplace's
+// interpolation give the vertices around it.
+#pragma once
+
+#include "interpolation/place_star.hpp"
+#include "kernel/circumsphere.hpp"
+
+namespace mgdt {
+
+template <int Bits>
+struct LongFloat;
+struct Twofold;
+
+enum class Natural { sibson, laplace };
+
+// How far a weight may be from the exact one, of all weights, which add up to 1; and the place that
+// the weights have from where it is, of the mean distance of its neighbours.
+inline constexpr double natural_weight_error = 0x1p-30;
+inline constexpr double natural_place_error = 0x1p-47;
+
+// Weights of the vertices of the star of q, a place in the mesh's scale that is not on a ridge of
+// the hull, by their local numbers: none is negative, and their sum is 1 but for its rounding. They
+// do not depend on how the triangulation came about. False where numbers of 2048 bits do not
+// measure them: of coordinates whose exponents are thousands apart.
+class NaturalWeights {
+  public:
+    explicit NaturalWeights(Allocator& allocator)
+        : weights_(allocator), x_(allocator), centers_(allocator), sums_(allocator) {}
+
+    bool find(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural);
+    const Buffer<double>& weights() const noexcept { return weights_; }
+
+    // The stages, one by one. Doubles leave weights even where they are not sure of them.
+    enum class Stage { doubles, twofold, long_512, long_2048 };
+    bool find_in(Stage stage, const Mesh& mesh, const PlaceStar& star, const double* q,
+                 Natural natural);
+
+  private:
+    struct Center {
+        double x[3], size, error;
+    };
+    bool in_doubles(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural);
+    template <class Real>
+    bool in_real(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural);
+    bool set_centers(const Mesh& mesh, const PlaceStar& star, Natural natural);
+    // From sums that are proportional to the weights.
+    bool normalize(const PlaceStar& star, bool checks_place);
+
+    Buffer<double> weights_;
+    Buffer<LocalVertex> x_;  // by local number: relative to the place, the largest near 1
+    Buffer<Center> centers_;
+    Buffer<std::int64_t> sums_;
+    double factor_ = 1;
+};
+
+}  // namespace mgdt

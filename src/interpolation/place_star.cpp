@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "interpolation/place_star.hpp"
+
+#include <algorithm>
+
+#include "kernel/adjacency.hpp"
+#include "kernel/local_numbers.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+namespace {
+
+// Sorts the corners; returns whether that takes an odd number of exchanges.
+template <int n>
+MGDT_ALWAYS_INLINE bool sort_corners(PlaceStar::Number (&corner)[n]) {
+    bool is_odd = false;
+    const auto order = [&](int i, int j) {
+        const PlaceStar::Number a = corner[i], b = corner[j];
+        const bool swaps = b < a;
+        corner[i] = swaps ? b : a;
+        corner[j] = swaps ? a : b;
+        is_odd ^= swaps;
+    };
+    if constexpr (n == 2) {
+        order(0, 1);
+    } else if constexpr (n == 3) {
+        order(0, 1), order(1, 2), order(0, 1);
+    } else {
+        order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+    }
+    return is_odd;
+}
+
+// Tetrahedra by the codes of their facets.
+struct Tetrahedra {
+    const Tetrahedron& of(FacetCode code) const { return mesh.tetrahedra[tetrahedron_of(code)]; }
+    const Mesh& mesh;
+};
+
+template <class T>
+MGDT_ALWAYS_INLINE T& add(Buffer<T>& to) {
+    const std::size_t size = to.size();
+    to.grow(size + 1);
+    to.resize_within_capacity(size + 1);
+    return to[size];
+}
+
+}  // namespace
+
+PlaceStar::PlaceStar(Allocator& allocator)
+    : workspace_(allocator),
+      marks_(allocator),
+      members_(allocator),
+      vertices_(allocator),
+      ranks_(allocator),
+      removed_(allocator),
+      created_(allocator),
+      old_facets_(allocator),
+      new_facets_(allocator),
+      new_edges_(allocator),
+      from_(allocator) {}
+
+void PlaceStar::find(const Mesh& mesh, const KernelCalls& kernel, const double* q, TetId t) {
+    Workspace& w = workspace_;
+    kernel.find_cavity(mesh, w, marks_, q, t);
+    if (w.cavity_size > w.star_removed || w.boundary_size > w.star_created)
+        w.grow_star(w.cavity_size, w.boundary_size);
+    {
+        DirectNumbers numbers(w);
+        if (numbers.add_cavity(w, Tetrahedra{mesh})) return build(mesh, numbers);
+    }
+    ProbedNumbers numbers(w);
+    numbers.add_cavity(w, Tetrahedra{mesh});
+    build(mesh, numbers);
+}
+
+// In the order of the caller's indices, the vertex at infinity last.
+void PlaceStar::number_vertices(const Mesh& mesh, std::size_t count) {
+    const VertexId* const ids = workspace_.ids.data;
+    ranks_.clear();
+    ranks_.resize(2 * count);
+    Number* const rank = ranks_.data();
+    Number* const order = rank + count;
+    vertices_.clear();
+    vertices_.resize(count);
+    const auto is_before = [&](Number a, Number b) {
+        if (ids[a] == infinite_vertex || ids[b] == infinite_vertex)
+            return ids[b] == infinite_vertex;
+        return mesh.vertices[ids[a]].index < mesh.vertices[ids[b]].index;
+    };
+    for (Number k = 0; k < count; ++k) order[k] = k;
+    std::sort(order, order + count, is_before);
+    for (Number k = 0; k < count; ++k) {
+        rank[order[k]] = k;
+        vertices_[k] = ids[order[k]];
+    }
+}
+
+template <class Numbered>
+void PlaceStar::build(const Mesh& mesh, const Numbered& numbers) {
+    const Workspace& w = workspace_;
+    number_vertices(mesh, numbers.count());
+    const auto number = [lookup = numbers.lookup(), rank = ranks_.data()](VertexId v) {
+        return rank[lookup(v)];
+    };
+    members_.clear();
+    for (std::size_t m = 0; m < w.cavity_size; ++m)
+        members_.number(tetrahedron_of(w.cavity.data[m]));
+    removed_.clear();
+    created_.clear();
+    old_facets_.clear();
+    new_facets_.clear();
+    new_edges_.clear();
+    is_on_hull_ = vertices_.back() == infinite_vertex;
+    is_on_ridge_ = false;
+    if (is_on_hull_) {
+        vertices_.pop_back();
+        build_on_hull(mesh, number);
+    } else if (numbers.count() <= Workspace::medium_vertices) {
+        build_in_space(mesh, number, EdgeMatrix<6>(workspace_.edge_codes.data));
+    } else if (numbers.count() <= Workspace::matrix_vertices) {
+        build_in_space(mesh, number, EdgeMatrix<8>(workspace_.edge_codes.data));
+    } else {
+        build_in_space(mesh, number, EdgeTable(workspace_));
+    }
+}
+
+template <class Lookup, class Edges>
+void PlaceStar::build_in_space(const Mesh& mesh, Lookup number, Edges edges) {
+    const Workspace& w = workspace_;
+    const auto members = static_cast<std::uint32_t>(w.cavity_size),
+               facets = static_cast<std::uint32_t>(w.boundary_size);
+    const MarkTable::View marks = marks_.view();
+    for (std::uint32_t m = 0; m < members; ++m) {
+        const Tetrahedron& t = mesh.tetrahedra[tetrahedron_of(w.cavity.data[m])];
+        Removed& r = add(removed_);
+        Number corner[4];
+        for (unsigned i = 0; i < 4; ++i) corner[i] = r.corner[i] = number(t.v[i]);
+        r.is_odd = sort_corners(r.corner);
+        for (unsigned face = 0; face < 4; ++face) {
+            const TetId beyond = tetrahedron_of(t.n[face]);
+            if (!marks.has(beyond)) continue;
+            const std::uint32_t other = members_.number(beyond);
+            if (other < m) continue;
+            Meeting<3>& f = add(old_facets_);
+            f.near = m;
+            f.beyond = other;
+            for (unsigned k = 0; k < 3; ++k) f.corner[k] = corner[outer_face[face][k]];
+            f.is_odd = sort_corners(f.corner);
+        }
+    }
+    // The corners of a facet in the order that makes the place and them positive.
+    const auto corners_of = [&](FacetCode outside, Number(&corner)[3]) {
+        const VertexId* const v = mesh.tetrahedra[tetrahedron_of(outside)].v;
+        for (unsigned k = 0; k < 3; ++k) corner[k] = number(v[outer_face[face_of(outside)][k]]);
+    };
+    for (std::uint32_t i = 0; i < facets; ++i) {
+        const FacetCode outside = w.boundary.data[i];
+        const FacetCode inside = mesh.tetrahedra[tetrahedron_of(outside)].n[face_of(outside)];
+        Created& c = add(created_);
+        corners_of(outside, c.corner);
+        for (unsigned k = 0; k < 3; ++k) edges.put(c.corner[k], c.corner[(k + 1) % 3], i);
+        c.is_odd = sort_corners(c.corner);
+        Meeting<3>& f = add(old_facets_);
+        f.near = members + i;
+        f.beyond = members_.number(tetrahedron_of(inside));
+        std::copy(c.corner, c.corner + 3, f.corner);
+        f.is_odd = c.is_odd;
+    }
+    for (std::uint32_t i = 0; i < facets; ++i) {
+        Number corner[3];
+        corners_of(w.boundary.data[i], corner);
+        for (unsigned k = 0; k < 3; ++k) {
+            const std::uint32_t other = edges.get(corner[(k + 1) % 3], corner[k]);
+            if (other < i) continue;
+            Meeting<2>& f = add(new_facets_);
+            f = {members + i, members + other, {corner[k], corner[(k + 1) % 3]}, false};
+            f.is_odd = sort_corners(f.corner);
+        }
+    }
+}
+
+template <class Lookup>
+void PlaceStar::build_on_hull(const Mesh& mesh, Lookup number) {
+    const Workspace& w = workspace_;
+    const MarkTable::View marks = marks_.view();
+    members_.clear();
+    for (std::size_t m = 0; m < w.cavity_size; ++m) {
+        const TetId id = tetrahedron_of(w.cavity.data[m]);
+        if (mesh.tetrahedra[id].is_ghost()) members_.number(id);
+    }
+    const std::uint32_t members = members_.size();
+    from_.clear();
+    from_.resize(vertices_.size(), no_index);
+    const VertexId* plane = nullptr;
+    const unsigned char* of_plane = nullptr;
+    for (std::uint32_t m = 0; m < members; ++m) {
+        const Tetrahedron& t = mesh.tetrahedra[members_.name(m)];
+        const unsigned char* const facet = outer_face[t.infinite_slot()];
+        if (!plane) {
+            plane = t.v;
+            of_plane = facet;
+        }
+        Removed& r = add(removed_);
+        Number corner[3];
+        for (unsigned k = 0; k < 3; ++k) {
+            corner[k] = number(t.v[facet[k]]);
+            if (orientation(mesh.point(plane[of_plane[0]]), mesh.point(plane[of_plane[1]]),
+                            mesh.point(plane[of_plane[2]]), mesh.point(t.v[facet[k]])) != 0) {
+                is_on_ridge_ = true;
+                return;
+            }
+        }
+        r.is_odd = sort_corners(corner);
+        std::copy(corner, corner + 3, r.corner);
+        r.corner[3] = no_index;
+        for (unsigned k = 0; k < 3; ++k) {
+            const TetId beyond = tetrahedron_of(t.n[facet[k]]);
+            const Number from = number(t.v[facet[(k + 1) % 3]]),
+                         to = number(t.v[facet[(k + 2) % 3]]);
+            Meeting<2>* e = nullptr;
+            if (!marks.has(beyond)) {
+                from_[from] = static_cast<std::uint32_t>(created_.size());
+                Created& c = add(created_);
+                c.corner[0] = from;
+                c.corner[1] = to;
+                c.corner[2] = no_index;
+                e = &add(new_facets_);
+                *e = {m, members + from_[from], {from, to}, false};
+                c.is_odd = from > to;
+                if (c.is_odd) std::swap(c.corner[0], c.corner[1]);
+            } else {
+                const std::uint32_t other = members_.number(beyond);
+                if (other < m) continue;
+                e = &add(new_facets_);
+                *e = {m, other, {from, to}, false};
+            }
+            e->is_odd = sort_corners(e->corner);
+        }
+    }
+    // A created triangle goes from one corner to the next, where the next one begins.
+    for (std::uint32_t i = 0; i < created_.size(); ++i) {
+        const Created& c = created_[i];
+        const Number to = c.is_odd ? c.corner[0] : c.corner[1];
+        new_edges_.push_back({members + i, members + from_[to], to});
+    }
+}
+
+}  // namespace mgdt
