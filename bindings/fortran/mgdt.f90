@@ -61,6 +61,10 @@ module mgdt
               mgdt_stat_peak_memory_bytes
     public :: mgdt_check_combinatorial, mgdt_check_geometric, mgdt_check_canonical
     public :: mgdt_measure_volume, mgdt_measure_area, mgdt_measure_centroid, mgdt_measure_faces
+    public :: mgdt_interpolate_linear, mgdt_interpolate_nearest, mgdt_interpolate_sibson, &
+              mgdt_interpolate_laplace, mgdt_interpolate_sibson_c1
+    public :: mgdt_outside_none, mgdt_outside_nearest, mgdt_outside_boundary, &
+              mgdt_outside_linear
 
     ! A triangulation that grows as points are inserted. It frees what it holds when it goes out of
     ! scope or is deallocated. It cannot be copied: a = b stops the program, unless b was never
@@ -157,6 +161,14 @@ module mgdt
             nearest_vertices_i64_1, nearest_vertices_i64_2
         generic :: nearest_vertices => nearest_vertices_i32_1, nearest_vertices_i32_2, &
             nearest_vertices_i64_1, nearest_vertices_i64_2
+        ! values between points
+        procedure, private :: interpolate_1, interpolate_2
+        generic :: interpolate => interpolate_1, interpolate_2
+        procedure, private :: get_interpolation_weights_i32, get_interpolation_weights_i64
+        generic :: get_interpolation_weights => get_interpolation_weights_i32, &
+            get_interpolation_weights_i64
+        procedure, private :: get_gradients_1, get_gradients_2
+        generic :: get_gradients => get_gradients_1, get_gradients_2
         procedure :: check, get_stat, get_error, isa_name, c_handle
 
         procedure, private :: assign
@@ -755,6 +767,67 @@ module mgdt
         module subroutine get_solid_alpha(self, alpha2, stat, errmsg)
             class(mgdt_triangulation), intent(in) :: self
             real(real64), intent(inout) :: alpha2
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+    end interface
+
+    interface  ! values between points
+        ! Values at the places xyz(3, n) from values at the points: values(point_count()) and out(n), or
+        ! values(fields, point_count()) and out(fields, n) of several fields. The method is an
+        ! mgdt_interpolate_ constant; what is outside the hull, mgdt_outside_: NaN, or a value.
+        module subroutine interpolate_1(self, method, outside, values, xyz, out, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer, intent(in) :: method, outside
+            real(real64), contiguous, intent(in) :: values(:), xyz(:, :)
+            real(real64), contiguous, intent(inout) :: out(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine interpolate_2(self, method, outside, values, xyz, out, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer, intent(in) :: method, outside
+            real(real64), contiguous, intent(in) :: values(:, :), xyz(:, :)
+            real(real64), contiguous, intent(inout) :: out(:, :)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! The same as weights for any fields later: the value at place i is the sum of weights(k) times that
+        ! of points(k), k from offsets(i) to offsets(i + 1) - 1 with index base 1. offsets(n + 1); with
+        ! too few points or weights it is set, and the status is mgdt_err_buffer_too_small.
+        module subroutine get_interpolation_weights_i32(self, method, outside, xyz, offsets, points, &
+                                                         weights, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer, intent(in) :: method, outside
+            real(real64), contiguous, intent(in) :: xyz(:, :)
+            integer(int32), contiguous, intent(inout) :: offsets(:), points(:)
+            real(real64), contiguous, intent(inout) :: weights(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine get_interpolation_weights_i64(self, method, outside, xyz, offsets, points, &
+                                                         weights, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer, intent(in) :: method, outside
+            real(real64), contiguous, intent(in) :: xyz(:, :)
+            integer(int64), contiguous, intent(inout) :: offsets(:), points(:)
+            real(real64), contiguous, intent(inout) :: weights(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! Gradients of values at the points, gradients(3, point_count()), or of several fields
+        ! gradients(3, fields, point_count()); NaN for a point that is not in.
+        module subroutine get_gradients_1(self, values, gradients, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            real(real64), contiguous, intent(in) :: values(:)
+            real(real64), contiguous, intent(inout) :: gradients(:, :)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine get_gradients_2(self, values, gradients, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            real(real64), contiguous, intent(in) :: values(:, :)
+            real(real64), contiguous, intent(inout) :: gradients(:, :, :)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine

@@ -312,6 +312,29 @@ module mgdt_c
             real(c_double), intent(inout) :: alpha2
             integer(c_int32_t) :: status
         end function
+        function c_interpolate(t, method, outside, n_fields, values, n, xyz, out) &
+            result(status) &
+            bind(c, name='mgdt_interpolate')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: method
+            integer(c_int32_t), value :: outside
+            integer(c_int64_t), value :: n_fields
+            real(c_double), intent(in) :: values(*)
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_get_gradients(t, n_fields, values, out) result(status) &
+            bind(c, name='mgdt_get_gradients')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: n_fields
+            real(c_double), intent(in) :: values(*)
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: status
+        end function
         function c_check(t, level) result(status) bind(c, name='mgdt_check')
             import :: c_int32_t, c_ptr
             type(c_ptr), value :: t
@@ -697,6 +720,41 @@ module mgdt_c
             integer(c_int64_t), value :: n
             real(c_double), intent(in) :: xyz(*)
             integer(c_int64_t), intent(inout) :: vertices(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_get_interpolation_weights
+        function c_get_interpolation_weights_i32(t, method, outside, n, xyz, offset_capacity, &
+            offsets, capacity, points, weights) result(status) &
+            bind(c, name='mgdt_get_interpolation_weights_i32')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: method
+            integer(c_int32_t), value :: outside
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int64_t), value :: offset_capacity
+            integer(c_int32_t), intent(inout) :: offsets(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: points(*)
+            real(c_double), intent(inout) :: weights(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_get_interpolation_weights_i64(t, method, outside, n, xyz, offset_capacity, &
+            offsets, capacity, points, weights) result(status) &
+            bind(c, name='mgdt_get_interpolation_weights')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: method
+            integer(c_int32_t), value :: outside
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int64_t), value :: offset_capacity
+            integer(c_int64_t), intent(inout) :: offsets(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: points(*)
+            real(c_double), intent(inout) :: weights(*)
             integer(c_int32_t) :: status
         end function
     end interface

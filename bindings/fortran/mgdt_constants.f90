@@ -154,4 +154,27 @@ module mgdt_constants
     integer, parameter :: mgdt_measure_centroid = 30
     ! Number of its faces that have an area.
     integer, parameter :: mgdt_measure_faces = 40
+
+    ! Methods.
+    ! Linear in each tetrahedron: continuous.
+    integer, parameter :: mgdt_interpolate_linear = 10
+    ! The value of the nearest vertex.
+    integer, parameter :: mgdt_interpolate_nearest = 20
+    ! By natural neighbours: each weighs what its Voronoi cell would lose. Smooth but at the points.
+    integer, parameter :: mgdt_interpolate_sibson = 30
+    ! By natural neighbours: areas of faces over distances.
+    integer, parameter :: mgdt_interpolate_laplace = 40
+    ! Sibson's with the gradients of mgdt_get_gradients(): smooth at the points too.
+    integer, parameter :: mgdt_interpolate_sibson_c1 = 50
+
+    ! What is outside.
+    ! None: NaN, and no weights.
+    integer, parameter :: mgdt_outside_none = 10
+    ! That of the nearest vertex.
+    integer, parameter :: mgdt_outside_nearest = 20
+    ! That of the nearest place of the hull, linear in its facet.
+    integer, parameter :: mgdt_outside_boundary = 30
+    ! The same, and on with the gradient there: the mean of those of mgdt_get_gradients() at the
+    ! corners of the facet.
+    integer, parameter :: mgdt_outside_linear = 40
 end module mgdt_constants

@@ -872,6 +872,65 @@ subroutine mgnean(h, n, xyz, ivert, ierr)
     ierr = c_nearest_vertices(handle_of(h), int(n, c_int64_t), xyz, ivert)
 end subroutine
 
+! --------------------------------------------------------------- values between points
+
+! Values OUT(NF, N) at the places XYZ(3, N) from the NF fields VALUES(NF, points). METH is MGILIN,
+! MGINEA, MGISIB, MGILAP or MGISC1; IOUT, for what is outside, MGXNON (NaN), MGXNEA, MGXBOU or MGXLIN.
+subroutine mgintp(h, meth, iout, nf, values, n, xyz, out, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: meth
+    integer, intent(in) :: iout
+    integer, intent(in) :: nf
+    real(c_double), intent(in) :: values(*)
+    integer, intent(in) :: n
+    real(c_double), intent(in) :: xyz(*)
+    real(c_double), intent(inout) :: out(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, nf)) return
+    ierr = c_interpolate(handle_of(h), to_c(meth), to_c(iout), int(nf, c_int64_t), values, &
+            int(n, c_int64_t), xyz, out)
+end subroutine
+
+! The same as weights: the value at place I is the sum of W(K) times that of point LIST(K), K from
+! IOFF(I) to IOFF(I + 1) - 1. IOFF(MAXO) with MAXO > N; LIST(MAXL), W(MAXL). If IERR is MGEBUF, IOFF is
+! set, and IOFF(N + 1) - 1 is the room that is needed, with base 1.
+subroutine mgwgts(h, meth, iout, n, xyz, maxo, ioff, maxl, list, w, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: meth
+    integer, intent(in) :: iout
+    integer, intent(in) :: n
+    real(c_double), intent(in) :: xyz(*)
+    integer, intent(in) :: maxo
+    integer, intent(inout) :: ioff(*)
+    integer, intent(in) :: maxl
+    integer, intent(inout) :: list(*)
+    real(c_double), intent(inout) :: w(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, n)) return
+    ierr = c_get_interpolation_weights(handle_of(h), to_c(meth), to_c(iout), int(n, c_int64_t), &
+            xyz, int(maxo, c_int64_t), ioff, int(maxl, c_int64_t), list, w)
+end subroutine
+
+! Gradients G(3, NF, points) of the NF fields VALUES(NF, points).
+subroutine mggrad(h, nf, values, g, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: nf
+    real(c_double), intent(in) :: values(*)
+    real(c_double), intent(inout) :: g(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, nf)) return
+    ierr = c_get_gradients(handle_of(h), int(nf, c_int64_t), values, g)
+end subroutine
+
 ! ------------------------------------------------------------- trust, figures and text
 
 ! Proves the triangulation; LEVEL 1 to 3.

@@ -4,7 +4,7 @@
 from typing import NamedTuple
 
 # The length of each array that a function takes or fills, in elements: a number, or a product of
-# numbers and of the function's counts. "1" is a single value. A "?" in front means that NULL is
+# numbers, of the function's counts and of what functions count. "1" is a single value. A "?" in front means that NULL is
 # allowed; "stride" an address from which the library goes on by a stride; "text" a string that ends
 # with NUL. Twins, whose names end with _i32, have the arrays of the function that they twin.
 LENGTHS = {
@@ -37,6 +37,11 @@ LENGTHS = {
     "mgdt_get_alphas": {"alpha2": "capacity"},
     "mgdt_get_alpha_surface": {"v": "capacity", "count": "1"},
     "mgdt_get_solid_alpha": {"alpha2": "1"},
+    "mgdt_interpolate": {"values": "n_fields*point_count", "xyz": "3*n", "out": "n_fields*n"},
+    "mgdt_get_interpolation_weights": {"xyz": "3*n", "offsets": "offset_capacity",
+                                       "points": "capacity", "weights": "capacity"},
+    "mgdt_get_gradients": {"values": "n_fields*point_count",
+                           "out": "3*n_fields*point_count"},
     "mgdt_locate": {"xyz": "3", "tetrahedron": "1"},
     "mgdt_locate_points": {"xyz": "3*n", "tetrahedra": "n", "weights": "?4*n"},
     "mgdt_nearest_vertex": {"xyz": "3", "vertex": "1"},
@@ -149,6 +154,15 @@ F77_NAMES = {
     "MGDT_MEASURE_AREA": "MGMARE",
     "MGDT_MEASURE_CENTROID": "MGMCEN",
     "MGDT_MEASURE_FACES": "MGMFAC",
+    "MGDT_INTERPOLATE_LINEAR": "MGILIN",
+    "MGDT_INTERPOLATE_NEAREST": "MGINEA",
+    "MGDT_INTERPOLATE_SIBSON": "MGISIB",
+    "MGDT_INTERPOLATE_LAPLACE": "MGILAP",
+    "MGDT_INTERPOLATE_SIBSON_C1": "MGISC1",
+    "MGDT_OUTSIDE_NONE": "MGXNON",
+    "MGDT_OUTSIDE_NEAREST": "MGXNEA",
+    "MGDT_OUTSIDE_BOUNDARY": "MGXBOU",
+    "MGDT_OUTSIDE_LINEAR": "MGXLIN",
 }
 
 
@@ -169,4 +183,6 @@ GROUPS = (
     Group(("MGDT_STAT_",), "figures (MGSTAT)", "statistic"),
     Group(("MGDT_CHECK_",), "levels (MGCHK)", "check"),
     Group(("MGDT_MEASURE_",), "measures (MGCELL)", "measure"),
+    Group(("MGDT_INTERPOLATE_",), "methods (MGINTP)", "method"),
+    Group(("MGDT_OUTSIDE_",), "what is outside (MGINTP)", "outside"),
 )

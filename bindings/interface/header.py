@@ -157,7 +157,7 @@ def _since(text: str) -> dict[str, str]:
     return found
 
 
-def _describe(function: Function) -> None:
+def _describe(function: Function, counted: set[str]) -> None:
     """Adds what description.py says, and refuses what it leaves open."""
     lengths = dict(description.LENGTHS.get(function.twin_of or function.name, {}))
     counts = {p.name for p in function.parameters if p.is_scalar and p.type == "int64_t"}
@@ -173,7 +173,7 @@ def _describe(function: Function) -> None:
         p.may_be_null = length.startswith("?")
         p.length = length.lstrip("?")
         factors = set(p.length.split("*")) - {"text", "stride"}
-        unknown = [f for f in sorted(factors) if not f.isdigit() and f not in counts]
+        unknown = [f for f in sorted(factors) if not f.isdigit() and f not in counts | counted]
         if unknown:
             raise DescriptionError(f"{function.name}: the length of {p.name} is {p.length}, "
                                    f"but there is no count {unknown[0]}")
@@ -225,7 +225,7 @@ def read(path: Path) -> Interface:
     for function in interface.functions:
         if not function.since:
             raise DescriptionError(f"{function.name} has no @since")
-        _describe(function)
+        _describe(function, {f.short_name for f in interface.functions if f.is_count})
     _check_twins(interface.functions)
     constants = {c.name for c in interface.constants}
     for name in sorted(constants ^ set(description.F77_NAMES)):

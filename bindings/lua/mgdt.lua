@@ -635,6 +635,80 @@ function Triangulation:nearest_points(points, n)
 end
 jit.off(Triangulation.nearest_points)
 
+-- ----------------------------------------------------------------- values between points
+
+local methods, sides = constants.method, constants.outside
+
+-- Numbers for each point: a table or an array of doubles, `fields` for each one behind the other.
+local function values_of(handle, values, fields)
+    local n = fields * tonumber(C.mgdt_point_count(handle))
+    if type(values) == "cdata" then return ffi.cast("const double *", values) end
+    if type(values) ~= "table" or #values < n then
+        bad_argument("values must have %d numbers for each of the points, %d in all", fields, n)
+    end
+    local array = ffi.new("double[?]", n)
+    for k = 1, n do array[k - 1] = real(values[k], "a value") end
+    return array
+end
+
+local function manner(method, outside)
+    return methods[method] or small(method, "the method"),
+        sides[outside or "none"] or small(outside, "what is outside")
+end
+
+--- Values at places (given as points are for insert()) from values at the points: an array of doubles,
+--- and the number of places. The method is "linear", "nearest", "sibson", "laplace" or "sibson_c1";
+--- outside the hull "none" (NaN, the default), "nearest", "boundary" or "linear". With `fields`
+--- numbers for each point, those of a place are one behind the other. Since 1.2.
+function Triangulation:interpolate(method, values, places, outside, fields, n)
+    local handle = handle_of(self)
+    local key, side = manner(method, outside)
+    fields = small(fields or 1, "the number of fields")
+    local xyz, count = coordinates(places, n, "places")
+    if count < 0 then bad_argument("the number of places is negative (%d)", count) end
+    local given = values_of(handle, values, fields)
+    local out = ffi.new("double[?]", fields * count)
+    ensure(handle, C.mgdt_interpolate(handle, key, side, fields, given, count, xyz, out))
+    return out, count
+end
+jit.off(Triangulation.interpolate)
+
+--- The same as weights: arrays of offsets, points and weights, and the number of places. The value at
+--- place k, from 0, is the sum of weights[i] times that of point points[i], i from offsets[k] to before
+--- offsets[k + 1], less the index base. Since 1.2.
+function Triangulation:interpolation_weights(method, places, outside, n)
+    local handle = handle_of(self)
+    local key, side = manner(method, outside)
+    local xyz, count = coordinates(places, n, "places")
+    if count < 0 then bad_argument("the number of places is negative (%d)", count) end
+    local offsets = ffi.new("int32_t[?]", count + 1)
+    -- Enough for most; the last offset says what others need.
+    local room = 24 * count + 8
+    while true do
+        local points, weights = ffi.new("int32_t[?]", room), ffi.new("double[?]", room)
+        local value = C.mgdt_get_interpolation_weights_i32(handle, key, side, count, xyz, count + 1,
+            offsets, room, points, weights)
+        if value ~= status.buffer_too_small then
+            ensure(handle, value)
+            return offsets, points, weights, count
+        end
+        room = offsets[count] - offsets[0]
+    end
+end
+jit.off(Triangulation.interpolation_weights)
+
+--- Gradients of values at the points: an array of 3 doubles for each field of each point, and the
+--- number of points. Since 1.2.
+function Triangulation:gradients(values, fields)
+    local handle = handle_of(self)
+    fields = small(fields or 1, "the number of fields")
+    local given = values_of(handle, values, fields)
+    local count = tonumber(C.mgdt_point_count(handle))
+    local out = ffi.new("double[?]", 3 * fields * count)
+    ensure(handle, C.mgdt_get_gradients(handle, fields, given, out))
+    return out, count
+end
+
 -- ----------------------------------------------------------------------------- trust, figures
 
 local levels = constants.check

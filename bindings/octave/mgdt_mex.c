@@ -434,6 +434,79 @@ static mxArray* cell_measures(const mgdt_triangulation* t, int32_t measure, cons
     return result;
 }
 
+/* Values of the points, one row for each; the caller's fields. */
+static const double* values_of(const mgdt_triangulation* t, const mxArray* matrix,
+                               int64_t* fields) {
+    const int64_t n = mgdt.point_count(t);
+    *fields = matrix ? (int64_t)mxGetN(matrix) : 0;
+    if (!matrix || !mxIsDouble(matrix) || mxIsComplex(matrix) || mxIsSparse(matrix) ||
+        mxGetNumberOfDimensions(matrix) != 2 || (int64_t)mxGetM(matrix) != n)
+        mexErrMsgIdAndTxt("mgdt:invalid_argument",
+                          "values must be a full real matrix of doubles with a row for each of the "
+                          "%lld points",
+                          (long long)n);
+    return one_by_one(mxGetPr(matrix), (int)*fields, n);
+}
+
+/* A matrix of doubles, one row for each `width` of the library's. */
+static mxArray* rows_of_doubles(const double* from, int64_t count, int64_t width) {
+    mxArray* const result = mxCreateDoubleMatrix((mwSize)count, (mwSize)width, mxREAL);
+    double* const to = mxGetPr(result);
+    int64_t k, i;
+    for (k = 0; k < count; ++k)
+        for (i = 0; i < width; ++i) to[i * count + k] = from[width * k + i];
+    return result;
+}
+
+static mxArray* interpolate(const mgdt_triangulation* t, int32_t method, int32_t outside,
+                            const mxArray* values, const mxArray* places) {
+    int64_t n, fields;
+    const double *const xyz = rows_of_points(places, &n), *const given =
+                                                              values_of(t, values, &fields);
+    double* const out = room(fields * n, sizeof *out);
+    ensure(t, mgdt.interpolate(t, method, outside, fields, given, n, xyz, out));
+    return rows_of_doubles(out, n, fields);
+}
+
+/* Places, points and weights, each a column. */
+static void interpolation_weights(const mgdt_triangulation* t, int32_t method, int32_t outside,
+                                  const mxArray* places, mxArray** plhs) {
+    int64_t n, k, i, *points, size;
+    const double* const xyz = rows_of_points(places, &n);
+    int64_t* const offsets = room(n + 1, sizeof *offsets);
+    double *weights, *place;
+    mgdt_status status;
+    /* Enough for most; the last offset says what others need. */
+    size = 24 * n + 8;
+    for (;;) {
+        points = room(size, sizeof *points);
+        weights = room(size, sizeof *weights);
+        status = mgdt.get_interpolation_weights(t, method, outside, n, xyz, n + 1, offsets, size,
+                                                points, weights);
+        if (status != MGDT_ERR_BUFFER_TOO_SMALL) break;
+        mxFree(points);
+        mxFree(weights);
+        size = offsets[n] - offsets[0];
+    }
+    ensure(t, status);
+    size = offsets[n] - offsets[0];
+    plhs[0] = mxCreateDoubleMatrix((mwSize)size, 1, mxREAL);
+    plhs[1] = rows(points, size, 1);
+    plhs[2] = rows_of_doubles(weights, size, 1);
+    place = mxGetPr(plhs[0]);
+    for (k = 0; k < n; ++k)
+        for (i = offsets[k]; i < offsets[k + 1]; ++i) place[i - offsets[0]] = (double)(k + 1);
+}
+
+static mxArray* gradients(const mgdt_triangulation* t, const mxArray* values) {
+    const int64_t n = mgdt.point_count(t);
+    int64_t fields;
+    const double* const given = values_of(t, values, &fields);
+    double* const out = room(3 * fields * n, sizeof *out);
+    ensure(t, mgdt.get_gradients(t, fields, given, out));
+    return rows_of_doubles(out, n, 3 * fields);
+}
+
 static mxArray* statistics(const mgdt_triangulation* t) {
     mxArray* const result = mxCreateStructMatrix(1, 1, 0, NULL);
     int32_t key;
@@ -669,6 +742,15 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         plhs[0] = mxCreateDoubleScalar(alpha2);
     } else if (strcmp(command, "cell_measures") == 0) {
         plhs[0] = cell_measures(s->t, small(first, "the measure"), second);
+    } else if (strcmp(command, "interpolate") == 0) {
+        plhs[0] = interpolate(s->t, small(first, "the method"), small(second, "what is outside"),
+                              nrhs > 4 ? prhs[4] : NULL, nrhs > 5 ? prhs[5] : NULL);
+    } else if (strcmp(command, "interpolation_weights") == 0) {
+        if (nlhs != 3) bad_argument("there are three results");
+        interpolation_weights(s->t, small(first, "the method"), small(second, "what is outside"),
+                              nrhs > 4 ? prhs[4] : NULL, plhs);
+    } else if (strcmp(command, "gradients") == 0) {
+        plhs[0] = gradients(s->t, first);
     } else if (strcmp(command, "locate") == 0) {
         locate(s->t, first, nlhs, plhs);
     } else if (strcmp(command, "nearest") == 0) {

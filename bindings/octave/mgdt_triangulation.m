@@ -243,6 +243,34 @@ classdef mgdt_triangulation < handle
       v = mgdt_mex ("nearest", t.handle (), points);
     end
 
+    % Values at the places of an m x 3 matrix, m x f, from values at the points, n x f. The method is
+    % "linear", "nearest", "sibson", "laplace" or "sibson_c1"; outside the hull "none" (NaN, the
+    % default), "nearest", "boundary" or "linear".
+    function x = interpolate (t, method, values, places, outside)
+      if (nargin < 5)
+        outside = "none";
+      end
+      x = mgdt_mex ("interpolate", t.handle (), t.key ("method", method), ...
+                    t.key ("outside", outside), t.doubles (values, "values"), places);
+    end
+
+    % The same as weights: a sparse matrix w, m x n, for which w * values are the values. Rows of
+    % places without a value are empty.
+    function w = interpolation_weights (t, method, places, outside)
+      if (nargin < 4)
+        outside = "none";
+      end
+      [i, j, x] = mgdt_mex ("interpolation_weights", t.handle (), t.key ("method", method), ...
+                            t.key ("outside", outside), places);
+      w = sparse (i, j, x, rows (places), t.point_count ());
+    end
+
+    % Gradients of values at the points, n x f, as rows x y z: n x 3, or n x 3 x f of several fields.
+    function g = gradients (t, values)
+      g = mgdt_mex ("gradients", t.handle (), t.doubles (values, "values"));
+      g = reshape (g, [rows(g), 3, columns(g) / 3]);
+    end
+
     % Proves the triangulation by exact arithmetic; mgdt:check_failed says what is wrong. Levels:
     % "combinatorial", "geometric", "canonical" (default).
     function check (t, level)
@@ -286,6 +314,19 @@ classdef mgdt_triangulation < handle
   end
 
   methods (Access = private)
+    % The library's number of a name.
+    function k = key (t, kind, name)
+      if (strcmp (kind, "method"))
+        names = {"linear", "nearest", "sibson", "laplace", "sibson_c1"};
+      else
+        names = {"none", "nearest", "boundary", "linear"};
+      end
+      if (! ischar (name) || ! any (strcmp (name, names)))
+        error ("mgdt:unknown_key", "mgdt: %s must be one of %s", kind, strjoin (names, ", "));
+      end
+      k = 10 * find (strcmp (name, names));
+    end
+
     function x = doubles (t, x, name)
       if (! isa (x, "double") || issparse (x))
         if (! (isnumeric (x) || islogical (x)))

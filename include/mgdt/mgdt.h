@@ -206,6 +206,28 @@ enum {
     MGDT_MEASURE_FACES = 40     /**< Number of its faces that have an area. */
 };
 
+/** How a value between points is made; in what follows, of values at the vertices.
+ *  @since 1.2 */
+enum {
+    MGDT_INTERPOLATE_LINEAR = 10,   /**< Linear in each tetrahedron: continuous. */
+    MGDT_INTERPOLATE_NEAREST = 20,  /**< The value of the nearest vertex. */
+    MGDT_INTERPOLATE_SIBSON = 30,   /**< By natural neighbours: each weighs what its Voronoi cell
+                                         would lose. Smooth but at the points. */
+    MGDT_INTERPOLATE_LAPLACE = 40,  /**< By natural neighbours: areas of faces over distances. */
+    MGDT_INTERPOLATE_SIBSON_C1 = 50 /**< Sibson's with the gradients of mgdt_get_gradients(): smooth
+                                         at the points too. */
+};
+
+/** What a value outside the convex hull is.
+ *  @since 1.2 */
+enum {
+    MGDT_OUTSIDE_NONE = 10,     /**< None: NaN, and no weights. */
+    MGDT_OUTSIDE_NEAREST = 20,  /**< That of the nearest vertex. */
+    MGDT_OUTSIDE_BOUNDARY = 30, /**< That of the nearest place of the hull, linear in its facet. */
+    MGDT_OUTSIDE_LINEAR = 40    /**< The same, and on with the gradient there: the mean of those of
+                                     mgdt_get_gradients() at the corners of the facet. */
+};
+
 /** Gives `size` bytes aligned to `align` (a power of two), or NULL. May be called from any thread
  *  that the library runs, several at once. */
 typedef void* (*mgdt_alloc_fn)(size_t size, size_t align, void* user);
@@ -798,6 +820,77 @@ MGDT_API mgdt_status mgdt_nearest_vertices(const mgdt_triangulation* t, int64_t 
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_nearest_vertices_i32(const mgdt_triangulation* t, int64_t n,
                                                const double* xyz, int32_t* vertices);
+
+/* --------------------------------------------------------------- values between points --- */
+
+/** Values at any places from values at the points. Within the convex hull, its boundary included,
+ *  each place has a value, and every method but MGDT_INTERPOLATE_NEAREST gives a linear function
+ *  again. At a point the value is that of the point; of equal points, that of the vertex, the least
+ *  index among them. The value of a point that is not in is not read. The result depends neither on
+ *  the number of threads nor on the order of the places.
+ *  @param method    an MGDT_INTERPOLATE_ value
+ *  @param outside   an MGDT_OUTSIDE_ value
+ *  @param n_fields  numbers for each point and each place, at least 0
+ *  @param values    n_fields numbers for each of mgdt_point_count() points, those of a point one
+ *                   behind the other
+ *  @param n         number of places, at least 0
+ *  @param xyz       3 n coordinates
+ *  @param[out] out  n_fields numbers for each place; NaN where there is no value
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (also: the points are all in
+ *  one plane, where the method is not MGDT_INTERPOLATE_NEAREST), MGDT_ERR_UNKNOWN_KEY,
+ *  MGDT_ERR_NOT_FINITE (the message names the place; nothing is written), MGDT_ERR_TOO_LARGE,
+ *  MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_interpolate(const mgdt_triangulation* t, int32_t method, int32_t outside,
+                                      int64_t n_fields, const double* values, int64_t n,
+                                      const double* xyz, double* out);
+
+/** The same as weights, for as many fields as you like later: the value at place i, counted from
+ *  0, is the sum of weights[k] times the value of point points[k], for k + base from offsets[i] to
+ *  before offsets[i + 1]. Points ascend within a place. Their weights add up to 1; where there is
+ *  no value, there are none. A place has at most 4 for the linear method; those of
+ *  MGDT_INTERPOLATE_SIBSON_C1 and of MGDT_OUTSIDE_LINEAR have the neighbours of neighbours too, and
+ *  may be negative.
+ *  @param method           an MGDT_INTERPOLATE_ value
+ *  @param outside          an MGDT_OUTSIDE_ value
+ *  @param n                number of places, at least 0
+ *  @param xyz              3 n coordinates
+ *  @param offset_capacity  elements in offsets, at least n + 1
+ *  @param[out] offsets     where each place's weights begin; written also if the capacity is too
+ *                          small
+ *  @param capacity         elements in points, and in weights
+ *  @param[out] points      indices of points; with NULL for it and for weights, offsets are all
+ *                          that is wanted
+ *  @param[out] weights     a weight for each
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_UNKNOWN_KEY,
+ *  MGDT_ERR_NOT_FINITE, MGDT_ERR_BUFFER_TOO_SMALL (offsets are written; nothing else),
+ *  MGDT_ERR_OUT_OF_MEMORY; as mgdt_interpolate()
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_interpolation_weights(const mgdt_triangulation* t, int32_t method,
+                                                    int32_t outside, int64_t n, const double* xyz,
+                                                    int64_t offset_capacity, int64_t* offsets,
+                                                    int64_t capacity, int64_t* points,
+                                                    double* weights);
+/** @copydoc mgdt_get_interpolation_weights
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_interpolation_weights_i32(const mgdt_triangulation* t, int32_t method,
+                                                        int32_t outside, int64_t n,
+                                                        const double* xyz, int64_t offset_capacity,
+                                                        int32_t* offsets, int64_t capacity,
+                                                        int32_t* points, double* weights);
+
+/** Gradients of values at the points: of the linear function through a vertex's value that is
+ *  nearest to those of its neighbours, in the sense of least squares of differences divided by
+ *  distances. A linear function has its gradient everywhere.
+ *  @param n_fields  numbers for each point, at least 0
+ *  @param values    as mgdt_interpolate()
+ *  @param[out] out  3 numbers, the derivatives by x, y and z, for each field of each point; equal
+ *                   points have the same; NaN for a point that is not in
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (also: the points are all in
+ *  one plane), MGDT_ERR_TOO_LARGE, MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_get_gradients(const mgdt_triangulation* t, int64_t n_fields,
+                                        const double* values, double* out);
 
 /* ------------------------------------------------------------------------------ trust --- */
 

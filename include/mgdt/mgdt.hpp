@@ -507,6 +507,66 @@ class Triangulation {
             require(mgdt_nearest_vertices_i32(handle_.get(), n, points.data(), buffer.data()));
     }
 
+    /* Values between points. @throw OutOfMemory, Error, std::bad_alloc (the vectors') */
+
+    /** Values at places from values at the points, `fields` numbers for each, those of a point one
+     *  behind the other; mgdt_interpolate(). @since 1.2 */
+    [[nodiscard]] std::vector<double> interpolate(Method method, Outside outside,
+                                                  Span<const double> values, Points places,
+                                                  std::size_t fields = 1) const {
+        require_values(values, fields);
+        std::vector<double> out(fields * places.count());
+        require(mgdt_interpolate(
+            handle_.get(), static_cast<std::int32_t>(method), static_cast<std::int32_t>(outside),
+            static_cast<std::int64_t>(fields), values.data(),
+            static_cast<std::int64_t>(places.count()), places.data(), out.data()));
+        return out;
+    }
+    /** The same as weights, for any fields; mgdt_get_interpolation_weights(). @since 1.2 */
+    template <class Int = std::int64_t>
+    [[nodiscard]] Weights<Int> interpolation_weights(Method method, Outside outside,
+                                                     Points places) const {
+        static_assert(detail::is_index_v<Int>, "indices are std::int64_t or std::int32_t");
+        Weights<Int> rows;
+        rows.offsets.resize(places.count() + 1);
+        // Enough for most; the last offset says what others need.
+        std::size_t room = (method == Method::linear ? 4 : 24) * places.count() + 8;
+        for (;;) {
+            rows.points.resize(room);
+            rows.weights.resize(room);
+            const auto get = [&](auto function) {
+                return function(handle_.get(), static_cast<std::int32_t>(method),
+                                static_cast<std::int32_t>(outside),
+                                static_cast<std::int64_t>(places.count()), places.data(),
+                                static_cast<std::int64_t>(rows.offsets.size()), rows.offsets.data(),
+                                static_cast<std::int64_t>(room), rows.points.data(),
+                                rows.weights.data());
+            };
+            mgdt_status status;
+            if constexpr (std::is_same_v<Int, std::int64_t>)
+                status = get(mgdt_get_interpolation_weights);
+            else
+                status = get(mgdt_get_interpolation_weights_i32);
+            const bool is_short = status == MGDT_ERR_BUFFER_TOO_SMALL;
+            if (!is_short) require(status);
+            room = static_cast<std::size_t>(rows.offsets.back() - rows.offsets.front());
+            if (is_short) continue;
+            rows.points.resize(room);
+            rows.weights.resize(room);
+            return rows;
+        }
+    }
+    /** Gradients of values at the points, three numbers for each field of each;
+     *  mgdt_get_gradients(). @since 1.2 */
+    [[nodiscard]] std::vector<double> gradients(Span<const double> values,
+                                                std::size_t fields = 1) const {
+        require_values(values, fields);
+        std::vector<double> out(3 * fields * static_cast<std::size_t>(point_count()));
+        require(mgdt_get_gradients(handle_.get(), static_cast<std::int64_t>(fields), values.data(),
+                                   out.data()));
+        return out;
+    }
+
     /* Trust and figures. */
 
     /** Proves the triangulation; mgdt_check().
@@ -604,6 +664,10 @@ class Triangulation {
         if (progress_ && progress_->thrown)
             std::rethrow_exception(std::exchange(progress_->thrown, nullptr));
         require(status);
+    }
+    void require_values(Span<const double> values, std::size_t fields) const {
+        const auto points = static_cast<std::size_t>(point_count());
+        if (fields != 0 && values.size() / fields < points) too_small("values", points);
     }
     [[noreturn]] static void too_small(const char* what, std::size_t points) {
         throw Error(MGDT_ERR_BUFFER_TOO_SMALL, std::string("the buffer of ") + what +

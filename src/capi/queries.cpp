@@ -3,7 +3,7 @@
 
 #include "capi/counts.hpp"
 #include "capi/handle.hpp"
-#include "core/point_scan.hpp"
+#include "capi/places.hpp"
 #include "query/check.hpp"
 #include "query/locate_points.hpp"
 
@@ -11,23 +11,10 @@ using namespace mgdt;
 
 namespace {
 
-Locator locator(const mgdt_triangulation* t) {
-    return {t->core.mesh(), t->core.calls(), t->core.location_tree()};
-}
-
-// Places to locate, each of them finite.
-PointSet finite_places(Team& team, std::size_t n, const double* xyz, const mgdt_triangulation* t) {
-    const double* const axis[3] = {xyz, xyz + 1, xyz + 2};
-    return PointScan(team, n, axis, 3, t->core.settings().index_base).point_set(n, axis, 3, 1);
-}
-
 // Checks what a query of many places is given, and has body(team, places) answer it.
 template <class Int, class Body>
 void answer(const mgdt_triangulation* t, int64_t n, const double* xyz, const Int* out, Body body) {
-    if (n > PTRDIFF_MAX / static_cast<std::ptrdiff_t>(4 * sizeof(double)))
-        fail(MGDT_ERR_INVALID_ARGUMENT, "%lld points are more than memory can hold",
-             static_cast<long long>(n));
-    const std::size_t count = require_count(n);
+    const std::size_t count = require_places(n);
     if (count == 0) return;
     require_pointer(xyz, "xyz");
     require_pointer(out, "the output array");

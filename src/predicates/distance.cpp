@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The predicates of degree 2.
+// The predicates of distances and of perpendicular planes.
+#include "determinants.hpp"
 #include "predicates.hpp"
 #include "stages.hpp"
 
@@ -33,6 +34,24 @@ struct Cross {
     template <class T>
     auto operator()(const T (&v)[6]) const {
         return v[j] * v[3 + k] - v[k] * v[3 + j];
+    }
+};
+
+// (e x f) . (e x w) of three vectors, e being the edge: its square times that of the part of f that
+// is perpendicular to it, in the direction of w's.
+struct EdgePlane {
+    template <class T>
+    static auto product(const T* a, const T* b) {
+        if constexpr (exact::is_long<T>) {
+            return exact::apart([&] { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; });
+        } else {
+            return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+        }
+    }
+    template <class T>
+    auto operator()(const T (&v)[9]) const {
+        const T *const e = v, *const f = v + 3, *const w = v + 6;
+        return exact::two_products(product(e, e), product(f, w), product(e, w), product(e, f));
     }
 };
 
@@ -76,7 +95,23 @@ int side_of_diametral_sphere(const double* a, const double* b, const double* q) 
     return s != exact::undecided ? s : exact::diametral_integer(a, b, q);
 }
 
+int side_of_edge(const double* a, const double* b, const double* c, const double* q) {
+    const int s = exact::edge_filter(a, b, c, q);
+    return s != exact::undecided ? s : exact::edge_integer(a, b, c, q);
+}
+
 namespace exact {
+
+int edge_filter(const double* a, const double* b, const double* c, const double* q,
+                const Bound& bound) {
+    return filtered(differences({b, c, q}, a), bound, EdgePlane());
+}
+
+int edge_integer(const double* a, const double* b, const double* c, const double* q,
+                 int least_width) {
+    return with_integers(ExactDifferences<9>({b, c, q}, a), least_width,
+                         [](const auto& v) { return sign(EdgePlane()(v)); });
+}
 
 int lengths_filter(const double* a, const double* b, const double* c, const double* d,
                    const Bound& bound) {

@@ -23,6 +23,7 @@ constexpr double half_ulp = 0x1p-53;
 constexpr Bound collinear_bound{5 * half_ulp, underflow_bound};
 constexpr Bound distance_bound{7 * half_ulp, underflow_bound};
 constexpr Bound orientation_bound{9 * half_ulp, underflow_bound};
+constexpr Bound edge_bound{13 * half_ulp, underflow_bound};
 constexpr Bound sphere_bound{17 * half_ulp, underflow_bound};
 
 // Beyond it a determinant of degree 5 might overflow.

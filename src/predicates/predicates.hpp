@@ -37,4 +37,8 @@ int compare_lengths(const double* a, const double* b, const double* c, const dou
 // For the sphere whose diameter is ab: +1 if q is inside, 0 on, -1 outside.
 int side_of_diametral_sphere(const double* a, const double* b, const double* q);
 
+// For the plane through the edge ab that is perpendicular to the triangle abc: +1 if q is on the
+// side of c, 0 on it, -1 on the other side.
+int side_of_edge(const double* a, const double* b, const double* c, const double* q);
+
 }  // namespace mgdt

@@ -66,6 +66,11 @@ int diametral_filter(const double* a, const double* b, const double* q,
 MGDT_PREDICATES_APART int diametral_integer(const double* a, const double* b, const double* q,
                                             int least_width = 0);
 
+int edge_filter(const double* a, const double* b, const double* c, const double* q,
+                const Bound& bound = edge_bound);
+MGDT_PREDICATES_APART int edge_integer(const double* a, const double* b, const double* c,
+                                       const double* q, int least_width = 0);
+
 // The perturbed side of a sphere: by the determinant in doubles; by integers of 64 bits; by the
 // predicates that it is made of; by the first of the last two that can.
 int perturbed_doubles(const double* a, const double* b, const double* c, const double* d,

@@ -32,6 +32,8 @@ struct Locator {
     TetId tetrahedron_of(VertexId v) const;
     // A vertex as the caller gave it.
     void unscaled(VertexId v, double* to) const;
+    // q in the mesh's scale; false if it has no exact place there, and `to` is rounded.
+    bool scale_exactly(const double* q, double* to) const;
 
   private:
     // False if there are no steps to take.
@@ -46,9 +48,6 @@ struct Locator {
         return true;
     }
     TetId end(const double* q, const LocationWalk& walk, TetId& hint) const;
-    friend class NearestVertex;
-    // q in the mesh's scale; false if it has no exact place there, and `to` is rounded.
-    bool scale_exactly(const double* q, double* to) const;
 };
 
 template <class PointOf, class Found>

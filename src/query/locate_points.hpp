@@ -3,7 +3,9 @@
 // places are finite, and indices fit.
 #pragma once
 
-#include "order/schedule.hpp"
+#include <algorithm>
+
+#include "order/curve_sort.hpp"
 #include "query/export.hpp"
 #include "query/locate.hpp"
 
@@ -11,6 +13,37 @@ namespace mgdt {
 
 // With fewer places a thread does not pay.
 inline constexpr std::size_t places_per_thread = 4096;
+
+// Calls found(i, tetrahedron, near) for each place i, see Locator::locate_sequence(). Each
+// member of the team has its own `found`, which make_found(member) gives it.
+template <class MakeFound>
+void locate_each(const ExportView& view, const Locator& where, const PointSet& places,
+                 bool may_end_outside, MakeFound make_found) {
+    const double* const xyz = places.axis[0];
+    if (places.size == 1) {
+        TetId near = no_tetrahedron;
+        const TetId found_in = where.locate(xyz, near, may_end_outside);
+        make_found(0u)(0, found_in, near);
+        return;
+    }
+    // Along a curve each is near the one before. Blocks bound the memory that sorting takes.
+    constexpr std::size_t most = std::size_t{1} << 20;
+    for (std::size_t begin = 0; begin < places.size; begin += most) {
+        PointSet block = places;
+        block.size = std::min(most, places.size - begin);
+        for (const double*& axis : block.axis) axis += 3 * begin;
+        const CurveOrder order = sort_along_curve(view.team, block, view.allocator);
+        const auto place = [&](std::size_t k) { return begin + order.index(k); };
+        view.team.split(
+            block.size, places_per_thread, [&](std::size_t first, std::size_t last, unsigned m) {
+                auto&& found = make_found(m);
+                where.locate_sequence(
+                    last - first, may_end_outside,
+                    [&](std::size_t k) { return xyz + 3 * place(first + k); },
+                    [&](std::size_t k, TetId t, TetId near) { found(place(first + k), t, near); });
+            });
+    }
+}
 
 // `places` lie one behind the other and have their own scale; `weights` may be nullptr.
 template <class Int>

@@ -54,6 +54,7 @@ void test_dual(void);
 void test_memory(void);
 void test_progress(void);
 void test_environment(void);
+void test_interpolation(void);
 void test_isa(void);
 void test_compact(void);
 void test_busy(void);

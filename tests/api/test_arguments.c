@@ -69,6 +69,16 @@ static void null_handles(void) {
     CHECK_EQUAL(mgdt_get_solid_alpha(NULL, &d), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_cell_measures(NULL, MGDT_MEASURE_AREA, 0, NULL, 1, &d),
                 MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(
+        mgdt_interpolate(NULL, MGDT_INTERPOLATE_LINEAR, MGDT_OUTSIDE_NONE, 1, &d, 1, simplex, &d),
+        MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_interpolation_weights(NULL, MGDT_INTERPOLATE_LINEAR, MGDT_OUTSIDE_NONE, 1,
+                                               simplex, 2, &i, 0, NULL, NULL),
+                MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_interpolation_weights_i32(NULL, MGDT_INTERPOLATE_LINEAR, MGDT_OUTSIDE_NONE,
+                                                   1, simplex, 2, &j, 0, NULL, NULL),
+                MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_gradients(NULL, 1, &d, &d), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_gabriel_edges(NULL, 1, &i, &i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_gabriel_edges_i32(NULL, 1, &j, &j), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_spanning_tree(NULL, 1, &i, &i), MGDT_ERR_NULL_POINTER);

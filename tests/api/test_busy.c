@@ -117,6 +117,18 @@ static void read_while_it_changes(guest* g) {
     expect_refused(g, mgdt_get_solid_alpha(t, w), "mgdt_get_solid_alpha()");
     expect_refused(g, mgdt_get_cell_measures(t, MGDT_MEASURE_AREA, 0, NULL, 1, w),
                    "mgdt_get_cell_measures()");
+    expect_refused(
+        g, mgdt_interpolate(t, MGDT_INTERPOLATE_LINEAR, MGDT_OUTSIDE_NONE, 1, w, 1, g->xyz, w),
+        "mgdt_interpolate()");
+    expect_refused(g,
+                   mgdt_get_interpolation_weights(t, MGDT_INTERPOLATE_LINEAR, MGDT_OUTSIDE_NONE, 1,
+                                                  g->xyz, 2, a, 1, a, w),
+                   "mgdt_get_interpolation_weights()");
+    expect_refused(g,
+                   mgdt_get_interpolation_weights_i32(t, MGDT_INTERPOLATE_LINEAR, MGDT_OUTSIDE_NONE,
+                                                      1, g->xyz, 2, c, 1, c, w),
+                   "mgdt_get_interpolation_weights_i32()");
+    expect_refused(g, mgdt_get_gradients(t, 1, w, w), "mgdt_get_gradients()");
     expect_refused(g, mgdt_locate(t, g->xyz, a), "mgdt_locate()");
     expect_refused(g, mgdt_locate_i32(t, g->xyz, c), "mgdt_locate_i32()");
     expect_refused(g, mgdt_locate_points(t, 1, g->xyz, a, w), "mgdt_locate_points()");

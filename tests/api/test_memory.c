@@ -246,6 +246,8 @@ static mgdt_status export_cells(const mgdt_triangulation* t, int64_t* v, int64_t
     (void)list;
     TRY(mgdt_get_cell_measures(t, MGDT_MEASURE_VOLUME, 6, box, 3 * 12, x));
     TRY(mgdt_get_cell_measures(t, MGDT_MEASURE_CENTROID, 6, box, 3 * 12, x));
+    TRY(mgdt_interpolate(t, MGDT_INTERPOLATE_SIBSON_C1, MGDT_OUTSIDE_LINEAR, 1, box, 2, box, x));
+    TRY(mgdt_get_gradients(t, 1, box, x));
 #undef TRY
     return status;
 }

@@ -98,6 +98,18 @@ int main() {
         if (t.alpha_surface<std::int32_t>(0).size() != 0) return 6;
         if (t.cell_measures(mgdt::Measure::faces).size() != 10) return 6;
         if (t.cell_measures(mgdt::Measure::centroid, {}).size() != 30) return 6;
+        const std::vector<double> values(20, 1.0);
+        for (const double at :
+             t.interpolate(mgdt::Method::sibson, mgdt::Outside::nearest, values, points, 2))
+            if (!(at > 0.999 && at < 1.001)) return 24;
+        if (t.interpolation_weights(mgdt::Method::linear, mgdt::Outside::none, points)
+                .offsets.size() != 3)
+            return 24;
+        if (t.interpolation_weights<std::int32_t>(mgdt::Method::sibson_c1, mgdt::Outside::linear,
+                                                  points)
+                .weights.empty())
+            return 24;
+        if (t.gradients(values, 2).size() != 60) return 24;
         if (t.hull_facet_count() < 4 || t.edge_count() < 6) return 7;
         if (!mgdt::name(mgdt::Order::brio) || !mgdt::name(mgdt::Statistic::rounds)) return 8;
         if (!mgdt::version() || mgdt::abi_version() != 1 || !mgdt::status_string(0)) return 9;

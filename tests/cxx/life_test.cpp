@@ -90,6 +90,12 @@ void expect_moved_from(Triangulation& t) {
     null([&] { (void)c.vertex_neighbors(); });
     null([&] { (void)c.circumspheres(); });
     null([&] { (void)c.cell_measures(mgdt::Measure::volume); });
+    null([&] {
+        (void)c.interpolate(mgdt::Method::linear, mgdt::Outside::none, mgdt::Span<const double>(),
+                            points);
+    });
+    null([&] { (void)c.interpolation_weights(mgdt::Method::linear, mgdt::Outside::none, points); });
+    null([&] { (void)c.gradients(mgdt::Span<const double>()); });
     null([&] { (void)c.alphas(3); });
     null([&] { (void)c.alpha_surface(1); });
     null([&] { (void)c.solid_alpha(); });

@@ -80,6 +80,41 @@ TYPED_TEST(CxxResults, TetrahedraFillTheHull) {
     EXPECT_EQ(edges.size(), expected.size());
 }
 
+TYPED_TEST(CxxResults, WeightsInEitherBase) {
+    const auto points = points_in_cube(200);
+    std::vector<double> values;
+    for (const mgdt::Point& p : points) values.push_back(p[0] - 2 * p[1]);
+    const std::vector<mgdt::Point> places = {{.5, .5, .5}, {2, 2, 2}, {.4, .6, .5}};
+    for (const int base : {0, 1}) {
+        Triangulation t;
+        t.set_index_base(base);
+        t.insert(points);
+        for (const mgdt::Method method : {mgdt::Method::sibson, mgdt::Method::sibson_c1}) {
+            const auto rows =
+                t.interpolation_weights<TypeParam>(method, mgdt::Outside::none, places);
+            const auto at = t.interpolate(method, mgdt::Outside::none, values, places);
+            ASSERT_EQ(rows.offsets.size(), 4u);
+            EXPECT_EQ(rows.offsets[0], base);
+            EXPECT_EQ(rows.offsets[1], rows.offsets[2]);
+            EXPECT_TRUE(std::isnan(at[1]));
+            for (const std::size_t i : {0u, 2u}) {
+                double value = 0;
+                for (TypeParam k = rows.offsets[i] - base; k < rows.offsets[i + 1] - base; ++k)
+                    value += rows.weights[std::size_t(k)] *
+                             values[std::size_t(rows.points[std::size_t(k)] - base)];
+                EXPECT_NEAR(value, places[i][0] - 2 * places[i][1], 1e-13);
+                EXPECT_NEAR(at[i], value, 1e-14);
+            }
+        }
+        const auto gradients = t.gradients(values);
+        for (std::size_t k = 0; k < 600; ++k)
+            EXPECT_NEAR(gradients[k], k % 3 == 0 ? 1 : k % 3 == 1 ? -2 : 0, 1e-12);
+        values.pop_back();
+        EXPECT_THROW((void)t.gradients(values), mgdt::Error);
+        values.push_back(points[199][0] - 2 * points[199][1]);
+    }
+}
+
 TYPED_TEST(CxxResults, VertexTetrahedraInEitherBase) {
     const auto points = points_in_cube(200);
     for (const int base : {0, 1}) {

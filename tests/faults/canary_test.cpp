@@ -99,8 +99,8 @@ const double* query_points() {
 
 // What a call is made with: its output arrays and their capacities.
 struct Given {
-    void* array[2];
-    std::int64_t capacity[2];
+    void* array[3];
+    std::int64_t capacity[3];
 };
 
 struct Function {
@@ -145,6 +145,16 @@ std::vector<Wanted> of_circumcenters(T t) {
 template <class Int>
 std::vector<Wanted> of_queries(T) {
     return {{queries, sizeof(Int), false, false}, {4 * queries, sizeof(double), false, true}};
+}
+// Rows of the nearest vertex each.
+std::int64_t row_count(T t) {
+    return mgdt_vertex_count(t) > 0 ? queries : 0;
+}
+template <class Int>
+std::vector<Wanted> of_rows(T t) {
+    return {{queries + 1, sizeof(Int), true, false},
+            {row_count(t), sizeof(Int), false, false},
+            {row_count(t), sizeof(double), false, false}};
 }
 template <class Int>
 std::vector<Wanted> of_places(T) {
@@ -253,6 +263,40 @@ const Function functions[] = {
          const mgdt_status status =
              mgdt_get_cell_measures(t, MGDT_MEASURE_CENTROID, 0, nullptr, 3 * mgdt_point_count(t),
                                     static_cast<double*>(g.array[0]));
+         return mgdt_dimension(t) < 3 && status == MGDT_ERR_INVALID_ARGUMENT ? MGDT_OK : status;
+     }},
+    {"mgdt_interpolate",
+     [](T) {
+         return std::vector<Wanted>{{2 * queries, sizeof(double), false, false}};
+     },
+     [](mgdt_triangulation* t, const Given& g) {
+         const std::vector<double> values(2 * static_cast<std::size_t>(mgdt_point_count(t)), 1.0);
+         return mgdt_interpolate(t, MGDT_INTERPOLATE_NEAREST, MGDT_OUTSIDE_LINEAR, 2, values.data(),
+                                 queries, query_points(), static_cast<double*>(g.array[0]));
+     }},
+    {"mgdt_get_interpolation_weights", of_rows<std::int64_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_interpolation_weights(
+             t, MGDT_INTERPOLATE_NEAREST, MGDT_OUTSIDE_NEAREST, queries, query_points(),
+             g.capacity[0], static_cast<std::int64_t*>(g.array[0]), row_count(t),
+             static_cast<std::int64_t*>(g.array[1]), static_cast<double*>(g.array[2]));
+     }},
+    {"mgdt_get_interpolation_weights_i32", of_rows<std::int32_t>,
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_interpolation_weights_i32(
+             t, MGDT_INTERPOLATE_NEAREST, MGDT_OUTSIDE_NEAREST, queries, query_points(),
+             g.capacity[0], static_cast<std::int32_t*>(g.array[0]), row_count(t),
+             static_cast<std::int32_t*>(g.array[1]), static_cast<double*>(g.array[2]));
+     }},
+    {"mgdt_get_gradients",
+     [](T t) {
+         const std::int64_t points = mgdt_dimension(t) == 3 ? mgdt_point_count(t) : 0;
+         return std::vector<Wanted>{{3 * points, sizeof(double), false, false}};
+     },
+     [](mgdt_triangulation* t, const Given& g) {
+         const std::vector<double> values(static_cast<std::size_t>(mgdt_point_count(t)), 1.0);
+         const mgdt_status status =
+             mgdt_get_gradients(t, 1, values.data(), static_cast<double*>(g.array[0]));
          return mgdt_dimension(t) < 3 && status == MGDT_ERR_INVALID_ARGUMENT ? MGDT_OK : status;
      }},
     {"mgdt_locate", of_one<std::int64_t>,

@@ -252,6 +252,9 @@ struct Output {
     Points weights, reals;
 };
 
+// Where each place takes long.
+constexpr std::int64_t some_places = 12;
+
 // A call that inserts nothing. The last of them is the one that is not const.
 struct Call {
     const char* name;
@@ -346,6 +349,29 @@ inline constexpr Call calls[] = {
          return mgdt_dimension(t) < 3 ? MGDT_OK
                                       : mgdt_get_cell_measures(t, MGDT_MEASURE_FACES, 0, nullptr,
                                                                mgdt_point_count(t), o.reals.data());
+     }},
+    {"interpolate",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_dimension(t) < 3
+                    ? MGDT_OK
+                    : mgdt_interpolate(t, MGDT_INTERPOLATE_SIBSON_C1, MGDT_OUTSIDE_LINEAR, 1,
+                                       o.reals.data(), some_places, o.queries.data(),
+                                       o.weights.data());
+     }},
+    {"get_interpolation_weights",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_dimension(t) < 3
+                    ? MGDT_OK
+                    : mgdt_get_interpolation_weights(
+                          t, MGDT_INTERPOLATE_LAPLACE, MGDT_OUTSIDE_LINEAR, some_places,
+                          o.queries.data(), some_places + 1, o.found.data(), 0, nullptr, nullptr);
+     }},
+    {"get_gradients",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_dimension(t) < 3
+                    ? MGDT_OK
+                    : mgdt_get_gradients(t, 1, o.reals.data() + 3 * mgdt_point_count(t),
+                                         o.reals.data());
      }},
     {"locate", [](mgdt_triangulation* t,
                   Output& o) { return mgdt_locate(t, o.queries.data(), o.found.data()); }},

@@ -217,6 +217,23 @@ void read_all(Meter& meter, const mgdt_triangulation* t, const Points& queries) 
                                           volumes.data());
         });
     }
+    if (mgdt_dimension(t) == 3) {
+        const Points values(static_cast<std::size_t>(mgdt_point_count(t)), 1.0);
+        Points out(3 * values.size());
+        for (const std::int32_t method :
+             {MGDT_INTERPOLATE_LINEAR, MGDT_INTERPOLATE_LAPLACE, MGDT_INTERPOLATE_SIBSON_C1})
+            meter("mgdt_interpolate", [&] {
+                return mgdt_interpolate(t, method, MGDT_OUTSIDE_LINEAR, 1, values.data(), n,
+                                        queries.data(), weights.data());
+            });
+        meter("mgdt_get_interpolation_weights", [&] {
+            return mgdt_get_interpolation_weights(t, MGDT_INTERPOLATE_SIBSON, MGDT_OUTSIDE_LINEAR,
+                                                  n, queries.data(), size, v.data(), 0, nullptr,
+                                                  nullptr);
+        });
+        meter("mgdt_get_gradients",
+              [&] { return mgdt_get_gradients(t, 1, values.data(), out.data()); });
+    }
     meter("mgdt_locate_points",
           [&] { return mgdt_locate_points(t, n, queries.data(), v.data(), weights.data()); });
     meter("mgdt_locate_points",

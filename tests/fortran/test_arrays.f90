@@ -34,6 +34,7 @@ program test_arrays
     call test_graphs()
     call test_circumcenters()
     call test_cell_measures()
+    call test_interpolation()
     call test_alphas()
     call test_kinds_and_ranks()
     call test_larger_arrays_and_sections()
@@ -245,6 +246,13 @@ contains
         call expect_error(stat, mgdt_err_buffer_too_small, msg, 'are needed')
     end subroutine
 
+    ! By its bits, as a comparison may trap.
+    logical function is_nan(x)
+        real(real64), intent(in) :: x
+
+        is_nan = ibits(transfer(x, 0_int64), 51, 12) == 4095
+    end function
+
     integer function count_of_zeros(x)
         real(real64), intent(in) :: x(:)
 
@@ -279,6 +287,68 @@ contains
         call expect_error(stat, mgdt_err_invalid_argument, msg, 'must be 4')
         call t%get_cell_measures(mgdt_measure_volume, volumes, box(:, :5), stat, msg)
         call expect_error(stat, mgdt_err_invalid_argument, msg, 'do not bound')
+    end subroutine
+
+    subroutine test_interpolation()
+        real(real64) :: places(3, 3), one(n), two(2, n), at(3), two_at(2, 3), slopes(3, n), two_slopes(3, 2, n)
+        real(real64) :: weights(100), total
+        integer(int32) :: offsets(4), points(100)
+        integer(int64) :: offsets_64(4), points_64(100)
+        integer :: i, k, stat
+        character(256) :: msg
+
+        places(:, 1) = [0.5_real64, 0.25_real64, 0.75_real64]
+        places(:, 2) = [0.4_real64, 0.6_real64, 0.5_real64]
+        places(:, 3) = [5.0_real64, 0.5_real64, 0.5_real64]
+        do k = 1, n
+            one(k) = xyz(1, k) + 2*xyz(3, k)
+        end do
+        two(1, :) = one
+        two(2, :) = 1
+        call t%interpolate(mgdt_interpolate_sibson, mgdt_outside_linear, one, places, at)
+        call expect(maxval(abs(at - places(1, :) - 2*places(3, :))) < 1e-13_real64, 'a linear function')
+        call t%interpolate(mgdt_interpolate_linear, mgdt_outside_none, two, places, two_at)
+        call expect(maxval(abs(two_at(1, :2) - at(:2))) < 1e-13_real64, 'the first of two fields')
+        call expect(maxval(abs(two_at(2, :2) - 1)) < 1e-14_real64, 'the second of two fields')
+        call expect(is_nan(two_at(1, 3)), 'no value outside')
+        call t%get_interpolation_weights(mgdt_interpolate_laplace, mgdt_outside_boundary, places, offsets, &
+                                         points, weights)
+        call expect(offsets(1) == 1, 'offsets begin at 1')
+        do i = 1, 3
+            total = 0
+            do k = offsets(i), offsets(i + 1) - 1
+                total = total + weights(k)*one(points(k))
+            end do
+            if (i < 3) call expect(abs(total - at(i)) < 1e-13_real64, 'weights')
+        end do
+        call t%get_interpolation_weights(mgdt_interpolate_laplace, mgdt_outside_boundary, places, &
+                                         offsets_64, points_64, weights)
+        call expect(all(offsets_64 == offsets), 'offsets of both kinds')
+        call expect(all(points_64(:offsets(4) - 1) == points(:offsets(4) - 1)), 'points of both kinds')
+        offsets_64 = 0
+        call t%get_interpolation_weights(mgdt_interpolate_laplace, mgdt_outside_boundary, places, &
+                                         offsets_64, points_64(:2), weights, stat, msg)
+        call expect_error(stat, mgdt_err_buffer_too_small, msg, 'are needed')
+        call expect(all(offsets_64 == offsets), 'offsets say what is needed')
+        call t%get_gradients(one, slopes)
+        call expect(maxval(abs(slopes(1, :) - 1)) < 1e-12_real64, 'gradients by x')
+        call expect(maxval(abs(slopes(2, :))) < 1e-12_real64, 'gradients by y')
+        call t%get_gradients(two, two_slopes)
+        call expect(maxval(abs(two_slopes(:, 1, :) - slopes)) <= 0, 'gradients of two fields')
+        call t%interpolate(mgdt_interpolate_linear, mgdt_outside_none, one(:n - 1), places, at, stat, msg)
+        call expect_error(stat, mgdt_err_buffer_too_small, msg, 'values has room for')
+        call t%interpolate(mgdt_interpolate_linear, mgdt_outside_none, one, places, at(:2), stat, msg)
+        call expect_error(stat, mgdt_err_buffer_too_small, msg, 'out has room for 2 points')
+        call t%interpolate(mgdt_interpolate_linear, mgdt_outside_none, two(:1, :), places, two_at, stat, msg)
+        call expect_error(stat, mgdt_err_invalid_argument, msg, 'it must be 1')
+        call t%interpolate(mgdt_interpolate_linear, mgdt_outside_none, one, places(:2, :), at, stat, msg)
+        call expect_error(stat, mgdt_err_invalid_argument, msg, 'xyz has extent 2')
+        call t%interpolate(11, mgdt_outside_none, one, places, at, stat, msg)
+        call expect_error(stat, mgdt_err_unknown_key, msg, 'there is no method 11')
+        call t%get_gradients(two, two_slopes(:, :1, :), stat, msg)
+        call expect_error(stat, mgdt_err_invalid_argument, msg, 'in dimension 2')
+        call t%get_gradients(one, slopes(:, :n - 1), stat, msg)
+        call expect_error(stat, mgdt_err_buffer_too_small, msg, 'gradients has room for')
     end subroutine
 
     subroutine test_vertex_tetrahedra()

@@ -96,7 +96,7 @@
       INTEGER ITET(4, MAXT), INBR(4, MAXT), IFAC(3, MAXT)
       INTEGER IEDG(2, MAXT), MAP(N), IOFF(N + 1), LIST(4*MAXT)
       INTEGER ITET0(4, MAXT), NONE, NB, IOFF2(N + 1), LIST2(4*MAXT)
-      INTEGER IEDG2(2, MAXT)
+      INTEGER IEDG2(2, MAXT), JOFF(3), JPT(40)
       DOUBLE PRECISION CENTER(3, MAXT), R2(MAXT), D
       DOUBLE PRECISION XYZ(3, N), X(2*N), Y(2*N), Z(2*N), V, VH, VOL6
       DOUBLE PRECISION O(3), BOX(4, 6), CELL(N)
@@ -200,6 +200,25 @@
       CALL BAD(H, IERR, MGEARG, 'plane 1 has no end')
       CALL MGCELL(H, MGMCEN, 0, BOX, N, CELL, IERR)
       CALL BAD(H, IERR, MGEBUF, 'are needed')
+
+      DO 7 K = 1, N
+        CELL(K) = XYZ(1, K) - XYZ(2, K)
+    7 CONTINUE
+      CALL MGINTP(H, MGISIB, MGXBOU, 1, CELL, 2, BOX, R2, IERR)
+      CALL GOOD(H, IERR, 'MGINTP')
+      CALL EXPECT(ABS(R2(1)) .LE. 9D0, 'a value')
+      CALL MGINTP(H, 11, MGXBOU, 1, CELL, 2, BOX, R2, IERR)
+      CALL BAD(H, IERR, MGEKEY, 'there is no method 11')
+      CALL MGWGTS(H, MGILIN, MGXNEA, 2, XYZ, 3, JOFF, 40, JPT, R2,
+     &            IERR)
+      CALL GOOD(H, IERR, 'MGWGTS')
+      CALL EXPECT(JOFF(1) .EQ. 1 .AND. JOFF(2) .EQ. 2 .AND.
+     &            JOFF(3) .EQ. 3, 'a weight for each point')
+      CALL EXPECT(JPT(1) .EQ. 1 .AND. R2(1) .EQ. 1, 'itself')
+      CALL MGGRAD(H, 1, CELL, CENTER, IERR)
+      CALL GOOD(H, IERR, 'MGGRAD')
+      CALL EXPECT(ABS(CENTER(1, 1) - 1) .LT. 1D-12, 'gradient by x')
+      CALL EXPECT(ABS(CENTER(2, 1) + 1) .LT. 1D-12, 'gradient by y')
 
       V = 0
       YES = .TRUE.

@@ -92,6 +92,7 @@ struct Exports {
         tree = take_graph(t, mgdt_get_spanning_tree, mgdt_get_spanning_tree_i32, margin);
         take_circumcenters(t, margin);
         take_cells(t, margin);
+        take_values(t, margin);
         for (Indices* array : {&tetrahedra, &neighbors, &hull, &edges, &map, &offsets, &list,
                                &neighbor_offsets, &neighbor_list})
             for (std::int64_t& v : *array) v -= base;
@@ -243,6 +244,39 @@ struct Exports {
             const bool is_vertex = is_in(k) && map[k] - base == static_cast<std::int64_t>(k);
             FUZZ_REQUIRE((faces[k] >= 3) == is_vertex, "number of faces");
         }
+    }
+
+    // A constant at some centres of circumspheres, of which many are outside, and far away.
+    void take_values(const mgdt_triangulation* t, std::size_t margin) {
+        std::vector<double> xyz = {0, 0, 0, 1e308, -1e308, 1, 1e-308, 0x1p-1074, 0};
+        for (std::size_t k = 0; k < centers.size() && k < 90; ++k)
+            xyz.push_back(std::isfinite(centers[k]) ? centers[k] : 0);
+        xyz.resize(xyz.size() / 3 * 3);
+        const std::vector<double> ones(static_cast<std::size_t>(points), 1.0);
+        const bool is_flat = vertices > 0 && dimension < 3;
+        for (const std::int32_t method :
+             {MGDT_INTERPOLATE_LINEAR, MGDT_INTERPOLATE_NEAREST, MGDT_INTERPOLATE_SIBSON,
+              MGDT_INTERPOLATE_LAPLACE, MGDT_INTERPOLATE_SIBSON_C1})
+            for (const std::int32_t outside : {MGDT_OUTSIDE_NONE, MGDT_OUTSIDE_NEAREST,
+                                               MGDT_OUTSIDE_BOUNDARY, MGDT_OUTSIDE_LINEAR}) {
+                const std::size_t places = xyz.size() / 3;
+                Exact<double> out(places, margin);
+                const mgdt_status status =
+                    mgdt_interpolate(t, method, outside, 1, ones.data(),
+                                     static_cast<std::int64_t>(places), xyz.data(), out.data());
+                FUZZ_REQUIRE(status == (is_flat && method != MGDT_INTERPOLATE_NEAREST
+                                            ? MGDT_ERR_INVALID_ARGUMENT
+                                            : MGDT_OK),
+                             error_of(t));
+                if (status != MGDT_OK) continue;
+                for (const double x : out.take())
+                    FUZZ_REQUIRE(std::abs(x - 1) < 1e-9 || (vertices == 0 && std::isnan(x)) ||
+                                     (outside == MGDT_OUTSIDE_NONE && std::isnan(x)),
+                                 std::to_string(x));
+            }
+        Exact<double> gradients(3 * static_cast<std::size_t>(points), margin);
+        const mgdt_status status = mgdt_get_gradients(t, 1, ones.data(), gradients.data());
+        FUZZ_REQUIRE(status == (is_flat ? MGDT_ERR_INVALID_ARGUMENT : MGDT_OK), error_of(t));
     }
 
     // Whether the edges, sorted, have all of some others.

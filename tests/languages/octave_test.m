@@ -104,6 +104,18 @@ function exports (folder)
   assert (t.cell_measures ("volume", box), read (folder, "volumes", "double", 1));
   assert (t.cell_measures ("centroid", box), read (folder, "centroids", "double", 3));
   assert (t.cell_measures ("faces"), read (folder, "faces", "double", 1));
+  places = read (folder, "queries", "double", 3);
+  values = read (folder, "values", "double", 2);
+  assert (t.interpolate ("sibson_c1", values, places, "linear"), read (folder, "interpolated", "double", 2));
+  gradients = read (folder, "gradients", "double", 6);
+  assert (t.gradients (values), reshape (gradients, rows (values), 3, 2));
+  assert (t.gradients (values(:,1)), gradients(:,1:3));
+  weights = t.interpolation_weights ("sibson", places);
+  row_offsets = read (folder, "row_offsets", "int64", 1);
+  assert (size (weights), [rows(places), rows(values)]);
+  assert (full (sum (weights != 0, 2)), diff (row_offsets));
+  assert (nonzeros (weights'), read (folder, "row_weights", "double", 1));
+  assert (weights * values, t.interpolate ("sibson", values, places, "nearest") .* (diff (row_offsets) > 0), 1e-14);
   tetrahedra = t.tetrahedra ();
   assert (list(offsets(8):offsets(9)-1), find (any (tetrahedra == 8, 2)));
   % Euler's formula for a ball.

@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
     uint64_t state = 20140090;
     mgdt_triangulation* t = NULL;
     int64_t *offsets, *list, tetrahedra, facets, edges, i;
-    double *centers, *squares, *measures, *alphas;
+    double *centers, *squares, *measures, *alphas, *values, *results;
 
     if (argc != 2) stop("usage: reference FOLDER");
     folder = argv[1];
@@ -130,6 +130,36 @@ int main(int argc, char** argv) {
     write_file("centroids", measures, 3 * n);
     require(mgdt_get_cell_measures(t, MGDT_MEASURE_FACES, 0, NULL, n, measures), t);
     write_file("faces", measures, n);
+
+    values = room(2 * n, sizeof *values);
+    for (i = 0; i < n; ++i) {
+        values[2 * i] = xyz[3 * i];
+        values[2 * i + 1] = xyz[3 * i + 1] * xyz[3 * i + 2];
+    }
+    write_file("values", values, 2 * n);
+    results = room(6 * n + 2 * queries, sizeof *results);
+    require(mgdt_interpolate(t, MGDT_INTERPOLATE_SIBSON_C1, MGDT_OUTSIDE_LINEAR, 2, values, queries,
+                             asked, results),
+            t);
+    write_file("interpolated", results, 2 * queries);
+    require(mgdt_get_gradients(t, 2, values, results), t);
+    write_file("gradients", results, 6 * n);
+    free(values);
+    free(results);
+    values = room(100 * queries, sizeof *values);
+    {
+        static int64_t row_offsets[queries + 1];
+        int64_t* const row_points = room(100 * queries, sizeof *row_points);
+        require(mgdt_get_interpolation_weights(t, MGDT_INTERPOLATE_SIBSON, MGDT_OUTSIDE_NONE,
+                                               queries, asked, queries + 1, row_offsets,
+                                               100 * queries, row_points, values),
+                t);
+        write_file("row_offsets", row_offsets, queries + 1);
+        write_file("row_points", row_points, row_offsets[queries]);
+        write_file("row_weights", values, row_offsets[queries]);
+        free(row_points);
+    }
+    free(values);
 
     require(mgdt_locate_points(t, queries, asked, located, weights), t);
     for (i = 0; i < queries; ++i) require(mgdt_nearest_vertex(t, asked + 3 * i, &nearest[i]), t);

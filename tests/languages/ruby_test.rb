@@ -101,6 +101,16 @@ class MgdtTest < Minitest::Test
     assert_equal self.class.doubles("volumes"), t.cell_measures(:volume, box)
     assert_equal self.class.doubles("centroids").each_slice(3).to_a, t.cell_measures(:centroid, box)
     assert_equal self.class.doubles("faces"), t.cell_measures(:faces)
+    places = self.class.doubles("queries").each_slice(3).to_a
+    values = self.class.doubles("values").each_slice(2).to_a
+    expected = self.class.doubles("interpolated").each_slice(2).to_a
+    assert_equal expected, t.interpolate(:sibson_c1, values, places, outside: :linear)
+    gradients = self.class.doubles("gradients").each_slice(3).each_slice(2).to_a
+    assert_equal gradients, t.gradients(values)
+    assert_equal gradients.map(&:first), t.gradients(values.map(&:first))
+    ends = self.class.integers("row_offsets")
+    pairs = self.class.integers("row_points").zip(self.class.doubles("row_weights"))
+    assert_equal ends.each_cons(2).map { |from, to| pairs[from...to] }, t.interpolation_weights(:sibson, places)
     # Euler's formula for a ball.
     facets = (4 * t.tetrahedron_count + t.hull_facet_count) / 2
     assert_equal 1, t.vertex_count - t.edge_count + facets - t.tetrahedron_count

@@ -242,6 +242,11 @@ std::vector<std::int64_t> everything(const mgdt_triangulation* t) {
                   MGDT_OK);
         reals.insert(reals.end(), x.begin(), x.end());
     }
+    std::vector<double> values(static_cast<std::size_t>(mgdt_point_count(t)));
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = std::sin(static_cast<double>(k));
+    std::vector<double> gradients(3 * values.size());
+    EXPECT_EQ(mgdt_get_gradients(t, 1, values.data(), gradients.data()), MGDT_OK);
+    reals.insert(reals.end(), gradients.begin(), gradients.end());
     for (const double x : reals) {
         std::int64_t bits;
         std::memcpy(&bits, &x, sizeof bits);

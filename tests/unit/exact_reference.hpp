@@ -136,6 +136,20 @@ inline int side_of_diametral_sphere(const Point& a, const Point& b, const Point&
     return difference.sign();
 }
 
+// The cross products of the edge with c - a and with q - a.
+inline int side_of_edge(const Point& a, const Point& b, const Point& c, const Point& q) {
+    const std::vector<BigPoint> p = scaled({a, b, c, q});
+    Big product;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+        const auto cross = [&](const BigPoint& x) -> Big {
+            return (p[1][l] - p[0][l]) * (x[m] - p[0][m]) - (p[1][m] - p[0][m]) * (x[l] - p[0][l]);
+        };
+        product += cross(p[2]) * cross(p[3]);
+    }
+    return product.sign();
+}
+
 // Number of random cases.
 inline int cases(int count) {
     return is_small() ? 1 + count / 50 : count;

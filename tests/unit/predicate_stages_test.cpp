@@ -66,7 +66,11 @@ TEST(Stages, AgreeOnEveryFamily) {
             EXPECT_TRUE(right(mgdt::exact::diametral_filter(a, b, c), inside));
             EXPECT_EQ(mgdt::compare_lengths(a, b, c, d), longer);
             EXPECT_EQ(mgdt::side_of_diametral_sphere(a, b, c), inside);
+            const int beside = reference::side_of_edge(p[0], p[1], p[2], p[3]);
+            EXPECT_TRUE(right(mgdt::exact::edge_filter(a, b, c, d), beside));
+            EXPECT_EQ(mgdt::side_of_edge(a, b, c, d), beside);
             for (int width : widths) {
+                EXPECT_EQ(mgdt::exact::edge_integer(a, b, c, d, width), beside) << width;
                 EXPECT_EQ(mgdt::exact::lengths_integer(a, b, c, d, width), longer) << width;
                 EXPECT_EQ(mgdt::exact::diametral_integer(a, b, c, width), inside) << width;
                 EXPECT_EQ(mgdt::exact::sphere_integer(a, b, c, d, q, width), sphere) << width;
@@ -460,6 +464,22 @@ Five around_the_origin(Random& r) {
     return {{{0, 0, 0}, r.in_cube(-1, 1), r.in_cube(-1, 1), {}, {}}};
 }
 
+// The last over the edge of the first two, but for its rounding.
+Five over_an_edge(Random& r) {
+    Five p = {{r.in_cube(-1, 1), r.in_cube(-1, 1), r.in_cube(-1, 1), {}, {}}};
+    const double along = r.uniform(0, 1), up = r.uniform(-2, 2);
+    double e[3], f[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        e[k] = p[1][k] - p[0][k];
+        f[k] = p[2][k] - p[0][k];
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+        p[3][k] = p[0][k] + along * e[k] + up * (e[l] * f[m] - e[m] * f[l]);
+    }
+    return p;
+}
+
 int sphere_exact(const Five& p) {
     return mgdt::exact::sphere_integer(p[0].data(), p[1].data(), p[2].data(), p[3].data(),
                                        p[4].data());
@@ -597,6 +617,29 @@ TEST(FilterConstants, Distance) {
     const auto tiny = where_products_underflow(2, around_the_origin);
     EXPECT_EQ(wrong(equidistant, bound), 0);
     EXPECT_GT(wrong(equidistant, with_relative_part_over(8, bound)), 0);
+    EXPECT_EQ(wrong(tiny, bound), 0);
+    EXPECT_GT(wrong(tiny, without_underflow(bound)), 0);
+}
+
+TEST(FilterConstants, SideOfAnEdge) {
+    const Bound bound = mgdt::exact::edge_bound;
+    const auto wrong = [](const auto& make, const Bound& b) {
+        const auto filter = [&b](const Five& p) {
+            return mgdt::exact::edge_filter(p[0].data(), p[1].data(), p[2].data(), p[3].data(), b);
+        };
+        const auto exact = [](const Five& p) {
+            return mgdt::exact::edge_integer(p[0].data(), p[1].data(), p[2].data(), p[3].data());
+        };
+        return wrong_answers(make, filter, exact);
+    };
+    // An edge whose square is subnormal.
+    const auto tiny = [](Random& r) {
+        Five p = {{{0, 0, 0}, r.in_cube(-1, 1), r.in_cube(-1, 1), r.in_cube(-1, 1), {}}};
+        for (double& x : p[1]) x *= 0x1p-536;
+        return p;
+    };
+    EXPECT_EQ(wrong(over_an_edge, bound), 0);
+    EXPECT_GT(wrong(over_an_edge, with_relative_part_over(16, bound)), 0);
     EXPECT_EQ(wrong(tiny, bound), 0);
     EXPECT_GT(wrong(tiny, without_underflow(bound)), 0);
 }

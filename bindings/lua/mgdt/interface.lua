@@ -102,6 +102,19 @@ int32_t mgdt_nearest_vertices(const mgdt_triangulation *t, int64_t n, const doub
                               int64_t *vertices);
 int32_t mgdt_nearest_vertices_i32(const mgdt_triangulation *t, int64_t n, const double *xyz,
                                   int32_t *vertices);
+int32_t mgdt_interpolate(const mgdt_triangulation *t, int32_t method, int32_t outside,
+                         int64_t n_fields, const double *values, int64_t n, const double *xyz,
+                         double *out);
+int32_t mgdt_get_interpolation_weights(const mgdt_triangulation *t, int32_t method,
+                                       int32_t outside, int64_t n, const double *xyz,
+                                       int64_t offset_capacity, int64_t *offsets, int64_t capacity,
+                                       int64_t *points, double *weights);
+int32_t mgdt_get_interpolation_weights_i32(const mgdt_triangulation *t, int32_t method,
+                                           int32_t outside, int64_t n, const double *xyz,
+                                           int64_t offset_capacity, int32_t *offsets,
+                                           int64_t capacity, int32_t *points, double *weights);
+int32_t mgdt_get_gradients(const mgdt_triangulation *t, int64_t n_fields, const double *values,
+                           double *out);
 int32_t mgdt_check(const mgdt_triangulation *t, int32_t level);
 int32_t mgdt_get_stat(const mgdt_triangulation *t, int32_t key, double *value);
 const char *mgdt_stat_name(int32_t key);
@@ -132,4 +145,6 @@ return {
         memory_bytes = 70, peak_memory_bytes = 71 },
     check = { combinatorial = 1, geometric = 2, canonical = 3 },
     measure = { volume = 10, area = 20, centroid = 30, faces = 40 },
+    method = { linear = 10, nearest = 20, sibson = 30, laplace = 40, sibson_c1 = 50 },
+    outside = { none = 10, nearest = 20, boundary = 30, linear = 40 },
 }

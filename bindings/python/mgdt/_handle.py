@@ -25,7 +25,12 @@ _STATISTICS = _interface.CONSTANTS["statistic"].values()
 _ORDER_PARAMETERS = _interface.CONSTANTS["parameter"]
 _SEPARATIONS = _interface.CONSTANTS["separation"]
 MEASURES = _interface.CONSTANTS["measure"]
+METHODS = _interface.CONSTANTS["method"]
+OUTSIDES = _interface.CONSTANTS["outside"]
 _MESSAGE_BYTES = 256
+
+# Values by natural neighbours and with gradients take longer than a location.
+_INTERPOLATION_BLOCK = 1 << 17
 
 # The library sorts locations in blocks of this size. A location that nobody waits for ends there.
 _LOCATION_BLOCK = 1 << 20
@@ -338,6 +343,53 @@ class Handle:
             raise _errors.make(status, describe_not_finite(places, name))
         if status != _errors.OK:
             raise _errors.make(status, self._message(status))
+
+    # Values between points. Values are contiguous rows of doubles, one for each point; places are
+    # contiguous and finite.
+
+    def interpolate(
+        self,
+        method: str,
+        outside: str,
+        values: FloatArray,
+        places: FloatArray,
+        is_left: Callable[[], bool] = lambda: False,
+    ) -> FloatArray:
+        """Rows of values; NaN where there are none."""
+        fields = values.shape[1]
+        out = np.empty((len(places), fields))
+        for begin in range(0, len(places), _INTERPOLATION_BLOCK):
+            if is_left():
+                break
+            block = places[begin : begin + _INTERPOLATION_BLOCK]
+            self._call("mgdt_interpolate", METHODS[method], OUTSIDES[outside], fields,
+                       address(values), len(block), address(block), address(out[begin:]))
+        return out
+
+    def interpolation_weights(
+        self, method: str, outside: str, places: FloatArray
+    ) -> tuple[IndexArray, IndexArray, FloatArray]:
+        """Offsets, points and weights."""
+        offsets = np.empty(len(places) + 1, dtype=np.int32)
+        # Enough for most; the last offset says what others need.
+        room = (4 if method == "linear" else 24) * len(places) + 8
+        for _ in range(2):
+            points, weights = np.empty(room, dtype=np.int32), np.empty(room)
+            status = self._library.mgdt_get_interpolation_weights_i32(
+                self._pointer, METHODS[method], OUTSIDES[outside], len(places), address(places),
+                offsets.size, address(offsets), room, address(points), address(weights),
+            )
+            if status != _errors.BUFFER_TOO_SMALL:
+                break
+            room = int(offsets[-1])
+        if status != _errors.OK:
+            raise _errors.make(status, self._message(status))
+        return offsets, points[: offsets[-1]].copy(), weights[: offsets[-1]].copy()
+
+    def gradients(self, values: FloatArray) -> FloatArray:
+        out = np.empty(values.shape + (3,))
+        self._call("mgdt_get_gradients", values.shape[1], address(values), address(out))
+        return out
 
     # Trust and figures
 

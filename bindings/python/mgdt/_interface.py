@@ -96,6 +96,19 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "mgdt_nearest_vertex_i32": (c_int32, [c_void_p, c_void_p, c_void_p]),
     "mgdt_nearest_vertices": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p]),
     "mgdt_nearest_vertices_i32": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p]),
+    "mgdt_interpolate": (
+        c_int32,
+        [c_void_p, c_int32, c_int32, c_int64, c_void_p, c_int64, c_void_p, c_void_p],
+    ),
+    "mgdt_get_interpolation_weights": (
+        c_int32,
+        [c_void_p, c_int32, c_int32, c_int64, c_void_p, c_int64, c_void_p, c_int64, c_void_p, c_void_p],
+    ),
+    "mgdt_get_interpolation_weights_i32": (
+        c_int32,
+        [c_void_p, c_int32, c_int32, c_int64, c_void_p, c_int64, c_void_p, c_int64, c_void_p, c_void_p],
+    ),
+    "mgdt_get_gradients": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p]),
     "mgdt_check": (c_int32, [c_void_p, c_int32]),
     "mgdt_get_stat": (c_int32, [c_void_p, c_int32, c_void_p]),
     "mgdt_stat_name": (c_char_p, [c_int32]),
@@ -186,5 +199,18 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "area": 20,
         "centroid": 30,
         "faces": 40,
+    },
+    "method": {
+        "linear": 10,
+        "nearest": 20,
+        "sibson": 30,
+        "laplace": 40,
+        "sibson_c1": 50,
+    },
+    "outside": {
+        "none": 10,
+        "nearest": 20,
+        "boundary": 30,
+        "linear": 40,
     },
 }

@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _geometry, export
 from ._arrays import FloatArray, IndexArray, as_places, as_planes, finite_rows
-from ._handle import MEASURES, Handle
+from ._handle import MEASURES, METHODS, OUTSIDES, Handle
 from ._tolerance import in_tolerance
 from ._triangulation import GrowingTriangulation, whole
-from .interpolation import Interpolator
+from .interpolation import Interpolator, as_fields
 
 # Numbers of points and of places from which a check and a location may take so long that Ctrl-C
 # shall interrupt them.
@@ -522,9 +522,14 @@ class Delaunay(GrowingTriangulation):
         return Interpolator(self.npoints, self.simplices, simplices, weights.reshape(shape + (4,)))
 
     def interpolate(
-        self, values: ArrayLike, points: ArrayLike, fill_value: complex = np.nan
+        self,
+        values: ArrayLike,
+        points: ArrayLike,
+        fill_value: complex = np.nan,
+        method: str = "linear",
+        outside: str = "none",
     ) -> NDArray[Any]:
-        """Interpolates values at the points linearly in each simplex.
+        """Interpolates values at the points: linearly in each simplex, or in another way.
 
         Parameters
         ----------
@@ -533,14 +538,114 @@ class Delaunay(GrowingTriangulation):
         points : array_like of float, shape (..., 3)
             Where to interpolate.
         fill_value : number, optional
-            The result outside the hull, and where a coordinate is NaN or infinite.
+            The result where there is no value: outside the hull, unless `outside` says more, and where
+            a coordinate is NaN or infinite.
+        method : str, optional
+            "linear"; "nearest", the value of the nearest vertex; "sibson" or "laplace", by natural
+            neighbours; "sibson_c1", Sibson's with gradients, which is smooth at the points too.
+            Since 1.2.
+        outside : str, optional
+            What is outside the hull: "none"; "nearest", the value of the nearest vertex;
+            "boundary", that of the nearest place of the hull; "linear", the same and on with the
+            gradient there. Since 1.2.
 
         Returns
         -------
         ndarray
             Shape of `points` without its last axis, then that of `values` without its first.
+
+        Notes
+        -----
+        Methods but "linear" and "nearest" raise `mgdt.ArgumentError` for points in one plane.
         """
-        return self.interpolator(points)(values, fill_value)
+        if method == "linear" and outside == "none":
+            return self.interpolator(points)(values, fill_value)
+        self._require_manner(method, outside)
+        given, rows = as_fields(values, self.npoints)
+        places, shape = as_places(points, "points")
+        finite = finite_rows(places)
+        # Ones are NaN only where there is no value.
+        rows = np.column_stack([rows, np.ones(len(rows))])
+        some = places if finite.all() else np.ascontiguousarray(places[finite])
+
+        def find(handle: Handle, is_left: Callable[[], bool]) -> FloatArray:
+            return handle.interpolate(method, outside, rows, some, is_left)
+
+        found = self._read(find, len(places) >= _LONG_LOCATION)
+        kind = np.result_type(given.dtype, np.float64, np.min_scalar_type(fill_value))
+        out = np.full((len(places),) + given.shape[1:], fill_value, dtype=kind)
+        known = np.flatnonzero(finite)[~np.isnan(found[:, -1])]
+        fields = np.ascontiguousarray(found[~np.isnan(found[:, -1]), :-1])
+        if given.dtype.kind == "c":
+            fields = fields.view(np.complex128)
+        out[known] = fields.reshape((len(known),) + given.shape[1:])
+        return out.reshape(shape + given.shape[1:])
+
+    def _require_manner(self, method: str, outside: str) -> None:
+        for name, value, known in (("method", method, METHODS), ("outside", outside, OUTSIDES)):
+            if value not in known:
+                raise ValueError(f"{name} is {value!r}; it must be one of {', '.join(known)}")
+
+    def interpolation_weights(
+        self, points: ArrayLike, method: str = "linear", outside: str = "none"
+    ) -> tuple[IndexArray, IndexArray, FloatArray]:
+        """The same as weights, for values that come later: a sparse matrix by rows.
+
+        Parameters
+        ----------
+        points : array_like of float, shape (m, 3)
+            Finite.
+        method, outside : str, optional
+            As `interpolate`.
+
+        Returns
+        -------
+        offsets : ndarray of int32, shape (m + 1,)
+        indices : ndarray of int32
+        weights : ndarray of float64
+            Place i has the value of point indices[k] with weights[k], for k from offsets[i] to
+            before offsets[i + 1]. So ``scipy.sparse.csr_array((weights, indices, offsets), (m,
+            npoints))`` times values is the values at the places, and its transpose carries loads
+            from the places to the points.
+
+        Notes
+        -----
+        Since 1.2.
+        """
+        self._require_manner(method, outside)
+        places = as_places(points, "points")[0]
+        if not finite_rows(places).all():
+            raise ValueError("points must be finite")
+        return self._read(
+            lambda handle, _: handle.interpolation_weights(method, outside, places),
+            len(places) >= _LONG_LOCATION // 16,
+        )
+
+    def gradients(self, values: ArrayLike) -> NDArray[Any]:
+        """Gradients of values at the points.
+
+        Those of the linear functions through the vertices' values that are nearest to their
+        neighbours' in the sense of least squares of differences over distances.
+
+        Parameters
+        ----------
+        values : array_like of float or complex, shape (npoints, ...)
+
+        Returns
+        -------
+        ndarray, shape (npoints, ..., 3)
+            NaN for points that are not in.
+
+        Notes
+        -----
+        Since 1.2.
+        """
+        given, rows = as_fields(values, self.npoints)
+        found = self._read(lambda handle, _: handle.gradients(rows), self.npoints >= _LONG_CHECK)
+        if given.dtype.kind == "c":
+            pairs = found.reshape(self.npoints, -1, 2, 3)
+            found = pairs[:, :, 0] + 1j * pairs[:, :, 1]
+        return found.reshape(given.shape + (3,))
 
     # Trust and figures
 

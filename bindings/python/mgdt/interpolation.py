@@ -14,6 +14,19 @@ from ._arrays import FloatArray, IndexArray
 _BLOCK = 1 << 16
 
 
+def as_fields(values: ArrayLike, count: int) -> tuple[NDArray[Any], FloatArray]:
+    """Values of points as they are given, and as rows of doubles: two for a complex number."""
+    given = np.asarray(values)
+    if given.dtype.kind not in "biufc":
+        raise TypeError(f"values must be numbers, not {given.dtype}")
+    if given.ndim == 0 or len(given) != count:
+        raise ValueError(f"there are {count} points, but the shape of values is {given.shape}")
+    kind = np.complex128 if given.dtype.kind == "c" else np.float64
+    fields = int(np.prod(given.shape[1:]))
+    rows: FloatArray = np.ascontiguousarray(given, dtype=kind).reshape(count, fields).view(np.float64)
+    return given, rows
+
+
 class Interpolator:
     """Interpolates values of points at fixed places. Made by `Delaunay.interpolator`.
 
@@ -66,13 +79,7 @@ class Interpolator:
         ValueError
             If the numbers of values and points differ.
         """
-        given = np.asarray(values)
-        if given.dtype.kind not in "biufc":
-            raise TypeError(f"values must be numbers, not {given.dtype}")
-        if given.ndim == 0 or len(given) != self._count:
-            raise ValueError(
-                f"there are {self._count} points, but the shape of values is {given.shape}"
-            )
+        given = as_fields(values, self._count)[0]
         places = self.simplices.ravel()
         vertices = self.vertices.reshape(-1, 4)
         weights = self.weights.reshape(-1, 4)

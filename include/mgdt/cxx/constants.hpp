@@ -83,6 +83,24 @@ enum class Measure : std::int32_t {
     faces = MGDT_MEASURE_FACES
 };
 
+/** How a value between points is made; see MGDT_INTERPOLATE_LINEAR and its neighbours. @since 1.2
+ */
+enum class Method : std::int32_t {
+    linear = MGDT_INTERPOLATE_LINEAR,
+    nearest = MGDT_INTERPOLATE_NEAREST,
+    sibson = MGDT_INTERPOLATE_SIBSON,
+    laplace = MGDT_INTERPOLATE_LAPLACE,
+    sibson_c1 = MGDT_INTERPOLATE_SIBSON_C1
+};
+
+/** What a value outside the hull is; see MGDT_OUTSIDE_NONE and its neighbours. @since 1.2 */
+enum class Outside : std::int32_t {
+    none = MGDT_OUTSIDE_NONE,
+    nearest = MGDT_OUTSIDE_NEAREST,
+    boundary = MGDT_OUTSIDE_BOUNDARY,
+    linear = MGDT_OUTSIDE_LINEAR
+};
+
 /** Name of an order scheme ("multi-grid"); NULL for an unknown one. */
 [[nodiscard]] inline const char* name(Order scheme) noexcept {
     return mgdt_order_scheme_name(static_cast<std::int32_t>(scheme));

@@ -152,6 +152,14 @@ struct Located {
     std::vector<std::array<double, 4>> weights{}; /**< Barycentric coordinates; zeros for none. */
 };
 
+/** Weights of points for places; see mgdt_get_interpolation_weights(). @since 1.2 */
+template <class Int>
+struct Weights {
+    std::vector<Int> offsets{};    /**< One more than there are places, in the index base. */
+    std::vector<Int> points{};     /**< Indices of points. */
+    std::vector<double> weights{}; /**< A weight for each. */
+};
+
 }  // namespace cxx1
 }  // namespace mgdt
 

@@ -79,6 +79,10 @@ module Mgdt
     [:mgdt_nearest_vertex_i32, %i[pointer pointer pointer], :int32, false],
     [:mgdt_nearest_vertices, %i[pointer int64 pointer pointer], :int32, true],
     [:mgdt_nearest_vertices_i32, %i[pointer int64 pointer pointer], :int32, true],
+    [:mgdt_interpolate, %i[pointer int32 int32 int64 pointer int64 pointer pointer], :int32, true],
+    [:mgdt_get_interpolation_weights, %i[pointer int32 int32 int64 pointer int64 pointer int64 pointer pointer], :int32, true],
+    [:mgdt_get_interpolation_weights_i32, %i[pointer int32 int32 int64 pointer int64 pointer int64 pointer pointer], :int32, true],
+    [:mgdt_get_gradients, %i[pointer int64 pointer pointer], :int32, true],
     [:mgdt_check, %i[pointer int32], :int32, true],
     [:mgdt_get_stat, %i[pointer int32 pointer], :int32, false],
     [:mgdt_stat_name, %i[int32], :string, false],
@@ -109,6 +113,8 @@ module Mgdt
       peak_memory_bytes: 71 },
     check: { combinatorial: 1, geometric: 2, canonical: 3 },
     measure: { volume: 10, area: 20, centroid: 30, faces: 40 },
+    method: { linear: 10, nearest: 20, sibson: 30, laplace: 40, sibson_c1: 50 },
+    outside: { none: 10, nearest: 20, boundary: 30, linear: 40 },
   }.freeze
   private_constant :INTERFACE, :CONSTANTS
 end

@@ -11,6 +11,8 @@ module Mgdt
     SEPARATIONS = CONSTANTS[:separation]
     LEVELS = CONSTANTS[:check]
     MEASURES = CONSTANTS[:measure]
+    METHODS = CONSTANTS[:method]
+    SIDES = CONSTANTS[:outside]
     TOO_SMALL = CONSTANTS[:status][:buffer_too_small]
     STATISTICS = CONSTANTS[:statistic].values.to_h do |key|
       [Library.mgdt_stat_name(key).tr(" -", "__").to_sym, key]
@@ -21,7 +23,8 @@ module Mgdt
                  .map { Library.mgdt_order_scheme_name(out.read_int32) }.to_a
     end.freeze
     SETTINGS = %i[order seed threads index_base memory_limit compact canonical isa].freeze
-    private_constant :PARAMETERS, :SEPARATIONS, :LEVELS, :MEASURES, :TOO_SMALL, :STATISTICS, :SETTINGS
+    private_constant :PARAMETERS, :SEPARATIONS, :LEVELS, :MEASURES, :METHODS, :SIDES, :TOO_SMALL,
+                     :STATISTICS, :SETTINGS
 
     # Makes an empty triangulation. Settings: order, seed, threads, index_base, memory_limit,
     # compact, canonical, isa, and the parameters of the order schemes: points_per_cell, threshold,
@@ -370,6 +373,60 @@ module Mgdt
       found.read_array_of_int64(given.count).map { |k| k == none ? nil : k }
     end
 
+    # ---- values between points
+
+    # Values at places, given as points are for insert, from values at the points: one Number for each
+    # point, or an Array of as many. The method is :linear, :nearest, :sibson, :laplace or :sibson_c1;
+    # outside the hull :none (NaN), :nearest, :boundary or :linear. Since 1.2.
+    def interpolate(method, values, places, outside: :none)
+      key, side = manner(method, outside)
+      given = Points.new(places)
+      with_handle do |handle|
+        fields, numbers = fields_of(values, Library.mgdt_point_count(handle))
+        out = FFI::MemoryPointer.new(:double, [fields * given.count, 1].max)
+        ensure_good(handle, Library.mgdt_interpolate(handle, key, side, fields, numbers, given.count,
+                                                     given.data, out))
+        of_fields(out.read_array_of_double(fields * given.count), values, fields)
+      end
+    end
+
+    # The same as weights: for each place an Array of pairs of a point and its weight. Since 1.2.
+    def interpolation_weights(method, places, outside: :none)
+      key, side = manner(method, outside)
+      given = Points.new(places)
+      n = given.count
+      with_handle do |handle|
+        offsets = FFI::MemoryPointer.new(:int64, n + 1)
+        # Enough for most; the last offset says what others need.
+        room = (24 * n) + 8
+        loop do
+          points = FFI::MemoryPointer.new(:int64, [room, 1].max)
+          weights = FFI::MemoryPointer.new(:double, [room, 1].max)
+          status = Library.mgdt_get_interpolation_weights(handle, key, side, n, given.data, n + 1,
+                                                          offsets, room, points, weights)
+          ends = offsets.read_array_of_int64(n + 1).map { |k| k - @index_base }
+          if status != TOO_SMALL
+            ensure_good(handle, status)
+            pairs = points.read_array_of_int64(ends[n]).zip(weights.read_array_of_double(ends[n]))
+            break (0...n).map { |k| pairs[ends[k]...ends[k + 1]] }
+          end
+          room = ends[n]
+        end
+      end
+    end
+
+    # Gradients [x, y, z] of values at the points, given as for interpolate: one for each point, or an
+    # Array of them. Since 1.2.
+    def gradients(values)
+      with_handle do |handle|
+        n = Library.mgdt_point_count(handle)
+        fields, numbers = fields_of(values, n)
+        out = FFI::MemoryPointer.new(:double, [3 * fields * n, 1].max)
+        ensure_good(handle, Library.mgdt_get_gradients(handle, fields, numbers, out))
+        of_fields(out.read_array_of_double(3 * fields * n).each_slice(3).to_a, values, fields)
+      end
+    end
+
     # ---- trust, figures
 
     # Proves the triangulation by exact arithmetic, at a level :combinatorial, :geometric or
@@ -402,6 +459,26 @@ module Mgdt
     end
 
     private
+
+    def manner(method, outside)
+      [METHODS[method] || integer(method, "the method", 31),
+       SIDES[outside] || integer(outside, "what is outside", 31)]
+    end
+
+    # The number of fields, and the values of n points one behind the other.
+    def fields_of(values, n)
+      fields = values.first.is_a?(Array) ? values.first.size : 1
+      numbers = values.flatten(1)
+      unless values.size >= n && numbers.size == fields * values.size
+        raise argument("there are #{values.size} values of #{n} points, or not as many of each")
+      end
+
+      [fields, FFI::MemoryPointer.new(:double, [numbers.size, 1].max).write_array_of_double(numbers)]
+    end
+
+    def of_fields(results, values, fields)
+      values.first.is_a?(Array) ? results.each_slice(fields).to_a : results
+    end
 
     def argument(message)
       InvalidArgument.new(message, 11)

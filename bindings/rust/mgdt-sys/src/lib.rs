@@ -85,6 +85,17 @@ pub const MGDT_MEASURE_AREA: i32 = 20;
 pub const MGDT_MEASURE_CENTROID: i32 = 30;
 pub const MGDT_MEASURE_FACES: i32 = 40;
 
+pub const MGDT_INTERPOLATE_LINEAR: i32 = 10;
+pub const MGDT_INTERPOLATE_NEAREST: i32 = 20;
+pub const MGDT_INTERPOLATE_SIBSON: i32 = 30;
+pub const MGDT_INTERPOLATE_LAPLACE: i32 = 40;
+pub const MGDT_INTERPOLATE_SIBSON_C1: i32 = 50;
+
+pub const MGDT_OUTSIDE_NONE: i32 = 10;
+pub const MGDT_OUTSIDE_NEAREST: i32 = 20;
+pub const MGDT_OUTSIDE_BOUNDARY: i32 = 30;
+pub const MGDT_OUTSIDE_LINEAR: i32 = 40;
+
 pub type mgdt_alloc_fn =
     Option<unsafe extern "C" fn(size: usize, align: usize, user: *mut c_void) -> *mut c_void>;
 pub type mgdt_free_fn =
@@ -366,6 +377,46 @@ extern "C" {
         n: i64,
         xyz: *const f64,
         vertices: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_interpolate(
+        t: *const mgdt_triangulation,
+        method: i32,
+        outside: i32,
+        n_fields: i64,
+        values: *const f64,
+        n: i64,
+        xyz: *const f64,
+        out: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_interpolation_weights(
+        t: *const mgdt_triangulation,
+        method: i32,
+        outside: i32,
+        n: i64,
+        xyz: *const f64,
+        offset_capacity: i64,
+        offsets: *mut i64,
+        capacity: i64,
+        points: *mut i64,
+        weights: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_interpolation_weights_i32(
+        t: *const mgdt_triangulation,
+        method: i32,
+        outside: i32,
+        n: i64,
+        xyz: *const f64,
+        offset_capacity: i64,
+        offsets: *mut i32,
+        capacity: i64,
+        points: *mut i32,
+        weights: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_gradients(
+        t: *const mgdt_triangulation,
+        n_fields: i64,
+        values: *const f64,
+        out: *mut f64,
     ) -> mgdt_status;
     pub fn mgdt_check(t: *const mgdt_triangulation, level: i32) -> mgdt_status;
     pub fn mgdt_get_stat(t: *const mgdt_triangulation, key: i32, value: *mut f64) -> mgdt_status;

@@ -2,7 +2,7 @@
 //! What a triangulation gives: its parts, and answers about places.
 
 use crate::triangulation::as_i64;
-use crate::{Error, ErrorKind, Measure, Triangulation};
+use crate::{Error, ErrorKind, Measure, Method, Outside, Triangulation};
 use mgdt_sys as sys;
 
 type Get<I> = unsafe extern "C" fn(*const sys::mgdt_triangulation, i64, *mut I) -> sys::mgdt_status;
@@ -376,6 +376,93 @@ impl Triangulation {
             )
         })?;
         Ok(x)
+    }
+
+    fn ensure_values(&self, fields: usize, values: &[f64]) -> Result<(), Error> {
+        ensure_room(values.len(), fields * self.point_count())
+    }
+
+    /// Values at places from values at the points, `fields` numbers for each, those of a point one
+    /// behind the other. NaN where there is no value. Since 1.2.
+    pub fn interpolate(
+        &self,
+        method: Method,
+        outside: Outside,
+        fields: usize,
+        values: &[f64],
+        places: &[[f64; 3]],
+    ) -> Result<Vec<f64>, Error> {
+        self.ensure_values(fields, values)?;
+        let mut out = vec![0.0; fields * places.len()];
+        self.ensure(unsafe {
+            sys::mgdt_interpolate(
+                self.raw(),
+                method as i32,
+                outside as i32,
+                as_i64(fields),
+                values.as_ptr(),
+                as_i64(places.len()),
+                places.as_ptr().cast(),
+                out.as_mut_ptr(),
+            )
+        })?;
+        Ok(out)
+    }
+
+    /// The same as weights, for any fields: pairs of a point and its weight for each place. Since 1.2.
+    pub fn interpolation_weights(
+        &self,
+        method: Method,
+        outside: Outside,
+        places: &[[f64; 3]],
+    ) -> Result<Vec<Vec<(usize, f64)>>, Error> {
+        let mut offsets = vec![0_i64; places.len() + 1];
+        // Enough for most; the last offset says what others need.
+        let mut room = 24 * places.len() + 8;
+        loop {
+            let mut points = vec![0_i64; room];
+            let mut weights = vec![0.0; room];
+            let status = unsafe {
+                sys::mgdt_get_interpolation_weights(
+                    self.raw(),
+                    method as i32,
+                    outside as i32,
+                    as_i64(places.len()),
+                    places.as_ptr().cast(),
+                    as_i64(offsets.len()),
+                    offsets.as_mut_ptr(),
+                    as_i64(room),
+                    points.as_mut_ptr(),
+                    weights.as_mut_ptr(),
+                )
+            };
+            if status == sys::MGDT_ERR_BUFFER_TOO_SMALL {
+                room = offsets[places.len()] as usize;
+                continue;
+            }
+            self.ensure(status)?;
+            let row = |ends: &[i64]| {
+                (ends[0] as usize..ends[1] as usize)
+                    .map(|k| (points[k] as usize, weights[k]))
+                    .collect()
+            };
+            return Ok(offsets.windows(2).map(row).collect());
+        }
+    }
+
+    /// Gradients of values at the points, one for each field of each. Since 1.2.
+    pub fn gradients(&self, fields: usize, values: &[f64]) -> Result<Vec<[f64; 3]>, Error> {
+        self.ensure_values(fields, values)?;
+        let mut out = vec![[0.0; 3]; fields * self.point_count()];
+        self.ensure(unsafe {
+            sys::mgdt_get_gradients(
+                self.raw(),
+                as_i64(fields),
+                values.as_ptr(),
+                out.as_mut_ptr().cast(),
+            )
+        })?;
+        Ok(out)
     }
 
     /// The tetrahedron that contains a point, its boundary included; None outside the hull.

@@ -26,7 +26,7 @@ mod triangulation;
 
 pub use error::{Error, ErrorKind};
 pub use export::{Circumsphere, Int, Location, PointLists, VertexTetrahedra};
-pub use names::{Check, Measure, Order, Parameter, Separation, Statistic};
+pub use names::{Check, Measure, Method, Order, Outside, Parameter, Separation, Statistic};
 pub use triangulation::{Canceller, Triangulation};
 
 /// What stands for "none" among plain integers: the neighbour of a facet on the hull, the vertex of

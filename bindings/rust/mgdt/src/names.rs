@@ -169,6 +169,38 @@ pub enum Measure {
     Faces = sys::MGDT_MEASURE_FACES,
 }
 
+/// How a value between points is made. Since 1.2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+#[repr(i32)]
+pub enum Method {
+    /// Linear in each tetrahedron: continuous.
+    Linear = sys::MGDT_INTERPOLATE_LINEAR,
+    /// The value of the nearest vertex.
+    Nearest = sys::MGDT_INTERPOLATE_NEAREST,
+    /// By natural neighbours: each weighs what its Voronoi cell would lose.
+    Sibson = sys::MGDT_INTERPOLATE_SIBSON,
+    /// By natural neighbours: areas of faces over distances.
+    Laplace = sys::MGDT_INTERPOLATE_LAPLACE,
+    /// Sibson's with gradients: smooth at the points too.
+    SibsonC1 = sys::MGDT_INTERPOLATE_SIBSON_C1,
+}
+
+/// What a value outside the hull is. Since 1.2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+#[repr(i32)]
+pub enum Outside {
+    /// NaN, and no weights.
+    None = sys::MGDT_OUTSIDE_NONE,
+    /// That of the nearest vertex.
+    Nearest = sys::MGDT_OUTSIDE_NEAREST,
+    /// That of the nearest place of the hull, linear in its facet.
+    Boundary = sys::MGDT_OUTSIDE_BOUNDARY,
+    /// The same, and on with the gradient there.
+    Linear = sys::MGDT_OUTSIDE_LINEAR,
+}
+
 /// Figures about a triangulation, of its whole life.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]

@@ -114,6 +114,26 @@ fn every_export() {
         doubles("centroids")
     );
     assert_eq!(measures(mgdt::Measure::Faces, &[]), doubles("faces"));
+    let places: Vec<[f64; 3]> = doubles("queries")
+        .chunks(3)
+        .map(|p| [p[0], p[1], p[2]])
+        .collect();
+    let values = doubles("values");
+    let (c1, sibson) = (mgdt::Method::SibsonC1, mgdt::Method::Sibson);
+    let outside = mgdt::Outside::Linear;
+    let between = t.interpolate(c1, outside, 2, &values, &places).unwrap();
+    assert_eq!(between, doubles("interpolated"));
+    assert_eq!(
+        t.gradients(2, &values).unwrap().concat(),
+        doubles("gradients")
+    );
+    let rows_of_weights = t
+        .interpolation_weights(sibson, mgdt::Outside::None, &places)
+        .unwrap();
+    let weights: Vec<f64> = rows_of_weights.iter().flatten().map(|w| w.1).collect();
+    assert_eq!(weights, doubles("row_weights"));
+    assert_eq!(rows_of_weights.len(), places.len());
+    assert!(t.interpolate(c1, outside, 2, &values[1..], &places).is_err());
     let tetrahedra = t.tetrahedra().unwrap();
     for point in [0, 7, 999, 1009] {
         let expected: Vec<_> = (0..tetrahedra.len())

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The places that a query is given.
+#pragma once
+
+#include <cstdint>
+
+#include "capi/handle.hpp"
+#include "core/point_scan.hpp"
+#include "query/locate.hpp"
+
+namespace mgdt {
+
+inline Locator locator(const mgdt_triangulation* t) {
+    return {t->core.mesh(), t->core.calls(), t->core.location_tree()};
+}
+
+inline std::size_t require_places(std::int64_t n) {
+    if (n > PTRDIFF_MAX / static_cast<std::ptrdiff_t>(4 * sizeof(double)))
+        fail(MGDT_ERR_INVALID_ARGUMENT, "%lld points are more than memory can hold",
+             static_cast<long long>(n));
+    return require_count(n);
+}
+
+// Each of them finite.
+inline PointSet finite_places(Team& team, std::size_t n, const double* xyz,
+                              const mgdt_triangulation* t) {
+    const double* const axis[3] = {xyz, xyz + 1, xyz + 2};
+    return PointScan(team, n, axis, 3, t->core.settings().index_base).point_set(n, axis, 3, 1);
+}
+
+}  // namespace mgdt

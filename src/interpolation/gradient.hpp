@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The gradient of values at a vertex: the linear function through its value that is nearest to
+// those of its neighbours, in the sense of least squares of differences over distances.
+#pragma once
+
+#include "mesh/numbers.hpp"
+#include "query/locate.hpp"
+
+namespace mgdt {
+
+// One vertex after another, in the same memory. Lengths are those of the mesh's scale.
+class Gradient {
+  public:
+    explicit Gradient(Allocator& allocator)
+        : tetrahedra_(allocator),
+          vertices_(allocator),
+          neighbors_(allocator),
+          rows_(allocator),
+          columns_(allocator) {}
+
+    void find(const Locator& where, VertexId v);
+
+    // The gradient is the sum over neighbours of direction(j) times the difference of their value
+    // from the vertex's, divided by distance(j).
+    std::size_t size() const noexcept { return neighbors_.size(); }
+    VertexId neighbor(std::size_t j) const noexcept { return neighbors_[j]; }
+    const double* direction(std::size_t j) const noexcept { return rows_[j].x; }
+    double distance(std::size_t j) const noexcept { return rows_[j].distance; }
+
+  private:
+    struct Row {
+        double x[3];
+        double distance;
+    };
+    void gather(const Locator& where, VertexId v);
+
+    Numbers tetrahedra_, vertices_;
+    Buffer<VertexId> neighbors_;  // in the order of the caller's indices
+    Buffer<Row> rows_;
+    Buffer<double> columns_;
+};
+
+}  // namespace mgdt

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+//
+// From feature to feature of the hull, facets, edges and corners, each with a place nearer to q,
+// until the one that has the nearest of all (Mirtich, V-Clip: fast and robust polyhedral collision
+// detection, ACM Transactions on Graphics 17, 1998). Each step is decided exactly, and facets are
+// those that q is beyond: docs/theory.md, "Values between points".
+#include "interpolation/hull_place.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "predicates/predicates.hpp"
+#include "predicates/vector.hpp"
+
+namespace mgdt {
+namespace {
+
+using V = Vector<double>;
+
+class HullWalk {
+  public:
+    HullWalk(const Mesh& mesh, const double* q, TetId ghost) : mesh_(mesh), q_(q), ghost_(ghost) {}
+
+    HullPlace end() {
+        while (step()) {
+        }
+        return place();
+    }
+
+  private:
+    // Of the present ghost: a facet opposite the vertex at infinity, the edge of it that is
+    // opposite a corner, or a corner.
+    enum class Feature { facet, edge, corner };
+    // The corner's places in the record, in the order that is positive with a point inside the
+    // hull.
+    const unsigned char* places(TetId ghost) const {
+        return outer_face[mesh_.tetrahedra[ghost].infinite_slot()];
+    }
+    const Tetrahedron& present() const { return mesh_.tetrahedra[ghost_]; }
+    const double* point(VertexId v) const { return mesh_.point(v); }
+
+    bool is_beyond(TetId ghost) const {
+        const VertexId* const v = mesh_.tetrahedra[ghost].v;
+        const unsigned char* const at = places(ghost);
+        return orientation(q_, point(v[at[0]]), point(v[at[1]]), point(v[at[2]])) <= 0;
+    }
+    // Whether the way from v to u begins towards q.
+    bool is_towards(VertexId v, VertexId u) const {
+        return side_of_diametral_sphere(q_, point(u), point(v)) < 0;
+    }
+    // +1 where the place in the plane of the facet that is nearest to q is on the inner side of the
+    // edge opposite the corner at `slot`.
+    int side(TetId ghost, unsigned slot) const {
+        const Tetrahedron& t = mesh_.tetrahedra[ghost];
+        VertexId end[2], *to = end;
+        for (const VertexId u : t.v)
+            if (u != infinite_vertex && u != t.v[slot]) *to++ = u;
+        return side_of_edge(point(end[0]), point(end[1]), point(t.v[slot]), q_);
+    }
+
+    bool step() {
+        switch (feature_) {
+            case Feature::facet:
+                return leave_facet();
+            case Feature::edge:
+                return leave_edge();
+            default:
+                return leave_corner();
+        }
+    }
+    bool leave_facet() {
+        const unsigned char* const at = places(ghost_);
+        unsigned beyond[3], count = 0;
+        for (unsigned k = 0; k < 3; ++k) {
+            side_[k] = side(ghost_, at[k]);
+            if (side_[k] < 0) beyond[count++] = k;
+        }
+        if (count == 0) return false;
+        feature_ = Feature::edge;
+        slot_ = at[beyond[0]];
+        if (count == 1) return true;
+        // Of two edges at most one goes on towards q from where they meet.
+        const unsigned meet = 3 - beyond[0] - beyond[1];
+        const VertexId* const v = present().v;
+        if (is_towards(v[at[meet]], v[at[beyond[0]]])) {
+            slot_ = at[beyond[1]];
+        } else if (!is_towards(v[at[meet]], v[at[beyond[1]]])) {
+            feature_ = Feature::corner;
+            slot_ = at[meet];
+        }
+        return true;
+    }
+    bool leave_edge() {
+        const Tetrahedron& t = present();
+        for (const unsigned k : {0u, 1u, 2u, 3u})
+            if (k != slot_ && t.v[k] != infinite_vertex && !is_towards(t.v[k], other_end(k))) {
+                feature_ = Feature::corner;
+                slot_ = k;
+                return true;
+            }
+        const FacetCode across = t.n[slot_];
+        const struct {
+            TetId ghost;
+            unsigned slot;
+        } sides[2] = {{ghost_, slot_}, {tetrahedron_of(across), face_of(across)}};
+        for (const auto& s : sides)
+            if (side(s.ghost, s.slot) > 0 && is_beyond(s.ghost)) {
+                feature_ = Feature::facet;
+                ghost_ = s.ghost;
+                return true;
+            }
+        return false;
+    }
+    // Of the present edge, which has the corner at `slot`.
+    VertexId other_end(unsigned slot) const {
+        const Tetrahedron& t = present();
+        unsigned k = 0;
+        while (k == slot || k == slot_ || t.v[k] == infinite_vertex) ++k;
+        return t.v[k];
+    }
+    // Around the corner, one facet after another, to an edge that goes towards q, of a facet that q
+    // is beyond.
+    bool leave_corner() {
+        const VertexId v = present().v[slot_];
+        VertexId left = infinite_vertex, ahead = infinite_vertex;
+        for (const VertexId u : present().v)
+            if (u != infinite_vertex && u != v) {
+                left = ahead;
+                ahead = u;
+            }
+        for (TetId at = ghost_;;) {
+            const Tetrahedron& t = mesh_.tetrahedra[at];
+            const auto opposite = static_cast<unsigned>(std::find(t.v, t.v + 4, left) - t.v);
+            const TetId next = tetrahedron_of(t.n[opposite]);
+            if (is_towards(v, ahead) && (is_beyond(at) || is_beyond(next))) {
+                feature_ = Feature::edge;
+                ghost_ = at;
+                slot_ = opposite;
+                return true;
+            }
+            at = next;
+            if (at == ghost_) return false;
+            for (const VertexId u : mesh_.tetrahedra[at].v)
+                if (u != infinite_vertex && u != v && u != ahead) {
+                    left = ahead;
+                    ahead = u;
+                    break;
+                }
+        }
+    }
+
+    HullPlace place() const;
+
+    const Mesh& mesh_;
+    const double* const q_;
+    TetId ghost_;
+    Feature feature_ = Feature::facet;
+    unsigned slot_ = 0;
+    int side_[3] = {};  // of the last facet
+};
+
+HullPlace HullWalk::place() const {
+    const Tetrahedron& t = present();
+    HullPlace place = {};
+    const auto add = [&](unsigned slot) { place.corner[place.size++] = t.v[slot]; };
+    const unsigned char* const at = places(ghost_);
+    switch (feature_) {
+        case Feature::facet:
+            // Without those that have no weight.
+            for (unsigned k = 0; k < 3; ++k)
+                if (side_[k] != 0) add(at[k]);
+            break;
+        case Feature::edge:
+            for (unsigned k = 0; k < 3; ++k)
+                if (at[k] != slot_) add(at[k]);
+            break;
+        default:
+            add(slot_);
+    }
+    std::sort(place.corner, place.corner + place.size, [&](VertexId a, VertexId b) {
+        return mesh_.vertices[a].index < mesh_.vertices[b].index;
+    });
+    const double* const origin = point(place.corner[0]);
+    V x[3] = {};
+    double largest = 0;
+    const V to_q = difference<double>(q_, origin);
+    for (unsigned k = 1; k < place.size; ++k) {
+        x[k] = difference<double>(point(place.corner[k]), origin);
+        for (const double c : x[k].x) largest = std::max(largest, std::fabs(c));
+    }
+    if (place.size > 1) {
+        // Lengths near 1, so that products are doubles.
+        const double factor = std::ldexp(1.0, -std::ilogb(largest));
+        const V e = scaled_by(x[1], factor), f = scaled_by(x[2], factor),
+                w = scaled_by(to_q, factor);
+        const double ee = dot(e, e), ew = dot(e, w), ef = dot(e, f), ff = dot(f, f), fw = dot(f, w);
+        if (place.size == 2) {
+            place.weight[1] = std::min(std::max(ew / ee, 0.0), 1.0);
+        } else {
+            const double whole = ee * ff - ef * ef;
+            if (whole > 0) {
+                place.weight[1] = std::max((ff * ew - ef * fw) / whole, 0.0);
+                place.weight[2] = std::max((ee * fw - ef * ew) / whole, 0.0);
+            }
+            const double sum = place.weight[1] + place.weight[2];
+            if (!(sum <= 1)) {
+                place.weight[1] /= sum;
+                place.weight[2] /= sum;
+            }
+        }
+    }
+    const bool is_known = place.weight[1] <= 1 && place.weight[2] <= 1;
+    if (!is_known) place.weight[1] = place.weight[2] = 0;  // of sizes beyond those of doubles
+    place.weight[0] = std::max(1 - (place.weight[1] + place.weight[2]), 0.0);
+    for (int axis = 0; axis < 3; ++axis)
+        place.x[axis] =
+            origin[axis] + (place.weight[1] * x[1].x[axis] + place.weight[2] * x[2].x[axis]);
+    return place;
+}
+
+}  // namespace
+
+HullPlace nearest_hull_place(const Mesh& mesh, const double* q, TetId ghost) {
+    return HullWalk(mesh, q, ghost).end();
+}
+
+}  // namespace mgdt

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: MIT
+"""Values between points."""
+
+import unittest
+
+import numpy as np
+
+import mgdt
+
+METHODS = ("linear", "nearest", "sibson", "laplace", "sibson_c1")
+OUTSIDES = ("none", "nearest", "boundary", "linear")
+
+
+def field(x):
+    return x @ [1.0, -2.0, 0.5] + 3
+
+
+class Interpolation(unittest.TestCase):
+    def setUp(self):
+        random = np.random.default_rng(1)
+        corners = np.array(np.meshgrid([0, 1], [0, 1], [0, 1])).reshape(3, 8).T
+        self.points = np.concatenate([random.random((200, 3)), corners])
+        self.tri = mgdt.Delaunay(self.points)
+        self.inside = random.random((50, 4, 3))
+        self.outside = self.inside[0] + [2, 0, 0]
+
+    def test_linear_functions(self):
+        values = field(self.points)
+        for method in METHODS:
+            for outside in OUTSIDES:
+                got = self.tri.interpolate(values, self.inside, method=method, outside=outside)
+                self.assertEqual(got.shape, (50, 4))
+                if method != "nearest":
+                    np.testing.assert_allclose(got, field(self.inside), atol=1e-13)
+                beyond = self.tri.interpolate(
+                    values, self.outside, -7, method=method, outside=outside
+                )
+                if outside == "none":
+                    self.assertEqual(beyond.tolist(), [-7] * 4)
+                elif outside == "linear" and method != "nearest":
+                    np.testing.assert_allclose(beyond, field(self.outside), atol=1e-13)
+                elif outside == "boundary" and method != "nearest":
+                    np.testing.assert_allclose(
+                        beyond, field(np.minimum(self.outside, 1)), atol=1e-13
+                    )
+
+    def test_values_of_any_kind(self):
+        values = np.stack([field(self.points), field(self.points) * 2j], axis=1)
+        got = self.tri.interpolate(values, self.inside, method="sibson")
+        self.assertEqual(got.shape, (50, 4, 2))
+        self.assertEqual(got.dtype, np.complex128)
+        np.testing.assert_allclose(got[..., 1], 2j * field(self.inside), atol=1e-13)
+        single = self.tri.interpolate(values.real.astype(np.float32), self.inside, method="laplace")
+        self.assertEqual(single.dtype, np.float64)
+        np.testing.assert_allclose(single[..., 0], field(self.inside), atol=1e-5)
+        # A value that is no number is one all the same.
+        gaps = field(self.points)
+        gaps[0] = np.nan
+        here = self.tri.interpolate(gaps, self.points[:2], -7, method="sibson")
+        self.assertTrue(np.isnan(here[0]))
+        self.assertEqual(here[1], gaps[1])
+        nowhere = self.tri.interpolate(gaps, [[np.nan, 0, 0], [5, 5, 5]], -7, method="sibson")
+        self.assertEqual(nowhere.tolist(), [-7, -7])
+
+    def test_weights(self):
+        values = field(self.points)
+        places = self.inside[0]
+        for method in METHODS:
+            offsets, indices, weights = self.tri.interpolation_weights(places, method)
+            self.assertEqual((offsets[0], offsets.shape), (0, (5,)))
+            sums = [
+                weights[a:b] @ values[indices[a:b]] for a, b in zip(offsets[:-1], offsets[1:])
+            ]
+            np.testing.assert_allclose(
+                sums, self.tri.interpolate(values, places, method=method), atol=1e-13
+            )
+        offsets, indices, weights = self.tri.interpolation_weights(self.outside)
+        self.assertEqual(offsets.tolist(), [0] * 5)
+        # More weights than there is room for at first.
+        offsets, indices, weights = self.tri.interpolation_weights(
+            places, "sibson_c1", outside="linear"
+        )
+        self.assertEqual(len(weights), offsets[-1])
+        self.assertGreater(offsets[-1], 24 * 4 + 8)
+
+    def test_gradients(self):
+        gradients = self.tri.gradients(field(self.points))
+        np.testing.assert_allclose(gradients, np.tile([1, -2, 0.5], (208, 1)), atol=1e-11)
+        two = self.tri.gradients(np.stack([field(self.points), 1j * field(self.points)], axis=1))
+        self.assertEqual(two.shape, (208, 2, 3))
+        np.testing.assert_allclose(two[:, 1], 1j * gradients, atol=1e-15)
+
+    def test_refused(self):
+        values = field(self.points)
+        with self.assertRaisesRegex(ValueError, "method is 'cubic'; it must be one of linear"):
+            self.tri.interpolate(values, self.inside, method="cubic")
+        with self.assertRaisesRegex(ValueError, "outside is 1; it must be one of none"):
+            self.tri.interpolate(values, self.inside, outside=1)
+        with self.assertRaisesRegex(ValueError, "there are 208 points"):
+            self.tri.interpolate(values[:-1], self.inside, method="sibson")
+        with self.assertRaisesRegex(ValueError, "must be finite"):
+            self.tri.interpolation_weights([[np.nan, 0, 0]])
+        flat = mgdt.Delaunay(self.points * [1, 1, 0])
+        with self.assertRaisesRegex(mgdt.ArgumentError, "in one plane"):
+            flat.interpolate(values, self.inside, method="sibson")
+        with self.assertRaisesRegex(mgdt.ArgumentError, "there are no gradients"):
+            flat.gradients(values)
+        nearest = flat.interpolate(values, self.points * [1, 1, 0], method="nearest", outside="nearest")
+        self.assertEqual(nearest[:200].tolist(), values[:200].tolist())
+
+
+if __name__ == "__main__":
+    unittest.main()
