@@ -4,6 +4,8 @@
 import unittest
 
 import numpy as np
+import scipy.interpolate
+import scipy.spatial
 
 import mgdt
 
@@ -107,6 +109,100 @@ class Interpolation(unittest.TestCase):
             flat.gradients(values)
         nearest = flat.interpolate(values, self.points * [1, 1, 0], method="nearest", outside="nearest")
         self.assertEqual(nearest[:200].tolist(), values[:200].tolist())
+
+
+class BesideSciPy(unittest.TestCase):
+    """What SciPy's classes give in three dimensions."""
+
+    def setUp(self):
+        random = np.random.default_rng(2)
+        self.points = random.random((300, 3))
+        self.places = 1.2 * random.random((40, 5, 3)) - 0.1
+        self.real = np.sin(self.points @ [3.0, 4.0, 5.0])
+        self.values = [
+            self.real,
+            self.real + 1j * self.points[:, 0],
+            np.stack([self.real, self.points[:, 1]], axis=1),
+            (100 * self.real).astype(int),
+            self.real.astype(np.float32),
+        ]
+
+    def compare(self, ours, theirs, *places):
+        expected, got = theirs(*places), ours(*places)
+        self.assertEqual(got.shape, expected.shape)
+        self.assertEqual(np.iscomplexobj(got), np.iscomplexobj(expected))
+        np.testing.assert_allclose(got, expected, atol=1e-12)
+
+    def test_linear(self):
+        for values in self.values:
+            for options in ({}, {"fill_value": -3}, {"rescale": True}):
+                points = self.points * [1, 1e3, 1e-3] if "rescale" in options else self.points
+                places = self.places * [1, 1e3, 1e-3] if "rescale" in options else self.places
+                ours = mgdt.LinearNDInterpolator(points, values, **options)
+                theirs = scipy.interpolate.LinearNDInterpolator(points, values, **options)
+                self.compare(ours, theirs, places)
+                self.compare(ours, theirs, *places.T)
+                self.compare(ours, theirs, tuple(places.T))
+                self.compare(ours, theirs, places[0, 0])
+        for given in (mgdt.Delaunay(self.points), scipy.spatial.Delaunay(self.points),
+                      tuple(self.points.T)):
+            ours = mgdt.LinearNDInterpolator(given, self.real)
+            theirs = scipy.interpolate.LinearNDInterpolator(self.points, self.real)
+            self.compare(ours, theirs, self.places)
+
+    def test_nearest(self):
+        for rescale in (False, True):
+            ours = mgdt.NearestNDInterpolator(self.points, self.real, rescale)
+            theirs = scipy.interpolate.NearestNDInterpolator(self.points, self.real, rescale)
+            self.compare(ours, theirs, self.places)
+            self.compare(ours, theirs, *self.places.T)
+        words = np.array(["a", "b"])[(self.real > 0).astype(int)]
+        self.assertEqual(
+            mgdt.NearestNDInterpolator(self.points, words)(self.points).tolist(), words.tolist()
+        )
+
+    def test_griddata(self):
+        grid = tuple(np.mgrid[0:1:4j, 0:1:3j, 0:1:5j])
+        for method in ("linear", "nearest"):
+            for values in self.values:
+                for rescale in (False, True):
+                    given = (self.points, values, grid, method, -1, rescale)
+                    expected = scipy.interpolate.griddata(*given)
+                    np.testing.assert_allclose(mgdt.griddata(*given), expected, atol=1e-12)
+        with self.assertRaisesRegex(ValueError, "Unknown interpolation method 'cubic'"):
+            mgdt.griddata(self.points, self.real, grid, "cubic")
+
+    def test_natural_neighbors(self):
+        corners = np.array(np.meshgrid([0, 1], [0, 1], [0, 1])).reshape(3, 8).T
+        points = np.concatenate([self.points, corners])
+        smooth = np.sin(points).sum(axis=1)
+        places = np.clip(self.places, 0, 1)
+        errors = {}
+        for method in ("sibson", "laplace", "sibson_c1"):
+            at = mgdt.NaturalNeighborInterpolator(points, smooth, method=method)
+            self.assertFalse(np.isnan(at(places)).any())
+            errors[method] = np.abs(at(places) - np.sin(places).sum(axis=-1)).max()
+            self.assertTrue(np.isnan(at(2, 2, 2)))
+            np.testing.assert_array_equal(
+                mgdt.griddata(points, smooth, places, method), at(places)
+            )
+        self.assertLess(max(errors.values()), 0.2)
+        self.assertLess(errors["sibson_c1"], errors["sibson"])
+        on = mgdt.NaturalNeighborInterpolator(points, points[:, 0], outside="linear", rescale=True)
+        np.testing.assert_allclose(on([[3, 0.5, 0.5], [-9, 7, 0.5]]), [3, -9], atol=1e-12)
+
+    def test_refused(self):
+        for maker in (mgdt.LinearNDInterpolator, mgdt.NaturalNeighborInterpolator):
+            with self.assertRaisesRegex(ValueError, "there are 300 points"):
+                maker(self.points, self.real[1:])
+            with self.assertRaisesRegex(ValueError, "rescale is not supported"):
+                maker(mgdt.Delaunay(self.points), self.real, rescale=True)
+            with self.assertRaisesRegex(ValueError, "must have 3 coordinates"):
+                maker(self.points, self.real)(0, 0)
+        with self.assertRaisesRegex(ValueError, "there are 300 points"):
+            mgdt.NearestNDInterpolator(self.points, self.real[1:])
+        with self.assertRaisesRegex(ValueError, "method is 'cubic'"):
+            mgdt.NaturalNeighborInterpolator(self.points, self.real, method="cubic")
 
 
 if __name__ == "__main__":

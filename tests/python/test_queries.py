@@ -282,7 +282,7 @@ class Interpolation(unittest.TestCase):
         for k in range(3):
             values = np.random.default_rng(k).random((800, 4))
             expected = mgdt.Delaunay(self.points).interpolate(values, self.places)
-            np.testing.assert_array_equal(at(values), expected)
+            np.testing.assert_allclose(at(values), expected, atol=1e-14)
         self.assertEqual(at.simplices.shape, (30, 40))
         self.assertEqual(at.vertices.shape, (30, 40, 4))
         self.assertEqual(at.weights.shape, (30, 40, 4))

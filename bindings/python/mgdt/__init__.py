@@ -20,6 +20,12 @@ from ._insertion import CANCEL
 from .alpha import AlphaShape
 from .delaunay import Delaunay
 from .interpolation import Interpolator
+from .scattered import (
+    LinearNDInterpolator,
+    NaturalNeighborInterpolator,
+    NearestNDInterpolator,
+    griddata,
+)
 from .voronoi import Voronoi
 
 __all__ = [
@@ -32,11 +38,15 @@ __all__ = [
     "Delaunay",
     "Error",
     "Interpolator",
+    "LinearNDInterpolator",
+    "NaturalNeighborInterpolator",
+    "NearestNDInterpolator",
     "ORDER_SCHEMES",
     "OutOfMemoryError",
     "QhullError",
     "TooLargeError",
     "Voronoi",
+    "griddata",
     "library_path",
     "library_version",
 ]

@@ -558,7 +558,7 @@ class Delaunay(GrowingTriangulation):
         -----
         Methods but "linear" and "nearest" raise `mgdt.ArgumentError` for points in one plane.
         """
-        if method == "linear" and outside == "none":
+        if method == "linear" and outside == "none" and self.dimension < 3:
             return self.interpolator(points)(values, fill_value)
         self._require_manner(method, outside)
         given, rows = as_fields(values, self.npoints)

@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: MIT
+"""Values between points, in the shape of ``scipy.interpolate``."""
+
+from __future__ import annotations
+
+from typing import Any, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._arrays import FloatArray, as_points
+from .delaunay import Delaunay
+from .interpolation import as_fields
+
+
+def _as_places(arguments: tuple[Any, ...]) -> NDArray[Any]:
+    """Places as SciPy takes them: one array, a tuple of three, or three arguments."""
+    given = arguments[0] if len(arguments) == 1 else arguments
+    places: NDArray[Any]
+    if isinstance(given, tuple):
+        places = np.stack(np.broadcast_arrays(*given), axis=-1)
+    else:
+        places = np.asarray(given)
+        if places.ndim == 1 and places.size % 3 == 0:
+            places = places.reshape(-1, 3)
+    if places.ndim == 0 or places.shape[-1] != 3:
+        raise ValueError(f"places must have 3 coordinates, but the shape is {places.shape}")
+    return places
+
+
+class _Scattered:
+    """Values at points, and the triangulation of these."""
+
+    def __init__(self, points: Any, values: ArrayLike, rescale: bool, **options: Any) -> None:
+        self._offset = np.zeros(3)
+        self._scale = np.ones(3)
+        if isinstance(points, Delaunay):
+            if rescale:
+                raise ValueError("rescale is not supported for points in a triangulation")
+            self.tri = points
+        else:
+            if type(points).__name__ == "Delaunay":  # SciPy's
+                if rescale:
+                    raise ValueError("rescale is not supported for points in a triangulation")
+                points = points.points
+            array: FloatArray = as_points(
+                _as_places((points,)) if isinstance(points, tuple) else points
+            )
+            if rescale and len(array):
+                self._offset = array.mean(axis=0)
+                extent = np.ptp(array, axis=0)
+                self._scale = np.where(extent > 0, extent, 1)
+                array = self._rescaled(array)
+            self.tri = Delaunay(array, **options)
+        self.points = self.tri.points
+        self.values = as_fields(values, self.tri.npoints)[0]
+
+    def _rescaled(self, places: NDArray[Any]) -> NDArray[Any]:
+        if not self._offset.any() and (self._scale == 1).all():
+            return places
+        rescaled: NDArray[Any] = (places - self._offset) / self._scale
+        return rescaled
+
+
+class LinearNDInterpolator(_Scattered):
+    """Linear in each simplex, as ``scipy.interpolate.LinearNDInterpolator`` in three dimensions.
+
+    Every place in the closed hull has a value, exactly located.
+
+    Parameters
+    ----------
+    points : array_like of float, shape (n, 3), tuple of three arrays, or Delaunay
+        The last may be `mgdt.Delaunay` or SciPy's.
+    values : array_like of float or complex, shape (n, ...)
+    fill_value : number, optional
+        The result outside the hull, and where a coordinate is NaN or infinite.
+    rescale : bool, optional
+        Whether to rescale points to unit extents before they are triangulated.
+    **options
+        Of `mgdt.Delaunay`.
+
+    Notes
+    -----
+    Call it with places: an array of shape (..., 3), a tuple of three arrays, or three arguments.
+    Since 1.2.
+    """
+
+    _method = "linear"
+    _outside = "none"
+
+    def __init__(
+        self,
+        points: Any,
+        values: ArrayLike,
+        fill_value: complex = np.nan,
+        rescale: bool = False,
+        **options: Any,
+    ) -> None:
+        super().__init__(points, values, rescale, **options)
+        self.fill_value = fill_value
+
+    def __call__(self, *places: Any) -> NDArray[Any]:
+        return self.tri.interpolate(
+            self.values,
+            self._rescaled(_as_places(places)),
+            self.fill_value,
+            self._method,
+            self._outside,
+        )
+
+
+class NaturalNeighborInterpolator(LinearNDInterpolator):
+    """By natural neighbours: smooth between the points, with no parameters.
+
+    Parameters
+    ----------
+    points, values, fill_value, rescale, **options
+        As `LinearNDInterpolator`.
+    method : str, optional
+        "sibson"; "laplace", which takes half the time; or "sibson_c1", which has gradients too and
+        is smooth at the points.
+    outside : str, optional
+        What is outside the hull: "none", which is `fill_value`; "nearest", "boundary" or "linear",
+        see `mgdt.Delaunay.interpolate`.
+
+    Notes
+    -----
+    Since 1.2.
+    """
+
+    def __init__(
+        self,
+        points: Any,
+        values: ArrayLike,
+        fill_value: complex = np.nan,
+        rescale: bool = False,
+        method: str = "sibson",
+        outside: str = "none",
+        **options: Any,
+    ) -> None:
+        super().__init__(points, values, fill_value, rescale, **options)
+        self.tri._require_manner(method, outside)
+        self._method = method
+        self._outside = outside
+
+
+class NearestNDInterpolator(_Scattered):
+    """The value of the nearest point, as ``scipy.interpolate.NearestNDInterpolator``.
+
+    Parameters
+    ----------
+    x : as the points of `LinearNDInterpolator`
+    y : array_like, shape (n, ...)
+        Values; of any type.
+    rescale : bool, optional
+        As `LinearNDInterpolator`.
+    tree_options : optional
+        Has no effect: there is no tree.
+
+    Notes
+    -----
+    Of several points as near, the first. Since 1.2.
+    """
+
+    def __init__(
+        self, x: Any, y: ArrayLike, rescale: bool = False, tree_options: Any = None, **options: Any
+    ) -> None:
+        values = np.asarray(y)
+        count = values.shape[0] if values.ndim else -1
+        super().__init__(x, np.zeros(max(count, 0)), rescale, **options)
+        self.values = values
+
+    def __call__(self, *places: Any) -> NDArray[Any]:
+        nearest = self.tri.nearest_vertex(self._rescaled(_as_places(places)))
+        found: NDArray[Any] = self.values[nearest]
+        return found
+
+
+def griddata(
+    points: Any,
+    values: ArrayLike,
+    xi: Any,
+    method: str = "linear",
+    fill_value: complex = np.nan,
+    rescale: bool = False,
+) -> NDArray[Any]:
+    """Interpolates scattered values once, as ``scipy.interpolate.griddata`` in three dimensions.
+
+    Parameters
+    ----------
+    points : array_like of float, shape (n, 3), or tuple of three arrays
+    values : array_like of float or complex, shape (n, ...)
+    xi : array_like of float, shape (..., 3), or tuple of three arrays
+        Where to interpolate.
+    method : str, optional
+        "linear" or "nearest"; with mgdt also "sibson", "laplace" and "sibson_c1".
+    fill_value : number, optional
+        The result outside the hull; without effect for "nearest".
+    rescale : bool, optional
+        As `LinearNDInterpolator`.
+
+    Notes
+    -----
+    Since 1.2.
+    """
+    interpolator: Union[NearestNDInterpolator, LinearNDInterpolator]
+    if method == "nearest":
+        interpolator = NearestNDInterpolator(points, values, rescale)
+    elif method == "linear":
+        interpolator = LinearNDInterpolator(points, values, fill_value, rescale)
+    elif method in ("sibson", "laplace", "sibson_c1"):
+        interpolator = NaturalNeighborInterpolator(points, values, fill_value, rescale, method)
+    else:
+        raise ValueError(f"Unknown interpolation method {method!r} for 3 dimensional data")
+    return interpolator(xi)
