@@ -196,7 +196,9 @@ bool NaturalWeights::in_real(const Mesh& mesh, const PlaceStar& star, const doub
         measured.measure_on_hull(natural);
     else
         measured.measure_in_space(natural);
-    return measured.give(weights_) && normalize(star, false);
+    if (!measured.give(weights_)) return false;
+    normalize();
+    return true;
 }
 template bool NaturalWeights::in_real<Twofold>(const Mesh&, const PlaceStar&, const double*,
                                                Natural);

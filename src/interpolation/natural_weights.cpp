@@ -54,22 +54,57 @@ bool NaturalWeights::find_in(Stage stage, const Mesh& mesh, const PlaceStar& sta
     }
 }
 
-bool NaturalWeights::normalize(const PlaceStar& star, bool checks_place) {
+void NaturalWeights::normalize() {
     double sum = 0;
     for (double& w : weights_) {
         w = std::max(w, 0.0);
         sum += w;
     }
     for (double& w : weights_) w /= sum;
-    if (!checks_place) return true;
-    double off[3] = {}, mean = 0;
-    for (PlaceStar::Number k = 0; k < star.size(); ++k) {
+}
+
+// What the mean of the neighbours is off; whether that is little.
+bool NaturalWeights::is_in_place(double (&off)[3]) const {
+    double mean = 0;
+    std::fill_n(off, 3, 0.0);
+    for (std::size_t k = 0; k < weights_.size(); ++k) {
         off[0] += weights_[k] * x_[k].x;
         off[1] += weights_[k] * x_[k].y;
         off[2] += weights_[k] * x_[k].z;
         mean += weights_[k] * x_[k].largest;
     }
     return max_magnitude(off[0], off[1], off[2]) <= natural_place_error * mean;
+}
+
+// The roundings of far circumcentres may add up to more than is allowed. Weights times 1 + x . y
+// have their place at off + M y, M being the sum of weights times x x^T.
+bool NaturalWeights::correct(const double (&off)[3]) {
+    double m[6] = {};
+    for (std::size_t k = 0; k < weights_.size(); ++k) {
+        const LocalVertex& v = x_[k];
+        const double wx = weights_[k] * v.x, wy = weights_[k] * v.y;
+        m[0] += wx * v.x;
+        m[1] += wx * v.y;
+        m[2] += wx * v.z;
+        m[3] += wy * v.y;
+        m[4] += wy * v.z;
+        m[5] += weights_[k] * v.z * v.z;
+    }
+    // The adjugate, which is symmetric.
+    const double a = m[3] * m[5] - m[4] * m[4], b = m[2] * m[4] - m[1] * m[5],
+                 c = m[1] * m[4] - m[2] * m[3], d = m[0] * m[5] - m[2] * m[2],
+                 e = m[1] * m[2] - m[0] * m[4], f = m[0] * m[3] - m[1] * m[1];
+    const double minus_inverse = -1 / (m[0] * a + m[1] * b + m[2] * c);
+    const double y[3] = {(a * off[0] + b * off[1] + c * off[2]) * minus_inverse,
+                         (b * off[0] + d * off[1] + e * off[2]) * minus_inverse,
+                         (c * off[0] + e * off[1] + f * off[2]) * minus_inverse};
+    for (std::size_t k = 0; k < weights_.size(); ++k) {
+        const double more = x_[k].x * y[0] + x_[k].y * y[1] + x_[k].z * y[2];
+        if (!(std::fabs(more) < 0.01 * natural_weight_error)) return false;
+        weights_[k] += weights_[k] * more;
+    }
+    normalize();
+    return true;
 }
 
 // Centres relative to the place; false if one is not known at all.
@@ -143,14 +178,16 @@ bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const d
     sums_.clear();
     sums_.resize(n, 0);
     double error = 0;
-    const auto cross_of = [&](std::uint32_t near, std::uint32_t beyond, bool is_odd,
+    // `reach`: how far the corners of the facet are.
+    const auto cross_of = [&](std::uint32_t near, std::uint32_t beyond, bool is_odd, double reach,
                               double(&x)[3]) {
         const Center &a = centers_[near], &b = centers_[beyond];
         const double to_units = is_odd == is_sibson ? one : -one;
         x[0] = (a.x[1] * b.x[2] - a.x[2] * b.x[1]) * to_units;
         x[1] = (a.x[2] * b.x[0] - a.x[0] * b.x[2]) * to_units;
         x[2] = (a.x[0] * b.x[1] - a.x[1] * b.x[0]) * to_units;
-        error += (a.error * (b.size + b.error) + b.error * a.size) + 8 * u * (a.size * b.size);
+        error +=
+            reach * ((a.error * (b.size + b.error) + b.error * a.size) + 8 * u * (a.size * b.size));
     };
     const auto give = [&](std::uint32_t to, const double* x, double dx, double dy, double dz) {
         sums_[to] += static_cast<std::int64_t>((x[0] * dx + x[1] * dy) + x[2] * dz);
@@ -158,29 +195,31 @@ bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const d
     double x[3];
     if (is_sibson)
         for (const auto& f : star.old_facets()) {
-            cross_of(f.near, f.beyond, f.is_odd, x);
             const LocalVertex &i = x_[f.corner[0]], &j = x_[f.corner[1]], &k = x_[f.corner[2]];
+            cross_of(f.near, f.beyond, f.is_odd, std::max({i.largest, j.largest, k.largest}), x);
             give(f.corner[0], x, j.x - k.x, j.y - k.y, j.z - k.z);
             give(f.corner[1], x, k.x - i.x, k.y - i.y, k.z - i.z);
             give(f.corner[2], x, i.x - j.x, i.y - j.y, i.z - j.z);
         }
     for (const auto& f : star.new_facets()) {
-        cross_of(f.near, f.beyond, f.is_odd, x);
         const LocalVertex &i = x_[f.corner[0]], &j = x_[f.corner[1]];
+        cross_of(f.near, f.beyond, f.is_odd, 0.5 * std::max(i.largest, j.largest), x);
         const LocalVertex &to_i = is_sibson ? j : i, &to_j = is_sibson ? i : j;
         give(f.corner[0], x, -to_i.x, -to_i.y, -to_i.z);
         give(f.corner[1], x, to_j.x, to_j.y, to_j.z);
     }
     double total = 0, error_of_all = 0;
-    const double of_each = 24 * error * one + static_cast<double>(terms);
+    const double of_each = 12 * error * one + static_cast<double>(terms);
     for (PlaceStar::Number k = 0; k < n; ++k) {
         const double square = is_sibson ? 1 : x_[k].square;
         weights_[k] = static_cast<double>(sums_[k]) / square;
         total += weights_[k];
         error_of_all = std::max(error_of_all, of_each / square);
     }
-    const bool is_known = 4.1 * error_of_all < natural_weight_error * total;
-    return normalize(star, true) && is_known;
+    const bool is_known = 4.1 * error_of_all < 0.9 * natural_weight_error * total;
+    normalize();
+    double off[3];
+    return is_known && (is_in_place(off) || (correct(off) && is_in_place(off)));
 }
 
 }  // namespace mgdt

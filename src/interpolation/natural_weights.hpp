@@ -45,7 +45,9 @@ class NaturalWeights {
     bool in_real(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural);
     bool set_centers(const Mesh& mesh, const PlaceStar& star, Natural natural);
     // From sums that are proportional to the weights.
-    bool normalize(const PlaceStar& star, bool checks_place);
+    void normalize();
+    bool is_in_place(double (&off)[3]) const;
+    bool correct(const double (&off)[3]);
 
     Buffer<double> weights_;
     Buffer<LocalVertex> x_;  // by local number: relative to the place, the largest near 1

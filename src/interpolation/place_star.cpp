@@ -52,7 +52,9 @@ PlaceStar::PlaceStar(Allocator& allocator)
       marks_(allocator),
       members_(allocator),
       vertices_(allocator),
+      keys_(allocator),
       ranks_(allocator),
+      cycles_(allocator),
       removed_(allocator),
       created_(allocator),
       old_facets_(allocator),
@@ -77,22 +79,32 @@ void PlaceStar::find(const Mesh& mesh, const KernelCalls& kernel, const double* 
 // In the order of the caller's indices, the vertex at infinity last.
 void PlaceStar::number_vertices(const Mesh& mesh, std::size_t count) {
     const VertexId* const ids = workspace_.ids.data;
+    keys_.clear();
+    keys_.resize(count);
+    std::uint64_t* const keys = keys_.data();
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::uint64_t index =
+            ids[k] == infinite_vertex ? no_index : mesh.vertices[ids[k]].index;
+        keys[k] = index << 32 | k;
+    }
+    constexpr std::size_t few = 32;
+    if (count > few)
+        std::sort(keys, keys + count);
+    else
+        for (std::size_t k = 1; k < count; ++k) {
+            const std::uint64_t key = keys[k];
+            std::size_t to = k;
+            for (; to > 0 && keys[to - 1] > key; --to) keys[to] = keys[to - 1];
+            keys[to] = key;
+        }
     ranks_.clear();
-    ranks_.resize(2 * count);
-    Number* const rank = ranks_.data();
-    Number* const order = rank + count;
+    ranks_.resize(count);
     vertices_.clear();
     vertices_.resize(count);
-    const auto is_before = [&](Number a, Number b) {
-        if (ids[a] == infinite_vertex || ids[b] == infinite_vertex)
-            return ids[b] == infinite_vertex;
-        return mesh.vertices[ids[a]].index < mesh.vertices[ids[b]].index;
-    };
-    for (Number k = 0; k < count; ++k) order[k] = k;
-    std::sort(order, order + count, is_before);
-    for (Number k = 0; k < count; ++k) {
-        rank[order[k]] = k;
-        vertices_[k] = ids[order[k]];
+    for (Number rank = 0; rank < count; ++rank) {
+        const auto k = static_cast<std::uint32_t>(keys[rank]);
+        ranks_[k] = rank;
+        vertices_[rank] = ids[k];
     }
 }
 
@@ -131,9 +143,19 @@ void PlaceStar::build_in_space(const Mesh& mesh, Lookup number, Edges edges) {
     const auto members = static_cast<std::uint32_t>(w.cavity_size),
                facets = static_cast<std::uint32_t>(w.boundary_size);
     const MarkTable::View marks = marks_.view();
+    removed_.grow(members);
+    removed_.resize_within_capacity(members);
+    created_.grow(facets);
+    created_.resize_within_capacity(facets);
+    cycles_.grow(facets);
+    cycles_.resize_within_capacity(facets);
+    // Each facet of a removed one is in the boundary or between two; each of the place between two.
+    old_facets_.grow(2 * members + facets);
+    new_facets_.grow(3 * facets / 2);
+    std::size_t old_facets = 0, new_facets = 0;
     for (std::uint32_t m = 0; m < members; ++m) {
         const Tetrahedron& t = mesh.tetrahedra[tetrahedron_of(w.cavity.data[m])];
-        Removed& r = add(removed_);
+        Removed& r = removed_[m];
         Number corner[4];
         for (unsigned i = 0; i < 4; ++i) corner[i] = r.corner[i] = number(t.v[i]);
         r.is_odd = sort_corners(r.corner);
@@ -142,40 +164,42 @@ void PlaceStar::build_in_space(const Mesh& mesh, Lookup number, Edges edges) {
             if (!marks.has(beyond)) continue;
             const std::uint32_t other = members_.number(beyond);
             if (other < m) continue;
-            Meeting<3>& f = add(old_facets_);
+            old_facets_.resize_within_capacity(old_facets + 1);
+            Meeting<3>& f = old_facets_[old_facets++];
             f.near = m;
             f.beyond = other;
             for (unsigned k = 0; k < 3; ++k) f.corner[k] = corner[outer_face[face][k]];
             f.is_odd = sort_corners(f.corner);
         }
     }
-    // The corners of a facet in the order that makes the place and them positive.
-    const auto corners_of = [&](FacetCode outside, Number(&corner)[3]) {
-        const VertexId* const v = mesh.tetrahedra[tetrahedron_of(outside)].v;
-        for (unsigned k = 0; k < 3; ++k) corner[k] = number(v[outer_face[face_of(outside)][k]]);
-    };
     for (std::uint32_t i = 0; i < facets; ++i) {
         const FacetCode outside = w.boundary.data[i];
-        const FacetCode inside = mesh.tetrahedra[tetrahedron_of(outside)].n[face_of(outside)];
-        Created& c = add(created_);
-        corners_of(outside, c.corner);
-        for (unsigned k = 0; k < 3; ++k) edges.put(c.corner[k], c.corner[(k + 1) % 3], i);
+        const Tetrahedron& t = mesh.tetrahedra[tetrahedron_of(outside)];
+        const FacetCode inside = t.n[face_of(outside)];
+        Created& c = created_[i];
+        // In the order that makes the place and them positive.
+        Number* const cycle = cycles_[i].corner;
+        for (unsigned k = 0; k < 3; ++k)
+            cycle[k] = c.corner[k] = number(t.v[outer_face[face_of(outside)][k]]);
+        edges.put(cycle[0], cycle[1], i);
+        edges.put(cycle[1], cycle[2], i);
+        edges.put(cycle[2], cycle[0], i);
         c.is_odd = sort_corners(c.corner);
-        Meeting<3>& f = add(old_facets_);
+        old_facets_.resize_within_capacity(old_facets + 1);
+        Meeting<3>& f = old_facets_[old_facets++];
         f.near = members + i;
         f.beyond = members_.number(tetrahedron_of(inside));
         std::copy(c.corner, c.corner + 3, f.corner);
         f.is_odd = c.is_odd;
     }
     for (std::uint32_t i = 0; i < facets; ++i) {
-        Number corner[3];
-        corners_of(w.boundary.data[i], corner);
+        const Number* const cycle = cycles_[i].corner;
         for (unsigned k = 0; k < 3; ++k) {
-            const std::uint32_t other = edges.get(corner[(k + 1) % 3], corner[k]);
-            if (other < i) continue;
-            Meeting<2>& f = add(new_facets_);
-            f = {members + i, members + other, {corner[k], corner[(k + 1) % 3]}, false};
-            f.is_odd = sort_corners(f.corner);
+            const Number a = cycle[k], b = cycle[k == 2 ? 0 : k + 1];
+            // Each edge of the link in one of its directions.
+            if (a > b) continue;
+            new_facets_.resize_within_capacity(new_facets + 1);
+            new_facets_[new_facets++] = {members + i, members + edges.get(b, a), {a, b}, false};
         }
     }
 }

@@ -80,7 +80,13 @@ class PlaceStar {
     MarkTable marks_;
     Numbers members_;
     Buffer<VertexId> vertices_;
-    Buffer<Number> ranks_;  // by the number that the kernel gives a vertex
+    Buffer<std::uint64_t>
+        keys_;              // the caller's index and the number that the kernel gives a vertex
+    Buffer<Number> ranks_;  // by that number
+    struct Cycle {
+        Number corner[3];
+    };
+    Buffer<Cycle> cycles_;  // corners of what is created, in a positive order
     Buffer<Removed> removed_;
     Buffer<Created> created_;
     Buffer<Meeting<3>> old_facets_;

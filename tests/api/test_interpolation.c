@@ -13,6 +13,11 @@ static const int32_t methods[5] = {MGDT_INTERPOLATE_LINEAR, MGDT_INTERPOLATE_NEA
 static const int32_t outsides[4] = {MGDT_OUTSIDE_NONE, MGDT_OUTSIDE_NEAREST, MGDT_OUTSIDE_BOUNDARY,
                                     MGDT_OUTSIDE_LINEAR};
 
+/* Each method with some of the choices where time is short. */
+static int is_left_out(int method, int outside) {
+    return is_small() && (method + outside) % 3 != 0;
+}
+
 /* Three fields: x + 2 y - 3 z + 1, a constant, and y. */
 static double field(int f, const double* x) {
     return f == 0 ? x[0] + 2 * x[1] - 3 * x[2] + 1 : f == 1 ? 5 : x[1];
@@ -65,7 +70,7 @@ static void linear_functions(int grid) {
     for (m = 0; m < 5; ++m)
         for (o = 0; o < 4; ++o) {
             double worst = 0;
-            if (methods[m] == MGDT_INTERPOLATE_NEAREST) continue;
+            if (methods[m] == MGDT_INTERPOLATE_NEAREST || is_left_out(m, o)) continue;
             out[3 * n_places] = -7;
             CHECK_EQUAL(
                 mgdt_interpolate(t, methods[m], outsides[o], 3, values, n_places, places, out),
@@ -118,6 +123,7 @@ static void weights(void) {
             int64_t size, *points;
             int32_t* points32;
             double *w, *w32, worst = 0;
+            if (is_left_out(m, o)) continue;
             CHECK_EQUAL(
                 mgdt_interpolate(t, methods[m], outsides[o], 3, values, n_places, places, out),
                 MGDT_OK);

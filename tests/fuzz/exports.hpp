@@ -249,7 +249,7 @@ struct Exports {
     // A constant at some centres of circumspheres, of which many are outside, and far away.
     void take_values(const mgdt_triangulation* t, std::size_t margin) {
         std::vector<double> xyz = {0, 0, 0, 1e308, -1e308, 1, 1e-308, 0x1p-1074, 0};
-        for (std::size_t k = 0; k < centers.size() && k < 90; ++k)
+        for (std::size_t k = 0; k < centers.size() && k < 24; ++k)
             xyz.push_back(std::isfinite(centers[k]) ? centers[k] : 0);
         xyz.resize(xyz.size() / 3 * 3);
         const std::vector<double> ones(static_cast<std::size_t>(points), 1.0);
@@ -259,6 +259,8 @@ struct Exports {
               MGDT_INTERPOLATE_LAPLACE, MGDT_INTERPOLATE_SIBSON_C1})
             for (const std::int32_t outside : {MGDT_OUTSIDE_NONE, MGDT_OUTSIDE_NEAREST,
                                                MGDT_OUTSIDE_BOUNDARY, MGDT_OUTSIDE_LINEAR}) {
+                // Each method with one of them a time.
+                if ((method + outside) / 10 % 4 != (points + vertices) % 4) continue;
                 const std::size_t places = xyz.size() / 3;
                 Exact<double> out(places, margin);
                 const mgdt_status status =
