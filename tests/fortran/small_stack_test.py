@@ -34,6 +34,8 @@ def larger_n(text):
 
 # What the other examples call their size. FIRST and cube have nine points at most.
 SIZES = {
+    "transfer.f90": [(r"m = 12", "m = 40"), (r"\[5, 10, 20\]", "[5, 10, 45]")],
+    "carry.f": [(r"N = 11", "N = 47")],
     "columns.f": [(r"PARAMETER \(N = \d+", f"PARAMETER (N = {POINTS}")],
     # 38^3 + 37^3 points.
     "poisson.f": [(r"CALL SOLVE\(8,", "CALL SOLVE(18,"), (r"CALL SOLVE\(16,", "CALL SOLVE(37,"),
