@@ -161,6 +161,16 @@ static mxArray* rows(const int64_t* from, int64_t count, int width) {
     return result;
 }
 
+/* A matrix of doubles, one row for each `width` of the library's. */
+static mxArray* rows_of_doubles(const double* from, int64_t count, int64_t width) {
+    mxArray* const result = mxCreateDoubleMatrix((mwSize)count, (mwSize)width, mxREAL);
+    double* const to = mxGetPr(result);
+    int64_t k, i;
+    for (k = 0; k < count; ++k)
+        for (i = 0; i < width; ++i) to[i * count + k] = from[width * k + i];
+    return result;
+}
+
 static void* room(int64_t count, size_t size) {
     return mxMalloc(((size_t)count + 1) * size);
 }
@@ -369,16 +379,9 @@ static mxArray* graph(const mgdt_triangulation* t, graph_getter get, int64_t mos
 static void circumcenters(const mgdt_triangulation* t, int nlhs, mxArray** plhs) {
     const int64_t n = mgdt.tetrahedron_count(t);
     double *const xyz = room(3 * n, sizeof *xyz), *const squares = room(n, sizeof *squares);
-    double* to;
-    int64_t k, i;
     ensure(t, mgdt.get_circumcenters(t, n, xyz, squares));
-    plhs[0] = mxCreateDoubleMatrix((mwSize)n, 3, mxREAL);
-    to = mxGetPr(plhs[0]);
-    for (k = 0; k < n; ++k)
-        for (i = 0; i < 3; ++i) to[i * n + k] = xyz[3 * k + i];
-    if (nlhs < 2) return;
-    plhs[1] = mxCreateDoubleMatrix((mwSize)n, 1, mxREAL);
-    for (k = 0; k < n; ++k) mxGetPr(plhs[1])[k] = squares[k];
+    plhs[0] = rows_of_doubles(xyz, n, 3);
+    if (nlhs > 1) plhs[1] = rows_of_doubles(squares, n, 1);
 }
 
 static mxArray* alphas(const mgdt_triangulation* t, int32_t dimension) {
@@ -386,16 +389,9 @@ static mxArray* alphas(const mgdt_triangulation* t, int32_t dimension) {
                       : dimension == 1 ? mgdt.edge_count(t)
                                        : mgdt.tetrahedron_count(t);
     const int width = dimension == 2 ? 4 : 1;
-    double *const x = room(width * n, sizeof *x), *to;
-    int64_t k;
-    int i;
-    mxArray* result;
+    double* const x = room(width * n, sizeof *x);
     ensure(t, mgdt.get_alphas(t, dimension, width * n, x));
-    result = mxCreateDoubleMatrix((mwSize)n, (mwSize)width, mxREAL);
-    to = mxGetPr(result);
-    for (k = 0; k < n; ++k)
-        for (i = 0; i < width; ++i) to[i * n + k] = x[width * k + i];
-    return result;
+    return rows_of_doubles(x, n, width);
 }
 
 static mxArray* alpha_surface(const mgdt_triangulation* t, const mxArray* alpha2) {
@@ -419,19 +415,13 @@ static mxArray* alpha_surface(const mgdt_triangulation* t, const mxArray* alpha2
 static mxArray* cell_measures(const mgdt_triangulation* t, int32_t measure, const mxArray* matrix) {
     const int width = measure == MGDT_MEASURE_CENTROID ? 3 : 1;
     const int64_t n = mgdt.point_count(t);
-    double *const x = room(width * n, sizeof *x), *to;
+    double* const x = room(width * n, sizeof *x);
     const double* planes;
-    int64_t n_planes, k;
-    int i;
-    mxArray* result;
+    int64_t n_planes;
     planes = columns(matrix, 4, "planes", &n_planes);
     planes = one_by_one(planes, 4, n_planes);
     ensure(t, mgdt.get_cell_measures(t, measure, n_planes, planes, width * n, x));
-    result = mxCreateDoubleMatrix((mwSize)n, (mwSize)width, mxREAL);
-    to = mxGetPr(result);
-    for (k = 0; k < n; ++k)
-        for (i = 0; i < width; ++i) to[i * n + k] = x[width * k + i];
-    return result;
+    return rows_of_doubles(x, n, width);
 }
 
 /* Values of the points, one row for each; the caller's fields. */
@@ -446,16 +436,6 @@ static const double* values_of(const mgdt_triangulation* t, const mxArray* matri
                           "%lld points",
                           (long long)n);
     return one_by_one(mxGetPr(matrix), (int)*fields, n);
-}
-
-/* A matrix of doubles, one row for each `width` of the library's. */
-static mxArray* rows_of_doubles(const double* from, int64_t count, int64_t width) {
-    mxArray* const result = mxCreateDoubleMatrix((mwSize)count, (mwSize)width, mxREAL);
-    double* const to = mxGetPr(result);
-    int64_t k, i;
-    for (k = 0; k < count; ++k)
-        for (i = 0; i < width; ++i) to[i * count + k] = from[width * k + i];
-    return result;
 }
 
 static mxArray* interpolate(const mgdt_triangulation* t, int32_t method, int32_t outside,

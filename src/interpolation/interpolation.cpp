@@ -44,17 +44,19 @@ class GradientsOf {
 
 constexpr std::size_t vertices_per_thread = 1024;
 
-// Of all vertices.
+// Writes the gradients at each vertex to place_of(vertex), and has then(place) go on with them.
+template <class PlaceOf, class Then>
 void write_gradients(const ExportView& view, const Locator& where, const Values& values,
-                     Buffer<double>& out) {
-    const std::size_t width = 3 * values.fields;
-    out.resize(width * view.mesh.vertices.size());
+                     PlaceOf place_of, Then then) {
     PerMember<GradientsOf> workers(view.team, view.allocator, where, values,
                                    std::ref(view.allocator));
     view.team.split(view.mesh.vertices.size() - 1, vertices_per_thread,
                     [&](std::size_t begin, std::size_t end, unsigned m) {
-                        for (std::size_t v = begin + 1; v <= end; ++v)
-                            workers[m].write(static_cast<VertexId>(v), out.data() + width * v);
+                        for (std::size_t v = begin + 1; v <= end; ++v) {
+                            double* const place = place_of(v);
+                            workers[m].write(static_cast<VertexId>(v), place);
+                            then(place);
+                        }
                     });
 }
 
@@ -169,8 +171,13 @@ void interpolate(const ExportView& view, const Locator& where, Manner manner, co
                  const PointSet& places, double* out) {
     Buffer<double> gradients(view.allocator);
     // A place wants some sixteen of them.
-    if (manner.method == Method::sibson_c1 && places.size >= view.mesh.vertices.size() / 8)
-        write_gradients(view, where, values, gradients);
+    if (manner.method == Method::sibson_c1 && places.size >= view.mesh.vertices.size() / 8) {
+        const std::size_t width = 3 * values.fields;
+        gradients.resize(width * view.mesh.vertices.size());
+        write_gradients(
+            view, where, values, [&](std::size_t v) { return gradients.data() + width * v; },
+            [](double*) {});
+    }
     PerMember<Evaluator> workers(view.team, view.allocator, where, std::ref(view.allocator), manner,
                                  values, std::ref(gradients));
     const double* const xyz = places.axis[0];
@@ -242,17 +249,12 @@ void gradients(const ExportView& view, const Locator& where, const Buffer<Vertex
                const Values& values, double* out) {
     const Mesh& mesh = view.mesh;
     const std::size_t width = 3 * values.fields;
-    PerMember<GradientsOf> workers(view.team, view.allocator, where, values,
-                                   std::ref(view.allocator));
-    view.team.split(mesh.vertices.size() - 1, vertices_per_thread,
-                    [&](std::size_t begin, std::size_t end, unsigned m) {
-                        for (std::size_t v = begin + 1; v <= end; ++v) {
-                            double* const to = out + width * mesh.vertices[v].index;
-                            workers[m].write(static_cast<VertexId>(v), to);
-                            for (std::size_t i = 0; i < width; ++i)
-                                to[i] = scaled(to[i], mesh.scale);
-                        }
-                    });
+    const auto unscale = [&](double* at) {
+        for (std::size_t i = 0; i < width; ++i) at[i] = scaled(at[i], mesh.scale);
+    };
+    write_gradients(
+        view, where, values, [&](std::size_t v) { return out + width * mesh.vertices[v].index; },
+        unscale);
     constexpr std::size_t points_per_thread = 65536;
     view.team.split(point_map.size(), points_per_thread,
                     [&](std::size_t begin, std::size_t end, unsigned) {

@@ -17,10 +17,6 @@ namespace {
 
 constexpr double u = unit_roundoff;
 
-double power_of_two(int exponent) {
-    return std::ldexp(1.0, exponent);
-}
-
 }  // namespace
 
 bool NaturalWeights::find(const Mesh& mesh, const PlaceStar& star, const double* q,
@@ -38,7 +34,7 @@ bool NaturalWeights::find_in(Stage stage, const Mesh& mesh, const PlaceStar& sta
             largest = std::max(largest, std::fabs(mesh.point(star.vertex(k))[axis] - q[axis]));
     // Differences of scaled coordinates do not overflow.
     const int exponent = std::ilogb(largest);
-    factor_ = power_of_two(-exponent);
+    factor_ = std::ldexp(1.0, -exponent);
     weights_.clear();
     weights_.resize(star.size(), 0.0);
     const bool is_ordinary = std::abs(exponent) < 400;
@@ -172,8 +168,8 @@ bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const d
     // Coordinates are below 2, so a term is below 24 largest^2, and sums of integers do not
     // overflow.
     const std::size_t terms = star.old_facets().size() + star.new_facets().size();
-    const double one =
-        power_of_two(63 - static_cast<int>(bit_width(terms)) - 5 - 2 * (std::ilogb(largest) + 1));
+    const double one = std::ldexp(
+        1.0, 63 - static_cast<int>(bit_width(terms)) - 5 - 2 * (std::ilogb(largest) + 1));
     const bool is_sibson = natural == Natural::sibson;
     sums_.clear();
     sums_.resize(n, 0);

@@ -80,9 +80,9 @@ class PlaceStar {
     MarkTable marks_;
     Numbers members_;
     Buffer<VertexId> vertices_;
-    Buffer<std::uint64_t>
-        keys_;              // the caller's index and the number that the kernel gives a vertex
-    Buffer<Number> ranks_;  // by that number
+    // The caller's index above the number that the kernel gives a vertex; by that number, ours.
+    Buffer<std::uint64_t> keys_;
+    Buffer<Number> ranks_;
     struct Cycle {
         Number corner[3];
     };

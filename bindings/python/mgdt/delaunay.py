@@ -574,8 +574,9 @@ class Delaunay(GrowingTriangulation):
         found = self._read(find, len(places) >= _LONG_LOCATION)
         kind = np.result_type(given.dtype, np.float64, np.min_scalar_type(fill_value))
         out = np.full((len(places),) + given.shape[1:], fill_value, dtype=kind)
-        known = np.flatnonzero(finite)[~np.isnan(found[:, -1])]
-        fields = np.ascontiguousarray(found[~np.isnan(found[:, -1]), :-1])
+        is_known = ~np.isnan(found[:, -1])
+        known = np.flatnonzero(finite)[is_known]
+        fields = np.ascontiguousarray(found[is_known, :-1])
         if given.dtype.kind == "c":
             fields = fields.view(np.complex128)
         out[known] = fields.reshape((len(known),) + given.shape[1:])

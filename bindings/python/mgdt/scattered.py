@@ -34,14 +34,13 @@ class _Scattered:
     def __init__(self, points: Any, values: ArrayLike, rescale: bool, **options: Any) -> None:
         self._offset = np.zeros(3)
         self._scale = np.ones(3)
+        is_triangulation = isinstance(points, Delaunay) or type(points).__name__ == "Delaunay"
+        if rescale and is_triangulation:
+            raise ValueError("rescale is not supported for points in a triangulation")
         if isinstance(points, Delaunay):
-            if rescale:
-                raise ValueError("rescale is not supported for points in a triangulation")
             self.tri = points
         else:
-            if type(points).__name__ == "Delaunay":  # SciPy's
-                if rescale:
-                    raise ValueError("rescale is not supported for points in a triangulation")
+            if is_triangulation:  # SciPy's
                 points = points.points
             array: FloatArray = as_points(
                 _as_places((points,)) if isinstance(points, tuple) else points
