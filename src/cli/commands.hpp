@@ -55,6 +55,19 @@ int check(const CheckOptions& options);
 
 int info(const InputOptions& options);
 
+struct InterpolateOptions {
+    InputOptions samples, places;
+    std::string values;  // .npy file of the values, or empty: they are in `samples`
+    std::vector<std::string> fields;
+    std::string method = "linear", outside = "none";
+    OutputOptions output;
+    TriangulationOptions triangulation;
+};
+int interpolate(const InterpolateOptions& options);
+// Names of methods, and of what is done outside the hull.
+std::vector<std::string> interpolation_methods();
+std::vector<std::string> interpolation_outsides();
+
 struct BenchOptions {
     bench::PlanOptions plan;
     std::vector<std::string> sizes;  // of the plan, as they were typed

@@ -33,11 +33,11 @@ std::string formats_footer() {
     for (const Format* f : all_formats()) {
         const std::string extensions = fmt::format("{}", fmt::join(f->extensions, " "));
         const std::string does =
-            fmt::format("{}{}{}", f->read ? "read" : "", f->write_points ? ", points" : "",
-                        f->write_mesh ? ", tetrahedra" : "");
+            fmt::format("{}{}{}{}", f->read ? "read" : "", f->write_points ? ", points" : "",
+                        f->write_mesh ? ", tetrahedra" : "", f->write_fields ? ", values" : "");
         text += fmt::format("  {:<8} {:<25} {} [{}]\n", f->name, extensions, f->description, does);
     }
-    return text + "  [points, tetrahedra: what can be written]\n";
+    return text + "  [points, tetrahedra, values: what can be written; values are read too]\n";
 }
 
 std::string kinds_footer() {
@@ -63,22 +63,27 @@ std::string data_directory() {
     return MGDT_DATA_DIRECTORY;
 }
 
+void add_columns(CLI::App& app, const char* option, InputOptions& options, const char* whose) {
+    app.add_option_function<std::vector<int>>(
+           option,
+           [&options](const std::vector<int>& c) {
+               options.read.columns = {{c[0], c[1], c[2]}};
+           },
+           fmt::format("Columns of x, y and z in {}, counted from 1 (default: those with these "
+                       "names, or 1,2,3)",
+                       whose))
+        ->delimiter(',')
+        ->expected(3)
+        ->check(CLI::Range(1, 10000))
+        ->type_name("I,J,K");
+}
+
 void add_input(CLI::App& app, InputOptions& options, const char* description) {
     app.add_option("input", options.path, description)->required()->type_name("FILE");
     app.add_option("--from", options.from, "Format of the input")->type_name("FORMAT");
     app.add_flag("--allow-empty", options.allow_empty,
                  "Take an input without any text or bytes as no points");
-    app.add_option_function<std::vector<int>>(
-           "--columns",
-           [&options](const std::vector<int>& c) {
-               options.read.columns = {{c[0], c[1], c[2]}};
-           },
-           "Columns of x, y and z in text, counted from 1 (default: those with these names, or "
-           "1,2,3)")
-        ->delimiter(',')
-        ->expected(3)
-        ->check(CLI::Range(1, 10000))
-        ->type_name("I,J,K");
+    add_columns(app, "--columns", options, "text");
 }
 
 void add_output(CLI::App& app, OutputOptions& options, bool required) {
@@ -86,6 +91,9 @@ void add_output(CLI::App& app, OutputOptions& options, bool required) {
         ->required(required)
         ->type_name("FILE");
     app.add_option("--to", options.to, "Format of the output")->type_name("FORMAT");
+}
+
+void add_index_base(CLI::App& app, OutputOptions& options) {
     app.add_option("--index-base", options.write.index_base,
                    "Number of the first point and tetrahedron in .npy and TetGen files (default 0)")
         ->check(CLI::IsMember({0, 1}))
@@ -194,6 +202,37 @@ void add_bench(CLI::App& app, BenchOptions& options) {
                            exit_codes));
 }
 
+void add_interpolate(CLI::App& app, InterpolateOptions& options) {
+    app.add_option("samples", options.samples.path, "Points with values; - for standard input")
+        ->required()
+        ->type_name("FILE");
+    app.add_option("places", options.places.path, "Places, or a mesh whose nodes are meant")
+        ->required()
+        ->type_name("FILE");
+    add_output(app, options.output, true);
+    app.add_option("--method", options.method, "Way to a value (default linear)")
+        ->check(CLI::IsMember(interpolation_methods()))
+        ->type_name("NAME");
+    app.add_option("--outside", options.outside,
+                   "Value outside the convex hull (default none, which is nan)")
+        ->check(CLI::IsMember(interpolation_outsides()))
+        ->type_name("NAME");
+    CLI::Option* fields =
+        app.add_option("--fields", options.fields, "Names of the fields (default: all of numbers)")
+            ->delimiter(',')
+            ->type_name("LIST");
+    app.add_option("--values", options.values, "File of the values, an .npy with a row to a sample")
+        ->excludes(fields)
+        ->type_name("FILE");
+    app.add_option("--from", options.samples.from, "Format of the samples")->type_name("FORMAT");
+    add_columns(app, "--columns", options.samples, "the text of samples");
+    app.add_option("--places-from", options.places.from, "Format of the places")
+        ->type_name("FORMAT");
+    add_columns(app, "--places-columns", options.places, "the text of places");
+    add_triangulation(app, options.triangulation);
+    app.footer(formats_footer() + "\n" + exit_codes);
+}
+
 // CLI11 would only say that a command is missing.
 void require_command(const CLI::App& app, const std::string& name) {
     std::vector<std::string> names;
@@ -220,6 +259,7 @@ int run(int argc, char** argv) {
         "triangulate", "Read points, write the tetrahedra of their Delaunay triangulation.");
     add_input(*triangulate_app, t.input, "Points; - for standard input");
     add_output(*triangulate_app, t.output, false);
+    add_index_base(*triangulate_app, t.output);
     add_triangulation(*triangulate_app, t.triangulation);
     add_scheme_parameters(*triangulate_app, t.triangulation);
     triangulate_app->add_option("--neighbors", t.neighbors, "Write the neighbours too, as .npy")
@@ -244,6 +284,7 @@ int run(int argc, char** argv) {
         ->required()
         ->type_name("N");
     add_output(*generate_app, g.output, true);
+    add_index_base(*generate_app, g.output);
     generate_app->add_option("--seed", g.generate.seed, "Seed (default 1)")->type_name("N");
     generate_app->add_option("--width", g.generate.width, "Width of the spread about curves")
         ->check(CLI::NonNegativeNumber)
@@ -281,6 +322,11 @@ int run(int argc, char** argv) {
     add_input(*info_app, i, "Points or tetrahedra");
     info_app->footer(exit_codes);
 
+    InterpolateOptions v;
+    CLI::App* interpolate_app =
+        app.add_subcommand("interpolate", "Read values at points, write values at other places.");
+    add_interpolate(*interpolate_app, v);
+
     BenchOptions b;
     b.command = command_line(argc, argv);
     b.data_directory = g.generate.data_directory;
@@ -301,6 +347,7 @@ int run(int argc, char** argv) {
     if (*triangulate_app) return triangulate(t);
     if (*generate_app) return generate_points(g);
     if (*check_app) return check(c);
+    if (*interpolate_app) return interpolate(v);
     if (*bench_app) return run_bench(b);
     return info(i);
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <new>
 
 #include "cli/errors.hpp"
@@ -106,6 +107,19 @@ void Triangulation::insert(const std::vector<double>& points, const std::string&
     require(status, name);
 }
 
+const char* Triangulation::shape() const {
+    switch (mgdt_dimension(handle_)) {
+        case -1:
+            return "there are no points";
+        case 0:
+            return "all points are equal";
+        case 1:
+            return "all points are on a line";
+        default:
+            return "all points are on a plane";
+    }
+}
+
 namespace {
 
 std::vector<std::int64_t> array(std::int64_t size) {
@@ -142,6 +156,33 @@ std::string Triangulation::check(int level) const {
         return "";
     }
     return message(status);
+}
+
+std::vector<std::int64_t> Triangulation::locate(const std::vector<double>& places) const {
+    const auto n = static_cast<std::int64_t>(places.size() / 3);
+    auto tetrahedra = array(n);
+    require(mgdt_locate_points(handle_, n, places.data(), tetrahedra.data(), nullptr), "location");
+    return tetrahedra;
+}
+
+void Triangulation::interpolate(std::int32_t method, std::int32_t outside, std::size_t n_fields,
+                                const std::vector<double>& values,
+                                const std::vector<double>& places, std::vector<double>& out) const {
+    const std::size_t n = places.size() / 3;
+    out.resize(n * n_fields);
+    // A call cannot be cancelled. Some methods have work for each point before the first place.
+    const std::size_t most =
+        std::max<std::size_t>(65536, static_cast<std::size_t>(mgdt_point_count(handle_)));
+    Progress progress("interpolating", quiet_);
+    for (std::size_t begin = 0; begin < n; begin += most) {
+        check_interrupt();
+        progress.update(static_cast<double>(begin) / static_cast<double>(n));
+        const std::size_t count = std::min(most, n - begin);
+        require(mgdt_interpolate(handle_, method, outside, static_cast<std::int64_t>(n_fields),
+                                 values.data(), static_cast<std::int64_t>(count),
+                                 places.data() + 3 * begin, out.data() + n_fields * begin),
+                "interpolation");
+    }
 }
 
 }  // namespace mgdt::cli

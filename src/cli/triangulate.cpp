@@ -47,19 +47,6 @@ void print_statistics(std::FILE* out, const Triangulation& t, const TriangulateO
     if (seconds > 0) line("points per second", fmt::format("{:.0f}", inserted / seconds));
 }
 
-const char* shape(std::int32_t dimension) {
-    switch (dimension) {
-        case -1:
-            return "there are no points";
-        case 0:
-            return "all points are equal";
-        case 1:
-            return "all points are on a line";
-        default:
-            return "all points are on a plane";
-    }
-}
-
 }  // namespace
 
 int triangulate(const TriangulateOptions& options) {
@@ -101,10 +88,8 @@ int triangulate(const TriangulateOptions& options) {
         Triangulation t(options.triangulation);
         t.insert(mesh.points, name);
         seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        const std::int32_t dimension = mgdt_dimension(t.get());
-        if (dimension < 3 && !options.triangulation.quiet) {
-            fmt::print(stderr, "mgdt: {}: {}, so there are no tetrahedra\n", name,
-                       shape(dimension));
+        if (mgdt_dimension(t.get()) < 3 && !options.triangulation.quiet) {
+            fmt::print(stderr, "mgdt: {}: {}, so there are no tetrahedra\n", name, t.shape());
         }
         if (options.statistics) print_statistics(text, t, options);
         if (options.check_level > 0) {

@@ -118,11 +118,13 @@ def examples(program, page):
     """The examples of the page run as they stand."""
     text = page.sections["EXAMPLES"]
     # The last one is of a file that another program wrote: here TetGen's format stands in for it.
+    # The samples are of the reader's own.
     blocks = re.findall(r"^\.Bd -literal.*?\n(.*?)^\.Ed", text, flags=re.M | re.S)
     check("there are examples", "" if len(blocks) >= 3 else str(blocks))
     with tempfile.TemporaryDirectory() as folder:
         environment = dict(os.environ, PATH=f"{Path(program).resolve().parent}:{os.environ['PATH']}")
         setup = "mgdt generate uniform 100 -o p.npy\nmgdt triangulate -q p.npy -o mesh.ele\n"
+        setup += "printf 'x,y,z,t\\n0,0,0,1\\n2,0,0,2\\n0,2,0,3\\n0,0,2,4\\n' >samples.csv\n"
         for block in (setup, *blocks):
             run = subprocess.run(["sh", "-eu", "-c", block], cwd=folder, env=environment, capture_output=True, text=True)
             check(f"example '{block.splitlines()[0].strip()}'", run.stdout + run.stderr if run.returncode else "")

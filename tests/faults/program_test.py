@@ -107,6 +107,16 @@ class FailingCalls(FilesTest):
                         elif os.path.exists(self.path(output[0])):
                             os.remove(self.path(output[0]))
 
+    def test_values(self):
+        with open(self.path("s.csv"), "w", encoding="ascii") as f:
+            f.write("x,y,z,t\n0,0,0,1\n2,0,0,2\n0,2,0,3\n0,0,2,4\n")
+        for output in "o.vtu", "o.csv", "o.npy":
+            for call, error in ("write", errno.ENOSPC), ("fsync", errno.EIO), ("rename", errno.EIO):
+                self.every_call(call, error, 4, [output], "interpolate", "s.csv", "p.npy", "-o", output)
+                os.remove(self.path(output))
+        self.every_call("read", errno.EIO, 3, ["s.csv", "p.npy"], "interpolate", "s.csv", "p.npy",
+                        "-o", "o.csv")
+
     def test_close(self):
         """That of the input does not matter; where the output's fails, nothing is left."""
         self.every_call("close", errno.EIO, 4, ["m.vtu"], "triangulate", "p.npy", "-o", "m.vtu",

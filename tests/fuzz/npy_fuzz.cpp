@@ -7,6 +7,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::guess(bytes);
     if (const auto mesh = fuzz::read(mgdt::cli::npy_format(), bytes))
         fuzz::points_return(mgdt::cli::npy_format(), mesh->points);
+    fuzz::fields_return(mgdt::cli::npy_format(), bytes);
+    const std::vector<char> copy(bytes.begin(), bytes.end());
+    const fuzz::Source source{"file", "", {copy.data(), copy.size()}};
+    if (const auto f =
+            fuzz::attempt(bytes.size(), [&] { return mgdt::cli::read_npy_values(source); })) {
+        FUZZ_REQUIRE(f->components > 0 && f->values.size() % f->components == 0, "values");
+    }
 
     const auto rows_of = [](std::string_view file, int base) {
         const std::vector<char> exact(file.begin(), file.end());

@@ -139,6 +139,30 @@ inline void mesh_returns(const Format& format, const Mesh& mesh) {
     FUZZ_REQUIRE(mesh.tetrahedra == again->tetrahedra, "tetrahedra of a round trip");
 }
 
+// Reads with all fields, writes them and reads them again: where names of them return, as many.
+inline void fields_return(const Format& format, std::string_view bytes) {
+    mgdt::cli::ReadOptions options;
+    options.has_fields = true;
+    const std::optional<Mesh> mesh = read(format, bytes, "", options);
+    if (!mesh) return;
+    std::size_t values = 0;
+    for (const mgdt::cli::Field& f : mesh->fields) {
+        FUZZ_REQUIRE(f.components > 0, "components");
+        FUZZ_REQUIRE(f.values.size() == f.components * mesh->point_count(), "values");
+        values += f.values.size();
+    }
+    const std::string path = Scratch::get().file("fields");
+    mgdt::cli::OutputSet outputs;
+    format.write_fields(*mesh, outputs.open(path), {});
+    outputs.commit();
+    const std::optional<Mesh> again = read(format, bytes_of(path), "", options);
+    FUZZ_REQUIRE(again.has_value(), "the file that was written cannot be read");
+    expect_same_points(mesh->points, again->points);
+    std::size_t values_again = 0;
+    for (const mgdt::cli::Field& f : again->fields) values_again += f.values.size();
+    FUZZ_REQUIRE(values == values_again, "values of a round trip");
+}
+
 // The guess of a format from a file's beginning ends for any bytes.
 inline void guess(std::string_view bytes) {
     const std::vector<char> exact(bytes.begin(), bytes.end());

@@ -12,5 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         fuzz::points_return(mgdt::cli::text_format(), mesh->points);
         fuzz::points_return(mgdt::cli::csv_format(), mesh->points);
     }
+    fuzz::fields_return(mgdt::cli::text_format(), bytes);
+    fuzz::fields_return(mgdt::cli::csv_format(), bytes);
     return 0;
 }

@@ -7,5 +7,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::guess(bytes);
     if (const auto mesh = fuzz::read(mgdt::cli::vtu_format(), bytes))
         fuzz::mesh_returns(mgdt::cli::vtu_format(), *mesh);
+    fuzz::fields_return(mgdt::cli::vtu_format(), bytes);
     return 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a file holds: points, and tetrahedra where it has them.
+// What a file holds: points, tetrahedra where it has them, and fields where they are wanted.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,20 @@
 
 namespace mgdt::cli {
 
+// Values at the points, as many at each as there are components.
+struct Field {
+    std::string name;
+    std::size_t components = 1;
+    std::vector<double> values;
+};
+
 struct Mesh {
     std::vector<double> points;            // x y z of each
     std::vector<std::int64_t> tetrahedra;  // 4 vertices each, points counted from 0
     std::vector<std::int64_t> neighbors;   // 4 each, opposite the vertices, -1 for none; or empty
     bool has_tetrahedra = false;           // the file says so, even if there are none
     std::size_t other_cells = 0;           // cells of other shapes, left out
+    std::vector<Field> fields;             // of the points
     std::string detail;                    // version and encoding, for people
     std::vector<FileIdentity> inputs;      // the files that it was read from
 

@@ -83,6 +83,24 @@ const Format& output_format(const std::string& path, const std::string& name) {
                             path == "-" ? "standard output" : printable(path), names()));
 }
 
+bool wants_field(const ReadOptions& options, const std::string& name) {
+    const std::vector<std::string>& wanted = options.field_names;
+    return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+}
+
+void require_fields(const Source& source, const ReadOptions& options,
+                    const std::vector<std::string>& names) {
+    for (const std::string& wanted : options.field_names) {
+        if (std::find(names.begin(), names.end(), wanted) != names.end()) continue;
+        const std::size_t shown = std::min<std::size_t>(names.size(), 10);
+        std::string known;
+        for (std::size_t i = 0; i < shown; ++i) known += (i > 0 ? ", " : "") + quote(names[i]);
+        if (names.empty()) source.fail(fmt::format("no field {}; it has none", quote(wanted)));
+        source.fail(fmt::format("no field {}; it has {}{}", quote(wanted), known,
+                                shown < names.size() ? ", ..." : ""));
+    }
+}
+
 std::string without_extension(const std::string& path, const Format& format) {
     const std::string e = extension(path);
     for (const char* known : format.extensions) {

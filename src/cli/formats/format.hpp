@@ -18,6 +18,9 @@ struct ReadOptions {
     // Of x, y and z in text, from 1, where they are chosen. Otherwise those that have the names, or
     // the first three.
     std::optional<std::array<int, 3>> columns;
+    // Whether the fields are wanted too: those of these names, or all where there are no names.
+    bool has_fields = false;
+    std::vector<std::string> field_names;
 };
 
 struct WriteOptions {
@@ -41,6 +44,9 @@ struct Format {
                        const WriteOptions& options);
     // The files that write_mesh() writes; nullptr where it is the one that is named.
     std::vector<std::string> (*mesh_files)(const std::string& path) = nullptr;
+    // The points with their fields, which read() takes too, and the tetrahedra where the format has
+    // a place for them; nullptr where it has none for fields.
+    void (*write_fields)(const Mesh& mesh, OutputFile& out, const WriteOptions& options) = nullptr;
 };
 
 const Format& text_format();
@@ -67,6 +73,12 @@ const Format& input_format(const Source& source, const std::string& name);
 // The format of an output: `name` unless empty, then the extension; usage error if neither.
 const Format& output_format(const std::string& path, const std::string& name);
 
+// Whether a field of this name is wanted.
+bool wants_field(const ReadOptions& options, const std::string& name);
+// Throws where a field that is wanted is not among `names`.
+void require_fields(const Source& source, const ReadOptions& options,
+                    const std::vector<std::string>& names);
+
 // The path without the extension, if it has one of the format's.
 std::string without_extension(const std::string& path, const Format& format);
 
@@ -75,5 +87,7 @@ void write_npy_rows_of_4(const std::vector<std::int64_t>& values, std::int64_t a
                          OutputFile& out);
 // The same read back, less `base`.
 std::vector<std::int64_t> read_npy_rows_of_4(const Source& source, int base);
+// Values, a row to a point, from an array of one or two dimensions.
+Field read_npy_values(const Source& source);
 
 }  // namespace mgdt::cli

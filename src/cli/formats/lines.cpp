@@ -69,6 +69,16 @@ double Fields::number(const char* what) {
     return value;
 }
 
+double Fields::value(const char* what) {
+    const std::string_view field = word(what);
+    double value = 0;
+    const NumberStatus status = parse_number(field, value);
+    if (status != NumberStatus::ok && status != NumberStatus::not_finite) {
+        lines_->fail(fmt::format("{}: {} {}", what, quote(field), describe(status)));
+    }
+    return value;
+}
+
 std::int64_t Fields::integer(const char* what) {
     const std::string_view field = word(what);
     std::int64_t value = 0;

@@ -55,6 +55,8 @@ class Fields {
     std::string_view word(const char* what);
     // A finite number.
     double number(const char* what);
+    // A number that may be nan or inf.
+    double value(const char* what);
     std::int64_t integer(const char* what);
     // An integer of at least `low` and at most `high`.
     std::int64_t integer(const char* what, std::int64_t low, std::int64_t high);

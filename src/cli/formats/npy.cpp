@@ -161,22 +161,24 @@ std::string shape_text(const Header& header) {
 }
 
 // Number of rows, after the array's size has been compared with the file's.
-std::size_t rows(const Source& source, const Header& header, std::size_t columns,
+std::size_t rows(const Source& source, const Header& header, std::uint64_t columns,
                  std::size_t item) {
-    if (header.shape.size() != 2 || header.shape[1] != columns) {
-        source.fail(fmt::format("the array's shape is {}; (n, {}) is needed; reshape it in NumPy",
-                                shape_text(header), columns));
-    }
     const std::uint64_t n = header.shape[0];
     const std::size_t bytes = source.bytes.size() - header.data;
-    if (n > bytes / (columns * item) || n * columns * item != bytes) {
+    const bool fits = n == 0 || (columns <= bytes / item && n <= bytes / (columns * item));
+    if (!fits || n * columns * item != bytes) {
         source.fail_at_byte(
-            header.data,
-            fmt::format("the header announces {} rows of {} bytes, but {} bytes follow; the file "
-                        "is cut short or damaged",
-                        n, columns * item, bytes));
+            header.data, fmt::format("the header announces {} rows of {} items of {} bytes, but {} "
+                                     "bytes follow; the file is cut short or damaged",
+                                     n, columns, item, bytes));
     }
     return static_cast<std::size_t>(n);
+}
+
+void require_columns(const Source& source, const Header& header, std::size_t columns) {
+    if (header.shape.size() == 2 && header.shape[1] == columns) return;
+    source.fail(fmt::format("the array's shape is {}; (n, {}) is needed; reshape it in NumPy",
+                            shape_text(header), columns));
 }
 
 bool big_endian(const Header& header) {
@@ -187,7 +189,29 @@ bool known_order(const Header& header) {
     return header.order() == '<' || header.order() == '>';
 }
 
-Mesh read_npy(const Source& source, const ReadOptions&) {
+bool has_doubles(const Header& header) {
+    return known_order(header) && (header.kind() == "f8" || header.kind() == "f4");
+}
+
+// Calls put(row, column, where to read) for each item, in the order of the file.
+template <class Put>
+void each_item(const Source& source, const Header& header, std::size_t n, std::size_t columns,
+               const Put& put) {
+    ByteReader bytes(source, header.data, big_endian(header));
+    const bool by_columns = header.fortran_order;
+    for (std::size_t i = 0; i < (by_columns ? columns : n); ++i) {
+        for (std::size_t j = 0; j < (by_columns ? n : columns); ++j) {
+            put(by_columns ? j : i, by_columns ? i : j, bytes);
+        }
+    }
+}
+
+// What messages and --fields call the values in a column after x, y and z.
+std::string column_name(std::size_t column) {
+    return fmt::format("column{}", column + 1);
+}
+
+Mesh read_npy(const Source& source, const ReadOptions& options) {
     const Header header = read_header(source);
     const bool wide = header.kind() == "f8";
     if (header.kind()[0] == 'i' && header.shape.size() == 2 && header.shape[1] == 4) {
@@ -196,26 +220,47 @@ Mesh read_npy(const Source& source, const ReadOptions&) {
                         "give the file of the points, or the mesh in one file, such as .vtu",
                         quote(header.type), shape_text(header)));
     }
-    if (!known_order(header) || (!wide && header.kind() != "f4")) {
+    if (!has_doubles(header)) {
         source.fail(
             fmt::format("the array's type is {}; save it as float64: "
                         "numpy.save(name, a.astype('<f8'))",
                         quote(header.type)));
     }
-    const std::size_t n = rows(source, header, 3, wide ? 8 : 4);
+    const bool has_more = header.shape.size() == 2 && header.shape[1] > 3;
+    if (!options.has_fields || !has_more) require_columns(source, header, 3);
+    const std::uint64_t all_columns = header.shape[1];
+    const std::size_t n = rows(source, header, all_columns, wide ? 8 : 4);
+    // Of no rows, any number of columns may be announced.
+    const std::size_t columns = n > 0 ? static_cast<std::size_t>(all_columns) : 3;
+
     Mesh mesh;
     mesh.detail = fmt::format("version {}.0, {}{}", header.version, header.type,
                               header.fortran_order ? ", Fortran order" : "");
     mesh.points.resize(3 * n);
-    ByteReader bytes(source, header.data, big_endian(header));
-    for (std::size_t i = 0; i < 3 * n; ++i) {
-        const std::size_t at = header.fortran_order ? i % n * 3 + i / n : i;
-        mesh.points[at] = wide ? bytes.coordinate<double>() : bytes.coordinate<float>();
+    std::vector<std::string> names;
+    std::vector<double*> values(columns, nullptr);
+    for (std::size_t c = 3; c < columns; ++c) names.push_back(column_name(c));
+    if (options.has_fields) require_fields(source, options, names);
+    mesh.fields.reserve(names.size());
+    for (std::size_t c = 3; c < columns; ++c) {
+        const std::string& name = names[c - 3];
+        if (!wants_field(options, name)) continue;
+        mesh.fields.push_back({name, 1, std::vector<double>(n)});
+        values[c] = mesh.fields.back().values.data();
     }
+    each_item(source, header, n, columns, [&](std::size_t row, std::size_t c, ByteReader& bytes) {
+        if (c < 3) {
+            mesh.points[3 * row + c] =
+                wide ? bytes.coordinate<double>() : bytes.coordinate<float>();
+        } else {
+            const double value = wide ? bytes.value<double>("value") : bytes.value<float>("value");
+            if (values[c] != nullptr) values[c][row] = value;
+        }
+    });
     return mesh;
 }
 
-void write_header(const char* type, std::size_t n, int columns, OutputFile& out) {
+void write_header(const char* type, std::size_t n, std::size_t columns, OutputFile& out) {
     std::string header = fmt::format(
         "{{'descr': '{}', 'fortran_order': False, 'shape': ({}, {}), }}", type, n, columns);
     // NumPy aligns the array to 64 bytes for memory maps.
@@ -232,6 +277,19 @@ void write_header(const char* type, std::size_t n, int columns, OutputFile& out)
 void write_points(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
     write_header("<f8", points.size() / 3, 3, out);
     out.write_values(points.data(), points.size());
+}
+
+// A row has x, y, z and the values.
+void write_fields(const Mesh& mesh, OutputFile& out, const WriteOptions&) {
+    std::size_t columns = 3;
+    for (const Field& f : mesh.fields) columns += f.components;
+    write_header("<f8", mesh.point_count(), columns, out);
+    for (std::size_t i = 0; i < mesh.point_count(); ++i) {
+        out.write_values(mesh.points.data() + 3 * i, 3);
+        for (const Field& f : mesh.fields) {
+            out.write_values(f.values.data() + f.components * i, f.components);
+        }
+    }
 }
 
 void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
@@ -257,22 +315,53 @@ std::vector<std::int64_t> read_npy_rows_of_4(const Source& source, int base) {
                         quote(header.type)));
     }
     const bool wide = kind == "i8";
+    require_columns(source, header, 4);
     const std::size_t n = rows(source, header, 4, wide ? 8 : 4);
     std::vector<std::int64_t> values(4 * n);
-    ByteReader bytes(source, header.data, big_endian(header));
-    for (std::size_t i = 0; i < 4 * n; ++i) {
-        const std::size_t at = header.fortran_order ? i % n * 4 + i / n : i;
+    each_item(source, header, n, 4, [&](std::size_t row, std::size_t c, ByteReader& bytes) {
         const std::int64_t v =
             wide ? bytes.value<std::int64_t>("index") : bytes.value<std::int32_t>("index");
         // The least int64 less 1 would overflow; it is out of every range anyway.
-        values[at] = v < 0 ? -1 : v - base;
-    }
+        values[4 * row + c] = v < 0 ? -1 : v - base;
+    });
     return values;
 }
 
+Field read_npy_values(const Source& source) {
+    const Header header = read_header(source);
+    const std::string kind = header.kind();
+    const bool wide = kind == "f8" || kind == "i8";
+    if (!has_doubles(header) && !(known_order(header) && (kind == "i8" || kind == "i4"))) {
+        source.fail(
+            fmt::format("the array's type is {}; save it as float64: "
+                        "numpy.save(name, a.astype('<f8'))",
+                        quote(header.type)));
+    }
+    if (header.shape.size() != 1 && header.shape.size() != 2) {
+        source.fail(fmt::format("the array's shape is {}; (n,) or (n, m) is needed for values",
+                                shape_text(header)));
+    }
+    const std::uint64_t columns = header.shape.size() == 1 ? 1 : header.shape[1];
+    if (columns == 0) source.fail("an array of no columns");
+    const std::size_t n = rows(source, header, columns, wide ? 8 : 4);
+    Field field;
+    field.name = "values";
+    field.components = n > 0 ? static_cast<std::size_t>(columns) : 1;
+    field.values.resize(n * field.components);
+    each_item(source, header, n, field.components,
+              [&](std::size_t row, std::size_t c, ByteReader& bytes) {
+                  double& value = field.values[row * field.components + c];
+                  if (kind == "f8") value = bytes.value<double>("value");
+                  if (kind == "f4") value = bytes.value<float>("value");
+                  if (kind == "i8") value = static_cast<double>(bytes.value<std::int64_t>("value"));
+                  if (kind == "i4") value = bytes.value<std::int32_t>("value");
+              });
+    return field;
+}
+
 const Format& npy_format() {
-    static const Format format = {"npy", {".npy"}, "NumPy array", true,
-                                  sniff, read_npy, write_points,  write_mesh};
+    static const Format format = {"npy",    {".npy"},     "NumPy array", true,    sniff,
+                                  read_npy, write_points, write_mesh,    nullptr, write_fields};
     return format;
 }
 

@@ -11,44 +11,10 @@
 #include "cli/formats/format.hpp"
 #include "cli/formats/lines.hpp"
 #include "cli/formats/number.hpp"
+#include "cli/formats/table.hpp"
 
 namespace mgdt::cli {
 namespace {
-
-// What stands between the fields of a file: a comma, a semicolon, or a run of blanks for ' '.
-char separator_of(std::string_view line) {
-    for (const char mark : {';', ','}) {
-        if (line.find(mark) != std::string_view::npos) return mark;
-    }
-    return ' ';
-}
-
-// Splits a line. Blanks around a field are not the field's, nor are quotes, within which a
-// separator is text. An empty field between two commas stays a field. Fields after the first `most`
-// are not looked at.
-std::size_t split(std::string_view line, char separator, std::string_view* fields,
-                  std::size_t most) {
-    const auto ends_field = [&](char c) { return separator == ' ' ? is_blank(c) : c == separator; };
-    std::size_t count = 0;
-    std::size_t at = 0;
-    const auto skip_blanks = [&] {
-        while (at < line.size() && is_blank(line[at])) ++at;
-    };
-    skip_blanks();
-    while (at < line.size() && count < most) {
-        const bool is_quoted = line[at] == '"' && line.find('"', at + 1) != std::string_view::npos;
-        const std::size_t begin = at + is_quoted;
-        if (is_quoted) at = line.find('"', begin);
-        const std::size_t closing = at;
-        while (at < line.size() && !ends_field(line[at])) ++at;
-        std::size_t end = is_quoted ? closing : at;
-        while (end > begin && is_blank(line[end - 1])) --end;
-        fields[count++] = line.substr(begin, end - begin);
-        if (at < line.size()) ++at;
-        skip_blanks();
-    }
-    return count;
-}
 
 bool is_name(std::string_view field, std::string_view name) {
     return std::equal(field.begin(), field.end(), name.begin(), name.end(), [](char a, char b) {
@@ -56,16 +22,10 @@ bool is_name(std::string_view field, std::string_view name) {
     });
 }
 
-using Columns = std::array<int, 3>;
-
-// As many as --columns can choose from.
-constexpr std::size_t most_columns = 10000;
-
 // The columns that a line of names calls x, y and z, or as ParaView does; where there are three in
 // all, these.
 std::optional<Columns> named_columns(std::string_view line) {
-    std::vector<std::string_view> names(std::min<std::size_t>(line.size(), most_columns));
-    names.resize(split(line, separator_of(line), names.data(), names.size()));
+    const std::vector<std::string_view> names = split(line, separator_of(line));
     constexpr std::array<std::string_view, 3> known[] = {{"x", "y", "z"},
                                                          {"points:0", "points:1", "points:2"}};
     for (const auto& wanted : known) {
@@ -162,7 +122,10 @@ Mesh read_text(const Source& source, const ReadOptions& options) {
     mesh.detail = "text";
     std::int64_t announced = -1;
     std::size_t announced_at = 0;
-    RowReader rows(options.columns.value_or(Columns{1, 2, 3}));
+    Columns columns = options.columns.value_or(Columns{1, 2, 3});
+    RowReader rows(columns);
+    std::optional<TableFields> fields;
+    if (options.has_fields) fields.emplace(source, options);
     char separator =
         0;  // not known before the first line of coordinates, or of names that are used
     bool is_first = true;
@@ -180,14 +143,16 @@ Mesh read_text(const Source& source, const ReadOptions& options) {
             }
             announced = -1;
             if (row.is_of_words) {
+                if (fields) fields->set_names(split(lines.text(), here));
                 if (options.columns.has_value()) continue;
-                const std::optional<Columns> columns = named_columns(lines.text());
-                if (!columns.has_value()) {
+                const std::optional<Columns> named = named_columns(lines.text());
+                if (!named.has_value()) {
                     lines.fail(
                         "no number, and no columns with the names x, y and z; give them "
                         "these names, or choose columns with --columns");
                 }
-                rows = RowReader(*columns);
+                columns = *named;
+                rows = RowReader(columns);
                 separator = here;
                 continue;
             }
@@ -195,7 +160,9 @@ Mesh read_text(const Source& source, const ReadOptions& options) {
         separator = here;
         rows.require_numbers(row, separator, lines);
         mesh.points.insert(mesh.points.end(), row.xyz, row.xyz + 3);
+        if (fields) fields->read(lines, separator, columns);
     }
+    if (fields) mesh.fields = fields->take();
     if (announced >= 0 && static_cast<std::uint64_t>(announced) != mesh.point_count()) {
         source.fail_at_line(announced_at,
                             fmt::format("announces {} points, but {} follow; correct or remove the "
@@ -221,6 +188,14 @@ void write_csv(const std::vector<double>& points, OutputFile& out, const WriteOp
     write_rows(points, ",", out);
 }
 
+void write_text_fields(const Mesh& mesh, OutputFile& out, const WriteOptions&) {
+    write_table(mesh, ' ', out);
+}
+
+void write_csv_fields(const Mesh& mesh, OutputFile& out, const WriteOptions&) {
+    write_table(mesh, ',', out);
+}
+
 }  // namespace
 
 const Format& text_format() {
@@ -231,14 +206,16 @@ const Format& text_format() {
                                   nullptr,
                                   read_text,
                                   write_text,
-                                  nullptr};
+                                  nullptr,
+                                  nullptr,
+                                  write_text_fields};
     return format;
 }
 
 const Format& csv_format() {
-    static const Format format = {"csv",     {".csv", ".tsv"}, "text, x,y,z a line",
-                                  false,     nullptr,          read_text,
-                                  write_csv, nullptr};
+    static const Format format = {
+        "csv",   {".csv", ".tsv"}, "text, x,y,z a line", false, nullptr, read_text, write_csv,
+        nullptr, nullptr,          write_csv_fields};
     return format;
 }
 

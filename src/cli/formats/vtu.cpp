@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
 // VTK's XML unstructured grid (.vtu), as ParaView reads it. Written with appended raw arrays
-// (a 64-bit length before each); read in the same form, or with arrays as text.
+// (a 64-bit length before each); read in the same form, or with arrays as text. The fields are the
+// arrays of numbers in PointData.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <type_traits>
+#include <utility>
 
 #include "cli/errors.hpp"
 #include "cli/formats/bytes.hpp"
@@ -15,6 +21,7 @@
 namespace mgdt::cli {
 namespace {
 
+constexpr std::uint8_t vtk_vertex = 1;
 constexpr std::uint8_t vtk_tetra = 10;
 constexpr std::size_t none = std::string_view::npos;
 
@@ -94,7 +101,8 @@ struct Layout {
     bool big_endian = false;
     bool wide_header = false;
     std::map<std::string, Tag> arrays;  // "points", "connectivity", "offsets", "types"
-    std::size_t appended = none;        // the first byte after '_'
+    std::vector<Tag> fields;
+    std::size_t appended = none;  // the first byte after '_'
 };
 
 std::uint64_t parse_count(const Source& source, const Tag& tag, const char* name) {
@@ -132,14 +140,16 @@ Layout parse_layout(const Source& source) {
                 source.fail_at_byte(tag.begin, "more than one Piece; merge them first");
             layout.points = parse_count(source, tag, "NumberOfPoints");
             layout.cells = parse_count(source, tag, "NumberOfCells");
-        } else if (tag.name == "Points" || tag.name == "Cells") {
+        } else if (tag.name == "Points" || tag.name == "Cells" || tag.name == "PointData") {
             section = tag.name;
-        } else if (tag.name == "/Points" || tag.name == "/Cells") {
+        } else if (tag.name == "/Points" || tag.name == "/Cells" || tag.name == "/PointData") {
             section = "";
         } else if (tag.name == "DataArray" && section == "Points") {
             layout.arrays.emplace("points", tag);
         } else if (tag.name == "DataArray" && section == "Cells") {
             layout.arrays.emplace(attribute(tag, "Name", ""), tag);
+        } else if (tag.name == "DataArray" && section == "PointData") {
+            layout.fields.push_back(tag);
         } else if (tag.name == "AppendedData") {
             if (attribute(tag, "encoding", "") != "raw") {
                 source.fail_at_byte(tag.begin,
@@ -158,66 +168,72 @@ Layout parse_layout(const Source& source) {
     return layout;
 }
 
-template <class T>
-void read_values(ByteReader& bytes, std::vector<double>& out) {
-    for (double& v : out) v = bytes.coordinate<T>();
+// Calls act with a value of the type that VTK calls `type`; false where it is none of numbers.
+template <class Act>
+bool with_type(const std::string& type, const Act& act) {
+    if (type == "Float64") return act(double()), true;
+    if (type == "Float32") return act(float()), true;
+    if (type == "Int64") return act(std::int64_t()), true;
+    if (type == "UInt64") return act(std::uint64_t()), true;
+    if (type == "Int32") return act(std::int32_t()), true;
+    if (type == "UInt32") return act(std::uint32_t()), true;
+    if (type == "Int16") return act(std::int16_t()), true;
+    if (type == "UInt16") return act(std::uint16_t()), true;
+    if (type == "Int8") return act(std::int8_t()), true;
+    if (type == "UInt8") return act(std::uint8_t()), true;
+    return false;
 }
 
-template <class T>
-void read_values(ByteReader& bytes, std::vector<std::int64_t>& out) {
-    for (std::int64_t& v : out) v = static_cast<std::int64_t>(bytes.value<T>("index"));
+// 0 for what is no number.
+std::size_t item_size(const std::string& type) {
+    std::size_t size = 0;
+    with_type(type, [&](auto item) { size = sizeof item; });
+    return size;
 }
 
-std::size_t item_size(const Source& source, const Tag& tag, const std::string& type) {
-    if (type == "Float64" || type == "Int64" || type == "UInt64") return 8;
-    if (type == "Float32" || type == "Int32" || type == "UInt32") return 4;
-    if (type == "UInt8" || type == "Int8") return 1;
-    source.fail_at_byte(tag.begin, fmt::format("arrays of type {} cannot be read", quote(type)));
-}
-
-void read_any(ByteReader& bytes, const std::string& type, std::vector<double>& out) {
-    if (type == "Float64") {
-        read_values<double>(bytes, out);
-    } else if (type == "Float32") {
-        read_values<float>(bytes, out);
-    } else {
-        bytes.fail(
-            fmt::format("coordinates of type {}; Float64 or Float32 is needed", quote(type)));
+// What an array may hold: how an item is read from bytes and from text.
+struct Coordinates {
+    using Item = double;
+    template <class T>
+    static Item from_bytes(ByteReader& bytes) {
+        if constexpr (std::is_floating_point_v<T>) return bytes.coordinate<T>();
+        bytes.fail("coordinates of an integer type; Float64 or Float32 is needed");
     }
-}
+    static Item from_text(Fields& fields) { return fields.number("coordinate"); }
+};
 
-void read_any(ByteReader& bytes, const std::string& type, std::vector<std::int64_t>& out) {
-    if (type == "Int64" || type == "UInt64") {
-        read_values<std::int64_t>(bytes, out);
-    } else if (type == "Int32") {
-        read_values<std::int32_t>(bytes, out);
-    } else if (type == "UInt32") {
-        read_values<std::uint32_t>(bytes, out);
-    } else if (type == "UInt8" || type == "Int8") {
-        read_values<std::uint8_t>(bytes, out);
-    } else {
-        bytes.fail(fmt::format("indices of type {}; an integer type is needed", quote(type)));
+struct Indices {
+    using Item = std::int64_t;
+    template <class T>
+    static Item from_bytes(ByteReader& bytes) {
+        if constexpr (std::is_integral_v<T>) return static_cast<Item>(bytes.value<T>("index"));
+        bytes.fail("indices of a floating-point type; an integer type is needed");
     }
-}
+    static Item from_text(Fields& fields) { return fields.integer("index"); }
+};
 
-void read_word(Fields& fields, double& out) {
-    out = fields.number("coordinate");
-}
-void read_word(Fields& fields, std::int64_t& out) {
-    out = fields.integer("index");
-}
+struct Values {
+    using Item = double;
+    template <class T>
+    static Item from_bytes(ByteReader& bytes) {
+        return static_cast<Item>(bytes.value<T>("value"));
+    }
+    static Item from_text(Fields& fields) { return fields.value("value"); }
+};
 
-// One DataArray of `count` values.
-template <class T>
-std::vector<T> read_array(const Source& source, const Layout& layout, const char* name,
-                          std::uint64_t count) {
-    const auto found = layout.arrays.find(name);
-    if (found == layout.arrays.end()) source.fail(fmt::format("the array {} is missing", name));
-    const Tag& tag = found->second;
+// One DataArray of `count` items.
+template <class Kind>
+std::vector<typename Kind::Item> read_array(const Source& source, const Layout& layout,
+                                            const Tag& tag, const std::string& name,
+                                            std::uint64_t count) {
     const std::string type = attribute(tag, "type", "");
     const std::string format = attribute(tag, "format", "ascii");
-    const std::size_t size = item_size(source, tag, type);
-    std::vector<T> out;
+    const std::size_t size = item_size(type);
+    if (size == 0) {
+        source.fail_at_byte(tag.begin,
+                            fmt::format("arrays of type {} cannot be read", quote(type)));
+    }
+    std::vector<typename Kind::Item> out;
     if (format == "appended") {
         const std::uint64_t offset = parse_count(source, tag, "offset");
         if (layout.appended == none) source.fail("the appended data are missing");
@@ -232,7 +248,9 @@ std::vector<T> read_array(const Source& source, const Layout& layout, const char
         }
         bytes.need(count, size, "items of the array");
         out.resize(static_cast<std::size_t>(count));
-        read_any(bytes, type, out);
+        with_type(type, [&](auto item) {
+            for (auto& v : out) v = Kind::template from_bytes<decltype(item)>(bytes);
+        });
         return out;
     }
     if (format != "ascii") {
@@ -257,7 +275,7 @@ std::vector<T> read_array(const Source& source, const Layout& layout, const char
         std::string_view word;
         for (Fields ahead = fields; ahead.next(word);) {
             if (out.size() == count) lines.fail("more values than announced");
-            read_word(fields, out.emplace_back());
+            out.push_back(Kind::from_text(fields));
         }
     }
     if (out.size() != count) {
@@ -266,12 +284,83 @@ std::vector<T> read_array(const Source& source, const Layout& layout, const char
     return out;
 }
 
+template <class Kind>
+std::vector<typename Kind::Item> read_array(const Source& source, const Layout& layout,
+                                            const char* name, std::uint64_t count) {
+    const auto found = layout.arrays.find(name);
+    if (found == layout.arrays.end()) source.fail(fmt::format("the array {} is missing", name));
+    return read_array<Kind>(source, layout, found->second, name, count);
+}
+
+// The characters that XML has other words for.
+constexpr std::array<std::pair<char, std::string_view>, 5> entities = {{
+    {'&', "&amp;"},
+    {'<', "&lt;"},
+    {'>', "&gt;"},
+    {'"', "&quot;"},
+    {'\'', "&apos;"},
+}};
+
+std::string from_xml(std::string_view text) {
+    std::string out;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto found = std::find_if(entities.begin(), entities.end(), [&](const auto& e) {
+            return text.substr(at, e.second.size()) == e.second;
+        });
+        out += found == entities.end() ? text[at] : found->first;
+        at += found == entities.end() ? 1 : found->second.size();
+    }
+    return out;
+}
+
+std::string to_xml(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        const auto found = std::find_if(entities.begin(), entities.end(),
+                                        [c](const auto& e) { return e.first == c; });
+        out += found == entities.end() ? std::string_view(&c, 1) : found->second;
+    }
+    return out;
+}
+
+std::vector<Field> read_fields(const Source& source, const Layout& layout,
+                               const ReadOptions& options) {
+    std::vector<std::string> names;
+    std::vector<Field> fields;
+    // Arrays that share bytes would let a small file fill the memory.
+    std::uint64_t bytes_left = source.bytes.size();
+    for (const Tag& tag : layout.fields) {
+        const std::size_t size = item_size(attribute(tag, "type", ""));
+        const std::uint64_t components = tag.attributes.count("NumberOfComponents") != 0
+                                             ? parse_count(source, tag, "NumberOfComponents")
+                                             : 1;
+        if (size == 0 || components == 0) continue;
+        const std::string name = from_xml(attribute(tag, "Name", ""));
+        names.push_back(name);
+        if (!wants_field(options, name)) continue;
+        if (layout.points == 0) continue;
+        const bool is_text = attribute(tag, "format", "ascii") == "ascii";
+        const std::uint64_t item = is_text ? 1 : size;
+        if (components > bytes_left / layout.points / item) {
+            source.fail_at_byte(tag.begin,
+                                fmt::format("{} components at {} points: more than the file has",
+                                            components, layout.points));
+        }
+        fields.push_back({name, static_cast<std::size_t>(components), {}});
+        fields.back().values =
+            read_array<Values>(source, layout, tag, quote(name), layout.points * components);
+        if (!is_text) bytes_left -= layout.points * components * item;
+    }
+    require_fields(source, options, names);
+    return fields;
+}
+
 bool sniff(std::string_view bytes) {
     const std::string_view start = bytes.substr(0, 1024);
     return start.find("<VTKFile") != none;
 }
 
-Mesh read_vtu(const Source& source, const ReadOptions&) {
+Mesh read_vtu(const Source& source, const ReadOptions& options) {
     const Layout layout = parse_layout(source);
     const std::uint64_t bytes = source.bytes.size();
     if (layout.points > bytes || layout.cells > bytes) {
@@ -280,15 +369,16 @@ Mesh read_vtu(const Source& source, const ReadOptions&) {
     }
     Mesh mesh;
     mesh.detail = "UnstructuredGrid";
-    mesh.points = read_array<double>(source, layout, "points", 3 * layout.points);
-    const auto types = read_array<std::int64_t>(source, layout, "types", layout.cells);
-    const auto offsets = read_array<std::int64_t>(source, layout, "offsets", layout.cells);
+    mesh.points = read_array<Coordinates>(source, layout, "points", 3 * layout.points);
+    if (options.has_fields) mesh.fields = read_fields(source, layout, options);
+    const auto types = read_array<Indices>(source, layout, "types", layout.cells);
+    const auto offsets = read_array<Indices>(source, layout, "offsets", layout.cells);
     const std::int64_t length = offsets.empty() ? 0 : offsets.back();
     if (length < 0 || static_cast<std::uint64_t>(length) > bytes) {
         source.fail(fmt::format("the last cell's offset is {}", length));
     }
-    const auto vertices = read_array<std::int64_t>(source, layout, "connectivity",
-                                                   static_cast<std::uint64_t>(length));
+    const auto vertices =
+        read_array<Indices>(source, layout, "connectivity", static_cast<std::uint64_t>(length));
     mesh.has_tetrahedra = true;
     std::int64_t begin = 0;
     for (std::size_t i = 0; i < types.size(); ++i) {
@@ -316,18 +406,19 @@ Mesh read_vtu(const Source& source, const ReadOptions&) {
     return mesh;
 }
 
-void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
-                const WriteOptions&) {
-    OutputFile& out = outputs.open(path);
-    const std::uint64_t points = mesh.points.size() * 8;
-    const std::uint64_t vertices = mesh.tetrahedra.size() * 8;
-    const std::uint64_t cells = mesh.tetrahedron_count();
-    const auto array = [](const char* type, const char* rest, std::uint64_t offset) {
-        return fmt::format(
-            "        <DataArray type=\"{}\" {} format=\"appended\" offset=\"{}\"/>\n", type, rest,
-            offset);
-    };
+// Cells of `size` vertices each, all of the type.
+void write_grid(const Mesh& mesh, const std::vector<std::int64_t>& vertices, std::uint64_t size,
+                std::uint8_t type, OutputFile& out) {
+    const std::uint64_t cells = vertices.size() / size;
     std::uint64_t offset = 0;
+    const auto array = [&offset](const char* of_type, const std::string& rest,
+                                 std::uint64_t bytes) {
+        const std::uint64_t begin = offset;
+        offset += 8 + bytes;
+        return fmt::format(
+            "        <DataArray type=\"{}\" {} format=\"appended\" offset=\"{}\"/>\n", of_type,
+            rest, begin);
+    };
     std::string head = fmt::format(
         "<?xml version=\"1.0\"?>\n"
         "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
@@ -336,35 +427,61 @@ void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
         "    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
         "      <Points>\n",
         mesh.point_count(), cells);
-    head += array("Float64", "Name=\"Points\" NumberOfComponents=\"3\"", offset);
-    offset += 8 + points;
+    head += array("Float64", "Name=\"Points\" NumberOfComponents=\"3\"", 8 * mesh.points.size());
     head += "      </Points>\n      <Cells>\n";
-    head += array("Int64", "Name=\"connectivity\"", offset);
-    offset += 8 + vertices;
-    head += array("Int64", "Name=\"offsets\"", offset);
-    offset += 8 + 8 * cells;
-    head += array("UInt8", "Name=\"types\"", offset);
+    head += array("Int64", "Name=\"connectivity\"", 8 * vertices.size());
+    head += array("Int64", "Name=\"offsets\"", 8 * cells);
+    head += array("UInt8", "Name=\"types\"", cells);
+    head += "      </Cells>\n";
+    if (!mesh.fields.empty()) head += "      <PointData>\n";
+    for (const Field& f : mesh.fields) {
+        head += array(
+            "Float64",
+            fmt::format("Name=\"{}\" NumberOfComponents=\"{}\"", to_xml(f.name), f.components),
+            8 * f.values.size());
+    }
+    if (!mesh.fields.empty()) head += "      </PointData>\n";
     head +=
-        "      </Cells>\n    </Piece>\n  </UnstructuredGrid>\n"
+        "    </Piece>\n  </UnstructuredGrid>\n"
         "  <AppendedData encoding=\"raw\">\n_";
     out.write(head);
-    out.write_value(points);
-    out.write_values(mesh.points.data(), mesh.points.size());
-    out.write_value(vertices);
-    out.write_values(mesh.tetrahedra.data(), mesh.tetrahedra.size());
+    const auto write_array = [&out](const auto& values) {
+        out.write_value(static_cast<std::uint64_t>(8 * values.size()));
+        out.write_values(values.data(), values.size());
+    };
+    write_array(mesh.points);
+    write_array(vertices);
     out.write_value(8 * cells);
-    for (std::uint64_t i = 1; i <= cells; ++i) out.write_value(static_cast<std::int64_t>(4 * i));
+    for (std::uint64_t i = 1; i <= cells; ++i) out.write_value(static_cast<std::int64_t>(size * i));
     out.write_value(cells);
-    for (std::uint64_t i = 0; i < cells; ++i) out.write_value(vtk_tetra);
+    for (std::uint64_t i = 0; i < cells; ++i) out.write_value(type);
+    for (const Field& f : mesh.fields) write_array(f.values);
     out.write("\n  </AppendedData>\n</VTKFile>\n");
+}
+
+void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
+                const WriteOptions&) {
+    write_grid(mesh, mesh.tetrahedra, 4, vtk_tetra, outputs.open(path));
+}
+
+// Points without tetrahedra would not be shown: each is a cell then.
+void write_fields(const Mesh& mesh, OutputFile& out, const WriteOptions&) {
+    if (mesh.tetrahedron_count() > 0) {
+        write_grid(mesh, mesh.tetrahedra, 4, vtk_tetra, out);
+    } else {
+        std::vector<std::int64_t> vertices(mesh.point_count());
+        std::iota(vertices.begin(), vertices.end(), std::int64_t{0});
+        write_grid(mesh, vertices, 1, vtk_vertex, out);
+    }
 }
 
 }  // namespace
 
 const Format& vtu_format() {
-    static const Format format = {"vtu",   {".vtu"},  "VTK unstructured grid, for ParaView",
-                                  true,    sniff,     read_vtu,
-                                  nullptr, write_mesh};
+    static const Format format = {"vtu",       {".vtu"},   "VTK unstructured grid, for ParaView",
+                                  true,        sniff,      read_vtu,
+                                  nullptr,     write_mesh, nullptr,
+                                  write_fields};
     return format;
 }
 

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// mgdt interpolate: values at samples in, values at places out.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cli/commands.hpp"
+#include "cli/errors.hpp"
+
+namespace mgdt::cli {
+namespace {
+
+using Choice = std::pair<const char*, std::int32_t>;
+
+constexpr Choice methods[] = {{"linear", MGDT_INTERPOLATE_LINEAR},
+                              {"nearest", MGDT_INTERPOLATE_NEAREST},
+                              {"sibson", MGDT_INTERPOLATE_SIBSON},
+                              {"laplace", MGDT_INTERPOLATE_LAPLACE},
+                              {"sibson-c1", MGDT_INTERPOLATE_SIBSON_C1}};
+
+constexpr Choice outsides[] = {{"none", MGDT_OUTSIDE_NONE},
+                               {"nearest", MGDT_OUTSIDE_NEAREST},
+                               {"boundary", MGDT_OUTSIDE_BOUNDARY},
+                               {"linear", MGDT_OUTSIDE_LINEAR}};
+
+template <std::size_t n>
+std::vector<std::string> names_of(const Choice (&choices)[n]) {
+    std::vector<std::string> names;
+    for (const Choice& c : choices) names.emplace_back(c.first);
+    return names;
+}
+
+// The command line has made sure that the name is one of them.
+template <std::size_t n>
+std::int32_t value_of(const Choice (&choices)[n], const std::string& name) {
+    const Choice* found = std::find_if(std::begin(choices), std::end(choices),
+                                       [&](const Choice& c) { return name == c.first; });
+    return found->second;
+}
+
+Mesh read_samples(const InterpolateOptions& options) {
+    InputOptions input = options.samples;
+    input.read.has_fields = options.values.empty();
+    input.read.field_names = options.fields;
+    Mesh samples = read_input(input);
+    const std::string name = input_name(input.path);
+    if (!options.values.empty()) {
+        const InputFile file(options.values);
+        samples.fields.push_back(read_npy_values(file.source()));
+        if (file.identity()) samples.inputs.push_back(*file.identity());
+        const Field& field = samples.fields.back();
+        const std::size_t rows = field.values.size() / field.components;
+        if (rows != samples.point_count()) {
+            throw Error(exit_input,
+                        fmt::format("{}: {} for {} in {}", input_name(options.values),
+                                    counted(rows, "row of values", "rows of values"),
+                                    counted(samples.point_count(), "point", "points"), name));
+        }
+    }
+    if (samples.fields.empty()) {
+        throw Error(
+            exit_input,
+            fmt::format("{}: no values beside the points; have them in columns of text or of "
+                        "an .npy, in a .vtu, or name an .npy of their own with --values",
+                        name));
+    }
+    return samples;
+}
+
+// All fields of a point one behind the other, as the library takes them.
+std::vector<double> interleaved(const Mesh& mesh, std::size_t n_fields) {
+    std::vector<double> values(mesh.point_count() * n_fields);
+    std::size_t first = 0;
+    for (const Field& f : mesh.fields) {
+        for (std::size_t i = 0; i < mesh.point_count(); ++i) {
+            std::copy_n(f.values.data() + i * f.components, f.components,
+                        values.data() + i * n_fields + first);
+        }
+        first += f.components;
+    }
+    return values;
+}
+
+// The fields that `like` has, from what interleaved() would give.
+std::vector<Field> separated(const std::vector<double>& values, const std::vector<Field>& like,
+                             std::size_t n_fields) {
+    std::vector<Field> fields;
+    const std::size_t n = values.size() / n_fields;
+    std::size_t first = 0;
+    for (const Field& f : like) {
+        Field& field = fields.emplace_back();
+        field.name = f.name;
+        field.components = f.components;
+        field.values.resize(n * f.components);
+        for (std::size_t i = 0; i < n; ++i) {
+            std::copy_n(values.data() + i * n_fields + first, f.components,
+                        field.values.data() + i * f.components);
+        }
+        first += f.components;
+    }
+    return fields;
+}
+
+}  // namespace
+
+std::vector<std::string> interpolation_methods() {
+    return names_of(methods);
+}
+
+std::vector<std::string> interpolation_outsides() {
+    return names_of(outsides);
+}
+
+int interpolate(const InterpolateOptions& options) {
+    const OutputOptions& output = options.output;
+    const Format& format = output_format(output.path, output.to);
+    if (!format.write_fields) {
+        throw Error(exit_usage, fmt::format("{} ({}) has no place for values; write .vtu, .csv, "
+                                            ".xyz or .npy",
+                                            format.name, format.description));
+    }
+    check_terminal(output, format);
+    check_writable(output.path);
+    if (options.samples.path == "-" && options.places.path == "-") {
+        throw Error(exit_usage, "samples and places cannot both come from standard input");
+    }
+
+    const Mesh samples = read_samples(options);
+    Mesh places = read_input(options.places);
+    std::vector<FileIdentity> inputs = samples.inputs;
+    inputs.insert(inputs.end(), places.inputs.begin(), places.inputs.end());
+    require_apart(inputs, {output.path});
+
+    std::size_t n_fields = 0;
+    for (const Field& f : samples.fields) n_fields += f.components;
+    const std::int32_t method = value_of(methods, options.method);
+    const std::string name = input_name(options.samples.path);
+    std::size_t outside = 0;
+    {
+        Triangulation t(options.triangulation);
+        t.insert(samples.points, name);
+        if (mgdt_dimension(t.get()) < 3 && method != MGDT_INTERPOLATE_NEAREST) {
+            throw Error(exit_input, fmt::format("{}: {}, so there are no values between them; "
+                                                "--method nearest --outside nearest takes those of "
+                                                "the points",
+                                                name, t.shape()));
+        }
+        std::vector<double> values;
+        t.interpolate(method, value_of(outsides, options.outside), n_fields,
+                      interleaved(samples, n_fields), places.points, values);
+        places.fields = separated(values, samples.fields, n_fields);
+        const std::vector<std::int64_t> found = t.locate(places.points);
+        outside = static_cast<std::size_t>(std::count(found.begin(), found.end(), -1));
+    }
+
+    OutputSet outputs;
+    format.write_fields(places, outputs.open(output.path), output.write);
+    outputs.commit();
+    if (!options.triangulation.quiet && output.path != "-") {
+        fmt::print("{}, {}, {} outside: {}\n", counted(samples.point_count(), "sample", "samples"),
+                   counted(places.point_count(), "place", "places"), outside,
+                   printable(output.path));
+    }
+    return exit_ok;
+}
+
+}  // namespace mgdt::cli
