@@ -174,45 +174,57 @@ bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const d
     sums_.clear();
     sums_.resize(n, 0);
     double error = 0;
-    // `reach`: how far the corners of the facet are.
-    const auto cross_of = [&](std::uint32_t near, std::uint32_t beyond, bool is_odd, double reach,
-                              double(&x)[3]) {
+    // `span`: the sum of the coordinates' magnitudes in the differences that the cross product is
+    // multiplied by. `reach`: how far the corners are that they are of.
+    const auto cross_of = [&](std::uint32_t near, std::uint32_t beyond, bool is_odd, double span,
+                              double reach, double(&x)[3]) {
         const Center &a = centers_[near], &b = centers_[beyond];
         const double to_units = is_odd == is_sibson ? one : -one;
         x[0] = (a.x[1] * b.x[2] - a.x[2] * b.x[1]) * to_units;
         x[1] = (a.x[2] * b.x[0] - a.x[0] * b.x[2]) * to_units;
         x[2] = (a.x[0] * b.x[1] - a.x[1] * b.x[0]) * to_units;
-        error +=
-            reach * ((a.error * (b.size + b.error) + b.error * a.size) + 8 * u * (a.size * b.size));
+        const double size = u * (a.size * b.size);
+        error += span * (2 * (a.error * (b.size + b.error) + b.error * a.size) + 13 * size) +
+                 40 * (reach * size);
     };
-    const auto give = [&](std::uint32_t to, const double* x, double dx, double dy, double dz) {
-        sums_[to] += static_cast<std::int64_t>((x[0] * dx + x[1] * dy) + x[2] * dz);
+    const auto give = [&](std::uint32_t to, const double* x, const double* d) {
+        sums_[to] += static_cast<std::int64_t>((x[0] * d[0] + x[1] * d[1]) + x[2] * d[2]);
+    };
+    const auto length = [](const double* d) {
+        return std::fabs(d[0]) + std::fabs(d[1]) + std::fabs(d[2]);
     };
     double x[3];
     if (is_sibson)
         for (const auto& f : star.old_facets()) {
             const LocalVertex &i = x_[f.corner[0]], &j = x_[f.corner[1]], &k = x_[f.corner[2]];
-            cross_of(f.near, f.beyond, f.is_odd, std::max({i.largest, j.largest, k.largest}), x);
-            give(f.corner[0], x, j.x - k.x, j.y - k.y, j.z - k.z);
-            give(f.corner[1], x, k.x - i.x, k.y - i.y, k.z - i.z);
-            give(f.corner[2], x, i.x - j.x, i.y - j.y, i.z - j.z);
+            const double to_i[3] = {j.x - k.x, j.y - k.y, j.z - k.z},
+                         to_j[3] = {k.x - i.x, k.y - i.y, k.z - i.z},
+                         to_k[3] = {i.x - j.x, i.y - j.y, i.z - j.z};
+            cross_of(f.near, f.beyond, f.is_odd, length(to_i) + length(to_j) + length(to_k),
+                     std::max({i.largest, j.largest, k.largest}), x);
+            give(f.corner[0], x, to_i);
+            give(f.corner[1], x, to_j);
+            give(f.corner[2], x, to_k);
         }
     for (const auto& f : star.new_facets()) {
         const LocalVertex &i = x_[f.corner[0]], &j = x_[f.corner[1]];
-        cross_of(f.near, f.beyond, f.is_odd, 0.5 * std::max(i.largest, j.largest), x);
-        const LocalVertex &to_i = is_sibson ? j : i, &to_j = is_sibson ? i : j;
-        give(f.corner[0], x, -to_i.x, -to_i.y, -to_i.z);
-        give(f.corner[1], x, to_j.x, to_j.y, to_j.z);
+        const LocalVertex &first = is_sibson ? j : i, &second = is_sibson ? i : j;
+        const double to_i[3] = {-first.x, -first.y, -first.z},
+                     to_j[3] = {second.x, second.y, second.z};
+        cross_of(f.near, f.beyond, f.is_odd, length(to_i) + length(to_j), 0, x);
+        give(f.corner[0], x, to_i);
+        give(f.corner[1], x, to_j);
     }
     double total = 0, error_of_all = 0;
-    const double of_each = 12 * error * one + static_cast<double>(terms);
+    // Of all sums together, in units.
+    const double error_of_sums = error * one + 3 * static_cast<double>(terms);
     for (PlaceStar::Number k = 0; k < n; ++k) {
         const double square = is_sibson ? 1 : x_[k].square;
         weights_[k] = static_cast<double>(sums_[k]) / square;
         total += weights_[k];
-        error_of_all = std::max(error_of_all, of_each / square);
+        error_of_all = std::max(error_of_all, error_of_sums / square);
     }
-    const bool is_known = 4.1 * error_of_all < 0.9 * natural_weight_error * total;
+    const bool is_known = 2.05 * error_of_all < 0.9 * natural_weight_error * total;
     normalize();
     double off[3];
     return is_known && (is_in_place(off) || (correct(off) && is_in_place(off)));

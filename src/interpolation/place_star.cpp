@@ -142,7 +142,7 @@ void PlaceStar::build_in_space(const Mesh& mesh, Lookup number, Edges edges) {
     const Workspace& w = workspace_;
     const auto members = static_cast<std::uint32_t>(w.cavity_size),
                facets = static_cast<std::uint32_t>(w.boundary_size);
-    const MarkTable::View marks = marks_.view();
+    const auto member = members_.lookup();
     removed_.grow(members);
     removed_.resize_within_capacity(members);
     created_.grow(facets);
@@ -150,58 +150,61 @@ void PlaceStar::build_in_space(const Mesh& mesh, Lookup number, Edges edges) {
     cycles_.grow(facets);
     cycles_.resize_within_capacity(facets);
     // Each facet of a removed one is in the boundary or between two; each of the place between two.
-    old_facets_.grow(2 * members + facets);
-    new_facets_.grow(3 * facets / 2);
-    std::size_t old_facets = 0, new_facets = 0;
+    old_facets_.grow(2 * members + facets + 1);
+    new_facets_.grow(3 * facets / 2 + 1);
+    Removed* const removed = removed_.data();
+    Created* const created = created_.data();
+    Cycle* const cycles = cycles_.data();
+    Meeting<3>* old_facet = old_facets_.data();
+    Meeting<2>* new_facet = new_facets_.data();
     for (std::uint32_t m = 0; m < members; ++m) {
         const Tetrahedron& t = mesh.tetrahedra[tetrahedron_of(w.cavity.data[m])];
-        Removed& r = removed_[m];
         Number corner[4];
-        for (unsigned i = 0; i < 4; ++i) corner[i] = r.corner[i] = number(t.v[i]);
-        r.is_odd = sort_corners(r.corner);
+        for (unsigned i = 0; i < 4; ++i) corner[i] = number(t.v[i]);
         for (unsigned face = 0; face < 4; ++face) {
-            const TetId beyond = tetrahedron_of(t.n[face]);
-            if (!marks.has(beyond)) continue;
-            const std::uint32_t other = members_.number(beyond);
-            if (other < m) continue;
-            old_facets_.resize_within_capacity(old_facets + 1);
-            Meeting<3>& f = old_facets_[old_facets++];
+            const std::uint32_t other = member(tetrahedron_of(t.n[face]));
+            // Each from one of its sides; what is written otherwise is written over.
+            Meeting<3>& f = *old_facet;
+            old_facet += static_cast<int>(other + 1 > m + 1);
             f.near = m;
             f.beyond = other;
             for (unsigned k = 0; k < 3; ++k) f.corner[k] = corner[outer_face[face][k]];
             f.is_odd = sort_corners(f.corner);
         }
+        Removed& r = removed[m];
+        std::copy(corner, corner + 4, r.corner);
+        r.is_odd = sort_corners(r.corner);
     }
     for (std::uint32_t i = 0; i < facets; ++i) {
         const FacetCode outside = w.boundary.data[i];
         const Tetrahedron& t = mesh.tetrahedra[tetrahedron_of(outside)];
         const FacetCode inside = t.n[face_of(outside)];
-        Created& c = created_[i];
+        Created& c = created[i];
         // In the order that makes the place and them positive.
-        Number* const cycle = cycles_[i].corner;
+        Number* const cycle = cycles[i].corner;
         for (unsigned k = 0; k < 3; ++k)
             cycle[k] = c.corner[k] = number(t.v[outer_face[face_of(outside)][k]]);
         edges.put(cycle[0], cycle[1], i);
         edges.put(cycle[1], cycle[2], i);
         edges.put(cycle[2], cycle[0], i);
         c.is_odd = sort_corners(c.corner);
-        old_facets_.resize_within_capacity(old_facets + 1);
-        Meeting<3>& f = old_facets_[old_facets++];
+        Meeting<3>& f = *old_facet++;
         f.near = members + i;
-        f.beyond = members_.number(tetrahedron_of(inside));
+        f.beyond = member(tetrahedron_of(inside));
         std::copy(c.corner, c.corner + 3, f.corner);
         f.is_odd = c.is_odd;
     }
     for (std::uint32_t i = 0; i < facets; ++i) {
-        const Number* const cycle = cycles_[i].corner;
+        const Number* const cycle = cycles[i].corner;
         for (unsigned k = 0; k < 3; ++k) {
             const Number a = cycle[k], b = cycle[k == 2 ? 0 : k + 1];
             // Each edge of the link in one of its directions.
-            if (a > b) continue;
-            new_facets_.resize_within_capacity(new_facets + 1);
-            new_facets_[new_facets++] = {members + i, members + edges.get(b, a), {a, b}, false};
+            *new_facet = {members + i, members + edges.get(b, a), {a, b}, false};
+            new_facet += static_cast<int>(a < b);
         }
     }
+    old_facets_.resize_within_capacity(static_cast<std::size_t>(old_facet - old_facets_.data()));
+    new_facets_.resize_within_capacity(static_cast<std::size_t>(new_facet - new_facets_.data()));
 }
 
 template <class Lookup>

@@ -27,6 +27,18 @@ class Numbers {
         ++size_;
         return number;
     }
+    // A function that gives the number of a name, or `none` if it has not come. It holds all that
+    // it looks at, so that a loop that writes need not read this object again.
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+    MGDT_ALWAYS_INLINE auto lookup() const {
+        return [table = table_.data(), mask = mask_, first = first_](std::uint32_t name) {
+            for (std::uint32_t at = name & mask;; at = (at + 1) & mask) {
+                const Entry& entry = table[at];
+                if (entry.number < first) return none;
+                if (entry.name == name) return entry.number - first;
+            }
+        };
+    }
     void clear();
     std::uint32_t size() const noexcept { return size_; }
     MGDT_ALWAYS_INLINE std::uint32_t name(std::uint32_t number) const noexcept {
