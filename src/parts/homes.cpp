@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+//
+// Level by level: the parts look at where their points are, offer some of them as splitters, count
+// what is before each, and go on between the two that the place wanted is between, until one is
+// near enough.
+#include "parts/homes.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "order/random.hpp"
+
+namespace mgdt {
+namespace {
+
+constexpr std::uint32_t no_node = 0xFFFFFFFF;
+// Of the points of one part, how many a division may be off.
+constexpr double tolerance = 1.0 / 512;
+constexpr int most_rounds = 8;
+// Candidates for a division in one round, or one from each part if these are more.
+constexpr std::size_t candidates_wanted = 256;
+
+}  // namespace
+
+class Homes::Level {
+  public:
+    Level(Allocator& allocator, Transport& transport, const GivenPoints* points)
+        : transport_(transport),
+          nodes_(allocator),
+          begin_(allocator),
+          order_(allocator),
+          mine_(allocator),
+          all_(allocator),
+          first_(allocator),
+          counts_(allocator) {
+        std::size_t n = 0;
+        for (PartId i = 0; i < transport.local_parts(); ++i) n += points[i].n;
+        order_.resize(n);
+        n = 0;
+        for (PartId i = 0; i < transport.local_parts(); ++i)
+            for (std::size_t k = 0; k < points[i].n; ++k) order_[n++] = points[i].xyz + 3 * k;
+        begin_.push_back(0);
+        begin_.push_back(n);
+        nodes_.push_back(node(0, transport.parts()));
+    }
+    bool is_done() const { return nodes_.empty(); }
+
+    void divide(Buffer<Splitter>& splitters) {
+        choose_axes();
+        bool goes_on = true;
+        for (std::uint64_t round = 0; goes_on && round < most_rounds; ++round) {
+            offer(round);
+            count();
+            goes_on = narrow();
+        }
+        for (const Node& n : nodes_) splitters[n.middle] = n.best;
+    }
+    // Goes on to the sets that these are divided into.
+    void descend() {
+        Buffer<Node> nodes(nodes_.allocator());
+        Buffer<std::size_t> begin(nodes_.allocator());
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            const Node& n = nodes_[i];
+            const double** const from = order_.data() + begin_[2 * i];
+            const double** const to = order_.data() + begin_[2 * i + 1];
+            const double** const middle =
+                std::partition(from, to, [&](const double* x) { return n.best.has_before(x); });
+            const auto add = [&](PartId first, PartId last, const double** a, const double** b) {
+                if (last - first < 2) return;
+                nodes.push_back(node(first, last));
+                begin.push_back(static_cast<std::size_t>(a - order_.data()));
+                begin.push_back(static_cast<std::size_t>(b - order_.data()));
+            };
+            add(n.first, n.middle, from, middle);
+            add(n.middle, n.last, middle, to);
+        }
+        nodes_ = std::move(nodes);
+        begin_ = std::move(begin);
+        ++depth_;
+    }
+
+  private:
+    struct Candidate {
+        double x[3];
+        std::uint32_t node, unused;
+    };
+
+    static Node node(PartId first, PartId last) {
+        Node n{};
+        n.first = first;
+        n.middle = first + (last - first) / 2;
+        n.last = last;
+        return n;
+    }
+    template <class Visit>
+    void each_point(std::size_t i, const Visit& visit) const {
+        for (std::size_t k = begin_[2 * i]; k < begin_[2 * i + 1]; ++k) visit(order_[k]);
+    }
+    static bool is_between(const Node& n, const double* x) {
+        return (!n.has_low || n.low.has_after(x)) && (!n.has_high || n.high.has_before(x));
+    }
+    bool is_settled(const Node& n) const {
+        const double each = static_cast<double>(n.points) / (n.last - n.first);
+        return n.has_best && static_cast<double>(n.off) <= tolerance * each;
+    }
+
+    // The longest side of the box around a node's points.
+    void choose_axes() {
+        Buffer<double> box(nodes_.allocator());
+        Buffer<std::uint64_t> points(nodes_.allocator());
+        box.resize(6 * nodes_.size(), std::numeric_limits<double>::infinity());
+        points.resize(nodes_.size());
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            points[i] = begin_[2 * i + 1] - begin_[2 * i];
+            each_point(i, [&](const double* x) {
+                for (unsigned k = 0; k < 3; ++k) {
+                    box[6 * i + k] = std::min(box[6 * i + k], x[k]);
+                    box[6 * i + 3 + k] = std::min(box[6 * i + 3 + k], -x[k]);
+                }
+            });
+        }
+        transport_.least(box.data(), box.size());
+        transport_.sum(points.data(), points.size());
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            Node& n = nodes_[i];
+            n.points = points[i];
+            n.wanted = static_cast<std::uint64_t>(static_cast<double>(n.points) *
+                                                  (n.middle - n.first) / (n.last - n.first));
+            // Halves, since the difference of two doubles may overflow.
+            const auto half_side = [&](unsigned k) {
+                return -(0.5 * box[6 * i + k] + 0.5 * box[6 * i + 3 + k]);
+            };
+            for (unsigned k = 1; k < 3; ++k)
+                if (n.points > 0 && half_side(k) > half_side(n.axis)) n.axis = k;
+        }
+    }
+
+    // Some points of each node that are still in question.
+    void offer(std::uint64_t round) {
+        const PartId parts = transport_.parts();
+        const std::size_t each = std::max<std::size_t>(candidates_wanted / parts, 1);
+        const std::size_t mine = each * nodes_.size();
+        mine_.clear();
+        mine_.resize(mine * transport_.local_parts(), Candidate{{}, no_node, 0});
+        // The points of local parts are one run, and each offers some of them.
+        for (PartId p = 0; p < transport_.local_parts(); ++p)
+            for (std::size_t i = 0; i < nodes_.size(); ++i) {
+                const Node& n = nodes_[i];
+                const std::size_t size = begin_[2 * i + 1] - begin_[2 * i];
+                if (size == 0 || is_settled(n)) continue;
+                Candidate* const offered = mine_.data() + p * mine + i * each;
+                std::size_t count = 0;
+                const auto add = [&](const double* x) {
+                    if (count == each || !is_between(n, x)) return false;
+                    std::copy(x, x + 3, offered[count].x);
+                    offered[count++].node = static_cast<std::uint32_t>(i);
+                    return true;
+                };
+                Random random((std::uint64_t{transport_.first_local() + p} << 32 | i) ^
+                              depth_ << 24 ^ round << 60);
+                std::size_t misses = 0;
+                while (count < each && misses < 64)
+                    misses = add(order_[begin_[2 * i] + random.next() % size]) ? 0 : misses + 1;
+                // Few are between: whichever come.
+                if (count < each) each_point(i, add);
+            }
+        all_.resize(mine * parts);
+        transport_.gather(mine_.data(), mine * sizeof(Candidate), all_.data());
+        Candidate* const end = std::remove_if(all_.begin(), all_.end(),
+                                              [](const Candidate& c) { return c.node == no_node; });
+        std::sort(all_.begin(), end, [&](const Candidate& a, const Candidate& b) {
+            if (a.node != b.node) return a.node < b.node;
+            return splitter(b).has_before(a.x);
+        });
+        all_.resize(static_cast<std::size_t>(end - all_.begin()));
+        first_.clear();
+        first_.resize(nodes_.size() + 1, all_.size());
+        for (std::size_t k = all_.size(); k-- > 0;) first_[all_[k].node] = k;
+        for (std::size_t i = nodes_.size(); i-- > 0;)
+            first_[i] = std::min(first_[i], first_[i + 1]);
+    }
+    Splitter splitter(const Candidate& c) const {
+        return {{c.x[0], c.x[1], c.x[2]}, nodes_[c.node].axis};
+    }
+
+    // Of the points of a node, those before its first candidate, from there to the second, ...
+    void count() {
+        counts_.clear();
+        counts_.resize(all_.size() + nodes_.size(), 0);
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            const Candidate *const from = all_.begin() + first_[i], *const to = all_.begin() +
+                                                                                first_[i + 1];
+            if (from == to) continue;
+            const Node& n = nodes_[i];
+            std::uint64_t* const counts = counts_.data() + first_[i] + i;
+            each_point(i, [&](const double* x) {
+                if (n.has_high && !n.high.has_before(x)) return;
+                if (n.has_low && n.low.has_before(x)) {
+                    ++counts[0];
+                    return;
+                }
+                const Candidate* const next = std::upper_bound(
+                    from, to, x,
+                    [&](const double* p, const Candidate& c) { return splitter(c).has_before(p); });
+                ++counts[next - from];
+            });
+        }
+        transport_.sum(counts_.data(), counts_.size());
+    }
+
+    // Whether another round is of use.
+    bool narrow() {
+        bool goes_on = false;
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            Node& n = nodes_[i];
+            if (first_[i] == first_[i + 1]) continue;
+            const std::uint64_t* const counts = counts_.data() + first_[i] + i;
+            std::uint64_t before = 0;
+            for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
+                before += counts[k - first_[i]];
+                const Splitter s = splitter(all_[k]);
+                const std::uint64_t off = before < n.wanted ? n.wanted - before : before - n.wanted;
+                if (!n.has_best || off < n.off) {
+                    n.best = s;
+                    n.off = off;
+                    n.has_best = true;
+                }
+                if (before <= n.wanted) {
+                    n.low = s;
+                    n.has_low = true;
+                } else {
+                    n.high = s;
+                    n.has_high = true;
+                    break;
+                }
+            }
+            goes_on = goes_on || !is_settled(n);
+        }
+        return goes_on;
+    }
+
+    Transport& transport_;
+    Buffer<Node> nodes_;
+    Buffer<std::size_t> begin_;     // of each node's points in order_, and their end
+    Buffer<const double*> order_;   // the points of the local parts, by node
+    Buffer<Candidate> mine_, all_;  // all: by node, then in order
+    Buffer<std::size_t> first_;     // by node, in all_
+    Buffer<std::uint64_t> counts_;  // for a node one more than it has candidates
+    std::uint64_t depth_ = 0;
+};
+
+void Homes::divide(Transport& transport, const GivenPoints* points) {
+    splitters_.clear();
+    splitters_.resize(parts_, Splitter{{0, 0, 0}, 0});
+    Level level(splitters_.allocator(), transport, points);
+    if (parts_ < 2) return;
+    for (; !level.is_done(); level.descend()) level.divide(splitters_);
+}
+
+}  // namespace mgdt

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// All parts in one process: what the others are tested against, and how one machine holds more
+// than one triangulation can number.
+#pragma once
+
+#include "parts/transport.hpp"
+
+namespace mgdt {
+
+class InProcess final : public Transport {
+  public:
+    explicit InProcess(PartId parts) : parts_(parts) {}
+
+    PartId parts() const override { return parts_; }
+    PartId first_local() const override { return 0; }
+    PartId local_parts() const override { return parts_; }
+    void gather(const void* mine, std::size_t bytes, void* all) override;
+    void sum(std::uint64_t*, std::size_t) override {}
+    void least(double*, std::size_t) override {}
+    void exchange(std::size_t record_size, const Mail* out, Mail* in) override;
+
+  private:
+    PartId parts_;
+};
+
+}  // namespace mgdt

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "parts/part.hpp"
+
+#include <algorithm>
+
+#include "kernel/adjacency.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+namespace {
+
+// That a part needs a point: the part above, the point below, so that they are in the order of a
+// Mail once they are sorted.
+constexpr std::uint64_t wants(PartId part, std::uint32_t point) {
+    return std::uint64_t{part} << 32 | point;
+}
+
+// Once there are so many, repeats are taken out.
+constexpr std::size_t many_wishes = std::size_t{1} << 22;
+
+void take_out_repeats(Buffer<std::uint64_t>& wishes) {
+    std::sort(wishes.begin(), wishes.end());
+    const std::uint64_t* const end = std::unique(wishes.begin(), wishes.end());
+    wishes.resize(static_cast<std::size_t>(end - wishes.begin()));
+}
+
+// Whether the ball is within the box, so that it meets no other's.
+bool is_within(const Sphere& s, const double* base, const double* low, const double* high) {
+    const double margin = (1 + 0x1p-40);
+    double square = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double c = 0.5 * std::fabs(s.w[k]) + s.e;
+        square += c * c;
+    }
+    const double radius = std::sqrt(square) * margin + s.e;
+    for (int k = 0; k < 3; ++k) {
+        const double c = base[k] + 0.5 * s.w[k];
+        const double slack = 0x1p-45 * (std::fabs(base[k]) + std::fabs(s.w[k]));
+        if (!(c - radius - slack > low[k] && c + radius + slack < high[k])) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void Part::begin(PartId self, const PartPoint* own, std::size_t n) {
+    self_ = self;
+    own_ = n;
+    points_.clear();
+    points_.resize(n);
+    std::copy(own, own + n, points_.data());
+    for (std::size_t i = 0; i < n; ++i) add(box_, own[i].x);
+}
+
+void Part::insert(const PartPoint* points, std::size_t n) {
+    // Nobody asks a part without points of its own.
+    if (own_ == 0) return;
+    const std::size_t first = points_.size(), known = known_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        if (std::binary_search(known_.begin(), known_.begin() + known, points[i].number)) continue;
+        points_.push_back(points[i]);
+    }
+    PartPoint* const added = points_.begin() + first;
+    std::sort(added, points_.end(),
+              [](const PartPoint& a, const PartPoint& b) { return a.number < b.number; });
+    const PartPoint* const added_end =
+        std::unique(added, points_.end(),
+                    [](const PartPoint& a, const PartPoint& b) { return a.number == b.number; });
+    points_.resize(static_cast<std::size_t>(added_end - points_.begin()));
+    for (std::size_t i = first; i < points_.size(); ++i) known_.push_back(points_[i].number);
+    std::inplace_merge(known_.begin(), known_.begin() + known, known_.end());
+    triangulate(triangulation_.point_map().size());
+}
+
+void Part::triangulate(std::size_t first) {
+    static_assert(sizeof(PartPoint) == 5 * sizeof(double));
+    if (first == points_.size()) return;
+    const double* const x = points_[first].x;
+    const double* const axis[3] = {x, x + 1, x + 2};
+    triangulation_.insert(points_.size() - first, axis, 5);
+}
+
+std::uint32_t Part::least_of(const std::uint32_t (&v)[4]) const {
+    std::uint32_t least = v[0];
+    for (int i = 1; i < 4; ++i)
+        if (compare_lexicographic(points_[v[i]].x, points_[least].x) < 0) least = v[i];
+    return least;
+}
+
+void Part::push(const Boxes& boxes, PartId parts, Mail& out) {
+    const Mesh& mesh = triangulation_.mesh();
+    Buffer<std::uint64_t> wishes(triangulation_.allocator());
+    double low[3], high[3];
+    for (int k = 0; k < 3; ++k) {
+        low[k] = scaled(box_.low[k], mesh.scale);
+        high[k] = scaled(box_.high[k], mesh.scale);
+    }
+    std::size_t limit = many_wishes;
+    for (TetId t = 0; own_ > 0 && t < mesh.tetrahedra.size(); ++t) {
+        const Tetrahedron& tetrahedron = mesh.tetrahedra[t];
+        if (tetrahedron.is_dead()) continue;
+        std::uint32_t own[4];
+        unsigned count = 0;
+        for (const VertexId v : tetrahedron.v)
+            if (v != infinite_vertex && mesh.vertices[v].index < own_)
+                own[count++] = mesh.vertices[v].index;
+        if (count == 0) continue;
+        const auto wish = [&](PartId part) {
+            if (part == self_) return;
+            for (unsigned i = 0; i < count; ++i) wishes.push_back(wants(part, own[i]));
+        };
+        if (tetrahedron.is_ghost()) {
+            const unsigned slot = static_cast<unsigned>(tetrahedron.infinite_slot());
+            const Tetrahedron& inner = mesh.tetrahedra[tetrahedron_of(tetrahedron.n[slot])];
+            const double* facet[3];
+            for (unsigned k = 0; k < 3; ++k)
+                facet[k] = point(mesh.vertices[tetrahedron.v[outer_face[slot][k]]].index).x;
+            const VertexId apex = inner.v[face_of(tetrahedron.n[slot])];
+            boxes.each_beyond(facet[0], facet[1], facet[2], point(mesh.vertices[apex].index).x,
+                              wish);
+        } else {
+            const Sphere s = circumsphere(tetrahedron, mesh.vertices.data());
+            const double* const base = mesh.point(tetrahedron.v[0]);
+            if (!is_within(s, base, low, high)) boxes.each_in_ball(s, base, mesh.scale, wish);
+        }
+        if (wishes.size() > limit) {
+            take_out_repeats(wishes);
+            limit = std::max(many_wishes, 2 * wishes.size());
+        }
+    }
+    take_out_repeats(wishes);
+    out.begin.resize(std::size_t{parts} + 1);
+    out.bytes.resize(wishes.size() * sizeof(PartPoint));
+    std::size_t at = 0;
+    for (PartId part = 0; part <= parts; ++part) {
+        while (at < wishes.size() && wishes[at] < wants(part, 0)) ++at;
+        out.begin[part] = at;
+    }
+    for (std::size_t i = 0; i < wishes.size(); ++i)
+        out.records<PartPoint>()[i] = points_[wishes[i] & 0xFFFFFFFFu];
+}
+
+}  // namespace mgdt

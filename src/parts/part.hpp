@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// One part: its own points, some of others, and their triangulation. Once it has received what the
+// others owe it, the tetrahedra at its own points are those of the triangulation of all points
+// (docs/theory.md, "Parts").
+#pragma once
+
+#include "core/triangulation.hpp"
+#include "parts/boxes.hpp"
+
+namespace mgdt {
+
+// A point on its way between parts.
+struct PartPoint {
+    double x[3];
+    std::int64_t id;      // the least that the caller gave to a point of these coordinates
+    std::int64_t number;  // of the vertex, among those of all parts
+};
+
+class Part {
+  public:
+    Part(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
+        : triangulation_(alloc, release, user),
+          points_(triangulation_.allocator()),
+          known_(triangulation_.allocator()) {}
+
+    // The points that are at home here, in lexicographic order. Then the others come.
+    void begin(PartId self, const PartPoint* own, std::size_t n);
+    // Points of others, some of which may be known already.
+    void insert(const PartPoint* points, std::size_t n);
+    // Which own points each of the other parts needs.
+    void push(const Boxes& boxes, PartId parts, Mail& out);
+
+    // Visits the tetrahedra that have a vertex of this part's own, as indices of points(), and
+    // whether it owns them: the part does that has the least vertex, by coordinates.
+    template <class Visit>
+    void each_tetrahedron(const Visit& visit) const {
+        const Mesh& mesh = triangulation_.mesh();
+        for (TetId t = 0; t < mesh.tetrahedra.size(); ++t) {
+            const Tetrahedron& tetrahedron = mesh.tetrahedra[t];
+            if (tetrahedron.is_dead() || tetrahedron.is_ghost()) continue;
+            std::uint32_t v[4];
+            bool is_ours = false;
+            for (int i = 0; i < 4; ++i) {
+                v[i] = mesh.vertices[tetrahedron.v[i]].index;
+                is_ours = is_ours || v[i] < own_;
+            }
+            if (is_ours) visit(v, least_of(v) < own_);
+        }
+    }
+    const PartPoint& point(std::uint32_t i) const { return points_[i]; }
+    std::size_t own_count() const { return own_; }
+    std::size_t point_count() const { return points_.size(); }
+    const Triangulation& triangulation() const { return triangulation_; }
+    const Box& box() const { return box_; }
+
+  private:
+    std::uint32_t least_of(const std::uint32_t (&v)[4]) const;
+    void triangulate(std::size_t first);
+
+    PartId self_ = 0;
+    Triangulation triangulation_;
+    Buffer<PartPoint> points_;    // as the triangulation counts them: the own ones first
+    Buffer<std::int64_t> known_;  // numbers of the others, in ascending order
+    std::size_t own_ = 0;
+    Box box_ = empty_box();
+};
+
+}  // namespace mgdt

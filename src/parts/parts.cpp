@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "parts/parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "parts/skeleton.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+
+Parts::Parts(Transport& transport, mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
+    : transport_(transport),
+      allocator_(alloc, release, user),
+      homes_(allocator_, transport.parts()),
+      boxes_(allocator_),
+      parts_(allocator_, transport.local_parts(), alloc, release, user),
+      vertices_of_given_(allocator_, transport.local_parts(), std::ref(allocator_)),
+      first_vertex_(allocator_) {}
+
+void Parts::build(const GivenPoints* given, const std::int64_t* const* ids) {
+    for (PartId p = 0; p < transport_.local_parts(); ++p)
+        for (std::size_t i = 0; i < 3 * given[p].n; ++i)
+            if (!std::isfinite(given[p].xyz[i]))
+                fail(MGDT_ERR_NOT_FINITE, "point %zu of part %u is not finite", i / 3,
+                     transport_.first_local() + p);
+    homes_.divide(transport_, given);
+    send_home(given, ids);
+    triangulate();
+}
+
+// Each point goes to its home, and its vertex's number comes back.
+void Parts::send_home(const GivenPoints* given, const std::int64_t* const* ids) {
+    const PartId parts = transport_.parts(), local = transport_.local_parts();
+    Buffer<std::uint64_t> counts(allocator_, parts), mine(allocator_, local);
+    for (PartId p = 0; p < local; ++p) mine[p] = given[p].n;
+    transport_.gather(mine.data(), sizeof mine[0], counts.data());
+    std::int64_t id = 0;
+    for (PartId p = 0; p < transport_.first_local(); ++p)
+        id += static_cast<std::int64_t>(counts[p]);
+
+    Objects<Mail> out(allocator_, local, std::ref(allocator_)),
+        in(allocator_, local, std::ref(allocator_));
+    // Where each point is in what its part sends.
+    Objects<Buffer<std::uint64_t>> places(allocator_, local, std::ref(allocator_));
+    for (PartId p = 0; p < local; ++p) {
+        const std::size_t n = given[p].n;
+        Buffer<PartId> home(allocator_, n);
+        Mail& mail = out[p];
+        mail.begin.resize(std::size_t{parts} + 1, 0);
+        for (std::size_t i = 0; i < n; ++i) {
+            home[i] = homes_.of(given[p].xyz + 3 * i);
+            ++mail.begin[home[i] + 1];
+        }
+        for (PartId to = 0; to < parts; ++to) mail.begin[to + 1] += mail.begin[to];
+        mail.bytes.resize(n * sizeof(PartPoint));
+        places[p].resize(n);
+        Buffer<std::uint64_t> next(allocator_, parts);
+        std::copy_n(mail.begin.data(), parts, next.data());
+        for (std::size_t i = 0; i < n; ++i) {
+            const double* const x = given[p].xyz + 3 * i;
+            const std::uint64_t place = places[p][i] = next[home[i]]++;
+            mail.records<PartPoint>()[place] = {
+                {x[0], x[1], x[2]}, ids ? ids[p][i] : id + static_cast<std::int64_t>(i), 0};
+        }
+        id += static_cast<std::int64_t>(n);
+    }
+    transport_.exchange(sizeof(PartPoint), out.begin(), in.begin());
+    settle(in);
+    for (PartId p = 0; p < local; ++p) {
+        // What comes back has the order of what was sent.
+        Mail& reply = out[p];
+        reply.begin.resize(in[p].begin.size());
+        std::copy(in[p].begin.begin(), in[p].begin.end(), reply.begin.data());
+        reply.bytes.resize(in[p].count() * sizeof(std::int64_t));
+        for (std::size_t i = 0; i < in[p].count(); ++i)
+            reply.records<std::int64_t>()[i] = in[p].records<PartPoint>()[i].number;
+    }
+    transport_.exchange(sizeof(std::int64_t), out.begin(), in.begin());
+    for (PartId p = 0; p < local; ++p) {
+        vertices_of_given_[p].resize(given[p].n);
+        for (std::size_t i = 0; i < given[p].n; ++i)
+            vertices_of_given_[p][i] = in[p].records<std::int64_t>()[places[p][i]];
+    }
+}
+
+// Equal points become one, with the least of their numbers; the vertices of all parts are numbered.
+void Parts::settle(Objects<Mail>& arrived) {
+    const PartId parts = transport_.parts(), local = transport_.local_parts();
+    const auto precedes = [](const PartPoint& a, const PartPoint& b) {
+        const int order = compare_lexicographic(a.x, b.x);
+        return order != 0 ? order < 0 : a.id < b.id;
+    };
+    Buffer<std::uint64_t> counts(allocator_, parts), mine(allocator_, local);
+    Objects<Buffer<std::size_t>> orders(allocator_, local, std::ref(allocator_));
+    for (PartId p = 0; p < local; ++p) {
+        PartPoint* const points = arrived[p].records<PartPoint>();
+        Buffer<std::size_t>& order = orders[p];
+        order.resize(arrived[p].count());
+        for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return precedes(points[a], points[b]); });
+        std::int64_t number = -1;
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            number +=
+                k == 0 || compare_lexicographic(points[order[k - 1]].x, points[order[k]].x) != 0;
+            points[order[k]].number = number;
+        }
+        mine[p] = static_cast<std::uint64_t>(number + 1);
+    }
+    transport_.gather(mine.data(), sizeof mine[0], counts.data());
+    first_vertex_.clear();
+    first_vertex_.push_back(0);
+    for (const std::uint64_t count : counts)
+        first_vertex_.push_back(first_vertex_.back() + static_cast<std::int64_t>(count));
+    for (PartId p = 0; p < local; ++p) {
+        const PartId part = transport_.first_local() + p;
+        PartPoint* const points = arrived[p].records<PartPoint>();
+        Buffer<PartPoint> own(allocator_);
+        own.reserve(mine[p]);
+        for (const std::size_t i : orders[p]) {
+            const bool is_new = points[i].number == static_cast<std::int64_t>(own.size());
+            points[i].number += first_vertex_[part];
+            if (is_new) own.push_back(points[i]);
+        }
+        parts_[p].begin(part, own.data(), own.size());
+    }
+}
+
+void Parts::triangulate() {
+    const PartId local = transport_.local_parts();
+    {
+        Skeleton skeleton(allocator_);
+        skeleton.gather(transport_, parts_);
+        Buffer<PartPoint> points(allocator_), others(allocator_);
+        for (PartId p = 0; p < local; ++p) {
+            const PartId part = transport_.first_local() + p;
+            skeleton.points_for(part, transport_.parts(), points);
+            others.clear();
+            for (const PartPoint& x : points)
+                if (x.number < first_vertex_[part] || x.number >= first_vertex_[part + 1])
+                    others.push_back(x);
+            parts_[p].insert(others.data(), others.size());
+        }
+    }
+    Buffer<Box> boxes(allocator_, local);
+    for (PartId p = 0; p < local; ++p) boxes[p] = parts_[p].box();
+    boxes_.gather(transport_, boxes.data());
+    Objects<Mail> out(allocator_, local, std::ref(allocator_)),
+        in(allocator_, local, std::ref(allocator_));
+    for (PartId p = 0; p < local; ++p) parts_[p].push(boxes_, transport_.parts(), out[p]);
+    transport_.exchange(sizeof(PartPoint), out.begin(), in.begin());
+    for (PartId p = 0; p < local; ++p) parts_[p].insert(in[p].records<PartPoint>(), in[p].count());
+}
+
+}  // namespace mgdt

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The triangulation of points that are given in parts, each part's share of it in a triangulation
+// of its own. The tetrahedra are those of one triangulation of all points, for every number of
+// parts.
+#pragma once
+
+#include "parts/part.hpp"
+#include "parts/transport.hpp"
+#include "platform/objects.hpp"
+
+namespace mgdt {
+
+class Parts {
+  public:
+    Parts(Transport& transport, mgdt_alloc_fn alloc, mgdt_free_fn release, void* user);
+
+    // Collective, and once. The points that each local part is given, and numbers for them, all
+    // different and at least 0; without these they count on through the parts.
+    void build(const GivenPoints* given, const std::int64_t* const* ids);
+
+    const Part& local(PartId i) const { return parts_[i]; }
+    const Homes& homes() const { return homes_; }
+    // The number of the vertex of each point that a local part was given.
+    const Buffer<std::int64_t>& vertices_of_given(PartId i) const { return vertices_of_given_[i]; }
+    // The vertices of part p have the numbers from first_vertex(p) to before first_vertex(p + 1).
+    std::int64_t first_vertex(PartId p) const { return first_vertex_[p]; }
+
+  private:
+    void send_home(const GivenPoints* given, const std::int64_t* const* ids);
+    void settle(Objects<Mail>& arrived);
+    void triangulate();
+
+    Transport& transport_;
+    Allocator allocator_;
+    Homes homes_;
+    Boxes boxes_;
+    Objects<Part> parts_;  // the local ones
+    Objects<Buffer<std::int64_t>> vertices_of_given_;
+    Buffer<std::int64_t> first_vertex_;
+};
+
+}  // namespace mgdt

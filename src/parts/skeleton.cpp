@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "parts/skeleton.hpp"
+
+#include <algorithm>
+
+#include "order/random.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+namespace {
+
+// The directions to the neighbours of a cube among 27: to its sides, edges and corners.
+void direction(std::size_t i, double* d) {
+    const std::size_t cell = i < 13 ? i : i + 1;
+    d[0] = static_cast<double>(cell % 3) - 1;
+    d[1] = static_cast<double>(cell / 3 % 3) - 1;
+    d[2] = static_cast<double>(cell / 9) - 1;
+}
+
+// Halves, so that a sum of large coordinates does not overflow.
+double along(const double* d, const double* x) {
+    return d[0] * (0.25 * x[0]) + d[1] * (0.25 * x[1]) + d[2] * (0.25 * x[2]);
+}
+
+}  // namespace
+
+void Skeleton::gather(Transport& transport, const Objects<Part>& parts) {
+    Buffer<Offer> mine(offers_.allocator());
+    mine.resize(transport.local_parts());
+    for (PartId p = 0; p < transport.local_parts(); ++p) {
+        const Part& part = parts[p];
+        const std::size_t n = part.own_count();
+        Offer& offer = mine[p] = Offer{};
+        offer.count = n;
+        if (n == 0) continue;
+        const auto at = [&](std::size_t i) { return part.point(static_cast<std::uint32_t>(i)); };
+        for (std::size_t k = 0; k < sample_size; ++k)
+            offer.sample[k] = at(Random::at(transport.first_local() + p, k) % n);
+        for (std::size_t k = 0; k < directions; ++k) {
+            double d[3];
+            direction(k, d);
+            std::size_t farthest = 0;
+            for (std::size_t i = 1; i < n; ++i)
+                if (along(d, at(i).x) > along(d, at(farthest).x)) farthest = i;
+            offer.farthest[k] = at(farthest);
+        }
+    }
+    offers_.resize(transport.parts());
+    transport.gather(mine.data(), sizeof(Offer), offers_.data());
+    find_basis(transport, parts);
+}
+
+void Skeleton::find_basis(Transport& transport, const Objects<Part>& parts) {
+    // The first and the last of all in lexicographic order, then the first found off their line,
+    // and off that plane.
+    struct Found {
+        std::uint64_t is_found;
+        PartPoint point;
+    };
+    Buffer<Found> mine(basis_.allocator()), all(basis_.allocator());
+    mine.resize(transport.local_parts());
+    all.resize(transport.parts());
+    basis_.clear();
+    const auto is_better = [&](const PartPoint& candidate, const PartPoint& best) {
+        const int order = compare_lexicographic(candidate.x, best.x);
+        return basis_.empty() ? order < 0 : basis_.size() == 1 && order > 0;
+    };
+    const auto extends = [&](const double* x) {
+        switch (basis_.size()) {
+            case 0:
+                return true;
+            case 1:
+                return compare_lexicographic(basis_[0].x, x) != 0;
+            case 2:
+                return !collinear(basis_[0].x, basis_[1].x, x);
+            default:
+                return orientation(basis_[0].x, basis_[1].x, basis_[2].x, x) != 0;
+        }
+    };
+    while (basis_.size() < 4) {
+        for (PartId p = 0; p < transport.local_parts(); ++p) {
+            const Part& part = parts[p];
+            Found& found = mine[p] = Found{};
+            for (std::uint32_t i = 0; i < part.own_count(); ++i) {
+                // Own points are in lexicographic order.
+                const bool from_the_end = basis_.size() == 1;
+                const PartPoint& x = part.point(
+                    from_the_end ? static_cast<std::uint32_t>(part.own_count() - 1 - i) : i);
+                if (!extends(x.x)) continue;
+                found = {1, x};
+                break;
+            }
+        }
+        transport.gather(mine.data(), sizeof(Found), all.data());
+        const PartPoint* best = nullptr;
+        for (const Found& f : all)
+            if (f.is_found == 1 && (!best || is_better(f.point, *best))) best = &f.point;
+        if (!best) return;
+        basis_.push_back(*best);
+    }
+}
+
+void Skeleton::points_for(PartId part, PartId parts, Buffer<PartPoint>& points) const {
+    points.clear();
+    for (const PartPoint& p : basis_) points.push_back(p);
+    for (std::size_t k = 0; k < directions; ++k) {
+        double d[3];
+        direction(k, d);
+        const PartPoint* farthest = nullptr;
+        for (const Offer& o : offers_)
+            if (o.count > 0 && (!farthest || along(d, o.farthest[k].x) > along(d, farthest->x)))
+                farthest = &o.farthest[k];
+        if (farthest) points.push_back(*farthest);
+    }
+    // Of each set of parts that the way to this one goes past.
+    const auto sample = [&](PartId first, PartId last) {
+        for (std::size_t k = 0; k < sample_size; ++k) {
+            const Offer& o = offers_[first + k * (last - first) / sample_size];
+            if (o.count > 0) points.push_back(o.sample[k]);
+        }
+    };
+    each_division(0, parts, [&](PartId first, PartId middle, PartId last) {
+        if (part < first || part >= last) return;
+        if (part < middle)
+            sample(middle, last);
+        else
+            sample(first, middle);
+    });
+}
+
+}  // namespace mgdt

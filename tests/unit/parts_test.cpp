@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// A triangulation in parts has the tetrahedra of one of all points, for every number of parts.
+#include "parts/parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "../small.h"
+#include "parts/in_process.hpp"
+
+namespace mgdt {
+namespace {
+
+using Points = std::vector<double>;
+using Tetrahedra = std::vector<std::array<std::int64_t, 4>>;  // sorted, by the caller's numbers
+
+Tetrahedra of_one(const Points& xyz) {
+    Triangulation t(nullptr, nullptr, nullptr);
+    const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
+    t.insert(xyz.size() / 3, axis, 3);
+    Tetrahedra all;
+    for (TetId i = 0; i < t.mesh().tetrahedra.size(); ++i) {
+        const Tetrahedron& tetrahedron = t.mesh().tetrahedra[i];
+        if (tetrahedron.is_dead() || tetrahedron.is_ghost()) continue;
+        std::array<std::int64_t, 4> v;
+        for (unsigned k = 0; k < 4; ++k) v[k] = t.mesh().vertices[tetrahedron.v[k]].index;
+        std::sort(v.begin(), v.end());
+        all.push_back(v);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+// The points dealt out in runs, by shares of 1 to 16 of them, so that some parts are given few.
+struct Dealt {
+    Dealt(const Points& xyz, PartId parts, bool to_one) {
+        std::mt19937 random(parts);
+        std::vector<double> share(parts + std::size_t{1}, 0);
+        for (PartId p = 0; p < parts; ++p)
+            share[p + 1] = share[p] + (to_one ? p + 1 == parts : random() % 16 + 1);
+        const auto n = static_cast<double>(xyz.size() / 3);
+        for (PartId p = 0; p < parts; ++p) {
+            const auto at = [&](PartId i) {
+                return static_cast<std::size_t>(n * share[i] / share[parts]);
+            };
+            given.push_back({xyz.data() + 3 * at(p), at(p + 1) - at(p)});
+        }
+    }
+    std::vector<GivenPoints> given;
+};
+
+struct Outcome {
+    Tetrahedra owned;
+    std::size_t received = 0, most = 0, least = 0;
+};
+
+Outcome in_parts(const Points& xyz, PartId parts, bool to_one = false) {
+    InProcess transport(parts);
+    Parts all(transport, nullptr, nullptr, nullptr);
+    const Dealt dealt(xyz, parts, to_one);
+    all.build(dealt.given.data(), nullptr);
+    Outcome outcome;
+    outcome.least = xyz.size();
+    std::vector<std::int64_t> ghosts;
+    for (PartId p = 0; p < parts; ++p) {
+        const Part& part = all.local(p);
+        outcome.received += part.point_count() - part.own_count();
+        outcome.most = std::max(outcome.most, part.own_count());
+        outcome.least = std::min(outcome.least, part.own_count());
+        part.each_tetrahedron([&](const std::uint32_t(&v)[4], bool is_owned) {
+            if (!is_owned) return;
+            std::array<std::int64_t, 4> ids;
+            for (unsigned k = 0; k < 4; ++k) ids[k] = part.point(v[k]).id;
+            std::sort(ids.begin(), ids.end());
+            outcome.owned.push_back(ids);
+        });
+        // Where the points went.
+        for (std::size_t i = 0; i < dealt.given[p].n; ++i) {
+            const std::int64_t vertex = all.vertices_of_given(p)[i];
+            const PartId home = all.homes().of(dealt.given[p].xyz + 3 * i);
+            EXPECT_GE(vertex, all.first_vertex(home));
+            EXPECT_LT(vertex, all.first_vertex(home + 1));
+            const PartPoint& x =
+                all.local(home).point(static_cast<std::uint32_t>(vertex - all.first_vertex(home)));
+            EXPECT_EQ(x.number, vertex);
+            EXPECT_TRUE(std::equal(x.x, x.x + 3, dealt.given[p].xyz + 3 * i));
+        }
+    }
+    std::sort(outcome.owned.begin(), outcome.owned.end());
+    return outcome;
+}
+
+Points uniform(std::size_t n, unsigned seed = 1) {
+    std::mt19937_64 random(seed);
+    Points xyz(3 * n);
+    for (double& x : xyz) x = static_cast<double>(random() >> 11) * 0x1p-53;
+    return xyz;
+}
+
+Points integers(std::size_t n, unsigned end, unsigned seed = 1) {
+    std::mt19937_64 random(seed);
+    Points xyz(3 * n);
+    for (double& x : xyz) x = static_cast<double>(random() % end);
+    return xyz;
+}
+
+// On a sphere, a spiral, two lines, in a cluster.
+Points special(const std::string& kind, std::size_t n) {
+    Points xyz = uniform(n, 5);
+    for (std::size_t i = 0; i < n; ++i) {
+        double* const x = xyz.data() + 3 * i;
+        if (kind == "sphere") {
+            double length = 0;
+            for (int k = 0; k < 3; ++k) x[k] -= 0.5, length += x[k] * x[k];
+            for (int k = 0; k < 3; ++k) x[k] /= std::sqrt(length);
+        } else if (kind == "spiral") {
+            const double a = 25 * x[0], noise = 1e-4 * x[1];
+            x[1] = x[0] * std::cos(a) + noise;
+            x[2] = x[0] * std::sin(a) - noise;
+        } else if (kind == "cluster") {
+            for (int k = 0; k < 3; ++k) x[k] = std::pow(x[k], 5);
+        } else if (kind == "two lines") {
+            x[1] = i % 2 == 0 ? 0 : 1;
+            x[2] = i % 2 == 0 ? x[0] : 0;
+            if (i % 2) std::swap(x[0], x[2]);
+        } else if (kind == "extremes") {
+            const double sizes[] = {1e-300, 1e-100, 1, 1e100, 1e300};
+            for (int k = 0; k < 3; ++k)
+                x[k] = (x[k] - 0.5) * sizes[(i + static_cast<std::size_t>(k)) % 5];
+        }
+    }
+    return xyz;
+}
+
+void expect_equal(const Points& xyz, std::initializer_list<PartId> numbers, bool to_one = false) {
+    const Tetrahedra expected = of_one(xyz);
+    for (const PartId parts : numbers) {
+        SCOPED_TRACE(parts);
+        EXPECT_EQ(in_parts(xyz, parts, to_one).owned, expected);
+    }
+}
+
+TEST(Parts, HaveTheTetrahedraOfOne) {
+    const std::size_t n = is_small() ? 500 : 5000;
+    expect_equal(uniform(n), {1, 2, 3, 4, 7, 8, 16, 64});
+    for (const char* kind : {"sphere", "spiral", "cluster", "two lines", "extremes"}) {
+        SCOPED_TRACE(kind);
+        expect_equal(special(kind, is_small() ? 200 : 1500), {2, 3, 7, 16});
+    }
+}
+
+TEST(Parts, BreakTiesAlike) {
+    for (const unsigned end : {2u, 3u, 8u, 20u}) {
+        SCOPED_TRACE(end);
+        expect_equal(integers(is_small() ? 300 : 3000, end), {1, 2, 5, 8, 33});
+    }
+}
+
+TEST(Parts, MayBeEmptyOrFlat) {
+    expect_equal(uniform(10), {2, 4, 16, 100});
+    expect_equal(uniform(2), {1, 3});
+    expect_equal({}, {1, 3});
+    Points flat = uniform(300);
+    for (std::size_t i = 0; i < flat.size(); i += 3) flat[i] = 0.25;
+    expect_equal(flat, {1, 4});
+    const double apex[] = {2, 0.5, 0.5};
+    flat.insert(flat.end(), apex, apex + 3);
+    expect_equal(flat, {1, 4, 9});
+    Points same(3 * 50, 0.5);
+    expect_equal(same, {1, 4});
+    const Points more = uniform(200);
+    same.insert(same.end(), more.begin(), more.end());
+    expect_equal(same, {1, 4, 9});
+}
+
+TEST(Parts, MayAllBeGivenToOne) {
+    expect_equal(uniform(is_small() ? 300 : 3000), {2, 8}, true);
+}
+
+TEST(Parts, OfManyProcesses) {
+    expect_equal(uniform(is_small() ? 1000 : 20000), {is_small() ? PartId{100} : PartId{1000}});
+}
+
+TEST(Parts, ShareEvenly) {
+    const std::size_t n = is_small() ? 2000 : 60000;
+    for (const Points& xyz : {uniform(n), special("cluster", n), special("spiral", n)}) {
+        const PartId parts = 8;
+        const Outcome outcome = in_parts(xyz, parts);
+        EXPECT_LT(static_cast<double>(outcome.most), 1.01 * static_cast<double>(n / parts) + 1);
+    }
+}
+
+TEST(Parts, RefuseWhatIsNotFinite) {
+    Points xyz = uniform(20);
+    xyz[3 * 15 + 1] = std::nan("");
+    try {
+        in_parts(xyz, 2);
+        ADD_FAILURE();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.status, MGDT_ERR_NOT_FINITE);
+    }
+}
+
+}  // namespace
+}  // namespace mgdt
