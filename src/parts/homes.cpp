@@ -6,6 +6,7 @@
 #include "parts/homes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "order/random.hpp"
@@ -18,7 +19,7 @@ constexpr std::uint32_t no_node = 0xFFFFFFFF;
 constexpr double tolerance = 1.0 / 512;
 constexpr int most_rounds = 8;
 // Candidates for a division in one round, or one from each part if these are more.
-constexpr std::size_t candidates_wanted = 256;
+constexpr std::size_t candidates_wanted = 1024;
 
 }  // namespace
 
@@ -173,11 +174,31 @@ class Homes::Level {
             return splitter(b).has_before(a.x);
         });
         all_.resize(static_cast<std::size_t>(end - all_.begin()));
+        if (round == 0) keep_likely();
         first_.clear();
         first_.resize(nodes_.size() + 1, all_.size());
         for (std::size_t k = all_.size(); k-- > 0;) first_[all_[k].node] = k;
         for (std::size_t i = nodes_.size(); i-- > 0;)
             first_[i] = std::min(first_[i], first_[i + 1]);
+    }
+    // Of candidates that are a sample of all points, those that the place wanted is likely to be
+    // among: then most points are compared with the first and the last alone. The sample may
+    // mislead; then the next round looks further.
+    void keep_likely() {
+        Candidate* to = all_.begin();
+        for (Candidate* from = all_.begin(); from != all_.end();) {
+            Candidate* const end = std::find_if(
+                from, all_.end(), [&](const Candidate& c) { return c.node != from->node; });
+            const Node& n = nodes_[from->node];
+            const auto size = static_cast<double>(end - from);
+            const double share = static_cast<double>(n.middle - n.first) / (n.last - n.first),
+                         spread = 4 * std::sqrt(size * share * (1 - share)) + 1;
+            const auto low = static_cast<std::ptrdiff_t>(std::max(0.0, size * share - spread)),
+                       high = static_cast<std::ptrdiff_t>(std::min(size, size * share + spread));
+            to = std::copy(from + low, from + high, to);
+            from = end;
+        }
+        all_.resize(static_cast<std::size_t>(to - all_.begin()));
     }
     Splitter splitter(const Candidate& c) const {
         return {{c.x[0], c.x[1], c.x[2]}, nodes_[c.node].axis};
@@ -191,19 +212,21 @@ class Homes::Level {
             const Candidate *const from = all_.begin() + first_[i], *const to = all_.begin() +
                                                                                 first_[i + 1];
             if (from == to) continue;
-            const Node& n = nodes_[i];
             std::uint64_t* const counts = counts_.data() + first_[i] + i;
+            const Splitter first = splitter(*from), last = splitter(to[-1]);
+            std::uint64_t before = 0;
             each_point(i, [&](const double* x) {
-                if (n.has_high && !n.high.has_before(x)) return;
-                if (n.has_low && n.low.has_before(x)) {
-                    ++counts[0];
-                    return;
+                if (first.has_before(x)) {
+                    ++before;
+                } else if (last.has_before(x)) {
+                    const Candidate* const next =
+                        std::upper_bound(from, to, x, [&](const double* p, const Candidate& c) {
+                            return splitter(c).has_before(p);
+                        });
+                    ++counts[next - from];
                 }
-                const Candidate* const next = std::upper_bound(
-                    from, to, x,
-                    [&](const double* p, const Candidate& c) { return splitter(c).has_before(p); });
-                ++counts[next - from];
             });
+            counts[0] += before;
         }
         transport_.sum(counts_.data(), counts_.size());
     }

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "kernel/adjacency.hpp"
-#include "predicates/predicates.hpp"
 
 namespace mgdt {
 namespace {
@@ -16,7 +15,7 @@ constexpr std::uint64_t wants(PartId part, std::uint32_t point) {
 }
 
 // Once there are so many, repeats are taken out.
-constexpr std::size_t many_wishes = std::size_t{1} << 22;
+constexpr std::size_t many_wishes = std::size_t{1} << 16;
 
 void take_out_repeats(Buffer<std::uint64_t>& wishes) {
     std::sort(wishes.begin(), wishes.end());
@@ -26,19 +25,15 @@ void take_out_repeats(Buffer<std::uint64_t>& wishes) {
 
 // Whether the ball is within the box, so that it meets no other's.
 bool is_within(const Sphere& s, const double* base, const double* low, const double* high) {
-    const double margin = (1 + 0x1p-40);
-    double square = 0;
+    double square = 0, to_side = infinity;
     for (int k = 0; k < 3; ++k) {
-        const double c = 0.5 * std::fabs(s.w[k]) + s.e;
-        square += c * c;
+        const double half = 0.5 * s.w[k], center = base[k] + half,
+                     slack = s.e + 0x1p-45 * (std::fabs(base[k]) + std::fabs(half));
+        const double size = std::fabs(half) + s.e;
+        square += size * size;
+        to_side = std::min({to_side, center - low[k] - slack, high[k] - center - slack});
     }
-    const double radius = std::sqrt(square) * margin + s.e;
-    for (int k = 0; k < 3; ++k) {
-        const double c = base[k] + 0.5 * s.w[k];
-        const double slack = 0x1p-45 * (std::fabs(base[k]) + std::fabs(s.w[k]));
-        if (!(c - radius - slack > low[k] && c + radius + slack < high[k])) return false;
-    }
-    return true;
+    return to_side > 0 && to_side * to_side > square * (1 + 0x1p-40);
 }
 
 }  // namespace
@@ -83,7 +78,7 @@ void Part::triangulate(std::size_t first) {
 std::uint32_t Part::least_of(const std::uint32_t (&v)[4]) const {
     std::uint32_t least = v[0];
     for (int i = 1; i < 4; ++i)
-        if (compare_lexicographic(points_[v[i]].x, points_[least].x) < 0) least = v[i];
+        if (precedes(points_[v[i]].x, points_[least].x)) least = v[i];
     return least;
 }
 
@@ -96,9 +91,18 @@ void Part::push(const Boxes& boxes, PartId parts, Mail& out) {
         high[k] = scaled(box_.high[k], mesh.scale);
     }
     std::size_t limit = many_wishes;
+    const bool has_spheres = mesh.tetrahedra.has_spheres();
     for (TetId t = 0; own_ > 0 && t < mesh.tetrahedra.size(); ++t) {
         const Tetrahedron& tetrahedron = mesh.tetrahedra[t];
         if (tetrahedron.is_dead()) continue;
+        const bool is_ghost = tetrahedron.is_ghost();
+        const double* const base = mesh.point(tetrahedron.v[0]);
+        Sphere s{};
+        if (!is_ghost) {
+            s = has_spheres ? mesh.tetrahedra.sphere(t).in_doubles()
+                            : circumsphere(tetrahedron, mesh.vertices.data());
+            if (is_within(s, base, low, high)) continue;
+        }
         std::uint32_t own[4];
         unsigned count = 0;
         for (const VertexId v : tetrahedron.v)
@@ -109,8 +113,8 @@ void Part::push(const Boxes& boxes, PartId parts, Mail& out) {
             if (part == self_) return;
             for (unsigned i = 0; i < count; ++i) wishes.push_back(wants(part, own[i]));
         };
-        if (tetrahedron.is_ghost()) {
-            const unsigned slot = static_cast<unsigned>(tetrahedron.infinite_slot());
+        if (is_ghost) {
+            const auto slot = static_cast<unsigned>(tetrahedron.infinite_slot());
             const Tetrahedron& inner = mesh.tetrahedra[tetrahedron_of(tetrahedron.n[slot])];
             const double* facet[3];
             for (unsigned k = 0; k < 3; ++k)
@@ -119,9 +123,7 @@ void Part::push(const Boxes& boxes, PartId parts, Mail& out) {
             boxes.each_beyond(facet[0], facet[1], facet[2], point(mesh.vertices[apex].index).x,
                               wish);
         } else {
-            const Sphere s = circumsphere(tetrahedron, mesh.vertices.data());
-            const double* const base = mesh.point(tetrahedron.v[0]);
-            if (!is_within(s, base, low, high)) boxes.each_in_ball(s, base, mesh.scale, wish);
+            boxes.each_in_ball(s, base, mesh.scale, wish);
         }
         if (wishes.size() > limit) {
             take_out_repeats(wishes);

@@ -9,6 +9,11 @@
 
 namespace mgdt {
 
+// Lexicographic order.
+inline bool precedes(const double* a, const double* b) {
+    return a[0] != b[0] ? a[0] < b[0] : a[1] != b[1] ? a[1] < b[1] : a[2] < b[2];
+}
+
 // A point on its way between parts.
 struct PartPoint {
     double x[3];
@@ -23,7 +28,7 @@ class Part {
           points_(triangulation_.allocator()),
           known_(triangulation_.allocator()) {}
 
-    // The points that are at home here, in lexicographic order. Then the others come.
+    // The points that are at home here. Then the others come.
     void begin(PartId self, const PartPoint* own, std::size_t n);
     // Points of others, some of which may be known already.
     void insert(const PartPoint* points, std::size_t n);

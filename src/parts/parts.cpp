@@ -5,10 +5,43 @@
 #include <cmath>
 #include <functional>
 
+#include "order/random.hpp"
 #include "parts/skeleton.hpp"
-#include "predicates/predicates.hpp"
 
 namespace mgdt {
+namespace {
+
+// Numbers of points by their coordinates: open-addressed, with twice as many places as points.
+class DistinctPoints {
+  public:
+    DistinctPoints(Allocator& allocator, std::size_t most) : places_(allocator) {
+        std::size_t size = 16;
+        while (size < 2 * most) size *= 2;
+        places_.resize(size, no_index);
+        mask_ = size - 1;
+    }
+    // The number of a point among `points` that has the coordinates, or else `next`.
+    std::uint32_t number(const double* x, const PartPoint* points, std::uint32_t next) {
+        std::uint64_t hash = 0;
+        for (int k = 0; k < 3; ++k) {
+            const double one_zero = x[k] + 0.0;  // no -0
+            std::uint64_t bits;
+            std::memcpy(&bits, &one_zero, sizeof bits);
+            hash = Random::at(hash ^ bits, 0);
+        }
+        for (std::size_t at = hash & mask_;; at = (at + 1) & mask_) {
+            if (places_[at] == no_index) return places_[at] = next;
+            const double* const y = points[places_[at]].x;
+            if (y[0] == x[0] && y[1] == x[1] && y[2] == x[2]) return places_[at];
+        }
+    }
+
+  private:
+    Buffer<std::uint32_t> places_;
+    std::size_t mask_;
+};
+
+}  // namespace
 
 Parts::Parts(Transport& transport, mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
     : transport_(transport),
@@ -88,26 +121,24 @@ void Parts::send_home(const GivenPoints* given, const std::int64_t* const* ids) 
 // Equal points become one, with the least of their numbers; the vertices of all parts are numbered.
 void Parts::settle(Objects<Mail>& arrived) {
     const PartId parts = transport_.parts(), local = transport_.local_parts();
-    const auto precedes = [](const PartPoint& a, const PartPoint& b) {
-        const int order = compare_lexicographic(a.x, b.x);
-        return order != 0 ? order < 0 : a.id < b.id;
-    };
     Buffer<std::uint64_t> counts(allocator_, parts), mine(allocator_, local);
-    Objects<Buffer<std::size_t>> orders(allocator_, local, std::ref(allocator_));
+    Objects<Buffer<PartPoint>> owned(allocator_, local, std::ref(allocator_));
     for (PartId p = 0; p < local; ++p) {
         PartPoint* const points = arrived[p].records<PartPoint>();
-        Buffer<std::size_t>& order = orders[p];
-        order.resize(arrived[p].count());
-        for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-        std::sort(order.begin(), order.end(),
-                  [&](std::size_t a, std::size_t b) { return precedes(points[a], points[b]); });
-        std::int64_t number = -1;
-        for (std::size_t k = 0; k < order.size(); ++k) {
-            number +=
-                k == 0 || compare_lexicographic(points[order[k - 1]].x, points[order[k]].x) != 0;
-            points[order[k]].number = number;
+        const std::size_t n = arrived[p].count();
+        Buffer<PartPoint>& own = owned[p];
+        own.reserve(n);
+        DistinctPoints distinct(allocator_, n);
+        for (std::size_t i = 0; i < n; ++i) {
+            const auto number = static_cast<std::uint32_t>(own.size());
+            const std::uint32_t found = distinct.number(points[i].x, own.data(), number);
+            points[i].number = found;
+            if (found == number)
+                own.push_back(points[i]);
+            else if (points[i].id < own[found].id)
+                own[found] = points[i];
         }
-        mine[p] = static_cast<std::uint64_t>(number + 1);
+        mine[p] = own.size();
     }
     transport_.gather(mine.data(), sizeof mine[0], counts.data());
     first_vertex_.clear();
@@ -117,14 +148,11 @@ void Parts::settle(Objects<Mail>& arrived) {
     for (PartId p = 0; p < local; ++p) {
         const PartId part = transport_.first_local() + p;
         PartPoint* const points = arrived[p].records<PartPoint>();
-        Buffer<PartPoint> own(allocator_);
-        own.reserve(mine[p]);
-        for (const std::size_t i : orders[p]) {
-            const bool is_new = points[i].number == static_cast<std::int64_t>(own.size());
+        for (std::size_t i = 0; i < arrived[p].count(); ++i)
             points[i].number += first_vertex_[part];
-            if (is_new) own.push_back(points[i]);
-        }
-        parts_[p].begin(part, own.data(), own.size());
+        for (PartPoint& x : owned[p]) x.number += first_vertex_[part];
+        parts_[p].begin(part, owned[p].data(), owned[p].size());
+        owned[p].reset();
     }
 }
 

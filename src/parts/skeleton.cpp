@@ -62,15 +62,15 @@ void Skeleton::find_basis(Transport& transport, const Objects<Part>& parts) {
     all.resize(transport.parts());
     basis_.clear();
     const auto is_better = [&](const PartPoint& candidate, const PartPoint& best) {
-        const int order = compare_lexicographic(candidate.x, best.x);
-        return basis_.empty() ? order < 0 : basis_.size() == 1 && order > 0;
+        if (basis_.size() > 1) return false;
+        return basis_.empty() ? precedes(candidate.x, best.x) : precedes(best.x, candidate.x);
     };
     const auto extends = [&](const double* x) {
         switch (basis_.size()) {
             case 0:
                 return true;
             case 1:
-                return compare_lexicographic(basis_[0].x, x) != 0;
+                return precedes(basis_[0].x, x);
             case 2:
                 return !collinear(basis_[0].x, basis_[1].x, x);
             default:
@@ -82,13 +82,9 @@ void Skeleton::find_basis(Transport& transport, const Objects<Part>& parts) {
             const Part& part = parts[p];
             Found& found = mine[p] = Found{};
             for (std::uint32_t i = 0; i < part.own_count(); ++i) {
-                // Own points are in lexicographic order.
-                const bool from_the_end = basis_.size() == 1;
-                const PartPoint& x = part.point(
-                    from_the_end ? static_cast<std::uint32_t>(part.own_count() - 1 - i) : i);
-                if (!extends(x.x)) continue;
+                const PartPoint& x = part.point(i);
+                if (found.is_found == 1 ? !is_better(x, found.point) : !extends(x.x)) continue;
                 found = {1, x};
-                break;
             }
         }
         transport.gather(mine.data(), sizeof(Found), all.data());
