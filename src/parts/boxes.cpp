@@ -22,16 +22,65 @@ void add(Box& box, const double* x) {
     }
 }
 
-void Boxes::gather(Transport& transport, const Box* mine) {
-    of_part_.resize(transport.parts());
-    of_division_.resize(transport.parts());
-    transport.gather(mine, sizeof(Box), of_part_.data());
-    each_division(0, transport.parts(), [&](PartId first, PartId middle, PartId last) {
+struct Boxes::Split {
+    double at;
+    unsigned axis;
+};
+
+// The halves are those of a sample of the points, the boxes are around all points.
+void Boxes::divide(const PartPoint* points, std::size_t n, Box* nodes) const {
+    constexpr std::size_t sample_of_leaf = 16;
+    Allocator& allocator = nodes_.allocator();
+    const std::size_t count = std::min(n, sample_of_leaf * leaves_);
+    Buffer<const PartPoint*> sample(allocator, count);
+    for (std::size_t k = 0; k < count; ++k) sample[k] = points + n * k / count;
+    Buffer<Split> splits(allocator, leaves_);
+    split(sample.begin(), sample.end(), 1, leaves_, splits.data());
+    std::fill_n(nodes, 2 * leaves_, empty_box());
+    for (const PartPoint* p = points; p < points + n; ++p) {
+        std::size_t i = 1;
+        while (i < leaves_) i = 2 * i + (p->x[splits[i].axis] < splits[i].at ? 0 : 1);
+        add(nodes[i], p->x);
+    }
+    for (std::size_t i = leaves_; --i > 0;)
+        for (const std::size_t half : {2 * i, 2 * i + 1}) {
+            if (nodes[half].is_empty()) continue;
+            add(nodes[i], nodes[half].low);
+            add(nodes[i], nodes[half].high);
+        }
+}
+
+void Boxes::split(const PartPoint** begin, const PartPoint** end, std::size_t i, std::size_t leaves,
+                  Split* splits) {
+    if (i >= leaves) return;
+    Box box = empty_box();
+    for (const PartPoint** p = begin; p < end; ++p) add(box, (*p)->x);
+    unsigned axis = 0;
+    for (unsigned k = 1; k < 3; ++k)
+        if (0.5 * box.high[k] - 0.5 * box.low[k] > 0.5 * box.high[axis] - 0.5 * box.low[axis])
+            axis = k;
+    const PartPoint** const middle = begin + (end - begin) / 2;
+    splits[i] = {0, axis};
+    if (middle < end) {
+        std::nth_element(begin, middle, end, [&](const PartPoint* a, const PartPoint* b) {
+            return a->x[axis] < b->x[axis];
+        });
+        splits[i].at = (*middle)->x[axis];
+    }
+    split(begin, middle, 2 * i, leaves, splits);
+    split(middle, end, 2 * i + 1, leaves, splits);
+}
+
+void Boxes::gather(Transport& transport, const Box* nodes) {
+    nodes_.resize(2 * leaves_ * parts_);
+    of_division_.resize(parts_);
+    transport.gather(nodes, 2 * leaves_ * sizeof(Box), nodes_.data());
+    each_division(0, parts_, [&](PartId first, PartId middle, PartId last) {
         Box& box = of_division_[middle] = empty_box();
         for (PartId p = first; p < last; ++p) {
-            if (of_part_[p].is_empty()) continue;
-            add(box, of_part_[p].low);
-            add(box, of_part_[p].high);
+            if (node(p, 1).is_empty()) continue;
+            add(box, node(p, 1).low);
+            add(box, node(p, 1).high);
         }
     });
 }
@@ -42,7 +91,9 @@ void Boxes::gather(Transport& transport, const Box* mine) {
 bool Boxes::meets_ball(const Box& box, const Sphere& s, const double* base, int scale) {
     double least = 0, sizes = 0, reach = 0;
     for (int k = 0; k < 3; ++k) {
-        if (!scales_exactly(box.low[k], scale) || !scales_exactly(box.high[k], scale)) return true;
+        if (scale != 0 &&
+            !(scales_exactly(box.low[k], scale) && scales_exactly(box.high[k], scale)))
+            return true;
         const double low = scaled(box.low[k], scale) - base[k],
                      high = scaled(box.high[k], scale) - base[k];
         const double y = std::min(std::max(0.5 * s.w[k], low), high);

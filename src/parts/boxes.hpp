@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The boxes around the points of the parts, and which of them a circumball or the outside of a hull
-// facet meets. Where rounding leaves that open, they do.
+// Where the points of the parts are: in boxes, a tree of them for each part. And which parts have
+// points that may be in a circumball, or beyond a hull facet: those with a box that it meets, also
+// where rounding leaves that open.
 #pragma once
 
 #include "kernel/circumsphere.hpp"
 #include "parts/homes.hpp"
+#include "parts/part_point.hpp"
 
 namespace mgdt {
 
@@ -15,19 +17,25 @@ struct Box {
 Box empty_box();
 void add(Box& box, const double* x);
 
+// The boxes of a part are around its points, around the halves of these, around their halves, and
+// so on: small ones hug curves and surfaces, which large ones do not.
 class Boxes {
   public:
-    explicit Boxes(Allocator& allocator) : of_part_(allocator), of_division_(allocator) {}
-
-    // Collective: boxes of the local parts in, those of all out.
-    void gather(Transport& transport, const Box* mine);
-    const Box& of(PartId part) const { return of_part_[part]; }
-    const Box& all() const {
-        return of_part_.size() == 1 ? of_part_[0] : of_division_[of_part_.size() / 2];
+    Boxes(Allocator& allocator, PartId parts)
+        : parts_(parts), leaves_(most_leaves), nodes_(allocator), of_division_(allocator) {
+        // A process has the boxes of all parts.
+        while (leaves_ > least_leaves && leaves_ * parts > most_boxes) leaves_ /= 2;
     }
 
-    // Calls visit(part) for each part whose box, multiplied by 2^scale, meets the ball that has w
-    // and its error in `s`, its base at `base`.
+    // How many boxes a part has.
+    std::size_t size() const { return 2 * leaves_; }
+    // Makes them: the whole one is the first, at 1; the halves of i are 2 i and 2 i + 1.
+    void divide(const PartPoint* points, std::size_t n, Box* nodes) const;
+    // Collective: those of the local parts in, those of all kept.
+    void gather(Transport& transport, const Box* nodes);
+
+    // Calls visit(part) for each part with a box that, multiplied by 2^scale, meets the ball that
+    // has w and its error in `s`, its base at `base`.
     template <class Visit>
     void each_in_ball(const Sphere& s, const double* base, int scale, const Visit& visit) const {
         each_that(visit, [&](const Box& box) { return meets_ball(box, s, base, scale); });
@@ -45,22 +53,38 @@ class Boxes {
                           const double* inner);
 
   private:
+    static constexpr std::size_t most_leaves = 512, least_leaves = 16, most_boxes = 65536;
+
+    struct Split;
+
     template <class Visit, class Test>
     void each_that(const Visit& visit, const Test& test) const {
-        each_among(0, static_cast<PartId>(of_part_.size()), visit, test);
+        each_among(0, parts_, visit, test);
     }
     template <class Visit, class Test>
     void each_among(PartId first, PartId last, const Visit& visit, const Test& test) const {
-        const bool is_one = last - first == 1;
+        if (last - first == 1) {
+            if (any_leaf(first, 1, test)) visit(first);
+            return;
+        }
         const PartId middle = first + (last - first) / 2;
-        const Box& box = is_one ? of_part_[first] : of_division_[middle];
-        if (box.is_empty() || !test(box)) return;
-        if (is_one) return visit(first);
+        if (of_division_[middle].is_empty() || !test(of_division_[middle])) return;
         each_among(first, middle, visit, test);
         each_among(middle, last, visit, test);
     }
+    const Box& node(PartId part, std::size_t i) const { return nodes_[part * 2 * leaves_ + i]; }
+    template <class Test>
+    bool any_leaf(PartId part, std::size_t i, const Test& test) const {
+        if (node(part, i).is_empty() || !test(node(part, i))) return false;
+        return i >= leaves_ || any_leaf(part, 2 * i, test) || any_leaf(part, 2 * i + 1, test);
+    }
+    static void split(const PartPoint** begin, const PartPoint** end, std::size_t i,
+                      std::size_t leaves, Split* splits);
 
-    Buffer<Box> of_part_, of_division_;  // of_division_: by the part in the middle
+    PartId parts_;
+    std::size_t leaves_;
+    Buffer<Box> nodes_;        // by part
+    Buffer<Box> of_division_;  // by the part in the middle
 };
 
 }  // namespace mgdt

@@ -17,10 +17,11 @@ constexpr std::uint64_t wants(PartId part, std::uint32_t point) {
 // Once there are so many, repeats are taken out.
 constexpr std::size_t many_wishes = std::size_t{1} << 16;
 
-void take_out_repeats(Buffer<std::uint64_t>& wishes) {
-    std::sort(wishes.begin(), wishes.end());
-    const std::uint64_t* const end = std::unique(wishes.begin(), wishes.end());
-    wishes.resize(static_cast<std::size_t>(end - wishes.begin()));
+template <class T>
+void take_out_repeats(Buffer<T>& items, std::size_t first = 0) {
+    std::sort(items.begin() + first, items.end());
+    const T* const end = std::unique(items.begin() + first, items.end());
+    items.resize(static_cast<std::size_t>(end - items.begin()));
 }
 
 // Whether the ball is within the box, so that it meets no other's.
@@ -55,13 +56,7 @@ void Part::insert(const PartPoint* points, std::size_t n) {
         if (std::binary_search(known_.begin(), known_.begin() + known, points[i].number)) continue;
         points_.push_back(points[i]);
     }
-    PartPoint* const added = points_.begin() + first;
-    std::sort(added, points_.end(),
-              [](const PartPoint& a, const PartPoint& b) { return a.number < b.number; });
-    const PartPoint* const added_end =
-        std::unique(added, points_.end(),
-                    [](const PartPoint& a, const PartPoint& b) { return a.number == b.number; });
-    points_.resize(static_cast<std::size_t>(added_end - points_.begin()));
+    take_out_repeats(points_, first);
     for (std::size_t i = first; i < points_.size(); ++i) known_.push_back(points_[i].number);
     std::inplace_merge(known_.begin(), known_.begin() + known, known_.end());
     triangulate(triangulation_.point_map().size());
@@ -82,54 +77,64 @@ std::uint32_t Part::least_of(const std::uint32_t (&v)[4]) const {
     return least;
 }
 
-void Part::push(const Boxes& boxes, PartId parts, Mail& out) {
+template <class Visit, class VisitGhost>
+void Part::each_at_border(const Visit& visit, const VisitGhost& visit_ghost) const {
     const Mesh& mesh = triangulation_.mesh();
-    Buffer<std::uint64_t> wishes(triangulation_.allocator());
+    const bool has_spheres = mesh.tetrahedra.has_spheres();
     double low[3], high[3];
     for (int k = 0; k < 3; ++k) {
         low[k] = scaled(box_.low[k], mesh.scale);
         high[k] = scaled(box_.high[k], mesh.scale);
     }
-    std::size_t limit = many_wishes;
-    const bool has_spheres = mesh.tetrahedra.has_spheres();
     for (TetId t = 0; own_ > 0 && t < mesh.tetrahedra.size(); ++t) {
         const Tetrahedron& tetrahedron = mesh.tetrahedra[t];
         if (tetrahedron.is_dead()) continue;
         const bool is_ghost = tetrahedron.is_ghost();
-        const double* const base = mesh.point(tetrahedron.v[0]);
         Sphere s{};
         if (!is_ghost) {
             s = has_spheres ? mesh.tetrahedra.sphere(t).in_doubles()
                             : circumsphere(tetrahedron, mesh.vertices.data());
-            if (is_within(s, base, low, high)) continue;
+            if (is_within(s, mesh.point(tetrahedron.v[0]), low, high)) continue;
         }
-        std::uint32_t own[4];
-        unsigned count = 0;
+        OwnVertices own{{}, 0};
         for (const VertexId v : tetrahedron.v)
             if (v != infinite_vertex && mesh.vertices[v].index < own_)
-                own[count++] = mesh.vertices[v].index;
-        if (count == 0) continue;
-        const auto wish = [&](PartId part) {
-            if (part == self_) return;
-            for (unsigned i = 0; i < count; ++i) wishes.push_back(wants(part, own[i]));
-        };
-        if (is_ghost) {
-            const auto slot = static_cast<unsigned>(tetrahedron.infinite_slot());
-            const Tetrahedron& inner = mesh.tetrahedra[tetrahedron_of(tetrahedron.n[slot])];
-            const double* facet[3];
-            for (unsigned k = 0; k < 3; ++k)
-                facet[k] = point(mesh.vertices[tetrahedron.v[outer_face[slot][k]]].index).x;
-            const VertexId apex = inner.v[face_of(tetrahedron.n[slot])];
-            boxes.each_beyond(facet[0], facet[1], facet[2], point(mesh.vertices[apex].index).x,
-                              wish);
-        } else {
-            boxes.each_in_ball(s, base, mesh.scale, wish);
-        }
-        if (wishes.size() > limit) {
-            take_out_repeats(wishes);
-            limit = std::max(many_wishes, 2 * wishes.size());
-        }
+                own.index[own.count++] = mesh.vertices[v].index;
+        if (own.count == 0) continue;
+        if (is_ghost)
+            visit_ghost(t, own);
+        else
+            visit(t, own, s);
     }
+}
+
+void Part::push(const Boxes& boxes, PartId parts, Mail& out) {
+    const Mesh& mesh = triangulation_.mesh();
+    Buffer<std::uint64_t> wishes(triangulation_.allocator());
+    std::size_t limit = many_wishes;
+    const auto send = [&](PartId part, const OwnVertices& own) {
+        if (part == self_) return;
+        for (unsigned i = 0; i < own.count; ++i) wishes.push_back(wants(part, own.index[i]));
+        if (wishes.size() < limit) return;
+        take_out_repeats(wishes);
+        limit = std::max(many_wishes, 2 * wishes.size());
+    };
+    each_at_border(
+        [&](TetId t, const OwnVertices& own, const Sphere& s) {
+            const Tetrahedron& tetrahedron = mesh.tetrahedra[t];
+            boxes.each_in_ball(s, mesh.point(tetrahedron.v[0]), mesh.scale,
+                               [&](PartId part) { send(part, own); });
+        },
+        [&](TetId t, const OwnVertices& own) {
+            const Tetrahedron& ghost = mesh.tetrahedra[t];
+            const auto slot = static_cast<unsigned>(ghost.infinite_slot());
+            const Tetrahedron& inner = mesh.tetrahedra[tetrahedron_of(ghost.n[slot])];
+            const auto corner = [&](VertexId v) { return point(mesh.vertices[v].index).x; };
+            boxes.each_beyond(
+                corner(ghost.v[outer_face[slot][0]]), corner(ghost.v[outer_face[slot][1]]),
+                corner(ghost.v[outer_face[slot][2]]), corner(inner.v[face_of(ghost.n[slot])]),
+                [&](PartId part) { send(part, own); });
+        });
     take_out_repeats(wishes);
     out.begin.resize(std::size_t{parts} + 1);
     out.bytes.resize(wishes.size() * sizeof(PartPoint));

@@ -6,6 +6,7 @@
 
 #include "core/triangulation.hpp"
 #include "parts/boxes.hpp"
+#include "parts/part_point.hpp"
 
 namespace mgdt {
 
@@ -13,13 +14,6 @@ namespace mgdt {
 inline bool precedes(const double* a, const double* b) {
     return a[0] != b[0] ? a[0] < b[0] : a[1] != b[1] ? a[1] < b[1] : a[2] < b[2];
 }
-
-// A point on its way between parts.
-struct PartPoint {
-    double x[3];
-    std::int64_t id;      // the least that the caller gave to a point of these coordinates
-    std::int64_t number;  // of the vertex, among those of all parts
-};
 
 class Part {
   public:
@@ -53,12 +47,21 @@ class Part {
         }
     }
     const PartPoint& point(std::uint32_t i) const { return points_[i]; }
+    // The own ones come first.
+    const PartPoint* points() const { return points_.data(); }
     std::size_t own_count() const { return own_; }
     std::size_t point_count() const { return points_.size(); }
     const Triangulation& triangulation() const { return triangulation_; }
-    const Box& box() const { return box_; }
 
   private:
+    struct OwnVertices {
+        std::uint32_t index[4];
+        unsigned count;
+    };
+    // Visits, of the tetrahedra with own vertices, those whose balls are not within the box, and
+    // the ghosts: visit(t, own vertices, sphere), visit_ghost(t, own vertices).
+    template <class Visit, class VisitGhost>
+    void each_at_border(const Visit& visit, const VisitGhost& visit_ghost) const;
     std::uint32_t least_of(const std::uint32_t (&v)[4]) const;
     void triangulate(std::size_t first);
 

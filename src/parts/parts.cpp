@@ -47,7 +47,7 @@ Parts::Parts(Transport& transport, mgdt_alloc_fn alloc, mgdt_free_fn release, vo
     : transport_(transport),
       allocator_(alloc, release, user),
       homes_(allocator_, transport.parts()),
-      boxes_(allocator_),
+      boxes_(allocator_, transport.parts()),
       parts_(allocator_, transport.local_parts(), alloc, release, user),
       vertices_of_given_(allocator_, transport.local_parts(), std::ref(allocator_)),
       first_vertex_(allocator_) {}
@@ -172,14 +172,20 @@ void Parts::triangulate() {
             parts_[p].insert(others.data(), others.size());
         }
     }
-    Buffer<Box> boxes(allocator_, local);
-    for (PartId p = 0; p < local; ++p) boxes[p] = parts_[p].box();
-    boxes_.gather(transport_, boxes.data());
+    gather_boxes();
     Objects<Mail> out(allocator_, local, std::ref(allocator_)),
         in(allocator_, local, std::ref(allocator_));
     for (PartId p = 0; p < local; ++p) parts_[p].push(boxes_, transport_.parts(), out[p]);
     transport_.exchange(sizeof(PartPoint), out.begin(), in.begin());
     for (PartId p = 0; p < local; ++p) parts_[p].insert(in[p].records<PartPoint>(), in[p].count());
+}
+
+void Parts::gather_boxes() {
+    const PartId local = transport_.local_parts();
+    Buffer<Box> boxes(allocator_, boxes_.size() * local);
+    for (PartId p = 0; p < local; ++p)
+        boxes_.divide(parts_[p].points(), parts_[p].own_count(), boxes.data() + boxes_.size() * p);
+    boxes_.gather(transport_, boxes.data());
 }
 
 }  // namespace mgdt

@@ -29,6 +29,7 @@ class Parts {
     void send_home(const GivenPoints* given, const std::int64_t* const* ids);
     void settle(Objects<Mail>& arrived);
     void triangulate();
+    void gather_boxes();
 
     Transport& transport_;
     Allocator allocator_;
