@@ -71,10 +71,9 @@ void Boxes::split(const PartPoint** begin, const PartPoint** end, std::size_t i,
     split(middle, end, 2 * i + 1, leaves, splits);
 }
 
-void Boxes::gather(Transport& transport, const Box* nodes) {
-    nodes_.resize(2 * leaves_ * parts_);
+void Boxes::gather(Collective& all, const Buffer<Box>& nodes) {
     of_division_.resize(parts_);
-    transport.gather(nodes, 2 * leaves_ * sizeof(Box), nodes_.data());
+    all.gather(nodes, nodes_);
     each_division(0, parts_, [&](PartId first, PartId middle, PartId last) {
         Box& box = of_division_[middle] = empty_box();
         for (PartId p = first; p < last; ++p) {

@@ -32,7 +32,7 @@ class Boxes {
     // Makes them: the whole one is the first, at 1; the halves of i are 2 i and 2 i + 1.
     void divide(const PartPoint* points, std::size_t n, Box* nodes) const;
     // Collective: those of the local parts in, those of all kept.
-    void gather(Transport& transport, const Box* nodes);
+    void gather(Collective& all, const Buffer<Box>& nodes);
 
     // Calls visit(part) for each part with a box that, multiplied by 2^scale, meets the ball that
     // has w and its error in `s`, its base at `base`.

@@ -25,8 +25,8 @@ constexpr std::size_t candidates_wanted = 1024;
 
 class Homes::Level {
   public:
-    Level(Allocator& allocator, Transport& transport, const GivenPoints* points)
-        : transport_(transport),
+    Level(Allocator& allocator, Collective& collective, const GivenPoints* points)
+        : collective_(collective),
           nodes_(allocator),
           begin_(allocator),
           order_(allocator),
@@ -35,14 +35,14 @@ class Homes::Level {
           first_(allocator),
           counts_(allocator) {
         std::size_t n = 0;
-        for (PartId i = 0; i < transport.local_parts(); ++i) n += points[i].n;
+        for (PartId i = 0; i < collective.local_parts(); ++i) n += points[i].n;
         order_.resize(n);
         n = 0;
-        for (PartId i = 0; i < transport.local_parts(); ++i)
+        for (PartId i = 0; i < collective.local_parts(); ++i)
             for (std::size_t k = 0; k < points[i].n; ++k) order_[n++] = points[i].xyz + 3 * k;
         begin_.push_back(0);
         begin_.push_back(n);
-        nodes_.push_back(node(0, transport.parts()));
+        nodes_.push_back(node(0, collective.parts()));
     }
     bool is_done() const { return nodes_.empty(); }
 
@@ -120,8 +120,8 @@ class Homes::Level {
                 }
             });
         }
-        transport_.least(box.data(), box.size());
-        transport_.sum(points.data(), points.size());
+        collective_.least(box);
+        collective_.sum(points);
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             Node& n = nodes_[i];
             n.points = points[i];
@@ -138,13 +138,13 @@ class Homes::Level {
 
     // Some points of each node that are still in question.
     void offer(std::uint64_t round) {
-        const PartId parts = transport_.parts();
+        const PartId parts = collective_.parts();
         const std::size_t each = std::max<std::size_t>(candidates_wanted / parts, 1);
         const std::size_t mine = each * nodes_.size();
         mine_.clear();
-        mine_.resize(mine * transport_.local_parts(), Candidate{{}, no_node, 0});
+        mine_.resize(mine * collective_.local_parts(), Candidate{{}, no_node, 0});
         // The points of local parts are one run, and each offers some of them.
-        for (PartId p = 0; p < transport_.local_parts(); ++p)
+        for (PartId p = 0; p < collective_.local_parts(); ++p)
             for (std::size_t i = 0; i < nodes_.size(); ++i) {
                 const Node& n = nodes_[i];
                 const std::size_t size = begin_[2 * i + 1] - begin_[2 * i];
@@ -157,7 +157,7 @@ class Homes::Level {
                     offered[count++].node = static_cast<std::uint32_t>(i);
                     return true;
                 };
-                Random random((std::uint64_t{transport_.first_local() + p} << 32 | i) ^
+                Random random((std::uint64_t{collective_.first_local() + p} << 32 | i) ^
                               depth_ << 24 ^ round << 60);
                 std::size_t misses = 0;
                 while (count < each && misses < 64)
@@ -165,8 +165,7 @@ class Homes::Level {
                 // Few are between: whichever come.
                 if (count < each) each_point(i, add);
             }
-        all_.resize(mine * parts);
-        transport_.gather(mine_.data(), mine * sizeof(Candidate), all_.data());
+        collective_.gather(mine_, all_);
         Candidate* const end = std::remove_if(all_.begin(), all_.end(),
                                               [](const Candidate& c) { return c.node == no_node; });
         std::sort(all_.begin(), end, [&](const Candidate& a, const Candidate& b) {
@@ -228,7 +227,7 @@ class Homes::Level {
             });
             counts[0] += before;
         }
-        transport_.sum(counts_.data(), counts_.size());
+        collective_.sum(counts_);
     }
 
     // Whether another round is of use.
@@ -262,7 +261,7 @@ class Homes::Level {
         return goes_on;
     }
 
-    Transport& transport_;
+    Collective& collective_;
     Buffer<Node> nodes_;
     Buffer<std::size_t> begin_;     // of each node's points in order_, and their end
     Buffer<const double*> order_;   // the points of the local parts, by node
@@ -272,10 +271,10 @@ class Homes::Level {
     std::uint64_t depth_ = 0;
 };
 
-void Homes::divide(Transport& transport, const GivenPoints* points) {
+void Homes::divide(Collective& all, const GivenPoints* points) {
     splitters_.clear();
     splitters_.resize(parts_, Splitter{{0, 0, 0}, 0});
-    Level level(splitters_.allocator(), transport, points);
+    Level level(splitters_.allocator(), all, points);
     if (parts_ < 2) return;
     for (; !level.is_done(); level.descend()) level.divide(splitters_);
 }

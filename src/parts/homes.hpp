@@ -3,7 +3,7 @@
 // home depends on the coordinates alone, so equal points meet in one part.
 #pragma once
 
-#include "parts/transport.hpp"
+#include "parts/collective.hpp"
 
 namespace mgdt {
 
@@ -29,7 +29,7 @@ class Homes {
     Homes(Allocator& allocator, PartId parts) : parts_(parts), splitters_(allocator, parts) {}
 
     // Collective. `points` has an entry for each local part.
-    void divide(Transport& transport, const GivenPoints* points);
+    void divide(Collective& all, const GivenPoints* points);
     PartId of(const double* x) const {
         PartId first = 0, last = parts_;
         while (last - first > 1) {

@@ -11,13 +11,14 @@ class InProcess final : public Transport {
   public:
     explicit InProcess(PartId parts) : parts_(parts) {}
 
-    PartId parts() const override { return parts_; }
-    PartId first_local() const override { return 0; }
-    PartId local_parts() const override { return parts_; }
-    void gather(const void* mine, std::size_t bytes, void* all) override;
-    void sum(std::uint64_t*, std::size_t) override {}
-    void least(double*, std::size_t) override {}
-    void exchange(std::size_t record_size, const Mail* out, Mail* in) override;
+    PartId parts() const noexcept override { return parts_; }
+    PartId first_local() const noexcept override { return 0; }
+    PartId local_parts() const noexcept override { return parts_; }
+    void gather(const void* mine, std::size_t bytes, void* all) noexcept override;
+    void sum(std::uint64_t*, std::size_t) noexcept override {}
+    void least(double*, std::size_t) noexcept override {}
+    void exchange_counts(const Mail* out, Mail* in) noexcept override;
+    void exchange_records(std::size_t record_size, const Mail* out, Mail* in) noexcept override;
 
   private:
     PartId parts_;

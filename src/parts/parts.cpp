@@ -44,8 +44,8 @@ class DistinctPoints {
 }  // namespace
 
 Parts::Parts(Transport& transport, mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
-    : transport_(transport),
-      allocator_(alloc, release, user),
+    : allocator_(alloc, release, user),
+      collective_(transport, allocator_),
       homes_(allocator_, transport.parts()),
       boxes_(allocator_, transport.parts()),
       parts_(allocator_, transport.local_parts(), alloc, release, user),
@@ -53,24 +53,26 @@ Parts::Parts(Transport& transport, mgdt_alloc_fn alloc, mgdt_free_fn release, vo
       first_vertex_(allocator_) {}
 
 void Parts::build(const GivenPoints* given, const std::int64_t* const* ids) {
-    for (PartId p = 0; p < transport_.local_parts(); ++p)
-        for (std::size_t i = 0; i < 3 * given[p].n; ++i)
-            if (!std::isfinite(given[p].xyz[i]))
-                fail(MGDT_ERR_NOT_FINITE, "point %zu of part %u is not finite", i / 3,
-                     transport_.first_local() + p);
-    homes_.divide(transport_, given);
-    send_home(given, ids);
-    triangulate();
+    collective_.run([&] {
+        for (PartId p = 0; p < collective_.local_parts(); ++p)
+            for (std::size_t i = 0; i < 3 * given[p].n; ++i)
+                if (!std::isfinite(given[p].xyz[i]))
+                    fail(MGDT_ERR_NOT_FINITE, "point %zu of part %u: coordinate %zu is not finite",
+                         i / 3, collective_.first_local() + p, i % 3);
+        homes_.divide(collective_, given);
+        send_home(given, ids);
+        triangulate();
+    });
 }
 
 // Each point goes to its home, and its vertex's number comes back.
 void Parts::send_home(const GivenPoints* given, const std::int64_t* const* ids) {
-    const PartId parts = transport_.parts(), local = transport_.local_parts();
-    Buffer<std::uint64_t> counts(allocator_, parts), mine(allocator_, local);
+    const PartId parts = collective_.parts(), local = collective_.local_parts();
+    Buffer<std::uint64_t> counts(allocator_), mine(allocator_, local);
     for (PartId p = 0; p < local; ++p) mine[p] = given[p].n;
-    transport_.gather(mine.data(), sizeof mine[0], counts.data());
+    collective_.gather(mine, counts);
     std::int64_t id = 0;
-    for (PartId p = 0; p < transport_.first_local(); ++p)
+    for (PartId p = 0; p < collective_.first_local(); ++p)
         id += static_cast<std::int64_t>(counts[p]);
 
     Objects<Mail> out(allocator_, local, std::ref(allocator_)),
@@ -99,7 +101,7 @@ void Parts::send_home(const GivenPoints* given, const std::int64_t* const* ids) 
         }
         id += static_cast<std::int64_t>(n);
     }
-    transport_.exchange(sizeof(PartPoint), out.begin(), in.begin());
+    collective_.exchange<PartPoint>(out, in);
     settle(in);
     for (PartId p = 0; p < local; ++p) {
         // What comes back has the order of what was sent.
@@ -110,7 +112,7 @@ void Parts::send_home(const GivenPoints* given, const std::int64_t* const* ids) 
         for (std::size_t i = 0; i < in[p].count(); ++i)
             reply.records<std::int64_t>()[i] = in[p].records<PartPoint>()[i].number;
     }
-    transport_.exchange(sizeof(std::int64_t), out.begin(), in.begin());
+    collective_.exchange<std::int64_t>(out, in);
     for (PartId p = 0; p < local; ++p) {
         vertices_of_given_[p].resize(given[p].n);
         for (std::size_t i = 0; i < given[p].n; ++i)
@@ -120,8 +122,8 @@ void Parts::send_home(const GivenPoints* given, const std::int64_t* const* ids) 
 
 // Equal points become one, with the least of their numbers; the vertices of all parts are numbered.
 void Parts::settle(Objects<Mail>& arrived) {
-    const PartId parts = transport_.parts(), local = transport_.local_parts();
-    Buffer<std::uint64_t> counts(allocator_, parts), mine(allocator_, local);
+    const PartId local = collective_.local_parts();
+    Buffer<std::uint64_t> counts(allocator_), mine(allocator_, local);
     Objects<Buffer<PartPoint>> owned(allocator_, local, std::ref(allocator_));
     for (PartId p = 0; p < local; ++p) {
         PartPoint* const points = arrived[p].records<PartPoint>();
@@ -140,13 +142,13 @@ void Parts::settle(Objects<Mail>& arrived) {
         }
         mine[p] = own.size();
     }
-    transport_.gather(mine.data(), sizeof mine[0], counts.data());
+    collective_.gather(mine, counts);
     first_vertex_.clear();
     first_vertex_.push_back(0);
     for (const std::uint64_t count : counts)
         first_vertex_.push_back(first_vertex_.back() + static_cast<std::int64_t>(count));
     for (PartId p = 0; p < local; ++p) {
-        const PartId part = transport_.first_local() + p;
+        const PartId part = collective_.first_local() + p;
         PartPoint* const points = arrived[p].records<PartPoint>();
         for (std::size_t i = 0; i < arrived[p].count(); ++i)
             points[i].number += first_vertex_[part];
@@ -157,14 +159,14 @@ void Parts::settle(Objects<Mail>& arrived) {
 }
 
 void Parts::triangulate() {
-    const PartId local = transport_.local_parts();
+    const PartId local = collective_.local_parts();
     {
         Skeleton skeleton(allocator_);
-        skeleton.gather(transport_, parts_);
+        skeleton.gather(collective_, parts_);
         Buffer<PartPoint> points(allocator_), others(allocator_);
         for (PartId p = 0; p < local; ++p) {
-            const PartId part = transport_.first_local() + p;
-            skeleton.points_for(part, transport_.parts(), points);
+            const PartId part = collective_.first_local() + p;
+            skeleton.points_for(part, collective_.parts(), points);
             others.clear();
             for (const PartPoint& x : points)
                 if (x.number < first_vertex_[part] || x.number >= first_vertex_[part + 1])
@@ -175,17 +177,17 @@ void Parts::triangulate() {
     gather_boxes();
     Objects<Mail> out(allocator_, local, std::ref(allocator_)),
         in(allocator_, local, std::ref(allocator_));
-    for (PartId p = 0; p < local; ++p) parts_[p].push(boxes_, transport_.parts(), out[p]);
-    transport_.exchange(sizeof(PartPoint), out.begin(), in.begin());
+    for (PartId p = 0; p < local; ++p) parts_[p].push(boxes_, collective_.parts(), out[p]);
+    collective_.exchange<PartPoint>(out, in);
     for (PartId p = 0; p < local; ++p) parts_[p].insert(in[p].records<PartPoint>(), in[p].count());
 }
 
 void Parts::gather_boxes() {
-    const PartId local = transport_.local_parts();
+    const PartId local = collective_.local_parts();
     Buffer<Box> boxes(allocator_, boxes_.size() * local);
     for (PartId p = 0; p < local; ++p)
         boxes_.divide(parts_[p].points(), parts_[p].own_count(), boxes.data() + boxes_.size() * p);
-    boxes_.gather(transport_, boxes.data());
+    boxes_.gather(collective_, boxes);
 }
 
 }  // namespace mgdt

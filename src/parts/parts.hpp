@@ -4,8 +4,8 @@
 // parts.
 #pragma once
 
+#include "parts/collective.hpp"
 #include "parts/part.hpp"
-#include "parts/transport.hpp"
 #include "platform/objects.hpp"
 
 namespace mgdt {
@@ -14,8 +14,9 @@ class Parts {
   public:
     Parts(Transport& transport, mgdt_alloc_fn alloc, mgdt_free_fn release, void* user);
 
-    // Collective, and once. The points that each local part is given, and numbers for them, all
-    // different and at least 0; without these they count on through the parts.
+    // Collective, and once; where it fails, it does so for all. The points that each local part is
+    // given, and numbers for them, all different and at least 0; without these they count on
+    // through the parts.
     void build(const GivenPoints* given, const std::int64_t* const* ids);
 
     const Part& local(PartId i) const { return parts_[i]; }
@@ -31,8 +32,8 @@ class Parts {
     void triangulate();
     void gather_boxes();
 
-    Transport& transport_;
     Allocator allocator_;
+    Collective collective_;
     Homes homes_;
     Boxes boxes_;
     Objects<Part> parts_;  // the local ones

@@ -24,10 +24,10 @@ double along(const double* d, const double* x) {
 
 }  // namespace
 
-void Skeleton::gather(Transport& transport, const Objects<Part>& parts) {
+void Skeleton::gather(Collective& all, const Objects<Part>& parts) {
     Buffer<Offer> mine(offers_.allocator());
-    mine.resize(transport.local_parts());
-    for (PartId p = 0; p < transport.local_parts(); ++p) {
+    mine.resize(all.local_parts());
+    for (PartId p = 0; p < all.local_parts(); ++p) {
         const Part& part = parts[p];
         const std::size_t n = part.own_count();
         Offer& offer = mine[p] = Offer{};
@@ -35,7 +35,7 @@ void Skeleton::gather(Transport& transport, const Objects<Part>& parts) {
         if (n == 0) continue;
         const auto at = [&](std::size_t i) { return part.point(static_cast<std::uint32_t>(i)); };
         for (std::size_t k = 0; k < sample_size; ++k)
-            offer.sample[k] = at(Random::at(transport.first_local() + p, k) % n);
+            offer.sample[k] = at(Random::at(all.first_local() + p, k) % n);
         for (std::size_t k = 0; k < directions; ++k) {
             double d[3];
             direction(k, d);
@@ -45,21 +45,19 @@ void Skeleton::gather(Transport& transport, const Objects<Part>& parts) {
             offer.farthest[k] = at(farthest);
         }
     }
-    offers_.resize(transport.parts());
-    transport.gather(mine.data(), sizeof(Offer), offers_.data());
-    find_basis(transport, parts);
+    all.gather(mine, offers_);
+    find_basis(all, parts);
 }
 
-void Skeleton::find_basis(Transport& transport, const Objects<Part>& parts) {
+void Skeleton::find_basis(Collective& all, const Objects<Part>& parts) {
     // The first and the last of all in lexicographic order, then the first found off their line,
     // and off that plane.
     struct Found {
         std::uint64_t is_found;
         PartPoint point;
     };
-    Buffer<Found> mine(basis_.allocator()), all(basis_.allocator());
-    mine.resize(transport.local_parts());
-    all.resize(transport.parts());
+    Buffer<Found> mine(basis_.allocator()), of_all(basis_.allocator());
+    mine.resize(all.local_parts());
     basis_.clear();
     const auto is_better = [&](const PartPoint& candidate, const PartPoint& best) {
         if (basis_.size() > 1) return false;
@@ -78,7 +76,7 @@ void Skeleton::find_basis(Transport& transport, const Objects<Part>& parts) {
         }
     };
     while (basis_.size() < 4) {
-        for (PartId p = 0; p < transport.local_parts(); ++p) {
+        for (PartId p = 0; p < all.local_parts(); ++p) {
             const Part& part = parts[p];
             Found& found = mine[p] = Found{};
             for (std::uint32_t i = 0; i < part.own_count(); ++i) {
@@ -87,9 +85,9 @@ void Skeleton::find_basis(Transport& transport, const Objects<Part>& parts) {
                 found = {1, x};
             }
         }
-        transport.gather(mine.data(), sizeof(Found), all.data());
+        all.gather(mine, of_all);
         const PartPoint* best = nullptr;
-        for (const Found& f : all)
+        for (const Found& f : of_all)
             if (f.is_found == 1 && (!best || is_better(f.point, *best))) best = &f.point;
         if (!best) return;
         basis_.push_back(*best);

@@ -13,7 +13,7 @@ class Skeleton {
     explicit Skeleton(Allocator& allocator) : offers_(allocator), basis_(allocator) {}
 
     // Collective. parts: the local ones.
-    void gather(Transport& transport, const Objects<Part>& parts);
+    void gather(Collective& all, const Objects<Part>& parts);
     // Those for one part, with repeats, some of which may be its own.
     void points_for(PartId part, PartId parts, Buffer<PartPoint>& points) const;
 
@@ -28,7 +28,7 @@ class Skeleton {
         PartPoint farthest[directions];
     };
     // Points of all parts that span what all points span, exactly.
-    void find_basis(Transport& transport, const Objects<Part>& parts);
+    void find_basis(Collective& all, const Objects<Part>& parts);
 
     Buffer<Offer> offers_;
     Buffer<PartPoint> basis_;

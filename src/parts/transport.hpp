@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How the parts of a triangulation exchange records. Parts are numbered from 0 on; a process holds
 // a run of them, all of them where there is one process. Every call is collective: all processes
-// make the same calls in the same order.
+// make the same calls in the same order. None throws.
 #pragma once
 
 #include "platform/memory.hpp"
@@ -13,7 +13,6 @@ using PartId = std::uint32_t;
 // Records by the parts that they are for, or from: those of part p are begin[p] to begin[p + 1].
 struct Mail {
     explicit Mail(Allocator& allocator) : bytes(allocator), begin(allocator) {}
-    Mail(Mail&&) = default;
 
     template <class T>
     const T* records() const {
@@ -36,18 +35,20 @@ class Transport {
     Transport(const Transport&) = delete;
     Transport& operator=(const Transport&) = delete;
 
-    virtual PartId parts() const = 0;
-    virtual PartId first_local() const = 0;
-    virtual PartId local_parts() const = 0;
+    virtual PartId parts() const noexcept = 0;
+    virtual PartId first_local() const noexcept = 0;
+    virtual PartId local_parts() const noexcept = 0;
 
     // Gives every process the records of all parts, `bytes` each, in the order of the parts.
     // `mine` has those of the local parts.
-    virtual void gather(const void* mine, std::size_t bytes, void* all) = 0;
+    virtual void gather(const void* mine, std::size_t bytes, void* all) noexcept = 0;
     // Adds the numbers of all processes, one by one; takes the least of each.
-    virtual void sum(std::uint64_t* numbers, std::size_t n) = 0;
-    virtual void least(double* numbers, std::size_t n) = 0;
+    virtual void sum(std::uint64_t* numbers, std::size_t n) noexcept = 0;
+    virtual void least(double* numbers, std::size_t n) noexcept = 0;
     // Delivers records of one size: out[i] is what local part i sends, in[i] what it receives.
-    virtual void exchange(std::size_t record_size, const Mail* out, Mail* in) = 0;
+    // First sets in[i].begin, for which there is room, then fills in[i].bytes likewise.
+    virtual void exchange_counts(const Mail* out, Mail* in) noexcept = 0;
+    virtual void exchange_records(std::size_t record_size, const Mail* out, Mail* in) noexcept = 0;
 };
 
 }  // namespace mgdt

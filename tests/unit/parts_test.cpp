@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "../small.h"
 #include "parts/in_process.hpp"
+#include "thread_transport.hpp"
 
 namespace mgdt {
 namespace {
@@ -196,14 +199,89 @@ TEST(Parts, ShareEvenly) {
     }
 }
 
-TEST(Parts, RefuseWhatIsNotFinite) {
-    Points xyz = uniform(20);
+// As in processes: what each of the threads has in the end.
+struct OfProcess {
+    Tetrahedra owned;
+    mgdt_status status = MGDT_OK;
+    std::string message;
+};
+
+std::vector<OfProcess> in_processes(const Points& xyz, PartId parts, PartId short_of_memory,
+                                    std::size_t memory_of_it) {
+    MeetingPlace place(parts);
+    const Dealt dealt(xyz, parts, false);
+    std::vector<OfProcess> all(parts);
+    std::vector<std::thread> threads;
+    struct Memory {
+        std::size_t left;
+    };
+    for (PartId p = 0; p < parts; ++p)
+        threads.emplace_back([&, p] {
+            ThreadTransport transport(place, p);
+            Memory memory{p == short_of_memory ? memory_of_it : std::size_t{1} << 40};
+            const mgdt_alloc_fn alloc = [](std::size_t size, std::size_t align,
+                                           void* user) -> void* {
+                auto& left = static_cast<Memory*>(user)->left;
+                if (size > left) return nullptr;
+                left -= size;
+                return std::aligned_alloc(align, (size + align - 1) / align * align);
+            };
+            const mgdt_free_fn release = [](void* block, std::size_t, std::size_t, void*) {
+                std::free(block);
+            };
+            try {
+                Parts mine(transport, alloc, release, &memory);
+                mine.build(&dealt.given[p], nullptr);
+                const Part& part = mine.local(0);
+                part.each_tetrahedron([&](const std::uint32_t(&v)[4], bool is_owned) {
+                    if (!is_owned) return;
+                    std::array<std::int64_t, 4> ids;
+                    for (unsigned k = 0; k < 4; ++k) ids[k] = part.point(v[k]).id;
+                    std::sort(ids.begin(), ids.end());
+                    all[p].owned.push_back(ids);
+                });
+            } catch (const Error& e) {
+                all[p].status = e.status;
+                all[p].message = e.message;
+            }
+        });
+    for (std::thread& t : threads) t.join();
+    return all;
+}
+
+TEST(Parts, InProcesses) {
+    const Points xyz = uniform(is_small() ? 500 : 5000);
+    const Tetrahedra expected = of_one(xyz);
+    for (const PartId parts : {1u, 2u, 5u, 8u}) {
+        Tetrahedra owned;
+        for (const OfProcess& p : in_processes(xyz, parts, parts, 0)) {
+            EXPECT_EQ(p.status, MGDT_OK) << p.message;
+            owned.insert(owned.end(), p.owned.begin(), p.owned.end());
+        }
+        std::sort(owned.begin(), owned.end());
+        EXPECT_EQ(owned, expected);
+    }
+}
+
+// One fails, and all say so with its words; none waits for it.
+TEST(Parts, FailTogether) {
+    Points xyz = uniform(2000);
+    int failures = 0, successes = 0;
+    for (std::size_t memory = std::size_t{1} << 18; memory < std::size_t{1} << 23;
+         memory += memory / (is_small() ? 2 : 30)) {
+        const std::vector<OfProcess> all = in_processes(xyz, 3, 1, memory);
+        for (const OfProcess& p : all) EXPECT_EQ(p.status, all[0].status) << memory;
+        ++(all[0].status == MGDT_OK ? successes : failures);
+        EXPECT_TRUE(all[0].status == MGDT_OK || all[0].status == MGDT_ERR_OUT_OF_MEMORY);
+    }
+    EXPECT_GT(failures, 1);
+    EXPECT_GT(successes, 1);
     xyz[3 * 15 + 1] = std::nan("");
-    try {
-        in_parts(xyz, 2);
-        ADD_FAILURE();
-    } catch (const Error& e) {
-        EXPECT_EQ(e.status, MGDT_ERR_NOT_FINITE);
+    const std::vector<OfProcess> all = in_processes(xyz, 4, 4, 0);
+    for (const OfProcess& p : all) {
+        EXPECT_EQ(p.status, MGDT_ERR_NOT_FINITE);
+        EXPECT_EQ(p.message, all[0].message);
+        EXPECT_NE(p.message.find("point 15 of part 0"), std::string::npos) << p.message;
     }
 }
 
