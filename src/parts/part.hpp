@@ -29,8 +29,9 @@ class Part {
     // Which own points each of the other parts needs.
     void push(const Boxes& boxes, PartId parts, Mail& out);
 
-    // Visits the tetrahedra that have a vertex of this part's own, as indices of points(), and
-    // whether it owns them: the part does that has the least vertex, by coordinates.
+    // Visits the tetrahedra that have a vertex of this part's own: visit(t, indices of points(),
+    // how many of these are own, whether the part owns it). The part does that has the least
+    // vertex, by coordinates.
     template <class Visit>
     void each_tetrahedron(const Visit& visit) const {
         const Mesh& mesh = triangulation_.mesh();
@@ -38,12 +39,12 @@ class Part {
             const Tetrahedron& tetrahedron = mesh.tetrahedra[t];
             if (tetrahedron.is_dead() || tetrahedron.is_ghost()) continue;
             std::uint32_t v[4];
-            bool is_ours = false;
+            unsigned own = 0;
             for (int i = 0; i < 4; ++i) {
                 v[i] = mesh.vertices[tetrahedron.v[i]].index;
-                is_ours = is_ours || v[i] < own_;
+                own += v[i] < own_ ? 1 : 0;
             }
-            if (is_ours) visit(v, least_of(v) < own_);
+            if (own > 0) visit(t, v, own, own == 4 || least_of(v) < own_);
         }
     }
     const PartPoint& point(std::uint32_t i) const { return points_[i]; }

@@ -49,6 +49,7 @@ Parts::Parts(Transport& transport, mgdt_alloc_fn alloc, mgdt_free_fn release, vo
       homes_(allocator_, transport.parts()),
       boxes_(allocator_, transport.parts()),
       parts_(allocator_, transport.local_parts(), alloc, release, user),
+      tetrahedra_(allocator_, transport.local_parts(), std::ref(allocator_)),
       vertices_of_given_(allocator_, transport.local_parts(), std::ref(allocator_)),
       first_vertex_(allocator_) {}
 
@@ -62,6 +63,7 @@ void Parts::build(const GivenPoints* given, const std::int64_t* const* ids) {
         homes_.divide(collective_, given);
         send_home(given, ids);
         triangulate();
+        find_tetrahedra(collective_, homes_, parts_, tetrahedra_, allocator_);
     });
 }
 

@@ -6,6 +6,7 @@
 
 #include "parts/collective.hpp"
 #include "parts/part.hpp"
+#include "parts/part_tetrahedra.hpp"
 #include "platform/objects.hpp"
 
 namespace mgdt {
@@ -21,6 +22,7 @@ class Parts {
 
     const Part& local(PartId i) const { return parts_[i]; }
     const Homes& homes() const { return homes_; }
+    const PartTetrahedra& tetrahedra(PartId i) const { return tetrahedra_[i]; }
     // The number of the vertex of each point that a local part was given.
     const Buffer<std::int64_t>& vertices_of_given(PartId i) const { return vertices_of_given_[i]; }
     // The vertices of part p have the numbers from first_vertex(p) to before first_vertex(p + 1).
@@ -37,6 +39,7 @@ class Parts {
     Homes homes_;
     Boxes boxes_;
     Objects<Part> parts_;  // the local ones
+    Objects<PartTetrahedra> tetrahedra_;
     Objects<Buffer<std::int64_t>> vertices_of_given_;
     Buffer<std::int64_t> first_vertex_;
 };

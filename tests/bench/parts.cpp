@@ -43,7 +43,7 @@ void run(const std::string& name, std::size_t each, mgdt::PartId parts) {
         const mgdt::Part& part = all.local(p);
         const std::size_t own = part.own_count(), others = part.point_count() - own;
         std::vector<bool> is_needed(part.point_count(), false);
-        part.each_tetrahedron([&](const std::uint32_t(&v)[4], bool) {
+        part.each_tetrahedron([&](mgdt::TetId, const std::uint32_t(&v)[4], unsigned, bool) {
             for (const std::uint32_t i : v) is_needed[i] = true;
         });
         needed += static_cast<std::size_t>(std::count(

@@ -76,7 +76,7 @@ Outcome in_parts(const Points& xyz, PartId parts, bool to_one = false) {
         outcome.received += part.point_count() - part.own_count();
         outcome.most = std::max(outcome.most, part.own_count());
         outcome.least = std::min(outcome.least, part.own_count());
-        part.each_tetrahedron([&](const std::uint32_t(&v)[4], bool is_owned) {
+        part.each_tetrahedron([&](TetId, const std::uint32_t(&v)[4], unsigned, bool is_owned) {
             if (!is_owned) return;
             std::array<std::int64_t, 4> ids;
             for (unsigned k = 0; k < 4; ++k) ids[k] = part.point(v[k]).id;
@@ -97,6 +97,74 @@ Outcome in_parts(const Points& xyz, PartId parts, bool to_one = false) {
     }
     std::sort(outcome.owned.begin(), outcome.owned.end());
     return outcome;
+}
+
+// Numbers, owners and neighbours of the tetrahedra of all parts agree with each other, and with
+// those of one triangulation.
+void expect_consistent(const Points& xyz, PartId parts) {
+    InProcess transport(parts);
+    Parts all(transport, nullptr, nullptr, nullptr);
+    const Dealt dealt(xyz, parts, false);
+    all.build(dealt.given.data(), nullptr);
+    std::vector<std::array<std::int64_t, 4>> vertices, neighbors;
+    std::vector<PartId> owner;
+    for (PartId p = 0; p < parts; ++p) {
+        const PartTetrahedra& t = all.tetrahedra(p);
+        std::vector<std::int64_t> v(4 * t.size()), n(4 * t.owned());
+        t.get_vertices(all.local(p), v.data());
+        t.get_neighbors(all.local(p), n.data());
+        for (std::size_t i = 0; i < t.owned(); ++i) {
+            EXPECT_EQ(t.number(i), static_cast<std::int64_t>(vertices.size()));
+            EXPECT_EQ(t.owner(i), p);
+            vertices.push_back({v[4 * i], v[4 * i + 1], v[4 * i + 2], v[4 * i + 3]});
+            neighbors.push_back({n[4 * i], n[4 * i + 1], n[4 * i + 2], n[4 * i + 3]});
+            owner.push_back(p);
+        }
+    }
+    const auto sorted = [](auto v) {
+        std::sort(v.begin(), v.end());
+        return v;
+    };
+    for (PartId p = 0; p < parts; ++p) {
+        const PartTetrahedra& t = all.tetrahedra(p);
+        std::vector<std::int64_t> of_part(4 * t.size());
+        t.get_vertices(all.local(p), of_part.data());
+        for (std::size_t i = 0; i < t.size(); ++i) {
+            const auto number = static_cast<std::size_t>(t.number(i));
+            ASSERT_LT(number, vertices.size());
+            EXPECT_EQ(t.owner(i), owner[number]);
+            const std::array<std::int64_t, 4> v = {of_part[4 * i], of_part[4 * i + 1],
+                                                   of_part[4 * i + 2], of_part[4 * i + 3]};
+            EXPECT_EQ(sorted(v), sorted(vertices[number]));
+        }
+    }
+    std::size_t hull = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        for (std::size_t face = 0; face < 4; ++face) {
+            const std::int64_t beyond = neighbors[i][face];
+            if (beyond < 0) {
+                ++hull;
+                continue;
+            }
+            ASSERT_LT(beyond, static_cast<std::int64_t>(vertices.size()));
+            const auto other = static_cast<std::size_t>(beyond);
+            EXPECT_NE(other, i);
+            int shared = 0;
+            for (std::size_t k = 0; k < 4; ++k) {
+                if (k == face) continue;
+                const auto& theirs = vertices[other];
+                shared += std::find(theirs.begin(), theirs.end(), vertices[i][k]) != theirs.end();
+            }
+            EXPECT_EQ(shared, 3);
+            EXPECT_EQ(std::count(neighbors[other].begin(), neighbors[other].end(),
+                                 static_cast<std::int64_t>(i)),
+                      1);
+        }
+    Triangulation one(nullptr, nullptr, nullptr);
+    const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
+    one.insert(xyz.size() / 3, axis, 3);
+    EXPECT_EQ(hull, one.mesh().ghost_count);
+    EXPECT_EQ(vertices.size(), one.mesh().finite_count());
 }
 
 Points uniform(std::size_t n, unsigned seed = 1) {
@@ -186,6 +254,17 @@ TEST(Parts, MayAllBeGivenToOne) {
     expect_equal(uniform(is_small() ? 300 : 3000), {2, 8}, true);
 }
 
+TEST(Parts, NumberTheirTetrahedra) {
+    for (const PartId parts : {1u, 2u, 5u, 16u}) {
+        SCOPED_TRACE(parts);
+        expect_consistent(uniform(is_small() ? 300 : 2000), parts);
+        expect_consistent(integers(is_small() ? 200 : 1000, 6), parts);
+        expect_consistent(special("sphere", is_small() ? 100 : 500), parts);
+        expect_consistent(special("two lines", 60), parts);
+        expect_consistent(uniform(3), parts);
+    }
+}
+
 TEST(Parts, OfManyProcesses) {
     expect_equal(uniform(is_small() ? 1000 : 20000), {is_small() ? PartId{100} : PartId{1000}});
 }
@@ -233,13 +312,14 @@ std::vector<OfProcess> in_processes(const Points& xyz, PartId parts, PartId shor
                 Parts mine(transport, alloc, release, &memory);
                 mine.build(&dealt.given[p], nullptr);
                 const Part& part = mine.local(0);
-                part.each_tetrahedron([&](const std::uint32_t(&v)[4], bool is_owned) {
-                    if (!is_owned) return;
-                    std::array<std::int64_t, 4> ids;
-                    for (unsigned k = 0; k < 4; ++k) ids[k] = part.point(v[k]).id;
-                    std::sort(ids.begin(), ids.end());
-                    all[p].owned.push_back(ids);
-                });
+                part.each_tetrahedron(
+                    [&](TetId, const std::uint32_t(&v)[4], unsigned, bool is_owned) {
+                        if (!is_owned) return;
+                        std::array<std::int64_t, 4> ids;
+                        for (unsigned k = 0; k < 4; ++k) ids[k] = part.point(v[k]).id;
+                        std::sort(ids.begin(), ids.end());
+                        all[p].owned.push_back(ids);
+                    });
             } catch (const Error& e) {
                 all[p].status = e.status;
                 all[p].message = e.message;

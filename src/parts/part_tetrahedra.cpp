@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+//
+// Who owns a tetrahedron tells its number to the other parts that have it. The owners of two that
+// share a facet need not know each other; both tell the part where its least vertex is at home.
+#include "parts/part_tetrahedra.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace mgdt {
+namespace {
+
+// Vertices of a tetrahedron, or of a facet, in ascending order, by which parts know it.
+template <int n>
+struct Key {
+    std::int64_t v[n];
+
+    friend bool operator<(const Key& a, const Key& b) {
+        return std::lexicographical_compare(a.v, a.v + n, b.v, b.v + n);
+    }
+    friend bool operator==(const Key& a, const Key& b) { return std::equal(a.v, a.v + n, b.v); }
+};
+
+struct Numbered {
+    Key<4> key;
+    std::int64_t number;
+};
+
+// A side of a facet: the tetrahedron, and who asks for the other side.
+struct Side {
+    Key<3> key;
+    std::int64_t tetrahedron;
+};
+
+// Records for parts, in whatever order they come; sent by part, they keep it.
+template <class Record>
+class Post {
+  public:
+    explicit Post(Allocator& allocator) : records_(allocator), to_(allocator) {}
+
+    void add(PartId to, const Record& record) {
+        to_.push_back(to);
+        records_.push_back(record);
+    }
+    // Where the k-th record is in the mail, if `places` is given.
+    void put(PartId parts, Mail& mail, Buffer<std::uint64_t>* places) const {
+        mail.begin.clear();
+        mail.begin.resize(std::size_t{parts} + 1, 0);
+        for (const PartId to : to_) ++mail.begin[std::size_t{to} + 1];
+        for (PartId p = 0; p < parts; ++p) mail.begin[std::size_t{p} + 1] += mail.begin[p];
+        Buffer<std::uint64_t> next(to_.allocator(), parts);
+        std::copy_n(mail.begin.data(), parts, next.data());
+        mail.bytes.resize(to_.size() * sizeof(Record));
+        if (places) places->resize(to_.size());
+        for (std::size_t k = 0; k < to_.size(); ++k) {
+            const std::uint64_t place = next[to_[k]]++;
+            mail.records<Record>()[place] = records_[k];
+            if (places) (*places)[k] = place;
+        }
+    }
+
+  private:
+    Buffer<Record> records_;
+    Buffer<PartId> to_;
+};
+
+}  // namespace
+
+template <class Within, class AcrossSide>
+void PartTetrahedra::each_side(const Part& part, const Within& within,
+                               const AcrossSide& across) const {
+    const Mesh& mesh = part.triangulation().mesh();
+    Buffer<std::uint32_t> place(slots_.allocator());
+    place.resize(mesh.tetrahedra.size(), no_index);
+    for (std::size_t i = 0; i < owned_; ++i) place[slots_[i]] = static_cast<std::uint32_t>(i);
+    for (std::size_t i = 0; i < owned_; ++i)
+        for (unsigned face = 0; face < 4; ++face) {
+            const std::uint32_t beyond = place[tetrahedron_of(mesh.tetrahedra[slots_[i]].n[face])];
+            if (beyond == no_index)
+                across(4 * i + face);
+            else
+                within(4 * i + face, beyond);
+        }
+}
+
+void PartTetrahedra::get_vertices(const Part& part, std::int64_t* vertices) const {
+    const auto own = static_cast<std::uint32_t>(part.own_count());
+    const std::int64_t first = own > 0 ? part.point(0).number : 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+        std::uint32_t v[4];
+        corners(part, i, v);
+        for (const std::uint32_t k : v) *vertices++ = k < own ? first + k : part.point(k).number;
+    }
+}
+
+void PartTetrahedra::get_neighbors(const Part& part, std::int64_t* neighbors) const {
+    const Across* next = across_.begin();
+    each_side(
+        part, [&](std::size_t side, std::uint32_t i) { neighbors[side] = number(i); },
+        [&](std::size_t side) { neighbors[side] = (next++)->number; });
+}
+
+class TetrahedraFinder {
+  public:
+    TetrahedraFinder(Collective& all, const Homes& homes, const Objects<Part>& parts,
+                     Objects<PartTetrahedra>& found, Allocator& allocator)
+        : all_(all),
+          homes_(homes),
+          parts_(parts),
+          found_(found),
+          allocator_(allocator),
+          at_border_(allocator, parts.size(), std::ref(allocator)),
+          out_(allocator, parts.size(), std::ref(allocator)),
+          in_(allocator, parts.size(), std::ref(allocator)) {}
+
+    void find() {
+        for (PartId p = 0; p < parts_.size(); ++p) list(p);
+        number();
+        tell_numbers();
+        find_neighbors();
+    }
+
+  private:
+    // The part's tetrahedra, the owned ones first.
+    void list(PartId p) {
+        PartTetrahedra& t = found_[p];
+        Buffer<TetId> of_others(allocator_);
+        t.self_ = all_.first_local() + p;
+        t.slots_.reserve(parts_[p].triangulation().mesh().live_count());
+        parts_[p].each_tetrahedron(
+            [&](TetId slot, const std::uint32_t(&)[4], unsigned own, bool is_owned) {
+                if (is_owned && own < 4) at_border_[p].push_back(t.slots_.size());
+                (is_owned ? t.slots_ : of_others).push_back(slot);
+            });
+        t.owned_ = t.slots_.size();
+        for (const TetId slot : of_others) t.slots_.push_back(slot);
+        t.numbers_.resize(of_others.size());
+        t.owners_.resize(of_others.size());
+    }
+    void number() {
+        Buffer<std::uint64_t> mine(allocator_, parts_.size()), counts(allocator_);
+        for (PartId p = 0; p < parts_.size(); ++p) mine[p] = found_[p].owned_;
+        all_.gather(mine, counts);
+        std::int64_t first = 0;
+        for (PartId p = 0; p < all_.first_local(); ++p)
+            first += static_cast<std::int64_t>(counts[p]);
+        for (PartId p = 0; p < parts_.size(); ++p) {
+            found_[p].first_ = first;
+            first += static_cast<std::int64_t>(mine[p]);
+        }
+    }
+    // Of tetrahedron i without the corner `left_out`, or with all.
+    template <int n>
+    Key<n> key(PartId p, std::size_t i, int left_out) const {
+        std::uint32_t v[4];
+        found_[p].corners(parts_[p], i, v);
+        Key<n> key;
+        int k = 0;
+        for (int corner = 0; corner < 4; ++corner)
+            if (corner != left_out) key.v[k++] = parts_[p].point(v[corner]).number;
+        std::sort(key.v, key.v + n);
+        return key;
+    }
+    // To the other parts that corners are at home in.
+    void tell_numbers() {
+        for (PartId p = 0; p < parts_.size(); ++p) {
+            const PartTetrahedra& t = found_[p];
+            Post<Numbered> post(allocator_);
+            for (const std::size_t i : at_border_[p]) {
+                std::uint32_t v[4];
+                t.corners(parts_[p], i, v);
+                PartId told[4];
+                unsigned count = 0;
+                for (const std::uint32_t k : v) {
+                    if (k < parts_[p].own_count()) continue;
+                    const PartId to = homes_.of(parts_[p].point(k).x);
+                    if (std::find(told, told + count, to) != told + count) continue;
+                    told[count++] = to;
+                    post.add(to, {key<4>(p, i, -1), t.number(i)});
+                }
+            }
+            post.put(all_.parts(), out_[p], nullptr);
+        }
+        all_.exchange<Numbered>(out_, in_);
+        for (PartId p = 0; p < parts_.size(); ++p) hear_numbers(p);
+    }
+    void hear_numbers(PartId p) {
+        struct Told {
+            Key<4> key;
+            std::int64_t number;
+            PartId owner;
+        };
+        const Numbered* const told = in_[p].records<Numbered>();
+        Buffer<Told> sorted(allocator_);
+        sorted.reserve(in_[p].count());
+        for (PartId from = 0; from < all_.parts(); ++from)
+            for (std::uint64_t k = in_[p].begin[from]; k < in_[p].begin[std::size_t{from} + 1]; ++k)
+                sorted.push_back({told[k].key, told[k].number, from});
+        std::sort(sorted.begin(), sorted.end(),
+                  [](const Told& a, const Told& b) { return a.key < b.key; });
+        PartTetrahedra& t = found_[p];
+        for (std::size_t i = t.owned_; i < t.size(); ++i) {
+            const Key<4> wanted = key<4>(p, i, -1);
+            const Told* const found =
+                std::lower_bound(sorted.begin(), sorted.end(), wanted,
+                                 [](const Told& a, const Key<4>& b) { return a.key < b; });
+            if (found == sorted.end() || !(found->key == wanted))
+                fail(MGDT_ERR_CHECK_FAILED, "part %u has a tetrahedron that no part owns", t.self_);
+            t.numbers_[i - t.owned_] = found->number;
+            t.owners_[i - t.owned_] = found->owner;
+        }
+    }
+    void find_neighbors() {
+        Objects<Buffer<std::uint64_t>> places(allocator_, parts_.size(), std::ref(allocator_));
+        for (PartId p = 0; p < parts_.size(); ++p) {
+            PartTetrahedra& t = found_[p];
+            Post<Side> post(allocator_);
+            t.across_.clear();
+            t.each_side(
+                parts_[p], [](std::size_t, std::uint32_t) {},
+                [&](std::size_t side) {
+                    const std::size_t i = side / 4;
+                    const int face = static_cast<int>(side % 4);
+                    t.across_.push_back({side, -1});
+                    post.add(meeting_place(p, i, face), {key<3>(p, i, face), t.number(i)});
+                });
+            post.put(all_.parts(), out_[p], &places[p]);
+        }
+        all_.exchange<Side>(out_, in_);
+        for (PartId p = 0; p < parts_.size(); ++p) answer_sides(in_[p], out_[p]);
+        all_.exchange<std::int64_t>(out_, in_);
+        for (PartId p = 0; p < parts_.size(); ++p)
+            for (std::size_t k = 0; k < places[p].size(); ++k)
+                found_[p].across_[k].number = in_[p].records<std::int64_t>()[places[p][k]];
+    }
+    // The other side of each, or -1.
+    void answer_sides(const Mail& asked, Mail& reply) {
+        const Side* const sides = asked.records<Side>();
+        const std::size_t n = asked.count();
+        reply.begin.resize(asked.begin.size());
+        std::copy(asked.begin.begin(), asked.begin.end(), reply.begin.data());
+        reply.bytes.resize(n * sizeof(std::int64_t));
+        Buffer<std::size_t> order(allocator_, n);
+        for (std::size_t k = 0; k < n; ++k) order[k] = k;
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return sides[a].key < sides[b].key; });
+        std::int64_t* const beyond = reply.records<std::int64_t>();
+        for (std::size_t k = 0; k < n; ++k) {
+            const std::size_t here = order[k];
+            beyond[here] = -1;
+            if (k + 1 == n || !(sides[here].key == sides[order[k + 1]].key)) continue;
+            const std::size_t there = order[++k];
+            beyond[here] = sides[there].tetrahedron;
+            beyond[there] = sides[here].tetrahedron;
+        }
+    }
+    // The part where a facet's least vertex is at home.
+    PartId meeting_place(PartId p, std::size_t i, int face) const {
+        std::uint32_t v[4];
+        found_[p].corners(parts_[p], i, v);
+        const double* least = nullptr;
+        for (int k = 0; k < 4; ++k) {
+            const double* const x = parts_[p].point(v[k]).x;
+            if (k != face && (!least || precedes(x, least))) least = x;
+        }
+        return homes_.of(least);
+    }
+
+    Collective& all_;
+    const Homes& homes_;
+    const Objects<Part>& parts_;
+    Objects<PartTetrahedra>& found_;
+    Allocator& allocator_;
+    Objects<Buffer<std::size_t>> at_border_;  // owned ones with corners of others
+    Objects<Mail> out_, in_;
+};
+
+void find_tetrahedra(Collective& all, const Homes& homes, const Objects<Part>& parts,
+                     Objects<PartTetrahedra>& found, Allocator& allocator) {
+    TetrahedraFinder(all, homes, parts, found, allocator).find();
+}
+
+}  // namespace mgdt

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The tetrahedra of a part as its program takes them: with the numbers that vertices and tetrahedra
+// have among those of all parts.
+#pragma once
+
+#include "parts/collective.hpp"
+#include "parts/part.hpp"
+
+namespace mgdt {
+
+class PartTetrahedra {
+  public:
+    explicit PartTetrahedra(Allocator& allocator)
+        : slots_(allocator), numbers_(allocator), owners_(allocator), across_(allocator) {}
+
+    // Those that the part owns come first, and their numbers follow one another.
+    std::size_t size() const { return slots_.size(); }
+    std::size_t owned() const { return owned_; }
+    std::int64_t number(std::size_t i) const {
+        return i < owned_ ? first_ + static_cast<std::int64_t>(i) : numbers_[i - owned_];
+    }
+    PartId owner(std::size_t i) const { return i < owned_ ? self_ : owners_[i - owned_]; }
+    // The corners of each in turn, positively oriented, as points of the part.
+    void corners(const Part& part, std::size_t i, std::uint32_t (&v)[4]) const {
+        const Mesh& mesh = part.triangulation().mesh();
+        for (int k = 0; k < 4; ++k) v[k] = mesh.vertices[mesh.tetrahedra[slots_[i]].v[k]].index;
+    }
+    // 4 numbers of vertices for each.
+    void get_vertices(const Part& part, std::int64_t* vertices) const;
+    // 4 numbers of tetrahedra for each owned one, opposite the vertices, or -1.
+    void get_neighbors(const Part& part, std::int64_t* neighbors) const;
+
+  private:
+    friend class TetrahedraFinder;
+    // A facet of an owned one with one that is not: its place among the neighbours.
+    struct Across {
+        std::uint64_t side;
+        std::int64_t number;
+    };
+    // Calls within(side, i) for facets of owned ones with owned ones, which are beyond, and
+    // across(side) for others, in ascending order.
+    template <class Within, class AcrossSide>
+    void each_side(const Part& part, const Within& within, const AcrossSide& across) const;
+
+    PartId self_ = 0;
+    std::size_t owned_ = 0;
+    std::int64_t first_ = 0;
+    Buffer<TetId> slots_;
+    Buffer<std::int64_t> numbers_;  // of those that others own
+    Buffer<PartId> owners_;
+    Buffer<Across> across_;  // by side
+};
+
+// Collective. Those of the local parts, whose triangulations are finished.
+void find_tetrahedra(Collective& all, const Homes& homes, const Objects<Part>& parts,
+                     Objects<PartTetrahedra>& found, Allocator& allocator);
+
+}  // namespace mgdt
