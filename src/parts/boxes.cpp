@@ -22,6 +22,10 @@ void add(Box& box, const double* x) {
     }
 }
 
+struct Boxes::Place {
+    double x[3];
+};
+
 struct Boxes::Split {
     double at;
     unsigned axis;
@@ -32,8 +36,8 @@ void Boxes::divide(const PartPoint* points, std::size_t n, Box* nodes) const {
     constexpr std::size_t sample_of_leaf = 16;
     Allocator& allocator = nodes_.allocator();
     const std::size_t count = std::min(n, sample_of_leaf * leaves_);
-    Buffer<const PartPoint*> sample(allocator, count);
-    for (std::size_t k = 0; k < count; ++k) sample[k] = points + n * k / count;
+    Buffer<Place> sample(allocator, count);
+    for (std::size_t k = 0; k < count; ++k) std::copy_n(points[n * k / count].x, 3, sample[k].x);
     Buffer<Split> splits(allocator, leaves_);
     split(sample.begin(), sample.end(), 1, leaves_, splits.data());
     std::fill_n(nodes, 2 * leaves_, empty_box());
@@ -50,22 +54,20 @@ void Boxes::divide(const PartPoint* points, std::size_t n, Box* nodes) const {
         }
 }
 
-void Boxes::split(const PartPoint** begin, const PartPoint** end, std::size_t i, std::size_t leaves,
-                  Split* splits) {
+void Boxes::split(Place* begin, Place* end, std::size_t i, std::size_t leaves, Split* splits) {
     if (i >= leaves) return;
     Box box = empty_box();
-    for (const PartPoint** p = begin; p < end; ++p) add(box, (*p)->x);
+    for (const Place* p = begin; p < end; ++p) add(box, p->x);
     unsigned axis = 0;
     for (unsigned k = 1; k < 3; ++k)
         if (0.5 * box.high[k] - 0.5 * box.low[k] > 0.5 * box.high[axis] - 0.5 * box.low[axis])
             axis = k;
-    const PartPoint** const middle = begin + (end - begin) / 2;
+    Place* const middle = begin + (end - begin) / 2;
     splits[i] = {0, axis};
     if (middle < end) {
-        std::nth_element(begin, middle, end, [&](const PartPoint* a, const PartPoint* b) {
-            return a->x[axis] < b->x[axis];
-        });
-        splits[i].at = (*middle)->x[axis];
+        std::nth_element(begin, middle, end,
+                         [&](const Place& a, const Place& b) { return a.x[axis] < b.x[axis]; });
+        splits[i].at = middle->x[axis];
     }
     split(begin, middle, 2 * i, leaves, splits);
     split(middle, end, 2 * i + 1, leaves, splits);

@@ -55,6 +55,7 @@ class Boxes {
   private:
     static constexpr std::size_t most_leaves = 512, least_leaves = 16, most_boxes = 65536;
 
+    struct Place;
     struct Split;
 
     template <class Visit, class Test>
@@ -78,8 +79,7 @@ class Boxes {
         if (node(part, i).is_empty() || !test(node(part, i))) return false;
         return i >= leaves_ || any_leaf(part, 2 * i, test) || any_leaf(part, 2 * i + 1, test);
     }
-    static void split(const PartPoint** begin, const PartPoint** end, std::size_t i,
-                      std::size_t leaves, Split* splits);
+    static void split(Place* begin, Place* end, std::size_t i, std::size_t leaves, Split* splits);
 
     PartId parts_;
     std::size_t leaves_;

@@ -11,10 +11,8 @@ namespace {
 
 // The directions to the neighbours of a cube among 27: to its sides, edges and corners.
 void direction(std::size_t i, double* d) {
-    const std::size_t cell = i < 13 ? i : i + 1;
-    d[0] = static_cast<double>(cell % 3) - 1;
-    d[1] = static_cast<double>(cell / 3 % 3) - 1;
-    d[2] = static_cast<double>(cell / 9) - 1;
+    std::size_t cell = i < 13 ? i : i + 1;
+    for (int k = 0; k < 3; ++k, cell /= 3) d[k] = static_cast<double>(cell % 3) - 1;
 }
 
 // Halves, so that a sum of large coordinates does not overflow.
