@@ -88,7 +88,8 @@ void Boxes::gather(Collective& all, const Buffer<Box>& nodes) {
 
 // A place y, relative to the base, is in the closed ball where |y|^2 - w.y is at most 0: a sum of
 // parabolas, one an axis, whose least values in the box add up. The bound of w's error is per
-// coordinate; the rest is for rounding, generously, since being wrong this way costs little.
+// coordinate; the rest is for rounding and underflow, generously, since being wrong this way costs
+// little.
 bool Boxes::meets_ball(const Box& box, const Sphere& s, const double* base, int scale) {
     double least = 0, sizes = 0, reach = 0;
     for (int k = 0; k < 3; ++k) {
@@ -103,7 +104,7 @@ bool Boxes::meets_ball(const Box& box, const Sphere& s, const double* base, int 
         sizes += farthest * (farthest + std::fabs(s.w[k]));
         reach += farthest;
     }
-    return !(least > s.e * reach * (1 + 0x1p-40) + 0x1p-45 * sizes);
+    return !(least > s.e * reach * (1 + 0x1p-40) + 0x1p-45 * sizes + 0x1p-1060);
 }
 
 bool Boxes::is_beyond(const Box& box, const double* a, const double* b, const double* c,

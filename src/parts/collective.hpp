@@ -51,6 +51,7 @@ class Collective {
     // Calls body, and reports what it throws.
     template <class Body>
     void run(const Body& body) {
+        has_failed_ = false;
         try {
             body();
             finish();

@@ -131,6 +131,10 @@ void Parts::settle(Objects<Mail>& arrived) {
         PartPoint* const points = arrived[p].records<PartPoint>();
         const std::size_t n = arrived[p].count();
         Buffer<PartPoint>& own = owned[p];
+        // No triangulation holds as many; its own limit is lower.
+        if (n >= in_cavity)
+            fail(MGDT_ERR_TOO_LARGE, "part %u is home to %zu points; take more parts",
+                 collective_.first_local() + p, n);
         own.reserve(n);
         DistinctPoints distinct(allocator_, n);
         for (std::size_t i = 0; i < n; ++i) {

@@ -254,6 +254,25 @@ TEST(Parts, MayAllBeGivenToOne) {
     expect_equal(uniform(is_small() ? 300 : 3000), {2, 8}, true);
 }
 
+// A point whose products with the ball's coefficients are below the least double.
+TEST(Parts, SeeThroughUnderflow) {
+    const double v = 6.26302612502804e-294, third = 1.878907837508412e-293;
+    const double corner[4][3] = {{0, 0, 0},
+                                 {6.0e-31, -6.0e-31, -2.9e-31},
+                                 {-7.8e-32, -3.7e-31, 7.2e-31},
+                                 {-4.2e-31, -5.9e-31, 4.8e-31}};
+    const auto relative = [&](int i) { return relative_to(corner[i], corner[0]); };
+    // Any orientation: the sphere of either order is the same.
+    Sphere s;
+    set_sphere(relative(1), relative(2), relative(3), s);
+    if (!(s.e < infinity)) set_sphere(relative(1), relative(3), relative(2), s);
+    ASSERT_LT(s.e, infinity);
+    for (const double sign : {1.0, -1.0}) {
+        const Box box = {{sign * v, sign * v, sign * third}, {sign * v, sign * v, sign * third}};
+        EXPECT_TRUE(Boxes::meets_ball(box, s, corner[0], 0)) << sign;
+    }
+}
+
 TEST(Parts, NumberTheirTetrahedra) {
     for (const PartId parts : {1u, 2u, 5u, 16u}) {
         SCOPED_TRACE(parts);
