@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "parts/post.hpp"
+
 namespace mgdt {
 namespace {
 
@@ -30,38 +32,6 @@ struct Numbered {
 struct Side {
     Key<3> key;
     std::int64_t tetrahedron;
-};
-
-// Records for parts, in whatever order they come; sent by part, they keep it.
-template <class Record>
-class Post {
-  public:
-    explicit Post(Allocator& allocator) : records_(allocator), to_(allocator) {}
-
-    void add(PartId to, const Record& record) {
-        to_.push_back(to);
-        records_.push_back(record);
-    }
-    // Where the k-th record is in the mail, if `places` is given.
-    void put(PartId parts, Mail& mail, Buffer<std::uint64_t>* places) const {
-        mail.begin.clear();
-        mail.begin.resize(std::size_t{parts} + 1, 0);
-        for (const PartId to : to_) ++mail.begin[std::size_t{to} + 1];
-        for (PartId p = 0; p < parts; ++p) mail.begin[std::size_t{p} + 1] += mail.begin[p];
-        Buffer<std::uint64_t> next(to_.allocator(), parts);
-        std::copy_n(mail.begin.data(), parts, next.data());
-        mail.bytes.resize(to_.size() * sizeof(Record));
-        if (places) places->resize(to_.size());
-        for (std::size_t k = 0; k < to_.size(); ++k) {
-            const std::uint64_t place = next[to_[k]]++;
-            mail.records<Record>()[place] = records_[k];
-            if (places) (*places)[k] = place;
-        }
-    }
-
-  private:
-    Buffer<Record> records_;
-    Buffer<PartId> to_;
 };
 
 }  // namespace
@@ -237,14 +207,11 @@ class TetrahedraFinder {
     void answer_sides(const Mail& asked, Mail& reply) {
         const Side* const sides = asked.records<Side>();
         const std::size_t n = asked.count();
-        reply.begin.resize(asked.begin.size());
-        std::copy(asked.begin.begin(), asked.begin.end(), reply.begin.data());
-        reply.bytes.resize(n * sizeof(std::int64_t));
         Buffer<std::size_t> order(allocator_, n);
         for (std::size_t k = 0; k < n; ++k) order[k] = k;
         std::sort(order.begin(), order.end(),
                   [&](std::size_t a, std::size_t b) { return sides[a].key < sides[b].key; });
-        std::int64_t* const beyond = reply.records<std::int64_t>();
+        std::int64_t* const beyond = begin_replies<std::int64_t>(asked, reply);
         for (std::size_t k = 0; k < n; ++k) {
             const std::size_t here = order[k];
             beyond[here] = -1;

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "order/random.hpp"
+#include "parts/post.hpp"
 #include "parts/skeleton.hpp"
 
 namespace mgdt {
@@ -83,36 +84,23 @@ void Parts::send_home(const GivenPoints* given, const std::int64_t* const* ids) 
     Objects<Buffer<std::uint64_t>> places(allocator_, local, std::ref(allocator_));
     for (PartId p = 0; p < local; ++p) {
         const std::size_t n = given[p].n;
-        Buffer<PartId> home(allocator_, n);
-        Mail& mail = out[p];
-        mail.begin.resize(std::size_t{parts} + 1, 0);
-        for (std::size_t i = 0; i < n; ++i) {
-            home[i] = homes_.of(given[p].xyz + 3 * i);
-            ++mail.begin[home[i] + 1];
-        }
-        for (PartId to = 0; to < parts; ++to) mail.begin[to + 1] += mail.begin[to];
-        mail.bytes.resize(n * sizeof(PartPoint));
-        places[p].resize(n);
-        Buffer<std::uint64_t> next(allocator_, parts);
-        std::copy_n(mail.begin.data(), parts, next.data());
+        Post<PartPoint> post(allocator_);
+        post.reserve(n);
         for (std::size_t i = 0; i < n; ++i) {
             const double* const x = given[p].xyz + 3 * i;
-            const std::uint64_t place = places[p][i] = next[home[i]]++;
-            mail.records<PartPoint>()[place] = {
-                {x[0], x[1], x[2]}, ids ? ids[p][i] : id + static_cast<std::int64_t>(i), 0};
+            post.add(homes_.of(x),
+                     {{x[0], x[1], x[2]}, ids ? ids[p][i] : id + static_cast<std::int64_t>(i), 0});
         }
+        post.put(parts, out[p], &places[p]);
         id += static_cast<std::int64_t>(n);
     }
     collective_.exchange<PartPoint>(out, in);
     settle(in);
     for (PartId p = 0; p < local; ++p) {
         // What comes back has the order of what was sent.
-        Mail& reply = out[p];
-        reply.begin.resize(in[p].begin.size());
-        std::copy(in[p].begin.begin(), in[p].begin.end(), reply.begin.data());
-        reply.bytes.resize(in[p].count() * sizeof(std::int64_t));
+        std::int64_t* const replies = begin_replies<std::int64_t>(in[p], out[p]);
         for (std::size_t i = 0; i < in[p].count(); ++i)
-            reply.records<std::int64_t>()[i] = in[p].records<PartPoint>()[i].number;
+            replies[i] = in[p].records<PartPoint>()[i].number;
     }
     collective_.exchange<std::int64_t>(out, in);
     for (PartId p = 0; p < local; ++p) {

@@ -73,7 +73,7 @@ double Fields::value(const char* what) {
     const std::string_view field = word(what);
     double value = 0;
     const NumberStatus status = parse_number(field, value);
-    if (status != NumberStatus::ok && status != NumberStatus::not_finite) {
+    if (!is_value(status)) {
         lines_->fail(fmt::format("{}: {} {}", what, quote(field), describe(status)));
     }
     return value;

@@ -85,8 +85,7 @@ void TableFields::choose(const std::vector<std::string_view>& first_row, const L
         const bool has_name = c < names_.size() && !names_[c].empty();
         names.push_back(has_name ? names_[c] : fmt::format("column{}", c + 1));
         double value = 0;
-        const NumberStatus status = parse_number(first_row[c], value);
-        const bool is_number = status == NumberStatus::ok || status == NumberStatus::not_finite;
+        const bool is_number = is_value(parse_number(first_row[c], value));
         const bool is_wanted =
             options_.field_names.empty() ? is_number : wants_field(options_, names.back());
         if (!is_wanted) continue;
@@ -107,7 +106,7 @@ void TableFields::read(const LineReader& line, char separator, const Columns& po
         }
         double value = 0;
         const NumberStatus status = parse_number(row[c], value);
-        if (status != NumberStatus::ok && status != NumberStatus::not_finite) {
+        if (!is_value(status)) {
             line.fail(fmt::format("column {}: {} {}; a value is needed, which may be nan", c + 1,
                                   quote(row[c]), describe(status)));
         }
