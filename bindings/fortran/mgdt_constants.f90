@@ -34,6 +34,8 @@ module mgdt_constants
     ! the thread rule. Every function that takes a handle may return it, except mgdt_cancel() and
     ! mgdt_get_error(). Since 1.2.
     integer, parameter :: mgdt_err_busy = 41
+    ! A transport of mgdt_parts said that it failed. Since 1.2.
+    integer, parameter :: mgdt_err_transport = 50
     ! mgdt_check() found a defect.
     integer, parameter :: mgdt_err_check_failed = 60
     ! A defect in mgdt itself; please report it.

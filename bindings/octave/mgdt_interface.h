@@ -108,6 +108,7 @@
     E(TOO_LARGE, too_large)               \
     E(CANCELLED, cancelled)               \
     E(BUSY, busy)                         \
+    E(TRANSPORT, transport)               \
     E(CHECK_FAILED, check_failed)         \
     E(INTERNAL, internal)
 

@@ -106,10 +106,12 @@ enum {
     MGDT_ERR_OUT_OF_MEMORY = 30,    /**< The allocator or the memory limit refused. */
     MGDT_ERR_TOO_LARGE = 31,        /**< More points or tetrahedra than the format can number. */
     MGDT_ERR_CANCELLED = 40,        /**< mgdt_cancel() or the progress callback asked to stop. */
-    MGDT_ERR_BUSY = 41,         /**< Another call is running on the handle: a callback called its
-                                 *   own handle, or two threads broke the thread rule. Every
-                                 *   function that takes a handle may return it, except
-                                 *   mgdt_cancel() and mgdt_get_error(). Since 1.2. */
+    MGDT_ERR_BUSY = 41, /**< Another call is running on the handle: a callback called its
+                         *   own handle, or two threads broke the thread rule. Every
+                         *   function that takes a handle may return it, except
+                         *   mgdt_cancel() and mgdt_get_error(). Since 1.2. */
+    /** A transport of mgdt_parts said that it failed. Since 1.2. */
+    MGDT_ERR_TRANSPORT = 50,
     MGDT_ERR_CHECK_FAILED = 60, /**< mgdt_check() found a defect. */
     MGDT_ERR_INTERNAL = 90      /**< A defect in mgdt itself; please report it. */
 };

@@ -96,6 +96,8 @@ extern "C" const char* mgdt_status_string(mgdt_status s) {
             return "cancelled";
         case MGDT_ERR_BUSY:
             return "another call is inside the handle";
+        case MGDT_ERR_TRANSPORT:
+            return "the transport between parts failed";
         case MGDT_ERR_CHECK_FAILED:
             return "the check found a defect";
         case MGDT_ERR_INTERNAL:

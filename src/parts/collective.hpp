@@ -14,7 +14,8 @@ namespace mgdt {
 
 class Collective {
   public:
-    Collective(Transport& transport, Allocator& allocator);
+    // Allocates nothing, here and where it reports a failure.
+    explicit Collective(Transport& transport) : transport_(transport) { leave_part(); }
 
     PartId parts() const { return transport_.parts(); }
     PartId first_local() const { return transport_.first_local(); }
@@ -24,28 +25,53 @@ class Collective {
     template <class T>
     void gather(const Buffer<T>& mine, Buffer<T>& all) {
         const std::size_t each = mine.size() / local_parts();
+        Buffer<std::uint64_t> begin(all.allocator(), std::size_t{parts()} + 1);
+        for (std::size_t p = 0; p <= parts(); ++p) begin[p] = p * each * sizeof(T);
         all.resize(each * parts());
         agree(nullptr);
-        transport_.gather(mine.data(), each * sizeof(T), all.data());
+        require(transport_.gather(mine.data(), begin.data(), all.data()));
+    }
+    // Of records, as many as each process has.
+    template <class T>
+    void gather_all(const Buffer<T>& mine, Buffer<T>& all) {
+        Buffer<std::uint64_t> begin(all.allocator(), std::size_t{parts()} + 1),
+            sizes(all.allocator()), size(all.allocator());
+        size.resize(local_parts(), 0);
+        size[0] = mine.size() * sizeof(T);
+        gather(size, sizes);
+        begin[0] = 0;
+        for (std::size_t p = 0; p < parts(); ++p) begin[p + 1] = begin[p] + sizes[p];
+        all.resize(begin[parts()] / sizeof(T));
+        agree(nullptr);
+        require(transport_.gather(mine.data(), begin.data(), all.data()));
     }
     void sum(Buffer<std::uint64_t>& numbers) {
         agree(nullptr);
-        transport_.sum(numbers.data(), numbers.size());
+        require(transport_.sum(numbers.data(), numbers.size()));
     }
     void least(Buffer<double>& numbers) {
         agree(nullptr);
-        transport_.least(numbers.data(), numbers.size());
+        require(transport_.least(numbers.data(), numbers.size()));
     }
     template <class Record>
     void exchange(const Objects<Mail>& out, Objects<Mail>& in) {
         for (Mail& mail : in) mail.begin.resize(std::size_t{parts()} + 1);
         agree(nullptr);
-        transport_.exchange_counts(out.begin(), in.begin());
+        require(transport_.exchange_counts(out.begin(), in.begin()));
         for (Mail& mail : in) mail.bytes.resize(mail.count() * sizeof(Record));
         agree(nullptr);
-        transport_.exchange_records(sizeof(Record), out.begin(), in.begin());
+        require(transport_.exchange_records(sizeof(Record), out.begin(), in.begin()));
     }
 
+    // body(i) for each local part; a failure in it is said to be that part's.
+    template <class Body>
+    void each_local(const Body& body) {
+        for (PartId i = 0; i < local_parts(); ++i) {
+            part_ = first_local() + i;
+            body(i);
+        }
+        leave_part();
+    }
     // Throws where a process has failed. The end of what all do together.
     void finish() { agree(nullptr); }
     // Calls body, and reports what it throws.
@@ -63,16 +89,16 @@ class Collective {
     }
 
   private:
-    struct Failure {
-        std::uint64_t has_failed;
-        Error error;
-    };
+    static constexpr PartId no_part = 0xFFFFFFFF;
+
+    void leave_part() { part_ = local_parts() == 1 ? first_local() : no_part; }
     void agree(const Error* mine);
+    void require(bool succeeded);
     // Throws it, or that of the first part that has failed.
     [[noreturn]] void report(const Error& error);
 
     Transport& transport_;
-    Buffer<Failure> mine_, all_;
+    PartId part_;  // that is being worked on
     bool has_failed_ = false;
 };
 

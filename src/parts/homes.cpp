@@ -14,12 +14,12 @@
 namespace mgdt {
 namespace {
 
-constexpr std::uint32_t no_node = 0xFFFFFFFF;
 // Of the points of one part, how many a division may be off.
 constexpr double tolerance = 1.0 / 512;
 constexpr int most_rounds = 8;
-// Candidates for a division in one round, or one from each part if these are more.
-constexpr std::size_t candidates_wanted = 1024;
+// Candidates for a division in one round, and in all where there are many.
+constexpr std::uint64_t candidates_wanted = 1024, candidates_least = 64,
+                        candidates_in_all = std::uint64_t{1} << 18;
 
 }  // namespace
 
@@ -32,6 +32,9 @@ class Homes::Level {
           order_(allocator),
           mine_(allocator),
           all_(allocator),
+          between_(allocator),
+          begin_between_(allocator),
+          count_between_(allocator),
           first_(allocator),
           counts_(allocator) {
         std::size_t n = 0;
@@ -83,7 +86,7 @@ class Homes::Level {
   private:
     struct Candidate {
         double x[3];
-        std::uint32_t node, unused;
+        std::uint64_t node;
     };
 
     static Node node(PartId first, PartId last) {
@@ -136,43 +139,32 @@ class Homes::Level {
         }
     }
 
-    // Some points of each node that are still in question.
+    // Some points of each node that are still in question: each process offers as many as its share
+    // of them.
     void offer(std::uint64_t round) {
-        const PartId parts = collective_.parts();
-        const std::size_t each = std::max<std::size_t>(candidates_wanted / parts, 1);
-        const std::size_t mine = each * nodes_.size();
+        const std::uint64_t wanted = std::min(
+            candidates_wanted, std::max(candidates_least, candidates_in_all / nodes_.size()));
+        look_between();
         mine_.clear();
-        mine_.resize(mine * collective_.local_parts(), Candidate{{}, no_node, 0});
-        // The points of local parts are one run, and each offers some of them.
-        for (PartId p = 0; p < collective_.local_parts(); ++p)
-            for (std::size_t i = 0; i < nodes_.size(); ++i) {
-                const Node& n = nodes_[i];
-                const std::size_t size = begin_[2 * i + 1] - begin_[2 * i];
-                if (size == 0 || is_settled(n)) continue;
-                Candidate* const offered = mine_.data() + p * mine + i * each;
-                std::size_t count = 0;
-                const auto add = [&](const double* x) {
-                    if (count == each || !is_between(n, x)) return false;
-                    std::copy(x, x + 3, offered[count].x);
-                    offered[count++].node = static_cast<std::uint32_t>(i);
-                    return true;
-                };
-                Random random((std::uint64_t{collective_.first_local() + p} << 32 | i) ^
-                              depth_ << 24 ^ round << 60);
-                std::size_t misses = 0;
-                while (count < each && misses < 64)
-                    misses = add(order_[begin_[2 * i] + random.next() % size]) ? 0 : misses + 1;
-                // Few are between: whichever come.
-                if (count < each) each_point(i, add);
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            const double* const* const from = between_.data() + begin_between_[i];
+            const std::uint64_t size = begin_between_[i + 1] - begin_between_[i],
+                                of_all = count_between_[i];
+            if (of_all <= wanted) {
+                for (std::uint64_t k = 0; k < size; ++k) offer(i, from[k]);
+                continue;
             }
-        collective_.gather(mine_, all_);
-        Candidate* const end = std::remove_if(all_.begin(), all_.end(),
-                                              [](const Candidate& c) { return c.node == no_node; });
-        std::sort(all_.begin(), end, [&](const Candidate& a, const Candidate& b) {
+            Random random((std::uint64_t{collective_.first_local()} << 32 | i) ^ depth_ << 24 ^
+                          round << 60);
+            // Rounded up as often as makes the mean right.
+            const std::uint64_t count = (wanted * size + random.next() % of_all) / of_all;
+            for (std::uint64_t k = 0; k < count; ++k) offer(i, from[random.next() % size]);
+        }
+        collective_.gather_all(mine_, all_);
+        std::sort(all_.begin(), all_.end(), [&](const Candidate& a, const Candidate& b) {
             if (a.node != b.node) return a.node < b.node;
             return splitter(b).has_before(a.x);
         });
-        all_.resize(static_cast<std::size_t>(end - all_.begin()));
         if (round == 0) keep_likely();
         first_.clear();
         first_.resize(nodes_.size() + 1, all_.size());
@@ -180,6 +172,25 @@ class Homes::Level {
         for (std::size_t i = nodes_.size(); i-- > 0;)
             first_[i] = std::min(first_[i], first_[i + 1]);
     }
+    // The points between the candidates of each node that is not settled, and how many these are in
+    // all.
+    void look_between() {
+        between_.clear();
+        begin_between_.clear();
+        count_between_.clear();
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            const Node& n = nodes_[i];
+            begin_between_.push_back(between_.size());
+            if (!is_settled(n))
+                each_point(i, [&](const double* x) {
+                    if (is_between(n, x)) between_.push_back(x);
+                });
+            count_between_.push_back(between_.size() - begin_between_[i]);
+        }
+        begin_between_.push_back(between_.size());
+        collective_.sum(count_between_);
+    }
+    void offer(std::size_t node, const double* x) { mine_.push_back({{x[0], x[1], x[2]}, node}); }
     // Of candidates that are a sample of all points, those that the place wanted is likely to be
     // among: then most points are compared with the first and the last alone. The sample may
     // mislead; then the next round looks further.
@@ -194,7 +205,8 @@ class Homes::Level {
                          spread = 4 * std::sqrt(size * share * (1 - share)) + 1;
             const auto low = static_cast<std::ptrdiff_t>(std::max(0.0, size * share - spread)),
                        high = static_cast<std::ptrdiff_t>(std::min(size, size * share + spread));
-            to = std::copy(from + low, from + high, to);
+            // Down, or onto itself.
+            for (std::ptrdiff_t k = low; k < high; ++k) *to++ = from[k];
             from = end;
         }
         all_.resize(static_cast<std::size_t>(to - all_.begin()));
@@ -235,7 +247,7 @@ class Homes::Level {
         bool goes_on = false;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             Node& n = nodes_[i];
-            if (first_[i] == first_[i + 1]) continue;
+            if (count_between_[i] == 0) continue;
             const std::uint64_t* const counts = counts_.data() + first_[i] + i;
             std::uint64_t before = 0;
             for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
@@ -266,6 +278,9 @@ class Homes::Level {
     Buffer<std::size_t> begin_;     // of each node's points in order_, and their end
     Buffer<const double*> order_;   // the points of the local parts, by node
     Buffer<Candidate> mine_, all_;  // all: by node, then in order
+    Buffer<const double*> between_;
+    Buffer<std::size_t> begin_between_;  // by node, in between_, and its end
+    Buffer<std::uint64_t> count_between_;
     Buffer<std::size_t> first_;     // by node, in all_
     Buffer<std::uint64_t> counts_;  // for a node one more than it has candidates
     std::uint64_t depth_ = 0;

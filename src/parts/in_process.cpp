@@ -3,20 +3,22 @@
 
 namespace mgdt {
 
-void InProcess::gather(const void* mine, std::size_t bytes, void* all) noexcept {
-    if (parts_ * bytes > 0) std::memcpy(all, mine, parts_ * bytes);
+bool InProcess::gather(const void* mine, const std::uint64_t* begin, void* all) noexcept {
+    if (begin[parts_] > 0) std::memcpy(all, mine, begin[parts_]);
+    return true;
 }
 
-void InProcess::exchange_counts(const Mail* out, Mail* in) noexcept {
+bool InProcess::exchange_counts(const Mail* out, Mail* in) noexcept {
     for (PartId to = 0; to < parts_; ++to) {
         std::uint64_t* const begin = in[to].begin.data();
         begin[0] = 0;
         for (PartId from = 0; from < parts_; ++from)
             begin[from + 1] = begin[from] + (out[from].begin[to + 1] - out[from].begin[to]);
     }
+    return true;
 }
 
-void InProcess::exchange_records(std::size_t record_size, const Mail* out, Mail* in) noexcept {
+bool InProcess::exchange_records(std::size_t record_size, const Mail* out, Mail* in) noexcept {
     for (PartId to = 0; to < parts_; ++to)
         for (PartId from = 0; from < parts_; ++from) {
             const std::uint64_t at = in[to].begin[from], count = in[to].begin[from + 1] - at;
@@ -25,6 +27,7 @@ void InProcess::exchange_records(std::size_t record_size, const Mail* out, Mail*
                             out[from].bytes.data() + out[from].begin[to] * record_size,
                             count * record_size);
         }
+    return true;
 }
 
 }  // namespace mgdt

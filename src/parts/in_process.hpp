@@ -14,11 +14,11 @@ class InProcess final : public Transport {
     PartId parts() const noexcept override { return parts_; }
     PartId first_local() const noexcept override { return 0; }
     PartId local_parts() const noexcept override { return parts_; }
-    void gather(const void* mine, std::size_t bytes, void* all) noexcept override;
-    void sum(std::uint64_t*, std::size_t) noexcept override {}
-    void least(double*, std::size_t) noexcept override {}
-    void exchange_counts(const Mail* out, Mail* in) noexcept override;
-    void exchange_records(std::size_t record_size, const Mail* out, Mail* in) noexcept override;
+    bool gather(const void* mine, const std::uint64_t* begin, void* all) noexcept override;
+    bool sum(std::uint64_t*, std::size_t) noexcept override { return true; }
+    bool least(double*, std::size_t) noexcept override { return true; }
+    bool exchange_counts(const Mail* out, Mail* in) noexcept override;
+    bool exchange_records(std::size_t record_size, const Mail* out, Mail* in) noexcept override;
 
   private:
     PartId parts_;

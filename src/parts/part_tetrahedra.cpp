@@ -84,7 +84,7 @@ class TetrahedraFinder {
           in_(allocator, parts.size(), std::ref(allocator)) {}
 
     void find() {
-        for (PartId p = 0; p < parts_.size(); ++p) list(p);
+        all_.each_local([&](PartId p) { list(p); });
         number();
         tell_numbers();
         find_neighbors();
@@ -152,7 +152,7 @@ class TetrahedraFinder {
             post.put(all_.parts(), out_[p], nullptr);
         }
         all_.exchange<Numbered>(out_, in_);
-        for (PartId p = 0; p < parts_.size(); ++p) hear_numbers(p);
+        all_.each_local([&](PartId p) { hear_numbers(p); });
     }
     void hear_numbers(PartId p) {
         struct Told {
@@ -175,7 +175,7 @@ class TetrahedraFinder {
                 std::lower_bound(sorted.begin(), sorted.end(), wanted,
                                  [](const Told& a, const Key<4>& b) { return a.key < b; });
             if (found == sorted.end() || !(found->key == wanted))
-                fail(MGDT_ERR_CHECK_FAILED, "part %u has a tetrahedron that no part owns", t.self_);
+                fail(MGDT_ERR_CHECK_FAILED, "a tetrahedron here is owned by no part");
             t.numbers_[i - t.owned_] = found->number;
             t.owners_[i - t.owned_] = found->owner;
         }
@@ -197,7 +197,7 @@ class TetrahedraFinder {
             post.put(all_.parts(), out_[p], &places[p]);
         }
         all_.exchange<Side>(out_, in_);
-        for (PartId p = 0; p < parts_.size(); ++p) answer_sides(in_[p], out_[p]);
+        all_.each_local([&](PartId p) { answer_sides(in_[p], out_[p]); });
         all_.exchange<std::int64_t>(out_, in_);
         for (PartId p = 0; p < parts_.size(); ++p)
             for (std::size_t k = 0; k < places[p].size(); ++k)

@@ -2,7 +2,6 @@
 #include "parts/parts.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "order/random.hpp"
@@ -44,28 +43,21 @@ class DistinctPoints {
 
 }  // namespace
 
-Parts::Parts(Transport& transport, mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
+Parts::Parts(Collective& collective, mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
     : allocator_(alloc, release, user),
-      collective_(transport, allocator_),
-      homes_(allocator_, transport.parts()),
-      boxes_(allocator_, transport.parts()),
-      parts_(allocator_, transport.local_parts(), alloc, release, user),
-      tetrahedra_(allocator_, transport.local_parts(), std::ref(allocator_)),
-      vertices_of_given_(allocator_, transport.local_parts(), std::ref(allocator_)),
+      collective_(collective),
+      homes_(allocator_, collective.parts()),
+      boxes_(allocator_, collective.parts()),
+      parts_(allocator_, collective.local_parts(), alloc, release, user),
+      tetrahedra_(allocator_, collective.local_parts(), std::ref(allocator_)),
+      vertices_of_given_(allocator_, collective.local_parts(), std::ref(allocator_)),
       first_vertex_(allocator_) {}
 
 void Parts::build(const GivenPoints* given, const std::int64_t* const* ids) {
-    collective_.run([&] {
-        for (PartId p = 0; p < collective_.local_parts(); ++p)
-            for (std::size_t i = 0; i < 3 * given[p].n; ++i)
-                if (!std::isfinite(given[p].xyz[i]))
-                    fail(MGDT_ERR_NOT_FINITE, "point %zu of part %u: coordinate %zu is not finite",
-                         i / 3, collective_.first_local() + p, i % 3);
-        homes_.divide(collective_, given);
-        send_home(given, ids);
-        triangulate();
-        find_tetrahedra(collective_, homes_, parts_, tetrahedra_, allocator_);
-    });
+    homes_.divide(collective_, given);
+    send_home(given, ids);
+    triangulate();
+    find_tetrahedra(collective_, homes_, parts_, tetrahedra_, allocator_);
 }
 
 // Each point goes to its home, and its vertex's number comes back.
@@ -82,7 +74,7 @@ void Parts::send_home(const GivenPoints* given, const std::int64_t* const* ids) 
         in(allocator_, local, std::ref(allocator_));
     // Where each point is in what its part sends.
     Objects<Buffer<std::uint64_t>> places(allocator_, local, std::ref(allocator_));
-    for (PartId p = 0; p < local; ++p) {
+    collective_.each_local([&](PartId p) {
         const std::size_t n = given[p].n;
         Post<PartPoint> post(allocator_);
         post.reserve(n);
@@ -93,7 +85,7 @@ void Parts::send_home(const GivenPoints* given, const std::int64_t* const* ids) 
         }
         post.put(parts, out[p], &places[p]);
         id += static_cast<std::int64_t>(n);
-    }
+    });
     collective_.exchange<PartPoint>(out, in);
     settle(in);
     for (PartId p = 0; p < local; ++p) {
@@ -115,14 +107,13 @@ void Parts::settle(Objects<Mail>& arrived) {
     const PartId local = collective_.local_parts();
     Buffer<std::uint64_t> counts(allocator_), mine(allocator_, local);
     Objects<Buffer<PartPoint>> owned(allocator_, local, std::ref(allocator_));
-    for (PartId p = 0; p < local; ++p) {
+    collective_.each_local([&](PartId p) {
         PartPoint* const points = arrived[p].records<PartPoint>();
         const std::size_t n = arrived[p].count();
         Buffer<PartPoint>& own = owned[p];
         // No triangulation holds as many; its own limit is lower.
         if (n >= in_cavity)
-            fail(MGDT_ERR_TOO_LARGE, "part %u is home to %zu points; take more parts",
-                 collective_.first_local() + p, n);
+            fail(MGDT_ERR_TOO_LARGE, "%zu points are at home here; take more parts", n);
         own.reserve(n);
         DistinctPoints distinct(allocator_, n);
         for (std::size_t i = 0; i < n; ++i) {
@@ -135,7 +126,7 @@ void Parts::settle(Objects<Mail>& arrived) {
                 own[found] = points[i];
         }
         mine[p] = own.size();
-    }
+    });
     collective_.gather(mine, counts);
     first_vertex_.clear();
     first_vertex_.push_back(0);
@@ -158,7 +149,7 @@ void Parts::triangulate() {
         Skeleton skeleton(allocator_);
         skeleton.gather(collective_, parts_);
         Buffer<PartPoint> points(allocator_), others(allocator_);
-        for (PartId p = 0; p < local; ++p) {
+        collective_.each_local([&](PartId p) {
             const PartId part = collective_.first_local() + p;
             skeleton.points_for(part, collective_.parts(), points);
             others.clear();
@@ -166,14 +157,15 @@ void Parts::triangulate() {
                 if (x.number < first_vertex_[part] || x.number >= first_vertex_[part + 1])
                     others.push_back(x);
             parts_[p].insert(others.data(), others.size());
-        }
+        });
     }
     gather_boxes();
     Objects<Mail> out(allocator_, local, std::ref(allocator_)),
         in(allocator_, local, std::ref(allocator_));
-    for (PartId p = 0; p < local; ++p) parts_[p].push(boxes_, collective_.parts(), out[p]);
+    collective_.each_local([&](PartId p) { parts_[p].push(boxes_, collective_.parts(), out[p]); });
     collective_.exchange<PartPoint>(out, in);
-    for (PartId p = 0; p < local; ++p) parts_[p].insert(in[p].records<PartPoint>(), in[p].count());
+    collective_.each_local(
+        [&](PartId p) { parts_[p].insert(in[p].records<PartPoint>(), in[p].count()); });
 }
 
 void Parts::gather_boxes() {

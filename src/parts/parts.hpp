@@ -13,11 +13,10 @@ namespace mgdt {
 
 class Parts {
   public:
-    Parts(Transport& transport, mgdt_alloc_fn alloc, mgdt_free_fn release, void* user);
+    Parts(Collective& collective, mgdt_alloc_fn alloc, mgdt_free_fn release, void* user);
 
-    // Collective, and once; where it fails, it does so for all. The points that each local part is
-    // given, and numbers for them, all different and at least 0; without these they count on
-    // through the parts.
+    // Collective, and once, inside a run. The points that each local part is given, all finite, and
+    // numbers for them; without these they count on through the parts.
     void build(const GivenPoints* given, const std::int64_t* const* ids);
 
     const Part& local(PartId i) const { return parts_[i]; }
@@ -35,7 +34,7 @@ class Parts {
     void gather_boxes();
 
     Allocator allocator_;
-    Collective collective_;
+    Collective& collective_;
     Homes homes_;
     Boxes boxes_;
     Objects<Part> parts_;  // the local ones

@@ -18,6 +18,7 @@ static const mgdt_status statuses[] = {MGDT_OK,
                                        MGDT_ERR_TOO_LARGE,
                                        MGDT_ERR_CANCELLED,
                                        MGDT_ERR_BUSY,
+                                       MGDT_ERR_TRANSPORT,
                                        MGDT_ERR_CHECK_FAILED,
                                        MGDT_ERR_INTERNAL};
 

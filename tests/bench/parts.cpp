@@ -36,8 +36,10 @@ void run(const std::string& name, std::size_t each, mgdt::PartId parts) {
         t.insert(n, axis, 3);
     });
     mgdt::InProcess transport(parts);
-    mgdt::Parts all(transport, nullptr, nullptr, nullptr);
-    const double of_parts = bench::processor_seconds([&] { all.build(given.data(), nullptr); });
+    mgdt::Collective collective(transport);
+    mgdt::Parts all(collective, nullptr, nullptr, nullptr);
+    const double of_parts = bench::processor_seconds(
+        [&] { collective.run([&] { all.build(given.data(), nullptr); }); });
     std::size_t received = 0, needed = 0, most_received = 0, most_own = 0;
     for (mgdt::PartId p = 0; p < parts; ++p) {
         const mgdt::Part& part = all.local(p);

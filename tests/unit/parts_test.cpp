@@ -47,7 +47,7 @@ struct Dealt {
         std::vector<double> share(parts + std::size_t{1}, 0);
         for (PartId p = 0; p < parts; ++p)
             share[p + 1] = share[p] + (to_one ? p + 1 == parts : random() % 16 + 1);
-        const auto n = static_cast<double>(xyz.size() / 3);
+        const double n = static_cast<double>(xyz.size()) / 3;
         for (PartId p = 0; p < parts; ++p) {
             const auto at = [&](PartId i) {
                 return static_cast<std::size_t>(n * share[i] / share[parts]);
@@ -65,9 +65,10 @@ struct Outcome {
 
 Outcome in_parts(const Points& xyz, PartId parts, bool to_one = false) {
     InProcess transport(parts);
-    Parts all(transport, nullptr, nullptr, nullptr);
+    Collective collective(transport);
+    Parts all(collective, nullptr, nullptr, nullptr);
     const Dealt dealt(xyz, parts, to_one);
-    all.build(dealt.given.data(), nullptr);
+    collective.run([&] { all.build(dealt.given.data(), nullptr); });
     Outcome outcome;
     outcome.least = xyz.size();
     std::vector<std::int64_t> ghosts;
@@ -103,9 +104,10 @@ Outcome in_parts(const Points& xyz, PartId parts, bool to_one = false) {
 // those of one triangulation.
 void expect_consistent(const Points& xyz, PartId parts) {
     InProcess transport(parts);
-    Parts all(transport, nullptr, nullptr, nullptr);
+    Collective collective(transport);
+    Parts all(collective, nullptr, nullptr, nullptr);
     const Dealt dealt(xyz, parts, false);
-    all.build(dealt.given.data(), nullptr);
+    collective.run([&] { all.build(dealt.given.data(), nullptr); });
     std::vector<std::array<std::int64_t, 4>> vertices, neighbors;
     std::vector<PartId> owner;
     for (PartId p = 0; p < parts; ++p) {
@@ -293,52 +295,62 @@ TEST(Parts, ShareEvenly) {
     for (const Points& xyz : {uniform(n), special("cluster", n), special("spiral", n)}) {
         const PartId parts = 8;
         const Outcome outcome = in_parts(xyz, parts);
-        EXPECT_LT(static_cast<double>(outcome.most), 1.01 * static_cast<double>(n / parts) + 1);
+        EXPECT_LT(static_cast<double>(outcome.most), 1.01 * static_cast<double>(n) / parts + 1);
     }
 }
 
 // As in processes: what each of the threads has in the end.
 struct OfProcess {
     Tetrahedra owned;
+    std::size_t own_points = 0;
     mgdt_status status = MGDT_OK;
     std::string message;
 };
 
-std::vector<OfProcess> in_processes(const Points& xyz, PartId parts, PartId short_of_memory,
-                                    std::size_t memory_of_it) {
+// Memory that ends after some bytes.
+struct Memory {
+    std::size_t left;
+
+    static void* take(std::size_t size, std::size_t align, void* user) {
+        auto& left = static_cast<Memory*>(user)->left;
+        if (size > left) return nullptr;
+        left -= size;
+        return std::aligned_alloc(align, (size + align - 1) / align * align);
+    }
+    static void give_back(void* block, std::size_t, std::size_t, void*) { std::free(block); }
+};
+
+struct Shortage {
+    PartId part;
+    std::size_t memory;
+};
+
+std::vector<OfProcess> in_processes(const Points& xyz, PartId parts, bool to_one = false,
+                                    Shortage shortage = {0, SIZE_MAX}) {
     MeetingPlace place(parts);
-    const Dealt dealt(xyz, parts, false);
+    const Dealt dealt(xyz, parts, to_one);
     std::vector<OfProcess> all(parts);
     std::vector<std::thread> threads;
-    struct Memory {
-        std::size_t left;
-    };
     for (PartId p = 0; p < parts; ++p)
         threads.emplace_back([&, p] {
             ThreadTransport transport(place, p);
-            Memory memory{p == short_of_memory ? memory_of_it : std::size_t{1} << 40};
-            const mgdt_alloc_fn alloc = [](std::size_t size, std::size_t align,
-                                           void* user) -> void* {
-                auto& left = static_cast<Memory*>(user)->left;
-                if (size > left) return nullptr;
-                left -= size;
-                return std::aligned_alloc(align, (size + align - 1) / align * align);
-            };
-            const mgdt_free_fn release = [](void* block, std::size_t, std::size_t, void*) {
-                std::free(block);
-            };
+            Collective collective(transport);
+            Memory memory{p == shortage.part ? shortage.memory : SIZE_MAX};
             try {
-                Parts mine(transport, alloc, release, &memory);
-                mine.build(&dealt.given[p], nullptr);
-                const Part& part = mine.local(0);
-                part.each_tetrahedron(
-                    [&](TetId, const std::uint32_t(&v)[4], unsigned, bool is_owned) {
-                        if (!is_owned) return;
-                        std::array<std::int64_t, 4> ids;
-                        for (unsigned k = 0; k < 4; ++k) ids[k] = part.point(v[k]).id;
-                        std::sort(ids.begin(), ids.end());
-                        all[p].owned.push_back(ids);
-                    });
+                collective.run([&] {
+                    Parts mine(collective, Memory::take, Memory::give_back, &memory);
+                    mine.build(&dealt.given[p], nullptr);
+                    const Part& part = mine.local(0);
+                    all[p].own_points = part.own_count();
+                    part.each_tetrahedron(
+                        [&](TetId, const std::uint32_t(&v)[4], unsigned, bool is_owned) {
+                            if (!is_owned) return;
+                            std::array<std::int64_t, 4> ids;
+                            for (unsigned k = 0; k < 4; ++k) ids[k] = part.point(v[k]).id;
+                            std::sort(ids.begin(), ids.end());
+                            all[p].owned.push_back(ids);
+                        });
+                });
             } catch (const Error& e) {
                 all[p].status = e.status;
                 all[p].message = e.message;
@@ -353,7 +365,7 @@ TEST(Parts, InProcesses) {
     const Tetrahedra expected = of_one(xyz);
     for (const PartId parts : {1u, 2u, 5u, 8u}) {
         Tetrahedra owned;
-        for (const OfProcess& p : in_processes(xyz, parts, parts, 0)) {
+        for (const OfProcess& p : in_processes(xyz, parts)) {
             EXPECT_EQ(p.status, MGDT_OK) << p.message;
             owned.insert(owned.end(), p.owned.begin(), p.owned.end());
         }
@@ -362,25 +374,83 @@ TEST(Parts, InProcesses) {
     }
 }
 
-// One fails, and all say so with its words; none waits for it.
+// All points come from one process, and each gets its share.
+TEST(Parts, ShareWhatOneWasGiven) {
+    const std::size_t n = is_small() ? 500 : 8000;
+    const PartId parts = is_small() ? 5 : 40;
+    std::size_t most = 0, sum = 0;
+    for (const OfProcess& p : in_processes(uniform(n), parts, true)) {
+        EXPECT_EQ(p.status, MGDT_OK) << p.message;
+        most = std::max(most, p.own_points);
+        sum += p.own_points;
+    }
+    EXPECT_EQ(sum, n);
+    EXPECT_LE(most, n / parts + n / parts / 50 + 1);
+}
+
+// One fails, from its first allocation on, and all say so with its words; none waits for it.
 TEST(Parts, FailTogether) {
-    Points xyz = uniform(2000);
+    const Points xyz = uniform(2000);
     int failures = 0, successes = 0;
-    for (std::size_t memory = std::size_t{1} << 18; memory < std::size_t{1} << 23;
-         memory += memory / (is_small() ? 2 : 30)) {
-        const std::vector<OfProcess> all = in_processes(xyz, 3, 1, memory);
+    for (std::size_t memory = 0; memory < std::size_t{1} << 23;
+         memory += memory / (is_small() ? 2 : 30) + 16) {
+        const std::vector<OfProcess> all = in_processes(xyz, 3, false, {1, memory});
         for (const OfProcess& p : all) EXPECT_EQ(p.status, all[0].status) << memory;
+        for (const OfProcess& p : all) EXPECT_EQ(p.message, all[0].message) << memory;
         ++(all[0].status == MGDT_OK ? successes : failures);
-        EXPECT_TRUE(all[0].status == MGDT_OK || all[0].status == MGDT_ERR_OUT_OF_MEMORY);
+        if (all[0].status == MGDT_OK) continue;
+        EXPECT_EQ(all[0].status, MGDT_ERR_OUT_OF_MEMORY);
+        EXPECT_EQ(all[0].message, "part 1: out of memory");
     }
     EXPECT_GT(failures, 1);
     EXPECT_GT(successes, 1);
-    xyz[3 * 15 + 1] = std::nan("");
-    const std::vector<OfProcess> all = in_processes(xyz, 4, 4, 0);
-    for (const OfProcess& p : all) {
-        EXPECT_EQ(p.status, MGDT_ERR_NOT_FINITE);
-        EXPECT_EQ(p.message, all[0].message);
-        EXPECT_NE(p.message.find("point 15 of part 0"), std::string::npos) << p.message;
+}
+
+// A transport that fails at its n-th call is not called again.
+TEST(Parts, StopWhereTheTransportFails) {
+    class Failing final : public Transport {
+      public:
+        explicit Failing(int calls) : left_(calls), inner_(2) {}
+        PartId parts() const noexcept override { return 2; }
+        PartId first_local() const noexcept override { return 0; }
+        PartId local_parts() const noexcept override { return 2; }
+        bool gather(const void* mine, const std::uint64_t* begin, void* all) noexcept override {
+            return goes_on() && inner_.gather(mine, begin, all);
+        }
+        bool sum(std::uint64_t*, std::size_t) noexcept override { return goes_on(); }
+        bool least(double*, std::size_t) noexcept override { return goes_on(); }
+        bool exchange_counts(const Mail* out, Mail* in) noexcept override {
+            return goes_on() && inner_.exchange_counts(out, in);
+        }
+        bool exchange_records(std::size_t size, const Mail* out, Mail* in) noexcept override {
+            return goes_on() && inner_.exchange_records(size, out, in);
+        }
+        int left() const { return left_; }
+
+      private:
+        bool goes_on() {
+            EXPECT_GE(left_, 0);
+            return --left_ >= 0;
+        }
+        int left_;
+        InProcess inner_;
+    };
+    const Points xyz = uniform(200);
+    const Dealt dealt(xyz, 2, false);
+    for (int calls = 0;; ++calls) {
+        Failing transport(calls);
+        Collective collective(transport);
+        try {
+            collective.run([&] {
+                Parts all(collective, nullptr, nullptr, nullptr);
+                all.build(dealt.given.data(), nullptr);
+            });
+            EXPECT_GT(calls, 20);
+            break;
+        } catch (const Error& e) {
+            EXPECT_EQ(e.status, MGDT_ERR_TRANSPORT);
+            EXPECT_EQ(transport.left(), -1);
+        }
     }
 }
 

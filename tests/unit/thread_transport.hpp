@@ -21,11 +21,12 @@ class MeetingPlace {
     PartId size() const { return static_cast<PartId>(slots_.size()); }
     // Shows the others what is at `mine` while they look at it; look(part, what it shows).
     template <class Look>
-    void meet(PartId self, const void* mine, const Look& look) {
+    bool meet(PartId self, const void* mine, const Look& look) {
         slots_[self] = mine;
         wait();
         for (PartId p = 0; p < size(); ++p) look(p, slots_[p]);
         wait();
+        return true;
     }
 
   private:
@@ -55,26 +56,27 @@ class ThreadTransport final : public Transport {
     PartId parts() const noexcept override { return place_.size(); }
     PartId first_local() const noexcept override { return self_; }
     PartId local_parts() const noexcept override { return 1; }
-    void gather(const void* mine, std::size_t bytes, void* all) noexcept override {
-        place_.meet(self_, mine, [&](PartId p, const void* theirs) {
-            if (bytes > 0) std::memcpy(static_cast<char*>(all) + p * bytes, theirs, bytes);
+    bool gather(const void* mine, const std::uint64_t* begin, void* all) noexcept override {
+        return place_.meet(self_, mine, [&](PartId p, const void* theirs) {
+            const std::size_t bytes = begin[p + 1] - begin[p];
+            if (bytes > 0) std::memcpy(static_cast<char*>(all) + begin[p], theirs, bytes);
         });
     }
-    void sum(std::uint64_t* numbers, std::size_t n) noexcept override {
-        combine(numbers, n, [](std::uint64_t a, std::uint64_t b) { return a + b; });
+    bool sum(std::uint64_t* numbers, std::size_t n) noexcept override {
+        return combine(numbers, n, [](std::uint64_t a, std::uint64_t b) { return a + b; });
     }
-    void least(double* numbers, std::size_t n) noexcept override {
-        combine(numbers, n, [](double a, double b) { return std::min(a, b); });
+    bool least(double* numbers, std::size_t n) noexcept override {
+        return combine(numbers, n, [](double a, double b) { return std::min(a, b); });
     }
-    void exchange_counts(const Mail* out, Mail* in) noexcept override {
+    bool exchange_counts(const Mail* out, Mail* in) noexcept override {
         in->begin[0] = 0;
-        place_.meet(self_, out, [&](PartId p, const void* theirs) {
+        return place_.meet(self_, out, [&](PartId p, const void* theirs) {
             const auto& begin = static_cast<const Mail*>(theirs)->begin;
             in->begin[p + 1] = in->begin[p] + (begin[self_ + 1] - begin[self_]);
         });
     }
-    void exchange_records(std::size_t record_size, const Mail* out, Mail* in) noexcept override {
-        place_.meet(self_, out, [&](PartId p, const void* theirs) {
+    bool exchange_records(std::size_t record_size, const Mail* out, Mail* in) noexcept override {
+        return place_.meet(self_, out, [&](PartId p, const void* theirs) {
             const auto& mail = *static_cast<const Mail*>(theirs);
             const std::size_t count = in->begin[p + 1] - in->begin[p];
             if (count > 0)
@@ -86,9 +88,9 @@ class ThreadTransport final : public Transport {
 
   private:
     template <class T, class Operation>
-    void combine(T* numbers, std::size_t n, const Operation& operation) {
+    bool combine(T* numbers, std::size_t n, const Operation& operation) {
         const std::vector<T> mine(numbers, numbers + n);
-        place_.meet(self_, mine.data(), [&](PartId p, const void* theirs) {
+        return place_.meet(self_, mine.data(), [&](PartId p, const void* theirs) {
             if (p == self_) return;
             for (std::size_t i = 0; i < n; ++i)
                 numbers[i] = operation(numbers[i], static_cast<const T*>(theirs)[i]);

@@ -137,6 +137,7 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "too_large": 31,
         "cancelled": 40,
         "busy": 41,
+        "transport": 50,
         "check_failed": 60,
         "internal": 90,
     },

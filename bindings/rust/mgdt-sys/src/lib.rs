@@ -28,6 +28,7 @@ pub const MGDT_ERR_OUT_OF_MEMORY: mgdt_status = 30;
 pub const MGDT_ERR_TOO_LARGE: mgdt_status = 31;
 pub const MGDT_ERR_CANCELLED: mgdt_status = 40;
 pub const MGDT_ERR_BUSY: mgdt_status = 41;
+pub const MGDT_ERR_TRANSPORT: mgdt_status = 50;
 pub const MGDT_ERR_CHECK_FAILED: mgdt_status = 60;
 pub const MGDT_ERR_INTERNAL: mgdt_status = 90;
 
