@@ -1,140 +1,24 @@
 // SPDX-License-Identifier: MIT
-// The handle behind the C interface, and the guards that the entry points pass: they refuse a call
-// that would meet another one, disable cancellation, set up the floating-point environment, catch
-// everything, and turn it into a status and a message.
+// The handle of a triangulation behind the C interface, and what its entry points share.
 #pragma once
 
-#include <cstdio>
-#include <cstring>
 #include <limits>
-#include <new>
 
-#include "capi/call_lock.hpp"
+#include "capi/guard.hpp"
 #include "core/triangulation.hpp"
-#include "mgdt/mgdt.h"
-#include "platform/atomic.hpp"
-#include "platform/cancellation.hpp"
-#include "platform/error.hpp"
-#include "platform/fp_environment.hpp"
 #include "query/export.hpp"
 
-struct mgdt_triangulation {
+struct mgdt_triangulation : mgdt::HandleBase {
     mgdt_triangulation(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
         : core(alloc, release, user) {}
 
     // Whether calls that only read the handle run functions of the host's.
     bool has_callbacks() const noexcept { return core.allocator().release_function() != nullptr; }
 
-    // The status of a call that cannot enter.
-    mgdt_status refuse(const char* name) const noexcept {
-        char message[mgdt::Error::message_size];
-        if (const char* const other = calls.name())
-            std::snprintf(message, sizeof message, "%s() is refused: the handle is busy in %s()",
-                          name, other);
-        else
-            std::snprintf(message, sizeof message,
-                          "%s() is refused: the handle is busy in calls that read it", name);
-        remember(message);
-        return MGDT_ERR_BUSY;
-    }
-
-    // The message of the last failure. Const calls on several threads may fail at once.
-    void remember(const char* message) const noexcept {
-        const Lock lock(message_lock_);
-        copy(message, message_, sizeof message_);
-    }
-    void recall(char* to, std::size_t capacity) const noexcept {
-        const Lock lock(message_lock_);
-        copy(message_, to, capacity);
-    }
-
-  private:
-    static void copy(const char* from, char* to, std::size_t capacity) noexcept {
-        const std::size_t length = std::strlen(from);
-        const std::size_t kept = length < capacity ? length : capacity - 1;
-        std::memcpy(to, from, kept);
-        to[kept] = '\0';
-    }
-    struct Lock {
-        explicit Lock(mgdt::Atomic<bool>& flag) noexcept : flag_(flag) {
-            while (flag_.exchange(true, std::memory_order_acquire)) {
-            }
-            mgdt::annotate_acquire(&flag_);
-        }
-        ~Lock() {
-            mgdt::annotate_release(&flag_);
-            flag_.store(false, std::memory_order_release);
-        }
-        mgdt::Atomic<bool>& flag_;
-    };
-    mutable mgdt::Atomic<bool> message_lock_{false};
-    mutable char message_[mgdt::Error::message_size] = {};
-
-  public:
-    mutable mgdt::CallLock calls;
-    // The last member, so the first to be destroyed: callbacks that take its memory back may still
-    // call the handle, and are refused.
     mgdt::Triangulation core;
 };
 
 namespace mgdt {
-
-// Runs `body` for a handle that the call has entered and returns its status.
-//
-// It is never inlined, for the sake of threads of the asynchronous cancellation type. A request
-// that came during the call acts when the guards below give the cancellation state back. It unwinds
-// their frames, which is possible because they have nothing to clean up and are not noexcept.
-template <class Body>
-MGDT_NOT_INLINE mgdt_status run_inside(const mgdt_triangulation* t, Body& body) noexcept {
-    const FpEnvironment environment;
-    try {
-        body();
-        return MGDT_OK;
-    } catch (const Error& error) {
-        t->remember(error.message);
-        return error.status;
-    } catch (const std::bad_alloc&) {
-        t->remember("out of memory: the allocator or the memory limit refused");
-        return MGDT_ERR_OUT_OF_MEMORY;
-    } catch (...) {
-        t->remember("internal error");
-        return MGDT_ERR_INTERNAL;
-    }
-}
-
-// A call that changes the handle.
-template <class Body>
-mgdt_status guard(mgdt_triangulation* t, Body body, const char* name = __builtin_FUNCTION()) {
-    if (!t) return MGDT_ERR_NULL_POINTER;
-    const CancellationDisabled uninterrupted;
-    if (!t->calls.try_enter_alone(name)) return t->refuse(name);
-    const mgdt_status status = run_inside(t, body);
-    t->calls.leave_alone();
-    return status;
-}
-
-// A call that reads the handle for long: others must not change it meanwhile.
-template <class Body>
-mgdt_status guard(const mgdt_triangulation* t, Body body, const char* name = __builtin_FUNCTION()) {
-    if (!t) return MGDT_ERR_NULL_POINTER;
-    const CancellationDisabled uninterrupted;
-    if (!t->calls.try_enter_together()) return t->refuse(name);
-    const mgdt_status status = run_inside(t, body);
-    t->calls.leave_together();
-    return status;
-}
-
-// A call that reads the handle for a microsecond. Counting it would take a good part of that where
-// many threads call. It is counted where it runs callbacks, which may call the handle.
-template <class Body>
-mgdt_status guard_short(const mgdt_triangulation* t, Body body,
-                        const char* name = __builtin_FUNCTION()) {
-    if (!t) return MGDT_ERR_NULL_POINTER;
-    if (t->has_callbacks()) return guard(t, body, name);
-    const CancellationDisabled uninterrupted;
-    if (t->calls.is_held_alone()) return t->refuse(name);
-    return run_inside(t, body);
-}
 
 // What the exports and queries of a handle read. Tetrahedra are numbered when that is asked for the
 // first time.
@@ -146,30 +30,6 @@ inline ExportView view_of(Team& team, const mgdt_triangulation* t, bool numbers)
             core.allocator(),
             core.settings().index_base,
             core.settings().canonical_output};
-}
-
-inline void require_pointer(const void* p, const char* name) {
-    if (!p) fail(MGDT_ERR_NULL_POINTER, "%s is NULL", name);
-}
-
-// A number of points, or of something else, that a call is given.
-inline std::size_t require_count(std::int64_t n, const char* of = "points") {
-    if (n < 0)
-        fail(MGDT_ERR_INVALID_ARGUMENT, "the number of %s is negative (%lld)", of,
-             static_cast<long long>(n));
-    if (static_cast<std::uint64_t>(n) > std::numeric_limits<std::size_t>::max())  // of 32 bits
-        fail(MGDT_ERR_TOO_LARGE, "%lld %s are more than memory can hold", static_cast<long long>(n),
-             of);
-    return static_cast<std::size_t>(n);
-}
-
-inline void require_capacity(std::int64_t capacity, std::size_t needed, const char* name) {
-    if (capacity < 0)
-        fail(MGDT_ERR_INVALID_ARGUMENT, "the capacity of %s is negative (%lld)", name,
-             static_cast<long long>(capacity));
-    if (static_cast<std::uint64_t>(capacity) < needed)
-        fail(MGDT_ERR_BUFFER_TOO_SMALL, "%s holds %lld elements; %zu are needed", name,
-             static_cast<long long>(capacity), needed);
 }
 
 // Refuses output whose values, counted from 0, are below `end` but do not fit Int.

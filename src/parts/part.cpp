@@ -48,26 +48,24 @@ void Part::begin(PartId self, const PartPoint* own, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i) add(box_, own[i].x);
 }
 
-void Part::insert(const PartPoint* points, std::size_t n) {
+void Part::insert(const PartPoint* points, std::size_t n, PartsProgress& progress, std::size_t i,
+                  std::size_t shares) {
     // Nobody asks a part without points of its own.
     if (own_ == 0) return;
     const std::size_t first = points_.size(), known = known_.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        if (std::binary_search(known_.begin(), known_.begin() + known, points[i].number)) continue;
-        points_.push_back(points[i]);
-    }
+    for (const PartPoint* p = points; p != points + n; ++p)
+        if (!std::binary_search(known_.begin(), known_.begin() + known, p->number))
+            points_.push_back(*p);
     take_out_repeats(points_, first);
-    for (std::size_t i = first; i < points_.size(); ++i) known_.push_back(points_[i].number);
+    for (std::size_t k = first; k < points_.size(); ++k) known_.push_back(points_[k].number);
     std::inplace_merge(known_.begin(), known_.begin() + known, known_.end());
-    triangulate(triangulation_.point_map().size());
-}
-
-void Part::triangulate(std::size_t first) {
+    const std::size_t begin = triangulation_.point_map().size();
     static_assert(sizeof(PartPoint) == 5 * sizeof(double));
-    if (first == points_.size()) return;
-    const double* const x = points_[first].x;
+    if (begin == points_.size()) return;
+    const double* const x = points_[begin].x;
     const double* const axis[3] = {x, x + 1, x + 2};
-    triangulation_.insert(points_.size() - first, axis, 5);
+    progress.watch(triangulation_, i, shares,
+                   [&] { triangulation_.insert(points_.size() - begin, axis, 5); });
 }
 
 std::uint32_t Part::least_of(const std::uint32_t (&v)[4]) const {

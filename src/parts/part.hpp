@@ -7,6 +7,7 @@
 #include "core/triangulation.hpp"
 #include "parts/boxes.hpp"
 #include "parts/part_point.hpp"
+#include "parts/progress.hpp"
 
 namespace mgdt {
 
@@ -24,8 +25,9 @@ class Part {
 
     // The points that are at home here. Then the others come.
     void begin(PartId self, const PartPoint* own, std::size_t n);
-    // Points of others, some of which may be known already.
-    void insert(const PartPoint* points, std::size_t n);
+    // Points of others, some of which may be known already. This is share i of the progress.
+    void insert(const PartPoint* points, std::size_t n, PartsProgress& progress, std::size_t i,
+                std::size_t shares);
     // Which own points each of the other parts needs.
     void push(const Boxes& boxes, PartId parts, Mail& out);
 
@@ -53,6 +55,7 @@ class Part {
     std::size_t own_count() const { return own_; }
     std::size_t point_count() const { return points_.size(); }
     const Triangulation& triangulation() const { return triangulation_; }
+    Settings& settings() { return triangulation_.settings(); }
 
   private:
     struct OwnVertices {
@@ -64,7 +67,6 @@ class Part {
     template <class Visit, class VisitGhost>
     void each_at_border(const Visit& visit, const VisitGhost& visit_ghost) const;
     std::uint32_t least_of(const std::uint32_t (&v)[4]) const;
-    void triangulate(std::size_t first);
 
     PartId self_ = 0;
     Triangulation triangulation_;

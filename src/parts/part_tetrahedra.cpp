@@ -63,6 +63,19 @@ void PartTetrahedra::get_vertices(const Part& part, std::int64_t* vertices) cons
     }
 }
 
+void PartTetrahedra::get_places(const Part& part, std::int64_t* places) const {
+    Buffer<std::uint32_t> place(slots_.allocator(), part.point_count());
+    const auto own = static_cast<std::uint32_t>(part.own_count());
+    for (std::uint32_t i = 0; i < own; ++i) place[i] = i;
+    for (std::size_t i = 0; i < ghosts_.size(); ++i)
+        place[ghosts_[i]] = own + static_cast<std::uint32_t>(i);
+    for (std::size_t i = 0; i < size(); ++i) {
+        std::uint32_t v[4];
+        corners(part, i, v);
+        for (const std::uint32_t k : v) *places++ = place[k];
+    }
+}
+
 void PartTetrahedra::get_neighbors(const Part& part, std::int64_t* neighbors) const {
     const Across* next = across_.begin();
     each_side(
@@ -73,11 +86,13 @@ void PartTetrahedra::get_neighbors(const Part& part, std::int64_t* neighbors) co
 class TetrahedraFinder {
   public:
     TetrahedraFinder(Collective& all, const Homes& homes, const Objects<Part>& parts,
-                     Objects<PartTetrahedra>& found, Allocator& allocator)
+                     Objects<PartTetrahedra>& found, Buffer<std::int64_t>& first,
+                     Allocator& allocator)
         : all_(all),
           homes_(homes),
           parts_(parts),
           found_(found),
+          first_(first),
           allocator_(allocator),
           at_border_(allocator, parts.size(), std::ref(allocator)),
           out_(allocator, parts.size(), std::ref(allocator)),
@@ -91,14 +106,18 @@ class TetrahedraFinder {
     }
 
   private:
-    // The part's tetrahedra, the owned ones first.
+    // The part's tetrahedra, the owned ones first, and their corners.
     void list(PartId p) {
         PartTetrahedra& t = found_[p];
+        const Part& part = parts_[p];
+        Buffer<unsigned char> is_corner(allocator_);
+        is_corner.resize(part.point_count(), 0);
         Buffer<TetId> of_others(allocator_);
         t.self_ = all_.first_local() + p;
-        t.slots_.reserve(parts_[p].triangulation().mesh().live_count());
-        parts_[p].each_tetrahedron(
-            [&](TetId slot, const std::uint32_t(&)[4], unsigned own, bool is_owned) {
+        t.slots_.reserve(part.triangulation().mesh().live_count());
+        part.each_tetrahedron(
+            [&](TetId slot, const std::uint32_t(&v)[4], unsigned own, bool is_owned) {
+                for (const std::uint32_t k : v) is_corner[k] = 1;
                 if (is_owned && own < 4) at_border_[p].push_back(t.slots_.size());
                 (is_owned ? t.slots_ : of_others).push_back(slot);
             });
@@ -106,18 +125,22 @@ class TetrahedraFinder {
         for (const TetId slot : of_others) t.slots_.push_back(slot);
         t.numbers_.resize(of_others.size());
         t.owners_.resize(of_others.size());
+        for (std::size_t k = part.own_count(); k < part.point_count(); ++k)
+            if (is_corner[k]) t.ghosts_.push_back(static_cast<std::uint32_t>(k));
+        std::sort(t.ghosts_.begin(), t.ghosts_.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return part.point(a).number < part.point(b).number;
+        });
     }
     void number() {
         Buffer<std::uint64_t> mine(allocator_, parts_.size()), counts(allocator_);
         for (PartId p = 0; p < parts_.size(); ++p) mine[p] = found_[p].owned_;
         all_.gather(mine, counts);
-        std::int64_t first = 0;
-        for (PartId p = 0; p < all_.first_local(); ++p)
-            first += static_cast<std::int64_t>(counts[p]);
-        for (PartId p = 0; p < parts_.size(); ++p) {
-            found_[p].first_ = first;
-            first += static_cast<std::int64_t>(mine[p]);
-        }
+        first_.clear();
+        first_.push_back(0);
+        for (const std::uint64_t count : counts)
+            first_.push_back(first_.back() + static_cast<std::int64_t>(count));
+        for (PartId p = 0; p < parts_.size(); ++p)
+            found_[p].first_ = first_[all_.first_local() + p];
     }
     // Of tetrahedron i without the corner `left_out`, or with all.
     template <int n>
@@ -169,6 +192,8 @@ class TetrahedraFinder {
         std::sort(sorted.begin(), sorted.end(),
                   [](const Told& a, const Told& b) { return a.key < b.key; });
         PartTetrahedra& t = found_[p];
+        if (sorted.size() > t.size() - t.owned_)
+            fail(MGDT_ERR_CHECK_FAILED, "a tetrahedron is not in this part, where it has a corner");
         for (std::size_t i = t.owned_; i < t.size(); ++i) {
             const Key<4> wanted = key<4>(p, i, -1);
             const Told* const found =
@@ -237,14 +262,16 @@ class TetrahedraFinder {
     const Homes& homes_;
     const Objects<Part>& parts_;
     Objects<PartTetrahedra>& found_;
+    Buffer<std::int64_t>& first_;
     Allocator& allocator_;
     Objects<Buffer<std::size_t>> at_border_;  // owned ones with corners of others
     Objects<Mail> out_, in_;
 };
 
 void find_tetrahedra(Collective& all, const Homes& homes, const Objects<Part>& parts,
-                     Objects<PartTetrahedra>& found, Allocator& allocator) {
-    TetrahedraFinder(all, homes, parts, found, allocator).find();
+                     Objects<PartTetrahedra>& found, Buffer<std::int64_t>& first,
+                     Allocator& allocator) {
+    TetrahedraFinder(all, homes, parts, found, first, allocator).find();
 }
 
 }  // namespace mgdt

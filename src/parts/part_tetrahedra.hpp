@@ -11,11 +11,17 @@ namespace mgdt {
 class PartTetrahedra {
   public:
     explicit PartTetrahedra(Allocator& allocator)
-        : slots_(allocator), numbers_(allocator), owners_(allocator), across_(allocator) {}
+        : slots_(allocator),
+          numbers_(allocator),
+          owners_(allocator),
+          across_(allocator),
+          ghosts_(allocator) {}
 
     // Those that the part owns come first, and their numbers follow one another.
     std::size_t size() const { return slots_.size(); }
     std::size_t owned() const { return owned_; }
+    // The points of others that are corners of these, in ascending order of their numbers.
+    const Buffer<std::uint32_t>& ghosts() const { return ghosts_; }
     std::int64_t number(std::size_t i) const {
         return i < owned_ ? first_ + static_cast<std::int64_t>(i) : numbers_[i - owned_];
     }
@@ -27,6 +33,8 @@ class PartTetrahedra {
     }
     // 4 numbers of vertices for each.
     void get_vertices(const Part& part, std::int64_t* vertices) const;
+    // 4 places for each: of the part's own points and its ghosts, in their order.
+    void get_places(const Part& part, std::int64_t* places) const;
     // 4 numbers of tetrahedra for each owned one, opposite the vertices, or -1.
     void get_neighbors(const Part& part, std::int64_t* neighbors) const;
 
@@ -49,10 +57,13 @@ class PartTetrahedra {
     Buffer<std::int64_t> numbers_;  // of those that others own
     Buffer<PartId> owners_;
     Buffer<Across> across_;  // by side
+    Buffer<std::uint32_t> ghosts_;
 };
 
-// Collective. Those of the local parts, whose triangulations are finished.
+// Collective. Those of the local parts, whose triangulations are finished; the tetrahedra that
+// part p owns have the numbers from first[p] to before first[p + 1].
 void find_tetrahedra(Collective& all, const Homes& homes, const Objects<Part>& parts,
-                     Objects<PartTetrahedra>& found, Allocator& allocator);
+                     Objects<PartTetrahedra>& found, Buffer<std::int64_t>& first,
+                     Allocator& allocator);
 
 }  // namespace mgdt

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "order/random.hpp"
+#include "parts/ids.hpp"
 #include "parts/post.hpp"
 #include "parts/skeleton.hpp"
 
@@ -51,13 +52,31 @@ Parts::Parts(Collective& collective, mgdt_alloc_fn alloc, mgdt_free_fn release, 
       parts_(allocator_, collective.local_parts(), alloc, release, user),
       tetrahedra_(allocator_, collective.local_parts(), std::ref(allocator_)),
       vertices_of_given_(allocator_, collective.local_parts(), std::ref(allocator_)),
-      first_vertex_(allocator_) {}
+      first_vertex_(allocator_),
+      first_tetrahedron_(allocator_) {}
 
-void Parts::build(const GivenPoints* given, const std::int64_t* const* ids) {
+void Parts::set_threads(std::int32_t threads) {
+    for (Part& part : parts_) part.settings().threads = threads;
+}
+
+std::size_t Parts::bytes() const {
+    std::size_t sum = allocator_.bytes();
+    for (const Part& part : parts_) sum += part.triangulation().allocator().bytes();
+    return sum;
+}
+
+void Parts::build(const GivenPoints* given, const std::int64_t* const* ids,
+                  PartsProgress& progress) {
+    progress.enter(0, 0.1);
     homes_.divide(collective_, given);
+    progress.report(0.5);
     send_home(given, ids);
-    triangulate();
-    find_tetrahedra(collective_, homes_, parts_, tetrahedra_, allocator_);
+    if (ids) require_distinct_ids(collective_, given, ids, vertices_of_given_, allocator_);
+    triangulate(progress);
+    progress.enter(0.9, 1);
+    find_tetrahedra(collective_, homes_, parts_, tetrahedra_, first_tetrahedron_, allocator_);
+    collective_.finish();
+    progress.finish();
 }
 
 // Each point goes to its home, and its vertex's number comes back.
@@ -143,8 +162,9 @@ void Parts::settle(Objects<Mail>& arrived) {
     }
 }
 
-void Parts::triangulate() {
+void Parts::triangulate(PartsProgress& progress) {
     const PartId local = collective_.local_parts();
+    progress.enter(0.1, 0.6);
     {
         Skeleton skeleton(allocator_);
         skeleton.gather(collective_, parts_);
@@ -156,16 +176,22 @@ void Parts::triangulate() {
             for (const PartPoint& x : points)
                 if (x.number < first_vertex_[part] || x.number >= first_vertex_[part + 1])
                     others.push_back(x);
-            parts_[p].insert(others.data(), others.size());
+            parts_[p].insert(others.data(), others.size(), progress, p, local);
         });
     }
+    progress.enter(0.6, 0.7);
     gather_boxes();
     Objects<Mail> out(allocator_, local, std::ref(allocator_)),
         in(allocator_, local, std::ref(allocator_));
-    collective_.each_local([&](PartId p) { parts_[p].push(boxes_, collective_.parts(), out[p]); });
+    collective_.each_local([&](PartId p) {
+        parts_[p].push(boxes_, collective_.parts(), out[p]);
+        progress.report((p + 1.0) / local);
+    });
     collective_.exchange<PartPoint>(out, in);
-    collective_.each_local(
-        [&](PartId p) { parts_[p].insert(in[p].records<PartPoint>(), in[p].count()); });
+    progress.enter(0.7, 0.9);
+    collective_.each_local([&](PartId p) {
+        parts_[p].insert(in[p].records<PartPoint>(), in[p].count(), progress, p, local);
+    });
 }
 
 void Parts::gather_boxes() {

@@ -14,10 +14,15 @@ namespace mgdt {
 class Parts {
   public:
     Parts(Collective& collective, mgdt_alloc_fn alloc, mgdt_free_fn release, void* user);
+    // Of each triangulation.
+    void set_threads(std::int32_t threads);
 
     // Collective, and once, inside a run. The points that each local part is given, all finite, and
-    // numbers for them; without these they count on through the parts.
-    void build(const GivenPoints* given, const std::int64_t* const* ids);
+    // numbers for them, different for different points; without these they count on through the
+    // parts.
+    void build(const GivenPoints* given, const std::int64_t* const* ids, PartsProgress& progress);
+    // Collective. Throws MGDT_ERR_CHECK_FAILED where something is wrong (parts/check.cpp).
+    void check(std::int32_t level);
 
     const Part& local(PartId i) const { return parts_[i]; }
     const Homes& homes() const { return homes_; }
@@ -26,11 +31,16 @@ class Parts {
     const Buffer<std::int64_t>& vertices_of_given(PartId i) const { return vertices_of_given_[i]; }
     // The vertices of part p have the numbers from first_vertex(p) to before first_vertex(p + 1).
     std::int64_t first_vertex(PartId p) const { return first_vertex_[p]; }
+    const Buffer<std::int64_t>& first_vertices() const { return first_vertex_; }
+    // The same for the tetrahedra that parts own.
+    const Buffer<std::int64_t>& first_tetrahedra() const { return first_tetrahedron_; }
+    // Memory held.
+    std::size_t bytes() const;
 
   private:
     void send_home(const GivenPoints* given, const std::int64_t* const* ids);
     void settle(Objects<Mail>& arrived);
-    void triangulate();
+    void triangulate(PartsProgress& progress);
     void gather_boxes();
 
     Allocator allocator_;
@@ -40,7 +50,7 @@ class Parts {
     Objects<Part> parts_;  // the local ones
     Objects<PartTetrahedra> tetrahedra_;
     Objects<Buffer<std::int64_t>> vertices_of_given_;
-    Buffer<std::int64_t> first_vertex_;
+    Buffer<std::int64_t> first_vertex_, first_tetrahedron_;
 };
 
 }  // namespace mgdt

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The binary interface: the header, the version script and the library name the same functions,
-the library needs the C++ runtime alone, and the header compiles as C99 and as C++.
+"""The binary interface: the headers, the version script and the library name the same functions,
+the library needs the C++ runtime alone, and the headers compile as C99 and as C++.
 
-  symbols_test.py --library libmgdt.so --header mgdt.h --map mgdt.map --cc CC --cxx CXX
+  symbols_test.py --library libmgdt.so --headers mgdt.h mgdt_parts.h --map mgdt.map --cc CC --cxx CXX
 """
 import argparse
 import re
@@ -68,7 +68,7 @@ def compiles(command, source, suffix):
 def with_handlers(library, names):
     """The functions whose frames have something to do when they are unwound. A thread of the asynchronous
     cancellation type is unwound through the frame of the function that it called, see run_inside()
-    in src/capi/handle.hpp; a table there would end the process."""
+    in src/capi/guard.hpp; a table there would end the process."""
     frames = re.findall(r" FDE .*?pc=([0-9a-f]+)\.\.[^\n]*\n(  Augmentation data:)?",
                         output_of("readelf", "--debug-dump=frames", library))
     tables = {int(address, 16): bool(data) for address, data in frames}
@@ -79,21 +79,22 @@ def with_handlers(library, names):
 
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("library", "header", "map"):
+    for name in ("library", "map"):
         parser.add_argument(f"--{name}", type=Path, required=True)
+    parser.add_argument("--headers", type=Path, nargs="+", required=True)
     parser.add_argument("--cc", required=True)
     parser.add_argument("--cxx", required=True)
     options = parser.parse_args()
 
-    names = declared(options.header)
+    names = set().union(*map(declared, options.headers))
     nodes, wildcards = mapped(options.map)
     listed = [name for node in nodes.values() for name in node]
     symbols = exported(options.library)
-    check("the header declares functions", "" if len(names) > 40 else f"only {len(names)} found")
+    check("the headers declare functions", "" if len(names) > 40 else f"only {len(names)} found")
     check("the version script names each function once", " ".join(sorted(n for n in set(listed) if listed.count(n) > 1)))
     check("the version script has no wildcards", " ".join(wildcards))
-    check("the version script names what the header declares", differences(names, set(listed)))
-    check("the library exports what the header declares", differences(names, set(symbols)))
+    check("the version script names what the headers declare", differences(names, set(listed)))
+    check("the library exports what the headers declare", differences(names, set(symbols)))
     check("each symbol has the version of its node",
           " ".join(f"{n}@{symbols.get(n)}" for v, node in nodes.items() for n in node if symbols.get(n) != v))
 
@@ -106,14 +107,15 @@ def main():
 
     check("threads may be unwound through the functions", " ".join(with_handlers(options.library, names)))
 
-    include = f"-I{options.header.parent.parent}"
+    include = f"-I{options.headers[0].parent.parent}"
     strict = [include, "-Wall", "-Wextra", "-pedantic", "-Werror"]
-    use = "#include <mgdt/mgdt.h>\n#include <mgdt/mgdt.h>\nint main(void) { return mgdt_abi_version() != 1; }\n"
+    use = "".join(f"#include <mgdt/{header.name}>\n" for header in [*reversed(options.headers), *options.headers])
+    use += "int main(void) { return mgdt_abi_version() != 1; }\n"
     cc, cxx = shlex.split(options.cc), shlex.split(options.cxx)
-    check("the header is C99", compiles([*cc, "-std=c99", *strict, "-Wstrict-prototypes", "-Wmissing-prototypes"], use, ".c"))
-    check("the header is C11", compiles([*cc, "-std=c11", *strict], use, ".c"))
-    check("the header is C++98 with <stdint.h>", compiles([*cxx, "-std=c++98", include, "-Wall", "-Werror"], use, ".cpp"))
-    check("the header is C++17", compiles([*cxx, "-std=c++17", *strict], use, ".cpp"))
+    check("the headers are C99", compiles([*cc, "-std=c99", *strict, "-Wstrict-prototypes", "-Wmissing-prototypes"], use, ".c"))
+    check("the headers are C11", compiles([*cc, "-std=c11", *strict], use, ".c"))
+    check("the headers are C++98 with <stdint.h>", compiles([*cxx, "-std=c++98", include, "-Wall", "-Werror"], use, ".cpp"))
+    check("the headers are C++17", compiles([*cxx, "-std=c++17", *strict], use, ".cpp"))
 
     finish()
 

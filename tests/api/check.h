@@ -52,6 +52,7 @@ void test_changes(void);
 void test_cells(void);
 void test_dual(void);
 void test_memory(void);
+void test_parts(void);
 void test_progress(void);
 void test_environment(void);
 void test_interpolation(void);

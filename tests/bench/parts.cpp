@@ -37,9 +37,11 @@ void run(const std::string& name, std::size_t each, mgdt::PartId parts) {
     });
     mgdt::InProcess transport(parts);
     mgdt::Collective collective(transport);
+    mgdt::Atomic<bool> cancelled{false};
+    mgdt::PartsProgress progress(nullptr, nullptr, cancelled);
     mgdt::Parts all(collective, nullptr, nullptr, nullptr);
     const double of_parts = bench::processor_seconds(
-        [&] { collective.run([&] { all.build(given.data(), nullptr); }); });
+        [&] { collective.run([&] { all.build(given.data(), nullptr, progress); }); });
     std::size_t received = 0, needed = 0, most_received = 0, most_own = 0;
     for (mgdt::PartId p = 0; p < parts; ++p) {
         const mgdt::Part& part = all.local(p);

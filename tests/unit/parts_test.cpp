@@ -68,7 +68,12 @@ Outcome in_parts(const Points& xyz, PartId parts, bool to_one = false) {
     Collective collective(transport);
     Parts all(collective, nullptr, nullptr, nullptr);
     const Dealt dealt(xyz, parts, to_one);
-    collective.run([&] { all.build(dealt.given.data(), nullptr); });
+    Atomic<bool> cancelled{false};
+    PartsProgress progress(nullptr, nullptr, cancelled);
+    collective.run([&] {
+        all.build(dealt.given.data(), nullptr, progress);
+        if (parts <= 8 && xyz.size() < 3 * 2000) all.check(MGDT_CHECK_CANONICAL);
+    });
     Outcome outcome;
     outcome.least = xyz.size();
     std::vector<std::int64_t> ghosts;
@@ -107,7 +112,12 @@ void expect_consistent(const Points& xyz, PartId parts) {
     Collective collective(transport);
     Parts all(collective, nullptr, nullptr, nullptr);
     const Dealt dealt(xyz, parts, false);
-    collective.run([&] { all.build(dealt.given.data(), nullptr); });
+    Atomic<bool> cancelled{false};
+    PartsProgress progress(nullptr, nullptr, cancelled);
+    collective.run([&] {
+        all.build(dealt.given.data(), nullptr, progress);
+        if (parts <= 8 && xyz.size() < 3 * 2000) all.check(MGDT_CHECK_CANONICAL);
+    });
     std::vector<std::array<std::int64_t, 4>> vertices, neighbors;
     std::vector<PartId> owner;
     for (PartId p = 0; p < parts; ++p) {
@@ -339,7 +349,9 @@ std::vector<OfProcess> in_processes(const Points& xyz, PartId parts, bool to_one
             try {
                 collective.run([&] {
                     Parts mine(collective, Memory::take, Memory::give_back, &memory);
-                    mine.build(&dealt.given[p], nullptr);
+                    Atomic<bool> cancelled{false};
+                    PartsProgress progress(nullptr, nullptr, cancelled);
+                    mine.build(&dealt.given[p], nullptr, progress);
                     const Part& part = mine.local(0);
                     all[p].own_points = part.own_count();
                     part.each_tetrahedron(
@@ -371,6 +383,30 @@ TEST(Parts, InProcesses) {
         }
         std::sort(owned.begin(), owned.end());
         EXPECT_EQ(owned, expected);
+    }
+}
+
+// A point that one part has, and its home has not: each triangulation is one of Delaunay.
+TEST(Parts, AreFoundOutWhereTheyDoNotFit) {
+    const Points xyz = uniform(400);
+    InProcess transport(4);
+    Collective collective(transport);
+    Parts all(collective, nullptr, nullptr, nullptr);
+    const Dealt dealt(xyz, 4, false);
+    Atomic<bool> cancelled{false};
+    PartsProgress progress(nullptr, nullptr, cancelled);
+    collective.run([&] { all.build(dealt.given.data(), nullptr, progress); });
+    collective.run([&] { all.check(MGDT_CHECK_CANONICAL); });
+    auto& part = const_cast<Part&>(all.local(1));
+    PartPoint stranger = part.point(0);
+    for (double& x : stranger.x) x += 0x1p-20;
+    stranger.number = 400;
+    part.insert(&stranger, 1, progress, 0, 1);
+    try {
+        collective.run([&] { all.check(MGDT_CHECK_CANONICAL); });
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.status, MGDT_ERR_CHECK_FAILED) << e.message;
     }
 }
 
@@ -443,7 +479,9 @@ TEST(Parts, StopWhereTheTransportFails) {
         try {
             collective.run([&] {
                 Parts all(collective, nullptr, nullptr, nullptr);
-                all.build(dealt.given.data(), nullptr);
+                Atomic<bool> cancelled{false};
+                PartsProgress progress(nullptr, nullptr, cancelled);
+                all.build(dealt.given.data(), nullptr, progress);
             });
             EXPECT_GT(calls, 20);
             break;

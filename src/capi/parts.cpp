@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+// Life, options and points of parts, and what all processes do together.
+#include <cmath>
+#include <functional>
+
+#include "capi/parts_handle.hpp"
+#include "platform/callback.hpp"
+
+using namespace mgdt;
+
+mgdt_parts::mgdt_parts(const mgdt_transport* functions, PartId parts, mgdt_alloc_fn alloc,
+                       mgdt_free_fn release, void* user)
+    : allocator(alloc, release, user),
+      transport_(functions ? static_cast<Transport*>(&callbacks_.emplace(*functions, allocator))
+                           : &in_process_.emplace(parts)),
+      collective(*transport_),
+      given(allocator, transport_->local_parts(), std::ref(allocator)) {}
+
+PartId mgdt_parts::local(std::int32_t part) const {
+    const std::int64_t place = std::int64_t{part} - first_local();
+    if (place < 0 || place >= local_parts())
+        fail(MGDT_ERR_INVALID_ARGUMENT, "part %d is not among those of this process, %u to %u",
+             static_cast<int>(part), first_local(), first_local() + local_parts() - 1);
+    return static_cast<PartId>(place);
+}
+
+void mgdt_parts::forget_triangulation() noexcept {
+    if (!triangulation) return;
+    triangulation->~Parts();
+    allocator.release(triangulation, sizeof(Parts), alignof(Parts));
+    triangulation = nullptr;
+}
+
+namespace {
+
+constexpr std::size_t handle_size = sizeof(mgdt_parts), handle_align = alignof(mgdt_parts);
+constexpr std::int32_t most_parts = 1 << 20;
+
+// As run_inside() of guard.hpp, for the calls that make a handle and free it.
+MGDT_NOT_INLINE mgdt_status create(const mgdt_transport* functions, PartId parts,
+                                   mgdt_alloc_fn alloc, mgdt_free_fn release, void* user,
+                                   mgdt_parts** out) noexcept {
+    const FpEnvironment environment;
+    void* const memory = Allocator::obtain(alloc, user, handle_size, handle_align);
+    if (!memory) return MGDT_ERR_OUT_OF_MEMORY;
+    try {
+        mgdt_parts* const p = new (memory) mgdt_parts(functions, parts, alloc, release, user);
+        p->allocator.count(handle_size);
+        *out = p;
+        return MGDT_OK;
+    } catch (...) {
+        Allocator::give_back(release, user, memory, handle_size, handle_align);
+        return MGDT_ERR_OUT_OF_MEMORY;
+    }
+}
+
+MGDT_NOT_INLINE void destroy(mgdt_parts* p) noexcept {
+    const mgdt_free_fn release = p->allocator.release_function();
+    void* const user = p->allocator.user();
+    const mgdt_transport* const transport = p->functions();
+    const auto end = transport ? transport->release : nullptr;
+    void* const end_user = transport ? transport->user : nullptr;
+    p->~mgdt_parts();
+    Allocator::give_back(release, user, p, handle_size, handle_align);
+    if (end)
+        call_back<int>(0, [&] {
+            end(end_user);
+            return 0;
+        });
+}
+
+// The memory of triangulations where it is limited, or the host's: it passes through the handle's.
+void* take(std::size_t size, std::size_t align, void* user) {
+    try {
+        return static_cast<Allocator*>(user)->allocate(size, align);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
+void give_back(void* block, std::size_t size, std::size_t align, void* user) {
+    static_cast<Allocator*>(user)->release(block, size, align);
+}
+
+void insert(mgdt_parts& p, std::int32_t part, std::int64_t n, const double* xyz,
+            const std::int64_t* ids) {
+    mgdt_parts::Given& given = p.given[p.local(part)];
+    const std::size_t count = require_count(n);
+    if (count == 0) return;
+    require_pointer(xyz, "xyz");
+    if (count > static_cast<std::size_t>(-1) / (3 * sizeof(double)))
+        fail(MGDT_ERR_TOO_LARGE, "%zu points are more than memory can hold", count);
+    for (std::size_t i = 0; i < 3 * count; ++i)
+        if (!std::isfinite(xyz[i]))
+            fail(MGDT_ERR_NOT_FINITE, "point %zu: coordinate %zu is not finite", i / 3, i % 3);
+    const std::size_t before = given.count();
+    if (before > 0 && given.has_ids() != (ids != nullptr))
+        fail(MGDT_ERR_INVALID_ARGUMENT, "%s",
+             ids ? "the points before these have no ids" : "the points before these have ids");
+    given.xyz.grow(3 * (before + count));
+    if (ids) given.ids.grow(before + count);
+    given.xyz.resize(3 * (before + count));
+    std::memcpy(given.xyz.data() + 3 * before, xyz, 3 * count * sizeof(double));
+    if (!ids) return;
+    given.ids.resize(before + count);
+    std::memcpy(given.ids.data() + before, ids, count * sizeof *ids);
+}
+
+// What all processes must have alike.
+void require_agreement(mgdt_parts& p) {
+    constexpr std::uint64_t with_ids = 1, without_ids = 2, base_one = 4;
+    Buffer<std::uint64_t> mine(p.allocator), all(p.allocator);
+    for (const mgdt_parts::Given& given : p.given)
+        mine.push_back((given.count() == 0 ? 0
+                        : given.has_ids()  ? with_ids
+                                           : without_ids) |
+                       (p.index_base == 1 ? base_one : 0));
+    p.collective.gather(mine, all);
+    PartId has_ids = 0;
+    while (has_ids < all.size() && (all[has_ids] & with_ids) == 0) ++has_ids;
+    p.collective.each_local([&](PartId i) {
+        if (has_ids < all.size() && (mine[i] & without_ids) != 0)
+            fail(MGDT_ERR_INVALID_ARGUMENT, "its points have no ids, those of part %u have",
+                 has_ids);
+        if ((mine[i] & base_one) != (all[0] & base_one))
+            fail(MGDT_ERR_INVALID_ARGUMENT, "its index base is not that of part 0");
+    });
+    p.has_ids = has_ids < all.size();
+}
+
+void build(mgdt_parts& p) {
+    p.forget_triangulation();
+    const Error failure = std::exchange(p.failure, Error{MGDT_OK, ""});
+    p.collective.each_local([&](PartId i) {
+        if (failure.status != MGDT_OK && i == p.failed_part) throw failure;
+    });
+    require_agreement(p);
+    Buffer<GivenPoints> given(p.allocator);
+    Buffer<const std::int64_t*> ids(p.allocator);
+    for (const mgdt_parts::Given& g : p.given) {
+        given.push_back({g.xyz.data(), g.count()});
+        ids.push_back(g.ids.data());
+    }
+    const bool passes_through = p.allocator.limit() > 0 || p.has_callbacks();
+    void* const memory = p.allocator.allocate(sizeof(Parts), alignof(Parts));
+    try {
+        p.triangulation = new (memory) Parts(p.collective, passes_through ? take : nullptr,
+                                             passes_through ? give_back : nullptr, &p.allocator);
+    } catch (...) {
+        p.allocator.release(memory, sizeof(Parts), alignof(Parts));
+        throw;
+    }
+    p.passes_through = passes_through;
+    p.triangulation->set_threads(p.threads);
+    PartsProgress progress(p.progress, p.progress_user, p.cancelled);
+    p.triangulation->build(given.data(), p.has_ids ? ids.data() : nullptr, progress);
+}
+
+}  // namespace
+
+extern "C" mgdt_status mgdt_parts_create(int32_t parts, mgdt_parts** out) {
+    return mgdt_parts_create_with_allocator(parts, nullptr, nullptr, nullptr, out);
+}
+
+extern "C" mgdt_status mgdt_parts_create_with_allocator(int32_t parts, mgdt_alloc_fn alloc,
+                                                        mgdt_free_fn release, void* user,
+                                                        mgdt_parts** out) {
+    if (!out) return MGDT_ERR_NULL_POINTER;
+    *out = nullptr;
+    if (parts < 1 || parts > most_parts || (alloc == nullptr) != (release == nullptr))
+        return MGDT_ERR_INVALID_ARGUMENT;
+    const CancellationDisabled uninterrupted;
+    return create(nullptr, static_cast<PartId>(parts), alloc, release, user, out);
+}
+
+extern "C" mgdt_status mgdt_parts_create_with_transport(const mgdt_transport* transport,
+                                                        mgdt_alloc_fn alloc, mgdt_free_fn release,
+                                                        void* user, mgdt_parts** out) {
+    if (!out) return MGDT_ERR_NULL_POINTER;
+    *out = nullptr;
+    if (!transport) return MGDT_ERR_NULL_POINTER;
+    const mgdt_transport& t = *transport;
+    if (t.size < sizeof t) return MGDT_ERR_INVALID_ARGUMENT;
+    if (!t.gather || !t.exchange || !t.sum || !t.least) return MGDT_ERR_NULL_POINTER;
+    if (t.processes < 1 || t.processes > most_parts || t.process < 0 || t.process >= t.processes ||
+        (alloc == nullptr) != (release == nullptr))
+        return MGDT_ERR_INVALID_ARGUMENT;
+    const CancellationDisabled uninterrupted;
+    return create(transport, 1, alloc, release, user, out);
+}
+
+// A handle that a call is inside of stays, as with mgdt_destroy().
+extern "C" void mgdt_parts_destroy(mgdt_parts* p) {
+    if (!p) return;
+    const CancellationDisabled uninterrupted;
+    if (p->calls.try_enter_alone("mgdt_parts_destroy"))
+        destroy(p);
+    else
+        p->refuse("mgdt_parts_destroy");
+}
+
+extern "C" mgdt_status mgdt_parts_clear(mgdt_parts* p) {
+    return guard(p, [&] {
+        p->cancelled.store(false, std::memory_order_relaxed);
+        p->forget_triangulation();
+        p->failure.status = MGDT_OK;
+        for (mgdt_parts::Given& given : p->given) {
+            given.xyz.reset();
+            given.ids.reset();
+        }
+    });
+}
+
+extern "C" mgdt_status mgdt_parts_set_option(mgdt_parts* p, int32_t option, int64_t value) {
+    return guard(p, [&] {
+        const auto require = [&](bool is_in_range) {
+            if (!is_in_range)
+                fail(MGDT_ERR_INVALID_ARGUMENT, "%lld is out of the range of option %d",
+                     static_cast<long long>(value), static_cast<int>(option));
+        };
+        switch (option) {
+            case MGDT_PARTS_INDEX_BASE:
+                require(value == 0 || value == 1);
+                p->index_base = static_cast<std::int32_t>(value);
+                break;
+            case MGDT_PARTS_THREADS:
+                require(value >= 0 && value <= std::numeric_limits<std::int32_t>::max());
+                p->threads = static_cast<std::int32_t>(value);
+                break;
+            case MGDT_PARTS_MEMORY_LIMIT:
+                require(value >= 0);
+                p->allocator.set_limit(static_cast<std::size_t>(value));
+                break;
+            default:
+                fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));
+        }
+    });
+}
+
+extern "C" mgdt_status mgdt_parts_get_option(const mgdt_parts* p, int32_t option, int64_t* value) {
+    return guard_short(p, [&] {
+        require_pointer(value, "value");
+        switch (option) {
+            case MGDT_PARTS_INDEX_BASE:
+                *value = p->index_base;
+                break;
+            case MGDT_PARTS_THREADS:
+                *value = p->threads;
+                break;
+            case MGDT_PARTS_MEMORY_LIMIT:
+                *value = static_cast<std::int64_t>(p->allocator.limit());
+                break;
+            default:
+                fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));
+        }
+    });
+}
+
+extern "C" mgdt_status mgdt_parts_set_progress(mgdt_parts* p, mgdt_progress_fn fn, void* user) {
+    return guard(p, [&] {
+        p->progress = fn;
+        p->progress_user = user;
+    });
+}
+
+extern "C" mgdt_status mgdt_parts_cancel(mgdt_parts* p) {
+    if (!p) return MGDT_ERR_NULL_POINTER;
+    p->cancelled.store(true, std::memory_order_relaxed);
+    return MGDT_OK;
+}
+
+extern "C" mgdt_status mgdt_parts_insert_points(mgdt_parts* p, int32_t part, int64_t n,
+                                                const double* xyz, const int64_t* ids) {
+    return guard(p, [&] {
+        const auto remember = [&](const Error& error) {
+            p->failure = error;
+            const std::int64_t place = std::int64_t{part} - p->first_local();
+            p->failed_part =
+                place >= 0 && place < p->local_parts() ? static_cast<PartId>(place) : 0;
+        };
+        try {
+            insert(*p, part, n, xyz, ids);
+        } catch (const Error& error) {
+            remember(error);
+            throw;
+        } catch (const std::bad_alloc&) {
+            remember(Error{MGDT_ERR_OUT_OF_MEMORY, "out of memory"});
+            throw;
+        }
+    });
+}
+
+extern "C" mgdt_status mgdt_parts_build(mgdt_parts* p) {
+    return guard(p, [&] {
+        try {
+            p->collective.run([&] { build(*p); });
+        } catch (...) {
+            p->forget_triangulation();
+            p->cancelled.store(false, std::memory_order_relaxed);
+            throw;
+        }
+        p->cancelled.store(false, std::memory_order_relaxed);
+    });
+}
+
+extern "C" mgdt_status mgdt_parts_check(mgdt_parts* p, int32_t level) {
+    return guard(p, [&] {
+        p->collective.run([&] {
+            if (level < MGDT_CHECK_COMBINATORIAL || level > MGDT_CHECK_CANONICAL)
+                fail(MGDT_ERR_INVALID_ARGUMENT, "there is no check level %d",
+                     static_cast<int>(level));
+            if (!p->triangulation)
+                fail(MGDT_ERR_INVALID_ARGUMENT, "there is no triangulation to check");
+            p->triangulation->check(level);
+        });
+    });
+}
+
+extern "C" mgdt_status mgdt_parts_get_error(const mgdt_parts* p, int64_t capacity, char* buffer) {
+    if (!p || !buffer) return MGDT_ERR_NULL_POINTER;
+    if (capacity < 1) return MGDT_ERR_INVALID_ARGUMENT;
+    const CancellationDisabled uninterrupted;
+    p->recall(buffer, static_cast<std::size_t>(capacity));
+    return MGDT_OK;
+}

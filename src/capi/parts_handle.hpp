@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The handle of points in parts behind the C interface.
+#pragma once
+
+#include <optional>
+
+#include "capi/guard.hpp"
+#include "mgdt/mgdt_parts.h"
+#include "parts/callbacks.hpp"
+#include "parts/in_process.hpp"
+#include "parts/parts.hpp"
+
+struct mgdt_parts : mgdt::HandleBase {
+    mgdt_parts(const mgdt_transport* functions, mgdt::PartId parts, mgdt_alloc_fn alloc,
+               mgdt_free_fn release, void* user);
+    ~mgdt_parts() { forget_triangulation(); }
+
+    bool has_callbacks() const noexcept { return allocator.release_function() != nullptr; }
+    mgdt::PartId first_local() const noexcept { return transport_->first_local(); }
+    mgdt::PartId local_parts() const noexcept { return transport_->local_parts(); }
+    // The place of a part among those of this process; throws for others.
+    mgdt::PartId local(std::int32_t part) const;
+    void forget_triangulation() noexcept;
+    // The host's, if it made any.
+    const mgdt_transport* functions() const {
+        return callbacks_ ? &callbacks_->functions() : nullptr;
+    }
+
+    // What a local part was given.
+    struct Given {
+        explicit Given(mgdt::Allocator& a) : xyz(a), ids(a) {}
+
+        mgdt::Buffer<double> xyz;
+        mgdt::Buffer<std::int64_t> ids;  // as many as points, or none
+
+        std::size_t count() const { return xyz.size() / 3; }
+        bool has_ids() const { return !ids.empty(); }
+    };
+
+    mutable mgdt::Allocator allocator;
+
+  private:
+    std::optional<mgdt::InProcess> in_process_;
+    std::optional<mgdt::Callbacks> callbacks_;
+    mgdt::Transport* transport_;
+
+  public:
+    mgdt::Collective collective;
+    mgdt::Objects<Given> given;
+    mgdt::Parts* triangulation = nullptr;
+    // Whether the ids of the triangulation are the caller's, and whether its memory is counted
+    // here.
+    bool has_ids = false, passes_through = false;
+    // An insertion that failed, which the next build reports.
+    mgdt::Error failure{MGDT_OK, ""};
+    mgdt::PartId failed_part = 0;
+    mgdt::Atomic<bool> cancelled{false};
+    std::int32_t index_base = 0, threads = 1;
+    mgdt_progress_fn progress = nullptr;
+    void* progress_user = nullptr;
+};

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// How far a process has come with its parts, told to its program, which may stop all.
+#pragma once
+
+#include "core/triangulation.hpp"
+#include "platform/callback.hpp"
+
+namespace mgdt {
+
+class PartsProgress {
+  public:
+    PartsProgress(mgdt_progress_fn tell, void* user, Atomic<bool>& cancelled)
+        : tell_(tell), user_(user), cancelled_(cancelled) {}
+
+    // What follows takes the progress from one fraction to the other.
+    void enter(double from, double to) {
+        from_ = from;
+        to_ = to;
+        report(0);
+    }
+    // The fraction of that. Throws where the program wants to stop.
+    void report(double fraction) {
+        if (tell(fraction)) fail(MGDT_ERR_CANCELLED, "cancelled");
+    }
+    // All is done, and it is too late to stop.
+    void finish() {
+        from_ = to_ = 1;
+        tell(1);
+    }
+    // An insertion into t as share i of n.
+    template <class Insert>
+    void watch(Triangulation& t, std::size_t i, std::size_t n, const Insert& insert) {
+        Share share{*this, static_cast<double>(i), static_cast<double>(n)};
+        Settings& settings = t.settings();
+        settings.progress_user = &share;
+        settings.progress = [](double fraction, void* user) -> std::int32_t {
+            const Share& s = *static_cast<const Share*>(user);
+            return s.progress.tell((s.first + fraction) / s.count) ? 1 : 0;
+        };
+        const Unset unset{settings};
+        insert();
+    }
+
+  private:
+    struct Share {
+        PartsProgress& progress;
+        double first, count;
+    };
+    struct Unset {
+        Settings& settings;
+        ~Unset() { settings.progress = nullptr; }
+    };
+    bool tell(double fraction) {
+        const double whole = from_ + fraction * (to_ - from_);
+        if (tell_ && call_back<std::int32_t>(1, [&] { return tell_(whole, user_); }) != 0)
+            cancelled_.store(true, std::memory_order_relaxed);
+        return cancelled_.load(std::memory_order_relaxed);
+    }
+
+    mgdt_progress_fn tell_;
+    void* user_;
+    Atomic<bool>& cancelled_;
+    double from_ = 0, to_ = 0;
+};
+
+}  // namespace mgdt
