@@ -52,6 +52,8 @@ typedef struct mgdt_transport {
     /** Gives all processes the bytes of all: what process p has at `mine` goes to all + begin[p],
      *  up to all + begin[p + 1]. `begin` is the same on all. */
     int32_t (*gather)(const void* mine, void* all, const int64_t* begin, void* user);
+    /** Sends the number out[p] to process p, and receives in[p] from it, for all p. */
+    int32_t (*exchange_numbers)(const uint64_t* out, uint64_t* in, void* user);
     /** Sends the bytes from out + out_begin[p] to out + out_begin[p + 1] to process p, and receives
      *  those that it sends at in + in_begin[p]. Both sides know the numbers. */
     int32_t (*exchange)(const void* out, const int64_t* out_begin, void* in,

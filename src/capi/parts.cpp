@@ -180,7 +180,8 @@ extern "C" mgdt_status mgdt_parts_create_with_transport(const mgdt_transport* tr
     if (!transport) return MGDT_ERR_NULL_POINTER;
     const mgdt_transport& t = *transport;
     if (t.size < sizeof t) return MGDT_ERR_INVALID_ARGUMENT;
-    if (!t.gather || !t.exchange || !t.sum || !t.least) return MGDT_ERR_NULL_POINTER;
+    if (!t.gather || !t.exchange_numbers || !t.exchange || !t.sum || !t.least)
+        return MGDT_ERR_NULL_POINTER;
     if (t.processes < 1 || t.processes > most_parts || t.process < 0 || t.process >= t.processes ||
         (alloc == nullptr) != (release == nullptr))
         return MGDT_ERR_INVALID_ARGUMENT;

@@ -44,13 +44,10 @@ bool Callbacks::least(double* numbers, std::size_t n) noexcept {
 }
 
 bool Callbacks::exchange_counts(const Mail* out, Mail* in) noexcept {
-    for (std::size_t p = 0; p <= parts(); ++p) {
-        out_begin_[p] = in_begin_[p] = static_cast<std::int64_t>(p * sizeof(std::uint64_t));
-        if (p < parts()) counts_out_[p] = out->begin[p + 1] - out->begin[p];
-    }
+    for (std::size_t p = 0; p < parts(); ++p) counts_out_[p] = out->begin[p + 1] - out->begin[p];
     if (!succeeds([&] {
-            return functions_.exchange(counts_out_.data(), out_begin_.data(), counts_in_.data(),
-                                       in_begin_.data(), functions_.user);
+            return functions_.exchange_numbers(counts_out_.data(), counts_in_.data(),
+                                               functions_.user);
         }))
         return false;
     in->begin[0] = 0;

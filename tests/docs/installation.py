@@ -39,6 +39,10 @@ class Installation:
         packages = self.folders("lib*/python3*/*-packages", "local/lib*/python3*/*-packages")
         put("PYTHONPATH", packages or [str(Path(source) / "bindings" / "python")])
         values.update(MGDT_SOURCE=str(source), HOME=str(home), LC_ALL="C.UTF-8")
+        # Open MPI asks root, and those who have fewer processors than ranks, to say that they mean it.
+        values.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                      OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_plm="isolated",
+                      OMPI_MCA_btl="self,vader", OMPI_MCA_pml="ob1")
         return values
 
 

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT
+ * How parts exchange bytes by MPI. */
+#ifndef MGDT_SRC_MPI_TRANSPORT_H
+#define MGDT_SRC_MPI_TRANSPORT_H
+
+#include <mpi.h>
+
+#include "mgdt/mgdt_parts.h"
+
+/* The counts of MPI are int: messages of more bytes go in pieces. Less in tests. */
+#ifndef MGDT_MPI_LARGEST_MESSAGE
+#define MGDT_MPI_LARGEST_MESSAGE (1 << 30)
+#endif
+
+/* A communicator and room for what is under way. */
+struct mgdt_mpi_transport {
+    MPI_Comm communicator;
+    int ranks, rank;
+    int *counts, *places;  /* one for each rank */
+    MPI_Request* requests; /* two for each rank */
+};
+
+/* Takes the communicator over if it succeeds. 0 for success. */
+int mgdt_mpi_transport_begin(struct mgdt_mpi_transport* t, MPI_Comm communicator);
+/* Frees the room, and the communicator unless MPI is finalised. */
+void mgdt_mpi_transport_end(struct mgdt_mpi_transport* t);
+/* For mgdt_parts_create_with_transport(). */
+mgdt_transport mgdt_mpi_transport_functions(struct mgdt_mpi_transport* t);
+
+#endif
