@@ -18,6 +18,8 @@ module mgdt_f77_support
     ! the address, a check word that an array of anything else will not have, and the kind.
     integer(c_int32_t), parameter, private :: seal = 1296516212_c_int32_t
     integer, parameter, private :: integer_bits = bit_size(0), handle_integers = 128/integer_bits
+    ! Added to the seal of another kind of handle.
+    integer(c_int32_t), parameter :: of_mpi = 1
 
     ! The arrays that export_at() knows.
     integer, parameter :: array_tetrahedra = 1, array_neighbors = 2, array_facets = 3, &
@@ -34,23 +36,25 @@ module mgdt_f77_support
 
 contains
 
-    subroutine pack_handle(pointer, h)
+    subroutine pack_handle(pointer, h, other_kind)
         type(c_ptr), intent(in) :: pointer
         integer, intent(inout) :: h(4)
+        integer(c_int32_t), intent(in), optional :: other_kind
         integer(c_int32_t) :: words(4)
 
         words = 0
         if (c_associated(pointer)) then
             words(1:2) = transfer(int(address_of(pointer), c_int64_t), words(1:2))
-            words(3) = ieor(ieor(words(1), words(2)), seal)
+            words(3) = ieor(ieor(words(1), words(2)), seal_of(other_kind))
             words(4) = integer_bits
         end if
         h(:handle_integers) = transfer(words, h(:handle_integers))
     end subroutine
 
     ! Null for what pack_handle has not made, which C answers with MGDT_ERR_NULL_POINTER.
-    function handle_of(h) result(pointer)
+    function handle_of(h, other_kind) result(pointer)
         integer, intent(in) :: h(4)
+        integer(c_int32_t), intent(in), optional :: other_kind
         type(c_ptr) :: pointer
         integer(c_int32_t) :: words(4)
         integer(c_int64_t) :: address
@@ -58,9 +62,17 @@ contains
         pointer = c_null_ptr
         words = transfer(h(:handle_integers), words)
         if (all(words(1:2) == 0) .or. words(4) /= integer_bits) return
-        if (words(3) /= ieor(ieor(words(1), words(2)), seal)) return
+        if (words(3) /= ieor(ieor(words(1), words(2)), seal_of(other_kind))) return
         address = transfer(words(1:2), address)
         pointer = transfer(int(address, c_intptr_t), pointer)
+    end function
+
+    pure function seal_of(other_kind) result(of_kind)
+        integer(c_int32_t), intent(in), optional :: other_kind
+        integer(c_int32_t) :: of_kind
+
+        of_kind = seal
+        if (present(other_kind)) of_kind = seal + other_kind
     end function
 
     pure function address_of(pointer) result(address)

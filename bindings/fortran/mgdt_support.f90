@@ -8,7 +8,7 @@ module mgdt_support
     use mgdt_constants, only: mgdt_err_index_range, mgdt_ok
     implicit none
     private
-    public :: to_c, c_text, last_message, make, borrow, finish, report, narrow, decimal
+    public :: to_c, c_text, text_of, last_message, make, borrow, finish, report, narrow, decimal
 
 contains
 
@@ -45,14 +45,22 @@ contains
         type(c_ptr), intent(in) :: handle
         character(:), allocatable :: text
         character(kind=c_char) :: buffer(256)
+
+        text = ''
+        if (c_get_error(handle, size(buffer, kind=c_int64_t), buffer) == mgdt_ok) &
+            text = text_of(buffer)
+    end function
+
+    ! What is in a buffer of C's, up to its NUL.
+    function text_of(buffer) result(text)
+        character(kind=c_char), intent(in) :: buffer(:)
+        character(:), allocatable :: text
         integer :: i, length
 
         length = 0
-        if (c_get_error(handle, size(buffer, kind=c_int64_t), buffer) == mgdt_ok) then
-            do while (buffer(length + 1) /= c_null_char)
-                length = length + 1
-            end do
-        end if
+        do while (buffer(length + 1) /= c_null_char)
+            length = length + 1
+        end do
         allocate (character(length) :: text)
         do i = 1, length
             text(i:i) = buffer(i)

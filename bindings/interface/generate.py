@@ -14,6 +14,7 @@ from pathlib import Path
 
 import fortran
 import header
+import parts
 import rust
 import scripting
 
@@ -25,6 +26,7 @@ def all_files(interface: header.Interface) -> dict[str, str]:
     found: dict[str, str] = {}
     for writer in (fortran, rust, scripting):
         found.update(writer.files(interface))
+    found.update(parts.files())
     return found
 
 

@@ -137,7 +137,7 @@ def _comment_text(comment: str) -> str:
     return " ".join(" ".join(lines).split())
 
 
-def _comments_of_constants(text: str) -> dict[str, str]:
+def comments_of_constants(text: str) -> dict[str, str]:
     """The comment before a constant or behind it, as Doxygen has them."""
     found = {}
     for before, name, behind in re.findall(
@@ -206,7 +206,7 @@ def read(path: Path) -> Interface:
     code = re.sub(r"^\}\s*$", "", code, flags=re.M).replace("MGDT_API", "")
     types = "".join(f"typedef int {name};\n" for name in TYPEDEFS)
     interface = Interface()
-    comments, since = _comments_of_constants(text), _since(text)
+    comments, since = comments_of_constants(text), _since(text)
     for node in c_parser.CParser().parse(types + code, path.name).ext:
         kind = node.type
         if isinstance(kind, c_ast.Enum):

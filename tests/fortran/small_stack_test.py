@@ -127,7 +127,9 @@ def main():
     environment.update(OMP_NUM_THREADS="4", OMP_STACKSIZE=f"{STACK // 1024}K")
     examples = examples_of(source / "docs" / "fortran.md")
     for file in sorted((prefix.prefix / "share" / "mgdt" / "fortran" / "examples").iterdir()):
-        examples[file.name] = file.read_text(encoding="utf-8")
+        # Those of MPI are not for this compiler alone (tests/mpi/).
+        if not file.stem.endswith("_mpi"):
+            examples[file.name] = file.read_text(encoding="utf-8")
     compile_and_run(os.environ.get("FC", "gfortran"), ["-Ofast"], examples, prefix, environment)
     flang = next((f for f in ("flang-new", "flang", "flang-new-19") if shutil.which(f)), None)
     if flang:

@@ -17,7 +17,7 @@ pkg_moved() { # shared or static, arguments...
 
 no_text_names_the_old_place() {
     files=8
-    [ ! -f "$moved/shared/lib/pkgconfig/mgdt_mpi.pc" ] || files=10
+    [ ! -f "$moved/shared/lib/pkgconfig/mgdt_mpi.pc" ] || files=12
     test "$(find "$moved" -name '*.cmake' -o -name '*.pc' | wc -l)" -eq $files &&
         ! grep -rlF "$scratch/prefix" "$moved" --include='*.cmake' --include='*.pc' --include='*.h*'
 }
