@@ -112,7 +112,7 @@ enum {
     MGDT_PARTS_LOCAL_CORNERS = 31,
     MGDT_PARTS_TETRAHEDRON_NUMBERS = 32, /**< The number of each tetrahedron. */
     MGDT_PARTS_TETRAHEDRON_OWNERS = 33,  /**< The part that owns each tetrahedron. */
-    /** As MGDT_PARTS_VERTEX_RANGES, for tetrahedra. */
+    /** As MGDT_PARTS_VERTEX_RANGES, for tetrahedra; in mgdt_parts_build_each() up to the part. */
     MGDT_PARTS_TETRAHEDRON_RANGES = 34,
     /** For each tetrahedron that the part owns, 4 numbers: of the tetrahedra opposite its corners,
      *  or the index base - 1 where there is none. */
@@ -208,6 +208,25 @@ MGDT_API mgdt_status mgdt_parts_insert_points(mgdt_parts* p, int32_t part, int64
  *  MGDT_ERR_TRANSPORT, and what mgdt_parts_insert_points() returned. There is no triangulation then
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_parts_build(mgdt_parts* p);
+
+/** Looks at a part whose triangulation is finished, on the thread that called
+ *  mgdt_parts_build_each(). It may make calls with `const mgdt_parts *` on the handle, from several
+ *  threads too; all others are refused. A nonzero result ends the call.
+ *  @since 1.2 */
+typedef int32_t (*mgdt_part_fn)(const mgdt_parts* p, int32_t part, void* user);
+
+/** Triangulates all points as mgdt_parts_build() does, with one triangulation in memory at a time:
+ *  for more than memory holds. All parts are in this process. Each part is triangulated twice.
+ *  `look` is called for each part in ascending order and finds the arrays of that part, but for
+ *  those that other parts would have to tell, which are MGDT_PARTS_TETRAHEDRON_NUMBERS,
+ *  MGDT_PARTS_TETRAHEDRON_OWNERS and MGDT_PARTS_NEIGHBORS: they get MGDT_ERR_INVALID_ARGUMENT. The
+ *  tetrahedra that the part owns are numbered from its place in MGDT_PARTS_TETRAHEDRON_RANGES on.
+ *  After the call there are no tetrahedra, but the numbers of vertices (MGDT_PARTS_POINT_MAP).
+ *  @param user  passed to `look`
+ *  @return as mgdt_parts_build(), MGDT_ERR_INVALID_ARGUMENT (parts in several processes),
+ *  MGDT_ERR_CANCELLED where `look` ends it
+ *  @since 1.2 */
+MGDT_API mgdt_status mgdt_parts_build_each(mgdt_parts* p, mgdt_part_fn look, void* user);
 
 /* ---------------------------------------------------------------------------- results --- */
 

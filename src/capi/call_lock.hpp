@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which calls are inside a handle: a readers-writer lock that never waits. A call that changes the
-// handle enters alone, calls that only read it enter together, and one that cannot enter is
-// refused. So a call from a callback, or from a second thread against the thread rule, gets a
-// status and does no harm.
+// Which calls are inside a handle: a readers-writer lock that no call waits to enter. A call that
+// changes the handle enters alone, calls that only read it enter together, and one that cannot
+// enter is refused. So a call from a callback, or from a second thread against the thread rule,
+// gets a status and does no harm.
 #pragma once
 
 #include <cstdint>
+#include <thread>
 
 #include "platform/atomic.hpp"
 
@@ -26,6 +27,22 @@ class CallLock {
     void leave_alone() noexcept {
         annotate_release(&inside_);
         inside_.store(0, std::memory_order_release);
+    }
+
+    // For a call that changes the handle and for a while lets others read what it has made.
+    void let_read() noexcept {
+        annotate_release(&inside_);
+        inside_.store(1, std::memory_order_release);
+    }
+    // The end of that: those that still read are waited for.
+    void be_alone_again() noexcept {
+        std::uint32_t expected = 1;
+        while (!inside_.compare_exchange_weak(expected, alone, std::memory_order_acquire,
+                                              std::memory_order_relaxed)) {
+            expected = 1;
+            std::this_thread::yield();
+        }
+        annotate_acquire(&inside_);
     }
 
     // For a call that only reads the handle.

@@ -127,7 +127,8 @@ void require_agreement(mgdt_parts& p) {
     p.has_ids = has_ids < all.size();
 }
 
-void build(mgdt_parts& p) {
+// visit: for build_each().
+void build(mgdt_parts& p, const Parts::Visit* visit) {
     p.forget_triangulation();
     const Error failure = std::exchange(p.failure, Error{MGDT_OK, ""});
     p.collective.each_local([&](PartId i) {
@@ -152,7 +153,24 @@ void build(mgdt_parts& p) {
     p.passes_through = passes_through;
     p.triangulation->set_threads(p.threads);
     PartsProgress progress(p.progress, p.progress_user, p.cancelled);
-    p.triangulation->build(given.data(), p.has_ids ? ids.data() : nullptr, progress);
+    const std::int64_t* const* const all_ids = p.has_ids ? ids.data() : nullptr;
+    p.keeps_tetrahedra = visit == nullptr;
+    if (visit)
+        p.triangulation->build_each(given.data(), all_ids, progress, *visit);
+    else
+        p.triangulation->build(given.data(), all_ids, progress);
+}
+
+// A build, after which nothing is left of one that failed.
+void run_build(mgdt_parts& p, const Parts::Visit* visit) {
+    try {
+        p.collective.run([&] { build(p, visit); });
+    } catch (...) {
+        p.forget_triangulation();
+        p.cancelled.store(false, std::memory_order_relaxed);
+        throw;
+    }
+    p.cancelled.store(false, std::memory_order_relaxed);
 }
 
 }  // namespace
@@ -291,15 +309,22 @@ extern "C" mgdt_status mgdt_parts_insert_points(mgdt_parts* p, int32_t part, int
 }
 
 extern "C" mgdt_status mgdt_parts_build(mgdt_parts* p) {
+    return guard(p, [&] { run_build(*p, nullptr); });
+}
+
+extern "C" mgdt_status mgdt_parts_build_each(mgdt_parts* p, mgdt_part_fn look, void* user) {
     return guard(p, [&] {
-        try {
-            p->collective.run([&] { build(*p); });
-        } catch (...) {
-            p->forget_triangulation();
-            p->cancelled.store(false, std::memory_order_relaxed);
-            throw;
-        }
-        p->cancelled.store(false, std::memory_order_relaxed);
+        require_pointer(reinterpret_cast<const void*>(look), "look");
+        if (p->local_parts() != p->collective.parts())
+            fail(MGDT_ERR_INVALID_ARGUMENT, "the parts are in %u processes", p->collective.parts());
+        const Parts::Visit visit = [&](PartId i) {
+            p->calls.let_read();
+            const std::int32_t answer = call_back<std::int32_t>(
+                1, [&] { return look(p, static_cast<std::int32_t>(i), user); });
+            p->calls.be_alone_again();
+            if (answer != 0) fail(MGDT_ERR_CANCELLED, "cancelled by the look at the part");
+        };
+        run_build(*p, &visit);
     });
 }
 
@@ -309,7 +334,7 @@ extern "C" mgdt_status mgdt_parts_check(mgdt_parts* p, int32_t level) {
             if (level < MGDT_CHECK_COMBINATORIAL || level > MGDT_CHECK_CANONICAL)
                 fail(MGDT_ERR_INVALID_ARGUMENT, "there is no check level %d",
                      static_cast<int>(level));
-            if (!p->triangulation)
+            if (!p->triangulation || !p->keeps_tetrahedra)
                 fail(MGDT_ERR_INVALID_ARGUMENT, "there is no triangulation to check");
             p->triangulation->check(level);
         });

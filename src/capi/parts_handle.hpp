@@ -51,6 +51,7 @@ struct mgdt_parts : mgdt::HandleBase {
     // Whether the ids of the triangulation are the caller's, and whether its memory is counted
     // here.
     bool has_ids = false, passes_through = false;
+    bool keeps_tetrahedra = true;  // of all parts, and knows of each across parts
     // An insertion that failed, which the next build reports.
     mgdt::Error failure{MGDT_OK, ""};
     mgdt::PartId failed_part = 0;

@@ -45,7 +45,9 @@ class View {
                 return tetrahedra_.size();
             case MGDT_PARTS_NEIGHBORS:
                 return 4 * tetrahedra_.owned();
-            default:  // the ranges
+            case MGDT_PARTS_TETRAHEDRON_RANGES:
+                return all_.first_tetrahedra().size();
+            default:  // of vertices
                 return all_.first_vertices().size();
         }
     }
@@ -120,6 +122,14 @@ class View {
 std::size_t size_of(const mgdt_parts& p, std::int32_t part, std::int32_t array) {
     const PartId i = p.local(part);
     switch (array) {
+        case MGDT_PARTS_TETRAHEDRON_NUMBERS:
+        case MGDT_PARTS_TETRAHEDRON_OWNERS:
+        case MGDT_PARTS_NEIGHBORS:
+            if (p.triangulation && !p.keeps_tetrahedra)
+                fail(MGDT_ERR_INVALID_ARGUMENT,
+                     "array %d is not known where there is one part at a time",
+                     static_cast<int>(array));
+            return p.triangulation ? View(p, i).size(array) : 0;
         case MGDT_PARTS_POINT_MAP:
         case MGDT_PARTS_VERTEX_NUMBERS:
         case MGDT_PARTS_VERTEX_IDS:
@@ -127,10 +137,7 @@ std::size_t size_of(const mgdt_parts& p, std::int32_t part, std::int32_t array) 
         case MGDT_PARTS_VERTEX_RANGES:
         case MGDT_PARTS_CORNERS:
         case MGDT_PARTS_LOCAL_CORNERS:
-        case MGDT_PARTS_TETRAHEDRON_NUMBERS:
-        case MGDT_PARTS_TETRAHEDRON_OWNERS:
         case MGDT_PARTS_TETRAHEDRON_RANGES:
-        case MGDT_PARTS_NEIGHBORS:
             return p.triangulation ? View(p, i).size(array) : 0;
         default:
             fail(MGDT_ERR_UNKNOWN_KEY, "there is no array %d", static_cast<int>(array));

@@ -72,12 +72,15 @@ class Collective {
         }
         leave_part();
     }
+    // What fails now is no part's own fault.
+    void name_no_part() { part_ = no_part; }
     // Throws where a process has failed. The end of what all do together.
     void finish() { agree(nullptr); }
     // Calls body, and reports what it throws.
     template <class Body>
     void run(const Body& body) {
         has_failed_ = false;
+        leave_part();
         try {
             body();
             finish();

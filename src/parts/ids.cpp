@@ -47,6 +47,7 @@ void require_distinct_ids(Collective& all, const GivenPoints* given, const std::
         });
         if (a == end) return;
         const Claim& b = a[1];
+        all.name_no_part();
         fail(MGDT_ERR_INVALID_ARGUMENT,
              "id %lld is given to two points: (%g, %g, %g) in part %llu and (%g, %g, %g) in part "
              "%llu",

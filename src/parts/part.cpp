@@ -39,13 +39,16 @@ bool is_within(const Sphere& s, const double* base, const double* low, const dou
 
 }  // namespace
 
-void Part::begin(PartId self, const PartPoint* own, std::size_t n) {
+void Part::begin(PartId self, std::int64_t first, const PartPoint* own, std::size_t n) {
     self_ = self;
     own_ = n;
     points_.clear();
     points_.resize(n);
     std::copy(own, own + n, points_.data());
-    for (std::size_t i = 0; i < n; ++i) add(box_, own[i].x);
+    for (std::size_t i = 0; i < n; ++i) {
+        points_[i].number = first + static_cast<std::int64_t>(i);
+        add(box_, own[i].x);
+    }
 }
 
 void Part::insert(const PartPoint* points, std::size_t n, PartsProgress& progress, std::size_t i,
@@ -59,13 +62,13 @@ void Part::insert(const PartPoint* points, std::size_t n, PartsProgress& progres
     take_out_repeats(points_, first);
     for (std::size_t k = first; k < points_.size(); ++k) known_.push_back(points_[k].number);
     std::inplace_merge(known_.begin(), known_.begin() + known, known_.end());
-    const std::size_t begin = triangulation_.point_map().size();
+    const std::size_t begin = triangulation_->point_map().size();
     static_assert(sizeof(PartPoint) == 5 * sizeof(double));
     if (begin == points_.size()) return;
     const double* const x = points_[begin].x;
     const double* const axis[3] = {x, x + 1, x + 2};
-    progress.watch(triangulation_, i, shares,
-                   [&] { triangulation_.insert(points_.size() - begin, axis, 5); });
+    progress.watch(*triangulation_, i, shares,
+                   [&] { triangulation_->insert(points_.size() - begin, axis, 5); });
 }
 
 std::uint32_t Part::least_of(const std::uint32_t (&v)[4]) const {
@@ -77,7 +80,7 @@ std::uint32_t Part::least_of(const std::uint32_t (&v)[4]) const {
 
 template <class Visit, class VisitGhost>
 void Part::each_at_border(const Visit& visit, const VisitGhost& visit_ghost) const {
-    const Mesh& mesh = triangulation_.mesh();
+    const Mesh& mesh = triangulation_->mesh();
     const bool has_spheres = mesh.tetrahedra.has_spheres();
     double low[3], high[3];
     for (int k = 0; k < 3; ++k) {
@@ -107,8 +110,8 @@ void Part::each_at_border(const Visit& visit, const VisitGhost& visit_ghost) con
 }
 
 void Part::push(const Boxes& boxes, PartId parts, Mail& out) {
-    const Mesh& mesh = triangulation_.mesh();
-    Buffer<std::uint64_t> wishes(triangulation_.allocator());
+    const Mesh& mesh = triangulation_->mesh();
+    Buffer<std::uint64_t> wishes(allocator_);
     std::size_t limit = many_wishes;
     const auto send = [&](PartId part, const OwnVertices& own) {
         if (part == self_) return;

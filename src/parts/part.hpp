@@ -4,6 +4,8 @@
 // (docs/theory.md, "Parts").
 #pragma once
 
+#include <optional>
+
 #include "core/triangulation.hpp"
 #include "parts/boxes.hpp"
 #include "parts/part_point.hpp"
@@ -19,15 +21,23 @@ inline bool precedes(const double* a, const double* b) {
 class Part {
   public:
     Part(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
-        : triangulation_(alloc, release, user),
-          points_(triangulation_.allocator()),
-          known_(triangulation_.allocator()) {}
+        : allocator_(alloc, release, user), points_(allocator_), known_(allocator_) {
+        forget_triangulation();
+    }
 
-    // The points that are at home here. Then the others come.
-    void begin(PartId self, const PartPoint* own, std::size_t n);
+    // The points that are at home here; their vertices get numbers from `first` on. Then the others
+    // come.
+    void begin(PartId self, std::int64_t first, const PartPoint* own, std::size_t n);
     // Points of others, some of which may be known already. This is share i of the progress.
     void insert(const PartPoint* points, std::size_t n, PartsProgress& progress, std::size_t i,
                 std::size_t shares);
+    // Gives its memory back. The next insertion triangulates all points.
+    void forget_triangulation() {
+        const std::int32_t threads = triangulation_ ? settings().threads : 1;
+        triangulation_.emplace(allocator_.allocate_function(), allocator_.release_function(),
+                               allocator_.user());
+        settings().threads = threads;
+    }
     // Which own points each of the other parts needs.
     void push(const Boxes& boxes, PartId parts, Mail& out);
 
@@ -36,7 +46,7 @@ class Part {
     // vertex, by coordinates.
     template <class Visit>
     void each_tetrahedron(const Visit& visit) const {
-        const Mesh& mesh = triangulation_.mesh();
+        const Mesh& mesh = triangulation().mesh();
         for (TetId t = 0; t < mesh.tetrahedra.size(); ++t) {
             const Tetrahedron& tetrahedron = mesh.tetrahedra[t];
             if (tetrahedron.is_dead() || tetrahedron.is_ghost()) continue;
@@ -54,8 +64,10 @@ class Part {
     const PartPoint* points() const { return points_.data(); }
     std::size_t own_count() const { return own_; }
     std::size_t point_count() const { return points_.size(); }
-    const Triangulation& triangulation() const { return triangulation_; }
-    Settings& settings() { return triangulation_.settings(); }
+    const Triangulation& triangulation() const { return *triangulation_; }
+    Settings& settings() { return triangulation_->settings(); }
+    // Memory held.
+    std::size_t bytes() const { return allocator_.bytes() + triangulation().allocator().bytes(); }
 
   private:
     struct OwnVertices {
@@ -68,8 +80,9 @@ class Part {
     void each_at_border(const Visit& visit, const VisitGhost& visit_ghost) const;
     std::uint32_t least_of(const std::uint32_t (&v)[4]) const;
 
+    Allocator allocator_;
     PartId self_ = 0;
-    Triangulation triangulation_;
+    std::optional<Triangulation> triangulation_;
     Buffer<PartPoint> points_;    // as the triangulation counts them: the own ones first
     Buffer<std::int64_t> known_;  // numbers of the others, in ascending order
     std::size_t own_ = 0;

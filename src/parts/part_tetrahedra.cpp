@@ -83,6 +83,38 @@ void PartTetrahedra::get_neighbors(const Part& part, std::int64_t* neighbors) co
         [&](std::size_t side) { neighbors[side] = (next++)->number; });
 }
 
+std::size_t PartTetrahedra::list(const Part& part, PartId self, std::int64_t first) {
+    Buffer<TetId> of_others(slots_.allocator());
+    Buffer<unsigned char> is_corner(slots_.allocator());
+    is_corner.resize(part.point_count(), 0);
+    self_ = self;
+    first_ = first;
+    slots_.reserve(part.triangulation().mesh().live_count());
+    part.each_tetrahedron([&](TetId slot, const std::uint32_t(&v)[4], unsigned, bool is_owned) {
+        for (const std::uint32_t k : v) is_corner[k] = 1;
+        (is_owned ? slots_ : of_others).push_back(slot);
+    });
+    owned_ = slots_.size();
+    for (const TetId slot : of_others) slots_.push_back(slot);
+    numbers_.resize(of_others.size());
+    owners_.resize(of_others.size());
+    for (std::size_t k = part.own_count(); k < part.point_count(); ++k)
+        if (is_corner[k]) ghosts_.push_back(static_cast<std::uint32_t>(k));
+    std::sort(ghosts_.begin(), ghosts_.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return part.point(a).number < part.point(b).number;
+    });
+    return owned_;
+}
+
+void PartTetrahedra::forget() {
+    owned_ = 0;
+    slots_.reset();
+    numbers_.reset();
+    owners_.reset();
+    across_.reset();
+    ghosts_.reset();
+}
+
 class TetrahedraFinder {
   public:
     TetrahedraFinder(Collective& all, const Homes& homes, const Objects<Part>& parts,
@@ -106,30 +138,15 @@ class TetrahedraFinder {
     }
 
   private:
-    // The part's tetrahedra, the owned ones first, and their corners.
     void list(PartId p) {
-        PartTetrahedra& t = found_[p];
-        const Part& part = parts_[p];
-        Buffer<unsigned char> is_corner(allocator_);
-        is_corner.resize(part.point_count(), 0);
-        Buffer<TetId> of_others(allocator_);
-        t.self_ = all_.first_local() + p;
-        t.slots_.reserve(part.triangulation().mesh().live_count());
-        part.each_tetrahedron(
-            [&](TetId slot, const std::uint32_t(&v)[4], unsigned own, bool is_owned) {
-                for (const std::uint32_t k : v) is_corner[k] = 1;
-                if (is_owned && own < 4) at_border_[p].push_back(t.slots_.size());
-                (is_owned ? t.slots_ : of_others).push_back(slot);
-            });
-        t.owned_ = t.slots_.size();
-        for (const TetId slot : of_others) t.slots_.push_back(slot);
-        t.numbers_.resize(of_others.size());
-        t.owners_.resize(of_others.size());
-        for (std::size_t k = part.own_count(); k < part.point_count(); ++k)
-            if (is_corner[k]) t.ghosts_.push_back(static_cast<std::uint32_t>(k));
-        std::sort(t.ghosts_.begin(), t.ghosts_.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return part.point(a).number < part.point(b).number;
-        });
+        found_[p].list(parts_[p], all_.first_local() + p, 0);
+        const PartTetrahedra& t = found_[p];
+        for (std::size_t i = 0; i < t.owned_; ++i) {
+            std::uint32_t v[4];
+            t.corners(parts_[p], i, v);
+            const auto is_own = [&](std::uint32_t k) { return k < parts_[p].own_count(); };
+            if (!std::all_of(v, v + 4, is_own)) at_border_[p].push_back(i);
+        }
     }
     void number() {
         Buffer<std::uint64_t> mine(allocator_, parts_.size()), counts(allocator_);

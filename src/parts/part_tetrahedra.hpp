@@ -17,6 +17,10 @@ class PartTetrahedra {
           across_(allocator),
           ghosts_(allocator) {}
 
+    // Those with a corner that is the part's own. Returns how many it owns; of these `first` is the
+    // number of the first.
+    std::size_t list(const Part& part, PartId self, std::int64_t first);
+    void forget();
     // Those that the part owns come first, and their numbers follow one another.
     std::size_t size() const { return slots_.size(); }
     std::size_t owned() const { return owned_; }

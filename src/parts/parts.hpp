@@ -4,6 +4,8 @@
 // parts.
 #pragma once
 
+#include <functional>
+
 #include "parts/collective.hpp"
 #include "parts/part.hpp"
 #include "parts/part_tetrahedra.hpp"
@@ -21,6 +23,12 @@ class Parts {
     // numbers for them, different for different points; without these they count on through the
     // parts.
     void build(const GivenPoints* given, const std::int64_t* const* ids, PartsProgress& progress);
+    // The same with one triangulation at a time, which visit(i) finds at local part i: its own
+    // tetrahedra with their numbers, and the others at its vertices without. Then it is gone. All
+    // parts are local.
+    using Visit = std::function<void(PartId)>;
+    void build_each(const GivenPoints* given, const std::int64_t* const* ids,
+                    PartsProgress& progress, const Visit& visit);
     // Collective. Throws MGDT_ERR_CHECK_FAILED where something is wrong (parts/check.cpp).
     void check(std::int32_t level);
 
@@ -38,9 +46,9 @@ class Parts {
     std::size_t bytes() const;
 
   private:
-    void send_home(const GivenPoints* given, const std::int64_t* const* ids);
-    void settle(Objects<Mail>& arrived);
-    void triangulate(PartsProgress& progress);
+    void settle(const GivenPoints* given, const std::int64_t* const* ids, PartsProgress& progress);
+    // Triangulates what the local parts have, and has them exchange what they need.
+    void exchange(PartsProgress& progress, bool one_at_a_time, Objects<Mail>& received);
     void gather_boxes();
 
     Allocator allocator_;

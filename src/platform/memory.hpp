@@ -54,6 +54,7 @@ class Allocator {
                         bool remaps = false) noexcept;
     static void give_back(mgdt_free_fn release, void* user, void* p, std::size_t bytes,
                           std::size_t align) noexcept;
+    mgdt_alloc_fn allocate_function() const noexcept { return alloc_; }
     mgdt_free_fn release_function() const noexcept { return release_; }
     void* user() const noexcept { return user_; }
 
