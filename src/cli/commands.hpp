@@ -33,8 +33,10 @@ struct TriangulateOptions {
     std::string neighbors;  // .npy file, or empty
     int check_level = 0;
     bool statistics = false;
+    int parts = 0;  // 0: one triangulation
 };
 int triangulate(const TriangulateOptions& options);
+int triangulate_in_parts(const TriangulateOptions& options);
 
 struct GenerateCommandOptions {
     std::string kind;

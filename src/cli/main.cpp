@@ -272,6 +272,12 @@ int run(int argc, char** argv) {
         ->check(CLI::Range(1, 3))
         ->type_name("LEVEL");
     triangulate_app->add_flag("--stats", t.statistics, "Print counts and times");
+    triangulate_app
+        ->add_option("--parts", t.parts,
+                     "Triangulate in so many parts, one in memory at a time; writes FILE.pvtu and "
+                     "a .vtu file for each")
+        ->check(CLI::Range(1, 1 << 20))
+        ->type_name("N");
     triangulate_app->footer(formats_footer() + "\n" + exit_codes);
 
     GenerateCommandOptions g;

@@ -202,6 +202,7 @@ template void OutputFile::write_values(const std::uint16_t*, std::size_t);
 template void OutputFile::write_values(const std::uint8_t*, std::size_t);
 
 void OutputFile::close() {
+    if (fd_ < 0) return;
     flush();
     // Pipes and terminals have nothing to synchronise. A disk that turns out full says so here.
     if (fsync(fd_) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP) fail(errno);

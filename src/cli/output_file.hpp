@@ -36,7 +36,7 @@ class OutputFile {
         write_values(&value, 1);
     }
 
-    // Brings every byte to the disk; the name is still the temporary one.
+    // Brings every byte to the disk; the name is still the temporary one. Once.
     void close();
     // Gives the file its name. After close().
     void commit();

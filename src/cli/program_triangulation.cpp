@@ -23,6 +23,24 @@ std::vector<std::string> scheme_names() {
     return names;
 }
 
+void throw_status(mgdt_status status, const std::string& what) {
+    switch (status) {
+        case MGDT_ERR_CANCELLED:
+            check_interrupt();
+            break;
+        case MGDT_ERR_NOT_FINITE:
+            throw Error(exit_input, what + "; take the point out");
+        case MGDT_ERR_OUT_OF_MEMORY:
+            throw Error(exit_memory, what + "; triangulate fewer points or give it more memory");
+        case MGDT_ERR_TOO_LARGE:
+        case MGDT_ERR_INDEX_RANGE:
+            throw Error(exit_memory, what + "; triangulate fewer points");
+        default:
+            break;
+    }
+    throw Error(exit_internal, what);
+}
+
 Triangulation::Triangulation(const TriangulationOptions& options) : quiet_(options.quiet) {
     std::int32_t scheme = MGDT_ORDER_AUTO;
     if (mgdt_order_scheme_from_name(options.scheme.c_str(), &scheme) != MGDT_OK) {
@@ -73,23 +91,7 @@ std::string Triangulation::message(mgdt_status status) const {
 }
 
 void Triangulation::require(mgdt_status status, const std::string& doing) const {
-    if (status == MGDT_OK) return;
-    const std::string what = fmt::format("{}: {}", doing, message(status));
-    switch (status) {
-        case MGDT_ERR_CANCELLED:
-            check_interrupt();
-            break;
-        case MGDT_ERR_NOT_FINITE:
-            throw Error(exit_input, what + "; take the point out");
-        case MGDT_ERR_OUT_OF_MEMORY:
-            throw Error(exit_memory, what + "; triangulate fewer points or give it more memory");
-        case MGDT_ERR_TOO_LARGE:
-        case MGDT_ERR_INDEX_RANGE:
-            throw Error(exit_memory, what + "; triangulate fewer points");
-        default:
-            break;
-    }
-    throw Error(exit_internal, what);
+    if (status != MGDT_OK) throw_status(status, fmt::format("{}: {}", doing, message(status)));
 }
 
 void Triangulation::insert(const std::vector<double>& points, const std::string& name) {

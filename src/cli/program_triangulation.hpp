@@ -28,6 +28,9 @@ struct TriangulationOptions {
 // Names of the order schemes that the library knows.
 std::vector<std::string> scheme_names();
 
+// Throws the Error of a call that failed; `what` says where and why.
+[[noreturn]] void throw_status(mgdt_status status, const std::string& what);
+
 class Triangulation {
   public:
     explicit Triangulation(const TriangulationOptions& options);

@@ -50,6 +50,7 @@ void print_statistics(std::FILE* out, const Triangulation& t, const TriangulateO
 }  // namespace
 
 int triangulate(const TriangulateOptions& options) {
+    if (options.parts > 0) return triangulate_in_parts(options);
     const OutputOptions& output = options.output;
     const Format* format = nullptr;
     std::vector<std::string> files;

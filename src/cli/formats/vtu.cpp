@@ -17,6 +17,7 @@
 #include "cli/formats/format.hpp"
 #include "cli/formats/lines.hpp"
 #include "cli/formats/number.hpp"
+#include "cli/formats/xml.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -290,37 +291,6 @@ std::vector<typename Kind::Item> read_array(const Source& source, const Layout& 
     const auto found = layout.arrays.find(name);
     if (found == layout.arrays.end()) source.fail(fmt::format("the array {} is missing", name));
     return read_array<Kind>(source, layout, found->second, name, count);
-}
-
-// The characters that XML has other words for.
-constexpr std::array<std::pair<char, std::string_view>, 5> entities = {{
-    {'&', "&amp;"},
-    {'<', "&lt;"},
-    {'>', "&gt;"},
-    {'"', "&quot;"},
-    {'\'', "&apos;"},
-}};
-
-std::string from_xml(std::string_view text) {
-    std::string out;
-    for (std::size_t at = 0; at < text.size();) {
-        const auto found = std::find_if(entities.begin(), entities.end(), [&](const auto& e) {
-            return text.substr(at, e.second.size()) == e.second;
-        });
-        out += found == entities.end() ? text[at] : found->first;
-        at += found == entities.end() ? 1 : found->second.size();
-    }
-    return out;
-}
-
-std::string to_xml(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        const auto found = std::find_if(entities.begin(), entities.end(),
-                                        [c](const auto& e) { return e.first == c; });
-        out += found == entities.end() ? std::string_view(&c, 1) : found->second;
-    }
-    return out;
 }
 
 std::vector<Field> read_fields(const Source& source, const Layout& layout,

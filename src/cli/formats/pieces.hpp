@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A mesh in pieces, as ParaView reads them: a .pvtu file that names a .vtu file for each.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/output_file.hpp"
+
+namespace mgdt::cli {
+
+struct Piece {
+    std::vector<double> points;         // x y z of each
+    std::vector<std::int64_t> ids;      // of each, its place among the points that were read
+    std::vector<std::int64_t> corners;  // 4 places in `points` for each tetrahedron
+};
+
+bool is_pieces_path(const std::string& path);
+// The files of so many pieces, beside the one that names them.
+std::vector<std::string> piece_paths(const std::string& path, int count);
+
+void write_piece(const Piece& piece, OutputFile& out);
+void write_index_of_pieces(const std::vector<std::string>& files, OutputFile& out);
+
+}  // namespace mgdt::cli
