@@ -57,7 +57,7 @@ module mgdt_parts_constants
     integer, parameter :: mgdt_parts_tetrahedron_numbers = 32
     ! The part that owns each tetrahedron.
     integer, parameter :: mgdt_parts_tetrahedron_owners = 33
-    ! As MGDT_PARTS_VERTEX_RANGES, for tetrahedra.
+    ! As MGDT_PARTS_VERTEX_RANGES, for tetrahedra; in mgdt_parts_build_each() up to the part.
     integer, parameter :: mgdt_parts_tetrahedron_ranges = 34
     ! For each tetrahedron that the part owns, 4 numbers: of the tetrahedra opposite its corners, or
     ! the index base - 1 where there is none.

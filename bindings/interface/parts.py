@@ -83,7 +83,7 @@ def f77() -> str:
 
 def python() -> str:
     text = (f"# SPDX-License-Identifier: MIT\n# {ORIGIN}\n"
-            '"""The options, numbers and arrays of parts, by name."""\n\n')
+            '"""The options, numbers and arrays of parts, by name."""\n\nfrom __future__ import annotations\n\n')
     values = {c.name: c.value for c in constants()}
     for (_, group), table in zip(F77_NAMES.items(), ("OPTIONS", "NUMBERS", "ARRAYS")):
         entries = "".join(f'    "{name.lower()}": {values["MGDT_PARTS_" + name]},\n' for name in group)

@@ -20,6 +20,7 @@ from ._insertion import CANCEL
 from .alpha import AlphaShape
 from .delaunay import Delaunay
 from .interpolation import Interpolator
+from .parallel import ParallelDelaunay
 from .scattered import (
     LinearNDInterpolator,
     NaturalNeighborInterpolator,
@@ -43,6 +44,7 @@ __all__ = [
     "NearestNDInterpolator",
     "ORDER_SCHEMES",
     "OutOfMemoryError",
+    "ParallelDelaunay",
     "QhullError",
     "TooLargeError",
     "Voronoi",

@@ -2,6 +2,8 @@
 # Generated from mgdt/mgdt_parts.h by bindings/interface/generate.py.
 """The options, numbers and arrays of parts, by name."""
 
+from __future__ import annotations
+
 OPTIONS = {
     "index_base": 10,
     "threads": 20,

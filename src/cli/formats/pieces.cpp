@@ -20,8 +20,8 @@ bool is_pieces_path(const std::string& path) {
 
 std::vector<std::string> piece_paths(const std::string& path, int count) {
     const std::string stem = path.substr(0, path.size() - extension.size());
-    std::vector<std::string> paths;
-    for (int i = 0; i < count; ++i) paths.push_back(fmt::format("{}_{}.vtu", stem, i));
+    std::vector<std::string> paths(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < paths.size(); ++i) paths[i] = fmt::format("{}_{}.vtu", stem, i);
     return paths;
 }
 
