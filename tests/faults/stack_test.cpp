@@ -6,9 +6,11 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "../property/handle.hpp"
 #include "degenerate_sets.hpp"
+#include "mgdt/mgdt_parts.h"
 #include "painted_stack.hpp"
 
 namespace faults {
@@ -432,7 +434,47 @@ void large_sets(Meter& meter) {
     meter("mgdt_check", [&] { return mgdt_check(extreme.get(), MGDT_CHECK_CANONICAL); });
 }
 
+// In parts, with all of it in one and dealt out, and a part at a time.
+void parts(Meter& meter) {
+    const auto look = [](const mgdt_parts* p, std::int32_t part, void*) -> std::int32_t {
+        std::vector<std::int64_t> corners(1000000);
+        return mgdt_parts_get_array(p, part, MGDT_PARTS_LOCAL_CORNERS, 1000000, corners.data());
+    };
+    for (const Set& set : sets) {
+        SCOPED_TRACE(set.name);
+        const Points xyz = set.points(set.n);
+        mgdt_parts* p = nullptr;
+        meter("mgdt_parts_create", [&] { return mgdt_parts_create(5, &p); });
+        std::vector<std::int64_t> ids(xyz.size() / 3), values(1000000);
+        for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<std::int64_t>(i);
+        for (int way = 0; way < 2; ++way) {
+            for (std::int32_t part = 0; part < 5; ++part) {
+                const std::int64_t n = count(xyz), first = way == 0 ? 0 : n * part / 5,
+                                   last = way == 0 ? (part == 4 ? n : 0) : n * (part + 1) / 5;
+                meter("mgdt_parts_insert_points", [&] {
+                    return mgdt_parts_insert_points(p, part, last - first, xyz.data() + 3 * first,
+                                                    way == 0 ? nullptr : ids.data() + first);
+                });
+            }
+            // Equal points with several ids are none that clash.
+            meter("mgdt_parts_build", [&] { return mgdt_parts_build(p); });
+            meter("mgdt_parts_check", [&] { return mgdt_parts_check(p, MGDT_CHECK_CANONICAL); });
+            for (std::int32_t array = MGDT_PARTS_POINT_MAP; array <= MGDT_PARTS_NEIGHBORS;
+                 ++array) {
+                std::int64_t size = 0;
+                if (mgdt_parts_get_size(p, 0, array, &size) != MGDT_OK) continue;
+                meter("mgdt_parts_get_array",
+                      [&] { return mgdt_parts_get_array(p, 0, array, 1000000, values.data()); });
+            }
+            meter("mgdt_parts_build_each", [&] { return mgdt_parts_build_each(p, look, nullptr); });
+            meter("mgdt_parts_clear", [&] { return mgdt_parts_clear(p); });
+        }
+        mgdt_parts_destroy(p);
+    }
+}
+
 void make_all_calls(Meter& meter) {
+    parts(meter);
     small_sets(meter);
     changes(meter);
     failures(meter);
