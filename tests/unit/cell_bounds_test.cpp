@@ -115,7 +115,7 @@ class CellBounds : public testing::TestWithParam<Set> {
         for (const double x : xyz) size = std::max(size, std::fabs(x));
         const Rational far = Rational(size) * Rational(0x1p300);
         std::size_t finite = 0;
-        for (std::size_t k = 0; 3 * k < xyz.size(); k += is_small() ? 19 : 2) {
+        for (std::size_t k = 0; 3 * k < xyz.size(); k += is_small() ? 53 : 2) {
             SCOPED_TRACE(k);
             const exact_cells::Cell exact =
                 exact_cells::cell(exact_cells::half_spaces(xyz, k, planes), far);

@@ -234,7 +234,7 @@ TEST(Parts, HaveTheTetrahedraOfOne) {
     expect_equal(uniform(n), {1, 2, 3, 4, 7, 8, 16, 64});
     for (const char* kind : {"sphere", "spiral", "cluster", "two lines", "extremes"}) {
         SCOPED_TRACE(kind);
-        expect_equal(special(kind, is_small() ? 200 : 1500), {2, 3, 7, 16});
+        expect_equal(special(kind, is_small() ? 100 : 1500), {2, 3, 7, 16});
     }
 }
 
@@ -301,7 +301,7 @@ TEST(Parts, OfManyProcesses) {
 }
 
 TEST(Parts, ShareEvenly) {
-    const std::size_t n = is_small() ? 2000 : 60000;
+    const std::size_t n = is_small() ? 600 : 60000;
     for (const Points& xyz : {uniform(n), special("cluster", n), special("spiral", n)}) {
         const PartId parts = 8;
         const Outcome outcome = in_parts(xyz, parts);
