@@ -2,7 +2,8 @@
  *
  * mgdt: exact 3D Delaunay triangulation of any set of points.
  *
- * This header is the whole C interface and can be read from top to bottom as a manual.
+ * This header is the C interface of one triangulation and can be read from top to bottom as a
+ * manual; mgdt_parts.h has that of a triangulation in parts, mgdt_mpi.h that with MPI.
  * It is C99, and C++ may include it as it stands.
  *
  * Conventions, for every function:

@@ -38,33 +38,31 @@ extern "C" {
 /** Points in parts and their triangulation. Opaque; made by mgdt_parts_create(). */
 typedef struct mgdt_parts mgdt_parts;
 
-/** How processes with one part each exchange bytes. Each function is collective, is called on the
- *  thread that calls mgdt_parts_, returns 0 for success, and must not call the handle. After one
- * has failed none is called again in that call, which returns MGDT_ERR_TRANSPORT on this process;
- *  what the others do is up to the transport.
- *  Offsets are in bytes, one for each process and their end, the first of them 0.
+/* How processes with one part each exchange bytes: five functions of the caller's, for
+ * mgdt_parts_create_with_transport(), which has the `user` that they get. Each is collective, is
+ * called on the thread that calls mgdt_parts_, returns 0 for success, and must not call the handle.
+ * After one has failed none is called again in that call, which returns MGDT_ERR_TRANSPORT on this
+ * process; what the others do is up to the transport. Offsets are in bytes, one for each process
+ * and their end, the first of them 0. */
+
+/** Gives all processes the bytes of all: what process p has at `mine` goes to all + begin[p], up to
+ *  all + begin[p + 1]. `begin` is the same on all.
  *  @since 1.2 */
-typedef struct mgdt_transport {
-    size_t size;       /**< sizeof(mgdt_transport). */
-    int32_t processes; /**< How many there are, which is the number of parts; the same on all. */
-    int32_t process;   /**< This one, from 0: the number of its part. */
-    void* user;        /**< Passed to all functions. */
-    /** Gives all processes the bytes of all: what process p has at `mine` goes to all + begin[p],
-     *  up to all + begin[p + 1]. `begin` is the same on all. */
-    int32_t (*gather)(const void* mine, void* all, const int64_t* begin, void* user);
-    /** Sends the number out[p] to process p, and receives in[p] from it, for all p. */
-    int32_t (*exchange_numbers)(const uint64_t* out, uint64_t* in, void* user);
-    /** Sends the bytes from out + out_begin[p] to out + out_begin[p + 1] to process p, and receives
-     *  those that it sends at in + in_begin[p]. Both sides know the numbers. */
-    int32_t (*exchange)(const void* out, const int64_t* out_begin, void* in,
-                        const int64_t* in_begin, void* user);
-    /** Replaces each of n numbers by the sum of all processes' numbers there, modulo 2^64. */
-    int32_t (*sum)(uint64_t* numbers, int64_t n, void* user);
-    /** Replaces each of n numbers by the least of all processes' numbers there; none is NaN. */
-    int32_t (*least)(double* numbers, int64_t n, void* user);
-    /** Called once, when the handle is destroyed; may be NULL. Not collective. */
-    void (*release)(void* user);
-} mgdt_transport;
+typedef int32_t (*mgdt_gather_fn)(const void* mine, void* all, const int64_t* begin, void* user);
+/** Sends the number out[p] to process p, and receives in[p] from it, for all p.
+ *  @since 1.2 */
+typedef int32_t (*mgdt_exchange_numbers_fn)(const uint64_t* out, uint64_t* in, void* user);
+/** Sends the bytes from out + out_begin[p] to out + out_begin[p + 1] to process p, and receives
+ * those that it sends at in + in_begin[p]. Both sides know the numbers.
+ *  @since 1.2 */
+typedef int32_t (*mgdt_exchange_fn)(const void* out, const int64_t* out_begin, void* in,
+                                    const int64_t* in_begin, void* user);
+/** Replaces each of n numbers by the sum of all processes' numbers there, modulo 2^64.
+ *  @since 1.2 */
+typedef int32_t (*mgdt_sum_fn)(uint64_t* numbers, int64_t n, void* user);
+/** Replaces each of n numbers by the least of all processes' numbers there; none is NaN.
+ *  @since 1.2 */
+typedef int32_t (*mgdt_least_fn)(double* numbers, int64_t n, void* user);
 
 /** Options, for mgdt_parts_set_option(). Values are integers. */
 enum {
@@ -137,15 +135,19 @@ MGDT_API mgdt_status mgdt_parts_create_with_allocator(int32_t parts, mgdt_alloc_
                                                       mgdt_parts** out);
 
 /** Makes the part of this process, of as many as there are processes. Not collective.
- *  @param transport  is copied; all its functions but `release` are wanted. If the call fails,
- *                    `release` is not called
- *  @param alloc, release, user  as for mgdt_create_with_allocator()
- *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (a size that is none; a
- *  process that is not one of at least 1 and at most 2^20), MGDT_ERR_OUT_OF_MEMORY
+ *  @param processes  how many there are, at least 1 and at most 2^20; the same on all
+ *  @param process    this one, from 0: the number of its part
+ *  @param gather, exchange_numbers, exchange, sum, least  how they exchange bytes
+ *  @param user       passed to these; it has to live as long as the handle
+ *  @param[out] out   the handle; NULL if the call fails
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_parts_create_with_transport(const mgdt_transport* transport,
-                                                      mgdt_alloc_fn alloc, mgdt_free_fn release,
-                                                      void* user, mgdt_parts** out);
+MGDT_API mgdt_status mgdt_parts_create_with_transport(int32_t processes, int32_t process,
+                                                      mgdt_gather_fn gather,
+                                                      mgdt_exchange_numbers_fn exchange_numbers,
+                                                      mgdt_exchange_fn exchange, mgdt_sum_fn sum,
+                                                      mgdt_least_fn least, void* user,
+                                                      mgdt_parts** out);
 
 /** Frees the handle and all it holds. Not collective. As mgdt_destroy().
  *  @since 1.2 */

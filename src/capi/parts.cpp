@@ -8,7 +8,7 @@
 
 using namespace mgdt;
 
-mgdt_parts::mgdt_parts(const mgdt_transport* functions, PartId parts, mgdt_alloc_fn alloc,
+mgdt_parts::mgdt_parts(const HostFunctions* functions, PartId parts, mgdt_alloc_fn alloc,
                        mgdt_free_fn release, void* user)
     : allocator(alloc, release, user),
       transport_(functions ? static_cast<Transport*>(&callbacks_.emplace(*functions, allocator))
@@ -37,7 +37,7 @@ constexpr std::size_t handle_size = sizeof(mgdt_parts), handle_align = alignof(m
 constexpr std::int32_t most_parts = 1 << 20;
 
 // As run_inside() of guard.hpp, for the calls that make a handle and free it.
-MGDT_NOT_INLINE mgdt_status create(const mgdt_transport* functions, PartId parts,
+MGDT_NOT_INLINE mgdt_status create(const HostFunctions* functions, PartId parts,
                                    mgdt_alloc_fn alloc, mgdt_free_fn release, void* user,
                                    mgdt_parts** out) noexcept {
     const FpEnvironment environment;
@@ -57,16 +57,8 @@ MGDT_NOT_INLINE mgdt_status create(const mgdt_transport* functions, PartId parts
 MGDT_NOT_INLINE void destroy(mgdt_parts* p) noexcept {
     const mgdt_free_fn release = p->allocator.release_function();
     void* const user = p->allocator.user();
-    const mgdt_transport* const transport = p->functions();
-    const auto end = transport ? transport->release : nullptr;
-    void* const end_user = transport ? transport->user : nullptr;
     p->~mgdt_parts();
     Allocator::give_back(release, user, p, handle_size, handle_align);
-    if (end)
-        call_back<int>(0, [&] {
-            end(end_user);
-            return 0;
-        });
 }
 
 // The memory of triangulations where it is limited, or the host's: it passes through the handle's.
@@ -190,21 +182,21 @@ extern "C" mgdt_status mgdt_parts_create_with_allocator(int32_t parts, mgdt_allo
     return create(nullptr, static_cast<PartId>(parts), alloc, release, user, out);
 }
 
-extern "C" mgdt_status mgdt_parts_create_with_transport(const mgdt_transport* transport,
-                                                        mgdt_alloc_fn alloc, mgdt_free_fn release,
-                                                        void* user, mgdt_parts** out) {
+extern "C" mgdt_status mgdt_parts_create_with_transport(int32_t processes, int32_t process,
+                                                        mgdt_gather_fn gather,
+                                                        mgdt_exchange_numbers_fn exchange_numbers,
+                                                        mgdt_exchange_fn exchange, mgdt_sum_fn sum,
+                                                        mgdt_least_fn least, void* user,
+                                                        mgdt_parts** out) {
     if (!out) return MGDT_ERR_NULL_POINTER;
     *out = nullptr;
-    if (!transport) return MGDT_ERR_NULL_POINTER;
-    const mgdt_transport& t = *transport;
-    if (t.size < sizeof t) return MGDT_ERR_INVALID_ARGUMENT;
-    if (!t.gather || !t.exchange_numbers || !t.exchange || !t.sum || !t.least)
-        return MGDT_ERR_NULL_POINTER;
-    if (t.processes < 1 || t.processes > most_parts || t.process < 0 || t.process >= t.processes ||
-        (alloc == nullptr) != (release == nullptr))
+    if (!gather || !exchange_numbers || !exchange || !sum || !least) return MGDT_ERR_NULL_POINTER;
+    if (processes < 1 || processes > most_parts || process < 0 || process >= processes)
         return MGDT_ERR_INVALID_ARGUMENT;
     const CancellationDisabled uninterrupted;
-    return create(transport, 1, alloc, release, user, out);
+    const HostFunctions functions = {processes, process, gather, exchange_numbers,
+                                     exchange,  sum,     least,  user};
+    return create(&functions, 1, nullptr, nullptr, nullptr, out);
 }
 
 // A handle that a call is inside of stays, as with mgdt_destroy().

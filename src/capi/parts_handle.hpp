@@ -11,7 +11,7 @@
 #include "parts/parts.hpp"
 
 struct mgdt_parts : mgdt::HandleBase {
-    mgdt_parts(const mgdt_transport* functions, mgdt::PartId parts, mgdt_alloc_fn alloc,
+    mgdt_parts(const mgdt::HostFunctions* functions, mgdt::PartId parts, mgdt_alloc_fn alloc,
                mgdt_free_fn release, void* user);
     ~mgdt_parts() { forget_triangulation(); }
 
@@ -21,10 +21,6 @@ struct mgdt_parts : mgdt::HandleBase {
     // The place of a part among those of this process; throws for others.
     mgdt::PartId local(std::int32_t part) const;
     void forget_triangulation() noexcept;
-    // The host's, if it made any.
-    const mgdt_transport* functions() const {
-        return callbacks_ ? &callbacks_->functions() : nullptr;
-    }
 
     // What a local part was given.
     struct Given {

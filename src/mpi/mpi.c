@@ -28,7 +28,6 @@ static mgdt_status agree(mgdt_status mine, MPI_Comm communicator) {
 /* What this rank needs for itself. The communicator is the handle's, if there is one. */
 static mgdt_status make(MPI_Comm communicator, mgdt_mpi** out) {
     mgdt_mpi* const m = malloc(sizeof *m);
-    mgdt_transport functions;
     *out = NULL;
     if (m == NULL) return MGDT_ERR_OUT_OF_MEMORY;
     m->parts = NULL;
@@ -37,8 +36,7 @@ static mgdt_status make(MPI_Comm communicator, mgdt_mpi** out) {
         return MGDT_ERR_OUT_OF_MEMORY;
     }
     *out = m;
-    functions = mgdt_mpi_transport_functions(&m->transport);
-    return mgdt_parts_create_with_transport(&functions, NULL, NULL, NULL, &m->parts);
+    return mgdt_mpi_transport_parts(&m->transport, &m->parts);
 }
 
 mgdt_status mgdt_mpi_create(MPI_Comm communicator, mgdt_mpi** out) {

@@ -146,16 +146,7 @@ void mgdt_mpi_transport_end(struct mgdt_mpi_transport* t) {
     if (!finalized && t->communicator != MPI_COMM_NULL) MPI_Comm_free(&t->communicator);
 }
 
-mgdt_transport mgdt_mpi_transport_functions(struct mgdt_mpi_transport* t) {
-    mgdt_transport functions = {0};
-    functions.size = sizeof functions;
-    functions.processes = t->ranks;
-    functions.process = t->rank;
-    functions.user = t;
-    functions.gather = gather;
-    functions.exchange_numbers = exchange_numbers;
-    functions.exchange = exchange;
-    functions.sum = sum;
-    functions.least = least;
-    return functions;
+mgdt_status mgdt_mpi_transport_parts(struct mgdt_mpi_transport* t, mgdt_parts** out) {
+    return mgdt_parts_create_with_transport(t->ranks, t->rank, gather, exchange_numbers, exchange,
+                                            sum, least, t, out);
 }

@@ -24,7 +24,7 @@ struct mgdt_mpi_transport {
 int mgdt_mpi_transport_begin(struct mgdt_mpi_transport* t, MPI_Comm communicator);
 /* Frees the room, and the communicator unless MPI is finalised. */
 void mgdt_mpi_transport_end(struct mgdt_mpi_transport* t);
-/* For mgdt_parts_create_with_transport(). */
-mgdt_transport mgdt_mpi_transport_functions(struct mgdt_mpi_transport* t);
+/* mgdt_parts_create_with_transport() with its functions. */
+mgdt_status mgdt_mpi_transport_parts(struct mgdt_mpi_transport* t, mgdt_parts** out);
 
 #endif

@@ -88,6 +88,8 @@ class Collective {
             report(error);
         } catch (const std::bad_alloc&) {
             report(Error{MGDT_ERR_OUT_OF_MEMORY, "out of memory"});
+        } catch (...) {
+            report(Error{MGDT_ERR_INTERNAL, "internal error"});
         }
     }
 

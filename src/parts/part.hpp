@@ -48,16 +48,19 @@ class Part {
     void each_tetrahedron(const Visit& visit) const {
         const Mesh& mesh = triangulation().mesh();
         for (TetId t = 0; t < mesh.tetrahedra.size(); ++t) {
-            const Tetrahedron& tetrahedron = mesh.tetrahedra[t];
-            if (tetrahedron.is_dead() || tetrahedron.is_ghost()) continue;
+            if (mesh.tetrahedra[t].is_dead() || mesh.tetrahedra[t].is_ghost()) continue;
             std::uint32_t v[4];
-            unsigned own = 0;
-            for (int i = 0; i < 4; ++i) {
-                v[i] = mesh.vertices[tetrahedron.v[i]].index;
-                own += v[i] < own_ ? 1 : 0;
-            }
-            if (own > 0) visit(t, v, own, own == 4 || least_of(v) < own_);
+            const unsigned own = corners(t, v);
+            if (own > 0) visit(t, v, own, owns(v, own));
         }
+    }
+    // Whether it is a tetrahedron that the part owns.
+    bool owns(TetId t) const {
+        const Tetrahedron& tetrahedron = triangulation().mesh().tetrahedra[t];
+        if (tetrahedron.is_dead() || tetrahedron.is_ghost()) return false;
+        std::uint32_t v[4];
+        const unsigned own = corners(t, v);
+        return own > 0 && owns(v, own);
     }
     const PartPoint& point(std::uint32_t i) const { return points_[i]; }
     // The own ones come first.
@@ -78,6 +81,19 @@ class Part {
     // the ghosts: visit(t, own vertices, sphere), visit_ghost(t, own vertices).
     template <class Visit, class VisitGhost>
     void each_at_border(const Visit& visit, const VisitGhost& visit_ghost) const;
+    // Indices of points(); returns how many are own.
+    unsigned corners(TetId t, std::uint32_t (&v)[4]) const {
+        const Mesh& mesh = triangulation().mesh();
+        unsigned own = 0;
+        for (int i = 0; i < 4; ++i) {
+            v[i] = mesh.vertices[mesh.tetrahedra[t].v[i]].index;
+            own += v[i] < own_ ? 1 : 0;
+        }
+        return own;
+    }
+    bool owns(const std::uint32_t (&v)[4], unsigned own) const {
+        return own == 4 || least_of(v) < own_;
+    }
     std::uint32_t least_of(const std::uint32_t (&v)[4]) const;
 
     Allocator allocator_;

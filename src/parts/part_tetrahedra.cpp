@@ -36,23 +36,6 @@ struct Side {
 
 }  // namespace
 
-template <class Within, class AcrossSide>
-void PartTetrahedra::each_side(const Part& part, const Within& within,
-                               const AcrossSide& across) const {
-    const Mesh& mesh = part.triangulation().mesh();
-    Buffer<std::uint32_t> place(slots_.allocator());
-    place.resize(mesh.tetrahedra.size(), no_index);
-    for (std::size_t i = 0; i < owned_; ++i) place[slots_[i]] = static_cast<std::uint32_t>(i);
-    for (std::size_t i = 0; i < owned_; ++i)
-        for (unsigned face = 0; face < 4; ++face) {
-            const std::uint32_t beyond = place[tetrahedron_of(mesh.tetrahedra[slots_[i]].n[face])];
-            if (beyond == no_index)
-                across(4 * i + face);
-            else
-                within(4 * i + face, beyond);
-        }
-}
-
 void PartTetrahedra::get_vertices(const Part& part, std::int64_t* vertices) const {
     const auto own = static_cast<std::uint32_t>(part.own_count());
     const std::int64_t first = own > 0 ? part.point(0).number : 0;
@@ -77,21 +60,39 @@ void PartTetrahedra::get_places(const Part& part, std::int64_t* places) const {
 }
 
 void PartTetrahedra::get_neighbors(const Part& part, std::int64_t* neighbors) const {
+    const Mesh& mesh = part.triangulation().mesh();
+    Buffer<std::uint32_t> place(slots_.allocator());
+    place.resize(mesh.tetrahedra.size(), no_index);
+    for (std::size_t i = 0; i < owned_; ++i) place[slots_[i]] = static_cast<std::uint32_t>(i);
     const Across* next = across_.begin();
-    each_side(
-        part, [&](std::size_t side, std::uint32_t i) { neighbors[side] = number(i); },
-        [&](std::size_t side) { neighbors[side] = (next++)->number; });
+    for (std::size_t side = 0; side < 4 * owned_; ++side) {
+        const TetId beyond = tetrahedron_of(mesh.tetrahedra[slots_[side / 4]].n[side % 4]);
+        if (place[beyond] != no_index)
+            neighbors[side] = number(place[beyond]);
+        else if (next != across_.end() && next->side == side)
+            neighbors[side] = (next++)->number;
+        else
+            neighbors[side] = -1;  // on the hull
+    }
 }
 
-std::size_t PartTetrahedra::list(const Part& part, PartId self, std::int64_t first) {
+// Slots of owned ones are in ascending order.
+std::size_t PartTetrahedra::index_of_owned(TetId slot) const {
+    return static_cast<std::size_t>(
+        std::lower_bound(slots_.begin(), slots_.begin() + owned_, slot) - slots_.begin());
+}
+
+std::size_t PartTetrahedra::list(const Part& part, PartId self, std::int64_t first,
+                                 Buffer<std::size_t>* at_border) {
     Buffer<TetId> of_others(slots_.allocator());
     Buffer<unsigned char> is_corner(slots_.allocator());
     is_corner.resize(part.point_count(), 0);
     self_ = self;
     first_ = first;
     slots_.reserve(part.triangulation().mesh().live_count());
-    part.each_tetrahedron([&](TetId slot, const std::uint32_t(&v)[4], unsigned, bool is_owned) {
+    part.each_tetrahedron([&](TetId slot, const std::uint32_t(&v)[4], unsigned own, bool is_owned) {
         for (const std::uint32_t k : v) is_corner[k] = 1;
+        if (at_border && is_owned && own < 4) at_border->push_back(slots_.size());
         (is_owned ? slots_ : of_others).push_back(slot);
     });
     owned_ = slots_.size();
@@ -131,23 +132,15 @@ class TetrahedraFinder {
           in_(allocator, parts.size(), std::ref(allocator)) {}
 
     void find() {
-        all_.each_local([&](PartId p) { list(p); });
+        all_.each_local([&](PartId p) {
+            found_[p].list(parts_[p], all_.first_local() + p, 0, &at_border_[p]);
+        });
         number();
         tell_numbers();
         find_neighbors();
     }
 
   private:
-    void list(PartId p) {
-        found_[p].list(parts_[p], all_.first_local() + p, 0);
-        const PartTetrahedra& t = found_[p];
-        for (std::size_t i = 0; i < t.owned_; ++i) {
-            std::uint32_t v[4];
-            t.corners(parts_[p], i, v);
-            const auto is_own = [&](std::uint32_t k) { return k < parts_[p].own_count(); };
-            if (!std::all_of(v, v + 4, is_own)) at_border_[p].push_back(i);
-        }
-    }
     void number() {
         Buffer<std::uint64_t> mine(allocator_, parts_.size()), counts(allocator_);
         for (PartId p = 0; p < parts_.size(); ++p) mine[p] = found_[p].owned_;
@@ -222,20 +215,44 @@ class TetrahedraFinder {
             t.owners_[i - t.owned_] = found->owner;
         }
     }
+    // The facets of owned ones beyond which is none of these. One with own corners alone is not
+    // asked about where it is on the hull, since its corners know all their neighbours.
+    void list_across(PartId p) {
+        PartTetrahedra& t = found_[p];
+        const Part& part = parts_[p];
+        const Mesh& mesh = part.triangulation().mesh();
+        t.across_.clear();
+        for (const std::size_t i : at_border_[p])
+            for (unsigned face = 0; face < 4; ++face)
+                if (!part.owns(tetrahedron_of(mesh.tetrahedra[t.slots_[i]].n[face])))
+                    t.across_.push_back({4 * i + face, -1});
+        for (std::size_t i = t.owned_; i < t.size(); ++i)
+            for (const auto link : mesh.tetrahedra[t.slots_[i]].n)
+                if (part.owns(tetrahedron_of(link)))
+                    t.across_.push_back(
+                        {4 * t.index_of_owned(tetrahedron_of(link)) + face_of(link), -1});
+        const auto less = [](const PartTetrahedra::Across& a, const PartTetrahedra::Across& b) {
+            return a.side < b.side;
+        };
+        std::sort(t.across_.begin(), t.across_.end(), less);
+        const auto* const end =
+            std::unique(t.across_.begin(), t.across_.end(),
+                        [](const PartTetrahedra::Across& a, const PartTetrahedra::Across& b) {
+                            return a.side == b.side;
+                        });
+        t.across_.resize(static_cast<std::size_t>(end - t.across_.begin()));
+    }
     void find_neighbors() {
         Objects<Buffer<std::uint64_t>> places(allocator_, parts_.size(), std::ref(allocator_));
         for (PartId p = 0; p < parts_.size(); ++p) {
             PartTetrahedra& t = found_[p];
             Post<Side> post(allocator_);
-            t.across_.clear();
-            t.each_side(
-                parts_[p], [](std::size_t, std::uint32_t) {},
-                [&](std::size_t side) {
-                    const std::size_t i = side / 4;
-                    const int face = static_cast<int>(side % 4);
-                    t.across_.push_back({side, -1});
-                    post.add(meeting_place(p, i, face), {key<3>(p, i, face), t.number(i)});
-                });
+            list_across(p);
+            for (const PartTetrahedra::Across& a : t.across_) {
+                const std::size_t i = a.side / 4;
+                const int face = static_cast<int>(a.side % 4);
+                post.add(meeting_place(p, i, face), {key<3>(p, i, face), t.number(i)});
+            }
             post.put(all_.parts(), out_[p], &places[p]);
         }
         all_.exchange<Side>(out_, in_);

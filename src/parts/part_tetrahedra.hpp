@@ -18,8 +18,9 @@ class PartTetrahedra {
           ghosts_(allocator) {}
 
     // Those with a corner that is the part's own. Returns how many it owns; of these `first` is the
-    // number of the first.
-    std::size_t list(const Part& part, PartId self, std::int64_t first);
+    // number of the first. at_border: those that it owns and that have corners of others.
+    std::size_t list(const Part& part, PartId self, std::int64_t first,
+                     Buffer<std::size_t>* at_border = nullptr);
     void forget();
     // Those that the part owns come first, and their numbers follow one another.
     std::size_t size() const { return slots_.size(); }
@@ -44,16 +45,12 @@ class PartTetrahedra {
 
   private:
     friend class TetrahedraFinder;
-    // A facet of an owned one with one that is not: its place among the neighbours.
+    std::size_t index_of_owned(TetId slot) const;
+    // A facet of an owned one that others had to be asked about: its place among the neighbours.
     struct Across {
         std::uint64_t side;
         std::int64_t number;
     };
-    // Calls within(side, i) for facets of owned ones with owned ones, which are beyond, and
-    // across(side) for others, in ascending order.
-    template <class Within, class AcrossSide>
-    void each_side(const Part& part, const Within& within, const AcrossSide& across) const;
-
     PartId self_ = 0;
     std::size_t owned_ = 0;
     std::int64_t first_ = 0;

@@ -383,23 +383,21 @@ static void builds_each(void) {
     }
 }
 
+static int32_t no_gather(const void* mine, void* all, const int64_t* begin, void* user) {
+    return mine == all || begin == NULL || user == NULL;
+}
+
 static void refuses_arguments(void) {
     const double xyz[] = {0, 0, 0};
     int64_t value = 5, values[8];
     double coordinates[3];
     char buffer[4];
-    mgdt_transport transport = {0};
     mgdt_parts* p = (mgdt_parts*)buffer;
     CHECK_EQUAL(mgdt_parts_create(1, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_parts_create(0, &p), MGDT_ERR_INVALID_ARGUMENT);
     CHECK(p == NULL);
     CHECK_EQUAL(mgdt_parts_create((1 << 20) + 1, &p), MGDT_ERR_INVALID_ARGUMENT);
-    CHECK_EQUAL(mgdt_parts_create_with_transport(NULL, NULL, NULL, NULL, &p),
-                MGDT_ERR_NULL_POINTER);
-    CHECK_EQUAL(mgdt_parts_create_with_transport(&transport, NULL, NULL, NULL, &p),
-                MGDT_ERR_INVALID_ARGUMENT);
-    transport.size = sizeof transport;
-    CHECK_EQUAL(mgdt_parts_create_with_transport(&transport, NULL, NULL, NULL, &p),
+    CHECK_EQUAL(mgdt_parts_create_with_transport(2, 0, no_gather, NULL, NULL, NULL, NULL, NULL, &p),
                 MGDT_ERR_NULL_POINTER);
     mgdt_parts_destroy(NULL);
     CHECK_EQUAL(mgdt_parts_build(NULL), MGDT_ERR_NULL_POINTER);

@@ -176,7 +176,8 @@ static void has_the_tetrahedra_of_one(void) {
         const uint64_t expected = hash_of_one(n, xyz);
         int64_t *ids = room(n, sizeof *ids), i;
         for (i = 0; i < n; ++i) ids[i] = i;
-        for (way = 0; way < 3; ++way) {
+        /* With more ranks than processors a build takes its time: one way for each set. */
+        for (way = is_small() ? set % 3 : 0; way < (is_small() ? set % 3 + 1 : 3); ++way) {
             const int64_t first = share(n, way, rank), last = share(n, way, rank + 1);
             mgdt_mpi* m = make();
             int64_t most, sum;
@@ -352,11 +353,17 @@ static void refuses_arguments(void) {
 
 int main(int argc, char** argv) {
     mgdt_mpi *early, *late;
+    char version[MPI_MAX_LIBRARY_VERSION_STRING];
+    int length;
     /* Before MPI is there and after it is gone. */
     CHECK(mgdt_mpi_create(MPI_COMM_WORLD, &early) == MGDT_ERR_INVALID_ARGUMENT && early == NULL);
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    /* As many as were asked for, of the MPI that was. */
+    CHECK(argc == 3 && atoi(argv[1]) == ranks);
+    MPI_Get_library_version(version, &length);
+    CHECK(argc == 3 && strstr(version, argv[2]) != NULL);
     has_the_tetrahedra_of_one();
     has_the_ghosts_of_others();
     has_neighbors_across_ranks();

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <memory>
@@ -27,7 +26,6 @@ struct End {
     MeetingPlace& place;
     std::int32_t process;
     std::int64_t fails_at = -1, calls = 0;
-    int released = 0;
 
     bool fails() { return calls++ == fails_at; }
     template <class T, class Combine>
@@ -42,13 +40,8 @@ struct End {
         return 0;
     }
 
-    mgdt_transport functions() {
-        mgdt_transport t{};
-        t.size = sizeof t;
-        t.processes = static_cast<std::int32_t>(place.size());
-        t.process = process;
-        t.user = this;
-        t.gather = [](const void* mine, void* all, const std::int64_t* begin, void* user) {
+    mgdt_status create(mgdt_parts** out) {
+        const auto gather = [](const void* mine, void* all, const std::int64_t* begin, void* user) {
             auto& end = *static_cast<End*>(user);
             if (end.fails()) return 1;
             end.place.meet(
@@ -57,7 +50,7 @@ struct End {
                 });
             return 0;
         };
-        t.exchange_numbers = [](const std::uint64_t* out, std::uint64_t* in, void* user) {
+        const auto exchange_numbers = [](const std::uint64_t* out, std::uint64_t* in, void* user) {
             auto& end = *static_cast<End*>(user);
             if (end.fails()) return 1;
             end.place.meet(static_cast<PartId>(end.process), out,
@@ -66,8 +59,8 @@ struct End {
                            });
             return 0;
         };
-        t.exchange = [](const void* out, const std::int64_t* out_begin, void* in,
-                        const std::int64_t* in_begin, void* user) {
+        const auto exchange = [](const void* out, const std::int64_t* out_begin, void* in,
+                                 const std::int64_t* in_begin, void* user) {
             auto& end = *static_cast<End*>(user);
             if (end.fails()) return 1;
             const Sent mine{static_cast<const char*>(out), out_begin};
@@ -81,16 +74,17 @@ struct End {
                 });
             return 0;
         };
-        t.sum = [](std::uint64_t* numbers, std::int64_t n, void* user) {
+        const auto sum = [](std::uint64_t* numbers, std::int64_t n, void* user) {
             return static_cast<End*>(user)->reduce(
                 numbers, n, [](std::uint64_t a, std::uint64_t b) { return a + b; });
         };
-        t.least = [](double* numbers, std::int64_t n, void* user) {
+        const auto least = [](double* numbers, std::int64_t n, void* user) {
             return static_cast<End*>(user)->reduce(
                 numbers, n, [](double a, double b) { return std::min(a, b); });
         };
-        t.release = [](void* user) { ++static_cast<End*>(user)->released; };
-        return t;
+        return mgdt_parts_create_with_transport(static_cast<std::int32_t>(place.size()), process,
+                                                gather, exchange_numbers, exchange, sum, least,
+                                                this, out);
     }
 
   private:
@@ -103,18 +97,6 @@ struct End {
     }
 };
 
-struct Memory {
-    std::size_t left = SIZE_MAX;
-
-    static void* take(std::size_t size, std::size_t align, void* user) {
-        auto& left = static_cast<Memory*>(user)->left;
-        if (size > left) return nullptr;
-        left -= size;
-        return std::aligned_alloc(align, (size + align - 1) / align * align);
-    }
-    static void give_back(void* block, std::size_t, std::size_t, void*) { std::free(block); }
-};
-
 struct Outcome {
     mgdt_status status = MGDT_OK;
     std::string message;
@@ -124,7 +106,7 @@ struct Outcome {
 // Each process calls body(its handle, its number), which gives a status.
 std::vector<Outcome> in_processes(PartId processes,
                                   const std::function<mgdt_status(mgdt_parts*, std::int32_t)>& body,
-                                  PartId short_of = 0, std::size_t memory_of_it = SIZE_MAX) {
+                                  PartId short_of = 0, std::int64_t memory_of_it = 0) {
     MeetingPlace place(processes);
     std::vector<Outcome> all(processes);
     std::vector<std::thread> threads;
@@ -132,13 +114,11 @@ std::vector<Outcome> in_processes(PartId processes,
         threads.emplace_back([&, i] {
             const auto process = static_cast<std::int32_t>(i);
             End end{place, process};
-            const mgdt_transport functions = end.functions();
-            Memory memory;
             mgdt_parts* p = nullptr;
-            ASSERT_EQ(mgdt_parts_create_with_transport(&functions, Memory::take, Memory::give_back,
-                                                       &memory, &p),
-                      MGDT_OK);
-            if (i == short_of) memory.left = memory_of_it;
+            ASSERT_EQ(end.create(&p), MGDT_OK);
+            if (i == short_of) {
+                ASSERT_EQ(mgdt_parts_set_option(p, MGDT_PARTS_MEMORY_LIMIT, memory_of_it), MGDT_OK);
+            }
             Outcome& outcome = all[i];
             outcome.status = body(p, process);
             char message[256];
@@ -166,7 +146,6 @@ std::vector<Outcome> in_processes(PartId processes,
                 }
             }
             mgdt_parts_destroy(p);
-            EXPECT_EQ(end.released, 1);
         });
     for (std::thread& t : threads) t.join();
     return all;
@@ -232,7 +211,7 @@ TEST(PartsTransport, HasTheTetrahedraOfOne) {
 TEST(PartsTransport, FailsTogetherWithoutMemory) {
     const std::vector<double> xyz = uniform(300);
     int failures = 0, successes = 0;
-    for (std::size_t memory = 0; memory < std::size_t{1} << 22;
+    for (std::int64_t memory = 1; memory < std::int64_t{1} << 22;
          memory += memory / (is_small() ? 2 : 16) + 64) {
         const std::vector<Outcome> all = in_processes(
             3,
@@ -309,10 +288,8 @@ TEST(PartsTransport, MayFail) {
     std::int64_t calls = 1;
     for (std::int64_t at = -1; at < calls; ++at) {
         End end{place, 0, at};
-        const mgdt_transport functions = end.functions();
         mgdt_parts* p = nullptr;
-        ASSERT_EQ(mgdt_parts_create_with_transport(&functions, nullptr, nullptr, nullptr, &p),
-                  MGDT_OK);
+        ASSERT_EQ(end.create(&p), MGDT_OK);
         EXPECT_EQ(insert_share(p, 0, 1, xyz), MGDT_OK);
         mgdt_status status = mgdt_parts_build(p);
         if (status == MGDT_OK) status = mgdt_parts_check(p, MGDT_CHECK_CANONICAL);

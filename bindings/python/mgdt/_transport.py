@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import ctypes
 import sys
-from ctypes import CFUNCTYPE, POINTER, c_double, c_int32, c_int64, c_size_t, c_uint64, c_void_p
+from ctypes import CFUNCTYPE, POINTER, c_double, c_int32, c_int64, c_uint64, c_void_p
 from typing import Any, Callable, Optional
 
 import numpy as np
@@ -18,24 +18,9 @@ _GATHER = CFUNCTYPE(c_int32, c_void_p, c_void_p, POINTER(c_int64), c_void_p)
 _NUMBERS = CFUNCTYPE(c_int32, c_void_p, c_void_p, c_void_p)
 _EXCHANGE = CFUNCTYPE(c_int32, c_void_p, POINTER(c_int64), c_void_p, POINTER(c_int64), c_void_p)
 _REDUCE = CFUNCTYPE(c_int32, c_void_p, c_int64, c_void_p)
-_RELEASE = CFUNCTYPE(None, c_void_p)
 
-
-class Functions(ctypes.Structure):
-    """``mgdt_transport``."""
-
-    _fields_ = [
-        ("size", c_size_t),
-        ("processes", c_int32),
-        ("process", c_int32),
-        ("user", c_void_p),
-        ("gather", _GATHER),
-        ("exchange_numbers", _NUMBERS),
-        ("exchange", _EXCHANGE),
-        ("sum", _REDUCE),
-        ("least", _REDUCE),
-        ("release", _RELEASE),
-    ]
+TYPES = [c_int32, c_int32, _GATHER, _NUMBERS, _EXCHANGE, _REDUCE, _REDUCE, c_void_p]
+"""Of the arguments of ``mgdt_parts_create_with_transport`` but the last."""
 
 
 def _array(address: Optional[int], count: int, of: Any) -> NDArray[Any]:
@@ -58,14 +43,16 @@ class Transport:
         self._rank = communicator.Get_rank()
         self.failure: Optional[BaseException] = None
         """What was raised in a call of the library's, which had to end first."""
-        self.functions = Functions(
-            ctypes.sizeof(Functions), self._ranks, self._rank, None,
-            _GATHER(self._guarded(self._gather)), _NUMBERS(self._guarded(self._exchange_numbers)),
+        self.arguments: list[Any] = [
+            self._ranks,
+            self._rank,
+            _GATHER(self._guarded(self._gather)),
+            _NUMBERS(self._guarded(self._exchange_numbers)),
             _EXCHANGE(self._guarded(self._exchange)),
             _REDUCE(self._guarded(lambda at, n, _: self._reduce(at, n, c_uint64, MPI.SUM))),
             _REDUCE(self._guarded(lambda at, n, _: self._reduce(at, n, c_double, MPI.MIN))),
-            _RELEASE(0),
-        )
+            None,
+        ]
 
     def _guarded(self, body: Callable[..., None]) -> Callable[..., int]:
         def call(*arguments: Any) -> int:

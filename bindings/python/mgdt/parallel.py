@@ -13,15 +13,12 @@ from numpy.typing import ArrayLike, NDArray
 from . import _errors, _library
 from ._arrays import FloatArray, address
 from ._parts_interface import ARRAYS, NUMBERS, OPTIONS
-from ._transport import Functions, Transport
+from ._transport import TYPES, Transport
 
 Int64Array = NDArray[np.int64]
 
 _FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
-    "create_with_transport": (
-        c_int32,
-        [POINTER(Functions), c_void_p, c_void_p, c_void_p, POINTER(c_void_p)],
-    ),
+    "create_with_transport": (c_int32, [*TYPES, POINTER(c_void_p)]),
     "destroy": (None, [c_void_p]),
     "set_option": (c_int32, [c_void_p, c_int32, c_int64]),
     "insert_points": (c_int32, [c_void_p, c_int32, c_int64, c_void_p, c_void_p]),
@@ -79,7 +76,7 @@ class ParallelDelaunay:
         self._transport = Transport(self._communicator)
         self._rank = self._communicator.Get_rank()
         status = _function("create_with_transport")(
-            self._transport.functions, None, None, None, ctypes.byref(self._pointer)
+            *self._transport.arguments, ctypes.byref(self._pointer)
         )
         if status != _errors.OK:
             raise _errors.make(status, "the library gave no part: out of memory")
