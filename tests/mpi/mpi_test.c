@@ -291,7 +291,8 @@ static void fails_together(void) {
     const int is_last = rank == ranks - 1;
     char expected[64];
     int way;
-    sprintf(expected, ranks > 1 ? "part %d: " : "", ranks - 1);
+    expected[0] = '\0';
+    if (ranks > 1) sprintf(expected, "part %d: ", ranks - 1);
     for (way = 0; way < 4; ++way) {
         mgdt_status status = MGDT_OK;
         const mgdt_status wanted[] = {MGDT_ERR_NOT_FINITE, MGDT_ERR_CANCELLED,
