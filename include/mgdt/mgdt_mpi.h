@@ -27,9 +27,9 @@ typedef struct mgdt_mpi mgdt_mpi;
 
 /** Makes the part of this rank. Collective over the communicator, which is duplicated.
  *  @param[out] out  the handle; NULL if the call fails, which it does on all ranks alike
- *  @return MGDT_OK, MGDT_ERR_NULL_POINTER (of all the others, not known on them),
- *  MGDT_ERR_INVALID_ARGUMENT (MPI is not initialised, or is finalised; no communicator of at most
- *  2^20 ranks, or one between groups), MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_TRANSPORT
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (MPI is not initialised, or is
+ *  finalised; no communicator of at most 2^20 ranks, or one between groups),
+ *  MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_TRANSPORT (where the communicator returns errors)
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_mpi_create(MPI_Comm communicator, mgdt_mpi** out);
 /** The same for a communicator of Fortran's: an integer, or the MPI_VAL of a type(MPI_Comm).

@@ -22,7 +22,8 @@
  *   part 0 owns, then those of part 1, and so on.
  * - A collective call is made by all processes, in the same order. If it fails on one, it
  *   fails on all, with the same status, and a message that names the part. Arguments that have to
- * be the same on all are said to be.
+ *   be the same on all are said to be. A call that is refused as MGDT_ERR_BUSY, or for a NULL
+ *   handle, was not made: the others wait for it.
  *
  * @since 1.2
  */
@@ -43,7 +44,7 @@ typedef struct mgdt_parts mgdt_parts;
  * called on the thread that calls mgdt_parts_, returns 0 for success, and must not call the handle.
  * After one has failed none is called again in that call, which returns MGDT_ERR_TRANSPORT on this
  * process; what the others do is up to the transport. Offsets are in bytes, one for each process
- * and their end, the first of them 0. */
+ * and their end, the first of them 0. Arrays without elements may be NULL. */
 
 /** Gives all processes the bytes of all: what process p has at `mine` goes to all + begin[p], up to
  *  all + begin[p + 1]. `begin` is the same on all.
@@ -69,7 +70,8 @@ enum {
     MGDT_PARTS_INDEX_BASE = 10, /**< 0 (default) or 1; the same on all processes. */
     /** Threads of each triangulation, see mgdt_set_threads(); default 1, 0 for all cores. */
     MGDT_PARTS_THREADS = 20,
-    /** Bytes that this process may hold for points and triangulations; 0 (default) for no limit. */
+    /** Bytes that this process may hold for points, and for triangulations from the next build on;
+     *  0 (default) for no limit. */
     MGDT_PARTS_MEMORY_LIMIT = 30
 };
 
@@ -119,7 +121,8 @@ enum {
 
 /* ------------------------------------------------------------------------------- life --- */
 
-/** Makes parts in this process.
+/** Makes parts in this process. A build takes some 25 bytes times the square of their number
+ *  besides all else: thousands are many.
  *  @param parts  how many, at least 1 and at most 2^20
  *  @param[out] out  the handle; NULL if the call fails
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_OUT_OF_MEMORY
@@ -180,7 +183,8 @@ MGDT_API mgdt_status mgdt_parts_set_progress(mgdt_parts* p, mgdt_progress_fn fn,
 
 /** Asks mgdt_parts_build() to stop soon; it returns MGDT_ERR_CANCELLED on all processes. If none is
  *  running, the request stays pending and stops the next one, unless mgdt_parts_clear() comes
- *  first. Safe from any thread and from signal handlers. Not collective.
+ *  first; one that fails for another reason ends it too. Safe from any thread and from signal
+ * handlers. Not collective.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_parts_cancel(mgdt_parts* p);

@@ -309,13 +309,15 @@ extern "C" mgdt_status mgdt_parts_build_each(mgdt_parts* p, mgdt_part_fn look, v
         require_pointer(reinterpret_cast<const void*>(look), "look");
         if (p->local_parts() != p->collective.parts())
             fail(MGDT_ERR_INVALID_ARGUMENT, "the parts are in %u processes", p->collective.parts());
-        const Parts::Visit visit = [&](PartId i) {
+        const auto show = [&](PartId i) {
             p->calls.let_read();
             const std::int32_t answer = call_back<std::int32_t>(
                 1, [&] { return look(p, static_cast<std::int32_t>(i), user); });
             p->calls.be_alone_again();
             if (answer != 0) fail(MGDT_ERR_CANCELLED, "cancelled by the look at the part");
         };
+        // One reference is small enough to take no memory.
+        const Parts::Visit visit = [&show](PartId i) { show(i); };
         run_build(*p, &visit);
     });
 }

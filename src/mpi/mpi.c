@@ -41,17 +41,17 @@ static mgdt_status make(MPI_Comm communicator, mgdt_mpi** out) {
 
 mgdt_status mgdt_mpi_create(MPI_Comm communicator, mgdt_mpi** out) {
     MPI_Comm own;
-    mgdt_mpi* m;
+    mgdt_mpi* m = NULL;
     mgdt_status status;
     int between_groups;
-    if (out == NULL) return MGDT_ERR_NULL_POINTER;
-    *out = NULL;
-    if (!is_running() || communicator == MPI_COMM_NULL) return MGDT_ERR_INVALID_ARGUMENT;
+    if (out != NULL) *out = NULL;
+    if (!is_running() || communicator == MPI_COMM_NULL)
+        return out == NULL ? MGDT_ERR_NULL_POINTER : MGDT_ERR_INVALID_ARGUMENT;
     if (MPI_Comm_test_inter(communicator, &between_groups) != MPI_SUCCESS || between_groups)
         return MGDT_ERR_INVALID_ARGUMENT;
     if (MPI_Comm_dup(communicator, &own) != MPI_SUCCESS) return MGDT_ERR_TRANSPORT;
     MPI_Comm_set_errhandler(own, MPI_ERRORS_RETURN);
-    status = make(own, &m);
+    status = out == NULL ? MGDT_ERR_NULL_POINTER : make(own, &m);
     status = agree(status, own);
     if (status == MGDT_OK) {
         *out = m;
@@ -74,8 +74,10 @@ mgdt_status mgdt_mpi_create_f(MPI_Fint communicator, mgdt_mpi** out) {
 void mgdt_mpi_destroy(mgdt_mpi* m) {
     int64_t value;
     if (m == NULL) return;
-    /* In a callback of a call on the handle nothing is freed. */
-    if (mgdt_parts_get_option(m->parts, MGDT_PARTS_THREADS, &value) == MGDT_ERR_BUSY) return;
+    /* While a call is inside the handle nothing is freed, as mgdt_parts_destroy() has it. */
+    if (mgdt_parts_get_option(m->parts, MGDT_PARTS_THREADS, &value) == MGDT_ERR_BUSY ||
+        mgdt_parts_set_option(m->parts, MGDT_PARTS_THREADS, value) == MGDT_ERR_BUSY)
+        return;
     mgdt_parts_destroy(m->parts);
     mgdt_mpi_transport_end(&m->transport);
     free(m);

@@ -49,20 +49,23 @@ void Parts::check(std::int32_t level) {
     Buffer<std::uint64_t> counts(allocator_);
     counts.resize(4, 0);
     collective_.each_local([&](PartId p) {
-        if (again[p].size() != tetrahedra_[p].size() || again[p].owned() != tetrahedra_[p].owned())
+        if (!again[p].is_like(tetrahedra_[p]))
             fail(MGDT_ERR_CHECK_FAILED, "the tetrahedra are not those that were numbered");
-        for (std::size_t i = 0; i < again[p].size(); ++i)
-            if (again[p].number(i) != tetrahedra_[p].number(i))
-                fail(MGDT_ERR_CHECK_FAILED, "tetrahedron %zu has number %lld and should have %lld",
-                     i, static_cast<long long>(tetrahedra_[p].number(i)),
-                     static_cast<long long>(again[p].number(i)));
+        for (std::size_t i = 0; i < parts_[p].own_count(); ++i)
+            if (homes_.of(parts_[p].points()[i].x) != collective_.first_local() + p)
+                fail(MGDT_ERR_CHECK_FAILED, "own point %zu is not at home here", i);
         counts[0] += parts_[p].own_count();
         counts[1] += count_edges(parts_[p], allocator_);
-        counts[2] += count_hull_facets(parts_[p], tetrahedra_[p], allocator_);
-        counts[3] += tetrahedra_[p].owned();
+        counts[2] += count_hull_facets(parts_[p], again[p], allocator_);
+        counts[3] += again[p].owned();
     });
     collective_.sum(counts);
+    collective_.name_no_part();
+    if (first.size() != first_tetrahedron_.size() ||
+        !std::equal(first.begin(), first.end(), first_tetrahedron_.begin()))
+        fail(MGDT_ERR_CHECK_FAILED, "the tetrahedra are not as many as were numbered");
     // Each tetrahedron has four facets; two share each but those of the hull.
+    if ((4 * counts[3] + counts[2]) % 2 != 0) fail(MGDT_ERR_CHECK_FAILED, "a facet has one side");
     const std::uint64_t facets = (4 * counts[3] + counts[2]) / 2;
     if (counts[3] > 0 && counts[0] + facets != counts[1] + counts[3] + 1)
         fail(MGDT_ERR_CHECK_FAILED,

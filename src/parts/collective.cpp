@@ -33,6 +33,9 @@ void Collective::agree(const Error* mine) {
     Error agreed;
     agreed.status = static_cast<mgdt_status>(said[0]);
     std::memcpy(agreed.message, said + 1, sizeof agreed.message);
+    // As a transport that does not add up may leave it.
+    agreed.message[Error::message_size - 1] = '\0';
+    if (agreed.status <= MGDT_OK) agreed.status = MGDT_ERR_TRANSPORT;
     throw agreed;
 }
 

@@ -289,8 +289,8 @@ class Homes::Level {
 void Homes::divide(Collective& all, const GivenPoints* points) {
     splitters_.clear();
     splitters_.resize(parts_, Splitter{{0, 0, 0}, 0});
-    Level level(splitters_.allocator(), all, points);
     if (parts_ < 2) return;
+    Level level(splitters_.allocator(), all, points);
     for (; !level.is_done(); level.descend()) level.divide(splitters_);
 }
 

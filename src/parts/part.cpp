@@ -61,7 +61,7 @@ void Part::insert(const PartPoint* points, std::size_t n, PartsProgress& progres
             points_.push_back(*p);
     take_out_repeats(points_, first);
     for (std::size_t k = first; k < points_.size(); ++k) known_.push_back(points_[k].number);
-    std::inplace_merge(known_.begin(), known_.begin() + known, known_.end());
+    std::sort(known_.begin(), known_.end());  // a merge would take memory elsewhere
     const std::size_t begin = triangulation_->point_map().size();
     static_assert(sizeof(PartPoint) == 5 * sizeof(double));
     if (begin == points_.size()) return;

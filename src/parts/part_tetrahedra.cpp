@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "order/random.hpp"
 #include "parts/post.hpp"
 
 namespace mgdt {
@@ -26,6 +27,7 @@ struct Key {
 struct Numbered {
     Key<4> key;
     std::int64_t number;
+    std::uint64_t coordinates;  // of the corners, mixed: that a number means the same point
 };
 
 // A side of a facet: the tetrahedron, and who asks for the other side.
@@ -107,6 +109,16 @@ std::size_t PartTetrahedra::list(const Part& part, PartId self, std::int64_t fir
     return owned_;
 }
 
+bool PartTetrahedra::is_like(const PartTetrahedra& other) const {
+    const auto equal = [](const auto& a, const auto& b) {
+        return a.size() == b.size() &&
+               (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
+    };
+    return owned_ == other.owned_ && first_ == other.first_ && equal(slots_, other.slots_) &&
+           equal(numbers_, other.numbers_) && equal(owners_, other.owners_) &&
+           equal(across_, other.across_) && equal(ghosts_, other.ghosts_);
+}
+
 void PartTetrahedra::forget() {
     owned_ = 0;
     slots_.reset();
@@ -164,6 +176,22 @@ class TetrahedraFinder {
         std::sort(key.v, key.v + n);
         return key;
     }
+    // Whatever the order of the corners.
+    std::uint64_t mixed_coordinates(PartId p, std::size_t i) const {
+        std::uint32_t v[4];
+        found_[p].corners(parts_[p], i, v);
+        std::uint64_t sum = 0;
+        for (const std::uint32_t k : v) {
+            std::uint64_t mixed = 0;
+            for (const double x : parts_[p].point(k).x) {
+                std::uint64_t bits;
+                std::memcpy(&bits, &x, sizeof bits);
+                mixed = Random::at(mixed ^ bits, 0);
+            }
+            sum += mixed;
+        }
+        return sum;
+    }
     // To the other parts that corners are at home in.
     void tell_numbers() {
         for (PartId p = 0; p < parts_.size(); ++p) {
@@ -179,7 +207,7 @@ class TetrahedraFinder {
                     const PartId to = homes_.of(parts_[p].point(k).x);
                     if (std::find(told, told + count, to) != told + count) continue;
                     told[count++] = to;
-                    post.add(to, {key<4>(p, i, -1), t.number(i)});
+                    post.add(to, {key<4>(p, i, -1), t.number(i), mixed_coordinates(p, i)});
                 }
             }
             post.put(all_.parts(), out_[p], nullptr);
@@ -191,6 +219,7 @@ class TetrahedraFinder {
         struct Told {
             Key<4> key;
             std::int64_t number;
+            std::uint64_t coordinates;
             PartId owner;
         };
         const Numbered* const told = in_[p].records<Numbered>();
@@ -198,7 +227,7 @@ class TetrahedraFinder {
         sorted.reserve(in_[p].count());
         for (PartId from = 0; from < all_.parts(); ++from)
             for (std::uint64_t k = in_[p].begin[from]; k < in_[p].begin[std::size_t{from} + 1]; ++k)
-                sorted.push_back({told[k].key, told[k].number, from});
+                sorted.push_back({told[k].key, told[k].number, told[k].coordinates, from});
         std::sort(sorted.begin(), sorted.end(),
                   [](const Told& a, const Told& b) { return a.key < b.key; });
         PartTetrahedra& t = found_[p];
@@ -211,6 +240,10 @@ class TetrahedraFinder {
                                  [](const Told& a, const Key<4>& b) { return a.key < b; });
             if (found == sorted.end() || !(found->key == wanted))
                 fail(MGDT_ERR_CHECK_FAILED, "a tetrahedron here is owned by no part");
+            if (found->coordinates != mixed_coordinates(p, i))
+                fail(MGDT_ERR_CHECK_FAILED,
+                     "a tetrahedron has other coordinates here than in part %u, which owns it",
+                     found->owner);
             t.numbers_[i - t.owned_] = found->number;
             t.owners_[i - t.owned_] = found->owner;
         }

@@ -43,6 +43,9 @@ class PartTetrahedra {
     // 4 numbers of tetrahedra for each owned one, opposite the vertices, or -1.
     void get_neighbors(const Part& part, std::int64_t* neighbors) const;
 
+    // Whether all that was found is the same.
+    bool is_like(const PartTetrahedra& other) const;
+
   private:
     friend class TetrahedraFinder;
     std::size_t index_of_owned(TetId slot) const;

@@ -410,6 +410,34 @@ TEST(Parts, AreFoundOutWhereTheyDoNotFit) {
     }
 }
 
+// A ghost with other coordinates than its owner's vertex, an own point that is at home elsewhere, a
+// tetrahedron that is listed as another: the numbers alone would agree.
+TEST(Parts, AreFoundOutWhereTheyDiffer) {
+    const Points xyz = uniform(400);
+    for (int damage = 0; damage < 3; ++damage) {
+        SCOPED_TRACE(damage);
+        InProcess transport(4);
+        Collective collective(transport);
+        Parts all(collective, nullptr, nullptr, nullptr);
+        const Dealt dealt(xyz, 4, false);
+        Atomic<bool> cancelled{false};
+        PartsProgress progress(nullptr, nullptr, cancelled);
+        collective.run([&] { all.build(dealt.given.data(), nullptr, progress); });
+        const PartTetrahedra& t = all.tetrahedra(1);
+        ASSERT_GT(t.ghosts().size(), 0u);
+        auto* const points = const_cast<PartPoint*>(all.local(1).points());
+        if (damage == 0) points[t.ghosts()[0]].x[0] += 0x1p-50;
+        if (damage == 1) points[0].x[0] += 10;
+        if (damage == 2) const_cast<PartTetrahedra&>(t).forget();
+        try {
+            collective.run([&] { all.check(MGDT_CHECK_CANONICAL); });
+            FAIL();
+        } catch (const Error& e) {
+            EXPECT_EQ(e.status, MGDT_ERR_CHECK_FAILED) << e.message;
+        }
+    }
+}
+
 // All points come from one process, and each gets its share.
 TEST(Parts, ShareWhatOneWasGiven) {
     const std::size_t n = is_small() ? 500 : 8000;
