@@ -199,6 +199,19 @@ static void has_the_tetrahedra_of_one(void) {
     }
 }
 
+/* What all ranks have for each of the numbers in their ranges: `width` of a type of 8 bytes. */
+static void gather(const void* mine, void* all, int width, MPI_Datatype type,
+                   const int64_t* ranges) {
+    int *counts = room(ranks, sizeof *counts), *places = room(ranks, sizeof *places), r;
+    for (r = 0; r < ranks; ++r) {
+        counts[r] = (int)(width * (ranges[r + 1] - ranges[r]));
+        places[r] = (int)(width * ranges[r]);
+    }
+    MPI_Allgatherv(mine, counts[rank], type, all, counts, places, type, MPI_COMM_WORLD);
+    free(counts);
+    free(places);
+}
+
 /* Coordinates of the ghosts are those of the vertices with their numbers; a round of messages asks
  * their owners. */
 static void has_the_ghosts_of_others(void) {
@@ -207,7 +220,6 @@ static void has_the_ghosts_of_others(void) {
     const int64_t first = share(n, 0, rank), last = share(n, 0, rank + 1);
     mgdt_mpi* m = make();
     int64_t own, vertices, i, *numbers, *owners, *ranges;
-    int *counts = room(ranks, sizeof *counts), *places = room(ranks, sizeof *places), r;
     CHECK(mgdt_mpi_insert_points(m, last - first, xyz + 3 * first, NULL) == MGDT_OK);
     CHECK(mgdt_mpi_build(m) == MGDT_OK);
     own = stat(m, MGDT_PARTS_OWN_VERTICES);
@@ -218,19 +230,13 @@ static void has_the_ghosts_of_others(void) {
     mine = room(3 * vertices, sizeof *mine);
     all = room(3 * n, sizeof *all);
     CHECK(mgdt_mpi_get_coordinates(m, 3 * vertices, mine) == MGDT_OK);
-    for (r = 0; r < ranks; ++r) {
-        counts[r] = (int)(3 * (ranges[r + 1] - ranges[r]));
-        places[r] = (int)(3 * ranges[r]);
-    }
-    MPI_Allgatherv(mine, (int)(3 * own), MPI_DOUBLE, all, counts, places, MPI_DOUBLE,
-                   MPI_COMM_WORLD);
+    CHECK(ranges[rank + 1] - ranges[rank] == own);
+    gather(mine, all, 3, MPI_DOUBLE, ranges);
     for (i = 0; i < vertices; ++i) {
         CHECK(memcmp(mine + 3 * i, all + 3 * numbers[i], 3 * sizeof *all) == 0);
         CHECK((owners[i] == rank) == (i < own));
         CHECK(ranges[owners[i]] <= numbers[i] && numbers[i] < ranges[owners[i] + 1]);
     }
-    free(counts);
-    free(places);
     free(numbers);
     free(owners);
     free(ranges);
@@ -247,7 +253,6 @@ static void has_neighbors_across_ranks(void) {
     const int64_t first = share(n, 0, rank), last = share(n, 0, rank + 1);
     mgdt_mpi* m = make();
     int64_t owned, count, i, *mine, *all, *ranges;
-    int *counts = room(ranks, sizeof *counts), *places = room(ranks, sizeof *places), r;
     CHECK(mgdt_mpi_insert_points(m, last - first, xyz + 3 * first, NULL) == MGDT_OK);
     CHECK(mgdt_mpi_build(m) == MGDT_OK);
     owned = stat(m, MGDT_PARTS_OWN_TETRAHEDRA);
@@ -255,21 +260,14 @@ static void has_neighbors_across_ranks(void) {
     mine = array(m, MGDT_PARTS_NEIGHBORS);
     ranges = array(m, MGDT_PARTS_TETRAHEDRON_RANGES);
     all = room(4 * count, sizeof *all);
-    for (r = 0; r < ranks; ++r) {
-        counts[r] = (int)(4 * (ranges[r + 1] - ranges[r]));
-        places[r] = (int)(4 * ranges[r]);
-    }
-    CHECK(counts[rank] == 4 * owned);
-    MPI_Allgatherv(mine, (int)(4 * owned), MPI_INT64_T, all, counts, places, MPI_INT64_T,
-                   MPI_COMM_WORLD);
+    CHECK(ranges[rank + 1] - ranges[rank] == owned);
+    gather(mine, all, 4, MPI_INT64_T, ranges);
     for (i = 0; i < 4 * count; ++i) {
         int k, found = 0;
         if (all[i] == -1) continue;
         for (k = 0; k < 4; ++k) found += all[4 * all[i] + k] == i / 4;
         CHECK(found == 1);
     }
-    free(counts);
-    free(places);
     free(mine);
     free(all);
     free(ranges);

@@ -58,22 +58,46 @@ struct Dealt {
     std::vector<GivenPoints> given;
 };
 
+// Parts in this process.
+struct Built {
+    Built(const Points& xyz, PartId parts, bool to_one = false)
+        : transport(parts),
+          collective(transport),
+          all(collective, nullptr, nullptr, nullptr),
+          dealt(xyz, parts, to_one),
+          progress(nullptr, nullptr, cancelled) {
+        collective.run([&] { all.build(dealt.given.data(), nullptr, progress); });
+    }
+    void check() {
+        collective.run([&] { all.check(MGDT_CHECK_CANONICAL); });
+    }
+
+    InProcess transport;
+    Collective collective;
+    Parts all;
+    Dealt dealt;
+    Atomic<bool> cancelled{false};
+    PartsProgress progress;
+};
+
+void expect_defect(Built& built) {
+    try {
+        built.check();
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.status, MGDT_ERR_CHECK_FAILED) << e.message;
+    }
+}
+
 struct Outcome {
     Tetrahedra owned;
     std::size_t received = 0, most = 0, least = 0;
 };
 
 Outcome in_parts(const Points& xyz, PartId parts, bool to_one = false) {
-    InProcess transport(parts);
-    Collective collective(transport);
-    Parts all(collective, nullptr, nullptr, nullptr);
-    const Dealt dealt(xyz, parts, to_one);
-    Atomic<bool> cancelled{false};
-    PartsProgress progress(nullptr, nullptr, cancelled);
-    collective.run([&] {
-        all.build(dealt.given.data(), nullptr, progress);
-        if (parts <= 8 && xyz.size() < 3 * 2000) all.check(MGDT_CHECK_CANONICAL);
-    });
+    Built built(xyz, parts, to_one);
+    if (parts <= 8 && xyz.size() < 3 * 2000) built.check();
+    const Parts& all = built.all;
     Outcome outcome;
     outcome.least = xyz.size();
     std::vector<std::int64_t> ghosts;
@@ -90,15 +114,15 @@ Outcome in_parts(const Points& xyz, PartId parts, bool to_one = false) {
             outcome.owned.push_back(ids);
         });
         // Where the points went.
-        for (std::size_t i = 0; i < dealt.given[p].n; ++i) {
+        for (std::size_t i = 0; i < built.dealt.given[p].n; ++i) {
             const std::int64_t vertex = all.vertices_of_given(p)[i];
-            const PartId home = all.homes().of(dealt.given[p].xyz + 3 * i);
+            const PartId home = all.homes().of(built.dealt.given[p].xyz + 3 * i);
             EXPECT_GE(vertex, all.first_vertex(home));
             EXPECT_LT(vertex, all.first_vertex(home + 1));
             const PartPoint& x =
                 all.local(home).point(static_cast<std::uint32_t>(vertex - all.first_vertex(home)));
             EXPECT_EQ(x.number, vertex);
-            EXPECT_TRUE(std::equal(x.x, x.x + 3, dealt.given[p].xyz + 3 * i));
+            EXPECT_TRUE(std::equal(x.x, x.x + 3, built.dealt.given[p].xyz + 3 * i));
         }
     }
     std::sort(outcome.owned.begin(), outcome.owned.end());
@@ -108,16 +132,9 @@ Outcome in_parts(const Points& xyz, PartId parts, bool to_one = false) {
 // Numbers, owners and neighbours of the tetrahedra of all parts agree with each other, and with
 // those of one triangulation.
 void expect_consistent(const Points& xyz, PartId parts) {
-    InProcess transport(parts);
-    Collective collective(transport);
-    Parts all(collective, nullptr, nullptr, nullptr);
-    const Dealt dealt(xyz, parts, false);
-    Atomic<bool> cancelled{false};
-    PartsProgress progress(nullptr, nullptr, cancelled);
-    collective.run([&] {
-        all.build(dealt.given.data(), nullptr, progress);
-        if (parts <= 8 && xyz.size() < 3 * 2000) all.check(MGDT_CHECK_CANONICAL);
-    });
+    Built built(xyz, parts);
+    if (parts <= 8 && xyz.size() < 3 * 2000) built.check();
+    const Parts& all = built.all;
     std::vector<std::array<std::int64_t, 4>> vertices, neighbors;
     std::vector<PartId> owner;
     for (PartId p = 0; p < parts; ++p) {
@@ -389,25 +406,14 @@ TEST(Parts, InProcesses) {
 // A point that one part has, and its home has not: each triangulation is one of Delaunay.
 TEST(Parts, AreFoundOutWhereTheyDoNotFit) {
     const Points xyz = uniform(400);
-    InProcess transport(4);
-    Collective collective(transport);
-    Parts all(collective, nullptr, nullptr, nullptr);
-    const Dealt dealt(xyz, 4, false);
-    Atomic<bool> cancelled{false};
-    PartsProgress progress(nullptr, nullptr, cancelled);
-    collective.run([&] { all.build(dealt.given.data(), nullptr, progress); });
-    collective.run([&] { all.check(MGDT_CHECK_CANONICAL); });
-    auto& part = const_cast<Part&>(all.local(1));
+    Built built(xyz, 4);
+    built.check();
+    auto& part = const_cast<Part&>(built.all.local(1));
     PartPoint stranger = part.point(0);
     for (double& x : stranger.x) x += 0x1p-20;
     stranger.number = 400;
-    part.insert(&stranger, 1, progress, 0, 1);
-    try {
-        collective.run([&] { all.check(MGDT_CHECK_CANONICAL); });
-        FAIL();
-    } catch (const Error& e) {
-        EXPECT_EQ(e.status, MGDT_ERR_CHECK_FAILED) << e.message;
-    }
+    part.insert(&stranger, 1, built.progress, 0, 1);
+    expect_defect(built);
 }
 
 // A ghost with other coordinates than its owner's vertex, an own point that is at home elsewhere, a
@@ -416,25 +422,14 @@ TEST(Parts, AreFoundOutWhereTheyDiffer) {
     const Points xyz = uniform(400);
     for (int damage = 0; damage < 3; ++damage) {
         SCOPED_TRACE(damage);
-        InProcess transport(4);
-        Collective collective(transport);
-        Parts all(collective, nullptr, nullptr, nullptr);
-        const Dealt dealt(xyz, 4, false);
-        Atomic<bool> cancelled{false};
-        PartsProgress progress(nullptr, nullptr, cancelled);
-        collective.run([&] { all.build(dealt.given.data(), nullptr, progress); });
-        const PartTetrahedra& t = all.tetrahedra(1);
+        Built built(xyz, 4);
+        const PartTetrahedra& t = built.all.tetrahedra(1);
         ASSERT_GT(t.ghosts().size(), 0u);
-        auto* const points = const_cast<PartPoint*>(all.local(1).points());
+        auto* const points = const_cast<PartPoint*>(built.all.local(1).points());
         if (damage == 0) points[t.ghosts()[0]].x[0] += 0x1p-50;
         if (damage == 1) points[0].x[0] += 10;
         if (damage == 2) const_cast<PartTetrahedra&>(t).forget();
-        try {
-            collective.run([&] { all.check(MGDT_CHECK_CANONICAL); });
-            FAIL();
-        } catch (const Error& e) {
-            EXPECT_EQ(e.status, MGDT_ERR_CHECK_FAILED) << e.message;
-        }
+        expect_defect(built);
     }
 }
 
