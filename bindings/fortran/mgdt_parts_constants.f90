@@ -10,7 +10,8 @@ module mgdt_parts_constants
     integer, parameter :: mgdt_parts_index_base = 10
     ! Threads of each triangulation, see mgdt_set_threads(); default 1, 0 for all cores.
     integer, parameter :: mgdt_parts_threads = 20
-    ! Bytes that this process may hold for points and triangulations; 0 (default) for no limit.
+    ! Bytes that this process may hold for points, and for triangulations from the next build on; 0
+    ! (default) for no limit.
     integer, parameter :: mgdt_parts_memory_limit = 30
     ! Parts in all.
     integer, parameter :: mgdt_parts_parts = 10
