@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <exception>
+#include <new>
 #include <system_error>
 
 namespace mgdt::cli {
@@ -57,7 +59,36 @@ std::size_t append_first(std::string& out, std::string_view text) {
     return c.length;
 }
 
+// Messages may quote arguments and names that no place before this has made printable.
+int report(std::FILE* out, int code, const char* message) noexcept {
+    if (out == nullptr) return code;
+    std::fflush(stdout);
+    try {
+        fmt::print(out, "mgdt: {}\n", printable(message));
+    } catch (const std::exception&) {
+        // Nobody reads it, or memory is short: the status has to do.
+    }
+    return code;
+}
+
 }  // namespace
+
+int report_exception(std::FILE* out) noexcept {
+    try {
+        throw;
+    } catch (const Error& e) {
+        return report(out, e.code(), e.what());
+    } catch (const std::bad_alloc&) {
+        return report(out, exit_memory,
+                      "out of memory; triangulate fewer points or free some memory");
+    } catch (const std::length_error&) {
+        return report(out, exit_memory, "out of memory: more than an array can hold");
+    } catch (const std::exception& e) {
+        return report(out, exit_internal, e.what());
+    } catch (...) {
+        return report(out, exit_internal, "an unknown exception");
+    }
+}
 
 std::string printable(std::string_view text) {
     std::string out;

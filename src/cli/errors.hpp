@@ -2,6 +2,7 @@
 // Exit codes of the program and the exceptions that carry them to main().
 #pragma once
 
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -28,6 +29,10 @@ class Error : public std::runtime_error {
   private:
     int code_;
 };
+
+// The exit code of the exception that is being handled. Its message goes to `out`, unless that is
+// null.
+int report_exception(std::FILE* out) noexcept;
 
 // Text that is not the program's own, such as the name of a file, as it may be shown in a message:
 // control characters, marks of direction and what is no UTF-8 as \xNN. Applied again it changes

@@ -26,7 +26,7 @@ void Source::fail_at_line(std::size_t line, const std::string& what) const {
 }
 
 void Source::fail_at_byte(std::size_t offset, const std::string& what) const {
-    throw Error(exit_input, fmt::format("{}: byte {}: {}", name, offset, what));
+    throw Error(exit_input, fmt::format("{}: byte {}: {}", name, begin + offset, what));
 }
 
 void InputFile::Free::operator()(char* p) const noexcept {
@@ -69,7 +69,7 @@ std::string input_name(const std::string& path) {
     return path == "-" ? "standard input" : printable(path);
 }
 
-InputFile::InputFile(const std::string& path) {
+InputFile::InputFile(const std::string& path, std::size_t begin, std::size_t most) : begin_(begin) {
     const bool standard = path == "-";
     name_ = input_name(path);
     if (!standard) path_ = path;
@@ -82,14 +82,18 @@ InputFile::InputFile(const std::string& path) {
 
     // The size is a hint: pipes have none, and a file may grow while it is read.
     std::size_t wanted = std::size_t{1} << 16;
-    if (S_ISREG(status.st_mode) && status.st_size > 0) {
-        wanted = static_cast<std::size_t>(status.st_size) + 1;
+    if (S_ISREG(status.st_mode)) {
+        file_size_ = static_cast<std::size_t>(status.st_size);
+        if (begin > 0 && lseek(file.fd, static_cast<off_t>(begin), SEEK_SET) < 0)
+            fail_reading(name_, errno);
+        if (*file_size_ > begin) wanted = *file_size_ - begin + 1;
     }
+    wanted = std::min(wanted, most);
     std::size_t capacity = 0;
-    for (;;) {
+    while (size_ < most) {
         if (size_ == capacity) {
             if (capacity > std::numeric_limits<std::size_t>::max() / 2) throw std::bad_alloc();
-            capacity = std::max(wanted, 2 * capacity);
+            capacity = std::min(std::max(wanted, 2 * capacity), most);
             char* p = static_cast<char*>(std::realloc(data_.get(), capacity));
             if (!p) throw std::bad_alloc();
             static_cast<void>(data_.release());

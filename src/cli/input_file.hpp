@@ -18,6 +18,7 @@ struct Source {
     std::string name;  // as messages say it
     std::string path;  // empty for standard input
     std::string_view bytes;
+    std::size_t begin = 0;  // of the bytes in the file
 
     [[noreturn]] void fail(const std::string& what) const;
     [[noreturn]] void fail_at_line(std::size_t line, const std::string& what) const;
@@ -30,19 +31,25 @@ std::string input_name(const std::string& path);
 class InputFile {
   public:
     // "-" is standard input.
-    explicit InputFile(const std::string& path);
-    Source source() const { return {name_, path_, {data_.get(), size_}}; }
+    explicit InputFile(const std::string& path) : InputFile(path, 0, whole) {}
+    // At most so many bytes from a place; of pipes and their like, from where they are.
+    InputFile(const std::string& path, std::size_t begin, std::size_t most);
+    Source source() const { return {name_, path_, {data_.get(), size_}, begin_}; }
+    // Of a regular file; nothing for others.
+    std::optional<std::size_t> file_size() const { return file_size_; }
     // Nothing for terminals and their like.
     const std::optional<FileIdentity>& identity() const { return identity_; }
 
   private:
+    static constexpr std::size_t whole = ~std::size_t{0};
     struct Free {
         void operator()(char* p) const noexcept;
     };
     std::string name_, path_;
     std::optional<FileIdentity> identity_;
     std::unique_ptr<char, Free> data_;
-    std::size_t size_ = 0;
+    std::size_t begin_, size_ = 0;
+    std::optional<std::size_t> file_size_;
 };
 
 }  // namespace mgdt::cli

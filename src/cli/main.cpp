@@ -358,17 +358,6 @@ int run(int argc, char** argv) {
     return info(i);
 }
 
-// Messages may quote arguments and names that no place before this has made printable.
-int fail(int code, const char* message) {
-    std::fflush(stdout);
-    try {
-        fmt::print(stderr, "mgdt: {}\n", printable(message));
-    } catch (const std::exception&) {
-        // Nobody reads standard error, or memory is short: the status has to do.
-    }
-    return code;
-}
-
 }  // namespace
 }  // namespace mgdt::cli
 
@@ -378,17 +367,9 @@ int main(int argc, char** argv) {
         install_signal_handlers();
         const int code = run(argc, argv);
         // What went to standard output must have arrived, too.
-        if (std::fflush(stdout) != 0) return fail(exit_output, "standard output: cannot write");
+        if (std::fflush(stdout) != 0) throw Error(exit_output, "standard output: cannot write");
         return code;
-    } catch (const Error& e) {
-        return fail(e.code(), e.what());
-    } catch (const std::bad_alloc&) {
-        return fail(exit_memory, "out of memory; triangulate fewer points or free some memory");
-    } catch (const std::length_error&) {
-        return fail(exit_memory, "out of memory: more than an array can hold");
-    } catch (const std::exception& e) {
-        return fail(exit_internal, e.what());
     } catch (...) {
-        return fail(exit_internal, "an unknown exception");
+        return report_exception(stderr);
     }
 }

@@ -10,26 +10,17 @@
 #include "cli/errors.hpp"
 #include "cli/formats/pieces.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/program_parts.hpp"
 #include "cli/progress.hpp"
-#include "mgdt/mgdt_parts.h"
 
 namespace mgdt::cli {
 namespace {
 
-// Parts as the program uses them, one after another.
-class Parts {
+// Parts in one process, triangulated one after another.
+class PartsInTurn {
   public:
-    explicit Parts(int count, const TriangulationOptions& options) : count_(count) {
-        if (mgdt_parts_create(count, &handle_) != MGDT_OK) throw std::bad_alloc();
-        const auto set = [this](std::int32_t option, std::int64_t value) {
-            mgdt_parts_set_option(handle_, option, value);
-        };
-        set(MGDT_PARTS_THREADS, options.threads);
-        set(MGDT_PARTS_MEMORY_LIMIT, static_cast<std::int64_t>(options.memory_limit));
-    }
-    ~Parts() { mgdt_parts_destroy(handle_); }
-    Parts(const Parts&) = delete;
-    Parts& operator=(const Parts&) = delete;
+    PartsInTurn(int count, const TriangulationOptions& options)
+        : parts_(create(count), options), count_(count) {}
 
     // In equal runs, so that ids are places in the file.
     void insert(const std::vector<double>& points, const std::string& name) {
@@ -38,23 +29,23 @@ class Parts {
             const std::int64_t first = n / count_ * p + n % count_ * p / count_,
                                last = n / count_ * (p + 1) + n % count_ * (p + 1) / count_;
             check_interrupt();
-            require(mgdt_parts_insert_points(handle_, p, last - first, points.data() + 3 * first,
-                                             nullptr),
-                    name);
+            parts_.require(mgdt_parts_insert_points(parts_.get(), p, last - first,
+                                                    points.data() + 3 * first, nullptr),
+                           name);
         }
     }
     // Writes a file for each part.
     void build(const std::vector<std::string>& files, OutputSet& outputs, const std::string& name,
                bool quiet) {
         Progress progress("triangulating", quiet);
-        mgdt_parts_set_progress(handle_, Progress::callback, &progress);
+        mgdt_parts_set_progress(parts_.get(), Progress::callback, &progress);
         Looks looks{files, outputs, nullptr};
-        const mgdt_status status = mgdt_parts_build_each(handle_, look, &looks);
-        mgdt_parts_set_progress(handle_, nullptr, nullptr);
+        const mgdt_status status = mgdt_parts_build_each(parts_.get(), look, &looks);
+        mgdt_parts_set_progress(parts_.get(), nullptr, nullptr);
         if (looks.failure) std::rethrow_exception(looks.failure);
-        require(status, name);
+        parts_.require(status, name);
     }
-    std::int64_t number(std::int32_t key) const { return number(handle_, 0, key); }
+    std::int64_t number(std::int32_t key) const { return parts_.number(0, key); }
 
   private:
     struct Looks {
@@ -63,51 +54,24 @@ class Parts {
         std::exception_ptr failure;
     };
 
-    static std::int64_t number(const mgdt_parts* p, std::int32_t part, std::int32_t key) {
-        std::int64_t value = 0;
-        mgdt_parts_get_stat(p, part, key, &value);
-        return value;
-    }
     static std::int32_t look(const mgdt_parts* p, std::int32_t part, void* user) {
         Looks& looks = *static_cast<Looks*>(user);
         try {
-            write(p, part, looks.outputs.open(looks.files[static_cast<std::size_t>(part)]));
+            // Closed there: many files are not open at once.
+            write_part(p, part, looks.outputs.open(looks.files[static_cast<std::size_t>(part)]));
             return 0;
         } catch (...) {
             looks.failure = std::current_exception();
             return 1;
         }
     }
-    static void write(const mgdt_parts* p, std::int32_t part, OutputFile& out) {
-        Piece piece;
-        const auto get = [&](std::int32_t array, std::vector<std::int64_t>& values) {
-            std::int64_t size = 0;
-            mgdt_parts_get_size(p, part, array, &size);
-            values.resize(static_cast<std::size_t>(size));
-            if (mgdt_parts_get_array(p, part, array, size, values.data()) != MGDT_OK)
-                throw std::bad_alloc();
-        };
-        get(MGDT_PARTS_LOCAL_CORNERS, piece.corners);
-        piece.corners.resize(4 *
-                             static_cast<std::size_t>(number(p, part, MGDT_PARTS_OWN_TETRAHEDRA)));
-        get(MGDT_PARTS_VERTEX_IDS, piece.ids);
-        piece.points.resize(3 * piece.ids.size());
-        mgdt_parts_get_coordinates(p, part, static_cast<std::int64_t>(piece.points.size()),
-                                   piece.points.data());
-        check_interrupt();
-        write_piece(piece, out);
-        // Many files are not open at once.
-        out.close();
-    }
-    void require(mgdt_status status, const std::string& doing) const {
-        if (status == MGDT_OK) return;
-        char text[256] = "";
-        mgdt_parts_get_error(handle_, sizeof text, text);
-        throw_status(status, fmt::format("{}: {}", doing,
-                                         text[0] != '\0' ? text : mgdt_status_string(status)));
+    static mgdt_parts* create(std::int32_t count) {
+        mgdt_parts* parts = nullptr;
+        if (mgdt_parts_create(count, &parts) != MGDT_OK) throw std::bad_alloc();
+        return parts;
     }
 
-    mgdt_parts* handle_ = nullptr;
+    ProgramParts parts_;
     std::int32_t count_;
 };
 
@@ -128,7 +92,7 @@ int triangulate_in_parts(const TriangulateOptions& options) {
     std::int64_t vertices = 0, tetrahedra = 0;
     const auto begin = std::chrono::steady_clock::now();
     {
-        Parts parts(options.parts, options.triangulation);
+        PartsInTurn parts(options.parts, options.triangulation);
         {
             // Gone before it is triangulated.
             const Mesh mesh = read_input(options.input);

@@ -17,7 +17,9 @@ import meshio
 from cli_test import CliTest
 
 
-class Parts(CliTest):
+class Pieces(CliTest):
+    """What is in files of pieces."""
+
     def pieces(self, name):
         """The names in a .pvtu file, and the pieces as meshio reads them, which knows none without cells."""
         text = self.get(name).decode()
@@ -41,6 +43,8 @@ class Parts(CliTest):
         numbers = struct.unpack(f"<{(len(content) - 10 - length) // 8}q", content[10 + length:])
         return sorted(tuple(sorted(numbers[i:i + 4])) for i in range(0, len(numbers), 4))
 
+
+class Parts(Pieces):
     def test_pieces_are_the_one_triangulation(self):
         for kind, count, parts in (("uniform", 3000, 7), ("lattice", 1000, 4), ("spiral", 2000, 16),
                                    ("uniform", 20, 100), ("uniform", 500, 1)):

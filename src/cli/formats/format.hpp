@@ -27,6 +27,13 @@ struct WriteOptions {
     int index_base = 0;  // of formats that leave it open
 };
 
+// Where a file has its points: rows of bytes of one length, with x, y and z at the beginning.
+struct RowLayout {
+    std::size_t begin, rows, row_bytes;
+    bool wide;  // doubles, or else floats
+    bool big_endian;
+};
+
 struct Format {
     const char* name;  // for --from and --to
     std::vector<const char*> extensions;
@@ -47,6 +54,9 @@ struct Format {
     // The points with their fields, which read() takes too, and the tetrahedra where the format has
     // a place for them; nullptr where it has none for fields.
     void (*write_fields)(const Mesh& mesh, OutputFile& out, const WriteOptions& options) = nullptr;
+    // Where the points are, by the beginning of a file of so many bytes, for those who read a share
+    // of them; nothing where read() has to see the whole file. nullptr where it always has to.
+    std::optional<RowLayout> (*rows)(const Source& beginning, std::size_t file_size) = nullptr;
 };
 
 const Format& text_format();

@@ -162,9 +162,9 @@ std::string shape_text(const Header& header) {
 
 // Number of rows, after the array's size has been compared with the file's.
 std::size_t rows(const Source& source, const Header& header, std::uint64_t columns,
-                 std::size_t item) {
+                 std::size_t item, std::size_t file_size) {
     const std::uint64_t n = header.shape[0];
-    const std::size_t bytes = source.bytes.size() - header.data;
+    const std::size_t bytes = file_size - header.data;
     const bool fits = n == 0 || (columns <= bytes / item && n <= bytes / (columns * item));
     if (!fits || n * columns * item != bytes) {
         source.fail_at_byte(
@@ -211,9 +211,7 @@ std::string column_name(std::size_t column) {
     return fmt::format("column{}", column + 1);
 }
 
-Mesh read_npy(const Source& source, const ReadOptions& options) {
-    const Header header = read_header(source);
-    const bool wide = header.kind() == "f8";
+void require_doubles(const Source& source, const Header& header) {
     if (header.kind()[0] == 'i' && header.shape.size() == 2 && header.shape[1] == 4) {
         source.fail(
             fmt::format("an array of {} of the shape {}: tetrahedra, without their points; "
@@ -226,10 +224,16 @@ Mesh read_npy(const Source& source, const ReadOptions& options) {
                         "numpy.save(name, a.astype('<f8'))",
                         quote(header.type)));
     }
+}
+
+Mesh read_npy(const Source& source, const ReadOptions& options) {
+    const Header header = read_header(source);
+    require_doubles(source, header);
+    const bool wide = header.kind() == "f8";
     const bool has_more = header.shape.size() == 2 && header.shape[1] > 3;
     if (!options.has_fields || !has_more) require_columns(source, header, 3);
     const std::uint64_t all_columns = header.shape[1];
-    const std::size_t n = rows(source, header, all_columns, wide ? 8 : 4);
+    const std::size_t n = rows(source, header, all_columns, wide ? 8 : 4, source.bytes.size());
     // Of no rows, any number of columns may be announced.
     const std::size_t columns = n > 0 ? static_cast<std::size_t>(all_columns) : 3;
 
@@ -258,6 +262,22 @@ Mesh read_npy(const Source& source, const ReadOptions& options) {
         }
     });
     return mesh;
+}
+
+std::optional<RowLayout> npy_rows(const Source& beginning, std::size_t file_size) {
+    Header header;
+    try {
+        header = read_header(beginning);
+    } catch (const Error&) {
+        return std::nullopt;  // longer than the beginning, or wrong, which read() says
+    }
+    require_doubles(beginning, header);
+    require_columns(beginning, header, 3);
+    const bool wide = header.kind() == "f8";
+    const std::size_t n = rows(beginning, header, 3, wide ? 8 : 4, file_size);
+    if (header.fortran_order) return std::nullopt;
+    return RowLayout{header.data, n, 3 * (wide ? std::size_t{8} : std::size_t{4}), wide,
+                     big_endian(header)};
 }
 
 void write_header(const char* type, std::size_t n, std::size_t columns, OutputFile& out) {
@@ -316,7 +336,7 @@ std::vector<std::int64_t> read_npy_rows_of_4(const Source& source, int base) {
     }
     const bool wide = kind == "i8";
     require_columns(source, header, 4);
-    const std::size_t n = rows(source, header, 4, wide ? 8 : 4);
+    const std::size_t n = rows(source, header, 4, wide ? 8 : 4, source.bytes.size());
     std::vector<std::int64_t> values(4 * n);
     each_item(source, header, n, 4, [&](std::size_t row, std::size_t c, ByteReader& bytes) {
         const std::int64_t v =
@@ -343,7 +363,7 @@ Field read_npy_values(const Source& source) {
     }
     const std::uint64_t columns = header.shape.size() == 1 ? 1 : header.shape[1];
     if (columns == 0) source.fail("an array of no columns");
-    const std::size_t n = rows(source, header, columns, wide ? 8 : 4);
+    const std::size_t n = rows(source, header, columns, wide ? 8 : 4, source.bytes.size());
     Field field;
     field.name = "values";
     field.components = n > 0 ? static_cast<std::size_t>(columns) : 1;
@@ -360,8 +380,9 @@ Field read_npy_values(const Source& source) {
 }
 
 const Format& npy_format() {
-    static const Format format = {"npy",    {".npy"},     "NumPy array", true,    sniff,
-                                  read_npy, write_points, write_mesh,    nullptr, write_fields};
+    static const Format format = {"npy",   {".npy"},     "NumPy array", true,
+                                  sniff,   read_npy,     write_points,  write_mesh,
+                                  nullptr, write_fields, npy_rows};
     return format;
 }
 

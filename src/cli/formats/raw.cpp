@@ -24,6 +24,11 @@ Mesh read_raw(const Source& source, const ReadOptions&) {
     return mesh;
 }
 
+std::optional<RowLayout> raw_rows(const Source&, std::size_t file_size) {
+    if (file_size % 24 != 0) return std::nullopt;
+    return RowLayout{0, file_size / 24, 24, true, false};
+}
+
 void write_raw(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
     out.write_values(points.data(), points.size());
 }
@@ -38,7 +43,10 @@ const Format& raw_format() {
                                   nullptr,
                                   read_raw,
                                   write_raw,
-                                  nullptr};
+                                  nullptr,
+                                  nullptr,
+                                  nullptr,
+                                  raw_rows};
     return format;
 }
 

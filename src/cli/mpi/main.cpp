@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// The program mgdt-mpi: the Delaunay triangulation of a file of points on the ranks of MPI, each of
+// which reads a share of the points and writes a piece of the mesh.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <new>
+#include <numeric>
+#include <optional>
+
+#include "cli/errors.hpp"
+#include "cli/formats/pieces.hpp"
+#include "cli/input_share.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/mpi/ranks.hpp"
+#include "cli/program_parts.hpp"
+#include "cli/progress.hpp"
+
+extern "C" {
+#include "mpi/transport.h"
+}
+
+namespace mgdt::cli {
+namespace {
+
+struct Options {
+    InputOptions input;
+    std::string output;
+    TriangulationOptions triangulation;
+    int check_level = 0;
+};
+
+// Nothing where there is nothing to do: --help, --version.
+std::optional<Options> parse(int argc, char** argv, bool speaks) {
+    Options o;
+    CLI::App app(
+        "Exact 3D Delaunay triangulation of a file of points, by the ranks of MPI together:\n"
+        "mpiexec -n 4 mgdt-mpi points.npy -o mesh.pvtu",
+        "mgdt-mpi");
+    app.set_version_flag("--version", fmt::format("mgdt-mpi {} (ABI {})", mgdt_version_string(),
+                                                  mgdt_abi_version()));
+    app.add_option("input", o.input.path,
+                   "Points: each rank reads its share of an .npy or .f64 file; of other formats, "
+                   "and of standard input, the first rank reads all")
+        ->required()
+        ->type_name("FILE");
+    app.add_option("--from", o.input.from, "Format of the input")->type_name("FORMAT");
+    app.add_flag("--allow-empty", o.input.allow_empty,
+                 "Take an input without any text or bytes as no points");
+    app.add_option("-o,--output", o.output,
+                   "FILE.pvtu, which names the pieces FILE_0.vtu and so on, one from each rank")
+        ->type_name("FILE");
+    app.add_option("--threads", o.triangulation.threads,
+                   "Threads of each rank; 0 for all cores (default 1)")
+        ->check(CLI::Range(0, 1 << 20))
+        ->type_name("N");
+    app.add_option("--memory-limit", o.triangulation.memory_limit,
+                   "Most memory of the triangulation on each rank, such as 500MB or 4GB")
+        ->transform(CLI::AsSizeValue(false))
+        ->type_name("SIZE");
+    app.add_option("--check", o.check_level,
+                   "Prove the result before writing: 1 combinatorial, 2 geometric, 3 canonical")
+        ->check(CLI::Range(1, 3))
+        ->type_name("LEVEL");
+    app.add_flag("-q,--quiet", o.triangulation.quiet, "Print nothing but errors");
+    app.footer("Formats and exit codes are those of mgdt: see mgdt triangulate --help");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        if (e.get_exit_code() != 0)
+            throw Error(exit_usage, fmt::format("{}; see mgdt-mpi --help", e.what()));
+        if (speaks) app.exit(e);
+        return std::nullopt;
+    }
+    if (!o.output.empty() && !is_pieces_path(o.output))
+        throw Error(exit_usage, "mgdt-mpi writes pieces: say -o FILE.pvtu");
+    if (o.output.empty() && o.check_level == 0)
+        throw Error(exit_usage, "nothing to do; say where to write with -o, or ask for a --check");
+    return o;
+}
+
+// The exchange of the ranks, over a communicator of its own.
+class Exchange {
+  public:
+    explicit Exchange(Ranks& ranks) {
+        MPI_Comm own = MPI_COMM_NULL;
+        MPI_Comm_dup(MPI_COMM_WORLD, &own);
+        MPI_Comm_set_errhandler(own, MPI_ERRORS_RETURN);
+        ranks.together([&] {
+            if (mgdt_mpi_transport_begin(&transport_, own) != 0) throw std::bad_alloc();
+        });
+    }
+    ~Exchange() { mgdt_mpi_transport_end(&transport_); }
+    Exchange(const Exchange&) = delete;
+    Exchange& operator=(const Exchange&) = delete;
+
+    mgdt_parts* new_parts() {
+        mgdt_parts* parts = nullptr;
+        if (mgdt_mpi_transport_parts(&transport_, &parts) != MGDT_OK) throw std::bad_alloc();
+        return parts;
+    }
+
+  private:
+    mgdt_mpi_transport transport_{};
+};
+
+void insert(const ProgramParts& parts, int rank, const Share& share) {
+    const std::size_t n = share.points.size() / 3;
+    std::vector<std::int64_t> places(n);
+    std::iota(places.begin(), places.end(), share.first);
+    parts.require(mgdt_parts_insert_points(parts.get(), rank, static_cast<std::int64_t>(n),
+                                           share.points.data(), places.data()),
+                  "points");
+}
+
+void check(const ProgramParts& parts, const std::string& name, int level) {
+    const mgdt_status status = mgdt_parts_check(parts.get(), level);
+    if (status == MGDT_ERR_CHECK_FAILED)
+        throw Error(exit_check_failed,
+                    fmt::format("{}: check at level {} failed: {}; nothing was written", name,
+                                level, parts.message(status)));
+    parts.require(status, name);
+}
+
+// Each rank its piece; none gets its name before all are complete.
+void write(const Options& o, Ranks& ranks, const ProgramParts& parts,
+           const std::vector<std::string>& files) {
+    OutputSet outputs;
+    ranks.together([&] {
+        write_part(parts.get(), ranks.rank(),
+                   outputs.open(files[static_cast<std::size_t>(ranks.rank())]));
+        if (ranks.is_first()) write_index_of_pieces(files, outputs.open(o.output));
+    });
+    ranks.together([&] { outputs.commit(); });
+}
+
+void triangulate(const Options& o, Ranks& ranks) {
+    const int rank = ranks.rank();
+    const bool speaks = ranks.is_first() && !o.triangulation.quiet;
+    const std::string name = input_name(o.input.path);
+    std::vector<std::string> files;
+    Exchange exchange(ranks);
+    std::optional<ProgramParts> parts;
+    ranks.together([&] {
+        std::vector<std::string> written;
+        if (!o.output.empty()) {
+            files = piece_paths(o.output, ranks.count());
+            written = {files[static_cast<std::size_t>(rank)], o.output};
+            for (const std::string& file : written) check_writable(file);
+        }
+        const Share share = read_share(o.input, rank, ranks.count());
+        require_apart(share.inputs, written);
+        parts.emplace(exchange.new_parts(), o.triangulation);
+        insert(*parts, rank, share);
+    });
+
+    const auto begin = std::chrono::steady_clock::now();
+    ranks.together([&] {
+        Progress progress("triangulating", !speaks);
+        mgdt_parts_set_progress(parts->get(), Progress::callback, &progress);
+        const mgdt_status status = mgdt_parts_build(parts->get());
+        mgdt_parts_set_progress(parts->get(), nullptr, nullptr);
+        parts->require(status, name);
+    });
+    const auto end = std::chrono::steady_clock::now();
+    if (o.check_level > 0) {
+        ranks.together([&] { check(*parts, name, o.check_level); });
+        if (speaks) fmt::print("check at level {} passed\n", o.check_level);
+    }
+    if (!o.output.empty()) write(o, ranks, *parts, files);
+    if (!speaks) return;
+    const auto counts = [&](std::int32_t key, const char* one, const char* many) {
+        return counted(static_cast<std::size_t>(parts->number(rank, key)), one, many);
+    };
+    fmt::print("{}, {}, {}, {:.2f} s{}{}\n", counts(MGDT_PARTS_ALL_VERTICES, "vertex", "vertices"),
+               counts(MGDT_PARTS_ALL_TETRAHEDRA, "tetrahedron", "tetrahedra"),
+               counted(static_cast<std::size_t>(ranks.count()), "rank", "ranks"),
+               std::chrono::duration<double>(end - begin).count(), o.output.empty() ? "" : ": ",
+               printable(o.output));
+}
+
+int run(int argc, char** argv, Ranks& ranks) {
+    try {
+        std::optional<Options> options;
+        ranks.together([&] { options = parse(argc, argv, ranks.is_first()); });
+        if (options) triangulate(*options, ranks);
+        ranks.together([] {
+            if (std::fflush(stdout) != 0) throw Error(exit_output, "standard output: cannot write");
+        });
+        return exit_ok;
+    } catch (const Ranks::Elsewhere& failure) {
+        return failure.code;
+    }
+}
+
+}  // namespace
+}  // namespace mgdt::cli
+
+int main(int argc, char** argv) {
+    using namespace mgdt::cli;
+    Ranks ranks(&argc, &argv);
+    try {
+        install_signal_handlers();
+        return run(argc, argv, ranks);
+    } catch (...) {
+        const int code = report_exception(stderr);
+        if (!ranks.is_over()) MPI_Abort(MPI_COMM_WORLD, code);
+        return code;
+    }
+}
