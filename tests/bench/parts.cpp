@@ -5,9 +5,10 @@
 //   parts [points of a part [parts,... [distribution...]]]
 //
 // White-box: it calls the library's own objects. "received" is the points of others, "needed" those
-// among them that are neighbours of own ones, in percent of all points; "worst" the most that a
-// part received over their mean, "own" the same of own points; "time" the processor time of all
-// parts, over that of one triangulation.
+// among them that are neighbours of own ones, in percent of all points; "from" how many parts a
+// part received some from, in the mean; "worst" the most that a part received over their mean,
+// "own" the same of own points; "time" the processor time of all parts, over that of one
+// triangulation.
 #include "parts/parts.hpp"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ void run(const std::string& name, std::size_t each, mgdt::PartId parts) {
     mgdt::Parts all(collective, nullptr, nullptr, nullptr);
     const double of_parts = bench::processor_seconds(
         [&] { collective.run([&] { all.build(given.data(), nullptr, progress); }); });
-    std::size_t received = 0, needed = 0, most_received = 0, most_own = 0;
+    std::size_t received = 0, needed = 0, senders = 0, most_received = 0, most_own = 0;
     for (mgdt::PartId p = 0; p < parts; ++p) {
         const mgdt::Part& part = all.local(p);
         const std::size_t own = part.own_count(), others = part.point_count() - own;
@@ -53,14 +54,22 @@ void run(const std::string& name, std::size_t each, mgdt::PartId parts) {
         needed += static_cast<std::size_t>(std::count(
             is_needed.begin() + static_cast<std::ptrdiff_t>(own), is_needed.end(), true));
         received += others;
+        std::vector<bool> is_sender(parts, false);
+        for (std::size_t i = own; i < part.point_count(); ++i) {
+            const auto& first = all.first_vertices();
+            const auto after =
+                std::upper_bound(first.begin(), first.end(), part.points()[i].number);
+            is_sender[static_cast<std::size_t>(after - first.begin()) - 1] = true;
+        }
+        senders += static_cast<std::size_t>(std::count(is_sender.begin(), is_sender.end(), true));
         most_received = std::max(most_received, others);
         most_own = std::max(most_own, own);
     }
     const auto all_points = static_cast<double>(n);
     std::printf(
-        "%-10s %5u %9zu %8.1f%% %8.1f%% %8.2f %8.3f %8.2f\n", name.c_str(), parts, each,
+        "%-10s %5u %9zu %8.1f%% %8.1f%% %8.1f %8.2f %8.3f %8.2f\n", name.c_str(), parts, each,
         100 * static_cast<double>(received) / all_points,
-        100 * static_cast<double>(needed) / all_points,
+        100 * static_cast<double>(needed) / all_points, static_cast<double>(senders) / parts,
         static_cast<double>(most_received) * parts / std::max(1.0, static_cast<double>(received)),
         static_cast<double>(most_own) * parts / all_points, of_parts / of_one);
 }
@@ -78,9 +87,10 @@ int main(int argc, char** argv) {
     }
     std::vector<std::string> names(argv + std::min(argc, 3), argv + argc);
     if (names.empty())
-        names = {"uniform", "cluster", "galaxy", "line", "ellipse", "spiral", "lattice"};
-    std::printf("%-10s %5s %9s %9s %9s %8s %8s %8s\n", "", "parts", "points", "received", "needed",
-                "worst", "own", "time");
+        names = {"uniform", "line",   "diagonal", "ellipse", "spiral",
+                 "cluster", "galaxy", "lattice",  "sphere"};
+    std::printf("%-10s %5s %9s %9s %9s %8s %8s %8s %8s\n", "", "parts", "points", "received",
+                "needed", "from", "worst", "own", "time");
     for (const std::string& name : names)
         for (const mgdt::PartId parts : numbers) run(name, each, parts);
     return 0;

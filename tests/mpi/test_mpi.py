@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """mgdt.ParallelDelaunay on ranks, beside mgdt.Delaunay of all points."""
+import signal
 import sys
 
 import mgdt
@@ -85,6 +86,27 @@ else:
 raises(MemoryError, "out of memory", lambda: mgdt.ParallelDelaunay(points, memory_limit=20000 if last else 0))
 raises(mgdt.ArgumentError, "id 3 is given to two points",
        lambda: mgdt.ParallelDelaunay(points[2 * rank:2 * rank + 2], ids=[3, 3]))
+
+# Progress, and its ways to stop all.
+fractions = []
+with mgdt.ParallelDelaunay(points + rank, progress=fractions.append) as t:
+    check(fractions == sorted(fractions) and fractions[-1] == 1 and fractions[0] < 1, f"progress: {fractions[:9]}")
+
+
+def stops(kind, progress):
+    """It stops the last rank with an exception of this kind, and the others, by whatever was theirs."""
+    raises(kind if last else mgdt.Cancelled, "", lambda: mgdt.ParallelDelaunay(points + rank, progress=progress if last else None))
+
+
+def fails(fraction):
+    raise ZeroDivisionError(fraction)
+
+
+stops(mgdt.Cancelled, lambda fraction: mgdt.CANCEL)
+stops(ZeroDivisionError, fails)
+stops(KeyboardInterrupt, lambda fraction: signal.raise_signal(signal.SIGINT))
+with mgdt.ParallelDelaunay(points + rank) as t:
+    t.check()
 total = comm.allreduce(failures)
 if rank == 0:
     print(f"{ranks} ranks: {total} failures")

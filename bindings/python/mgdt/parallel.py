@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import ctypes
 from ctypes import POINTER, c_char_p, c_int32, c_int64, c_void_p
+from functools import partial
 from typing import Any, Optional
 
 import numpy as np
@@ -12,6 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _errors, _library
 from ._arrays import FloatArray, address
+from ._insertion import CANCEL, ProgressFunction
+from ._interface import PROGRESS
 from ._parts_interface import ARRAYS, NUMBERS, OPTIONS
 from ._transport import TYPES, Transport
 
@@ -22,6 +25,7 @@ _FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "destroy": (None, [c_void_p]),
     "set_option": (c_int32, [c_void_p, c_int32, c_int64]),
     "insert_points": (c_int32, [c_void_p, c_int32, c_int64, c_void_p, c_void_p]),
+    "set_progress": (c_int32, [c_void_p, PROGRESS, c_void_p]),
     "build": (c_int32, [c_void_p]),
     "check": (c_int32, [c_void_p, c_int32]),
     "get_stat": (c_int32, [c_void_p, c_int32, c_int32, POINTER(c_int64)]),
@@ -56,6 +60,9 @@ class ParallelDelaunay:
         0 on, those of rank 0 first
     threads : for the triangulation of this rank, 0 for all cores
     memory_limit : bytes for this rank, 0 for none
+    progress : called as ``progress(fraction)`` with 0 to 1, on this rank. The result ``mgdt.CANCEL``
+        cancels, and so does an exception, such as that of Ctrl-C; then the other ranks raise
+        `mgdt.Cancelled`
     """
 
     def __init__(
@@ -66,6 +73,7 @@ class ParallelDelaunay:
         ids: Optional[ArrayLike] = None,
         threads: int = 1,
         memory_limit: int = 0,
+        progress: Optional[ProgressFunction] = None,
     ) -> None:
         self._pointer = c_void_p()
         if comm is None:
@@ -90,12 +98,24 @@ class ParallelDelaunay:
         # What is wrong here is so on all ranks, which wait for this one.
         if problem is not None and not isinstance(problem, _errors.Error):
             self._call_quietly("insert_points", self._rank, -1, None, None)
+        # Without a function to call, too, so that Ctrl-C is heard.
+        report = PROGRESS(partial(self._report, progress))
+        self._call_quietly("set_progress", report, None)
         try:
             self._call("build")
         except _errors.Error:
             if problem is not None:
                 raise problem from None
             raise
+        finally:
+            self._call_quietly("set_progress", _library.NO_PROGRESS, None)
+
+    def _report(self, progress: Optional[ProgressFunction], fraction: float, _: Any) -> int:
+        try:
+            return 1 if progress is not None and progress(fraction) is CANCEL else 0
+        except BaseException as error:  # pylint: disable=broad-exception-caught
+            self._transport.failure = error
+            return 1
 
     def _insert(self, points: ArrayLike, ids: Optional[ArrayLike]) -> None:
         rows = np.ascontiguousarray(points, np.float64)
