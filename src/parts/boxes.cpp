@@ -107,13 +107,39 @@ bool Boxes::meets_ball(const Box& box, const Sphere& s, const double* base, int 
     return !(least > s.e * reach * (1 + 0x1p-40) + 0x1p-45 * sizes + 0x1p-1060);
 }
 
-bool Boxes::is_beyond(const Box& box, const double* a, const double* b, const double* c,
-                      const double* inner) {
-    const int inside = orientation(a, b, c, inner);
+Boxes::Facet::Facet(const double* a_, const double* b_, const double* c_, const double* inner)
+    : a(a_), b(b_), c(c_), inside(orientation(a_, b_, c_, inner)) {
+    double u[3], v[3];
+    for (int k = 0; k < 3; ++k) {
+        u[k] = b[k] - a[k];
+        v[k] = c[k] - a[k];
+    }
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        const double first = u[i] * v[j], second = u[j] * v[i];
+        normal[k] = inside * (second - first);
+        products[k] = std::fabs(first) + std::fabs(second);
+    }
+}
+
+// Most boxes are on the inner side by far more than rounding: the corner that is farthest along the
+// normal decides.
+bool Boxes::is_beyond(const Box& box, const Facet& f) {
+    double farthest = 0, sizes = 0, reach = 1;
+    for (int k = 0; k < 3; ++k) {
+        const double y = (f.normal[k] > 0 ? box.high : box.low)[k] - f.a[k];
+        farthest += f.normal[k] * y;
+        // The corners of a side are as far where the component has no certain sign.
+        const double size =
+            std::max(std::fabs(box.high[k] - f.a[k]), std::fabs(box.low[k] - f.a[k]));
+        sizes += f.products[k] * size;
+        reach += size;
+    }
+    if (farthest < -(0x1p-48 * sizes + 0x1p-1060 * reach)) return false;
     for (unsigned i = 0; i < 8; ++i) {
         double corner[3];
         for (unsigned k = 0; k < 3; ++k) corner[k] = (i >> k & 1 ? box.high : box.low)[k];
-        if (orientation(a, b, c, corner) == -inside) return true;
+        if (orientation(f.a, f.b, f.c, corner) == -f.inside) return true;
     }
     return false;
 }

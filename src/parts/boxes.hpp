@@ -45,12 +45,21 @@ class Boxes {
     template <class Visit>
     void each_beyond(const double* a, const double* b, const double* c, const double* inner,
                      const Visit& visit) const {
-        each_that(visit, [&](const Box& box) { return is_beyond(box, a, b, c, inner); });
+        const Facet facet(a, b, c, inner);
+        each_that(visit, [&](const Box& box) { return is_beyond(box, facet); });
     }
 
     static bool meets_ball(const Box& box, const Sphere& s, const double* base, int scale);
-    static bool is_beyond(const Box& box, const double* a, const double* b, const double* c,
-                          const double* inner);
+    // The plane of a hull facet and its outer side, with the facet's corners where rounding leaves
+    // a side open.
+    struct Facet {
+        Facet(const double* a, const double* b, const double* c, const double* inner);
+        const double *a, *b, *c;
+        int inside;          // the orientation of a place on the inner side
+        double normal[3];    // pointing outwards, rounded
+        double products[3];  // sums of magnitudes in each component
+    };
+    static bool is_beyond(const Box& box, const Facet& facet);
 
   private:
     static constexpr std::size_t most_leaves = 512, least_leaves = 16, most_boxes = 65536;

@@ -15,6 +15,7 @@
 
 #include "../small.h"
 #include "parts/in_process.hpp"
+#include "predicates/predicates.hpp"
 #include "thread_transport.hpp"
 
 namespace mgdt {
@@ -300,6 +301,41 @@ TEST(Parts, SeeThroughUnderflow) {
         const Box box = {{sign * v, sign * v, sign * third}, {sign * v, sign * v, sign * third}};
         EXPECT_TRUE(Boxes::meets_ball(box, s, corner[0], 0)) << sign;
     }
+}
+
+// Planes through boxes of one place and of several, which rounding puts on either side.
+TEST(Parts, SeeCornersBeyondAFacet) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> real(-1, 1);
+    std::uniform_int_distribution<int> integer(-2, 2);
+    int beyond = 0, inside = 0;
+    const int n = is_small() ? 2000 : 100000;
+    for (int i = 0; i < n; ++i) {
+        const double size = i % 5 == 0 ? std::ldexp(1, -355) : i % 7 == 0 ? 1e-3 : 1;
+        double p[4][3];
+        for (auto& x : p)
+            for (double& c : x) c = i % 3 == 0 ? integer(random) : size * real(random);
+        if (orientation(p[0], p[1], p[2], p[3]) == 0) continue;
+        const double s = real(random), t = i % 4 == 0 ? 10 * real(random) : real(random);
+        Box box;
+        for (int k = 0; k < 3; ++k) {
+            const double at = p[0][k] + s * (p[1][k] - p[0][k]) + t * (p[2][k] - p[0][k]),
+                         extent = i % 2 == 0 ? 0 : std::fabs(size * real(random)) * 1e-9;
+            box.low[k] = at - extent;
+            box.high[k] = at + extent;
+        }
+        bool expected = false;
+        for (int corner = 0; corner < 8; ++corner) {
+            const double y[3] = {(corner & 1 ? box.high : box.low)[0],
+                                 (corner & 2 ? box.high : box.low)[1],
+                                 (corner & 4 ? box.high : box.low)[2]};
+            expected |= orientation(p[0], p[1], p[2], y) == -orientation(p[0], p[1], p[2], p[3]);
+        }
+        EXPECT_EQ(Boxes::is_beyond(box, Boxes::Facet(p[0], p[1], p[2], p[3])), expected) << i;
+        (expected ? beyond : inside) += 1;
+    }
+    EXPECT_GT(beyond, n / 8);
+    EXPECT_GT(inside, n / 8);
 }
 
 TEST(Parts, NumberTheirTetrahedra) {
