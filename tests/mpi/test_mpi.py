@@ -1,8 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""mgdt.ParallelDelaunay on ranks, beside mgdt.Delaunay of all points."""
+"""mgdt.ParallelDelaunay on ranks, beside mgdt.Delaunay of all points.
+
+Usage: test_mpi.py MGDT, the program, which makes points; on ranks of MPI
+"""
+import re
 import signal
+import subprocess
 import sys
+import tempfile
 
 import mgdt
 import numpy as np
@@ -63,6 +69,18 @@ compare(points, "in pieces")
 _transport.LARGEST_MESSAGE = 1 << 30
 lattice = np.stack(np.meshgrid(*[range(6)] * 3), -1).reshape(-1, 3).astype(float)
 compare(lattice, "lattice")
+
+# Points of every kind that the program makes.
+program = sys.argv[1]
+kinds = re.search(r"^Kinds:\n((?:  .*\n)+)", subprocess.run([program, "generate", "--help"], capture_output=True, text=True, check=True).stdout, re.M)
+kinds = [line.split()[0] for line in kinds.group(1).splitlines()]
+check(len(kinds) > 20, "kinds of points")
+with tempfile.TemporaryDirectory() as folder:
+    for kind in kinds:
+        made = subprocess.run([program, "generate", "-q", kind, "300", "-o", f"{folder}/{kind}.npy"], check=False)
+        check(made.returncode == 0, f"points of kind {kind}")
+        if kind not in ("nan", "infinity"):
+            compare(np.load(f"{folder}/{kind}.npy"), kind)
 
 # Nothing on some ranks, and nothing at all.
 with mgdt.ParallelDelaunay(points if rank == ranks - 1 else []) as t:
