@@ -144,7 +144,7 @@ std::size_t size_of(const mgdt_parts& p, std::int32_t part, std::int32_t array) 
     }
 }
 
-std::size_t stat(const mgdt_parts& p, PartId i, std::int32_t key) {
+std::size_t statistic(const mgdt_parts& p, PartId i, std::int32_t key) {
     const bool is_built = p.triangulation != nullptr;
     switch (key) {
         case MGDT_PARTS_PARTS:
@@ -185,7 +185,7 @@ extern "C" mgdt_status mgdt_parts_get_stat(const mgdt_parts* p, int32_t part, in
                                            int64_t* value) {
     return guard(p, [&] {
         require_pointer(value, "value");
-        *value = static_cast<std::int64_t>(stat(*p, p->local(part), key));
+        *value = static_cast<std::int64_t>(statistic(*p, p->local(part), key));
     });
 }
 

@@ -36,6 +36,9 @@ class SignalsBlocked {
 
   private:
     sigset_t before_;
+#else
+    SignalsBlocked() noexcept {}
+    ~SignalsBlocked() {}
 #endif
 };
 

@@ -16,7 +16,9 @@ struct Error {
     char message[message_size];
 };
 
-#if defined(__GNUC__)
+#if defined(__MINGW32__)
+#define MGDT_FORMAT_PRINTF __attribute__((format(gnu_printf, 2, 3)))
+#elif defined(__GNUC__)
 #define MGDT_FORMAT_PRINTF __attribute__((format(printf, 2, 3)))
 #else
 #define MGDT_FORMAT_PRINTF

@@ -9,6 +9,9 @@
 #include <sys/mman.h>
 #define MGDT_HAVE_MREMAP 1
 #endif
+#if defined(_WIN32)
+#include <malloc.h>
+#endif
 
 namespace mgdt {
 namespace {
@@ -62,8 +65,12 @@ void* default_obtain(std::size_t bytes, std::size_t align, bool remaps) noexcept
 #else
     static_cast<void>(remaps);
 #endif
+#if defined(_WIN32)
+    return _aligned_malloc(bytes, align);
+#else
     // aligned_alloc wants a size that is a multiple of the alignment.
     return std::aligned_alloc(align, (bytes + align - 1) & ~(align - 1));
+#endif
 }
 
 void default_give_back(void* p, std::size_t bytes, std::size_t align) noexcept {
@@ -76,7 +83,11 @@ void default_give_back(void* p, std::size_t bytes, std::size_t align) noexcept {
 #endif
     static_cast<void>(bytes);
     static_cast<void>(align);
+#if defined(_WIN32)
+    _aligned_free(p);
+#else
     std::free(p);
+#endif
 }
 
 }  // namespace

@@ -381,6 +381,9 @@ static void memory(void) {
     CHECK_EQUAL(mgdt_insert_points(compact, n, xyz), MGDT_ERR_OUT_OF_MEMORY);
     CHECK_EQUAL(mgdt_clear(compact), MGDT_OK);
     CHECK_EQUAL(mgdt_set_compact(compact, 1), MGDT_OK);
+#if !defined(__linux__) /* a block that grows is copied, and for a moment there are two */
+    CHECK_EQUAL(mgdt_set_memory_limit(compact, 2 * limit), MGDT_OK);
+#endif
     CHECK_EQUAL(mgdt_insert_points(compact, n, xyz), MGDT_OK);
     CHECK(same_tetrahedra(kept, compact, NULL));
     mgdt_destroy(compact);

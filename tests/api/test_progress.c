@@ -3,6 +3,7 @@
 #define _POSIX_C_SOURCE 200112L
 #include <stdlib.h>
 
+#include "../aligned.h"
 #include "check.h"
 
 typedef struct {
@@ -156,19 +157,18 @@ static void held_points_stay(void) {
 /* A request to stop ends with the call that it reached, also when that fails for another reason. */
 static void* cancel_and_refuse(size_t size, size_t align, void* user) {
     watch* w = user;
-    void* p = NULL;
     if (w->stop_at != 0 && size >= 4096) {
         mgdt_cancel(w->t);
         return NULL;
     }
-    return posix_memalign(&p, align < sizeof p ? sizeof p : align, size) == 0 ? p : NULL;
+    return allocate_aligned(size, align);
 }
 
 static void give(void* p, size_t size, size_t align, void* user) {
     (void)size;
     (void)align;
     (void)user;
-    free(p);
+    free_aligned(p);
 }
 
 static void requests_end(void) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <thread>
 
+#include "../aligned.h"
 #include "random_points.hpp"
 
 using namespace cxx_test;
@@ -239,10 +240,10 @@ TEST(CCallbacks, ExceptionsGoNoFurther) {
         long left;
         static void* take(std::size_t bytes, std::size_t align, void* user) {
             if (static_cast<Memory*>(user)->left-- == 0) throw Stop{0};
-            return std::aligned_alloc(align, (bytes + align - 1) / align * align);
+            return allocate_aligned(bytes, align);
         }
         static void give(void* p, std::size_t, std::size_t, void*) {
-            std::free(p);
+            free_aligned(p);
             throw Stop{1};
         }
     };

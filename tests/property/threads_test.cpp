@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "../aligned.h"
 #include "handle.hpp"
 
 namespace {
@@ -159,9 +160,9 @@ TEST(Threads, ChangesDuringALongReadingCallAreRefused) {
             int expected = 1;
             if (self.state.compare_exchange_strong(expected, 2))
                 while (self.state != 3) std::this_thread::yield();
-            return std::aligned_alloc(align, (bytes + align - 1) / align * align);
+            return allocate_aligned(bytes, align);
         }
-        static void give(void* p, std::size_t, std::size_t, void*) { std::free(p); }
+        static void give(void* p, std::size_t, std::size_t, void*) { free_aligned(p); }
     } memory;
     mgdt_triangulation* made = nullptr;
     ASSERT_EQ(mgdt_create_with_allocator(Memory::take, Memory::give, &memory, &made), MGDT_OK);

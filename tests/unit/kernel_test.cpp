@@ -55,16 +55,28 @@ TEST(Kernels, AreFoundByName) {
     EXPECT_EQ(find_kernel(nullptr) == find_kernel("baseline"), found == 1);
 }
 
+// Nothing: there is none.
+void set_environment(const char* name, const std::string& value) {
+#if defined(_WIN32)
+    _putenv_s(name, value.c_str());
+#else
+    if (value.empty())
+        unsetenv(name);
+    else
+        setenv(name, value.c_str(), 1);
+#endif
+}
+
 TEST(Kernels, DefaultIsTheOneThatIsNamed) {
     const char* const set = std::getenv("MGDT_ISA");
     const std::string before = set ? set : "";
-    setenv("MGDT_ISA", "baseline", 1);
+    set_environment("MGDT_ISA", "baseline");
     EXPECT_EQ(&default_kernel(), find_kernel("baseline"));
-    setenv("MGDT_ISA", "avx1024", 1);
+    set_environment("MGDT_ISA", "avx1024");
     EXPECT_EQ(&default_kernel(), find_kernel(nullptr));
-    unsetenv("MGDT_ISA");
+    set_environment("MGDT_ISA", "");
     EXPECT_EQ(&default_kernel(), find_kernel(nullptr));
-    if (set) setenv("MGDT_ISA", before.c_str(), 1);
+    set_environment("MGDT_ISA", before);
 }
 
 using Corners = std::array<VertexId, 4>;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "../aligned.h"
 #include "predicates/predicates.hpp"
 #include "query/locate.hpp"
 #include "surgery.hpp"
@@ -109,10 +110,10 @@ TEST(LocationTree, IsMadeAgainWhereVerticesAdvance) {
 struct Blocks {
     static void* take(std::size_t bytes, std::size_t align, void* user) {
         auto& blocks = static_cast<Blocks*>(user)->all;
-        blocks.emplace_back(std::aligned_alloc(align, (bytes + align - 1) / align * align), bytes);
+        blocks.emplace_back(allocate_aligned(bytes, align), bytes);
         return blocks.back().first;
     }
-    static void give_back(void* p, std::size_t, std::size_t, void*) { std::free(p); }
+    static void give_back(void* p, std::size_t, std::size_t, void*) { free_aligned(p); }
     std::vector<std::pair<void*, std::size_t>> all;
 };
 

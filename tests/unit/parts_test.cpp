@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "../aligned.h"
 #include "../small.h"
 #include "parts/in_process.hpp"
 #include "predicates/predicates.hpp"
@@ -378,9 +379,9 @@ struct Memory {
         auto& left = static_cast<Memory*>(user)->left;
         if (size > left) return nullptr;
         left -= size;
-        return std::aligned_alloc(align, (size + align - 1) / align * align);
+        return allocate_aligned(size, align);
     }
-    static void give_back(void* block, std::size_t, std::size_t, void*) { std::free(block); }
+    static void give_back(void* block, std::size_t, std::size_t, void*) { free_aligned(block); }
 };
 
 struct Shortage {

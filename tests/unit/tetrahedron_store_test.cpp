@@ -5,6 +5,8 @@
 
 #include <cstdlib>
 
+#include "../aligned.h"
+
 namespace mgdt {
 namespace {
 
@@ -55,10 +57,9 @@ TEST(TetrahedronStore, CapacityIsThatOfSlots) {
         refuses = false;
         Allocator allocator(
             [](std::size_t bytes, std::size_t align, void*) {
-                return refuses ? nullptr
-                               : std::aligned_alloc(align, (bytes + align - 1) / align * align);
+                return refuses ? nullptr : allocate_aligned(bytes, align);
             },
-            [](void* p, std::size_t, std::size_t, void*) { std::free(p); }, nullptr);
+            [](void* p, std::size_t, std::size_t, void*) { free_aligned(p); }, nullptr);
         TetrahedronStore store(allocator);
         store.reserve(2 * count);
         fill(store);

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "../aligned.h"
 #include "../schemes.hpp"
 #include "../small.h"
 #include "core/triangulation.hpp"
@@ -284,10 +285,10 @@ TEST(Zones, Cancelled) {
 std::atomic<long> allocations_left{0};
 void* scarce(std::size_t size, std::size_t align, void*) {
     if (allocations_left.fetch_sub(1) <= 0) return nullptr;
-    return std::aligned_alloc(align, (size + align - 1) / align * align);
+    return allocate_aligned(size, align);
 }
 void give_back(void* p, std::size_t, std::size_t, void*) {
-    std::free(p);
+    free_aligned(p);
 }
 
 TEST(Zones, OutOfMemory) {

@@ -1,0 +1,170 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Builds for another system or processor and runs the tests there, in an emulator.
+set -u
+
+usage() {
+    cat <<'END'
+usage: sh tests/cross.sh [--short] [--no-install] [--jobs N] TARGET
+
+Builds in build-tests/cross-TARGET with Debian's cross compiler and runs the unit, property and API
+tests and those of the C++ header, on smaller sets; ends with a line "N passed, N failed". Installs
+the Debian packages that are missing (as root or through sudo).
+
+  windows  x86-64, with MinGW-w64, in Wine
+  aarch64  64-bit ARM, in QEMU
+  riscv64  64-bit RISC-V, in QEMU
+  s390x    IBM Z, which is big-endian, in QEMU
+  i386     32-bit x86 with SSE2, in QEMU
+
+  --short       the library, the API's tests and the hashes of canonical output alone
+  --no-install  install nothing; a missing package is a failure
+  --jobs N      parallel jobs (default: the number of processors)
+END
+}
+
+short=no
+install=yes
+jobs=$(nproc 2>/dev/null || echo 2)
+while [ $# -gt 0 ]; do
+    case $1 in
+    --short) short=yes ;;
+    --no-install) install=no ;;
+    --jobs)
+        [ $# -gt 1 ] || { usage >&2; exit 2; }
+        jobs=$2
+        shift
+        ;;
+    -h | --help) usage; exit 0 ;;
+    -*) usage >&2; exit 2 ;;
+    *) break ;;
+    esac
+    shift
+done
+[ $# -eq 1 ] || { usage >&2; exit 2; }
+target=$1
+
+cd "$(dirname "$0")/.." || exit 1
+root=$(pwd)
+PATH=/usr/bin:/bin:$PATH
+LC_ALL=C.UTF-8
+MGDT_TEST_SMALL=1
+WINEDEBUG=-all
+export PATH LC_ALL MGDT_TEST_SMALL WINEDEBUG
+unset CC CXX CFLAGS CXXFLAGS LDFLAGS
+
+# What there is of each: the compiler's prefix and suffix, its package, the emulator, the processor.
+suffix=
+arguments=
+system=linux
+endian=little
+emulator_package=qemu-user
+libraries=
+case $target in
+windows)
+    prefix=x86_64-w64-mingw32
+    suffix=-posix
+    compiler_package=g++-mingw-w64-x86-64-posix
+    emulator_package='wine wine64'
+    emulator=wine
+    system=windows
+    family=x86_64
+    ;;
+aarch64 | riscv64 | s390x)
+    prefix=$target-linux-gnu
+    family=$target
+    [ "$target" != s390x ] || endian=big
+    ;;
+i386)
+    prefix=i686-linux-gnu
+    family=x86
+    arguments="'-msse2', '-mfpmath=sse'"
+    ;;
+*) usage >&2; exit 2 ;;
+esac
+if [ $system = linux ]; then
+    compiler_package=g++-$prefix
+    emulator=qemu-$target
+    libraries=", '-L', '/usr/$prefix'"
+fi
+
+lose() { # why
+    printf 'failed: %s\n\n0 passed, 1 failed\n' "$1"
+    exit 1
+}
+
+# Headers of the tests' libraries are the same for all; GoogleTest is compiled from its sources.
+packages="meson ninja-build pkg-config python3 libgtest-dev libboost-dev $compiler_package $emulator_package"
+is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed'; }
+missing() { for p in $packages; do is_installed "$p" || printf '%s ' "$p"; done; }
+wanted=$(missing)
+if [ -n "$wanted" ] && [ $install = yes ]; then
+    echo "== installing $wanted"
+    sudo=
+    [ "$(id -u)" -eq 0 ] || sudo=sudo
+    # shellcheck disable=SC2086 # packages are words
+    $sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq \
+        --no-install-recommends $wanted >/dev/null
+    wanted=$(missing)
+fi
+[ -z "$wanted" ] || lose "missing packages: $wanted"
+
+folder=$root/build-tests/cross-$target
+rm -rf "$folder"
+mkdir -p "$folder/headers"
+# Alone in a folder: beside them are the C library's headers of this machine.
+ln -s /usr/include/boost "$folder/headers/boost"
+cat >"$folder/cross.ini" <<END
+[binaries]
+c = '$prefix-gcc$suffix'
+cpp = '$prefix-g++$suffix'
+ar = '$prefix-gcc-ar$suffix'
+strip = '$prefix-strip'
+exe_wrapper = ['$emulator'$libraries]
+[built-in options]
+c_args = [$arguments]
+cpp_args = [$arguments]
+[properties]
+needs_exe_wrapper = true
+boost_includedir = '$folder/headers'
+boost_librarydir = '$folder/headers'
+[host_machine]
+system = '$system'
+cpu_family = '$family'
+cpu = '$family'
+endian = '$endian'
+END
+
+echo "== building for $target in ${folder#"$root"/}"
+targets=
+[ $short = no ] || targets='tests/api/api_test tests/property/canonical_hashes_test'
+[ $system != windows ] || targets=$(for t in $targets; do printf '%s.exe ' "$t"; done)
+# shellcheck disable=SC2086 # targets are words
+if ! { meson setup "$folder/build" "$root" --cross-file "$folder/cross.ini" -Dtests=auto -Ddebug=false \
+    -Dcgal=disabled -Dpeers=disabled -Dprogram=disabled -Dmpi=disabled >"$folder/log" 2>&1 &&
+    ninja -C "$folder/build" -j "$jobs" $targets >"$folder/log" 2>&1; }; then
+    tail -n 40 "$folder/log"
+    lose "the build for $target"
+fi
+# Boost's are not ours.
+ours='^\.\./\.\./\.\./\(src\|include\|tests\)/.*warning:'
+if grep -q "$ours" "$folder/log"; then
+    grep "$ours" "$folder/log" | head -n 20
+    lose "the build for $target, which has warnings"
+fi
+
+# The first start of Wine makes its folder, and takes long.
+[ $system != windows ] || wine cmd /c exit >/dev/null 2>&1
+echo "== running the tests of $target"
+set --
+[ $short = no ] || set -- api 'canonical hashes'
+meson test -C "$folder/build" --no-rebuild --num-processes "$jobs" --timeout-multiplier 10 --print-errorlogs \
+    "$@" >"$folder/log" 2>&1
+status=$?
+cat "$folder/log"
+count() { sed -n "s/^$1: *\([0-9][0-9]*\) *\$/\1/p" "$folder/log" | tail -n 1; }
+passed=$(($(count Ok) + 0))
+failed=$(($(count Fail) + $(count 'Unexpected Pass') + $(count Skipped) + $(count Timeout) + 0))
+[ $status -eq 0 ] || [ $failed -gt 0 ] || failed=1
+printf '\n%d passed, %d failed\n' "$passed" "$failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
