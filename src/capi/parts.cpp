@@ -239,7 +239,7 @@ extern "C" mgdt_status mgdt_parts_set_option(mgdt_parts* p, int32_t option, int6
                 break;
             case MGDT_PARTS_MEMORY_LIMIT:
                 require(value >= 0);
-                p->allocator.set_limit(static_cast<std::size_t>(value));
+                p->allocator.set_limit(limit_of(value));
                 break;
             default:
                 fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));

@@ -97,7 +97,7 @@ extern "C" mgdt_status mgdt_set_memory_limit(mgdt_triangulation* t, int64_t byte
         if (bytes < 0)
             fail(MGDT_ERR_INVALID_ARGUMENT, "the memory limit is negative (%lld)",
                  static_cast<long long>(bytes));
-        t->core.allocator().set_limit(static_cast<std::size_t>(bytes));
+        t->core.allocator().set_limit(limit_of(bytes));
     });
 }
 

@@ -209,7 +209,8 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
         if (MGDT_UNLIKELY(!access.try_own(tetrahedra[here.tetrahedron]))) return no_way;
         if constexpr (!Access::is_concurrent) {
             if (MGDT_UNLIKELY(++steps == next_jump)) {
-                jump<typename Access::SphereSource>(mesh, here, q, steps, counters);
+                jump<typename Access::SphereSource>(mesh, here, q, static_cast<std::size_t>(steps),
+                                                    counters);
                 if (here.power.is_conflict()) return {{here.tetrahedron, 0}, infinite_vertex};
                 next_jump *= 2;
             }

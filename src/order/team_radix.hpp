@@ -37,7 +37,8 @@ inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::
     make_lists(
         team, allocator, n, min_items_per_thread, values, ends.data(),
         [a, shift, mask = values - 1](std::size_t begin, std::size_t end, auto f) {
-            for (std::size_t i = begin; i < end; ++i) f(a[i] >> shift & mask, a[i]);
+            for (std::size_t i = begin; i < end; ++i)
+                f(static_cast<std::size_t>(a[i] >> shift & mask), a[i]);
         },
         [](std::size_t) {},
         [scratch](std::size_t place, std::uint64_t word) { scratch[place] = word; });

@@ -60,7 +60,9 @@ class WorkQueue {
     static std::uint64_t pack(std::size_t first, std::size_t end) noexcept {
         return static_cast<std::uint64_t>(first) << 32 | end;
     }
-    static std::size_t first_of(std::uint64_t ends) noexcept { return ends >> 32; }
+    static std::size_t first_of(std::uint64_t ends) noexcept {
+        return static_cast<std::size_t>(ends >> 32);
+    }
     static std::size_t end_of(std::uint64_t ends) noexcept { return ends & 0xFFFFFFFFu; }
     static std::size_t size_of(std::uint64_t ends) noexcept {
         return end_of(ends) - first_of(ends);

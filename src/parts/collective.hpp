@@ -41,7 +41,7 @@ class Collective {
         gather(size, sizes);
         begin[0] = 0;
         for (std::size_t p = 0; p < parts(); ++p) begin[p + 1] = begin[p] + sizes[p];
-        all.resize(begin[parts()] / sizeof(T));
+        all.resize(bytes_of(begin[parts()], 1) / sizeof(T));
         agree(nullptr);
         require(transport_.gather(mine.data(), begin.data(), all.data()));
     }
@@ -58,7 +58,7 @@ class Collective {
         for (Mail& mail : in) mail.begin.resize(std::size_t{parts()} + 1);
         agree(nullptr);
         require(transport_.exchange_counts(out.begin(), in.begin()));
-        for (Mail& mail : in) mail.bytes.resize(mail.count() * sizeof(Record));
+        for (Mail& mail : in) mail.bytes.resize(bytes_of(mail.begin.back(), sizeof(Record)));
         agree(nullptr);
         require(transport_.exchange_records(sizeof(Record), out.begin(), in.begin()));
     }

@@ -168,7 +168,7 @@ class Homes::Level {
         if (round == 0) keep_likely();
         first_.clear();
         first_.resize(nodes_.size() + 1, all_.size());
-        for (std::size_t k = all_.size(); k-- > 0;) first_[all_[k].node] = k;
+        for (std::size_t k = all_.size(); k-- > 0;) first_[node_of(all_[k])] = k;
         for (std::size_t i = nodes_.size(); i-- > 0;)
             first_[i] = std::min(first_[i], first_[i + 1]);
     }
@@ -199,7 +199,7 @@ class Homes::Level {
         for (Candidate* from = all_.begin(); from != all_.end();) {
             Candidate* const end = std::find_if(
                 from, all_.end(), [&](const Candidate& c) { return c.node != from->node; });
-            const Node& n = nodes_[from->node];
+            const Node& n = nodes_[node_of(*from)];
             const auto size = static_cast<double>(end - from);
             const double share = static_cast<double>(n.middle - n.first) / (n.last - n.first),
                          spread = 4 * std::sqrt(size * share * (1 - share)) + 1;
@@ -211,8 +211,9 @@ class Homes::Level {
         }
         all_.resize(static_cast<std::size_t>(to - all_.begin()));
     }
+    static std::size_t node_of(const Candidate& c) { return static_cast<std::size_t>(c.node); }
     Splitter splitter(const Candidate& c) const {
-        return {{c.x[0], c.x[1], c.x[2]}, nodes_[c.node].axis};
+        return {{c.x[0], c.x[1], c.x[2]}, nodes_[node_of(c)].axis};
     }
 
     // Of the points of a node, those before its first candidate, from there to the second, ...

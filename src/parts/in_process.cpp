@@ -4,7 +4,7 @@
 namespace mgdt {
 
 bool InProcess::gather(const void* mine, const std::uint64_t* begin, void* all) noexcept {
-    if (begin[parts_] > 0) std::memcpy(all, mine, begin[parts_]);
+    if (begin[parts_] > 0) std::memcpy(all, mine, static_cast<std::size_t>(begin[parts_]));
     return true;
 }
 
@@ -25,7 +25,7 @@ bool InProcess::exchange_records(std::size_t record_size, const Mail* out, Mail*
             if (count > 0)
                 std::memcpy(in[to].bytes.data() + at * record_size,
                             out[from].bytes.data() + out[from].begin[to] * record_size,
-                            count * record_size);
+                            static_cast<std::size_t>(count * record_size));
         }
     return true;
 }

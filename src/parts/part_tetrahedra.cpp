@@ -282,7 +282,7 @@ class TetrahedraFinder {
             Post<Side> post(allocator_);
             list_across(p);
             for (const PartTetrahedra::Across& a : t.across_) {
-                const std::size_t i = a.side / 4;
+                const auto i = static_cast<std::size_t>(a.side / 4);
                 const int face = static_cast<int>(a.side % 4);
                 post.add(meeting_place(p, i, face), {key<3>(p, i, face), t.number(i)});
             }

@@ -49,7 +49,7 @@ template <class Reply>
 Reply* begin_replies(const Mail& in, Mail& out) {
     out.begin.resize(in.begin.size());
     std::copy(in.begin.begin(), in.begin.end(), out.begin.data());
-    out.bytes.resize(in.count() * sizeof(Reply));
+    out.bytes.resize(bytes_of(in.count(), sizeof(Reply)));
     return out.records<Reply>();
 }
 

@@ -31,7 +31,7 @@ class DistinctPoints {
             std::memcpy(&bits, &one_zero, sizeof bits);
             hash = Random::at(hash ^ bits, 0);
         }
-        for (std::size_t at = hash & mask_;; at = (at + 1) & mask_) {
+        for (std::size_t at = static_cast<std::size_t>(hash) & mask_;; at = (at + 1) & mask_) {
             if (places_[at] == no_index) return places_[at] = next;
             const double* const y = points[places_[at]].x;
             if (y[0] == x[0] && y[1] == x[1] && y[2] == x[2]) return places_[at];
@@ -98,7 +98,7 @@ class Settlement {
             each_given(p, [&](std::size_t, PartId home) { ++next[home]; });
         for (PartId p = 0; p < all_.parts(); ++p) {
             arrived_[p].begin.push_back(next[p]);
-            arrived_[p].bytes.resize(next[p] * sizeof(PartPoint));
+            arrived_[p].bytes.resize(bytes_of(next[p], sizeof(PartPoint)));
             next[p] = 0;
         }
         for (PartId p = 0; p < all_.parts(); ++p)
@@ -110,7 +110,8 @@ class Settlement {
         next.resize(all_.parts(), 0);
         for (PartId p = 0; p < all_.parts(); ++p)
             each_given(p, [&](std::size_t i, PartId home) {
-                of_given[p][i] = first_vertex[home] + vertices_[home][next[home]++];
+                of_given[p][i] =
+                    first_vertex[home] + vertices_[home][static_cast<std::size_t>(next[home]++)];
             });
     }
 

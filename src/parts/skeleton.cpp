@@ -33,7 +33,8 @@ void Skeleton::gather(Collective& all, const Objects<Part>& parts) {
         if (n == 0) continue;
         const auto at = [&](std::size_t i) { return part.point(static_cast<std::uint32_t>(i)); };
         for (std::size_t k = 0; k < sample_size; ++k)
-            offer.sample[k] = at(Random::at(all.first_local() + p, k) % n);
+            offer.sample[k] =
+                at(static_cast<std::size_t>(Random::at(all.first_local() + p, k) % n));
         for (std::size_t k = 0; k < directions; ++k) {
             double d[3];
             direction(k, d);

@@ -23,7 +23,7 @@ struct Mail {
     T* records() {
         return reinterpret_cast<T*>(bytes.data());
     }
-    std::size_t count() const { return begin.empty() ? 0 : begin.back(); }
+    std::size_t count() const { return begin.empty() ? 0 : static_cast<std::size_t>(begin.back()); }
 
     Buffer<unsigned char> bytes;
     Buffer<std::uint64_t> begin;

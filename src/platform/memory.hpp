@@ -16,6 +16,18 @@
 
 namespace mgdt {
 
+// Bytes of so many objects; where they are more than can be addressed, there is no such memory.
+inline std::size_t bytes_of(std::uint64_t count, std::size_t each) {
+    if (count > static_cast<std::size_t>(-1) / each) throw std::bad_alloc();
+    return static_cast<std::size_t>(count) * each;
+}
+// A limit of memory, as far as there is so much.
+inline std::size_t limit_of(std::int64_t bytes) noexcept {
+    constexpr std::uint64_t most = static_cast<std::size_t>(-1);
+    const auto wanted = static_cast<std::uint64_t>(bytes);
+    return static_cast<std::size_t>(wanted < most ? wanted : most);
+}
+
 // All memory of a handle passes through its Allocator. Allocation throws std::bad_alloc when the
 // source refuses or the limit would be passed. Const calls allocate scratch memory from many
 // threads at once, hence the atomics.
