@@ -364,7 +364,7 @@ static void refused(void) {
     CHECK_ERROR(t, "the number of fields is negative (-1)");
     CHECK_EQUAL(mgdt_interpolate(t, linear, none, INT64_MAX, values, 1, simplex, out),
                 MGDT_ERR_TOO_LARGE);
-    CHECK_ERROR(t, "fields of 4 points are more than memory can hold");
+    CHECK_ERROR(t, "are more than memory can hold");
     CHECK_EQUAL(mgdt_interpolate(t, linear, none, 1, values, -1, simplex, out),
                 MGDT_ERR_INVALID_ARGUMENT);
     CHECK_EQUAL(mgdt_interpolate(t, linear, none, 1, values, INT64_MAX, simplex, out),

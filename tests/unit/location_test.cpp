@@ -121,6 +121,7 @@ struct Blocks {
 // there, a leaf without any, a place that only seems to be used, an axis beyond the third, a child
 // that is no node or leaf, or is one twice.
 TEST(LocationTree, IsUnsoundWhenSpoiled) {
+    if (sizeof(void*) < 8) GTEST_SKIP() << "nodes have other places here";
     Allocator mesh_allocator;
     Mesh mesh(mesh_allocator);
     fill_diagonal(mesh, 1000);
