@@ -34,17 +34,17 @@ def read_vtu(path):
     start = data.find(b"_", data.find(b"<AppendedData")) + 1
     if start == 0:
         sys.exit(f"picture.py: {path}: not a .vtu with appended raw arrays, as mgdt writes it")
-    offsets = {}
+    offsets, types = {}, {"Float64": "<f8", "Int32": "<i4", "Int64": "<i8"}
     for tag in re.findall(rb"<DataArray[^>]*>", data[:start]):
         fields = dict(re.findall(r'(\w+)="([^"]*)"', tag.decode()))
-        offsets[fields["Name"]] = start + int(fields["offset"])
+        offsets[fields["Name"]] = start + int(fields["offset"]), types.get(fields["type"])
 
-    def array(name, dtype):
-        at = offsets[name]
+    def array(name):
+        at, dtype = offsets[name]
         length = int(np.frombuffer(data, "<u8", 1, at)[0])
         return np.frombuffer(data, dtype, length // np.dtype(dtype).itemsize, at + 8)
 
-    return array("Points", "<f8").reshape(-1, 3), array("connectivity", "<i8").reshape(-1, 4)
+    return array("Points").reshape(-1, 3), array("connectivity").reshape(-1, 4)
 
 
 def edge_lengths(points, tetrahedra):

@@ -82,10 +82,10 @@ class Usage(CliTest):
         self.fails(2, "frobnicate", says="frobnicate")
         self.fails(2, "triangulate", says="input")
         self.fails(2, "triangulate", points, says="-o")
-        self.fails(2, "triangulate", points, "-o", "m.stl", says=["m.stl", "--to", "vtu"])
+        self.fails(2, "triangulate", points, "-o", "m.step", says=["m.step", "--to", "vtu"])
         self.fails(2, "triangulate", points, "-o", "m.xyz", says="no place for tetrahedra")
         self.fails(2, "triangulate", points, "-o", "-", says="--to")
-        self.fails(2, "triangulate", points, "-o", "m.vtu", "--to", "stl", says="'stl'")
+        self.fails(2, "triangulate", points, "-o", "m.vtu", "--to", "step", says="'step'")
         self.fails(2, "triangulate", points, "-o", "-", "--to", "tetgen", says="three files")
         self.fails(2, "triangulate", points, "-o", "m.vtu", "--scheme", "best",
                    says=["'best'", "multi-grid"])

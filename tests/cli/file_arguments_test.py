@@ -200,7 +200,7 @@ class Names(CliTest):
                               self.run_mgdt(0, "triangulate", name, "-o", name + b".vtu"))
                 self.assertIn(shown + "/m.vtu: cannot write",
                               self.run_mgdt(4, "triangulate", name, "-o", name + b"/m.vtu"))
-                self.assertIn(shown, self.run_mgdt(2, "triangulate", name, "-o", name + b".stl"))
+                self.assertIn(shown, self.run_mgdt(2, "triangulate", name, "-o", name + b".step"))
                 with open(path, "wb") as file:
                     file.write(b"1 1 1\n")
                 self.assertIn(shown + ": all points are equal", self.run_mgdt(0, "triangulate", name, "--check", "1"))

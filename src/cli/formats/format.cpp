@@ -32,8 +32,9 @@ std::string names() {
 
 const std::vector<const Format*>& all_formats() {
     static const std::vector<const Format*> formats = {
-        &text_format(),   &csv_format(),  &npy_format(),   &raw_format(), &ply_format(),
-        &tetgen_format(), &gmsh_format(), &gmsh2_format(), &vtu_format()};
+        &text_format(), &csv_format(), &npy_format(),    &raw_format(),   &ply_format(),
+        &obj_format(),  &stl_format(), &tetgen_format(), &gmsh_format(),  &gmsh2_format(),
+        &vtu_format(),  &vtk_format(), &medit_format(),  &abaqus_format()};
     return formats;
 }
 

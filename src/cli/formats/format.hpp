@@ -68,6 +68,11 @@ const Format& tetgen_format();
 const Format& gmsh_format();
 const Format& gmsh2_format();
 const Format& vtu_format();
+const Format& obj_format();
+const Format& stl_format();
+const Format& vtk_format();
+const Format& medit_format();
+const Format& abaqus_format();
 
 const std::vector<const Format*>& all_formats();
 

@@ -15,6 +15,7 @@
 #include "cli/errors.hpp"
 #include "cli/formats/bytes.hpp"
 #include "cli/formats/format.hpp"
+#include "cli/formats/grid.hpp"
 #include "cli/formats/lines.hpp"
 #include "cli/formats/number.hpp"
 #include "cli/formats/xml.hpp"
@@ -22,8 +23,6 @@
 namespace mgdt::cli {
 namespace {
 
-constexpr std::uint8_t vtk_vertex = 1;
-constexpr std::uint8_t vtk_tetra = 10;
 constexpr std::size_t none = std::string_view::npos;
 
 using Attributes = std::map<std::string, std::string, std::less<>>;
@@ -376,72 +375,20 @@ Mesh read_vtu(const Source& source, const ReadOptions& options) {
     return mesh;
 }
 
-// Cells of `size` vertices each, all of the type.
-void write_grid(const Mesh& mesh, const std::vector<std::int64_t>& vertices, std::uint64_t size,
-                std::uint8_t type, OutputFile& out) {
-    const std::uint64_t cells = vertices.size() / size;
-    std::uint64_t offset = 0;
-    const auto array = [&offset](const char* of_type, const std::string& rest,
-                                 std::uint64_t bytes) {
-        const std::uint64_t begin = offset;
-        offset += 8 + bytes;
-        return fmt::format(
-            "        <DataArray type=\"{}\" {} format=\"appended\" offset=\"{}\"/>\n", of_type,
-            rest, begin);
-    };
-    std::string head = fmt::format(
-        "<?xml version=\"1.0\"?>\n"
-        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-        "header_type=\"UInt64\">\n"
-        "  <UnstructuredGrid>\n"
-        "    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
-        "      <Points>\n",
-        mesh.point_count(), cells);
-    head += array("Float64", "Name=\"Points\" NumberOfComponents=\"3\"", 8 * mesh.points.size());
-    head += "      </Points>\n      <Cells>\n";
-    head += array("Int64", "Name=\"connectivity\"", 8 * vertices.size());
-    head += array("Int64", "Name=\"offsets\"", 8 * cells);
-    head += array("UInt8", "Name=\"types\"", cells);
-    head += "      </Cells>\n";
-    if (!mesh.fields.empty()) head += "      <PointData>\n";
-    for (const Field& f : mesh.fields) {
-        head += array(
-            "Float64",
-            fmt::format("Name=\"{}\" NumberOfComponents=\"{}\"", to_xml(f.name), f.components),
-            8 * f.values.size());
-    }
-    if (!mesh.fields.empty()) head += "      </PointData>\n";
-    head +=
-        "    </Piece>\n  </UnstructuredGrid>\n"
-        "  <AppendedData encoding=\"raw\">\n_";
-    out.write(head);
-    const auto write_array = [&out](const auto& values) {
-        out.write_value(static_cast<std::uint64_t>(8 * values.size()));
-        out.write_values(values.data(), values.size());
-    };
-    write_array(mesh.points);
-    write_array(vertices);
-    out.write_value(8 * cells);
-    for (std::uint64_t i = 1; i <= cells; ++i) out.write_value(static_cast<std::int64_t>(size * i));
-    out.write_value(cells);
-    for (std::uint64_t i = 0; i < cells; ++i) out.write_value(type);
-    for (const Field& f : mesh.fields) write_array(f.values);
-    out.write("\n  </AppendedData>\n</VTKFile>\n");
-}
-
 void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
                 const WriteOptions&) {
-    write_grid(mesh, mesh.tetrahedra, 4, vtk_tetra, outputs.open(path));
+    write_grid({mesh.points, mesh.tetrahedra, 4, vtk_tetra, mesh.fields, nullptr},
+               outputs.open(path));
 }
 
 // Points without tetrahedra would not be shown: each is a cell then.
 void write_fields(const Mesh& mesh, OutputFile& out, const WriteOptions&) {
     if (mesh.tetrahedron_count() > 0) {
-        write_grid(mesh, mesh.tetrahedra, 4, vtk_tetra, out);
+        write_grid({mesh.points, mesh.tetrahedra, 4, vtk_tetra, mesh.fields, nullptr}, out);
     } else {
         std::vector<std::int64_t> vertices(mesh.point_count());
         std::iota(vertices.begin(), vertices.end(), std::int64_t{0});
-        write_grid(mesh, vertices, 1, vtk_vertex, out);
+        write_grid({mesh.points, vertices, 1, vtk_vertex, mesh.fields, nullptr}, out);
     }
 }
 

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Abaqus's input files, .inp, which CalculiX reads too: the nodes, and the elements of type C3D4
+// and the corners of C3D10. Points keep the order of the file; numbers of nodes may be any positive
+// ones. Abaqus Analysis User's Manual, "Input syntax rules".
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "cli/errors.hpp"
+#include "cli/formats/format.hpp"
+#include "cli/formats/lines.hpp"
+#include "cli/formats/number.hpp"
+#include "cli/formats/table.hpp"
+
+namespace mgdt::cli {
+namespace {
+
+constexpr char node_keyword[] = "*NODE", element_keyword[] = "*ELEMENT";
+
+// Without blanks, in capitals: what case and blanks do not change.
+std::string canonical(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (is_blank(c)) continue;
+        out += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    }
+    return out;
+}
+
+// The keyword of a line, and whether it has a parameter such as TYPE=C3D4.
+struct Keyword {
+    explicit Keyword(std::string_view line) : text(canonical(line) + ',') {}
+    bool is(std::string_view name) const { return text.compare(0, text.find(','), name) == 0; }
+    bool has(std::string_view parameter) const {
+        return text.find(fmt::format(",{},", parameter)) != std::string::npos;
+    }
+    std::string text;
+};
+
+bool sniff(std::string_view bytes) {
+    const std::string start = canonical(bytes.substr(0, bytes.find('\n')));
+    return start.compare(0, 8, "*HEADING") == 0;
+}
+
+class Reader {
+  public:
+    explicit Reader(const Source& source) : source_(source), lines_(source) {}
+
+    Mesh read() {
+        mesh_.detail = "text";
+        enum { nothing, nodes, tetrahedra, others } section = nothing;
+        while (lines_.next_with_text(no_comment)) {
+            const std::string_view line = lines_.text();
+            if (line.substr(0, 2) == "**") continue;
+            if (line[0] == '*') {
+                const Keyword keyword(line);
+                section = nothing;
+                if (keyword.is("*INCLUDE")) lines_.fail("*INCLUDE; name the file that it includes");
+                if (keyword.is(node_keyword)) {
+                    section = nodes;
+                    has_nodes_ = true;
+                }
+                if (keyword.is(element_keyword)) {
+                    corners_ = keyword.has("TYPE=C3D4") ? 4 : keyword.has("TYPE=C3D10") ? 10 : 0;
+                    section = corners_ > 0 ? tetrahedra : others;
+                    mesh_.has_tetrahedra |= corners_ > 0;
+                }
+                continue;
+            }
+            if (section == nodes) read_node();
+            if (section == tetrahedra) read_tetrahedron();
+            if (section == others) skip_element();
+        }
+        if (!has_nodes_) source_.fail("has no *NODE");
+        return std::move(mesh_);
+    }
+
+  private:
+    // The next of the numbers of an element, which go on in the next line after a comma.
+    std::string_view word(const char* what) {
+        while (at_ == words_.size()) {
+            if (!lines_.next_with_text(no_comment)) lines_.fail("the file is cut short");
+            split_line();
+        }
+        const std::string_view found = words_[at_++];
+        if (found.empty()) lines_.fail(fmt::format("{} is missing", what));
+        return found;
+    }
+    void split_line() {
+        words_ = split(lines_.text(), ',');
+        while (!words_.empty() && words_.back().empty()) words_.pop_back();
+        at_ = 0;
+    }
+    std::int64_t integer(const char* what) {
+        const std::string_view text = word(what);
+        std::int64_t value = 0;
+        if (!parse_integer(text, value) || value < 1)
+            lines_.fail(fmt::format("{}: {} is no positive integer", what, quote(text)));
+        return value;
+    }
+    void read_node() {
+        split_line();
+        const std::int64_t tag = integer("the node's number");
+        const auto index = static_cast<std::int64_t>(mesh_.point_count());
+        if (!index_of_.emplace(tag, index).second)
+            lines_.fail(fmt::format("node {} comes twice", tag));
+        for (int k = 0; k < 3; ++k) {
+            const std::string_view text = word("coordinate");
+            double x = 0;
+            const NumberStatus status = parse_number(text, x);
+            if (status != NumberStatus::ok)
+                lines_.fail(fmt::format("coordinate: {} {}", quote(text), describe(status)));
+            mesh_.points.push_back(x);
+        }
+    }
+    void read_tetrahedron() {
+        split_line();
+        integer("the element's number");
+        for (int k = 0; k < corners_; ++k) {
+            const std::int64_t tag = integer("node");
+            const auto found = index_of_.find(tag);
+            if (found == index_of_.end()) lines_.fail(fmt::format("there is no node {}", tag));
+            if (k < 4) mesh_.tetrahedra.push_back(found->second);
+        }
+    }
+    void skip_element() {
+        ++mesh_.other_cells;
+        // Its numbers may go on.
+        for (;;) {
+            const std::string_view line = lines_.text();
+            const std::size_t last = line.find_last_not_of(" \t\f\v");
+            if (last == std::string_view::npos || line[last] != ',') return;
+            if (!lines_.next_with_text(no_comment)) return;
+        }
+    }
+
+    const Source& source_;
+    LineReader lines_;
+    Mesh mesh_;
+    std::unordered_map<std::int64_t, std::int64_t> index_of_;
+    std::vector<std::string_view> words_;
+    std::size_t at_ = 0;
+    int corners_ = 0;
+    bool has_nodes_ = false;
+};
+
+Mesh read_abaqus(const Source& source, const ReadOptions&) {
+    return Reader(source).read();
+}
+
+void write_nodes(const std::vector<double>& points, OutputFile& out) {
+    out.write("*HEADING\nmgdt\n*NODE\n");
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i % 3 == 0) out.write_integer(static_cast<std::int64_t>(i / 3 + 1));
+        out.write(", ");
+        out.write_number(points[i]);
+        if (i % 3 == 2) out.write("\n");
+    }
+}
+
+void write_points(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
+    write_nodes(points, out);
+}
+
+void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
+                const WriteOptions&) {
+    OutputFile& out = outputs.open(path);
+    write_nodes(mesh.points, out);
+    out.write("*ELEMENT, TYPE=C3D4, ELSET=ALL\n");
+    for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+        if (i % 4 == 0) out.write_integer(static_cast<std::int64_t>(i / 4 + 1));
+        out.write(", ");
+        out.write_integer(mesh.tetrahedra[i] + 1);
+        if (i % 4 == 3) out.write("\n");
+    }
+}
+
+}  // namespace
+
+const Format& abaqus_format() {
+    static const Format format = {"abaqus",     {".inp"},  "input of Abaqus and CalculiX, C3D4",
+                                  false,        sniff,     read_abaqus,
+                                  write_points, write_mesh};
+    return format;
+}
+
+}  // namespace mgdt::cli

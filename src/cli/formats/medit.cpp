@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// INRIA's .mesh, as Medit, Mmg and FreeFem read and write it: text of keywords and numbers, which
+// may be on any lines. Vertices and tetrahedra are read; their references are not. P.J. Frey,
+// MEDIT, RT-0253, INRIA, 2001, section 7.
+#include <fmt/format.h>
+
+#include "cli/formats/format.hpp"
+#include "cli/formats/words.hpp"
+
+namespace mgdt::cli {
+namespace {
+
+constexpr std::string_view first_keyword = "MeshVersionFormatted";
+
+bool is_keyword(std::string_view word) {
+    return (word[0] >= 'A' && word[0] <= 'Z') || (word[0] >= 'a' && word[0] <= 'z');
+}
+
+bool is_cell(std::string_view keyword) {
+    for (const std::string_view cell :
+         {"Edges", "Triangles", "Quadrilaterals", "Hexahedra", "Prisms", "Pyramids"})
+        if (keyword == cell) return true;
+    return false;
+}
+
+bool sniff(std::string_view bytes) {
+    return bytes.substr(0, first_keyword.size()) == first_keyword;
+}
+
+Mesh read_medit(const Source& source, const ReadOptions&) {
+    Words words{LineReader(source)};
+    Mesh mesh;
+    std::string_view word;
+    if (!words.next(word) || word != first_keyword)
+        source.fail_at_line(1,
+                            "not a mesh of Medit's: it does not begin with MeshVersionFormatted");
+    mesh.detail = fmt::format("version {}, text", words.integer("the version", 1, 4));
+    bool has_vertices = false;
+    for (;;) {
+        if (!words.next(word)) words.fail("no End; the file is cut short");
+        if (word == "End") break;
+        if (word == "Dimension") {
+            if (words.integer("the dimension", 2, 3) != 3) words.fail("dimension 2; 3 is needed");
+        } else if (word == "Vertices") {
+            if (has_vertices) words.fail("Vertices come twice");
+            has_vertices = true;
+            const std::size_t n = words.count("the number of vertices", 4);
+            mesh.points.reserve(3 * n);
+            for (std::size_t i = 0; i < n; ++i) {
+                for (int k = 0; k < 3; ++k) mesh.points.push_back(words.number("coordinate"));
+                words.number("the vertex's reference");
+            }
+        } else if (word == "Tetrahedra") {
+            if (!has_vertices) words.fail("Tetrahedra before the Vertices");
+            mesh.has_tetrahedra = true;
+            const std::size_t n = words.count("the number of tetrahedra", 5);
+            const auto last = static_cast<std::int64_t>(mesh.point_count());
+            for (std::size_t i = 0; i < n; ++i) {
+                for (int k = 0; k < 4; ++k)
+                    mesh.tetrahedra.push_back(words.integer("vertex", 1, last) - 1);
+                words.number("the tetrahedron's reference");
+            }
+        } else if (is_cell(word)) {
+            mesh.other_cells += words.count("the number of cells", 1);
+        } else if (is_keyword(word) || word[0] == '-' || word[0] == '+' || word[0] == '.' ||
+                   (word[0] >= '0' && word[0] <= '9')) {
+            continue;  // what is not known, and its numbers
+        } else {
+            words.fail("neither a keyword nor a number");
+        }
+    }
+    if (!has_vertices) source.fail("has no Vertices");
+    return mesh;
+}
+
+void write_rows(const std::vector<double>& points, OutputFile& out) {
+    out.write(
+        fmt::format("MeshVersionFormatted 2\n\nDimension 3\n\nVertices\n{}\n", points.size() / 3));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        out.write_number(points[i]);
+        out.write(i % 3 < 2 ? " " : " 0\n");
+    }
+}
+
+void write_points(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
+    write_rows(points, out);
+    out.write("\nEnd\n");
+}
+
+void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
+                const WriteOptions&) {
+    OutputFile& out = outputs.open(path);
+    write_rows(mesh.points, out);
+    out.write(fmt::format("\nTetrahedra\n{}\n", mesh.tetrahedron_count()));
+    for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+        out.write_integer(mesh.tetrahedra[i] + 1);
+        out.write(i % 4 < 3 ? " " : " 0\n");
+    }
+    out.write("\nEnd\n");
+}
+
+}  // namespace
+
+const Format& medit_format() {
+    static const Format format = {"medit",      {".mesh"}, "INRIA's mesh, text, for Medit and Mmg",
+                                  false,        sniff,     read_medit,
+                                  write_points, write_mesh};
+    return format;
+}
+
+}  // namespace mgdt::cli

@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Files for finite-element programs, as meshio reads and writes them.
+
+Usage: solver_files_test.py MGDT [unittest arguments]
+"""
+
+import os
+import sys
+import unittest
+
+sys.dont_write_bytecode = True  # the source tree stays as it is
+import cli_test
+import meshio
+import numpy as np
+from cli_test import CliTest
+
+
+class SolverFiles(CliTest):
+    ENDINGS = {"mesh": "medit", "inp": "abaqus", "vtk": "vtk"}
+
+    def setUp(self):
+        super().setUp()
+        self.mgdt("generate", "-q", "galaxy", "300", "-o", "points.npy")
+        self.points = np.load(self.path("points.npy"))
+        self.mgdt("triangulate", "-q", "points.npy", "-o", "mesh.npy")
+        self.tetrahedra = np.load(self.path("mesh.npy"))
+
+    def test_written_files_are_read(self):
+        for ending in self.ENDINGS:
+            with self.subTest(ending=ending):
+                self.mgdt("triangulate", "-q", "points.npy", "-o", f"mesh.{ending}")
+                mesh = meshio.read(self.path(f"mesh.{ending}"))
+                self.assertTrue((mesh.points == self.points).all())
+                self.assertTrue((mesh.cells_dict["tetra"] == self.tetrahedra).all())
+                self.mgdt("check", "-q", f"mesh.{ending}")
+
+    def test_files_of_meshio(self):
+        cells = [("tetra", self.tetrahedra), ("triangle", self.tetrahedra[:5, :3])]
+        for ending, name in self.ENDINGS.items():
+            with self.subTest(ending=ending):
+                mesh = meshio.Mesh(self.points, cells)
+                if ending == "vtk":
+                    meshio.write(self.path(f"other.{ending}"), mesh, file_format="vtk42", binary=False)
+                else:
+                    meshio.write(self.path(f"other.{ending}"), mesh)
+                said = self.mgdt("info", f"other.{ending}").decode()
+                self.assertIn(name, said)
+                self.assertIn(str(len(self.tetrahedra)), said)
+                self.mgdt("triangulate", "-q", f"other.{ending}", "-o", "again.npy")
+                self.assertTrue((np.load(self.path("again.npy")) == self.tetrahedra).all())
+
+    def test_medit_on_any_lines(self):
+        self.put("free.mesh", "MeshVersionFormatted\n1\nDimension\n3 # three\nVertices 5 0 0 0 1  2 0 0 1 0 2 0\n1 0 0 2 1\n"
+                 "1 1 1 1\nRidges 2 1 2\nNormals 1 0.0 -1.5 .5\nTetrahedra\n1\n1 2 3 4 7 End")
+        said = self.mgdt("info", "free.mesh").decode()
+        self.assertRegex(said, r"points +5\n")
+        self.assertRegex(said, r"tetrahedra +1\n")
+
+    def test_abaqus_with_numbers_of_its_own(self):
+        self.put("own.inp", "*Heading\n ** not a comment, but not of use\n** a comment\n*Node, nset=all\n 10, 0., 0., 0.\n"
+                 "20, 1.D0, 0., 0.\n30,0.,1.,0.\n40,0.,0.,1.\n50,.5,0.,0.\n*Element, type = c3d10 , elset=e\n"
+                 "7, 10, 20, 30, 40, 50,\n 50, 50, 50, 50, 50\n*element, TYPE=S3\n8, 10, 20, 30\n*Step\n*Static\n1., 1.\n")
+        said = self.mgdt("info", "own.inp").decode()
+        self.assertRegex(said, r"points +5\n")
+        self.assertRegex(said, r"tetrahedra +1\n")
+
+    def test_vtk_of_other_kinds(self):
+        head = "# vtk DataFile Version 2.0\na title with POINTS 7 # in it\n"
+        self.put("poly.vtk", head + "ASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0\n0 1 0\n0 0 1\nPOLYGONS 1 4\n3 0 1 2\n")
+        self.assertRegex(self.mgdt("info", "poly.vtk").decode(), r"points +4\n")
+        self.put("binary.vtk", head + "BINARY\nDATASET POLYDATA\n")
+        self.fails(3, "info", "binary.vtk", says=("line 3", "ASCII can be read"))
+        self.put("new.vtk", "# vtk DataFile Version 5.1\n\nASCII\n")
+        self.fails(3, "info", "new.vtk", says=("line 1", "up to 4.2"))
+
+    def test_surfaces(self):
+        corners = np.round(self.points[:60], 3).astype("f4").astype(float)
+        corners[5] = corners[0]
+        triangles = np.arange(60).reshape(-1, 3)
+        distinct = len(np.unique(corners, axis=0))
+        mesh = meshio.Mesh(corners, [("triangle", triangles)])
+        for name, count, options in (("m.obj", 60, {}), ("text.stl", distinct, {"binary": False}),
+                                     ("binary.stl", distinct, {"binary": True})):
+            with self.subTest(name=name):
+                meshio.write(self.path(name), mesh, **options)
+                said = self.mgdt("info", name).decode()
+                self.assertRegex(said, rf"points +{count}\n")
+                self.mgdt("triangulate", "-q", name, "--canonical", "-o", "of.npy")
+                found = np.load(self.path("of.npy"))
+                self.mgdt("triangulate", "-q", name, "-o", "of.mesh")
+                points = meshio.read(self.path("of.mesh")).points
+                self.assertTrue((np.unique(points, axis=0) == np.unique(corners, axis=0)).all())
+                self.assertGreater(len(found), distinct)
+        self.put("solid.stl", "solid that is binary".ljust(80).encode() + self.get("binary.stl")[80:])
+        self.assertRegex(self.mgdt("info", "solid.stl").decode(), rf"points +{distinct}\n")
+        self.put("cut.stl", self.get("binary.stl")[:-1])
+        self.fails(3, "info", "cut.stl", says="cut short")
+        self.put("cut.stl", self.get("text.stl")[:-20])
+        self.fails(3, "info", "cut.stl", says="no endsolid")
+        self.put("none.obj", "f 1 2 3\n")
+        self.fails(3, "info", "none.obj", says="no vertices")
+        self.fails(2, "triangulate", "m.obj", "-o", "out.obj", says="no place for tetrahedra")
+
+    def test_what_is_wrong(self):
+        head = "MeshVersionFormatted 2\nDimension 3\n"
+        for text, line, says in ((head + "Vertices\n2\n0 0 0 0\n", 4, "cut short"),
+                                 (head + "Vertices 1\n0 x 0 0\n", 4, "'x'"),
+                                 (head + "Vertices 1\n0 0 0 0\nTetrahedra 1\n1 1 1 2 0\nEnd\n", 6, "vertex"),
+                                 ("MeshVersionFormatted 2\nDimension 2\n", 2, "dimension 2"),
+                                 (head + "Vertices 1 0 0 0 0\n", 3, "no End")):
+            with self.subTest(text=text):
+                self.put("bad.mesh", text)
+                self.fails(3, "info", "bad.mesh", says=(f"line {line}", says))
+        for text, line, says in (("*NODE\n1, 0, 0, 0\n1, 1, 0, 0\n", 3, "node 1 comes twice"),
+                                 ("*NODE\n1, 0, 0\n", 2, "cut short"),
+                                 ("*NODE\n1, 0, nan, 0\n", 2, "'nan'"),
+                                 ("*NODE\n1, 0, 0, 0\n*ELEMENT, TYPE=C3D4\n1, 1, 1, 1, 2\n", 4, "no node 2"),
+                                 ("*INCLUDE, INPUT=other.inp\n", 1, "includes")):
+            with self.subTest(text=text):
+                self.put("bad.inp", text)
+                self.fails(3, "info", "bad.inp", says=(f"line {line}", says))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    cli_test.MGDT = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
