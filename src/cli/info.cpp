@@ -53,8 +53,9 @@ int info(const InputOptions& options) {
         fmt::print("{:<14} {}\n", name, printable(value));
     };
     line("file", input_name(options.path));
-    line("format", fmt::format("{} ({}{}{})", format->name, format->description,
-                               mesh.detail.empty() ? "" : "; ", mesh.detail));
+    // What the file is, not what would be written.
+    line("format", fmt::format("{} ({})", format->name,
+                               mesh.detail.empty() ? format->description : mesh.detail));
     line("points", fmt::format("{}", mesh.point_count()));
     line("duplicates", fmt::format("{}", duplicates(mesh.points)));
     line("dimension", fmt::format("{}", dimension(mesh.points)));

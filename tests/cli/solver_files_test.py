@@ -6,6 +6,7 @@ Usage: solver_files_test.py MGDT [unittest arguments]
 """
 
 import os
+import re
 import sys
 import unittest
 
@@ -101,6 +102,13 @@ class SolverFiles(CliTest):
         self.put("none.obj", "f 1 2 3\n")
         self.fails(3, "info", "none.obj", says="no vertices")
         self.fails(2, "triangulate", "m.obj", "-o", "out.obj", says="no place for tetrahedra")
+
+    def test_info_says_what_a_file_is(self):
+        for arguments, says in ((["old.msh", "--to", "gmsh2"], "gmsh (version 2.2, ascii)"),
+                                (["new.msh"], "gmsh (version 4.1, binary)"), (["m.mesh"], "medit (version 2, text)"),
+                                (["m.vtk"], "vtk (version 3.0, text)")):
+            self.mgdt("triangulate", "-q", "points.npy", "-o", *arguments)
+            self.assertRegex(self.mgdt("info", arguments[0]).decode(), rf"(?m)^format +{re.escape(says)}$")
 
     def test_what_is_wrong(self):
         head = "MeshVersionFormatted 2\nDimension 3\n"
