@@ -30,7 +30,9 @@ struct TriangulateOptions {
     InputOptions input;
     OutputOptions output;
     TriangulationOptions triangulation;
-    std::string neighbors;  // .npy file, or empty
+    std::string neighbors;    // .npy file, or empty
+    std::string point_map;    // .npy file, or empty
+    bool all_points = false;  // write points that are in no tetrahedron too
     int check_level = 0;
     bool statistics = false;
     int parts = 0;  // 0: one triangulation

@@ -264,6 +264,12 @@ int run(int argc, char** argv) {
     add_scheme_parameters(*triangulate_app, t.triangulation);
     triangulate_app->add_option("--neighbors", t.neighbors, "Write the neighbours too, as .npy")
         ->type_name("FILE");
+    triangulate_app
+        ->add_option("--point-map", t.point_map,
+                     "Write for each point the number of the one that stands for it, as .npy")
+        ->type_name("FILE");
+    triangulate_app->add_flag("--all-points", t.all_points,
+                              "Write points too that are in no tetrahedron, such as repeats");
     triangulate_app->add_flag("--canonical", t.triangulation.canonical,
                               "Sort the tetrahedra, so that the file depends on the points alone");
     triangulate_app

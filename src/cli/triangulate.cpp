@@ -2,6 +2,7 @@
 // mgdt triangulate: points in, tetrahedra out.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
@@ -47,6 +48,22 @@ void print_statistics(std::FILE* out, const Triangulation& t, const TriangulateO
     if (seconds > 0) line("points per second", fmt::format("{:.0f}", inserted / seconds));
 }
 
+// Takes the points out that are in no tetrahedron, such as repeats: solvers stop at nodes without
+// elements. Where there are no tetrahedra, all stay. Returns the new number of each point.
+std::vector<std::int64_t> take_out_unused_points(Mesh& mesh) {
+    std::vector<std::int64_t> numbers(mesh.point_count(), mesh.tetrahedra.empty() ? 0 : -1);
+    for (const std::int64_t v : mesh.tetrahedra) numbers[static_cast<std::size_t>(v)] = 0;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (numbers[i] < 0) continue;
+        std::copy_n(mesh.points.data() + 3 * i, 3, mesh.points.data() + 3 * kept);
+        numbers[i] = static_cast<std::int64_t>(kept++);
+    }
+    mesh.points.resize(3 * kept);
+    for (std::int64_t& v : mesh.tetrahedra) v = numbers[static_cast<std::size_t>(v)];
+    return numbers;
+}
+
 }  // namespace
 
 int triangulate(const TriangulateOptions& options) {
@@ -76,15 +93,23 @@ int triangulate(const TriangulateOptions& options) {
         }
         files.push_back(options.neighbors);
     }
+    if (!options.point_map.empty()) {
+        if (options.point_map == output.path || options.point_map == options.neighbors)
+            throw Error(exit_usage, "--point-map names a file that is written already");
+        files.push_back(options.point_map);
+    }
     for (const std::string& file : files) check_writable(file);
     // Standard output carries the file when it is asked to.
-    std::FILE* text = output.path == "-" || options.neighbors == "-" ? stderr : stdout;
+    std::FILE* text = output.path == "-" || options.neighbors == "-" || options.point_map == "-"
+                          ? stderr
+                          : stdout;
 
     Mesh mesh = read_input(options.input);
     require_apart(mesh.inputs, files);
     const std::string name = input_name(options.input.path);
     const auto begin = std::chrono::steady_clock::now();
     double seconds = 0;
+    std::vector<std::int64_t> point_map;  // the vertex that stands for each point
     {
         Triangulation t(options.triangulation);
         t.insert(mesh.points, name);
@@ -109,9 +134,19 @@ int triangulate(const TriangulateOptions& options) {
         if (!options.neighbors.empty() || format == &tetgen_format()) {
             mesh.neighbors = t.neighbors();
         }
+        if (!options.point_map.empty()) point_map = t.point_map();
     }  // the handle's memory is not needed while the files are written
 
+    const std::size_t points = mesh.point_count();
+    // An .npy of tetrahedra has no points of its own.
+    if (format && format != &npy_format() && !options.all_points) {
+        const std::vector<std::int64_t> numbers = take_out_unused_points(mesh);
+        for (std::int64_t& v : point_map)
+            if (v >= 0) v = numbers[static_cast<std::size_t>(v)];
+    }
     OutputSet outputs;
+    if (!options.point_map.empty())
+        write_npy_integers(point_map, output.write.index_base, outputs.open(options.point_map));
     if (format) format->write_mesh(mesh, output.path, outputs, output.write);
     if (!options.neighbors.empty()) {
         write_npy_rows_of_4(mesh.neighbors, output.write.index_base,
@@ -119,7 +154,7 @@ int triangulate(const TriangulateOptions& options) {
     }
     outputs.commit();
     if (!options.triangulation.quiet && text == stdout) {
-        fmt::print("{}, {}, {:.2f} s{}{}\n", counted(mesh.point_count(), "point", "points"),
+        fmt::print("{}, {}, {:.2f} s{}{}\n", counted(points, "point", "points"),
                    counted(mesh.tetrahedron_count(), "tetrahedron", "tetrahedra"), seconds,
                    format ? ": " : "", printable(output.path));
     }

@@ -79,8 +79,11 @@ class PartsInTurn {
 
 int triangulate_in_parts(const TriangulateOptions& options) {
     const OutputOptions& output = options.output;
-    if (!options.neighbors.empty() || options.check_level > 0 || options.statistics)
-        throw Error(exit_usage, "--parts goes with none of --neighbors, --check and --stats");
+    if (!options.neighbors.empty() || !options.point_map.empty() || options.all_points ||
+        options.check_level > 0 || options.statistics)
+        throw Error(exit_usage,
+                    "--parts goes with none of --neighbors, --point-map, --all-points, --check and "
+                    "--stats");
     if (!is_pieces_path(output.path) || !output.to.empty())
         throw Error(exit_usage, "--parts writes pieces: say -o FILE.pvtu");
     const std::vector<std::string> files = piece_paths(output.path, options.parts);

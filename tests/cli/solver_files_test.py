@@ -103,6 +103,32 @@ class SolverFiles(CliTest):
         self.fails(3, "info", "none.obj", says="no vertices")
         self.fails(2, "triangulate", "m.obj", "-o", "out.obj", says="no place for tetrahedra")
 
+    def test_points_in_no_tetrahedron_are_left_out(self):
+        points = np.concatenate([self.points[:50], self.points[:20], self.points[50:]])
+        np.save(self.path("repeats.npy"), points)
+        for ending in ("vtu", "vtk", "msh", "mesh", "inp", "ele"):
+            with self.subTest(ending=ending):
+                self.mgdt("triangulate", "-q", "repeats.npy", "-o", f"r.{ending}", "--point-map", "map.npy")
+                name = f"r.{ending}".replace(".ele", ".node")
+                mesh = meshio.read(self.path(name))
+                point_map = np.load(self.path("map.npy"))
+                self.assertEqual(point_map.shape, (320,))
+                self.assertTrue((mesh.points[point_map] == points).all())
+                self.assertTrue((np.sort(mesh.points, axis=0) == np.sort(self.points, axis=0)).all())
+                self.mgdt("check", "-q", f"r.{ending}")
+                self.mgdt("triangulate", "-q", "repeats.npy", "-o", f"r.{ending}", "--all-points")
+                self.assertTrue((meshio.read(self.path(name)).points == points).all())
+        # An .npy has the numbers of the input.
+        self.mgdt("triangulate", "-q", "repeats.npy", "-o", "r.npy", "--point-map", "map.npy", "--index-base", 1)
+        point_map = np.load(self.path("map.npy")) - 1
+        self.assertTrue((points[point_map] == points).all())
+        self.assertEqual(set(np.load(self.path("r.npy")).ravel() - 1), set(point_map))
+        self.put("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 0\n")
+        self.mgdt("triangulate", "-q", "flat.xyz", "-o", "flat.mesh")
+        self.assertEqual(len(meshio.read(self.path("flat.mesh")).points), 4)
+        self.fails(2, "triangulate", "repeats.npy", "-o", "r.vtu", "--point-map", "r.vtu")
+        self.fails(2, "triangulate", "repeats.npy", "-o", "r.vtu", "--point-map", "repeats.npy")
+
     def test_info_says_what_a_file_is(self):
         for arguments, says in ((["old.msh", "--to", "gmsh2"], "gmsh (version 2.2, ascii)"),
                                 (["new.msh"], "gmsh (version 4.1, binary)"), (["m.mesh"], "medit (version 2, text)"),

@@ -100,7 +100,9 @@ std::string without_extension(const std::string& path, const Format& format);
 // Arrays of integers as .npy, n rows of 4: how tetrahedra and neighbours leave for NumPy.
 void write_npy_rows_of_4(const std::vector<std::int64_t>& values, std::int64_t add,
                          OutputFile& out);
-// The same read back, less `base`.
+// The same, one a row.
+void write_npy_integers(const std::vector<std::int64_t>& values, std::int64_t add, OutputFile& out);
+// The rows of 4 read back, less `base`.
 std::vector<std::int64_t> read_npy_rows_of_4(const Source& source, int base);
 // Values, a row to a point, from an array of one or two dimensions.
 Field read_npy_values(const Source& source);

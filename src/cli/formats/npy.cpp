@@ -280,9 +280,9 @@ std::optional<RowLayout> npy_rows(const Source& beginning, std::size_t file_size
                      big_endian(header)};
 }
 
-void write_header(const char* type, std::size_t n, std::size_t columns, OutputFile& out) {
-    std::string header = fmt::format(
-        "{{'descr': '{}', 'fortran_order': False, 'shape': ({}, {}), }}", type, n, columns);
+void write_header(const char* type, const std::string& shape, OutputFile& out) {
+    std::string header =
+        fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}", type, shape);
     // NumPy aligns the array to 64 bytes for memory maps.
     const std::size_t before = magic.size() + 4;
     header.append(64 - (before + header.size() + 1) % 64, ' ');
@@ -292,6 +292,10 @@ void write_header(const char* type, std::size_t n, std::size_t columns, OutputFi
     out.write_value<std::uint8_t>(0);
     out.write_value(static_cast<std::uint16_t>(header.size()));
     out.write(header);
+}
+
+void write_header(const char* type, std::size_t n, std::size_t columns, OutputFile& out) {
+    write_header(type, fmt::format("{}, {}", n, columns), out);
 }
 
 void write_points(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
@@ -323,6 +327,12 @@ void write_npy_rows_of_4(const std::vector<std::int64_t>& values, std::int64_t a
                          OutputFile& out) {
     write_header("<i8", values.size() / 4, 4, out);
     for (const std::int64_t v : values) out.write_value(v + add);
+}
+
+void write_npy_integers(const std::vector<std::int64_t>& values, std::int64_t add,
+                        OutputFile& out) {
+    write_header("<i8", fmt::format("{},", values.size()), out);
+    for (const std::int64_t v : values) out.write_value(v < 0 ? -1 : v + add);
 }
 
 std::vector<std::int64_t> read_npy_rows_of_4(const Source& source, int base) {
