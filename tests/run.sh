@@ -167,8 +167,8 @@ fi
 if build clang clang++ -Dbuildtype=release -Doptimization=1 -Db_ndebug=false; then
     MGDT_TEST_SMALL=1
     export MGDT_TEST_SMALL
-    # Suite compilers: its tests choose their compilers themselves, and have run.
-    run clang --no-suite compilers --suite unit --suite property --suite api --suite cxx \
+    # Suite compilers: its tests choose their compilers themselves, and have run; suite once: long.
+    run clang --no-suite compilers --no-suite once --suite unit --suite property --suite api --suite cxx \
         --suite cli --suite fuzz --suite faults
     unset MGDT_TEST_SMALL
 fi
