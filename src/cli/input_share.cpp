@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/input_share.hpp"
 
+#include <filesystem>
 #include <optional>
+#include <system_error>
 
 #include "cli/formats/bytes.hpp"
 
@@ -13,7 +15,10 @@ constexpr std::size_t beginning_bytes = std::size_t{1} << 17;
 
 // Where the rows of a file are; nothing where only a reader of the whole file can tell.
 std::optional<RowLayout> layout_of(const InputOptions& options) {
-    if (options.path == "-") return std::nullopt;
+    // What is read of a pipe is gone.
+    std::error_code unknown;
+    if (options.path == "-" || !std::filesystem::is_regular_file(options.path, unknown))
+        return std::nullopt;
     const InputFile file(options.path, 0, beginning_bytes);
     const Source beginning = file.source();
     if (!file.file_size() || beginning.bytes.empty()) return std::nullopt;

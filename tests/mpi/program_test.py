@@ -87,6 +87,24 @@ class Ranks(Pieces):
         self.ranks(2, "points.npy", "-o", "out.pvtu", "--scheme", "random", code=2, says="--scheme")
         self.assertEqual(self.names(), before)
 
+    def test_the_input_stays(self):
+        self.mgdt("generate", "-q", "uniform", 100, "-o", "points.npy")
+        for name in ("m_0.vtu", "m_1.vtu"):
+            self.mgdt("triangulate", "-q", "points.npy", "-o", name)
+            before = self.get(name)
+            self.ranks(2, name, "-o", "m.pvtu", code=2, says="would overwrite the input")
+            self.assertEqual(self.get(name), before)
+            os.remove(self.path(name))
+
+    def test_a_pipe_with_a_name(self):
+        self.mgdt("generate", "-q", "uniform", 20000, "-o", "points.f64")
+        os.mkfifo(self.path("pipe.f64"))
+        # In pieces that a pipe holds: the writer waits for its reader.
+        writer = subprocess.Popen(["sh", "-c", "cat points.f64 >pipe.f64"], cwd=self.directory)
+        found = self.same(2, "pipe.f64")
+        writer.wait(timeout=60)
+        self.assertEqual(found, self.expected("points.f64"))
+
     def test_help(self):
         self.ranks(2, "--help")
         self.assertEqual(self.said.count("--memory-limit"), 1)

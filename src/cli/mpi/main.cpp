@@ -144,11 +144,13 @@ void triangulate(const Options& o, Ranks& ranks) {
     Exchange exchange(ranks);
     std::optional<ProgramParts> parts;
     ranks.together([&] {
-        std::vector<std::string> written;
+        std::vector<std::string> written;  // by all ranks: one may have read the whole input
         if (!o.output.empty()) {
             files = piece_paths(o.output, ranks.count());
-            written = {files[static_cast<std::size_t>(rank)], o.output};
-            for (const std::string& file : written) check_writable(file);
+            written = files;
+            written.push_back(o.output);
+            check_writable(files[static_cast<std::size_t>(rank)]);
+            check_writable(o.output);
         }
         const Share share = read_share(o.input, rank, ranks.count());
         require_apart(share.inputs, written);
