@@ -66,6 +66,15 @@ class SolverFiles(CliTest):
         self.assertRegex(said, r"points +5\n")
         self.assertRegex(said, r"tetrahedra +1\n")
 
+    def test_abaqus_with_lines_that_go_on(self):
+        nodes = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n"
+        for elements in ("*ELEMENT, TYPE=S3\n1, 1, 2, 3,\n*ELEMENT, TYPE=C3D4\n2, 1, 2, 3, 4\n",
+                         "*ELEMENT,\nTYPE=C3D4\n1, 1, 2, 3, 4\n", "*ELEMENT, TYPE=S3\n1, 1,\n2, 3\n *ELEMENT,TYPE=C3D4\n1, 1,\n2, 3, 4",
+                         "*ELEMENT, TYPE=C3D4, \nELSET=A\n1, 1, 2, 3,\n** between\n4,\n"):
+            with self.subTest(elements=elements):
+                self.put("on.inp", nodes + elements)
+                self.assertRegex(self.mgdt("info", "on.inp").decode(), r"tetrahedra +1\n")
+
     def test_vtk_of_other_kinds(self):
         head = "# vtk DataFile Version 2.0\na title with POINTS 7 # in it\n"
         self.put("poly.vtk", head + "ASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0\n0 1 0\n0 0 1\nPOLYGONS 1 4\n3 0 1 2\n")
@@ -146,8 +155,13 @@ class SolverFiles(CliTest):
             with self.subTest(text=text):
                 self.put("bad.mesh", text)
                 self.fails(3, "info", "bad.mesh", says=(f"line {line}", says))
+        nodes = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n"
         for text, line, says in (("*NODE\n1, 0, 0, 0\n1, 1, 0, 0\n", 3, "node 1 comes twice"),
-                                 ("*NODE\n1, 0, 0\n", 2, "cut short"),
+                                 ("*NODE\n1, 0, 0\n2, 1, 0\n3, 0, 1\n4, 1, 1\n", 2, "the line ends"),
+                                 (nodes + "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3\n2, 2, 3, 4, 1\n", 7, "the line ends"),
+                                 (nodes + "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3,\n", 7, "cut short"),
+                                 ("*NODE, SYSTEM=C\n1, 1, 90, 0\n", 1, "rectangular"),
+                                 ("*NODE, INPUT=nodes.txt\n", 1, "INPUT"),
                                  ("*NODE\n1, 0, nan, 0\n", 2, "'nan'"),
                                  ("*NODE\n1, 0, 0, 0\n*ELEMENT, TYPE=C3D4\n1, 1, 1, 1, 2\n", 4, "no node 2"),
                                  ("*INCLUDE, INPUT=other.inp\n", 1, "includes")):

@@ -39,7 +39,8 @@ struct Keyword {
 };
 
 bool sniff(std::string_view bytes) {
-    const std::string start = canonical(bytes.substr(0, bytes.find('\n')));
+    const std::string start =
+        canonical(bytes.substr(0, std::min<std::size_t>(bytes.find('\n'), 100)));
     return start.compare(0, 8, "*HEADING") == 0;
 }
 
@@ -50,18 +51,20 @@ class Reader {
     Mesh read() {
         mesh_.detail = "text";
         enum { nothing, nodes, tetrahedra, others } section = nothing;
-        while (lines_.next_with_text(no_comment)) {
-            const std::string_view line = lines_.text();
-            if (line.substr(0, 2) == "**") continue;
-            if (line[0] == '*') {
-                const Keyword keyword(line);
+        bool goes_on = false;  // the numbers of an element that is left out
+        while (next_line()) {
+            if (text_[0] == '*') {
+                const Keyword keyword(whole_keyword());
                 section = nothing;
-                if (keyword.is("*INCLUDE")) lines_.fail("*INCLUDE; name the file that it includes");
-                if (keyword.is(node_keyword)) {
+                goes_on = false;
+                const bool is_node = keyword.is(node_keyword),
+                           is_element = keyword.is(element_keyword);
+                require_here(keyword, is_node, is_element);
+                if (is_node) {
                     section = nodes;
                     has_nodes_ = true;
                 }
-                if (keyword.is(element_keyword)) {
+                if (is_element) {
                     corners_ = keyword.has("TYPE=C3D4") ? 4 : keyword.has("TYPE=C3D10") ? 10 : 0;
                     section = corners_ > 0 ? tetrahedra : others;
                     mesh_.has_tetrahedra |= corners_ > 0;
@@ -70,17 +73,52 @@ class Reader {
             }
             if (section == nodes) read_node();
             if (section == tetrahedra) read_tetrahedron();
-            if (section == others) skip_element();
+            if (section == others) {
+                mesh_.other_cells += goes_on ? 0 : 1;
+                goes_on = ends_with_comma();
+            }
         }
         if (!has_nodes_) source_.fail("has no *NODE");
         return std::move(mesh_);
     }
 
   private:
-    // The next of the numbers of an element, which go on in the next line after a comma.
+    // Goes to the next line that is no comment; its text has no blanks around it.
+    bool next_line() {
+        do {
+            if (!lines_.next_with_text(no_comment)) return false;
+            text_ = lines_.text();
+            text_.remove_prefix(text_.find_first_not_of(" \t\f\v"));
+            text_ = text_.substr(0, text_.find_last_not_of(" \t\f\v") + 1);
+        } while (text_.substr(0, 2) == "**");
+        return true;
+    }
+    bool ends_with_comma() const { return text_.back() == ','; }
+    // A keyword with its parameters, which go on in the next line after a comma.
+    std::string whole_keyword() {
+        std::string whole(text_);
+        while (ends_with_comma()) {
+            if (!next_line()) lines_.fail("the file is cut short");
+            whole += text_;
+        }
+        return whole;
+    }
+    // What is in other files, or in coordinates of other kinds, would be missed.
+    void require_here(const Keyword& keyword, bool is_node, bool is_element) const {
+        if (keyword.is("*INCLUDE")) lines_.fail("*INCLUDE; name the file that it includes");
+        if (!is_node && !is_element) return;
+        if (keyword.text.find(",INPUT=") != std::string::npos)
+            lines_.fail("INPUT=; put the lines of that file here");
+        if (keyword.text.find(",SYSTEM=") != std::string::npos && !keyword.has("SYSTEM=R"))
+            lines_.fail("SYSTEM=; only rectangular coordinates can be read");
+    }
+    // The next of the numbers of a line, or of an element whose numbers go on in the next line
+    // after a comma.
     std::string_view word(const char* what) {
         while (at_ == words_.size()) {
-            if (!lines_.next_with_text(no_comment)) lines_.fail("the file is cut short");
+            if (!may_go_on_ || !ends_with_comma())
+                lines_.fail(fmt::format("the line ends where {} is to follow", what));
+            if (!next_line()) lines_.fail("the file is cut short");
             split_line();
         }
         const std::string_view found = words_[at_++];
@@ -88,7 +126,7 @@ class Reader {
         return found;
     }
     void split_line() {
-        words_ = split(lines_.text(), ',');
+        words_ = split(text_, ',');
         while (!words_.empty() && words_.back().empty()) words_.pop_back();
         at_ = 0;
     }
@@ -100,6 +138,7 @@ class Reader {
         return value;
     }
     void read_node() {
+        may_go_on_ = false;
         split_line();
         const std::int64_t tag = integer("the node's number");
         const auto index = static_cast<std::int64_t>(mesh_.point_count());
@@ -115,6 +154,7 @@ class Reader {
         }
     }
     void read_tetrahedron() {
+        may_go_on_ = true;
         split_line();
         integer("the element's number");
         for (int k = 0; k < corners_; ++k) {
@@ -124,16 +164,6 @@ class Reader {
             if (k < 4) mesh_.tetrahedra.push_back(found->second);
         }
     }
-    void skip_element() {
-        ++mesh_.other_cells;
-        // Its numbers may go on.
-        for (;;) {
-            const std::string_view line = lines_.text();
-            const std::size_t last = line.find_last_not_of(" \t\f\v");
-            if (last == std::string_view::npos || line[last] != ',') return;
-            if (!lines_.next_with_text(no_comment)) return;
-        }
-    }
 
     const Source& source_;
     LineReader lines_;
@@ -141,8 +171,9 @@ class Reader {
     std::unordered_map<std::int64_t, std::int64_t> index_of_;
     std::vector<std::string_view> words_;
     std::size_t at_ = 0;
+    std::string_view text_;  // of the line
     int corners_ = 0;
-    bool has_nodes_ = false;
+    bool has_nodes_ = false, may_go_on_ = false;
 };
 
 Mesh read_abaqus(const Source& source, const ReadOptions&) {
