@@ -82,7 +82,8 @@ int triangulate(const TriangulateOptions& options) {
         check_terminal(output, *format);
         files = format->mesh_files ? format->mesh_files(output.path)
                                    : std::vector<std::string>{output.path};
-    } else if (options.neighbors.empty() && !options.statistics && options.check_level == 0) {
+    } else if (options.neighbors.empty() && options.point_map.empty() && !options.statistics &&
+               options.check_level == 0) {
         throw Error(exit_usage,
                     "nothing to do; say where to write with -o, or ask for --stats or "
                     "--check");

@@ -81,6 +81,8 @@ class SolverFiles(CliTest):
         self.assertRegex(self.mgdt("info", "poly.vtk").decode(), r"points +4\n")
         self.put("binary.vtk", head + "BINARY\nDATASET POLYDATA\n")
         self.fails(3, "info", "binary.vtk", says=("line 3", "ASCII can be read"))
+        self.put("late.vtk", head + "ASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 1 float\n0 0 0\nCELL_TYPES 0\nCELLS 1 2\n1 0\n")
+        self.fails(3, "info", "late.vtk", says="after their types")
         self.put("new.vtk", "# vtk DataFile Version 5.1\n\nASCII\n")
         self.fails(3, "info", "new.vtk", says=("line 1", "up to 4.2"))
 
@@ -132,6 +134,8 @@ class SolverFiles(CliTest):
         point_map = np.load(self.path("map.npy")) - 1
         self.assertTrue((points[point_map] == points).all())
         self.assertEqual(set(np.load(self.path("r.npy")).ravel() - 1), set(point_map))
+        self.mgdt("triangulate", "-q", "repeats.npy", "--point-map", "alone.npy")
+        self.assertTrue((points[np.load(self.path("alone.npy"))] == points).all())
         self.put("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 0\n")
         self.mgdt("triangulate", "-q", "flat.xyz", "-o", "flat.mesh")
         self.assertEqual(len(meshio.read(self.path("flat.mesh")).points), 4)

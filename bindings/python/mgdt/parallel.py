@@ -61,8 +61,8 @@ class ParallelDelaunay:
     threads : for the triangulation of this rank, 0 for all cores
     memory_limit : bytes for this rank, 0 for none
     progress : called as ``progress(fraction)`` with 0 to 1, on this rank. The result ``mgdt.CANCEL``
-        cancels, and so does an exception, such as that of Ctrl-C; then the other ranks raise
-        `mgdt.Cancelled`
+        before 1 cancels, and so does an exception, and Ctrl-C within a call of it; then the other
+        ranks raise `mgdt.Cancelled`. It must not raise at 1, when all is done
     """
 
     def __init__(

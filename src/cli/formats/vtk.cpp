@@ -80,7 +80,7 @@ Mesh read_vtk(const Source& source, const ReadOptions&) {
             mesh.points.resize(3 * n);
             for (double& x : mesh.points) x = words.number("coordinate");
         } else if (word == "CELLS") {
-            if (!begin.empty()) words.fail("CELLS come twice");
+            if (!begin.empty() || has_types) words.fail("CELLS come twice, or after their types");
             const std::size_t n = words.count("the number of cells", 2);
             words.count("the size of the list of cells", 1);
             const auto last = static_cast<std::int64_t>(mesh.point_count()) - 1;
