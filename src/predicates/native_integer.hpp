@@ -37,9 +37,10 @@ struct NativeUnit {
 
     // x in units; `off` becomes other than 0 if that is no whole number.
     MGDT_PREDICATES_INLINE std::int64_t count(double x, std::uint64_t& off) const {
-        // Conversion is towards zero, and what is rounded does not come back. 0 + turns -0 to 0.
+        // Conversion is towards zero, and what is rounded does not come back. Signs are left out:
+        // x may be -0, and so may n as a double where the compiler rounds without an integer.
         const auto n = static_cast<std::int64_t>(x * per_unit);
-        off |= bits_of(static_cast<double>(n) * unit) ^ bits_of(0 + x);
+        off |= (bits_of(static_cast<double>(n) * unit) ^ bits_of(x)) << 1;
         return n;
     }
 };
