@@ -115,6 +115,7 @@ if [ -n "$wanted" ] && [ $install = yes ]; then
 fi
 [ -z "$wanted" ] || lose "missing packages: $wanted"
 
+compiler=$prefix-gcc$suffix
 folder=$root/build-tests/cross-$target
 rm -rf "$folder"
 mkdir -p "$folder/headers"
@@ -122,7 +123,7 @@ mkdir -p "$folder/headers"
 ln -s /usr/include/boost "$folder/headers/boost"
 cat >"$folder/cross.ini" <<END
 [binaries]
-c = '$prefix-gcc$suffix'
+c = '$compiler'
 cpp = '$prefix-g++$suffix'
 ar = '$prefix-gcc-ar$suffix'
 strip = '$prefix-strip'
@@ -168,9 +169,30 @@ meson test -C "$folder/build" --no-rebuild --num-processes "$jobs" --timeout-mul
     "$@" >"$folder/log" 2>&1
 status=$?
 cat "$folder/log"
+
+# For each kernel, what 20,000 points take after 20,000 others: no clock means anything in an emulator.
+count_instructions() {
+    gcc -shared -fPIC -O1 -o "$folder/count.so" tests/bench/instruction_count.c &&
+        "$compiler" -O1 -I include -I "$folder/build/include" -o "$folder/insertions" tests/bench/insertions.c \
+            -L "$folder/build/src" -lmgdt "-Wl,-rpath,$folder/build/src" || return 1
+    echo "== instructions an insertion"
+    for isa in baseline neon; do
+        for n in 20000 40000; do
+            MGDT_ISA=$isa $emulator -L "/usr/$prefix" -plugin "$folder/count.so" -d plugin -D "$folder/count-$n" \
+                "$folder/insertions" $n >"$folder/said" || return 1
+        done
+        grep -q "^$isa," "$folder/said" || continue # none for this processor
+        echo "$isa: $((($(sed 's/.* //' "$folder/count-40000") - $(sed 's/.* //' "$folder/count-20000")) / 20000))"
+    done
+}
+counted=0
+case $emulator in
+qemu-*) [ $short = yes ] || count_instructions || counted=1 ;;
+esac
+
 count() { sed -n "s/^$1: *\([0-9][0-9]*\) *\$/\1/p" "$folder/log" | tail -n 1; }
 passed=$(($(count Ok) + 0))
-failed=$(($(count Fail) + $(count 'Unexpected Pass') + $(count Skipped) + $(count Timeout) + 0))
+failed=$(($(count Fail) + $(count 'Unexpected Pass') + $(count Skipped) + $(count Timeout) + counted))
 [ $status -eq 0 ] || [ $failed -gt 0 ] || failed=1
 printf '\n%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -405,7 +405,7 @@ module mgdt
             character(*), intent(inout), optional :: errmsg
         end subroutine
         ! The instruction set of the kernel, for tests and measurements: 'baseline', on x86-64
-        ! 'avx2' or 'avx512'; without a name the best.
+        ! 'avx2', 'avx512' or 'neon'; without a name the best.
         module subroutine set_isa(self, name, stat, errmsg)
             class(mgdt_triangulation), intent(inout) :: self
             character(*), intent(in), optional :: name

@@ -344,7 +344,7 @@ subroutine mgcano(h, ion, ierr)
     ierr = c_set_canonical_output(handle_of(h), to_c(ion))
 end subroutine
 
-! Instruction set: 'baseline', 'avx2', 'avx512', or ' ' for the best.
+! Instruction set: 'baseline', 'avx2', 'avx512', 'neon', or ' ' for the best.
 subroutine mgisa(h, name, ierr)
     use mgdt_f77_support
     implicit none

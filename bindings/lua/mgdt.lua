@@ -252,7 +252,7 @@ function Triangulation:set_canonical(on)
     ensure(handle, C.mgdt_set_canonical_output(handle, on and 1 or 0))
 end
 
---- Chooses the instruction set ("baseline", "avx2", "avx512"); nil for the best.
+--- Chooses the instruction set ("baseline", "avx2", "avx512", "neon"); nil for the best.
 function Triangulation:set_isa(name)
     local handle = handle_of(self)
     if name ~= nil and type(name) ~= "string" then

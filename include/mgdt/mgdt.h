@@ -418,7 +418,7 @@ MGDT_API mgdt_status mgdt_get_canonical_output(const mgdt_triangulation* t, int3
 /** Chooses the instruction set of the kernel; for tests and measurements. The tetrahedra are the
  *  same for each. Without this call it is the best that the processor has, or the one that the
  *  environment variable MGDT_ISA names when the handle is made.
- *  @param name  "baseline", or on x86-64 "avx2" or "avx512"; NULL for the best
+ *  @param name  "baseline", on x86-64 "avx2" or "avx512", on arm64 "neon"; NULL for the best
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER (t), MGDT_ERR_INVALID_ARGUMENT (an unknown name, or a
  *  set that this processor does not have). mgdt_isa_name() says which it is
  *  @since 1.0 */

@@ -11,6 +11,8 @@ extern const Kernel baseline_kernel;
 #if defined(MGDT_HAVE_X86_KERNELS)
 extern const Kernel avx2_kernel;
 extern const Kernel avx512_kernel;
+#elif defined(MGDT_HAVE_NEON_KERNEL)
+extern const Kernel neon_kernel;
 #endif
 
 const Kernel* find_kernel(const char* name) noexcept {
@@ -18,6 +20,8 @@ const Kernel* find_kernel(const char* name) noexcept {
     const CpuFeatures cpu = cpu_features();
     const Kernel* const runs[] = {cpu.avx512 ? &avx512_kernel : nullptr,
                                   cpu.avx2 ? &avx2_kernel : nullptr, &baseline_kernel};
+#elif defined(MGDT_HAVE_NEON_KERNEL)
+    const Kernel* const runs[] = {&neon_kernel, &baseline_kernel};
 #else
     const Kernel* const runs[] = {&baseline_kernel};
 #endif

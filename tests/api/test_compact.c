@@ -260,9 +260,11 @@ static void same_by_every_plan(int64_t n, const double* xyz) {
                                  {{1, 1, 1, 1, 1}, 1, MGDT_ORDER_AUTO, "baseline"},
                                  {{1, 1, 1, 1, 1}, 1, MGDT_ORDER_AUTO, "avx2"},
                                  {{1, 1, 1, 1, 1}, 1, MGDT_ORDER_AUTO, "avx512"},
+                                 {{1, 1, 1, 1, 1}, 1, MGDT_ORDER_AUTO, "neon"},
                                  {{0, 1, 0, 1, 0}, 1, MGDT_ORDER_AUTO, "baseline"},
                                  {{0, 1, 0, 1, 0}, 1, MGDT_ORDER_AUTO, "avx2"},
-                                 {{0, 1, 0, 1, 0}, 1, MGDT_ORDER_AUTO, "avx512"}};
+                                 {{0, 1, 0, 1, 0}, 1, MGDT_ORDER_AUTO, "avx512"},
+                                 {{0, 1, 0, 1, 0}, 1, MGDT_ORDER_AUTO, "neon"}};
     mgdt_triangulation* t = make_by(&with_spheres, n, xyz);
     answers expected = ask(t, n, xyz);
     size_t k;

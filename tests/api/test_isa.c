@@ -5,7 +5,7 @@
 
 #include "check.h"
 
-static const char* const sets[] = {"baseline", "avx2", "avx512"};
+static const char* const sets[] = {"baseline", "avx2", "avx512", "neon"};
 
 /* Canonical tetrahedra and neighbours by one instruction set, in two batches; NULL where the
  * processor does not have it. */

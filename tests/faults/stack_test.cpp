@@ -274,7 +274,7 @@ void small_sets(Meter& meter) {
             meter("mgdt_insert_points",
                   [&] { return mgdt_insert_points(t.get(), count(xyz), xyz.data()); });
         }
-        for (const char* isa : {"baseline", "avx2", "avx512"})
+        for (const char* isa : {"baseline", "avx2", "avx512", "neon"})
             for (const int compact : {0, 1}) {
                 SCOPED_TRACE(isa);
                 const Handle t = create();
@@ -308,7 +308,7 @@ void small_sets(Meter& meter) {
 // One point after another, then many with a call; around the last of them are all others.
 void changes(Meter& meter) {
     for (const Set& set : sets)
-        for (const char* isa : {"baseline", "avx2", "avx512"}) {
+        for (const char* isa : {"baseline", "avx2", "avx512", "neon"}) {
             SCOPED_TRACE(std::string(set.name) + ", " + isa);
             const Handle t = create();
             if (mgdt_set_isa(t.get(), isa) != MGDT_OK) continue;

@@ -18,7 +18,11 @@ struct Destroy {
 using Handle = std::unique_ptr<mgdt_triangulation, Destroy>;
 
 inline const char* isa_of(unsigned n) {
+#if defined(__aarch64__)
+    static constexpr const char* names[] = {nullptr, "baseline", "neon", "baseline"};
+#else
     static constexpr const char* names[] = {nullptr, "baseline", "avx2", "avx512"};
+#endif
     return names[n % 4];
 }
 

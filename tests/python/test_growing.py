@@ -153,7 +153,7 @@ class Rounds(unittest.TestCase):
         self.assertGreater(figures["memory_bytes"], 48 * tri.nsimplex)
         self.assertGreater(figures["insert_seconds"], 0)
         self.assertEqual(len(figures), 24)
-        self.assertIn(tri.isa, ("baseline", "avx2", "avx512"))
+        self.assertIn(tri.isa, ("baseline", "avx2", "avx512", "neon"))
         self.assertEqual(repr(tri), f"<mgdt.Delaunay: 1007 points, {tri.nsimplex} tetrahedra>")
 
     def test_version(self):

@@ -49,7 +49,7 @@ int near_tie(const Tetrahedron& t, const Vertex* vertices, const double* q) {
 bool runs() {
     const std::string_view island = MGDT_TEXT(MGDT_ISLAND);
     const CpuFeatures cpu = cpu_features();
-    return island == "scalar" || (island == "avx2" ? cpu.avx2 : cpu.avx512);
+    return island == "avx2" ? cpu.avx2 : island == "avx512" ? cpu.avx512 : true;
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ void PrintTo(const Island& island, std::ostream* out);
 Island scalar();
 Island avx2();
 Island avx512();
+Island neon();
 
 int decided_modulo(const mgdt::Tetrahedron& t, const mgdt::Vertex* vertices, const double* q);
 

@@ -28,11 +28,14 @@ void PrintTo(const Island& island, std::ostream* out) {
 
 std::vector<Island> all() {
     std::vector<Island> islands = {scalar()};
-#if defined(ISLANDS_OF_X86)
-    for (Island island : {avx2(), avx512()}) {
-        island.decided_modulo = decided_modulo;
-        islands.push_back(island);
-    }
+#if defined(HAVE_ISLAND_avx2)
+    islands.push_back(avx2());
+    islands.push_back(avx512());
+#elif defined(HAVE_ISLAND_neon)
+    islands.push_back(neon());
+#endif
+#if defined(HAVE_ISLAND_avx2) || defined(HAVE_ISLAND_neon)
+    for (std::size_t i = 1; i < islands.size(); ++i) islands[i].decided_modulo = decided_modulo;
 #endif
     return islands;
 }

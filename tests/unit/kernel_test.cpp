@@ -36,7 +36,7 @@ TEST(EdgeTables, SpreadEdges) {
     }
 }
 
-constexpr const char* names[] = {"baseline", "avx2", "avx512"};
+constexpr const char* names[] = {"baseline", "avx2", "avx512", "neon"};
 
 TEST(Kernels, AreFoundByName) {
     unsigned found = 0;

@@ -66,7 +66,7 @@ TEST_P(Motion, AnyHistory) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, Motion, testing::Values("baseline", "avx2", "avx512"),
+INSTANTIATE_TEST_SUITE_P(Each, Motion, testing::Values("baseline", "avx2", "avx512", "neon"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(MotionAndDimension, PointsLeaveSpaceAndComeBack) {

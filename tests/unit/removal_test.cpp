@@ -122,7 +122,7 @@ TEST_P(Removal, ApexOfAFacet) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, Removal, testing::Values("baseline", "avx2", "avx512"),
+INSTANTIATE_TEST_SUITE_P(Each, Removal, testing::Values("baseline", "avx2", "avx512", "neon"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(RemovalAndThreads, InsertAfterRemoval) {

@@ -12,6 +12,11 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
+// Four places among four words.
+struct alignas(16) FourPlaces {
+    std::int32_t places[4];
+};
+
 struct FourWords {
     MGDT_ALWAYS_INLINE explicit FourWords(__m128i words) : lanes(words) {}
     // A word four times.
@@ -50,9 +55,9 @@ struct FourWords {
         return FourWords(_mm_shuffle_epi32(lanes, 0xE4E4 >> 2 * places & 0xFF));
     }
     // The words at four places.
-    MGDT_ALWAYS_INLINE FourWords at(FourWords places) const {
+    MGDT_ALWAYS_INLINE FourWords at(const FourPlaces& four) const {
         return FourWords(
-            _mm_castps_si128(_mm_permutevar_ps(_mm_castsi128_ps(lanes), places.lanes)));
+            _mm_castps_si128(_mm_permutevar_ps(_mm_castsi128_ps(lanes), load(four.places).lanes)));
     }
     // (first, w0, w1, w2).
     MGDT_ALWAYS_INLINE FourWords behind(std::uint32_t first) const {
@@ -80,6 +85,11 @@ struct FourWords {
     }
     __m128i lanes;
 };
+
+// How many of the lowest four bits are set.
+MGDT_ALWAYS_INLINE unsigned number_of_four(std::uint32_t bits) {
+    return static_cast<unsigned>(__builtin_popcount(bits));
+}
 
 // a where the sign bit says so, elsewhere b.
 MGDT_ALWAYS_INLINE FourWords where(FourWords signs, FourWords a, FourWords b) {

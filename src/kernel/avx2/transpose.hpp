@@ -4,7 +4,6 @@
 
 #include "kernel/avx2/four_words.hpp"
 #include "kernel/avx2/vector.hpp"
-#include "kernel/sphere_columns.hpp"
 
 namespace mgdt {
 inline namespace MGDT_ISLAND {
@@ -59,12 +58,6 @@ struct Transpose4 {
     }
     Four first, second, third, fourth;
 };
-
-// Points that are the first three columns, relative to others.
-MGDT_ALWAYS_INLINE PointColumns<Four> relative_to(const Transpose4& rows,
-                                                  const PointColumns<Four>& origin) {
-    return {rows.first - origin.x, rows.second - origin.y, rows.third - origin.z};
-}
 
 }  // namespace MGDT_ISLAND
 }  // namespace mgdt

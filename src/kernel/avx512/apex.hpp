@@ -2,4 +2,4 @@
 // As in the island avx2: links are short.
 #pragma once
 
-#include "kernel/avx2/apex.hpp"
+#include "kernel/four/apex.hpp"

@@ -2,4 +2,4 @@
 // Marks on four tetrahedra at a time: see kernel/cavity_marks.hpp. A step looks at four.
 #pragma once
 
-#include "kernel/avx2/cavity_marks.hpp"
+#include "kernel/four/cavity_marks.hpp"

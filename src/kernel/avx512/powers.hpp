@@ -2,4 +2,4 @@
 // Powers with respect to four tetrahedra: see kernel/powers.hpp. Four are all that a step looks at.
 #pragma once
 
-#include "kernel/avx2/powers.hpp"
+#include "kernel/four/powers.hpp"

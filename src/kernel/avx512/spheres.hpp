@@ -2,8 +2,8 @@
 // The circumspheres of a star, for eight facets at a time: see kernel/spheres.hpp.
 #pragma once
 
-#include "kernel/avx2/star_spheres.hpp"
 #include "kernel/avx512/transpose.hpp"
+#include "kernel/four/star_spheres.hpp"
 
 namespace mgdt {
 inline namespace MGDT_ISLAND {

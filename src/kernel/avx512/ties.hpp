@@ -2,4 +2,4 @@
 // Conflicts near ties: see kernel/ties.hpp. A tetrahedron has four vertices.
 #pragma once
 
-#include "kernel/avx2/ties.hpp"
+#include "kernel/four/ties.hpp"

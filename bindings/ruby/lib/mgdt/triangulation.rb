@@ -159,7 +159,7 @@ module Mgdt
 
     def canonical = setting(:mgdt_get_canonical_output, :int32) == 1
 
-    # Instruction set: "baseline", "avx2", "avx512"; nil for the best.
+    # Instruction set: "baseline", "avx2", "avx512", "neon"; nil for the best.
     def isa=(name)
       raise argument("the instruction set is #{name.inspect}; it must be a String") unless
         name.nil? || (name.is_a?(String) && !name.include?("\0"))

@@ -193,7 +193,7 @@ impl Triangulation {
         unsafe { sys::mgdt_set_canonical_output(self.raw_mut(), i32::from(on)) };
     }
 
-    /// Chooses the instruction set: "baseline", "avx2", "avx512"; None for the best.
+    /// Chooses the instruction set: "baseline", "avx2", "avx512", "neon"; None for the best.
     pub fn set_isa(&mut self, name: Option<&str>) -> Result<(), Error> {
         let name = name.map(CString::new).transpose().map_err(|_| {
             Error::new(

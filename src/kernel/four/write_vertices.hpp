@@ -2,7 +2,7 @@
 // The vertices of a new tetrahedron: see kernel/words.hpp.
 #pragma once
 
-#include "kernel/avx2/four_words.hpp"
+#include "kernel/four.hpp"
 #include "mesh/tetrahedron.hpp"
 #include "platform/compiler.hpp"
 
@@ -10,14 +10,11 @@ namespace mgdt {
 inline namespace MGDT_ISLAND {
 
 // outer_face in the first three places.
-alignas(16) constexpr std::int32_t outer_picks[4][4] = {
-    {1, 3, 2, 0}, {0, 2, 3, 1}, {0, 3, 1, 2}, {0, 1, 2, 3}};
+constexpr FourPlaces outer_places[4] = {{1, 3, 2, 0}, {0, 2, 3, 1}, {0, 3, 1, 2}, {0, 1, 2, 3}};
 
 MGDT_ALWAYS_INLINE const VertexId* write_vertices(const Tetrahedron& outside, FacetCode code,
                                                   VertexId q, Tetrahedron& out) {
-    const FourWords facet =
-        FourWords::load(outside.v).at(FourWords::load(outer_picks[face_of(code)]));
-    facet.behind(q).store(out.v);
+    FourWords::load(outside.v).at(outer_places[face_of(code)]).behind(q).store(out.v);
     return out.v + 1;
 }
 

@@ -2,7 +2,7 @@
 // What the spheres of a star are made of, for vectors of four doubles and of eight.
 #pragma once
 
-#include "kernel/avx2/four_words.hpp"
+#include "kernel/four.hpp"
 #include "kernel/sphere_columns.hpp"
 #include "kernel/star_records.hpp"
 

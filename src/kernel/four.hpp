@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Registers of four elements, for the islands that have them: the algorithms in kernel/four/ are
+// written with these types alone. Each of those islands has
+//
+//   Four                 four doubles, with arithmetic, comparisons and permutations
+//   FourMask, FourSigns  yes or no for each element, by all of its bits or by its sign bit
+//   FourIntegers         four integers of 64 bits
+//   FourWords            four words of 32 bits
+//   FourPlaces           four places among four words, for tables of permutations
+//   Transpose4           four rows of doubles, or of their upper halves, as columns
+#pragma once
+
+#include "kernel/sphere_columns.hpp"
+#include MGDT_IN_ISLAND(four.hpp)
+
+namespace mgdt {
+inline namespace MGDT_ISLAND {
+
+// Points that are the first three columns, relative to others.
+MGDT_ALWAYS_INLINE PointColumns<Four> relative_to(const Transpose4& rows,
+                                                  const PointColumns<Four>& origin) {
+    return {rows.first - origin.x, rows.second - origin.y, rows.third - origin.z};
+}
+
+}  // namespace MGDT_ISLAND
+}  // namespace mgdt

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// The apex of a facet, four vertices of the link at a time: see kernel/apex.hpp.
+#pragma once
+
+#include "kernel/four.hpp"
+#include "kernel/sphere_columns.hpp"
+
+namespace mgdt {
+inline namespace MGDT_ISLAND {
+
+// Spheres through a, b and c meet the half-space beyond the facet in nested caps, so each vertex e
+// beyond has a number that orders them: the power of e with respect to any one sphere through the
+// three, divided by the distance of e from their plane. The least of these numbers, as computed,
+// names a candidate. It is the apex if all powers with respect to its own sphere are positive by
+// more than their proved errors.
+inline ApexResult find_apex(const LinkColumns& link, const std::uint32_t (&facet)[3]) {
+    const auto corner = [&](std::uint32_t k) {
+        return PointColumns<double>{link.x[k], link.y[k], link.z[k]};
+    };
+    const PointColumns<double> a = corner(facet[0]), b = corner(facet[1]), c = corner(facet[2]);
+    const LocalVertex rb = local_vertex(b.x - a.x, b.y - a.y, b.z - a.z),
+                      rc = local_vertex(c.x - a.x, c.y - a.y, c.z - a.z);
+    // (a, c, b, e) is positively oriented for e beyond: n . (e - a) > 0.
+    const double nx = rc.y * rb.z - rc.z * rb.y, ny = rc.z * rb.x - rc.x * rb.z,
+                 nz = rc.x * rb.y - rc.y * rb.x;
+    const double side_bound = proved_bounds.sphere_det * unit_roundoff * (rb.largest * rc.largest);
+    // The sphere whose centre is in the plane: w = (|b|^2 c x n + |c|^2 n x b) / |n|^2, with the
+    // sign of this n.
+    const double scale = reciprocal(nx * nx + ny * ny + nz * nz);
+    const double px = rc.square * rb.x - rb.square * rc.x, py = rc.square * rb.y - rb.square * rc.y,
+                 pz = rc.square * rb.z - rb.square * rc.z;
+    const double wx = (ny * pz - nz * py) * -scale, wy = (nz * px - nx * pz) * -scale,
+                 wz = (nx * py - ny * px) * -scale;
+
+    for (const std::uint32_t k : facet) link.skipped[k] = -0.0;
+    struct Restore {
+        const LinkColumns& link;
+        const std::uint32_t (&facet)[3];
+        ~Restore() {
+            for (const std::uint32_t k : facet) link.skipped[k] = 0.0;
+        }
+    } restore{link, facet};
+
+    const Four none(infinity);
+    std::uint32_t some_beyond = 0;
+    Four least = none, at(0.0);
+    Four k(0.0, 1.0, 2.0, 3.0);
+    std::uint32_t open = 0;
+    for (std::size_t begin = 0; begin < link.size; begin += 4, k = k + Four(4.0)) {
+        const Four ux = Four::load(link.x + begin) - Four(a.x),
+                   uy = Four::load(link.y + begin) - Four(a.y),
+                   uz = Four::load(link.z + begin) - Four(a.z);
+        const Four side = multiply_add(uz, Four(nz), multiply_add(uy, Four(ny), ux * Four(nx)));
+        const Four bound =
+            Four(side_bound) * larger(magnitude(ux), larger(magnitude(uy), magnitude(uz)));
+        const Four square = multiply_add(uz, uz, multiply_add(uy, uy, ux * ux));
+        const Four dot = multiply_add(uz, Four(wz), multiply_add(uy, Four(wy), ux * Four(wx)));
+        const FourSigns skipped = Four::load(link.skipped + begin).signs();
+        open |= ~((magnitude(side) > bound).bits() | skipped.bits()) & 15;
+        const FourMask is_beyond = where(skipped, Four(0.0), side) > bound;
+        some_beyond |= is_beyond.bits();
+        const Four order = where(is_beyond, (square - dot) / side, none);
+        const FourMask is_less = least > order;
+        least = where(is_less, order, least);
+        at = where(is_less, k, at);
+    }
+    if (open != 0) return {no_apex, {}};
+    if (some_beyond == 0) return {infinite_apex, {}};
+    const double best = -largest_element(Four(0.0) - least);
+    if (!(best < infinity)) return {no_apex, {}};
+    alignas(32) double numbers[4];
+    at.store(numbers);
+    const auto apex = static_cast<std::uint32_t>(numbers[lowest_bit((least == Four(best)).bits())]);
+
+    ApexResult result;
+    result.number = apex;
+    const PointColumns<double> e = corner(apex);
+    set_sphere(rc, rb, local_vertex(e.x - a.x, e.y - a.y, e.z - a.z), result.sphere);
+    const Sphere& s = result.sphere;
+    link.skipped[apex] = -0.0;
+    const Four quadratic(proved_bounds.quadratic * unit_roundoff);
+    std::uint32_t outside = 15;
+    for (std::size_t begin = 0; begin < link.size; begin += 4) {
+        const Four ux = Four::load(link.x + begin) - Four(a.x),
+                   uy = Four::load(link.y + begin) - Four(a.y),
+                   uz = Four::load(link.z + begin) - Four(a.z);
+        const Four square = multiply_add(uz, uz, multiply_add(uy, uy, ux * ux));
+        const Four dot =
+            multiply_add(uz, Four(s.w[2]), multiply_add(uy, Four(s.w[1]), ux * Four(s.w[0])));
+        const Four error = multiply_add(Four(s.e), magnitude(ux) + magnitude(uy) + magnitude(uz),
+                                        quadratic * square);
+        outside &=
+            ((square - dot) > error).bits() | Four::load(link.skipped + begin).signs().bits();
+    }
+    link.skipped[apex] = 0.0;
+    if (outside != 15) result.number = no_apex;
+    return result;
+}
+
+}  // namespace MGDT_ISLAND
+}  // namespace mgdt
