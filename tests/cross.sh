@@ -46,6 +46,7 @@ target=$1
 
 cd "$(dirname "$0")/.." || exit 1
 root=$(pwd)
+. tests/debian.sh
 PATH=/usr/bin:/bin:$PATH
 LC_ALL=C.UTF-8
 MGDT_TEST_SMALL=1
@@ -101,18 +102,8 @@ lose() { # why
 
 # Headers of the tests' libraries are the same for all; GoogleTest is compiled from its sources.
 packages="meson ninja-build pkg-config python3 libgtest-dev libboost-dev $compiler_package $emulator_package"
-is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed'; }
-missing() { for p in $packages; do is_installed "$p" || printf '%s ' "$p"; done; }
-wanted=$(missing)
-if [ -n "$wanted" ] && [ $install = yes ]; then
-    echo "== installing $wanted"
-    sudo=
-    [ "$(id -u)" -eq 0 ] || sudo=sudo
-    # shellcheck disable=SC2086 # packages are words
-    $sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq \
-        --no-install-recommends $wanted >/dev/null
-    wanted=$(missing)
-fi
+# shellcheck disable=SC2086 # packages are words
+install_packages $install $packages
 [ -z "$wanted" ] || lose "missing packages: $wanted"
 
 compiler=$prefix-gcc$suffix
@@ -190,9 +181,9 @@ case $emulator in
 qemu-*) [ $short = yes ] || count_instructions || counted=1 ;;
 esac
 
-count() { sed -n "s/^$1: *\([0-9][0-9]*\) *\$/\1/p" "$folder/log" | tail -n 1; }
-passed=$(($(count Ok) + 0))
-failed=$(($(count Fail) + $(count 'Unexpected Pass') + $(count Skipped) + $(count Timeout) + counted))
+passed=0
+failed=$counted
+count_tests "$folder/log"
 [ $status -eq 0 ] || [ $failed -gt 0 ] || failed=1
 printf '\n%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -43,6 +43,7 @@ done
 
 cd "$(dirname "$0")/.." || exit 1
 root=$(pwd)
+. tests/debian.sh
 builds=$root/build-tests
 # Debian's own python3 sees Debian's modules, whatever else is in the path.
 PATH=/usr/bin:/bin:$PATH
@@ -72,24 +73,9 @@ packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 pytho
     libopenmpi-dev openmpi-bin libmpich-dev mpich python3-mpi4py clang-format clang-tidy shellcheck python3-pyflakes python3-pycparser fypp'
 [ $long = no ] || packages="$packages npm gzip llvm libclang-rt-dev"
 
-is_installed() {
-    dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed' && return 0
-    # From elsewhere than Debian will do for the one that is a command of that name.
-    [ "$1" = npm ] && command -v npm >/dev/null
-}
-missing() { for p in $packages; do is_installed "$p" || printf '%s ' "$p"; done; }
-
 if command -v dpkg-query >/dev/null; then
-    wanted=$(missing)
-    if [ -n "$wanted" ] && [ $install = yes ]; then
-        say "installing $wanted"
-        sudo=
-        [ "$(id -u)" -eq 0 ] || sudo=sudo
-        # shellcheck disable=SC2086 # packages are words
-        $sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq \
-            --no-install-recommends $wanted >/dev/null
-        wanted=$(missing)
-    fi
+    # shellcheck disable=SC2086 # packages are words
+    install_packages $install $packages
     if [ -n "$wanted" ]; then
         lose "missing packages: $wanted"
         finish
@@ -124,20 +110,16 @@ build() { # name, compiler, meson options...
     fi
 }
 
-# Adds up the counts that `meson test` prints. A test that is skipped or runs out of time failed.
 tests_of() { # command...
     say "$@"
     "$@" >"$builds/test.log" 2>&1
     status=$?
     cat "$builds/test.log"
-    count() { sed -n "s/^$1: *\([0-9][0-9]*\) *\$/\1/p" "$builds/test.log" | tail -n 1; }
-    good=$(($(count Ok) + 0))
-    bad=$(($(count Fail) + $(count 'Unexpected Pass') + $(count Skipped) + $(count Timeout) + 0))
-    passed=$((passed + good))
-    failed=$((failed + bad))
-    if [ $((good + bad)) -eq 0 ]; then
+    before=$((passed + failed)) failed_before=$failed
+    count_tests "$builds/test.log"
+    if [ $((passed + failed)) -eq $before ]; then
         lose "$* ran nothing"
-    elif [ $status -ne 0 ] && [ $bad -eq 0 ]; then
+    elif [ $status -ne 0 ] && [ "$failed" -eq $failed_before ]; then
         lose "$* ended with status $status"
     fi
 }
