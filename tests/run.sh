@@ -70,7 +70,7 @@ packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 pytho
     python3-venv libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev
     cmake tetgen abigail-tools mandoc groff-base gfortran
     luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev
-    libopenmpi-dev openmpi-bin libmpich-dev mpich python3-mpi4py clang-format clang-tidy shellcheck python3-pyflakes python3-pycparser fypp'
+    libopenmpi-dev openmpi-bin libmpich-dev mpich python3-mpi4py clang-format clang-tidy doxygen shellcheck python3-pyflakes python3-pycparser fypp'
 [ $long = no ] || packages="$packages npm gzip llvm libclang-rt-dev"
 
 if command -v dpkg-query >/dev/null; then
