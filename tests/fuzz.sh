@@ -8,8 +8,8 @@ usage() {
 usage: sh tests/fuzz.sh [--merge] [seconds [target...]]
 
 Builds tests/fuzz with clang, libFuzzer and the address and undefined-behaviour sanitizers in
-build-fuzz/, and runs each target (or those named: api, parts, predicates, mesh_check, gmsh, npy, ply,
-raw, tetgen, text, vtu) for so many seconds, 60 unless said otherwise. Inputs are those of
+build-fuzz/, and runs each target (or those named: api, parts, predicates, mesh_check, abaqus, gmsh, medit,
+npy, ply, raw, surfaces, tetgen, text, vtk, vtu) for so many seconds, 60 unless said otherwise. Inputs are those of
 tests/corpus/fuzz, a packed file for each target (tests/fuzz/corpus.py), and those of earlier rounds,
 which stay in build-fuzz/inputs. What is found is
 kept in build-fuzz/findings; then the exit status is 1.
@@ -31,7 +31,7 @@ case $seconds in
 '' | *[!0-9]*) usage >&2; exit 2 ;;
 esac
 [ $# -eq 0 ] || shift
-[ $# -gt 0 ] || set -- api parts predicates mesh_check gmsh npy ply raw tetgen text vtu
+[ $# -gt 0 ] || set -- api parts predicates mesh_check abaqus gmsh medit npy ply raw surfaces tetgen text vtk vtu
 
 cd "$(dirname "$0")/.." || exit 1
 root=$(pwd)

@@ -71,7 +71,7 @@ finish() {
 packages='debootstrap git'
 for name; do
     case $name in
-    debian) packages="$packages devscripts debhelper lintian meson ninja-build pkg-config g++ libcli11-dev libfmt-dev python3" ;;
+    debian) packages="$packages devscripts debhelper lintian meson ninja-build pkg-config g++ libcli11-dev libfmt-dev zlib1g-dev python3" ;;
     python) packages="$packages meson ninja-build g++ binutils python3 python3-build python3-setuptools python3-wheel python3-venv" ;;
     recipes) packages="$packages meson ninja-build pkg-config gcc g++ gfortran cmake ruby libcli11-dev libfmt-dev libopenmpi-dev libmpich-dev python3 python3-jinja2 python3-yaml python3-numpy python3-setuptools python3-wheel python3-venv" ;;
     esac

@@ -144,7 +144,7 @@ include("{RECIPES}/vcpkg/portfile.cmake")
 require "pathname"
 class Formula
   class << self
-    %i[desc homepage url sha256 license depends_on].each {{ |name| define_method(name) {{ |*| }} }}
+    %i[desc homepage url sha256 license depends_on uses_from_macos].each {{ |name| define_method(name) {{ |*| }} }}
     def test(&block) = define_method(:test, &block)
   end
   def prefix = Pathname.new("{folder}/prefix")

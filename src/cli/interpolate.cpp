@@ -121,6 +121,7 @@ int interpolate(const InterpolateOptions& options) {
                                             ".xyz or .npy",
                                             format.name, format.description));
     }
+    require_compressible(output.write, format);
     check_terminal(output, format);
     check_writable(output.path);
     if (options.samples.path == "-" && options.places.path == "-") {

@@ -100,6 +100,10 @@ void add_index_base(CLI::App& app, OutputOptions& options) {
         ->type_name("0|1");
 }
 
+void add_compress(CLI::App& app, OutputOptions& options) {
+    app.add_flag("--compress", options.write.compress, "Compress .vtu files");
+}
+
 void add_triangulation(CLI::App& app, TriangulationOptions& options) {
     app.add_option("--scheme", options.scheme, "Order of insertion: " + schemes())
         ->type_name("NAME");
@@ -210,6 +214,7 @@ void add_interpolate(CLI::App& app, InterpolateOptions& options) {
         ->required()
         ->type_name("FILE");
     add_output(app, options.output, true);
+    add_compress(app, options.output);
     app.add_option("--method", options.method, "Way to a value (default linear)")
         ->check(CLI::IsMember(interpolation_methods()))
         ->type_name("NAME");
@@ -260,6 +265,7 @@ int run(int argc, char** argv) {
     add_input(*triangulate_app, t.input, "Points; - for standard input");
     add_output(*triangulate_app, t.output, false);
     add_index_base(*triangulate_app, t.output);
+    add_compress(*triangulate_app, t.output);
     add_triangulation(*triangulate_app, t.triangulation);
     add_scheme_parameters(*triangulate_app, t.triangulation);
     triangulate_app->add_option("--neighbors", t.neighbors, "Write the neighbours too, as .npy")

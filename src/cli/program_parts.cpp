@@ -50,7 +50,7 @@ std::int64_t ProgramParts::number(std::int32_t part, std::int32_t key) const {
     return number_of(handle_, part, key);
 }
 
-void write_part(const mgdt_parts* parts, std::int32_t part, OutputFile& out) {
+void write_part(const mgdt_parts* parts, std::int32_t part, bool compress, OutputFile& out) {
     Piece piece;
     get_array(parts, part, MGDT_PARTS_LOCAL_CORNERS, piece.corners);
     piece.corners.resize(
@@ -60,7 +60,7 @@ void write_part(const mgdt_parts* parts, std::int32_t part, OutputFile& out) {
     mgdt_parts_get_coordinates(parts, part, static_cast<std::int64_t>(piece.points.size()),
                                piece.points.data());
     check_interrupt();
-    write_piece(piece, out);
+    write_piece(piece, compress, out);
     out.close();
 }
 

@@ -30,6 +30,6 @@ class ProgramParts {
 };
 
 // Writes the tetrahedra that a part owns as a piece of a mesh, and closes the file.
-void write_part(const mgdt_parts* parts, std::int32_t part, OutputFile& out);
+void write_part(const mgdt_parts* parts, std::int32_t part, bool compress, OutputFile& out);
 
 }  // namespace mgdt::cli

@@ -79,6 +79,7 @@ int triangulate(const TriangulateOptions& options) {
                                     "or .npy",
                                     format->name, format->description));
         }
+        require_compressible(output.write, *format);
         check_terminal(output, *format);
         files = format->mesh_files ? format->mesh_files(output.path)
                                    : std::vector<std::string>{output.path};

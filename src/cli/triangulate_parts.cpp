@@ -35,11 +35,11 @@ class PartsInTurn {
         }
     }
     // Writes a file for each part.
-    void build(const std::vector<std::string>& files, OutputSet& outputs, const std::string& name,
-               bool quiet) {
+    void build(const std::vector<std::string>& files, OutputSet& outputs, bool compress,
+               const std::string& name, bool quiet) {
         Progress progress("triangulating", quiet);
         mgdt_parts_set_progress(parts_.get(), Progress::callback, &progress);
-        Looks looks{files, outputs, nullptr};
+        Looks looks{files, outputs, compress, nullptr};
         const mgdt_status status = mgdt_parts_build_each(parts_.get(), look, &looks);
         mgdt_parts_set_progress(parts_.get(), nullptr, nullptr);
         if (looks.failure) std::rethrow_exception(looks.failure);
@@ -51,6 +51,7 @@ class PartsInTurn {
     struct Looks {
         const std::vector<std::string>& files;
         OutputSet& outputs;
+        bool compress;
         std::exception_ptr failure;
     };
 
@@ -58,7 +59,8 @@ class PartsInTurn {
         Looks& looks = *static_cast<Looks*>(user);
         try {
             // Closed there: many files are not open at once.
-            write_part(p, part, looks.outputs.open(looks.files[static_cast<std::size_t>(part)]));
+            write_part(p, part, looks.compress,
+                       looks.outputs.open(looks.files[static_cast<std::size_t>(part)]));
             return 0;
         } catch (...) {
             looks.failure = std::current_exception();
@@ -86,6 +88,7 @@ int triangulate_in_parts(const TriangulateOptions& options) {
                     "--stats");
     if (!is_pieces_path(output.path) || !output.to.empty())
         throw Error(exit_usage, "--parts writes pieces: say -o FILE.pvtu");
+    require_compressible(output.write, vtu_format());
     const std::vector<std::string> files = piece_paths(output.path, options.parts);
     for (const std::string& file : files) check_writable(file);
     check_writable(output.path);
@@ -104,7 +107,7 @@ int triangulate_in_parts(const TriangulateOptions& options) {
             require_apart(mesh.inputs, written);
             parts.insert(mesh.points, name);
         }
-        parts.build(files, outputs, name, options.triangulation.quiet);
+        parts.build(files, outputs, output.write.compress, name, options.triangulation.quiet);
         vertices = parts.number(MGDT_PARTS_ALL_VERTICES);
         tetrahedra = parts.number(MGDT_PARTS_ALL_TETRAHEDRA);
     }

@@ -291,9 +291,14 @@ TEST(Vtu, TextArraysAndOtherCells) {
     EXPECT_TRUE(contains(failure(vtu_format(), replaced(file, "NumberOfPoints='5'",
                                                         "NumberOfPoints='5000000000000000000'")),
                          "cannot be"));
-    EXPECT_TRUE(
-        contains(failure(vtu_format(), replaced(file, "byte_order", "compressor='z' byte_order")),
-                 "uncompressed"));
+    // Text is not compressed.
+    const std::string other = replaced(file, "byte_order", "compressor='z' byte_order");
+    EXPECT_EQ(read(vtu_format(), other).points, corners);
+    EXPECT_TRUE(contains(
+        failure(vtu_format(), replaced(other, "'3' format='ascii'", "'3' format='binary'")),
+        "cannot expand"));
+    const std::string binary = replaced(file, "'3' format='ascii'", "'3' format='binary'");
+    EXPECT_TRUE(contains(failure(vtu_format(), binary), "base64"));
 }
 
 }  // namespace

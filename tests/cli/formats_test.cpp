@@ -64,14 +64,14 @@ TEST(RoundTrip, Points) {
         }
         EXPECT_TRUE(same_bits(read(*f, written(*f, awkward, 1)).points, awkward)) << f->name;
     }
-    EXPECT_EQ(formats, 8);
+    EXPECT_EQ(formats, 9);
 }
 
 TEST(RoundTrip, Mesh) {
     Mesh mesh = two_tetrahedra();
     for (std::size_t i = 0; i < awkward.size(); ++i) mesh.points[i] = awkward[i];
     for (const Format* f : {&vtu_format(), &gmsh_format(), &gmsh2_format(), &vtk_format(),
-                            &medit_format(), &abaqus_format()}) {
+                            &medit_format(), &medit_binary_format(), &abaqus_format()}) {
         const Mesh back = read(*f, written(*f, mesh));
         EXPECT_TRUE(same_bits(back.points, mesh.points)) << f->name;
         EXPECT_EQ(back.tetrahedra, mesh.tetrahedra) << f->name;
@@ -92,7 +92,7 @@ TEST(RoundTrip, EmptyMesh) {
     for (const Points& points : {Points{}, corners}) {
         mesh.points = points;
         for (const Format* f : {&vtu_format(), &gmsh_format(), &gmsh2_format(), &vtk_format(),
-                                &medit_format(), &abaqus_format()}) {
+                                &medit_format(), &medit_binary_format(), &abaqus_format()}) {
             const Mesh back = read(*f, written(*f, mesh));
             EXPECT_EQ(back.points, points) << f->name;
             EXPECT_TRUE(back.tetrahedra.empty()) << f->name;

@@ -18,7 +18,7 @@ from cli_test import CliTest
 
 
 class SolverFiles(CliTest):
-    ENDINGS = {"mesh": "medit", "inp": "abaqus", "vtk": "vtk"}
+    ENDINGS = {"mesh": "medit", "meshb": "meshb", "inp": "abaqus", "vtk": "vtk"}
 
     def setUp(self):
         super().setUp()
@@ -51,6 +51,47 @@ class SolverFiles(CliTest):
                 self.mgdt("triangulate", "-q", f"other.{ending}", "-o", "again.npy")
                 self.assertTrue((np.load(self.path("again.npy")) == self.tetrahedra).all())
 
+    def test_compressed_vtu(self):
+        """Arrays compressed and not, raw, in base64 and as text, by meshio and back."""
+        self.mgdt("triangulate", "-q", "points.npy", "-o", "raw.vtu")
+        self.mgdt("triangulate", "-q", "points.npy", "-o", "small.vtu", "--compress")
+        self.assertLess(len(self.get("small.vtu")), len(self.get("raw.vtu")))
+        self.mgdt("triangulate", "-q", "points.npy", "--parts", "2", "-o", "parts.pvtu", "--compress")
+        self.mgdt("interpolate", "-q", "small.vtu", "points.npy", "-o", "field.vtu", "--compress", code=3)
+        for name in ("raw.vtu", "small.vtu"):
+            mesh = meshio.read(self.path(name))
+            self.assertTrue((mesh.points == self.points).all())
+            self.assertTrue((mesh.cells_dict["tetra"] == self.tetrahedra).all())
+        for compression in ("zlib", None):
+            mesh.point_data["f"] = self.points[:, 0] + 1
+            meshio.vtu.write(self.path("other.vtu"), mesh, binary=True, compression=compression)
+            self.mgdt("triangulate", "-q", "other.vtu", "-o", "again.npy")
+            self.assertTrue((np.load(self.path("again.npy")) == self.tetrahedra).all())
+            self.mgdt("interpolate", "-q", "other.vtu", "points.npy", "-o", "field.vtu", "--compress")
+            field = meshio.read(self.path("field.vtu"))
+            self.assertTrue(np.allclose(field.point_data["f"].ravel(), field.points[:, 0] + 1))
+        whole = self.get("small.vtu")
+        begin = whole.index(b'encoding="raw"')
+        for at in (begin + 17, begin + 40, begin + 60, begin + 200, len(whole) - 60):
+            self.put("bad.vtu", whole[:at] + bytes([whole[at] ^ 0x55]) + whole[at + 1:])
+            self.fails(3, "check", "bad.vtu", says="bad.vtu")
+        self.put("cut.vtu", whole[:len(whole) // 2])
+        self.fails(3, "info", "cut.vtu", says="cut short")
+        self.fails(2, "triangulate", "points.npy", "-o", "mesh.msh", "--compress", says="--compress is for .vtu")
+
+    def test_meshb(self):
+        self.mgdt("triangulate", "-q", "points.npy", "-o", "mesh.meshb")
+        whole = self.get("mesh.meshb")
+        for change in (whole[:20] + b"\1" + whole[21:], whole[:8] + b"\x04\0\0\0\0\0\0\x80" + whole[16:], whole[:-9],
+                       whole[:16] + b"\2" + whole[17:], b"\1\0\0\0\2\0\0\0" + b"\0" * 8):
+            self.put("bad.meshb", change)
+            self.fails(3, "info", "bad.meshb", says="bad.meshb")
+        swapped = np.frombuffer(b"\1\0\0\0\1\0\0\0\3\0\0\0\x14\0\0\0\3\0\0\0\4\0\0\0\0\0\0\0\1\0\0\0", "<i4")
+        self.put("big.meshb", swapped.astype(">i4").tobytes() + np.array([1, 2, 3], ">f4").tobytes() + bytes(4))
+        self.assertRegex(self.mgdt("info", "--from", "meshb", "big.meshb").decode(), r"points +1\n")
+        self.put("nameless", whole)
+        self.assertIn("meshb", self.mgdt("info", "nameless").decode())
+
     def test_medit_on_any_lines(self):
         self.put("free.mesh", "MeshVersionFormatted\n1\nDimension\n3 # three\nVertices 5 0 0 0 1  2 0 0 1 0 2 0\n1 0 0 2 1\n"
                  "1 1 1 1\nRidges 2 1 2\nNormals 1 0.0 -1.5 .5\nTetrahedra\n1\n1 2 3 4 7 End")
@@ -65,6 +106,16 @@ class SolverFiles(CliTest):
         said = self.mgdt("info", "own.inp").decode()
         self.assertRegex(said, r"points +5\n")
         self.assertRegex(said, r"tetrahedra +1\n")
+
+    def test_abaqus_with_numbers_in_no_order(self):
+        places = {9: (0, 0, 0), 2: (1, 0, 0), 900719925474099: (0, 1, 0), 4: (0, 0, 1), 1: (1, 1, 1)}
+        nodes = "*NODE\n" + "".join(f"{n}, {x}, {y}, {z}\n" for n, (x, y, z) in places.items())
+        self.put("order.inp", nodes + "*ELEMENT, TYPE=C3D4\n1, 9, 2, 900719925474099, 4\n2, 2, 900719925474099, 4, 1\n")
+        self.mgdt("check", "order.inp")
+        self.put("late.inp", nodes + "*NODE\n2, 5, 5, 5\n*ELEMENT, TYPE=C3D4\n")
+        self.fails(3, "info", "late.inp", says="node 2 comes twice")
+        self.put("late.inp", nodes + "2, 5, 5, 5\n")
+        self.fails(3, "info", "late.inp", says="node 2 comes twice")
 
     def test_abaqus_with_lines_that_go_on(self):
         nodes = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n"
@@ -83,8 +134,12 @@ class SolverFiles(CliTest):
         self.fails(3, "info", "binary.vtk", says=("line 3", "ASCII can be read"))
         self.put("late.vtk", head + "ASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 1 float\n0 0 0\nCELL_TYPES 0\nCELLS 1 2\n1 0\n")
         self.fails(3, "info", "late.vtk", says="after their types")
-        self.put("new.vtk", "# vtk DataFile Version 5.1\n\nASCII\n")
-        self.fails(3, "info", "new.vtk", says=("line 1", "up to 4.2"))
+        for version in ("5.1", "10.0", "0.9", "x"):
+            self.put("new.vtk", f"# vtk DataFile Version {version}\n\nASCII\n")
+            self.fails(3, "info", "new.vtk", says=("line 1", "up to 4.2"))
+        self.put("small.vtk", head + "ascii\ndataset unstructured_grid\npoints 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\n"
+                 "cells 1 5\n4 0 1 2 3\ncell_types 1\n10\npoint_data 4\nscalars s float\n")
+        self.assertRegex(self.mgdt("info", "small.vtk").decode(), r"tetrahedra +1\n")
 
     def test_surfaces(self):
         corners = np.round(self.points[:60], 3).astype("f4").astype(float)

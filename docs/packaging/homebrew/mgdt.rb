@@ -13,6 +13,8 @@ class Mgdt < Formula
   depends_on "pkgconf" => :build
   depends_on "fmt"
 
+  uses_from_macos "zlib"
+
   def install
     options = %w[-Dtests=disabled -Dprogram=enabled -Dmpi=disabled]
     system "meson", "setup", "build", *options, *std_meson_args

@@ -24,6 +24,7 @@ class Mgdt(MesonPackage):
     depends_on("pkgconfig", type="build")
     depends_on("cli11", when="+program", type="build")
     depends_on("fmt", when="+program")
+    depends_on("zlib-api", when="+program")
     depends_on("mpi", when="+mpi")
     depends_on("python@3.9:", type="build")
     extends("python@3.9:", when="+python")

@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "cli/errors.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/formats/lines.hpp"
+#include "cli/formats/node_numbers.hpp"
 #include "cli/formats/number.hpp"
 #include "cli/formats/table.hpp"
 
@@ -45,6 +45,10 @@ bool sniff(std::string_view bytes) {
 }
 
 class Reader {
+    auto fail() const {
+        return [this](const std::string& message) { lines_.fail(message); };
+    }
+
   public:
     explicit Reader(const Source& source) : source_(source), lines_(source) {}
 
@@ -68,6 +72,7 @@ class Reader {
                     corners_ = keyword.has("TYPE=C3D4") ? 4 : keyword.has("TYPE=C3D10") ? 10 : 0;
                     section = corners_ > 0 ? tetrahedra : others;
                     mesh_.has_tetrahedra |= corners_ > 0;
+                    numbers_.settle(fail());
                 }
                 continue;
             }
@@ -78,6 +83,7 @@ class Reader {
                 goes_on = ends_with_comma();
             }
         }
+        numbers_.settle(fail());
         if (!has_nodes_) source_.fail("has no *NODE");
         return std::move(mesh_);
     }
@@ -141,9 +147,7 @@ class Reader {
         may_go_on_ = false;
         split_line();
         const std::int64_t tag = integer("the node's number");
-        const auto index = static_cast<std::int64_t>(mesh_.point_count());
-        if (!index_of_.emplace(tag, index).second)
-            lines_.fail(fmt::format("node {} comes twice", tag));
+        numbers_.add(tag, fail());
         for (int k = 0; k < 3; ++k) {
             const std::string_view text = word("coordinate");
             double x = 0;
@@ -159,16 +163,15 @@ class Reader {
         integer("the element's number");
         for (int k = 0; k < corners_; ++k) {
             const std::int64_t tag = integer("node");
-            const auto found = index_of_.find(tag);
-            if (found == index_of_.end()) lines_.fail(fmt::format("there is no node {}", tag));
-            if (k < 4) mesh_.tetrahedra.push_back(found->second);
+            const std::int64_t node = numbers_.find(tag, fail());
+            if (k < 4) mesh_.tetrahedra.push_back(node);
         }
     }
 
     const Source& source_;
     LineReader lines_;
     Mesh mesh_;
-    std::unordered_map<std::int64_t, std::int64_t> index_of_;
+    NodeNumbers numbers_;
     std::vector<std::string_view> words_;
     std::size_t at_ = 0;
     std::string_view text_;  // of the line

@@ -8,6 +8,7 @@
 #include <cctype>
 
 #include "cli/errors.hpp"
+#include "cli/formats/vtk_arrays.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -32,9 +33,9 @@ std::string names() {
 
 const std::vector<const Format*>& all_formats() {
     static const std::vector<const Format*> formats = {
-        &text_format(), &csv_format(), &npy_format(),    &raw_format(),   &ply_format(),
-        &obj_format(),  &stl_format(), &tetgen_format(), &gmsh_format(),  &gmsh2_format(),
-        &vtu_format(),  &vtk_format(), &medit_format(),  &abaqus_format()};
+        &text_format(), &csv_format(), &npy_format(),    &raw_format(),          &ply_format(),
+        &obj_format(),  &stl_format(), &tetgen_format(), &gmsh_format(),         &gmsh2_format(),
+        &vtu_format(),  &vtk_format(), &medit_format(),  &medit_binary_format(), &abaqus_format()};
     return formats;
 }
 
@@ -82,6 +83,15 @@ const Format& output_format(const std::string& path, const std::string& name) {
     throw Error(exit_usage,
                 fmt::format("{}: unknown format by the name; choose it with --to ({})",
                             path == "-" ? "standard output" : printable(path), names()));
+}
+
+void require_compressible(const WriteOptions& options, const Format& format) {
+    if (!options.compress) return;
+    if (&format != &vtu_format())
+        throw Error(exit_usage, fmt::format("--compress is for .vtu, not for {} ({})", format.name,
+                                            format.description));
+    if (!can_compress())
+        throw Error(exit_usage, "this program was built without zlib, which --compress needs");
 }
 
 bool wants_field(const ReadOptions& options, const std::string& name) {

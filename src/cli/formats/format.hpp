@@ -24,7 +24,8 @@ struct ReadOptions {
 };
 
 struct WriteOptions {
-    int index_base = 0;  // of formats that leave it open
+    int index_base = 0;     // of formats that leave it open
+    bool compress = false;  // .vtu
 };
 
 // Where a file has its points: rows of bytes of one length, with x, y and z at the beginning.
@@ -72,6 +73,7 @@ const Format& obj_format();
 const Format& stl_format();
 const Format& vtk_format();
 const Format& medit_format();
+const Format& medit_binary_format();
 const Format& abaqus_format();
 
 const std::vector<const Format*>& all_formats();
@@ -87,6 +89,9 @@ const Format* format_from_content(std::string_view bytes);
 const Format& input_format(const Source& source, const std::string& name);
 // The format of an output: `name` unless empty, then the extension; usage error if neither.
 const Format& output_format(const std::string& path, const std::string& name);
+
+// Throws where compression is asked for, and the format or this program has none.
+void require_compressible(const WriteOptions& options, const Format& format);
 
 // Whether a field of this name is wanted.
 bool wants_field(const ReadOptions& options, const std::string& name);

@@ -6,12 +6,12 @@
 
 #include <array>
 #include <optional>
-#include <unordered_map>
 
 #include "cli/errors.hpp"
 #include "cli/formats/bytes.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/formats/lines.hpp"
+#include "cli/formats/node_numbers.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -175,30 +175,21 @@ class Reader {
     bool binary_ = false;
 };
 
-// Node tags to positions in the file. Tags are mostly 1 to n, and then a plain array serves.
+// Node tags to positions in the file.
 class Tags {
+    auto fail() const {
+        return [this](const std::string& message) { reader_.fail(message); };
+    }
+
   public:
     explicit Tags(Reader& reader) : reader_(reader) {}
-    void add(std::int64_t tag, std::int64_t index) {
-        if (sparse_.empty() && tag == static_cast<std::int64_t>(dense_) + 1) {
-            ++dense_;
-            return;
-        }
-        if (tag <= static_cast<std::int64_t>(dense_) || !sparse_.emplace(tag, index).second) {
-            reader_.fail(fmt::format("node {} comes twice", tag));
-        }
-    }
-    std::int64_t find(std::int64_t tag) const {
-        if (tag > 0 && tag <= static_cast<std::int64_t>(dense_)) return tag - 1;
-        const auto found = sparse_.find(tag);
-        if (found == sparse_.end()) reader_.fail(fmt::format("there is no node {}", tag));
-        return found->second;
-    }
+    void add(std::int64_t tag) { numbers_.add(tag, fail()); }
+    void settle() { numbers_.settle(fail()); }
+    std::int64_t find(std::int64_t tag) const { return numbers_.find(tag, fail()); }
 
   private:
     Reader& reader_;
-    std::size_t dense_ = 0;
-    std::unordered_map<std::int64_t, std::int64_t> sparse_;
+    NodeNumbers numbers_;
 };
 
 void read_point(Reader& reader, Mesh& mesh) {
@@ -212,7 +203,7 @@ void read_nodes_2(Reader& reader, Mesh& mesh, Tags& tags) {
     reader.check_count(count, "nodes", 28, 4);
     for (std::int64_t i = 0; i < count; ++i) {
         reader.row();
-        tags.add(reader.size("node tag", 1), static_cast<std::int64_t>(mesh.point_count()));
+        tags.add(reader.size("node tag", 1));
         read_point(reader, mesh);
     }
 }
@@ -236,10 +227,9 @@ void read_nodes_4(Reader& reader, Mesh& mesh, Tags& tags) {
         if (count > total - seen) reader.fail("more nodes than announced");
         reader.check_count(count, "nodes", 32, 4);
         seen += count;
-        const auto first = static_cast<std::int64_t>(mesh.point_count());
         for (std::int64_t i = 0; i < count; ++i) {
             reader.row();
-            tags.add(reader.size("node tag", 1), first + i);
+            tags.add(reader.size("node tag", 1));
         }
         for (std::int64_t i = 0; i < count; ++i) {
             reader.row();
@@ -350,6 +340,7 @@ Mesh read_gmsh(const Source& source, const ReadOptions&) {
             nodes = true;
             reader.version() == 4 ? read_nodes_4(reader, mesh, tags)
                                   : read_nodes_2(reader, mesh, tags);
+            tags.settle();
             reader.leave(section);
         } else if (section == "Elements" && nodes && !elements) {
             elements = true;

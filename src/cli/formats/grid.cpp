@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <limits>
 #include <string>
 
+#include "cli/byte_order.hpp"
+#include "cli/formats/vtk_arrays.hpp"
 #include "cli/formats/xml.hpp"
 
 namespace mgdt::cli {
@@ -16,38 +20,68 @@ bool fits_32_bits(std::uint64_t most) {
 }
 
 // Arrays are named in the head of a file, and follow in the same order.
-class Arrays {
+struct Array {
+    std::string attributes;
+    std::uint64_t count;
+    std::size_t item_size;
+    // Appends items, least significant byte first.
+    std::function<void(std::uint64_t begin, std::uint64_t end, std::string& bytes)> append;
+
+    std::uint64_t size() const { return count * item_size; }
+    // Hands over all bytes, block by block; the last is shorter, if any.
+    template <class Take>
+    void each_block(const Take& take) const {
+        const std::uint64_t items = CompressedArray::block_size / item_size;
+        std::string bytes;
+        for (std::uint64_t begin = 0; begin < count; begin += items) {
+            bytes.clear();
+            append(begin, std::min(count, begin + items), bytes);
+            take(bytes);
+        }
+    }
+};
+
+// The i-th item is item(i), as a T.
+template <class T, class Item>
+Array array_of(const char* type, const std::string& attributes, std::uint64_t count, Item item) {
+    const auto append = [item](std::uint64_t begin, std::uint64_t end, std::string& bytes) {
+        bytes.resize(static_cast<std::size_t>(end - begin) * sizeof(T));
+        for (std::uint64_t i = begin; i < end; ++i) {
+            const auto value = static_cast<T>(item(i));
+            char* const to = bytes.data() + static_cast<std::size_t>(i - begin) * sizeof(T);
+            std::memcpy(to, &value, sizeof(T));
+            if (host_is_big_endian()) std::reverse(to, to + sizeof(T));
+        }
+    };
+    return {fmt::format("type=\"{}\" {}", type, attributes), count, sizeof(T), append};
+}
+
+template <class Item>
+Array integers(bool is_short, const char* name, std::uint64_t count, Item item) {
+    const std::string attributes = fmt::format("Name=\"{}\"", name);
+    return is_short ? array_of<std::int32_t>("Int32", attributes, count, item)
+                    : array_of<std::int64_t>("Int64", attributes, count, item);
+}
+
+Array doubles(const std::string& name, std::size_t components, const std::vector<double>& values) {
+    return array_of<double>("Float64",
+                            fmt::format("Name=\"{}\" NumberOfComponents=\"{}\"", name, components),
+                            values.size(), [&values](std::uint64_t i) { return values[i]; });
+}
+
+// The elements that name arrays, whose places follow from their sizes in the file.
+class Places {
   public:
-    // The element that names an array of so many bytes.
-    std::string name(const char* type, const std::string& attributes, std::uint64_t bytes) {
+    std::string element(const Array& array, std::uint64_t size) {
         const std::uint64_t begin = offset_;
-        offset_ += 8 + bytes;
-        return fmt::format(
-            "        <DataArray type=\"{}\" {} format=\"appended\" offset=\"{}\"/>\n", type,
-            attributes, begin);
+        offset_ += size;
+        return fmt::format("        <DataArray {} format=\"appended\" offset=\"{}\"/>\n",
+                           array.attributes, begin);
     }
 
   private:
     std::uint64_t offset_ = 0;
 };
-
-void write_doubles(const std::vector<double>& values, OutputFile& out) {
-    out.write_value(std::uint64_t{8} * values.size());
-    out.write_values(values.data(), values.size());
-}
-
-// The i-th is number(i).
-template <class Number>
-void write_integers(std::uint64_t n, bool is_short, const Number& number, OutputFile& out) {
-    out.write_value((is_short ? 4 : 8) * n);
-    for (std::uint64_t i = 0; i < n; ++i) {
-        const std::int64_t value = number(i);
-        if (is_short)
-            out.write_value(static_cast<std::int32_t>(value));
-        else
-            out.write_value(value);
-    }
-}
 
 }  // namespace
 
@@ -55,50 +89,59 @@ void write_grid(const Grid& grid, OutputFile& out) {
     const std::uint64_t points = grid.points.size() / 3, corners = grid.vertices.size(),
                         cells = corners / grid.size;
     const bool short_numbers = fits_32_bits(points), short_offsets = fits_32_bits(corners);
-    const auto integer = [](bool is_short) { return is_short ? "Int32" : "Int64"; };
-    const auto bytes_of = [](bool is_short, std::uint64_t n) { return (is_short ? 4 : 8) * n; };
-    Arrays arrays;
+    std::vector<Array> arrays = {
+        doubles("Points", 3, grid.points),
+        integers(short_numbers, "connectivity", corners,
+                 [&](std::uint64_t i) { return grid.vertices[i]; }),
+        integers(short_offsets, "offsets", cells,
+                 [&](std::uint64_t i) { return static_cast<std::int64_t>(grid.size * (i + 1)); }),
+        array_of<std::uint8_t>("UInt8", "Name=\"types\"", cells,
+                               [&](std::uint64_t) { return grid.type; })};
+    const std::size_t of_grid = arrays.size();
+    for (const Field& f : grid.fields)
+        arrays.push_back(doubles(to_xml(f.name), f.components, f.values));
+    if (grid.ids != nullptr)
+        arrays.push_back(integers(false, "point", grid.ids->size(),
+                                  [&](std::uint64_t i) { return (*grid.ids)[i]; }));
+
+    // Compressed arrays are kept until the head is written, which says where they are.
+    std::vector<CompressedArray> compressed(grid.is_compressed ? arrays.size() : 0);
+    for (std::size_t i = 0; i < compressed.size(); ++i)
+        arrays[i].each_block([&](const std::string& bytes) { compressed[i].add_block(bytes); });
+    Places places;
+    const auto element = [&](std::size_t i) {
+        return places.element(arrays[i], grid.is_compressed ? compressed[i].header().size() +
+                                                                  compressed[i].blocks().size()
+                                                            : 8 + arrays[i].size());
+    };
     std::string head = fmt::format(
         "<?xml version=\"1.0\"?>\n"
         "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-        "header_type=\"UInt64\">\n"
+        "header_type=\"UInt64\"{}>\n"
         "  <UnstructuredGrid>\n"
         "    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
         "      <Points>\n",
-        points, cells);
-    head +=
-        arrays.name("Float64", "Name=\"Points\" NumberOfComponents=\"3\"", 8 * grid.points.size());
+        grid.is_compressed ? " compressor=\"vtkZLibDataCompressor\"" : "", points, cells);
+    head += element(0);
     head += "      </Points>\n      <Cells>\n";
-    head += arrays.name(integer(short_numbers), "Name=\"connectivity\"",
-                        bytes_of(short_numbers, corners));
-    head += arrays.name(integer(short_offsets), "Name=\"offsets\"", bytes_of(short_offsets, cells));
-    head += arrays.name("UInt8", "Name=\"types\"", cells);
+    for (std::size_t i = 1; i < of_grid; ++i) head += element(i);
     head += "      </Cells>\n";
-    const bool has_data = !grid.fields.empty() || grid.ids != nullptr;
-    if (has_data) head += "      <PointData>\n";
-    for (const Field& f : grid.fields)
-        head += arrays.name(
-            "Float64",
-            fmt::format("Name=\"{}\" NumberOfComponents=\"{}\"", to_xml(f.name), f.components),
-            8 * f.values.size());
-    if (grid.ids != nullptr) head += arrays.name("Int64", "Name=\"point\"", 8 * grid.ids->size());
-    if (has_data) head += "      </PointData>\n";
+    if (arrays.size() > of_grid) head += "      <PointData>\n";
+    for (std::size_t i = of_grid; i < arrays.size(); ++i) head += element(i);
+    if (arrays.size() > of_grid) head += "      </PointData>\n";
     head +=
         "    </Piece>\n  </UnstructuredGrid>\n"
         "  <AppendedData encoding=\"raw\">\n_";
     out.write(head);
-    write_doubles(grid.points, out);
-    write_integers(
-        corners, short_numbers, [&](std::uint64_t i) { return grid.vertices[i]; }, out);
-    write_integers(
-        cells, short_offsets,
-        [&](std::uint64_t i) { return static_cast<std::int64_t>(grid.size * (i + 1)); }, out);
-    out.write_value(cells);
-    for (std::uint64_t i = 0; i < cells; ++i) out.write_value(grid.type);
-    for (const Field& f : grid.fields) write_doubles(f.values, out);
-    if (grid.ids != nullptr)
-        write_integers(
-            grid.ids->size(), false, [&](std::uint64_t i) { return (*grid.ids)[i]; }, out);
+    for (std::size_t i = 0; i < arrays.size(); ++i) {
+        if (grid.is_compressed) {
+            out.write(compressed[i].header());
+            out.write(compressed[i].blocks());
+        } else {
+            out.write_value(arrays[i].size());
+            arrays[i].each_block([&](const std::string& bytes) { out.write(bytes); });
+        }
+    }
     out.write("\n  </AppendedData>\n</VTKFile>\n");
 }
 

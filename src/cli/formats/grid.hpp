@@ -21,6 +21,7 @@ struct Grid {
     std::uint8_t type;
     const std::vector<Field>& fields;      // of the points
     const std::vector<std::int64_t>* ids;  // of the points, an array "point"; or nullptr
+    bool is_compressed = false;
 };
 
 void write_grid(const Grid& grid, OutputFile& out);

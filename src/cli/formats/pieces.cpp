@@ -25,8 +25,8 @@ std::vector<std::string> piece_paths(const std::string& path, int count) {
     return paths;
 }
 
-void write_piece(const Piece& piece, OutputFile& out) {
-    write_grid({piece.points, piece.corners, 4, vtk_tetra, {}, &piece.ids}, out);
+void write_piece(const Piece& piece, bool compress, OutputFile& out) {
+    write_grid({piece.points, piece.corners, 4, vtk_tetra, {}, &piece.ids, compress}, out);
 }
 
 void write_index_of_pieces(const std::vector<std::string>& files, OutputFile& out) {

@@ -20,7 +20,7 @@ bool is_pieces_path(const std::string& path);
 // The files of so many pieces, beside the one that names them.
 std::vector<std::string> piece_paths(const std::string& path, int count);
 
-void write_piece(const Piece& piece, OutputFile& out);
+void write_piece(const Piece& piece, bool compress, OutputFile& out);
 void write_index_of_pieces(const std::vector<std::string>& files, OutputFile& out);
 
 }  // namespace mgdt::cli

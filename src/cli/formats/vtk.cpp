@@ -3,9 +3,12 @@
 // points of other datasets that list them. The VTK User's Guide, "VTK File Formats".
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/errors.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/formats/grid.hpp"
+#include "cli/formats/number.hpp"
 #include "cli/formats/words.hpp"
 
 namespace mgdt::cli {
@@ -19,6 +22,14 @@ std::size_t corners_of(std::int64_t type) {
     return type < 15 ? corners[type] : type == vtk_quadratic_tetra ? 10 : 0;
 }
 
+// VTK reads keywords in any case.
+bool same(std::string_view word, std::string_view capitals) {
+    const auto is_same = [](char c, char capital) {
+        return c == capital || (c >= 'a' && c <= 'z' && c - 'a' + 'A' == capital);
+    };
+    return std::equal(word.begin(), word.end(), capitals.begin(), capitals.end(), is_same);
+}
+
 bool sniff(std::string_view bytes) {
     return bytes.substr(0, magic.size()) == magic;
 }
@@ -29,14 +40,15 @@ LineReader after_head(const Source& source, Mesh& mesh) {
     if (!lines.next() || !sniff(lines.text()))
         source.fail_at_line(1, "not a VTK file: it does not begin with # vtk DataFile Version");
     const std::string_view version = lines.text().substr(magic.size());
-    if (version.empty() || version[0] > '4')
+    double number = 0;
+    if (parse_number(version, number) != NumberStatus::ok || !(number >= 1 && number < 5))
         lines.fail(
             fmt::format("version {}; up to 4.2 can be read; write it as .vtu, or as an "
                         "older version",
                         quote(version)));
     if (!lines.next() || !lines.next()) lines.fail("the file is cut short");
     const std::string_view encoding = Fields(lines).word("the encoding");
-    if (encoding != "ASCII")
+    if (!same(encoding, "ASCII"))
         lines.fail(fmt::format("encoding {}; ASCII can be read; write it as text, or as .vtu",
                                quote(encoding)));
     mesh.detail = fmt::format("version {}, text", version);
@@ -69,17 +81,17 @@ Mesh read_vtk(const Source& source, const ReadOptions&) {
     std::vector<std::size_t> begin;  // of each cell among them
     bool has_points = false, has_types = false, is_grid = false;
     std::string_view word;
-    while (words.next(word) && word != "POINT_DATA" && word != "CELL_DATA") {
-        if (word == "DATASET") {
-            is_grid = words.next(word) && word == "UNSTRUCTURED_GRID";
-        } else if (word == "POINTS") {
+    while (words.next(word) && !same(word, "POINT_DATA") && !same(word, "CELL_DATA")) {
+        if (same(word, "DATASET")) {
+            is_grid = words.next(word) && same(word, "UNSTRUCTURED_GRID");
+        } else if (same(word, "POINTS")) {
             if (has_points) words.fail("POINTS come twice");
             has_points = true;
             const std::size_t n = words.count("the number of points", 3);
             words.next(word);  // the type
             mesh.points.resize(3 * n);
             for (double& x : mesh.points) x = words.number("coordinate");
-        } else if (word == "CELLS") {
+        } else if (same(word, "CELLS")) {
             if (!begin.empty() || has_types) words.fail("CELLS come twice, or after their types");
             const std::size_t n = words.count("the number of cells", 2);
             words.count("the size of the list of cells", 1);
@@ -90,7 +102,7 @@ Mesh read_vtk(const Source& source, const ReadOptions&) {
                 for (std::size_t k = 0; k < corners; ++k)
                     cells.push_back(words.integer("point", 0, last));
             }
-        } else if (word == "CELL_TYPES") {
+        } else if (same(word, "CELL_TYPES")) {
             if (has_types) words.fail("CELL_TYPES come twice");
             has_types = true;
             take_tetrahedra(cells, begin, words, mesh);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// VTK's XML unstructured grid (.vtu), as ParaView reads it. Written with appended raw arrays
-// (a 64-bit length before each); read in the same form, or with arrays as text. The fields are the
-// arrays of numbers in PointData.
+// VTK's XML unstructured grid (.vtu), as ParaView reads it. Written with appended raw arrays, each
+// compressed or with a 64-bit length before it; read in every form but compression by other
+// libraries than zlib. The fields are the arrays of numbers in PointData.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +18,7 @@
 #include "cli/formats/grid.hpp"
 #include "cli/formats/lines.hpp"
 #include "cli/formats/number.hpp"
+#include "cli/formats/vtk_arrays.hpp"
 #include "cli/formats/xml.hpp"
 
 namespace mgdt::cli {
@@ -98,8 +99,8 @@ std::string attribute(const Tag& tag, std::string_view name, const char* otherwi
 // What the file says of itself before its data.
 struct Layout {
     std::uint64_t points = 0, cells = 0;
-    bool big_endian = false;
-    bool wide_header = false;
+    ArrayEncoding encoding;  // of arrays in bytes; those that are appended may be in base64
+    std::string compressor;
     std::map<std::string, Tag> arrays;  // "points", "connectivity", "offsets", "types"
     std::vector<Tag> fields;
     std::size_t appended = none;  // the first byte after '_'
@@ -129,11 +130,11 @@ Layout parse_layout(const Source& source) {
                 source.fail_at_byte(
                     tag.begin, fmt::format("type {}; UnstructuredGrid is needed", quote(type)));
             }
-            if (tag.attributes.count("compressor") != 0) {
-                source.fail_at_byte(tag.begin, "compressed arrays; save the file uncompressed");
-            }
-            layout.big_endian = attribute(tag, "byte_order", "LittleEndian") == "BigEndian";
-            layout.wide_header = attribute(tag, "header_type", "UInt32") == "UInt64";
+            layout.compressor = attribute(tag, "compressor", "");
+            layout.encoding.is_compressed = layout.compressor != "";
+            layout.encoding.is_big_endian =
+                attribute(tag, "byte_order", "LittleEndian") == "BigEndian";
+            layout.encoding.has_wide_header = attribute(tag, "header_type", "UInt32") == "UInt64";
             grid = true;
         } else if (tag.name == "Piece") {
             if (++pieces > 1)
@@ -151,10 +152,7 @@ Layout parse_layout(const Source& source) {
         } else if (tag.name == "DataArray" && section == "PointData") {
             layout.fields.push_back(tag);
         } else if (tag.name == "AppendedData") {
-            if (attribute(tag, "encoding", "") != "raw") {
-                source.fail_at_byte(tag.begin,
-                                    "appended data in base64; save the file with raw encoding");
-            }
+            layout.encoding.in_base64 = attribute(tag, "encoding", "") != "raw";
             layout.appended = source.bytes.find('_', tag.end);
             if (layout.appended == none)
                 source.fail_at_byte(tag.end, "the appended data are missing");
@@ -221,6 +219,43 @@ struct Values {
     static Item from_text(Fields& fields) { return fields.value("value"); }
 };
 
+// The items of an array in bytes.
+template <class Kind>
+std::vector<typename Kind::Item> items_of(const Source& source, std::size_t begin,
+                                          const ArrayEncoding& encoding, const std::string& type,
+                                          const std::string& name, std::uint64_t count) {
+    const std::size_t size = item_size(type);
+    const std::uint64_t most = source.bytes.size() * (encoding.is_compressed ? most_expansion : 1);
+    if (count > most / size)
+        source.fail_at_byte(begin, fmt::format("the array {} has {} items; the file has {} bytes",
+                                               name, count, source.bytes.size()));
+    std::string copy;
+    Source part = source;
+    if (encoding.in_base64 || encoding.is_compressed) {
+        copy = array_bytes(source, begin, encoding, name, count * size);
+        part.bytes = copy;
+        begin = 0;
+    } else {
+        const std::size_t header = encoding.has_wide_header ? 8 : 4;
+        ByteReader bytes(source, begin, encoding.is_big_endian);
+        const std::uint64_t length = encoding.has_wide_header
+                                         ? bytes.value<std::uint64_t>("array length")
+                                         : bytes.value<std::uint32_t>("array length");
+        if (length / size != count || length % size != 0) {
+            bytes.fail(fmt::format("the array {} has {} bytes; {} items of {} bytes are announced",
+                                   name, length, count, size));
+        }
+        begin += header;
+    }
+    ByteReader bytes(part, begin, encoding.is_big_endian);
+    bytes.need(count, size, "items of the array");
+    std::vector<typename Kind::Item> out(static_cast<std::size_t>(count));
+    with_type(type, [&](auto item) {
+        for (auto& v : out) v = Kind::template from_bytes<decltype(item)>(bytes);
+    });
+    return out;
+}
+
 // One DataArray of `count` items.
 template <class Kind>
 std::vector<typename Kind::Item> read_array(const Source& source, const Layout& layout,
@@ -233,30 +268,30 @@ std::vector<typename Kind::Item> read_array(const Source& source, const Layout& 
         source.fail_at_byte(tag.begin,
                             fmt::format("arrays of type {} cannot be read", quote(type)));
     }
-    std::vector<typename Kind::Item> out;
+    if (format != "ascii" && layout.encoding.is_compressed &&
+        (layout.compressor != "vtkZLibDataCompressor" || !can_compress()))
+        source.fail_at_byte(tag.begin,
+                            fmt::format("arrays compressed by {}, which this program cannot "
+                                        "expand; save the file uncompressed",
+                                        quote(layout.compressor)));
     if (format == "appended") {
         const std::uint64_t offset = parse_count(source, tag, "offset");
         if (layout.appended == none) source.fail("the appended data are missing");
-        ByteReader bytes(source, layout.appended, layout.big_endian);
-        bytes.skip(offset, 1, "bytes before the array");
-        const std::uint64_t length = layout.wide_header
-                                         ? bytes.value<std::uint64_t>("array length")
-                                         : bytes.value<std::uint32_t>("array length");
-        if (length / size != count || length % size != 0) {
-            bytes.fail(fmt::format("the array {} has {} bytes; {} items of {} bytes are announced",
-                                   name, length, count, size));
-        }
-        bytes.need(count, size, "items of the array");
-        out.resize(static_cast<std::size_t>(count));
-        with_type(type, [&](auto item) {
-            for (auto& v : out) v = Kind::template from_bytes<decltype(item)>(bytes);
-        });
-        return out;
+        if (offset > source.bytes.size() - layout.appended)
+            source.fail_at_byte(
+                tag.begin,
+                fmt::format("offset {} is behind the end; the file is cut short", offset));
+        return items_of<Kind>(source, layout.appended + static_cast<std::size_t>(offset),
+                              layout.encoding, type, name, count);
+    }
+    if (format == "binary") {
+        ArrayEncoding encoding = layout.encoding;
+        encoding.in_base64 = true;
+        return items_of<Kind>(source, tag.end, encoding, type, name, count);
     }
     if (format != "ascii") {
-        source.fail_at_byte(tag.begin, fmt::format("format {}; save the file with appended raw or "
-                                                   "ascii arrays",
-                                                   quote(format)));
+        source.fail_at_byte(tag.begin,
+                            fmt::format("format {} of an array is not known", quote(format)));
     }
     const std::size_t end = source.bytes.find('<', tag.end);
     if (end == none) source.fail_at_byte(tag.end, "the array has no end; the file is cut short");
@@ -269,6 +304,7 @@ std::vector<typename Kind::Item> read_array(const Source& source, const Layout& 
     std::size_t line = 1;
     for (const char c : source.bytes.substr(0, tag.end)) line += c == '\n' ? 1 : 0;
     LineReader lines(part, tag.end, line);
+    std::vector<typename Kind::Item> out;
     out.reserve(static_cast<std::size_t>(count));
     while (lines.next_with_text('<')) {
         Fields fields(lines);
@@ -297,7 +333,8 @@ std::vector<Field> read_fields(const Source& source, const Layout& layout,
     std::vector<std::string> names;
     std::vector<Field> fields;
     // Arrays that share bytes would let a small file fill the memory.
-    std::uint64_t bytes_left = source.bytes.size();
+    std::uint64_t bytes_left =
+        source.bytes.size() * (layout.encoding.is_compressed ? most_expansion : 1);
     for (const Tag& tag : layout.fields) {
         const std::size_t size = item_size(attribute(tag, "type", ""));
         const std::uint64_t components = tag.attributes.count("NumberOfComponents") != 0
@@ -331,10 +368,11 @@ bool sniff(std::string_view bytes) {
 
 Mesh read_vtu(const Source& source, const ReadOptions& options) {
     const Layout layout = parse_layout(source);
-    const std::uint64_t bytes = source.bytes.size();
+    const std::uint64_t bytes =
+        source.bytes.size() * (layout.encoding.is_compressed ? most_expansion : 1);
     if (layout.points > bytes || layout.cells > bytes) {
         source.fail(fmt::format("{} points and {} cells cannot be in {} bytes", layout.points,
-                                layout.cells, bytes));
+                                layout.cells, source.bytes.size()));
     }
     Mesh mesh;
     mesh.detail = "UnstructuredGrid";
@@ -376,19 +414,22 @@ Mesh read_vtu(const Source& source, const ReadOptions& options) {
 }
 
 void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
-                const WriteOptions&) {
-    write_grid({mesh.points, mesh.tetrahedra, 4, vtk_tetra, mesh.fields, nullptr},
+                const WriteOptions& options) {
+    write_grid({mesh.points, mesh.tetrahedra, 4, vtk_tetra, mesh.fields, nullptr, options.compress},
                outputs.open(path));
 }
 
 // Points without tetrahedra would not be shown: each is a cell then.
-void write_fields(const Mesh& mesh, OutputFile& out, const WriteOptions&) {
+void write_fields(const Mesh& mesh, OutputFile& out, const WriteOptions& options) {
     if (mesh.tetrahedron_count() > 0) {
-        write_grid({mesh.points, mesh.tetrahedra, 4, vtk_tetra, mesh.fields, nullptr}, out);
+        write_grid(
+            {mesh.points, mesh.tetrahedra, 4, vtk_tetra, mesh.fields, nullptr, options.compress},
+            out);
     } else {
         std::vector<std::int64_t> vertices(mesh.point_count());
         std::iota(vertices.begin(), vertices.end(), std::int64_t{0});
-        write_grid({mesh.points, vertices, 1, vtk_vertex, mesh.fields, nullptr}, out);
+        write_grid({mesh.points, vertices, 1, vtk_vertex, mesh.fields, nullptr, options.compress},
+                   out);
     }
 }
 

@@ -30,6 +30,7 @@ struct Options {
     std::string output;
     TriangulationOptions triangulation;
     int check_level = 0;
+    bool compress = false;
 };
 
 // Nothing where there is nothing to do: --help, --version.
@@ -64,6 +65,7 @@ std::optional<Options> parse(int argc, char** argv, bool speaks) {
                    "Prove the result before writing: 1 combinatorial, 2 geometric, 3 canonical")
         ->check(CLI::Range(1, 3))
         ->type_name("LEVEL");
+    app.add_flag("--compress", o.compress, "Compress the pieces");
     app.add_flag("-q,--quiet", o.triangulation.quiet, "Print nothing but errors");
     app.footer("Formats and exit codes are those of mgdt: see mgdt triangulate --help");
     try {
@@ -76,6 +78,7 @@ std::optional<Options> parse(int argc, char** argv, bool speaks) {
     }
     if (!o.output.empty() && !is_pieces_path(o.output))
         throw Error(exit_usage, "mgdt-mpi writes pieces: say -o FILE.pvtu");
+    if (o.compress) require_compressible({0, true}, vtu_format());
     if (o.output.empty() && o.check_level == 0)
         throw Error(exit_usage, "nothing to do; say where to write with -o, or ask for a --check");
     return o;
@@ -129,7 +132,7 @@ void write(const Options& o, Ranks& ranks, const ProgramParts& parts,
            const std::vector<std::string>& files) {
     OutputSet outputs;
     ranks.together([&] {
-        write_part(parts.get(), ranks.rank(),
+        write_part(parts.get(), ranks.rank(), o.compress,
                    outputs.open(files[static_cast<std::size_t>(ranks.rank())]));
         if (ranks.is_first()) write_index_of_pieces(files, outputs.open(o.output));
     });

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// INRIA's .meshb, the binary form of .mesh: keywords by number, each with the place of the next.
+// Vertices and tetrahedra are read; their references are not. L. Maréchal, libMeshb's description
+// of the format, "The GMF library".
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "cli/formats/bytes.hpp"
+#include "cli/formats/format.hpp"
+
+namespace mgdt::cli {
+namespace {
+
+enum Keyword : std::int32_t {
+    dimension_keyword = 3,
+    vertices_keyword = 4,
+    edges_keyword = 5,
+    triangles_keyword = 6,
+    quadrilaterals_keyword = 7,
+    tetrahedra_keyword = 8,
+    prisms_keyword = 9,
+    hexahedra_keyword = 10,
+    pyramids_keyword = 49,
+    end_keyword = 54
+};
+
+bool is_other_cell(std::int32_t keyword) {
+    return (keyword >= edges_keyword && keyword <= hexahedra_keyword &&
+            keyword != tetrahedra_keyword) ||
+           keyword == pyramids_keyword;
+}
+
+// The first number of a file is 1, in the order of bytes of the machine that wrote it.
+bool sniff(std::string_view bytes) {
+    const std::string_view start = bytes.substr(0, 4);
+    const std::string_view version = bytes.substr(std::min<std::size_t>(4, bytes.size()), 4);
+    const auto is_small = [](std::string_view number, std::size_t at) {
+        return number.size() == 4 && number[at] >= 1 && number[at] <= 4 && number[at ^ 3] == 0 &&
+               number[1] == 0 && number[2] == 0;
+    };
+    return (start == std::string_view("\1\0\0\0", 4) && is_small(version, 0)) ||
+           (start == std::string_view("\0\0\0\1", 4) && is_small(version, 3));
+}
+
+class Reader {
+  public:
+    explicit Reader(const Source& source) : source_(source), bytes_(source, 0, false) {}
+
+    Mesh read() {
+        if (!sniff(source_.bytes)) source_.fail_at_byte(0, "not a binary mesh of INRIA's");
+        bytes_ = ByteReader(source_, 4, source_.bytes[0] == 0);
+        version_ = bytes_.value<std::int32_t>("the version");
+        mesh_.detail = fmt::format("version {}, binary", version_);
+        bool has_vertices = false;
+        for (;;) {
+            const auto keyword = bytes_.value<std::int32_t>("a keyword");
+            if (keyword == end_keyword) break;
+            const std::size_t before = bytes_.offset();
+            const std::int64_t next = version_ < 3 ? bytes_.value<std::int32_t>("a place")
+                                                   : bytes_.value<std::int64_t>("a place");
+            if (keyword == dimension_keyword) {
+                const auto dimension = bytes_.value<std::int32_t>("the dimension");
+                if (dimension != 3)
+                    bytes_.fail(fmt::format("dimension {}; 3 is needed", dimension));
+            } else if (keyword == vertices_keyword) {
+                if (has_vertices) bytes_.fail("the vertices come twice");
+                has_vertices = true;
+                read_vertices();
+            } else if (keyword == tetrahedra_keyword) {
+                if (!has_vertices) bytes_.fail("tetrahedra before the vertices");
+                read_tetrahedra();
+            } else if (is_other_cell(keyword)) {
+                mesh_.other_cells += count("cells", 2);
+            }
+            if (next == 0) break;  // as some write instead of the last keyword
+            // Only forwards, so that there is an end.
+            if (next < static_cast<std::int64_t>(before) ||
+                static_cast<std::uint64_t>(next) > source_.bytes.size())
+                source_.fail_at_byte(before, fmt::format("the next keyword is at byte {}", next));
+            bytes_.seek(static_cast<std::size_t>(next));
+        }
+        if (!has_vertices) source_.fail("has no vertices");
+        return std::move(mesh_);
+    }
+
+  private:
+    std::int64_t integer(const char* what) {
+        return version_ < 4 ? bytes_.value<std::int32_t>(what) : bytes_.value<std::int64_t>(what);
+    }
+    std::size_t integer_size() const { return version_ < 4 ? 4 : 8; }
+    // How many rows of so many integers, or of other numbers that take as much, follow.
+    std::size_t count(const char* what, std::size_t integers) {
+        const std::int64_t n = integer("a count");
+        if (n < 0) bytes_.fail(fmt::format("{} {}", n, what));
+        bytes_.need(static_cast<std::uint64_t>(n), integers * integer_size(), what);
+        return static_cast<std::size_t>(n);
+    }
+    void read_vertices() {
+        const std::size_t n = count("vertices", 4);
+        mesh_.points.reserve(3 * n);
+        for (std::size_t i = 0; i < n; ++i) {
+            for (int k = 0; k < 3; ++k)
+                mesh_.points.push_back(version_ == 1 ? bytes_.coordinate<float>()
+                                                     : bytes_.coordinate<double>());
+            integer("a vertex's reference");
+        }
+    }
+    void read_tetrahedra() {
+        mesh_.has_tetrahedra = true;
+        const std::size_t n = count("tetrahedra", 5);
+        const auto last = static_cast<std::int64_t>(mesh_.point_count());
+        for (std::size_t i = 0; i < n; ++i) {
+            for (int k = 0; k < 4; ++k) {
+                const std::int64_t v = integer("a vertex");
+                if (v < 1 || v > last)
+                    bytes_.fail(fmt::format("vertex {}, but there are {} vertices", v, last));
+                mesh_.tetrahedra.push_back(v - 1);
+            }
+            integer("a tetrahedron's reference");
+        }
+    }
+
+    const Source& source_;
+    ByteReader bytes_;
+    Mesh mesh_;
+    std::int32_t version_ = 0;
+};
+
+Mesh read_medit_binary(const Source& source, const ReadOptions&) {
+    return Reader(source).read();
+}
+
+// Keyword after keyword, whose places follow from their sizes.
+class Writer {
+  public:
+    // Version 2 has places of 32 bits, for files below 2 GiB; version 3 of 64.
+    Writer(OutputFile& out, std::uint64_t data_bytes)
+        : out_(out),
+          is_wide_(data_bytes + 1000 >
+                   static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max())) {
+        integer(1);
+        integer(is_wide_ ? 3 : 2);
+        begin(dimension_keyword, 4);
+        integer(3);
+    }
+    void write_points(const std::vector<double>& points) {
+        begin(vertices_keyword, 4 + (points.size() / 3) * 28);
+        integer(static_cast<std::int64_t>(points.size() / 3));
+        for (std::size_t i = 0; i < points.size(); i += 3) {
+            out_.write_values(&points[i], 3);
+            integer(0);
+        }
+    }
+    void write_tetrahedra(const std::vector<std::int64_t>& vertices) {
+        begin(tetrahedra_keyword, 4 + (vertices.size() / 4) * 20);
+        integer(static_cast<std::int64_t>(vertices.size() / 4));
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            integer(vertices[i] + 1);
+            if (i % 4 == 3) integer(0);
+        }
+    }
+    void end() {
+        integer(end_keyword);
+        place(0);
+    }
+
+  private:
+    void integer(std::int64_t value) { out_.write_value(static_cast<std::int32_t>(value)); }
+    void place(std::uint64_t at) {
+        if (is_wide_)
+            out_.write_value(at);
+        else
+            integer(static_cast<std::int64_t>(at));
+    }
+    void begin(Keyword keyword, std::uint64_t bytes) {
+        at_ += 4 + (is_wide_ ? 8 : 4) + bytes;
+        integer(keyword);
+        place(at_);
+    }
+
+    OutputFile& out_;
+    bool is_wide_;
+    std::uint64_t at_ = 8;
+};
+
+void write_points(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
+    Writer writer(out, points.size() / 3 * 28);
+    writer.write_points(points);
+    writer.end();
+}
+
+void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
+                const WriteOptions&) {
+    Writer writer(outputs.open(path), mesh.point_count() * 28 + mesh.tetrahedron_count() * 20);
+    writer.write_points(mesh.points);
+    writer.write_tetrahedra(mesh.tetrahedra);
+    writer.end();
+}
+
+}  // namespace
+
+const Format& medit_binary_format() {
+    static const Format format = {
+        "meshb",      {".meshb"}, "INRIA's mesh, binary, for Medit and Mmg",
+        true,         sniff,      read_medit_binary,
+        write_points, write_mesh};
+    return format;
+}
+
+}  // namespace mgdt::cli

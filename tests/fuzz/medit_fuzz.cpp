@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// INRIA's meshes, text and binary.
+#include "reader.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view bytes = fuzz::text_of(data, size);
+    fuzz::guess(bytes);
+    if (const auto mesh = fuzz::read(mgdt::cli::medit_format(), bytes))
+        fuzz::mesh_returns(mgdt::cli::medit_format(), *mesh);
+    if (const auto mesh = fuzz::read(mgdt::cli::medit_binary_format(), bytes))
+        fuzz::mesh_returns(mgdt::cli::medit_binary_format(), *mesh);
+    return 0;
+}

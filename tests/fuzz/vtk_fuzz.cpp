@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// VTK's legacy files, text.
+#include "reader.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view bytes = fuzz::text_of(data, size);
+    fuzz::guess(bytes);
+    if (const auto mesh = fuzz::read(mgdt::cli::vtk_format(), bytes))
+        fuzz::mesh_returns(mgdt::cli::vtk_format(), *mesh);
+    return 0;
+}
