@@ -3,12 +3,12 @@
 #include "cli/commands.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <charconv>
 #include <cmath>
 
 #include "cli/errors.hpp"
+#include "cli/system.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -53,7 +53,7 @@ std::vector<FileIdentity> data_files(const std::vector<std::string>& names,
 }
 
 void check_terminal(const OutputOptions& options, const Format& format) {
-    if (options.path == "-" && format.binary && isatty(STDOUT_FILENO) == 1) {
+    if (options.path == "-" && format.binary && system::is_terminal(system::standard_output)) {
         throw Error(exit_usage,
                     fmt::format("{} is binary and standard output is a terminal; give -o a file",
                                 format.name));

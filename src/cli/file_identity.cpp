@@ -2,36 +2,36 @@
 #include "cli/file_identity.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "cli/errors.hpp"
 #include "cli/output_file.hpp"
 
 namespace mgdt::cli {
 
-std::optional<FileIdentity> identity_of(const std::string& name, const struct stat& status) {
-    if (S_ISCHR(status.st_mode) || S_ISSOCK(status.st_mode)) return std::nullopt;
-    return FileIdentity{printable(name), status.st_dev, status.st_ino, ""};
+std::optional<FileIdentity> identity_of(const std::string& name, const system::FileStatus& status) {
+    if (status.kind == system::FileKind::stream) return std::nullopt;
+    return FileIdentity{printable(name), status.device, status.number, ""};
 }
 
 std::optional<FileIdentity> identity_of_input(const std::string& path) {
-    struct stat status = {};
-    if (stat(path.c_str(), &status) != 0) return std::nullopt;
-    return identity_of(path, status);
+    const auto status = system::status(path);
+    if (!status) return std::nullopt;
+    return identity_of(path, *status);
 }
 
 std::optional<FileIdentity> identity_of_output(const std::string& path) {
-    struct stat status = {};
     if (path == "-") {
-        if (fstat(STDOUT_FILENO, &status) != 0) return std::nullopt;
-        return identity_of("standard output", status);
+        const auto status = system::status(system::standard_output);
+        if (!status) return std::nullopt;
+        return identity_of("standard output", *status);
     }
-    if (stat(path.c_str(), &status) == 0) return identity_of(path, status);
+    if (const auto status = system::status(path)) return identity_of(path, *status);
     const std::string target = follow_links(path);
     const std::string directory = directory_of(target);
-    if (stat(directory.c_str(), &status) != 0) return std::nullopt;
-    return FileIdentity{printable(path), status.st_dev, status.st_ino,
-                        target.substr(target.rfind('/') + 1)};
+    const auto status = system::status(directory);
+    if (!status) return std::nullopt;
+    return FileIdentity{printable(path), status->device, status->number,
+                        target.substr(system::last_separator(target) + 1)};
 }
 
 void require_apart(const std::vector<FileIdentity>& inputs,

@@ -3,28 +3,27 @@
 // destroys an input.
 #pragma once
 
-#include <sys/stat.h>
-
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "cli/system.hpp"
 
 namespace mgdt::cli {
 
 struct FileIdentity {
     std::string name;  // as messages say it
-    dev_t device = 0;
-    ino_t inode = 0;
+    std::uint64_t device = 0, number = 0;
     std::string entry;  // of a file that is not there yet: its name in the directory of that number
 
     bool is_same_file(const FileIdentity& other) const {
-        return device == other.device && inode == other.inode && entry == other.entry;
+        return device == other.device && number == other.number && entry == other.entry;
     }
 };
 
 // Of a file that is there. Nothing for terminals and sockets, where what is written does not change
 // what is read, and devices such as /dev/null.
-std::optional<FileIdentity> identity_of(const std::string& name, const struct stat& status);
+std::optional<FileIdentity> identity_of(const std::string& name, const system::FileStatus& status);
 
 // Of a file that is read by name; nothing if it is not there.
 std::optional<FileIdentity> identity_of_input(const std::string& path);

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/input_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -14,6 +11,7 @@
 
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/system.hpp"
 
 namespace mgdt::cli {
 
@@ -39,7 +37,7 @@ struct Descriptor {
     int fd;
     bool owned;
     ~Descriptor() {
-        if (owned && fd >= 0) close(fd);
+        if (owned && fd >= 0) system::close(fd);
     }
 };
 
@@ -73,19 +71,18 @@ InputFile::InputFile(const std::string& path, std::size_t begin, std::size_t mos
     const bool standard = path == "-";
     name_ = input_name(path);
     if (!standard) path_ = path;
-    Descriptor file{standard ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC), !standard};
+    Descriptor file{standard ? system::standard_input() : system::open_to_read(path), !standard};
     if (file.fd < 0) fail_reading(name_, errno);
-    struct stat status = {};
-    if (fstat(file.fd, &status) != 0) fail_reading(name_, errno);
-    if (S_ISDIR(status.st_mode)) fail_reading(name_, EISDIR);
-    identity_ = identity_of(name_, status);
+    const auto status = system::status(file.fd);
+    if (!status) fail_reading(name_, errno);
+    if (status->kind == system::FileKind::directory) fail_reading(name_, EISDIR);
+    identity_ = identity_of(name_, *status);
 
     // The size is a hint: pipes have none, and a file may grow while it is read.
     std::size_t wanted = std::size_t{1} << 16;
-    if (S_ISREG(status.st_mode)) {
-        file_size_ = static_cast<std::size_t>(status.st_size);
-        if (begin > 0 && lseek(file.fd, static_cast<off_t>(begin), SEEK_SET) < 0)
-            fail_reading(name_, errno);
+    if (status->kind == system::FileKind::regular) {
+        file_size_ = static_cast<std::size_t>(status->size);
+        if (begin > 0 && !system::seek(file.fd, begin)) fail_reading(name_, errno);
         if (*file_size_ > begin) wanted = *file_size_ - begin + 1;
     }
     wanted = std::min(wanted, most);
@@ -102,7 +99,8 @@ InputFile::InputFile(const std::string& path, std::size_t begin, std::size_t mos
         check_interrupt();
         constexpr std::size_t chunk = std::size_t{1} << 24;
         const std::size_t room = capacity - size_;
-        const ssize_t got = read(file.fd, data_.get() + size_, room < chunk ? room : chunk);
+        const std::ptrdiff_t got =
+            system::read(file.fd, data_.get() + size_, room < chunk ? room : chunk);
         if (got == 0) break;
         if (got < 0) {
             if (errno == EINTR) continue;

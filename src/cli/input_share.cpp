@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "cli/input_share.hpp"
 
-#include <filesystem>
 #include <optional>
-#include <system_error>
 
 #include "cli/formats/bytes.hpp"
+#include "cli/system.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -16,9 +15,9 @@ constexpr std::size_t beginning_bytes = std::size_t{1} << 17;
 // Where the rows of a file are; nothing where only a reader of the whole file can tell.
 std::optional<RowLayout> layout_of(const InputOptions& options) {
     // What is read of a pipe is gone.
-    std::error_code unknown;
-    if (options.path == "-" || !std::filesystem::is_regular_file(options.path, unknown))
-        return std::nullopt;
+    if (options.path == "-") return std::nullopt;
+    const auto status = system::status(options.path);
+    if (!status || status->kind != system::FileKind::regular) return std::nullopt;
     const InputFile file(options.path, 0, beginning_bytes);
     const Source beginning = file.source();
     if (!file.file_size() || beginning.bytes.empty()) return std::nullopt;

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/interrupt.hpp"
 
-#include <signal.h>
-#include <unistd.h>
-
 #include <atomic>
 #include <cstring>
 
 #include "cli/errors.hpp"
+#include "cli/system.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -24,9 +22,9 @@ std::atomic<bool> used[slots];
 extern "C" void on_signal(int signal) {
     if (received.exchange(signal) != 0) {
         for (int i = 0; i < slots; ++i) {
-            if (used[i].load()) unlink(paths[i]);
+            if (used[i].load()) system::remove(paths[i]);
         }
-        _exit(exit_signal + signal);
+        system::leave(exit_signal + signal);
     }
     if (mgdt_triangulation* t = cancellable.load()) mgdt_cancel(t);
 }
@@ -34,18 +32,7 @@ extern "C" void on_signal(int signal) {
 }  // namespace
 
 void install_signal_handlers() {
-    struct sigaction action = {};
-    sigemptyset(&action.sa_mask);
-    action.sa_handler = on_signal;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        struct sigaction old = {};
-        // nohup and background shells have a signal ignored on purpose.
-        if (sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue;
-        sigaction(signal, &action, nullptr);
-    }
-    action.sa_handler = SIG_IGN;
-    sigaction(SIGPIPE, &action, nullptr);
-    sigaction(SIGXFSZ, &action, nullptr);
+    system::handle_signals(on_signal);
 }
 
 int interrupt_signal() noexcept {

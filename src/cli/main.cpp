@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/system.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -55,11 +56,12 @@ std::string schemes() {
 // Where the program's meshes are: by the program, which may have been moved with them, or else
 // where they were to be installed.
 std::string data_directory() {
-    std::error_code unknown;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-    const std::filesystem::path moved =
-        (program.parent_path() / MGDT_DATA_FROM_PROGRAM).lexically_normal();
-    if (!unknown && std::filesystem::is_directory(moved, unknown)) return moved.string();
+    if (const auto program = system::program_file()) {
+        const std::filesystem::path folder = std::filesystem::u8path(*program).parent_path();
+        const std::string moved = (folder / MGDT_DATA_FROM_PROGRAM).lexically_normal().u8string();
+        const auto status = system::status(moved);
+        if (status && status->kind == system::FileKind::directory) return moved;
+    }
     return MGDT_DATA_DIRECTORY;
 }
 
@@ -132,10 +134,11 @@ void add_scheme_parameters(CLI::App& app, TriangulationOptions& options) {
     app.add_option("--round-ratio", options.round_ratio, "Growth of the rounds")->type_name("X");
 }
 
+#if defined(MGDT_HAVE_BENCH)
 // What was typed, so that it can be typed again.
-std::string command_line(int argc, char** argv) {
+std::string command_line(const std::vector<std::string>& words) {
     std::string line = "mgdt";
-    for (int i = 1; i < argc; ++i) line += std::string(" ") + argv[i];
+    for (std::size_t i = 1; i < words.size(); ++i) line += " " + words[i];
     return line;
 }
 
@@ -205,6 +208,7 @@ void add_bench(CLI::App& app, BenchOptions& options) {
     app.footer(fmt::format("Distributions: {}\n\n{}", fmt::join(bench::distribution_names(), ", "),
                            exit_codes));
 }
+#endif
 
 void add_interpolate(CLI::App& app, InterpolateOptions& options) {
     app.add_option("samples", options.samples.path, "Points with values; - for standard input")
@@ -249,11 +253,12 @@ void require_command(const CLI::App& app, const std::string& name) {
                                         quote(name), fmt::join(names, ", ")));
 }
 
-int run(int argc, char** argv) {
+int run(const std::vector<std::string>& words) {
     CLI::App app("Exact 3D Delaunay triangulation of any set of points.", "mgdt");
     app.set_version_flag(
         "--version", fmt::format("mgdt {} (ABI {})", mgdt_version_string(), mgdt_abi_version()));
     app.require_subcommand(1);
+    app.allow_windows_style_options(false);  // /name is a file
     app.footer(formats_footer() + "\n" + exit_codes +
                "\n\nExample:\n  mgdt generate galaxy 1e5 -o points.npy\n"
                "  mgdt triangulate points.npy -o mesh.vtu --stats\n  mgdt check mesh.vtu");
@@ -345,16 +350,19 @@ int run(int argc, char** argv) {
         app.add_subcommand("interpolate", "Read values at points, write values at other places.");
     add_interpolate(*interpolate_app, v);
 
+#if defined(MGDT_HAVE_BENCH)
     BenchOptions b;
-    b.command = command_line(argc, argv);
+    b.command = command_line(words);
     b.data_directory = g.generate.data_directory;
     CLI::App* bench_app = app.add_subcommand(
         "bench", "Measure order schemes, and other libraries, on distributions of points.");
     add_bench(*bench_app, b);
+#endif
 
-    if (argc > 1 && argv[1][0] != '-') require_command(app, argv[1]);
+    if (words.size() > 1 && words[1].substr(0, 1) != "-") require_command(app, words[1]);
     try {
-        app.parse(argc, argv);
+        // From the last to the first, as CLI11 wants them.
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend() - 1));
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
         const CLI::App* at = &app;
@@ -366,7 +374,9 @@ int run(int argc, char** argv) {
     if (*generate_app) return generate_points(g);
     if (*check_app) return check(c);
     if (*interpolate_app) return interpolate(v);
+#if defined(MGDT_HAVE_BENCH)
     if (*bench_app) return run_bench(b);
+#endif
     return info(i);
 }
 
@@ -377,7 +387,7 @@ int main(int argc, char** argv) {
     using namespace mgdt::cli;
     try {
         install_signal_handlers();
-        const int code = run(argc, argv);
+        const int code = run(system::arguments(argc, argv));
         // What went to standard output must have arrived, too.
         if (std::fflush(stdout) != 0) throw Error(exit_output, "standard output: cannot write");
         return code;

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "cli/output_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <climits>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 
 #include "cli/byte_order.hpp"
 #include "cli/errors.hpp"
+#include "cli/system.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -25,7 +20,9 @@ constexpr std::size_t buffer_size = std::size_t{1} << 20;
 std::string remedy(int error) {
     switch (error) {
         case ENOSPC:
+#if defined(EDQUOT)
         case EDQUOT:
+#endif
             return "; free some space or write elsewhere";
         case EFBIG:
             return "; raise the limit on file sizes (ulimit -f) or write elsewhere";
@@ -52,14 +49,9 @@ std::string remedy(int error) {
 
 // Whether the path is there and is a device, pipe or socket, which cannot be renamed over.
 bool is_special(const std::string& path) {
-    struct stat status = {};
-    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
-}
-
-mode_t default_mode() {
-    const mode_t mask = umask(0);
-    umask(mask);
-    return 0666 & ~mask;
+    const auto status = system::status(path);
+    return status && status->kind != system::FileKind::regular &&
+           status->kind != system::FileKind::directory;
 }
 
 }  // namespace
@@ -67,74 +59,70 @@ mode_t default_mode() {
 std::string follow_links(const std::string& path) {
     std::string target = path;
     for (int depth = 0; depth < 40; ++depth) {
-        char link[PATH_MAX];
-        const ssize_t length = readlink(target.c_str(), link, sizeof link);
-        if (length < 0) return target;
-        const std::string next(link, static_cast<std::size_t>(length));
-        const std::size_t slash = target.rfind('/');
-        if (next.empty() || next[0] == '/' || slash == std::string::npos) {
-            target = next;
+        const auto next = system::link_target(target);
+        if (!next) return target;
+        const std::size_t separator = system::last_separator(target);
+        if (next->empty() || system::is_absolute(*next) || separator == std::string::npos) {
+            target = *next;
         } else {
-            target.replace(slash + 1, std::string::npos, next);
+            target.replace(separator + 1, std::string::npos, *next);
         }
     }
     fail_writing(path, ELOOP);
 }
 
 std::string directory_of(const std::string& path) {
-    const std::size_t slash = path.rfind('/');
-    if (slash == std::string::npos) return ".";
-    return slash == 0 ? "/" : path.substr(0, slash);
+    const std::size_t separator = system::last_separator(path);
+    if (separator == std::string::npos) return ".";
+    // The root's name is its separator; a drive's ends with one.
+    const bool is_root = separator == 0 || path[separator] == ':';
+    return path.substr(0, separator + (is_root ? 1 : 0));
 }
 
 void check_writable(const std::string& path) {
     if (path == "-") return;
     if (path.empty()) throw Error(exit_usage, "the output needs a name");
     const std::string target = follow_links(path);
-    struct stat status = {};
-    if (stat(target.c_str(), &status) == 0) {
-        if (S_ISDIR(status.st_mode)) fail_writing(path, EISDIR);
+    if (const auto status = system::status(target)) {
+        if (status->kind == system::FileKind::directory) fail_writing(path, EISDIR);
         // A rename would replace a write-protected file without asking.
-        if (access(target.c_str(), W_OK) != 0) fail_writing(path, errno);
-        if (!S_ISREG(status.st_mode)) return;
+        if (!system::may_write(target)) fail_writing(path, errno);
+        if (status->kind != system::FileKind::regular) return;
     }
-    if (access(directory_of(target).c_str(), W_OK | X_OK) != 0) fail_writing(path, errno);
+    if (!system::may_make_files_in(directory_of(target))) fail_writing(path, errno);
 }
 
 OutputFile::OutputFile(const std::string& path) : name_(path) {
     buffer_.reserve(buffer_size);
     if (path == "-") {
         name_ = "standard output";
-        fd_ = dup(STDOUT_FILENO);
+        fd_ = system::copy_of_standard_output();
         if (fd_ < 0) fail(errno);
         return;
     }
     check_writable(path);
     if (is_special(path)) {
-        fd_ = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+        fd_ = system::open_to_write(path);
         if (fd_ < 0) fail(errno);
         return;
     }
     target_ = follow_links(path);
     // Short and hidden: the target's own name may already be as long as names can be.
     temporary_ = directory_of(target_) + "/.mgdt-XXXXXX";
-    fd_ = mkostemp(temporary_.data(), O_CLOEXEC);
+    fd_ = system::create_temporary(temporary_);
     if (fd_ < 0) {
         const int error = errno;
         temporary_.clear();
         fail(error);
     }
     guard_ = std::make_unique<TemporaryName>(temporary_);
-    struct stat status = {};
-    const mode_t mode =
-        stat(target_.c_str(), &status) == 0 ? status.st_mode & 07777 : default_mode();
-    // Some file systems have no permissions to change.
-    static_cast<void>(fchmod(fd_, mode) == 0);
+    const auto status = system::status(target_);
+    system::set_permissions(fd_, status ? status->permissions : system::permissions_of_new_files());
 }
 
 OutputFile::~OutputFile() {
-    if (fd_ >= 0) ::close(fd_);
-    if (!temporary_.empty()) unlink(temporary_.c_str());
+    if (fd_ >= 0) system::close(fd_);
+    if (!temporary_.empty()) system::remove(temporary_.c_str());
 }
 
 void OutputFile::fail(int error) const {
@@ -146,7 +134,7 @@ void OutputFile::flush() {
     std::size_t left = buffer_.size();
     while (left > 0) {
         check_interrupt();
-        const ssize_t done = ::write(fd_, p, left);
+        const std::ptrdiff_t done = system::write(fd_, p, left);
         if (done < 0) {
             if (errno == EINTR) continue;
             fail(errno);
@@ -204,16 +192,15 @@ template void OutputFile::write_values(const std::uint8_t*, std::size_t);
 void OutputFile::close() {
     if (fd_ < 0) return;
     flush();
-    // Pipes and terminals have nothing to synchronise. A disk that turns out full says so here.
-    if (fsync(fd_) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP) fail(errno);
+    if (!system::synchronize(fd_)) fail(errno);
     const int fd = fd_;
     fd_ = -1;
-    if (::close(fd) != 0 && errno != EINTR) fail(errno);
+    if (!system::close(fd)) fail(errno);
 }
 
 void OutputFile::commit() {
     if (temporary_.empty()) return;
-    if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+    if (!system::rename(temporary_, target_)) fail(errno);
     temporary_.clear();
     guard_.reset();
 }

@@ -73,7 +73,7 @@ class OutputSet {
 // The file that a chain of symbolic links leads to, so that a link stays a link.
 std::string follow_links(const std::string& path);
 
-// The part of a path before its last slash.
+// The part of a path before its last separator.
 std::string directory_of(const std::string& path);
 
 // Throws if `path` could not be written, so that a mistyped directory is not found out after an

@@ -2,13 +2,13 @@
 #include "cli/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <utility>
 
 #include "cli/interrupt.hpp"
+#include "cli/system.hpp"
 
 namespace mgdt::cli {
 
@@ -17,7 +17,7 @@ using std::chrono::steady_clock;
 
 Progress::Progress(std::string what, bool quiet)
     : what_(std::move(what)),
-      shown_(!quiet && isatty(STDERR_FILENO) == 1),
+      shown_(!quiet && system::is_terminal(system::standard_error)),
       begin_(steady_clock::now()),
       last_(begin_) {}
 

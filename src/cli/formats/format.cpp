@@ -9,13 +9,14 @@
 
 #include "cli/errors.hpp"
 #include "cli/formats/vtk_arrays.hpp"
+#include "cli/system.hpp"
 
 namespace mgdt::cli {
 namespace {
 
 std::string extension(const std::string& path) {
     const std::size_t dot = path.rfind('.');
-    const std::size_t slash = path.rfind('/');
+    const std::size_t slash = system::last_separator(path);
     if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return "";
     std::string e = path.substr(dot);
     std::transform(e.begin(), e.end(), e.begin(),

@@ -5,6 +5,7 @@
 
 #include "cli/formats/grid.hpp"
 #include "cli/formats/xml.hpp"
+#include "cli/system.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -43,7 +44,7 @@ void write_index_of_pieces(const std::vector<std::string>& files, OutputFile& ou
         "    </PPointData>\n";
     for (const std::string& file : files)
         text += fmt::format("    <Piece Source=\"{}\"/>\n",
-                            to_xml(file.substr(file.find_last_of('/') + 1)));
+                            to_xml(file.substr(system::last_separator(file) + 1)));
     text += "  </PUnstructuredGrid>\n</VTKFile>\n";
     out.write(text);
 }

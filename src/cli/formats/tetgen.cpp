@@ -2,7 +2,6 @@
 // TetGen's text files: NAME.node (points), NAME.ele (tetrahedra), NAME.neigh (neighbours).
 // Numbers begin with 0 or 1, as the first point's does. '#' begins a comment.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -11,6 +10,7 @@
 #include "cli/errors.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/formats/lines.hpp"
+#include "cli/system.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -156,7 +156,7 @@ Mesh read_tetgen(const Source& source, const ReadOptions&) {
     read_elements(source, base, mesh);
     mesh.detail = fmt::format("with {}, numbered from {}", nodes.source().name, base);
     const std::string neigh = with_ending(source.path, ".neigh");
-    if (access(neigh.c_str(), F_OK) == 0) {
+    if (system::status(neigh)) {
         const InputFile file(neigh);
         add_input(file);
         read_neighbors(file.source(), base, mesh);
