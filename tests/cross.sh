@@ -8,7 +8,8 @@ usage() {
 usage: sh tests/cross.sh [--short] [--no-install] [--jobs N] TARGET
 
 Builds in build-tests/cross-TARGET with Debian's cross compiler and runs the unit, property and API
-tests and those of the C++ header, on smaller sets; ends with a line "N passed, N failed". Installs
+tests and those of the C++ header, on smaller sets, and for Windows those of the program and of
+Fortran; ends with a line "N passed, N failed". Installs
 the Debian packages that are missing (as root or through sudo).
 
   windows  x86-64, with MinGW-w64, in Wine
@@ -60,6 +61,7 @@ arguments=
 system=linux
 endian=little
 emulator_package=qemu-user
+more_packages=
 libraries=
 case $target in
 windows)
@@ -67,6 +69,7 @@ windows)
     suffix=-posix
     compiler_package=g++-mingw-w64-x86-64-posix
     emulator_package='wine wine64'
+    [ $short = yes ] || more_packages='libcli11-dev libfmt-dev libz-mingw-w64-dev gfortran-mingw-w64-x86-64-posix python3-meshio python3-numpy'
     emulator=wine
     system=windows
     family=x86_64
@@ -101,7 +104,7 @@ lose() { # why
 }
 
 # Headers of the tests' libraries are the same for all; GoogleTest is compiled from its sources.
-packages="meson ninja-build pkg-config python3 libgtest-dev libboost-dev $compiler_package $emulator_package"
+packages="meson ninja-build pkg-config python3 libgtest-dev libboost-dev $compiler_package $emulator_package $more_packages"
 # shellcheck disable=SC2086 # packages are words
 install_packages $install $packages
 [ -z "$wanted" ] || lose "missing packages: $wanted"
@@ -112,12 +115,27 @@ rm -rf "$folder"
 mkdir -p "$folder/headers"
 # Alone in a folder: beside them are the C library's headers of this machine.
 ln -s /usr/include/boost "$folder/headers/boost"
+program=disabled
+if [ $system = windows ] && [ $short = no ]; then
+    # The program's libraries are headers too, but for one.
+    program=enabled
+    ln -s /usr/include/CLI /usr/include/fmt "$folder/headers"
+    mkdir "$folder/pkgconfig"
+    for library in CLI11 fmt; do
+        printf 'Name: %s\nDescription: headers\nVersion: %s\nCflags: -I%s -DFMT_HEADER_ONLY\n' $library \
+            "$(pkg-config --modversion $library)" "$folder/headers" >"$folder/pkgconfig/$library.pc"
+    done
+    cp /usr/$prefix/lib/pkgconfig/zlib.pc "$folder/pkgconfig"
+fi
+cache=
+! command -v ccache >/dev/null || cache="'ccache', "
 cat >"$folder/cross.ini" <<END
 [binaries]
-c = '$compiler'
-cpp = '$prefix-g++$suffix'
+c = [$cache'$compiler']
+cpp = [$cache'$prefix-g++$suffix']
 ar = '$prefix-gcc-ar$suffix'
 strip = '$prefix-strip'
+pkgconfig = 'pkg-config'
 exe_wrapper = ['$emulator'$libraries]
 [built-in options]
 c_args = [$arguments]
@@ -126,6 +144,7 @@ cpp_args = [$arguments]
 needs_exe_wrapper = true
 boost_includedir = '$folder/headers'
 boost_librarydir = '$folder/headers'
+pkg_config_libdir = '$folder/pkgconfig'
 [host_machine]
 system = '$system'
 cpu_family = '$family'
@@ -139,7 +158,7 @@ targets=
 [ $system != windows ] || targets=$(for t in $targets; do printf '%s.exe ' "$t"; done)
 # shellcheck disable=SC2086 # targets are words
 if ! { meson setup "$folder/build" "$root" --cross-file "$folder/cross.ini" -Dtests=auto -Ddebug=false \
-    -Dcgal=disabled -Dpeers=disabled -Dprogram=disabled -Dmpi=disabled >"$folder/log" 2>&1 &&
+    -Dcgal=disabled -Dpeers=disabled -Dprogram=$program -Dmpi=disabled >"$folder/log" 2>&1 &&
     ninja -C "$folder/build" -j "$jobs" $targets >"$folder/log" 2>&1; }; then
     tail -n 40 "$folder/log"
     lose "the build for $target"
@@ -151,8 +170,13 @@ if grep -q "$ours" "$folder/log"; then
     lose "the build for $target, which has warnings"
 fi
 
-# The first start of Wine makes its folder, and takes long.
-[ $system != windows ] || wine cmd /c exit >/dev/null 2>&1
+# The first start of Wine makes its folder, and takes long. Its server stays until the end: one that a
+# test starts would keep the test's pipes open.
+if [ $system = windows ]; then
+    wineserver -p600 </dev/null >/dev/null 2>&1
+    trap 'wineserver -k' EXIT
+    wine cmd /c exit </dev/null >/dev/null 2>&1
+fi
 echo "== running the tests of $target"
 set --
 [ $short = no ] || set -- 'canonical hashes'
@@ -184,6 +208,36 @@ esac
 passed=0
 failed=$counted
 count_tests "$folder/log"
+
+# What needs no build of the tests: the program by its tests that hold on every system, and Fortran.
+check() { # what, command...
+    what=$1
+    shift
+    if "$@" >"$folder/log" 2>&1; then
+        passed=$((passed + 1))
+        echo "passed: $what"
+    else
+        failed=$((failed + 1))
+        tail -n 40 "$folder/log"
+        echo "failed: $what"
+    fi
+}
+run_fortran() {
+    $prefix-gfortran-posix -static -o "$folder/poisson.exe" bindings/fortran/mgdt_constants.f90 bindings/fortran/mgdt_c.f90 \
+        bindings/fortran/mgdt_support.f90 bindings/fortran/mgdt_layout.f90 bindings/fortran/mgdt_f77_support.f90 \
+        bindings/fortran/mgdt_f77.f90 bindings/fortran/examples/poisson.f -J "$folder" -I bindings/fortran \
+        "$folder/build/src/libmgdt.dll.a" && cp "$folder/build/src/libmgdt-1.dll" "$folder" && wine "$folder/poisson.exe"
+}
+if [ $program = enabled ]; then
+    printf '#!/bin/sh\nexec wine "%s" "$@"\n' "$folder/build/src/cli/mgdt.exe" >"$folder/mgdt"
+    chmod +x "$folder/mgdt"
+    check "the program reads and writes files of others" python3 tests/cli/solver_files_test.py "$folder/mgdt"
+    check "the program: usage, pipes, messages" python3 tests/cli/cli_test.py "$folder/mgdt" Usage.test_wrong_usage \
+        Pipelines.test_every_output_checks Pipelines.test_pipes Pipelines.test_canonical_is_one_file \
+        Pipelines.test_every_point_format Pipelines.test_info BadInput.test_messages_name_file_and_place \
+        BadInput.test_check_finds_defects
+    check "FORTRAN 77" run_fortran
+fi
 [ $status -eq 0 ] || [ $failed -gt 0 ] || failed=1
 printf '\n%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

