@@ -173,6 +173,8 @@ fi
 # The first start of Wine makes its folder, and takes long. Its server stays until the end: one that a
 # test starts would keep the test's pipes open.
 if [ $system = windows ]; then
+    WINEPREFIX=$folder/wine
+    export WINEPREFIX
     wineserver -p600 </dev/null >/dev/null 2>&1
     trap 'wineserver -k' EXIT
     wine cmd /c exit </dev/null >/dev/null 2>&1

@@ -15,6 +15,8 @@ failed". Installs the Debian packages that are missing here, as root or through 
            Fortran program compiled and run, and the program
   python   a wheel with the library inside, used where there is no compiler; the source
            distribution, installed where there is one
+  source   mgdt.cpp, the library in one file: compiled by g++ and clang++, and its canonical output
+           compared for each instruction set
   recipes  those for Spack, conda, vcpkg, Homebrew, Meson's wraps and the Fortran Package Manager,
            without their servers: each is read by the language it is written in, and its commands run
 
@@ -33,7 +35,7 @@ while [ $# -gt 0 ]; do
     shift
 done
 [ $# -gt 0 ] || { usage >&2; exit 2; }
-for name; do case $name in debian | python | recipes) ;; *) usage >&2; exit 2 ;; esac done
+for name; do case $name in debian | python | source | recipes) ;; *) usage >&2; exit 2 ;; esac done
 
 cd "$(dirname "$0")/.." || exit 1
 root=$(pwd)
@@ -73,6 +75,7 @@ for name; do
     case $name in
     debian) packages="$packages devscripts debhelper lintian meson ninja-build pkg-config g++ libcli11-dev libfmt-dev zlib1g-dev python3" ;;
     python) packages="$packages meson ninja-build g++ binutils python3 python3-build python3-setuptools python3-wheel python3-venv" ;;
+    source) packages="$packages g++ clang python3" ;;
     recipes) packages="$packages meson ninja-build pkg-config gcc g++ gfortran cmake ruby libcli11-dev libfmt-dev libopenmpi-dev libmpich-dev python3 python3-jinja2 python3-yaml python3-numpy python3-setuptools python3-wheel python3-venv" ;;
     esac
 done
@@ -114,7 +117,9 @@ use_debian() {
     put_in_system "$work"/debian/*.deb
     in_system sh -euc '
         cd
-        apt-get install -y --no-install-recommends ./libmgdt1_*.deb ./libmgdt-dev_*.deb ./mgdt_*.deb
+        apt-get install -y --no-install-recommends ./mgdt_*.deb
+        mgdt generate machine 1000 -o machine.npy
+        apt-get install -y --no-install-recommends ./libmgdt1_*.deb ./libmgdt-dev_*.deb
         cat >first.c <<"END"
 #include <mgdt/mgdt.h>
 #include <stdio.h>
@@ -137,7 +142,9 @@ END
         mgdt generate uniform 1000 -o points.npy
         mgdt triangulate points.npy -o mesh.vtu --check 3
         apt-get remove -y libmgdt1 mgdt libmgdt-dev
-        ! ls /usr/lib/*/libmgdt* /usr/share/mgdt /usr/include/mgdt 2>/dev/null
+        for left in /usr/lib/*/libmgdt* /usr/share/mgdt /usr/include/mgdt; do
+            if [ -e "$left" ]; then exit 1; fi
+        done
     '
 }
 make_debian() {
@@ -165,7 +172,7 @@ use_wheel() {
     put_in_system "$work"/python/dist/*.whl
     in_system sh -euc '
         cd
-        ! command -v gcc
+        if command -v gcc; then exit 1; fi
         python3 -m venv --system-site-packages environment
         environment/bin/pip install --no-index ./mgdt-*.whl
         environment/bin/python -c "$1"
@@ -186,6 +193,26 @@ make_python() {
     step "a wheel and a source distribution are built" build_python || return
     step "the wheel is used where there is no compiler" use_wheel || return
     step "the source distribution is built and used" use_source_distribution
+}
+
+# ----------------------------------------------------------------------------------------- source
+
+compile_source() { # compiler
+    "$1" -std=c++17 -O2 -DNDEBUG -ffp-contract=off -I "$work/source" \
+        -c "$work/source/mgdt.cpp" -o "$work/source/$1.o" &&
+        cc -std=c99 -D_POSIX_C_SOURCE=200809L -I "$work/source" -I . -c tests/property/canonical_hashes_test.c \
+            -o "$work/source/test.o" &&
+        "$1" "$work/source/test.o" "$work/source/$1.o" -lm -pthread -o "$work/source/$1"
+}
+make_source() {
+    rm -rf "$work/source"
+    step "the source in one file is written" /usr/bin/python3 docs/packaging/amalgamate.py "$work/source" || return
+    for compiler in g++ clang++; do
+        step "$compiler compiles it" compile_source $compiler || continue
+        for isa in baseline avx2 avx512; do
+            step "canonical output by $compiler, $isa or what is there" env MGDT_ISA=$isa "$work/source/$compiler"
+        done
+    done
 }
 
 # ---------------------------------------------------------------------------------------- recipes

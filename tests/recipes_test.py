@@ -97,6 +97,11 @@ class Recipes(unittest.TestCase):
     def test_vcpkg(self):
         manifest = json.loads((RECIPES / "vcpkg" / "vcpkg.json").read_text())
         self.assertEqual((manifest["name"], manifest["version"]), ("mgdt", VERSION))
+        # The ports that have what the port calls.
+        port = (RECIPES / "vcpkg" / "portfile.cmake").read_text()
+        owners = {"vcpkg_cmake_config_fixup": "vcpkg-cmake-config", "vcpkg_configure_meson": "vcpkg-tool-meson"}
+        self.assertEqual({owner for function, owner in owners.items() if function in port},
+                         {d["name"] for d in manifest["dependencies"]})
         folder = fresh("vcpkg")
         (folder / "stand-in.cmake").write_text(f"""
 cmake_minimum_required(VERSION 3.13)

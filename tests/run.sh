@@ -181,7 +181,8 @@ if [ $long = yes ]; then
         fi
     fi
     for target in windows aarch64 riscv64 s390x i386; do
-        tests_of sh tests/cross.sh --jobs "$jobs" $target
+        # shellcheck disable=SC2086 # an option, or none
+        tests_of sh tests/cross.sh $cross --jobs "$jobs" $target
     done
     for tool in address undefined thread helgrind; do
         rm -rf "$builds/$tool-g++"

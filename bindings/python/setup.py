@@ -12,6 +12,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 
 from setuptools import Distribution, setup
 from setuptools.command.build_py import build_py
@@ -41,7 +42,9 @@ def native_sources():
 library = os.environ.get("MGDT_BUNDLE_LIBRARY", "")
 if library not in ("", "none") and not os.path.isfile(library):
     raise SystemExit(f"MGDT_BUNDLE_LIBRARY names no file: {library}")
-brings_library = library != "none" and bool(library or native_sources())
+# Elsewhere than on Linux the library has another name, and its runtime cannot be put into it so.
+can_build = sys.platform == "linux" and native_sources() is not None
+brings_library = library != "none" and (bool(library) or can_build)
 
 
 def build_library(folder):
@@ -91,7 +94,8 @@ class PlatformWheel(bdist_wheel):
         if not brings_library:
             return plain
         bundled = os.path.join(self.get_finalized_command("build").build_lib, "mgdt", BUNDLED_NAME)
-        return "py3", "none", platform_tag(bundled, plain[2])
+        # An editable wheel is tagged before there is anything in it.
+        return "py3", "none", platform_tag(bundled, plain[2]) if os.path.exists(bundled) else plain[2]
 
 
 class DistributionWithSources(sdist):

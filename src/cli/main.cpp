@@ -362,7 +362,7 @@ int run(const std::vector<std::string>& words) {
     if (words.size() > 1 && words[1].substr(0, 1) != "-") require_command(app, words[1]);
     try {
         // From the last to the first, as CLI11 wants them.
-        app.parse(std::vector<std::string>(words.rbegin(), words.rend() - 1));
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend() - (words.empty() ? 0 : 1)));
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
         const CLI::App* at = &app;

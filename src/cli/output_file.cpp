@@ -108,7 +108,8 @@ OutputFile::OutputFile(const std::string& path) : name_(path) {
     }
     target_ = follow_links(path);
     // Short and hidden: the target's own name may already be as long as names can be.
-    temporary_ = directory_of(target_) + "/.mgdt-XXXXXX";
+    const std::string directory = directory_of(target_);
+    temporary_ = directory + (directory.back() == ':' ? ".mgdt-XXXXXX" : "/.mgdt-XXXXXX");
     fd_ = system::create_temporary(temporary_);
     if (fd_ < 0) {
         const int error = errno;

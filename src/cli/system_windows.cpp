@@ -86,6 +86,11 @@ void (*the_handler)(int) = nullptr;
 
 BOOL WINAPI on_event(DWORD event) {
     the_handler(event == CTRL_C_EVENT ? SIGINT : SIGTERM);
+    if (event != CTRL_C_EVENT && event != CTRL_BREAK_EVENT) {
+        // Windows ends the program when this returns, and soon in any case.
+        Sleep(3000);
+        the_handler(SIGTERM);
+    }
     return TRUE;
 }
 
@@ -129,10 +134,14 @@ int create_temporary(std::string& name) {
         std::uint64_t number = std::uint64_t{random()} << 32 | random();
         for (std::size_t i = name.size() - 6; i < name.size(); ++i, number /= 36)
             name[i] = "0123456789abcdefghijklmnopqrstuvwxyz"[number % 36];
-        const int file =
-            _wopen(wide(name).c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT,
-                   _S_IREAD | _S_IWRITE);
-        if (file >= 0 || errno != EEXIST) return file;
+        // Which remove() may delete while it is open.
+        const HANDLE file = CreateFileW(wide(name).c_str(), GENERIC_WRITE | DELETE,
+                                        FILE_SHARE_READ | FILE_SHARE_DELETE, nullptr, CREATE_NEW,
+                                        FILE_ATTRIBUTE_NORMAL, nullptr);
+        if (file != INVALID_HANDLE_VALUE)
+            return _open_osfhandle(reinterpret_cast<std::intptr_t>(file), _O_BINARY | _O_NOINHERIT);
+        set_errno();
+        if (errno != EEXIST) return -1;
     }
     return -1;
 }

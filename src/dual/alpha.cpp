@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "parallel/atomic_array.hpp"
+#include "parallel/disjoint_sets.hpp"
 #include "predicates/circumcenter.hpp"
 #include "predicates/facet_sphere.hpp"
 #include "query/graphs.hpp"
-#include "query/parts.hpp"
 #include "query/vertex_indices.hpp"
 
 namespace mgdt {
@@ -246,7 +246,7 @@ double solid_alpha(const ExportView& view) {
     for (TetId id = 0; id < mesh.tetrahedra.size(); ++id)
         if (!mesh.tetrahedra[id].is_dead() && !mesh.tetrahedra[id].is_ghost()) order.push_back(id);
     std::sort(order.begin(), order.end(), [&](TetId a, TetId b) { return alphas[a] < alphas[b]; });
-    Parts parts(view.allocator, mesh.tetrahedra.size());
+    DisjointSets parts(view.allocator, mesh.tetrahedra.size());
     Buffer<bool> is_in(view.allocator), is_reached(view.allocator);
     is_in.resize(mesh.tetrahedra.size(), false);
     is_reached.resize(mesh.vertices.size(), false);

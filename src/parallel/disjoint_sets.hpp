@@ -13,15 +13,17 @@ class DisjointSets {
     // Each number a set of its own.
     DisjointSets(Allocator& allocator, std::size_t n) : above_(allocator, n) {}
 
-    void join(std::uint32_t a, std::uint32_t b) noexcept {
+    // False if the two are in one set already.
+    bool join(std::uint32_t a, std::uint32_t b) noexcept {
         for (;;) {
             a = least(a);
             b = least(b);
-            if (a == b) return;
+            if (a == b) return false;
             if (a < b) std::swap(a, b);
             // Unless another thread has joined a's set to one meanwhile.
             std::uint32_t alone = 0;
-            if (above_[a].compare_exchange_weak(alone, a - b, std::memory_order_relaxed)) return;
+            if (above_[a].compare_exchange_weak(alone, a - b, std::memory_order_relaxed))
+                return true;
         }
     }
     // The least number of i's set; while others join, of a part of it.

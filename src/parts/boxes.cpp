@@ -8,14 +8,14 @@
 
 namespace mgdt {
 
-Box empty_box() {
-    Box box;
+PointBox empty_box() {
+    PointBox box;
     std::fill_n(box.low, 3, infinity);
     std::fill_n(box.high, 3, -infinity);
     return box;
 }
 
-void add(Box& box, const double* x) {
+void add(PointBox& box, const double* x) {
     for (int k = 0; k < 3; ++k) {
         box.low[k] = std::min(box.low[k], x[k]);
         box.high[k] = std::max(box.high[k], x[k]);
@@ -32,7 +32,7 @@ struct Boxes::Split {
 };
 
 // The halves are those of a sample of the points, the boxes are around all points.
-void Boxes::divide(const PartPoint* points, std::size_t n, Box* nodes) const {
+void Boxes::divide(const PartPoint* points, std::size_t n, PointBox* nodes) const {
     constexpr std::size_t sample_of_leaf = 16;
     Allocator& allocator = nodes_.allocator();
     const std::size_t count = std::min(n, sample_of_leaf * leaves_);
@@ -56,7 +56,7 @@ void Boxes::divide(const PartPoint* points, std::size_t n, Box* nodes) const {
 
 void Boxes::split(Place* begin, Place* end, std::size_t i, std::size_t leaves, Split* splits) {
     if (i >= leaves) return;
-    Box box = empty_box();
+    PointBox box = empty_box();
     for (const Place* p = begin; p < end; ++p) add(box, p->x);
     unsigned axis = 0;
     for (unsigned k = 1; k < 3; ++k)
@@ -73,11 +73,11 @@ void Boxes::split(Place* begin, Place* end, std::size_t i, std::size_t leaves, S
     split(middle, end, 2 * i + 1, leaves, splits);
 }
 
-void Boxes::gather(Collective& all, const Buffer<Box>& nodes) {
+void Boxes::gather(Collective& all, const Buffer<PointBox>& nodes) {
     of_division_.resize(parts_);
     all.gather(nodes, nodes_);
     each_division(0, parts_, [&](PartId first, PartId middle, PartId last) {
-        Box& box = of_division_[middle] = empty_box();
+        PointBox& box = of_division_[middle] = empty_box();
         for (PartId p = first; p < last; ++p) {
             if (node(p, 1).is_empty()) continue;
             add(box, node(p, 1).low);
@@ -90,7 +90,7 @@ void Boxes::gather(Collective& all, const Buffer<Box>& nodes) {
 // parabolas, one an axis, whose least values in the box add up. The bound of w's error is per
 // coordinate; the rest is for rounding and underflow, generously, since being wrong this way costs
 // little.
-bool Boxes::meets_ball(const Box& box, const Sphere& s, const double* base, int scale) {
+bool Boxes::meets_ball(const PointBox& box, const Sphere& s, const double* base, int scale) {
     double least = 0, sizes = 0, reach = 0;
     for (int k = 0; k < 3; ++k) {
         if (scale != 0 &&
@@ -124,7 +124,7 @@ Boxes::Facet::Facet(const double* a_, const double* b_, const double* c_, const 
 
 // Most boxes are on the inner side by far more than rounding: the corner that is farthest along the
 // normal decides.
-bool Boxes::is_beyond(const Box& box, const Facet& f) {
+bool Boxes::is_beyond(const PointBox& box, const Facet& f) {
     double farthest = 0, sizes = 0, reach = 1;
     for (int k = 0; k < 3; ++k) {
         const double y = (f.normal[k] > 0 ? box.high : box.low)[k] - f.a[k];

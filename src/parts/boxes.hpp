@@ -10,12 +10,12 @@
 
 namespace mgdt {
 
-struct Box {
+struct PointBox {
     double low[3], high[3];
     bool is_empty() const { return !(low[0] <= high[0]); }
 };
-Box empty_box();
-void add(Box& box, const double* x);
+PointBox empty_box();
+void add(PointBox& box, const double* x);
 
 // The boxes of a part are around its points, around the halves of these, around their halves, and
 // so on: small ones hug curves and surfaces, which large ones do not.
@@ -30,15 +30,15 @@ class Boxes {
     // How many boxes a part has.
     std::size_t size() const { return 2 * leaves_; }
     // Makes them: the whole one is the first, at 1; the halves of i are 2 i and 2 i + 1.
-    void divide(const PartPoint* points, std::size_t n, Box* nodes) const;
+    void divide(const PartPoint* points, std::size_t n, PointBox* nodes) const;
     // Collective: those of the local parts in, those of all kept.
-    void gather(Collective& all, const Buffer<Box>& nodes);
+    void gather(Collective& all, const Buffer<PointBox>& nodes);
 
     // Calls visit(part) for each part with a box that, multiplied by 2^scale, meets the ball that
     // has w and its error in `s`, its base at `base`.
     template <class Visit>
     void each_in_ball(const Sphere& s, const double* base, int scale, const Visit& visit) const {
-        each_that(visit, [&](const Box& box) { return meets_ball(box, s, base, scale); });
+        each_that(visit, [&](const PointBox& box) { return meets_ball(box, s, base, scale); });
     }
     // Of those with a place strictly beyond the plane of a, b and c, which `inner` is on the inner
     // side of; not scaled.
@@ -46,10 +46,10 @@ class Boxes {
     void each_beyond(const double* a, const double* b, const double* c, const double* inner,
                      const Visit& visit) const {
         const Facet facet(a, b, c, inner);
-        each_that(visit, [&](const Box& box) { return is_beyond(box, facet); });
+        each_that(visit, [&](const PointBox& box) { return is_beyond(box, facet); });
     }
 
-    static bool meets_ball(const Box& box, const Sphere& s, const double* base, int scale);
+    static bool meets_ball(const PointBox& box, const Sphere& s, const double* base, int scale);
     // The plane of a hull facet and its outer side, with the facet's corners where rounding leaves
     // a side open.
     struct Facet {
@@ -59,7 +59,7 @@ class Boxes {
         double normal[3];    // pointing outwards, rounded
         double products[3];  // sums of magnitudes in each component
     };
-    static bool is_beyond(const Box& box, const Facet& facet);
+    static bool is_beyond(const PointBox& box, const Facet& facet);
 
   private:
     static constexpr std::size_t most_leaves = 512, least_leaves = 16, most_boxes = 65536;
@@ -82,7 +82,9 @@ class Boxes {
         each_among(first, middle, visit, test);
         each_among(middle, last, visit, test);
     }
-    const Box& node(PartId part, std::size_t i) const { return nodes_[part * 2 * leaves_ + i]; }
+    const PointBox& node(PartId part, std::size_t i) const {
+        return nodes_[part * 2 * leaves_ + i];
+    }
     template <class Test>
     bool any_leaf(PartId part, std::size_t i, const Test& test) const {
         if (node(part, i).is_empty() || !test(node(part, i))) return false;
@@ -92,8 +94,8 @@ class Boxes {
 
     PartId parts_;
     std::size_t leaves_;
-    Buffer<Box> nodes_;        // by part
-    Buffer<Box> of_division_;  // by the part in the middle
+    Buffer<PointBox> nodes_;        // by part
+    Buffer<PointBox> of_division_;  // by the part in the middle
 };
 
 }  // namespace mgdt

@@ -102,7 +102,7 @@ class Part {
     Buffer<PartPoint> points_;    // as the triangulation counts them: the own ones first
     Buffer<std::int64_t> known_;  // numbers of the others, in ascending order
     std::size_t own_ = 0;
-    Box box_ = empty_box();
+    PointBox box_ = empty_box();
 };
 
 }  // namespace mgdt

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "parallel/disjoint_sets.hpp"
 #include "predicates/predicates.hpp"
-#include "query/parts.hpp"
 #include "query/vertex_indices.hpp"
 
 namespace mgdt {
@@ -107,7 +107,7 @@ Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexI
                                       point(2 * b.place), point(2 * b.place + 1));
         return s != 0 ? s < 0 : a.place < b.place;
     });
-    Parts parts(view.allocator, point_map.size());
+    DisjointSets parts(view.allocator, point_map.size());
     Buffer<bool> is_taken(view.allocator);
     is_taken.resize(lengths.size(), false);
     std::size_t left = lengths.empty() ? 0 : view.mesh.vertices.size() - 2;

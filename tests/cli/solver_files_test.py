@@ -79,6 +79,27 @@ class SolverFiles(CliTest):
         self.fails(3, "info", "cut.vtu", says="cut short")
         self.fails(2, "triangulate", "points.npy", "-o", "mesh.msh", "--compress", says="--compress is for .vtu")
 
+    def test_short_arrays_in_base64(self):
+        """Padding at the end of the shortest arrays: of one byte, and of none."""
+        corners, cells = np.eye(4, 3), [("tetra", np.array([[0, 1, 2, 3]]))]
+        for mesh, count in ((meshio.Mesh(corners, cells), 1), (meshio.Mesh(corners, []), 0)):
+            for compression in ("zlib", None):
+                meshio.vtu.write(self.path("short.vtu"), mesh, binary=True, compression=compression)
+                said = self.mgdt("info", "short.vtu").decode()
+                self.assertRegex(said, r"points +4\n")
+                self.assertEqual("tetrahedra     1" in said, count == 1, said)
+        self.mgdt("triangulate", "-q", "points.npy", "-o", "flat.vtu", "--compress")
+
+    def test_many_sections(self):
+        """What names the same bytes or numbers again and again is refused or read at once."""
+        nodes = "".join(f"*NODE\n{n}, {n}, {n * n % 7}, {n * n % 11}\n*ELEMENT, TYPE=C3D4\n" for n in range(20000, 0, -1))
+        self.put("falling.inp", nodes)
+        self.mgdt("info", "falling.inp")
+        head = [1, 2, 3, 20, 3]
+        body = [4, 60, 1, 0, 0, 0, 0, 0, 0, 0, 8, 60, 0]  # the second keyword goes back to itself
+        self.put("round.meshb", np.array(head + body, "<i4").tobytes())
+        self.fails(3, "info", "round.meshb", says="the next keyword")
+
     def test_meshb(self):
         self.mgdt("triangulate", "-q", "points.npy", "-o", "mesh.meshb")
         whole = self.get("mesh.meshb")

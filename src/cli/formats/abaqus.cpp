@@ -72,7 +72,6 @@ class Reader {
                     corners_ = keyword.has("TYPE=C3D4") ? 4 : keyword.has("TYPE=C3D10") ? 10 : 0;
                     section = corners_ > 0 ? tetrahedra : others;
                     mesh_.has_tetrahedra |= corners_ > 0;
-                    numbers_.settle(fail());
                 }
                 continue;
             }
@@ -83,7 +82,6 @@ class Reader {
                 goes_on = ends_with_comma();
             }
         }
-        numbers_.settle(fail());
         if (!has_nodes_) source_.fail("has no *NODE");
         return std::move(mesh_);
     }

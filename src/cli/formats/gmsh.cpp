@@ -184,7 +184,6 @@ class Tags {
   public:
     explicit Tags(Reader& reader) : reader_(reader) {}
     void add(std::int64_t tag) { numbers_.add(tag, fail()); }
-    void settle() { numbers_.settle(fail()); }
     std::int64_t find(std::int64_t tag) const { return numbers_.find(tag, fail()); }
 
   private:
@@ -340,7 +339,6 @@ Mesh read_gmsh(const Source& source, const ReadOptions&) {
             nodes = true;
             reader.version() == 4 ? read_nodes_4(reader, mesh, tags)
                                   : read_nodes_2(reader, mesh, tags);
-            tags.settle();
             reader.leave(section);
         } else if (section == "Elements" && nodes && !elements) {
             elements = true;

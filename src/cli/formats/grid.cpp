@@ -11,6 +11,7 @@
 #include "cli/byte_order.hpp"
 #include "cli/formats/vtk_arrays.hpp"
 #include "cli/formats/xml.hpp"
+#include "cli/interrupt.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -35,6 +36,7 @@ struct Array {
         std::string bytes;
         for (std::uint64_t begin = 0; begin < count; begin += items) {
             bytes.clear();
+            check_interrupt();
             append(begin, std::min(count, begin + items), bytes);
             take(bytes);
         }

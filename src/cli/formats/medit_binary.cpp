@@ -69,13 +69,14 @@ class Reader {
                 read_vertices();
             } else if (keyword == tetrahedra_keyword) {
                 if (!has_vertices) bytes_.fail("tetrahedra before the vertices");
+                if (mesh_.has_tetrahedra) bytes_.fail("the tetrahedra come twice");
                 read_tetrahedra();
             } else if (is_other_cell(keyword)) {
                 mesh_.other_cells += count("cells", 2);
             }
             if (next == 0) break;  // as some write instead of the last keyword
-            // Only forwards, so that there is an end.
-            if (next < static_cast<std::int64_t>(before) ||
+            // Only forwards, so that there is an end, and nothing is read twice.
+            if (next < static_cast<std::int64_t>(bytes_.offset()) ||
                 static_cast<std::uint64_t>(next) > source_.bytes.size())
                 source_.fail_at_byte(before, fmt::format("the next keyword is at byte {}", next));
             bytes_.seek(static_cast<std::size_t>(next));

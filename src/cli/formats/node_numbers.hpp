@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -14,48 +15,42 @@ namespace mgdt::cli {
 
 class NodeNumbers {
   public:
-    // Takes the number of the next node. fail(message), which throws, is called if it is seen at
-    // once that it came before; settle() sees all of them.
+    // Takes the number of the next node. Calls fail(message), which throws, if it came before.
     template <class Fail>
     void add(std::int64_t number, const Fail& fail) {
-        const std::int64_t index = count_++;
-        if (others_.empty() && number == index + 1) {
+        const std::int64_t node = count_++;
+        if (rising_.empty() && late_.empty() && number == node + 1) {
             ++dense_;
             return;
         }
-        const bool follows = others_.empty() || others_.back().first < number;
-        if (number <= dense_ || (!follows && others_.back().first == number)) twice(number, fail);
-        is_sorted_ = is_sorted_ && follows;
-        others_.emplace_back(number, index);
-    }
-    // To be called between add() and find().
-    template <class Fail>
-    void settle(const Fail& fail) {
-        if (is_sorted_) return;
-        std::sort(others_.begin(), others_.end());
-        is_sorted_ = true;
-        for (std::size_t i = 1; i < others_.size(); ++i)
-            if (others_[i].first == others_[i - 1].first) twice(others_[i].first, fail);
+        if (node_of(number) >= 0) fail(fmt::format("node {} comes twice", number));
+        if (rising_.empty() || rising_.back().first < number)
+            rising_.emplace_back(number, node);
+        else
+            late_.emplace(number, node);
     }
     // Which node has a number; fails if there is none.
     template <class Fail>
     std::int64_t find(std::int64_t number, const Fail& fail) const {
-        if (number > 0 && number <= dense_) return number - 1;
-        const auto found =
-            std::lower_bound(others_.begin(), others_.end(), std::make_pair(number, INT64_MIN));
-        if (found == others_.end() || found->first != number)
-            fail(fmt::format("there is no node {}", number));
-        return found->second;
+        const std::int64_t node = node_of(number);
+        if (node < 0) fail(fmt::format("there is no node {}", number));
+        return node;
     }
 
   private:
-    template <class Fail>
-    static void twice(std::int64_t number, const Fail& fail) {
-        fail(fmt::format("node {} comes twice", number));
+    // Or -1.
+    std::int64_t node_of(std::int64_t number) const {
+        if (number > 0 && number <= dense_) return number - 1;
+        const auto found =
+            std::lower_bound(rising_.begin(), rising_.end(), std::make_pair(number, INT64_MIN));
+        if (found != rising_.end() && found->first == number) return found->second;
+        const auto late = late_.find(number);
+        return late == late_.end() ? -1 : late->second;
     }
+
     std::int64_t count_ = 0, dense_ = 0;                         // 1 to dense_ came first
-    std::vector<std::pair<std::int64_t, std::int64_t>> others_;  // and their nodes
-    bool is_sorted_ = true;
+    std::vector<std::pair<std::int64_t, std::int64_t>> rising_;  // each more than all before it
+    std::map<std::int64_t, std::int64_t> late_;                  // the rest
 };
 
 }  // namespace mgdt::cli

@@ -40,23 +40,22 @@ class Pieces {
             at_ = std::min(source.bytes.find_first_not_of(" \t\r\n", begin), source.bytes.size());
     }
     // The next bytes, which are a piece of their own in base64.
-    std::string take(std::size_t n) {
-        const std::size_t length = in_base64_ ? base64_length(n) : n;
-        if (length > source_.bytes.size() - at_ || length < n)
-            fail(fmt::format("{} bytes are to follow; the file is cut short", n));
-        const std::string_view text = source_.bytes.substr(at_, length);
-        std::string bytes = in_base64_ ? decoded(text, n) : std::string(text);
-        at_ += length;
+    std::string take(std::uint64_t n) {
+        std::string bytes = look(n);
+        at_ += in_base64_ ? base64_length(bytes.size()) : bytes.size();
         return bytes;
     }
     // The first bytes of the next piece.
-    std::string look(std::size_t n) {
-        const std::size_t before = at_;
-        std::string bytes = in_base64_ ? take((n + 2) / 3 * 3) : take(n);
-        bytes.resize(n);
-        at_ = before;
-        return bytes;
+    std::string look(std::uint64_t n) const {
+        const std::uint64_t left = source_.bytes.size() - at_;
+        if (n > left || (in_base64_ && base64_length(static_cast<std::size_t>(n)) > left))
+            fail(fmt::format("{} bytes are to follow; the file is cut short", n));
+        const auto size = static_cast<std::size_t>(n);
+        const std::string_view text =
+            source_.bytes.substr(at_, in_base64_ ? base64_length(size) : size);
+        return in_base64_ ? decoded(text, size) : std::string(text);
     }
+    std::uint64_t left() const { return source_.bytes.size() - at_; }
     [[noreturn]] void fail(const std::string& what) const { source_.fail_at_byte(at_, what); }
 
   private:
@@ -68,7 +67,8 @@ class Pieces {
             std::uint32_t word = 0;
             for (std::size_t k = 0; k < 4; ++k) {
                 const char c = text[i + k];
-                const bool is_padding = c == '=' && 3 * (i / 4) + k > n;
+                // Behind the last byte that is asked for.
+                const bool is_padding = c == '=' && k > 1 && 3 * (i / 4) + k > n;
                 const std::uint32_t v = is_padding ? 0 : values[static_cast<unsigned char>(c)];
                 if (v == 64) source_.fail_at_byte(at_ + i + k, "a character that is not base64");
                 word = word << 6 | v;
@@ -115,8 +115,8 @@ std::string expanded(Pieces& pieces, const ArrayEncoding& encoding, const std::s
     // The number of blocks, the size of each and of the last (0: as the others), the compressed
     // sizes.
     const std::uint64_t count = Words(pieces.look(3 * word), encoding)[0];
-    if (count > expected) fail_size(pieces, name, count, expected);
-    const Words head(pieces.take((3 + static_cast<std::size_t>(count)) * word), encoding);
+    if (count > expected || count > pieces.left() / word) fail_size(pieces, name, count, expected);
+    const Words head(pieces.take((3 + count) * word), encoding);
     const std::uint64_t block = head[1], last = head[2] == 0 ? block : head[2];
     if (count == 0) {
         if (expected != 0) fail_size(pieces, name, 0, expected);
@@ -133,10 +133,11 @@ std::string expanded(Pieces& pieces, const ArrayEncoding& encoding, const std::s
     std::uint64_t compressed = 0;
     for (std::uint64_t i = 0; i < count; ++i) {
         const std::uint64_t size = head[3 + static_cast<std::size_t>(i)];
-        if (size > expected + 1024) pieces.fail(fmt::format("a block of {} bytes", size));
+        if (size > pieces.left() - std::min(pieces.left(), compressed))
+            pieces.fail(fmt::format("a block of {} bytes; the file is cut short", size));
         compressed += size;
     }
-    const std::string bytes = pieces.take(static_cast<std::size_t>(compressed));
+    const std::string bytes = pieces.take(compressed);
     std::string out;
 #if defined(MGDT_HAVE_ZLIB)
     std::size_t at = 0;

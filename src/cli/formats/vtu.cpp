@@ -99,6 +99,8 @@ std::string attribute(const Tag& tag, std::string_view name, const char* otherwi
 // What the file says of itself before its data.
 struct Layout {
     std::uint64_t points = 0, cells = 0;
+    // Arrays that share bytes would let a small file fill the memory.
+    mutable std::uint64_t bytes_left = 0;
     ArrayEncoding encoding;  // of arrays in bytes; those that are appended may be in base64
     std::string compressor;
     std::map<std::string, Tag> arrays;  // "points", "connectivity", "offsets", "types"
@@ -221,14 +223,15 @@ struct Values {
 
 // The items of an array in bytes.
 template <class Kind>
-std::vector<typename Kind::Item> items_of(const Source& source, std::size_t begin,
-                                          const ArrayEncoding& encoding, const std::string& type,
-                                          const std::string& name, std::uint64_t count) {
+std::vector<typename Kind::Item> items_of(const Source& source, const Layout& layout,
+                                          std::size_t begin, const ArrayEncoding& encoding,
+                                          const std::string& type, const std::string& name,
+                                          std::uint64_t count) {
     const std::size_t size = item_size(type);
-    const std::uint64_t most = source.bytes.size() * (encoding.is_compressed ? most_expansion : 1);
-    if (count > most / size)
+    if (count > layout.bytes_left / size)
         source.fail_at_byte(begin, fmt::format("the array {} has {} items; the file has {} bytes",
                                                name, count, source.bytes.size()));
+    layout.bytes_left -= count * size;
     std::string copy;
     Source part = source;
     if (encoding.in_base64 || encoding.is_compressed) {
@@ -281,13 +284,13 @@ std::vector<typename Kind::Item> read_array(const Source& source, const Layout& 
             source.fail_at_byte(
                 tag.begin,
                 fmt::format("offset {} is behind the end; the file is cut short", offset));
-        return items_of<Kind>(source, layout.appended + static_cast<std::size_t>(offset),
+        return items_of<Kind>(source, layout, layout.appended + static_cast<std::size_t>(offset),
                               layout.encoding, type, name, count);
     }
     if (format == "binary") {
         ArrayEncoding encoding = layout.encoding;
         encoding.in_base64 = true;
-        return items_of<Kind>(source, tag.end, encoding, type, name, count);
+        return items_of<Kind>(source, layout, tag.end, encoding, type, name, count);
     }
     if (format != "ascii") {
         source.fail_at_byte(tag.begin,
@@ -324,7 +327,10 @@ template <class Kind>
 std::vector<typename Kind::Item> read_array(const Source& source, const Layout& layout,
                                             const char* name, std::uint64_t count) {
     const auto found = layout.arrays.find(name);
-    if (found == layout.arrays.end()) source.fail(fmt::format("the array {} is missing", name));
+    if (found == layout.arrays.end()) {
+        if (count == 0) return {};
+        source.fail(fmt::format("the array {} is missing", name));
+    }
     return read_array<Kind>(source, layout, found->second, name, count);
 }
 
@@ -332,9 +338,6 @@ std::vector<Field> read_fields(const Source& source, const Layout& layout,
                                const ReadOptions& options) {
     std::vector<std::string> names;
     std::vector<Field> fields;
-    // Arrays that share bytes would let a small file fill the memory.
-    std::uint64_t bytes_left =
-        source.bytes.size() * (layout.encoding.is_compressed ? most_expansion : 1);
     for (const Tag& tag : layout.fields) {
         const std::size_t size = item_size(attribute(tag, "type", ""));
         const std::uint64_t components = tag.attributes.count("NumberOfComponents") != 0
@@ -345,9 +348,10 @@ std::vector<Field> read_fields(const Source& source, const Layout& layout,
         names.push_back(name);
         if (!wants_field(options, name)) continue;
         if (layout.points == 0) continue;
+        // Text takes a byte for each value at least.
         const bool is_text = attribute(tag, "format", "ascii") == "ascii";
-        const std::uint64_t item = is_text ? 1 : size;
-        if (components > bytes_left / layout.points / item) {
+        const std::uint64_t most = is_text ? source.bytes.size() : layout.bytes_left / size;
+        if (components > most / layout.points) {
             source.fail_at_byte(tag.begin,
                                 fmt::format("{} components at {} points: more than the file has",
                                             components, layout.points));
@@ -355,7 +359,6 @@ std::vector<Field> read_fields(const Source& source, const Layout& layout,
         fields.push_back({name, static_cast<std::size_t>(components), {}});
         fields.back().values =
             read_array<Values>(source, layout, tag, quote(name), layout.points * components);
-        if (!is_text) bytes_left -= layout.points * components * item;
     }
     require_fields(source, options, names);
     return fields;
@@ -370,6 +373,7 @@ Mesh read_vtu(const Source& source, const ReadOptions& options) {
     const Layout layout = parse_layout(source);
     const std::uint64_t bytes =
         source.bytes.size() * (layout.encoding.is_compressed ? most_expansion : 1);
+    layout.bytes_left = bytes;
     if (layout.points > bytes || layout.cells > bytes) {
         source.fail(fmt::format("{} points and {} cells cannot be in {} bytes", layout.points,
                                 layout.cells, source.bytes.size()));
