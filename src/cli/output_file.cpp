@@ -206,9 +206,14 @@ void OutputFile::commit() {
     guard_.reset();
 }
 
-void OutputSet::commit() {
+void OutputSet::close() {
     for (OutputFile& file : files_) file.close();
     check_interrupt();
+    is_closed_ = true;
+}
+
+void OutputSet::commit() {
+    if (!is_closed_) close();
     for (OutputFile& file : files_) file.commit();
 }
 

@@ -64,10 +64,14 @@ extern template void OutputFile::write_values(const std::uint8_t*, std::size_t);
 class OutputSet {
   public:
     OutputFile& open(const std::string& path) { return files_.emplace_back(path); }
+    // Brings all to the disk. What may fail, or be interrupted, does so here.
+    void close();
+    // Gives them their names, after close() if that was not called.
     void commit();
 
   private:
     std::list<OutputFile> files_;
+    bool is_closed_ = false;
 };
 
 // The file that a chain of symbolic links leads to, so that a link stays a link.

@@ -76,6 +76,9 @@ def main():
             problem = compile_(compiler, "-std=c++14", "-fsyntax-only", folder / "old.cpp")
             check(f"{Path(compiler).name}: C++14 is told what it lacks", "" if problem and "needs C++17" in problem else problem or "it compiles")
 
+            if "clang" in Path(compiler).name:
+                by_rules_of_msvc(options.source, folder, compile_)
+
             # In a static link the library's own functions would take the place of inline ones.
             problem = compile_(compiler, "-std=c++17", "-O0", "-c", options.source, "-o", folder / "use.o")
             check(f"{Path(compiler).name}: an object file", problem)
@@ -84,6 +87,27 @@ def main():
             check("there are symbols to compare", "" if len(own) > 50 and len(inside) > 50 else f"{len(own)} and {len(inside)}")
             check(f"{Path(compiler).name}: no symbol of the library's inside", "; ".join(sorted(own & inside)))
     checks.finish()
+
+
+def by_rules_of_msvc(source, folder, compile_):
+    """No extension of GNU's is in the headers: C's are compiled for Microsoft's systems, without their C
+    library, and C++'s with Microsoft's rules, but with this system's C++ library."""
+    c, both = folder / "both.c", ["-Wgnu", "-fsyntax-only"]
+    c.write_text("#include <mgdt/mgdt.h>\n#include <mgdt/mgdt_parts.h>\n")
+    clang = "clang"
+    for processor in ("x86_64", "aarch64"):
+        target = [f"--target={processor}-pc-windows-msvc", "-ffreestanding", *both, "-x"]
+        for language in (["c", "-std=c99", "-Wno-old-style-cast"], ["c++", "-std=c++17"]):
+            problem = compile_(clang, *target, *language, c)
+            check(f"{language[0]} for Microsoft's {processor}", problem)
+    (folder / "gnu.h").write_text("__typeof__(1) f(void);\nint g(int x) { return ({ x; }); }\n")
+    problem = compile_(clang, *both, "-x", "c", "-std=c99", folder / "gnu.h")
+    check("an extension is seen", "" if problem else "not")
+    # The library of this system asks for these two.
+    problem = compile_("clang++", "-std=c++17", "-fms-compatibility", "-fms-compatibility-version=19.30",
+                       "-fdelayed-template-parsing", "-D__STRICT_ANSI__", "-D__GCC_ATOMIC_TEST_AND_SET_TRUEVAL=1",
+                       "-Wno-builtin-macro-redefined", *both, source)
+    check("C++ by Microsoft's rules", problem)
 
 
 def symbols(*arguments, prefix):

@@ -136,6 +136,8 @@ void write(const Options& o, Ranks& ranks, const ProgramParts& parts,
                    outputs.open(files[static_cast<std::size_t>(ranks.rank())]));
         if (ranks.is_first()) write_index_of_pieces(files, outputs.open(o.output));
     });
+    // A rank that cannot, or was interrupted, says so before any has given its file a name.
+    ranks.together([&] { outputs.close(); });
     ranks.together([&] { outputs.commit(); });
 }
 
