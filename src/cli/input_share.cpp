@@ -12,8 +12,9 @@ namespace {
 // The headers of such files are some hundred bytes long.
 constexpr std::size_t beginning_bytes = std::size_t{1} << 17;
 
-// Where the rows of a file are; nothing where only a reader of the whole file can tell.
-std::optional<RowLayout> layout_of(const InputOptions& options) {
+}  // namespace
+
+std::optional<RowLayout> shared_layout(const InputOptions& options) {
     // What is read of a pipe is gone.
     if (options.path == "-") return std::nullopt;
     const auto status = system::status(options.path);
@@ -26,11 +27,9 @@ std::optional<RowLayout> layout_of(const InputOptions& options) {
     return format.rows(beginning, *file.file_size());
 }
 
-}  // namespace
-
-Share read_share(const InputOptions& options, int reader, int readers) {
+Share read_share(const InputOptions& options, const std::optional<RowLayout>& layout, int reader,
+                 int readers) {
     Share share;
-    const std::optional<RowLayout> layout = layout_of(options);
     if (!layout) {
         if (reader > 0) return share;
         Mesh mesh = read_input(options);

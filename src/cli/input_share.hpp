@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "cli/commands.hpp"
@@ -15,8 +16,12 @@ struct Share {
     std::vector<FileIdentity> inputs;
 };
 
-// Of files whose points are rows of bytes, each reader reads its rows; of others the first reader
-// reads all.
-Share read_share(const InputOptions& options, int reader, int readers);
+// Where the points are, in files that have them as rows of bytes; nothing for others.
+std::optional<RowLayout> shared_layout(const InputOptions& options);
+
+// Each reader reads its rows where there is a layout, which has to be the same for all of them;
+// where there is none, the first reader reads all.
+Share read_share(const InputOptions& options, const std::optional<RowLayout>& layout, int reader,
+                 int readers);
 
 }  // namespace mgdt::cli

@@ -141,6 +141,23 @@ void write(const Options& o, Ranks& ranks, const ProgramParts& parts,
     ranks.together([&] { outputs.commit(); });
 }
 
+// The first rank looks at the file: a name may lead elsewhere on another, and a file may grow.
+std::optional<RowLayout> layout_for_all(const InputOptions& input, Ranks& ranks) {
+    struct {
+        RowLayout layout;
+        bool is_there;
+    } found = {};
+    ranks.together([&] {
+        if (!ranks.is_first()) return;
+        const std::optional<RowLayout> layout = shared_layout(input);
+        found.is_there = layout.has_value();
+        if (layout) found.layout = *layout;
+    });
+    MPI_Bcast(&found, static_cast<int>(sizeof found), MPI_BYTE, 0, MPI_COMM_WORLD);
+    if (!found.is_there) return std::nullopt;
+    return found.layout;
+}
+
 void triangulate(const Options& o, Ranks& ranks) {
     const int rank = ranks.rank();
     const bool speaks = ranks.is_first() && !o.triangulation.quiet;
@@ -148,6 +165,7 @@ void triangulate(const Options& o, Ranks& ranks) {
     std::vector<std::string> files;
     Exchange exchange(ranks);
     std::optional<ProgramParts> parts;
+    const std::optional<RowLayout> layout = layout_for_all(o.input, ranks);
     ranks.together([&] {
         std::vector<std::string> written;  // by all ranks: one may have read the whole input
         if (!o.output.empty()) {
@@ -157,7 +175,7 @@ void triangulate(const Options& o, Ranks& ranks) {
             check_writable(files[static_cast<std::size_t>(rank)]);
             check_writable(o.output);
         }
-        const Share share = read_share(o.input, rank, ranks.count());
+        const Share share = read_share(o.input, layout, rank, ranks.count());
         require_apart(share.inputs, written);
         parts.emplace(exchange.new_parts(), o.triangulation);
         insert(*parts, rank, share);
