@@ -58,7 +58,7 @@ std::string schemes() {
 std::string data_directory() {
     if (const auto program = system::program_file()) {
         const std::filesystem::path folder = std::filesystem::u8path(*program).parent_path();
-        const std::string moved = (folder / MGDT_DATA_FROM_PROGRAM).lexically_normal().u8string();
+        std::string moved = (folder / MGDT_DATA_FROM_PROGRAM).lexically_normal().u8string();
         const auto status = system::status(moved);
         if (status && status->kind == system::FileKind::directory) return moved;
     }
