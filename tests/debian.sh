@@ -1,11 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# For the scripts beside it: Debian packages, and counts of tests.
+# For the scripts beside it: Debian packages, and counts of what passed and failed.
 #
 #   install_packages yes|no PACKAGE...
 #                        installs those that are missing, as root or through sudo, if it may; sets
 #                        wanted to those that are still missing
 #   as_root COMMAND...   runs a command as root
+#   step WHAT COMMAND... runs a command with its output in the file $log, and shows the end of that if it
+#                        fails; counts in passed and failed
 #   count_tests FILE     adds what `meson test` printed into FILE to passed and failed; a test that is
 #                        skipped or runs out of time failed
 
@@ -39,4 +41,18 @@ count_tests() {
     passed=$((passed + $(count_of "$1" Ok) + 0))
     failed=$((failed + $(count_of "$1" Fail) + $(count_of "$1" 'Unexpected Pass') +
         $(count_of "$1" Skipped) + $(count_of "$1" Timeout) + 0))
+}
+
+step() {
+    what=$1
+    shift
+    if "$@" >"${log:?}" 2>&1; then
+        passed=$((passed + 1))
+        echo "passed: $what"
+    else
+        failed=$((failed + 1))
+        tail -n 40 "$log"
+        echo "failed: $what"
+        return 1
+    fi
 }

@@ -50,20 +50,6 @@ failed=0
 work=$root/build-tests/packages
 log=$work/log
 mkdir -p "$work"
-# Runs a step; its output is shown if it fails.
-step() { # what, command...
-    what=$1
-    shift
-    if "$@" >"$log" 2>&1; then
-        passed=$((passed + 1))
-        echo "passed: $what"
-    else
-        failed=$((failed + 1))
-        tail -n 40 "$log"
-        echo "failed: $what"
-        return 1
-    fi
-}
 finish() {
     printf '\n%d passed, %d failed\n' "$passed" "$failed"
     [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
