@@ -6,6 +6,8 @@
 #include <thread>
 #include <utility>
 
+#include "core/concurrent_member.hpp"
+
 namespace mgdt {
 namespace {
 
@@ -18,8 +20,9 @@ constexpr std::size_t piece_size = 64;
 constexpr std::size_t trials = 64, least_trial = 512;
 constexpr unsigned most_waits = 4;
 constexpr std::chrono::microseconds first_wait{100};
-// A point further along the schedule than that is not walked to from the last one.
-constexpr std::size_t far_away = 512;
+// A point further along the schedule than that is not walked to from the last one: in a list there
+// are few of those in between.
+constexpr std::size_t far_away_in_round = 512, far_away_in_list = 32;
 constexpr std::uint32_t most_slots_at_once = 16384;
 // A point whose cavity has grown so large when it comes to what another thread owns is a hub, which
 // has an edge to most of the vertices around. It cannot be inserted while other threads insert, and
@@ -27,35 +30,12 @@ constexpr std::uint32_t most_slots_at_once = 16384;
 // it, unless that happens too often.
 constexpr std::size_t least_hub = 1024, most_stops = 16;
 
+// Whether so many of `count` points are put off that the threads are in each other's way.
+bool is_many(std::uint64_t put_off, std::size_t count) {
+    return put_off > count / 50;
+}
+
 }  // namespace
-
-struct Triangulation::ConcurrentInsertion::Member {
-    Member(Mesh& mesh, BlockOwners& owners, std::uint8_t who, SlotSupply& supply,
-           Workspace* of_handle)
-        : thread_state(mesh, owners, who, supply),
-          own(mesh.vertices.allocator()),
-          workspace(of_handle ? *of_handle : own),
-          repeats(mesh.vertices.allocator()),
-          deferred(mesh.vertices.allocator()),
-          left(mesh.vertices.allocator()) {}
-
-    ThreadState thread_state;
-    Workspace own;
-    Workspace& workspace;
-    TetId here = no_tetrahedron;  // a tetrahedron that is mine, where walks start
-    std::size_t last = 0;         // position of the point inserted last
-    // Points that have a vertex already. Its index is changed at the end, since others may read
-    // its record.
-    struct Repeat {
-        VertexId q, vertex;
-    };
-    Buffer<Repeat> repeats;
-    Buffer<std::uint32_t> deferred, left;
-    std::uint32_t hub = no_index;         // position of one that all have stopped for
-    std::size_t tries = 0, failures = 0;  // of the trial that goes on
-    unsigned waits = 0;                   // in a row, after trials of which too many failed
-    std::uint64_t inserted = 0, times_deferred = 0;
-};
 
 Triangulation::ConcurrentInsertion::ConcurrentInsertion(Triangulation& t, Team& team,
                                                         const Batch& batch,
@@ -71,7 +51,8 @@ Triangulation::ConcurrentInsertion::ConcurrentInsertion(Triangulation& t, Team& 
       supply_(t.mesh_, static_cast<std::uint32_t>(std::min<std::size_t>(
                            most_slots_at_once, 64 + batch.points.size / (4 * team.size())))),
       queue_(t.allocator_, team.size()),
-      left_(t.allocator_) {
+      left_(t.allocator_),
+      zones_(team, t.allocator_, schedule, batch.points.size) {
     const std::size_t bytes = team.size() * sizeof(Member);
     members_ = static_cast<Member*>(t.allocator_.allocate(bytes, alignof(Member)));
     for (; member_count_ < team.size(); ++member_count_)
@@ -96,25 +77,38 @@ Triangulation::ConcurrentInsertion::~ConcurrentInsertion() {
 void Triangulation::ConcurrentInsertion::run(std::size_t done) {
     done_ = done;
     const std::size_t n = batch_.points.size;
-    for (std::size_t r = 0; r < schedule_.rounds.size(); ++r) {
-        const std::size_t begin = std::max<std::size_t>(schedule_.rounds[r], done);
-        const std::size_t end = r + 1 < schedule_.rounds.size() ? schedule_.rounds[r + 1] : n;
-        if (begin < end) insert_round(begin, end);
+    const Buffer<std::uint32_t>& rounds = schedule_.rounds;
+    for (std::size_t r = 0; r < rounds.size(); ++r) {
+        const std::size_t begin = std::max<std::size_t>(rounds[r], done);
+        const Zones::Round round = {begin, r + 1 < rounds.size() ? rounds[r + 1] : n,
+                                    r > 0 && begin == rounds[r] ? rounds[r - 1] : begin};
+        if (round.begin < round.end) insert_round(round);
     }
 }
 
-void Triangulation::ConcurrentInsertion::insert_round(std::size_t begin, std::size_t end) {
-    const std::size_t min_items_per_thread = t_.settings_.points_a_thread;
-    unsigned members = team_.members_for(end - begin, min_items_per_thread);
-    Items items{begin, end - begin, nullptr};
+void Triangulation::ConcurrentInsertion::insert_round(const Zones::Round& round) {
+    const unsigned members = team_.members_for(round.size(), t_.settings_.points_a_thread);
+    stops_ = 0;
+    const std::uint64_t before = times_deferred();
+    if (!insert_in_zones(round, members))
+        insert_anywhere({round.begin, round.size(), nullptr}, members);
+    is_crowded_ = is_many(times_deferred() - before, round.size());
+}
+
+std::uint64_t Triangulation::ConcurrentInsertion::times_deferred() const {
+    std::uint64_t sum = 0;
+    for (unsigned m = 0; m < member_count_; ++m) sum += members_[m].times_deferred;
+    return sum;
+}
+
+// Inserts items on `members` threads, and what is left on fewer, in the end on one.
+void Triangulation::ConcurrentInsertion::insert_anywhere(Items items, unsigned members) {
     Buffer<std::uint32_t> list(t_.allocator_);
-    std::size_t stops = 0;
     while (members > 1) {
-        may_stop_for_hubs_ = stops < most_stops;
         insert_concurrently(items, members);
         const std::size_t hubs = insert_hubs();
         if (hubs > 0) {
-            ++stops;
+            // The others can go on.
         } else if (no_slots_) {
             Mesh& mesh = t_.mesh_;
             const std::size_t more = members * std::size_t{2} * most_slots_at_once;
@@ -126,24 +120,48 @@ void Triangulation::ConcurrentInsertion::insert_round(std::size_t begin, std::si
         } else {
             members /= 2;  // what is left is where threads met: fewer will meet less
         }
-        list = std::move(left_);
-        left_ = Buffer<std::uint32_t>(t_.allocator_);
-        std::sort(list.begin(), list.end());
+        list = take_left();
+        members = std::min(members, members_for_left(list.size(), items.size));
         items = {0, list.size(), list.data()};
-        members = std::min(members, team_.members_for(items.size, min_items_per_thread));
     }
+    begin_stage(items, 1);
     for (std::size_t i = 0; i < items.size; ++i) {
         if (i % 1024 == 0) poll(done_);
-        insert_serially(items[i], i > 0 && items[i] - items[i - 1] < far_away);
+        insert_serially(items[i], i > 0 && items[i] - items[i - 1] <= far_away_);
     }
+}
+
+// How many for a few points, which all others would wait for one to insert.
+unsigned Triangulation::ConcurrentInsertion::members_for_few(std::size_t count) const {
+    const std::size_t usual = t_.settings_.points_a_thread;
+    return team_.members_for(count, std::max<std::size_t>(usual / 8, 1));
+}
+
+// How many for what is left of `count` points. If it is much, threads meet there.
+unsigned Triangulation::ConcurrentInsertion::members_for_left(std::size_t left,
+                                                              std::size_t count) const {
+    return is_many(left, count) ? team_.members_for(left, t_.settings_.points_a_thread)
+                                : members_for_few(left);
+}
+
+// In the order of the schedule.
+Buffer<std::uint32_t> Triangulation::ConcurrentInsertion::take_left() {
+    std::sort(left_.begin(), left_.end());
+    return std::exchange(left_, Buffer<std::uint32_t>(t_.allocator_));
+}
+
+void Triangulation::ConcurrentInsertion::begin_stage(const Items& items, unsigned members) {
+    far_away_ = items.list ? far_away_in_list : far_away_in_round;
+    may_stop_for_hubs_ = stops_ < most_stops;
+    stop_ = no_slots_ = false;
+    for (unsigned m = 0; m < members; ++m) members_[m].hub = no_index;
 }
 
 void Triangulation::ConcurrentInsertion::insert_concurrently(const Items& items, unsigned members) {
     const std::size_t piece =
         std::min(piece_size, std::max<std::size_t>(1, items.size / (members * 4)));
     queue_.deal(items.size, piece, members);
-    stop_ = no_slots_ = false;
-    for (unsigned m = 0; m < members; ++m) members_[m].hub = no_index;
+    begin_stage(items, members);
     active_ = members;
     trial_ = std::max(least_trial, items.size / (members * trials));
     for (unsigned m = 0; m < members; ++m)
@@ -170,6 +188,7 @@ std::size_t Triangulation::ConcurrentInsertion::insert_hubs() {
         left_.pop_back();
         ++hubs;
     }
+    stops_ += hubs > 0;
     return hubs;
 }
 
@@ -192,13 +211,19 @@ void Triangulation::ConcurrentInsertion::gather_results(unsigned members, const 
         for (const Member::Repeat& repeat : members_[m].repeats)
             t_.note_repeat(repeat.q, repeat.vertex);
         members_[m].repeats.clear();
-        for (const std::uint32_t k : members_[m].left) left_.push_back(k);
-        members_[m].left.clear();
     }
+    gather_left(members);
     unsigned from = 0;
     for (WorkQueue::Piece piece; queue_.next(0, from, piece);)
         for (std::size_t i = piece.begin; i < piece.end; ++i)
             left_.push_back(static_cast<std::uint32_t>(items[i]));
+}
+
+void Triangulation::ConcurrentInsertion::gather_left(unsigned members) {
+    for (unsigned m = 0; m < members; ++m) {
+        for (const std::uint32_t k : members_[m].left) left_.push_back(k);
+        members_[m].left.clear();
+    }
 }
 
 void Triangulation::ConcurrentInsertion::work(Member& member, const Items& items) {
@@ -266,16 +291,20 @@ bool Triangulation::ConcurrentInsertion::is_too_crowded(Member& member, std::siz
 
 bool Triangulation::ConcurrentInsertion::try_insert(Member& member, std::size_t k) {
     if (stop_.load(std::memory_order_relaxed)) return false;
-    const VertexId q = vertex(k);
-    ThreadState& thread_state = member.thread_state;
-    if (!thread_state.try_own(q)) return false;
+    if (!member.thread_state.try_own(vertex(k))) return false;
     const std::size_t distance = k > member.last ? k - member.last : member.last - k;
-    if ((member.here == no_tetrahedron || distance > far_away) && !arrive(member, k)) return false;
+    if ((member.here == no_tetrahedron || distance > far_away_) && !arrive(member, k)) return false;
+    return insert(member, k, t_.calls().insert_concurrent);
+}
+
+// Inserts point k in one of the kernel's ways, from where the thread is.
+bool Triangulation::ConcurrentInsertion::insert(Member& member, std::size_t k,
+                                                ConcurrentCall call) {
+    const VertexId q = vertex(k);
     Insertion result;
     member.workspace.given_up = 0;
     try {
-        result = t_.calls().insert_concurrent(t_.mesh_, member.workspace, member.thread_state, q,
-                                              member.here);
+        result = call(t_.mesh_, member.workspace, member.thread_state, q, member.here);
     } catch (const SlotSupply::NoSlots&) {
         no_slots_ = true;
         stop_ = true;
@@ -295,32 +324,6 @@ bool Triangulation::ConcurrentInsertion::try_insert(Member& member, std::size_t 
     else
         member.repeats.push_back({q, result.duplicate});
     return true;
-}
-
-// Calls f with earlier positions that are probably near that of k, until it returns true.
-template <class F>
-bool Triangulation::ConcurrentInsertion::for_nearby_positions(std::size_t k, F f) const {
-    constexpr std::size_t tries = 16;
-    const Buffer<std::uint32_t>& rounds = schedule_.rounds;
-    const std::size_t r = static_cast<std::size_t>(
-        std::upper_bound(rounds.begin(), rounds.end(), static_cast<std::uint32_t>(k)) -
-        rounds.begin());
-    if (r <= 1) {
-        for (std::size_t i = 1; i <= tries && i <= k; ++i)
-            if (f(k - i)) return true;
-        return false;
-    }
-    // The round before goes along the same way.
-    const std::size_t end = r < rounds.size() ? rounds[r] : batch_.points.size;
-    const std::size_t begin = rounds[r - 1], before = rounds[r - 2];
-    const double share = static_cast<double>(k - begin) / static_cast<double>(end - begin);
-    const std::size_t size = begin - before;
-    const std::size_t there = static_cast<std::size_t>(share * static_cast<double>(size));
-    for (std::size_t i = 0; i < tries; ++i) {
-        const std::size_t at = i % 2 == 0 ? there + i / 2 : there - (i + 1) / 2;
-        if (at < size && f(before + at)) return true;
-    }
-    return false;
 }
 
 // Makes a tetrahedron near point k this thread's, to walk from. Whether that could be.

@@ -2,14 +2,19 @@
 // Insertion by several threads, each in a zone of its own.
 //
 // A zone is a run of consecutive points of a round: as the schedule follows a curve, it is compact,
-// and zones are equal in points, not in volume. Each thread goes along its zone and keeps the
-// blocks of vertices that it touches for some hundred points (parallel/block_ownership.hpp). A
-// point that needs a block of another thread is deferred, tried again when this thread has given
-// its blocks back, and in the end inserted while nobody else is there. The tetrahedra do not depend
-// on any of this, since the Delaunay triangulation of the points is unique.
+// and zones are equal in points, not in volume. There are two ways. In one, a thread changes what
+// is inside its zone without a look at the others, and puts off what is not: where the points at
+// the border of zones are few, this costs no more than one thread alone (core/zones.hpp). In the
+// other, a thread may change anything: it goes along its zone and keeps the blocks of vertices that
+// it touches for some hundred points (parallel/block_ownership.hpp). A point that needs a block of
+// another thread is deferred, tried again when this thread has given its blocks back, and in the
+// end inserted while nobody else is there. The tetrahedra do not depend on any of this, since the
+// Delaunay triangulation of the points is unique.
 #pragma once
 
 #include "core/batch.hpp"
+#include "core/zones.hpp"
+#include "kernel/kernel.hpp"
 #include "kernel/thread_state.hpp"
 #include "parallel/work_queue.hpp"
 
@@ -35,17 +40,36 @@ class Triangulation::ConcurrentInsertion {
         std::size_t operator[](std::size_t i) const { return list ? list[i] : begin + i; }
     };
 
-    void insert_round(std::size_t begin, std::size_t end);
+    using ConcurrentCall = decltype(KernelCalls::insert_concurrent);
+
+    void insert_round(const Zones::Round& round);
+    void insert_anywhere(Items items, unsigned members);
+    std::uint64_t times_deferred() const;
+    unsigned members_for_few(std::size_t count) const;
+    unsigned members_for_left(std::size_t left, std::size_t count) const;
+    Buffer<std::uint32_t> take_left();
+    void begin_stage(const Items& items, unsigned members);
     // Inserts items on `members` threads and lists those that are left.
     void insert_concurrently(const Items& items, unsigned members);
     void work(Member& member, const Items& items);
     bool is_too_crowded(Member& member, std::size_t tries, std::size_t failures);
     bool try_insert(Member& member, std::size_t k);
+    bool insert(Member& member, std::size_t k, ConcurrentCall call);
     bool arrive(Member& member, std::size_t k);
     void release_blocks(Member& member);
     void gather_results(unsigned members, const Items& items);
+    void gather_left(unsigned members);
     std::size_t insert_hubs();
     void insert_serially(std::size_t k, bool is_next);
+
+    // In zones: zone_insertion.cpp.
+    bool may_use_zones(const Zones::Round& round, unsigned members) const;
+    bool insert_in_zones(const Zones::Round& round, unsigned members);
+    Buffer<std::uint32_t> list_border(const Zones::Round& round, unsigned members);
+    void insert_inside(const Zones::Round& round, unsigned members);
+    void work_inside(Member& member, const Zones::Round& round);
+    bool try_insert_inside(Member& member, std::size_t k);
+    bool arrive_inside(Member& member, std::size_t k);
 
     template <class F>
     bool for_nearby_positions(std::size_t k, F f) const;
@@ -65,6 +89,13 @@ class Triangulation::ConcurrentInsertion {
     Member* members_ = nullptr;
     unsigned member_count_ = 0;
     Buffer<std::uint32_t> left_;
+    std::size_t far_away_ = 0;  // along the schedule: too far for a walk from the last point
+    std::size_t stops_ = 0;     // of this round, for hubs
+
+    Zones zones_;
+    bool is_crowded_ = false;        // the round before: many points were deferred
+    Atomic<std::size_t> inside_{0};  // positions in zones that are still to be looked at
+    Atomic<bool> is_some_zone_done_{false};
 
     std::size_t trial_ = 0;       // tries after which a thread may leave
     Atomic<unsigned> active_{0};  // threads that go on

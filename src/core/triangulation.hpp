@@ -23,11 +23,15 @@
 
 namespace mgdt {
 
+// Whether threads insert in zones without a look at each other; changed by tests.
+enum class ZoneUse : std::uint8_t { never, where_few_meet, always };
+
 struct Settings {
     std::int32_t scheme = MGDT_ORDER_AUTO;
     OrderParameters order;
     std::int32_t threads = 1;            // 0: all cores
     std::size_t points_a_thread = 8192;  // with fewer a thread does not pay; lowered by tests
+    ZoneUse zones = ZoneUse::where_few_meet;
     // A call that removes or moves more than one in this many vertices triangulates the others, or
     // all, anew; changed by tests.
     std::size_t vertices_a_rebuild = 10;

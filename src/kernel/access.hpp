@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How an insertion has access to the mesh: alone, or as one of several threads; with spheres that
-// are kept, or computed whenever they are wanted. The walk, the cavity and the star are compiled
-// for each.
+// How an insertion has access to the mesh: alone, or as one of several threads, in a zone of its
+// own or among the others; with spheres that are kept, or computed whenever they are wanted. The
+// walk, the cavity and the star are compiled for each.
 #pragma once
 
 #include "kernel/island.hpp"
@@ -15,7 +15,7 @@ inline namespace MGDT_ISLAND {
 template <class Spheres>
 struct SerialAccess {
     using SphereSource = Spheres;
-    static constexpr bool is_concurrent = false;
+    static constexpr bool is_alone = true, has_mark_table = false;
     MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron&) const noexcept { return true; }
     bool owns(VertexId) const noexcept { return true; }
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
@@ -35,12 +35,49 @@ struct SerialAccess {
     Mesh& mesh;
 };
 
-// Other threads insert too.
+// Other threads insert too, in zones of their own. Tetrahedra of which some vertices are in one
+// zone and some in another are closed: they stay, their spheres leave every test open, and a thread
+// may read them, and write their links to its own. All others that it comes to are its own alone,
+// since two neighbours have three vertices in common.
+class ZoneAccess {
+  public:
+    using SphereSource = KeptSpheres;
+    static constexpr bool is_alone = false, has_mark_table = false;
+
+    MGDT_ALWAYS_INLINE ZoneAccess(Mesh& mesh, ThreadState& thread_state) noexcept
+        : mesh_(mesh), thread_state_(thread_state) {}
+
+    MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron& t) const noexcept {
+        return !TetrahedronStore::sphere_of(t).is_closed();
+    }
+    bool owns(VertexId) const noexcept { return true; }
+    MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
+        thread_state_.reserve_slots(taken, freed);
+    }
+    MGDT_ALWAYS_INLINE void take_slots(FacetCode* slots, std::size_t count) const noexcept {
+        thread_state_.take_slots(slots, count);
+    }
+    MGDT_ALWAYS_INLINE void free_slot(TetId t) const noexcept { thread_state_.free_slot(t); }
+    MGDT_ALWAYS_INLINE void count_ghosts(std::size_t made, std::size_t gone) const noexcept {
+        thread_state_.count_ghosts(made, gone);
+    }
+    MGDT_ALWAYS_INLINE void made_ghost(TetId t) const noexcept { thread_state_.a_ghost = t; }
+    // All vertices of a star are in one zone, but for the one at infinity, which is in each.
+    MGDT_ALWAYS_INLINE void set_vertex_hint(VertexId v, TetId t) const noexcept {
+        if (v != infinite_vertex) mesh_.vertex_hint[v] = t;
+    }
+
+  private:
+    Mesh& mesh_;
+    ThreadState& thread_state_;
+};
+
+// Other threads insert wherever they are.
 template <class Spheres>
 class ConcurrentAccess {
   public:
     using SphereSource = Spheres;
-    static constexpr bool is_concurrent = true;
+    static constexpr bool is_alone = false, has_mark_table = true;
 
     MGDT_ALWAYS_INLINE ConcurrentAccess(Mesh& mesh, ThreadState& thread_state) noexcept
         : mesh_(mesh), thread_state_(thread_state), mine_(thread_state.blocks.mine()) {}
@@ -61,7 +98,7 @@ class ConcurrentAccess {
     }
     MGDT_ALWAYS_INLINE void free_slot(TetId t) const noexcept { thread_state_.free_slot(t); }
     MGDT_ALWAYS_INLINE void count_ghosts(std::size_t made, std::size_t gone) const noexcept {
-        thread_state_.ghosts += static_cast<std::int64_t>(made) - static_cast<std::int64_t>(gone);
+        thread_state_.count_ghosts(made, gone);
     }
     MGDT_ALWAYS_INLINE void made_ghost(TetId t) const noexcept { thread_state_.a_ghost = t; }
     MGDT_ALWAYS_INLINE void set_vertex_hint(VertexId v, TetId t) const noexcept {
@@ -80,7 +117,7 @@ class ConcurrentAccess {
 template <class Spheres>
 struct ReadingAccess {
     using SphereSource = Spheres;
-    static constexpr bool is_concurrent = true;
+    static constexpr bool is_alone = false, has_mark_table = true;
     MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron&) const noexcept { return true; }
     MGDT_ALWAYS_INLINE MarkTable& marks() const noexcept { return table; }
     MarkTable& table;

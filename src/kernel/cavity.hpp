@@ -9,8 +9,8 @@
 //
 // A tetrahedron that joins the cavity gets a mark, one bit of its second vertex. Nothing else
 // changes before the star is built, so an insertion is given up by removing the marks. Tests with
-// kept spheres do not read the second vertex, so none has to wait for the store of a mark. Among
-// other threads the marks are in a table of the thread's own.
+// kept spheres do not read the second vertex, so none has to wait for the store of a mark. Where
+// other threads may test a member too, the marks are in a table of the thread's own.
 #pragma once
 
 #include <algorithm>
@@ -45,11 +45,11 @@ struct CavityFront {
           end(w.cavity.data),
           limit(limit_of(access, w)),
           boundary_end(w.boundary.data) {
-        if constexpr (Access::is_concurrent) marks = access.marks().view();
+        if constexpr (Access::has_mark_table) marks = access.marks().view();
     }
     static FacetCode* limit_of(Access access, const Workspace& w) {
         std::size_t most = w.cavity_capacity;
-        if constexpr (Access::is_concurrent) most = std::min(most, access.marks().capacity());
+        if constexpr (Access::has_mark_table) most = std::min(most, access.marks().capacity());
         return w.cavity.data + most - 4;
     }
     // Where the cavity begins.
@@ -60,7 +60,7 @@ struct CavityFront {
             for (unsigned i = 1; i < 4; ++i) w.first_corners[i] = t.v[i];
             w.first_corners[0] = t.v[1];
             *end++ = first_facet(start.tetrahedron);
-            if constexpr (Access::is_concurrent)
+            if constexpr (Access::has_mark_table)
                 marks.put(start.tetrahedron, 1);
             else
                 tetrahedra[start.tetrahedron].v[1] |= in_cavity;
@@ -75,11 +75,11 @@ struct CavityFront {
             *boundary_end = facet_code(start.tetrahedron, i);
             boundary_end += start.faces >> i & 1;
         }
-        take(tetrahedra.four(t.n), t.n, start.faces);
+        take_apart(t.n, start.faces);
     }
     // A function that says whether a tetrahedron is in the cavity.
     MGDT_ALWAYS_INLINE auto membership() const {
-        if constexpr (Access::is_concurrent)
+        if constexpr (Access::has_mark_table)
             return [m = marks](FacetCode code) { return m.has(tetrahedron_of(code)); };
         else
             return [all = tetrahedra](FacetCode code) { return all.of(code).is_in_cavity(); };
@@ -94,11 +94,29 @@ struct CavityFront {
     MGDT_ALWAYS_INLINE void take(const Neighbors& four, const FacetCode* codes,
                                  std::uint32_t conflict) {
         std::uint32_t fresh;
-        if constexpr (Access::is_concurrent)
+        if constexpr (Access::has_mark_table)
             fresh = put_four(marks, codes, conflict);
         else
             fresh = mark_four(four, conflict);
         end += append(end, codes, fresh);
+    }
+    // The same without a store to the others, which may be closed.
+    void sort_out_apart(const FacetCode* codes, std::uint32_t active, std::uint32_t conflict) {
+        boundary_end += append(boundary_end, codes, active & ~conflict);
+        take_apart(codes, conflict);
+    }
+    void take_apart(const FacetCode* codes, std::uint32_t conflict) {
+        if constexpr (Access::has_mark_table || Access::is_alone) {
+            take(tetrahedra.four(codes), codes, conflict);
+        } else {
+            for (; conflict != 0; conflict &= conflict - 1) {
+                const FacetCode code = codes[lowest_bit(conflict)];
+                Tetrahedron& t = tetrahedra.of(code);
+                if (t.is_in_cavity()) continue;
+                t.v[1] |= in_cavity;
+                *end++ = code;
+            }
+        }
     }
     MGDT_ALWAYS_INLINE std::size_t members(const Workspace& w) const {
         return static_cast<std::size_t>(end - w.cavity.data);
@@ -111,13 +129,13 @@ struct CavityFront {
                           facets = static_cast<std::size_t>(boundary_end - w.boundary.data);
         try {
             if (size + 4 > w.cavity_capacity) w.grow_cavity(size, facets, size + 4);
-            if constexpr (Access::is_concurrent)
+            if constexpr (Access::has_mark_table)
                 access.marks().grow(std::min(w.cavity_capacity, 4 * size), w.cavity.data, size);
         } catch (...) {
             give_up(mesh, w, size);
             throw;
         }
-        if constexpr (Access::is_concurrent) marks = access.marks().view();
+        if constexpr (Access::has_mark_table) marks = access.marks().view();
         next = w.cavity.data + passed;
         end = w.cavity.data + size;
         limit = limit_of(access, w);
@@ -125,7 +143,7 @@ struct CavityFront {
     }
     static void give_up(Mesh& mesh, Workspace& w, std::size_t members) {
         w.given_up = members;
-        if constexpr (!Access::is_concurrent) w.restore_cavity(mesh.tetrahedra, members);
+        if constexpr (!Access::has_mark_table) w.restore_cavity(mesh.tetrahedra, members);
     }
 
     TetrahedronView<Record> tetrahedra;
@@ -153,10 +171,13 @@ MGDT_PREDICATES_APART std::uint32_t decide(Access access, const Mesh& mesh, Work
         const unsigned k = lowest_bit(undecided);
         const Tetrahedron& t = mesh.tetrahedra[tetrahedron_of(n[k])];
         // A ghost's tie is decided by the finite tetrahedron on the other side of its hull facet,
-        // which this thread may read only if it owns the ghost.
-        if (!access.try_own(t)) return not_owned;
+        // which this thread may read only if it owns the ghost, or if both are closed.
+        const bool is_mine = access.try_own(t);
+        if (Access::has_mark_table && !is_mine) return not_owned;
         ++w.counters.exact_calls;
-        conflict |= hide_from_optimizer(is_conflict_near_tie(mesh, t, q)) << k;
+        const bool is_in_conflict = is_conflict_near_tie(mesh, t, q);
+        if (is_in_conflict && !is_mine) return not_owned;
+        conflict |= hide_from_optimizer(is_in_conflict) << k;
     }
     return conflict;
 }
@@ -194,9 +215,12 @@ MGDT_ALWAYS_INLINE Pause grow(Access access, const Mesh& mesh, const Query& q,
     // wait for all of them, and the turns would not overlap.
     FacetCode member = *front.next;
     while (front.end <= front.limit) {
-        if (MGDT_UNLIKELY(!access.try_own(front.tetrahedra.of(member)))) {
-            pause = Pause::not_entered;
-            break;
+        // In a zone a member is this thread's: decide() lets no other one in.
+        if constexpr (Access::has_mark_table) {
+            if (MGDT_UNLIKELY(!access.try_own(front.tetrahedra.of(member)))) {
+                pause = Pause::not_entered;
+                break;
+            }
         }
         const FacetCode* const n = front.tetrahedra.of(member).n;
         const auto four = front.tetrahedra.four(n);
@@ -232,7 +256,7 @@ template <class Access>
 MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityStart start,
                                 const Query& q) {
     if (MGDT_UNLIKELY(w.cavity_capacity == 0)) w.grow_cavity(0, 0, 64);
-    if constexpr (Access::is_concurrent) access.marks().begin(MarkTable::least_capacity);
+    if constexpr (Access::has_mark_table) access.marks().begin(MarkTable::least_capacity);
     CavityFront<Access> cavity(access, mesh, w);
     cavity.begin(w, start);
     // Of the start itself all neighbours are tested.
@@ -253,8 +277,7 @@ MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityS
             return false;
         }
         ++cavity.next;
-        cavity.sort_out(cavity.tetrahedra.four(n), n, tests.active,
-                        (tests.conflict & ~tests.undecided) | decided);
+        cavity.sort_out_apart(n, tests.active, (tests.conflict & ~tests.undecided) | decided);
         if (cavity.next == cavity.end) break;
         tests.active = other_faces(*cavity.next);
     }

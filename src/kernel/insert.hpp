@@ -46,15 +46,25 @@ Insertion insert_concurrent(Mesh& mesh, Workspace& w, ThreadState& thread_state,
 }
 
 template <class Spheres>
+Insertion insert_in_zone(Mesh& mesh, Workspace& w, ThreadState& thread_state, VertexId q,
+                         TetId start) {
+    if constexpr (Spheres::are_kept)
+        return insert_with(ZoneAccess(mesh, thread_state), mesh, w, q, start);
+    else  // nothing there can be closed
+        return insert_concurrent<Spheres>(mesh, w, thread_state, q, start);
+}
+
+template <class Spheres>
 void find_cavity(const Mesh& mesh, Workspace& w, MarkTable& marks, const double* q, TetId start) {
     // The mesh is written to by those alone that have it to themselves.
     dig_cavity(ReadingAccess<Spheres>{marks}, const_cast<Mesh&>(mesh), w, {start, 0}, Query(q));
 }
 
 template <class Spheres>
-constexpr KernelCalls kernel_calls = {insert<Spheres>,       insert_concurrent<Spheres>,
-                                      locate_begin<Spheres>, locate_step<Spheres>,
-                                      locate_jump<Spheres>,  find_cavity<Spheres>};
+constexpr KernelCalls kernel_calls = {
+    insert<Spheres>,       insert_in_zone<Spheres>, insert_concurrent<Spheres>,
+    locate_begin<Spheres>, locate_step<Spheres>,    locate_jump<Spheres>,
+    find_cavity<Spheres>};
 
 // The functions of this island that the library calls.
 constexpr Kernel kernel_named(const char* isa) {

@@ -50,7 +50,13 @@ struct KernelCalls {
     // Inserts vertex q, whose record is in the mesh, walking from `start`. Strong guarantee: when
     // it throws (std::bad_alloc, Error with MGDT_ERR_TOO_LARGE) the triangulation is unchanged.
     Insertion (*insert)(Mesh& mesh, Workspace& workspace, VertexId q, TetId start);
-    // The same while other threads insert: q and the vertices of `start` are the thread_state's.
+    // The same while other threads insert in zones of their own, where q and `start` are in this
+    // thread's and the tetrahedra between zones are closed; not without spheres. May throw
+    // SlotSupply::NoSlots too.
+    Insertion (*insert_in_zone)(Mesh& mesh, Workspace& workspace, ThreadState& thread_state,
+                                VertexId q, TetId start);
+    // The same while other threads insert anywhere: q and the vertices of `start` are the
+    // thread_state's.
     // May throw SlotSupply::NoSlots too.
     Insertion (*insert_concurrent)(Mesh& mesh, Workspace& workspace, ThreadState& thread_state,
                                    VertexId q, TetId start);

@@ -156,6 +156,9 @@ class ThreadState {
         free_slots_[size] = t;
         mesh_.tetrahedra[t].kill();
     }
+    MGDT_ALWAYS_INLINE void count_ghosts(std::size_t made, std::size_t gone) noexcept {
+        ghosts += static_cast<std::int64_t>(made) - static_cast<std::int64_t>(gone);
+    }
     // Hands the slots that are left to the mesh, when the threads are done and the supply is
     // closed.
     void return_slots() noexcept;

@@ -207,7 +207,7 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
         if (next == 4) break;
         here = {tetrahedron_of(t.n[next]), powers[next]};
         if (MGDT_UNLIKELY(!access.try_own(tetrahedra[here.tetrahedron]))) return no_way;
-        if constexpr (!Access::is_concurrent) {
+        if constexpr (Access::is_alone) {
             if (MGDT_UNLIKELY(++steps == next_jump)) {
                 jump<typename Access::SphereSource>(mesh, here, q, static_cast<std::size_t>(steps),
                                                     counters);

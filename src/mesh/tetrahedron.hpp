@@ -106,6 +106,11 @@ struct alignas(16) KeptSphere {
     std::uint32_t e;  // bounds the rounding of w as well
 
     MGDT_ALWAYS_INLINE bool is_ghost() const noexcept { return e >> 31 != 0; }
+    // While threads insert in zones, a bound that is not a number tells them that the tetrahedron
+    // is in none, and leaves every test open.
+    static constexpr std::uint32_t no_number = 0x7FF80000u, sign_of_ghost = 0x80000000u;
+    MGDT_ALWAYS_INLINE bool is_closed() const noexcept { return (e & ~sign_of_ghost) == no_number; }
+    MGDT_ALWAYS_INLINE void close() noexcept { e = (e & sign_of_ghost) | no_number; }
     MGDT_ALWAYS_INLINE Sphere in_doubles() const noexcept {
         return {{from_upper_half(w[0]), from_upper_half(w[1]), from_upper_half(w[2])},
                 from_upper_half(e)};

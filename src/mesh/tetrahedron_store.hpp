@@ -80,6 +80,10 @@ class TetrahedronStore {
         return *reinterpret_cast<const Tetrahedron*>(tetrahedron(t));
     }
     bool has_spheres() const noexcept { return sphere_ != 0; }
+    // Of a tetrahedron in a store with spheres.
+    MGDT_ALWAYS_INLINE static const KeptSphere& sphere_of(const Tetrahedron& t) noexcept {
+        return reinterpret_cast<const KeptSphere*>(&t)[-1];
+    }
     // Of slot t, if there are spheres.
     MGDT_ALWAYS_INLINE KeptSphere& sphere(std::size_t t) noexcept { return view<true>().sphere(t); }
     MGDT_ALWAYS_INLINE const KeptSphere& sphere(std::size_t t) const noexcept {

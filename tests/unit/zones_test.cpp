@@ -67,6 +67,8 @@ void expect_valid(const Triangulation& t) {
     }
 }
 
+constexpr ZoneUse zone_uses[] = {ZoneUse::never, ZoneUse::where_few_meet, ZoneUse::always};
+
 TEST(Zones, SameAsOneThread) {
     std::mt19937_64 random(20);
     const unsigned rounds = is_small() ? 60 : 4000;
@@ -84,6 +86,7 @@ TEST(Zones, SameAsOneThread) {
         settings.scheme = scheme;
         settings.threads = static_cast<std::int32_t>(2 + random() % (round % 64 == 0 ? 30 : 7));
         settings.points_a_thread = 1 + random() % 20;
+        settings.zones = zone_uses[random() % 3];
         settings.pause = pause;
         yield_one_in = random() % 3 == 0 ? 0 : 1 + static_cast<unsigned>(random() % 9);
         // In one batch, or in two.
@@ -167,6 +170,7 @@ TEST(Zones, RepeatsLeaveNoGaps) {
                 t.set_compact(is_compact);
                 t.settings().threads = threads;
                 t.settings().points_a_thread = 100;
+                t.settings().zones = is_compact ? ZoneUse::where_few_meet : ZoneUse::always;
                 insert(t, Points(xyz.begin(), middle));
                 insert(t, Points(middle, xyz.end()));
                 ASSERT_GT(t.statistics().duplicates, 0u);
@@ -199,6 +203,7 @@ TEST(Zones, LargeCavities) {
         Triangulation alone(nullptr, nullptr, nullptr), together(nullptr, nullptr, nullptr);
         together.settings().threads = 2 + static_cast<std::int32_t>(round % 3);
         together.settings().points_a_thread = 10;
+        together.settings().zones = zone_uses[round % 3];
         for (Triangulation* t : {&alone, &together}) {
             insert(*t, lines);
             insert(*t, between);
@@ -218,13 +223,17 @@ TEST(Zones, StorageGrows) {
         const double x = static_cast<double>(i);
         for (const double c : {x, x * x, x * x * x}) xyz.push_back(c);
     }
-    Triangulation alone(nullptr, nullptr, nullptr), together(nullptr, nullptr, nullptr);
+    Triangulation alone(nullptr, nullptr, nullptr);
     insert(alone, xyz);
-    together.settings().threads = 4;
-    together.settings().points_a_thread = 8;
-    insert(together, xyz);
-    EXPECT_EQ(outcome(together), outcome(alone));
-    expect_valid(together);
+    for (const ZoneUse use : zone_uses) {
+        Triangulation together(nullptr, nullptr, nullptr);
+        together.settings().threads = 4;
+        together.settings().points_a_thread = 8;
+        together.settings().zones = use;
+        insert(together, xyz);
+        EXPECT_EQ(outcome(together), outcome(alone));
+        expect_valid(together);
+    }
 }
 
 // Cancelled or out of memory, at any moment: a valid triangulation of the points that got in, and
@@ -256,6 +265,7 @@ TEST(Zones, Cancelled) {
         SCOPED_TRACE(stop);
         Triangulation t(nullptr, nullptr, nullptr);
         settle_for_threads(t, 4);
+        t.settings().zones = stop % 8 == 1 ? ZoneUse::always : ZoneUse::never;
         struct Count {
             int left;
             std::thread::id caller;
@@ -316,6 +326,56 @@ TEST(Zones, OutOfMemory) {
             all.insert(all.end(), xyz.begin(), xyz.end());
             return all;
         }());
+    }
+}
+
+// The batch that the mesh begins with, which zones are for.
+TEST(Zones, OutOfMemoryInZones) {
+    std::mt19937_64 random(26);
+    const Points xyz = random_points(random, is_small() ? 200 : 800, 1000000);
+    bool is_done = false;
+    for (long k = 0; !is_done; k += is_small() ? 9 : 1) {
+        SCOPED_TRACE(k);
+        ASSERT_LT(k, 100000);
+        allocations_left = 1000000;
+        Triangulation t(scarce, give_back, nullptr);
+        settle_for_threads(t, 3);
+        t.settings().zones = ZoneUse::always;
+        allocations_left = k;
+        try {
+            insert(t, xyz);
+            is_done = true;
+        } catch (const std::bad_alloc&) {
+        }
+        allocations_left = 1000000;
+        expect_rest_can_follow(t, xyz);
+    }
+}
+
+// A lattice, whose spheres have many points on them, so that conflicts are ties at the border of
+// zones as well: the same as one thread, in each kernel.
+TEST(Zones, TiesBetweenZones) {
+    Points lattice;
+    const int n = is_small() ? 10 : 24;
+    for (int x = 0; x < n; ++x)
+        for (int y = 0; y < n; ++y)
+            for (int z = 0; z < n; ++z)
+                for (const int c : {x, y, z}) lattice.push_back(c);
+    for (const char* isa : {"baseline", "avx2", "avx512", "neon"}) {
+        const Kernel* const kernel = find_kernel(isa);
+        if (!kernel) continue;
+        Triangulation alone(nullptr, nullptr, nullptr);
+        insert(alone, lattice);
+        for (const std::int32_t threads : {2, 3, 7}) {
+            Triangulation t(nullptr, nullptr, nullptr);
+            t.set_kernel(*kernel);
+            t.settings().threads = threads;
+            t.settings().points_a_thread = 16;
+            t.settings().zones = ZoneUse::always;
+            insert(t, lattice);
+            EXPECT_EQ(outcome(t), outcome(alone)) << isa;
+            expect_valid(t);
+        }
     }
 }
 

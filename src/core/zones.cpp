@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "core/zones.hpp"
+
+#include <algorithm>
+
+namespace mgdt {
+namespace {
+
+constexpr std::size_t min_items_per_thread = 8192;
+constexpr std::uint8_t no_zone = 255;
+
+}  // namespace
+
+Zones::Zones(Team& team, Allocator& allocator, const Schedule& schedule, std::size_t n)
+    : team_(team),
+      rounds_(schedule.rounds),
+      n_(n),
+      zone_(allocator),
+      at_border_(allocator),
+      between_(team, allocator, &allocator) {}
+
+void Zones::divide(unsigned count, const Round& round, const Mesh& mesh) {
+    zone_.resize(first_vertex + n_);
+    zone_[infinite_vertex] = no_zone;
+    count_ = count;
+    for (std::size_t r = 0; r < rounds_.size(); ++r) {
+        const Round any = {rounds_[r], r + 1 < rounds_.size() ? rounds_[r + 1] : n_, 0};
+        for (unsigned zone = 0; zone < count; ++zone)
+            std::fill(zone_.begin() + first_vertex + first(any, zone),
+                      zone_.begin() + first_vertex + first(any, zone + 1),
+                      static_cast<std::uint8_t>(zone));
+    }
+
+    begin_ = round.begin;
+    const std::size_t near = round.begin - round.before;
+    share_ = static_cast<double>(near) / static_cast<double>(round.size());
+    at_border_.clear();
+    at_border_.resize(near, 0);
+    find_between(mesh);
+    const std::size_t before = first_vertex + round.before;
+    for (const Part& part : between_)
+        for (const Closed& c : part.closed)
+            for (const VertexId v : mesh.tetrahedra[c.tetrahedron].v)
+                // With those beside it along the curve, which are near as well.
+                for (std::size_t i = v - before - 1, k = 0; k < 3; ++i, ++k)
+                    if (i < near) at_border_[i] = 1;
+}
+
+bool Zones::is_between(const Tetrahedron& t) const noexcept {
+    // The first two are finite.
+    const std::uint8_t zone = zone_[t.v[0]];
+    const auto is_other = [&](VertexId v) { return (zone_[v] != zone) & (v != infinite_vertex); };
+    return (zone_[t.v[1]] != zone) | is_other(t.v[2]) | is_other(t.v[3]);
+}
+
+void Zones::find_between(const Mesh& mesh) {
+    for (Part& part : between_) part.closed.clear();
+    team_.split(mesh.tetrahedra.size(), min_items_per_thread,
+                [&](std::size_t begin, std::size_t end, unsigned member) {
+                    for (std::size_t t = begin; t < end; ++t) {
+                        const Tetrahedron& tet = mesh.tetrahedra[t];
+                        if (tet.is_dead() || !is_between(tet)) continue;
+                        between_[member].closed.push_back({static_cast<TetId>(t), 0});
+                    }
+                });
+}
+
+void Zones::close(Mesh& mesh) {
+    find_between(mesh);
+    for (Part& part : between_)
+        for (Closed& c : part.closed) {
+            KeptSphere& sphere = mesh.tetrahedra.sphere(c.tetrahedron);
+            c.bound = sphere.e;
+            sphere.close();
+        }
+}
+
+void Zones::open(Mesh& mesh) noexcept {
+    for (const Part& part : between_)
+        for (const Closed& c : part.closed) mesh.tetrahedra.sphere(c.tetrahedron).e = c.bound;
+}
+
+}  // namespace mgdt
