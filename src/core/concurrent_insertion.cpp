@@ -110,13 +110,8 @@ void Triangulation::ConcurrentInsertion::insert_anywhere(Items items, unsigned m
         if (hubs > 0) {
             // The others can go on.
         } else if (no_slots_) {
-            Mesh& mesh = t_.mesh_;
-            const std::size_t more = members * std::size_t{2} * most_slots_at_once;
-            try {
-                mesh.reserve_tetrahedra(mesh.tetrahedra.capacity() + more);
-            } catch (...) {
-                members = 1;  // one thread wastes no slots, and reports the error
-            }
+            if (!grow_storage(members))
+                members = 1;  // which wastes no slots, and reports the error
         } else {
             members /= 2;  // what is left is where threads met: fewer will meet less
         }
@@ -128,6 +123,17 @@ void Triangulation::ConcurrentInsertion::insert_anywhere(Items items, unsigned m
     for (std::size_t i = 0; i < items.size; ++i) {
         if (i % 1024 == 0) poll(done_);
         insert_serially(items[i], i > 0 && items[i] - items[i - 1] <= far_away_);
+    }
+}
+
+// Room for more tetrahedra. Whether there is any.
+bool Triangulation::ConcurrentInsertion::grow_storage(unsigned members) {
+    const std::size_t more = members * std::size_t{2} * most_slots_at_once;
+    try {
+        t_.mesh_.reserve_tetrahedra(t_.mesh_.tetrahedra.capacity() + more);
+        return true;
+    } catch (...) {
+        return false;
     }
 }
 

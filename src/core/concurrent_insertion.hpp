@@ -45,6 +45,7 @@ class Triangulation::ConcurrentInsertion {
     void insert_round(const Zones::Round& round);
     void insert_anywhere(Items items, unsigned members);
     std::uint64_t times_deferred() const;
+    bool grow_storage(unsigned members);
     unsigned members_for_few(std::size_t count) const;
     unsigned members_for_left(std::size_t left, std::size_t count) const;
     Buffer<std::uint32_t> take_left();
@@ -65,11 +66,12 @@ class Triangulation::ConcurrentInsertion {
     // In zones: zone_insertion.cpp.
     bool may_use_zones(const Zones::Round& round, unsigned members) const;
     bool insert_in_zones(const Zones::Round& round, unsigned members);
-    Buffer<std::uint32_t> list_border(const Zones::Round& round, unsigned members);
+    bool list_border(const Zones::Round& round, unsigned members, Buffer<std::uint32_t>& border);
     void insert_inside(const Zones::Round& round, unsigned members);
-    void work_inside(Member& member, const Zones::Round& round);
-    bool try_insert_inside(Member& member, std::size_t k);
-    bool arrive_inside(Member& member, std::size_t k);
+    void insert_closed(const Zones::Round& round, unsigned members);
+    void work_inside(Member& member, unsigned zone);
+    bool try_insert_inside(Member& member, unsigned zone, std::size_t k);
+    bool arrive_inside(Member& member, unsigned zone, std::size_t k);
 
     template <class F>
     bool for_nearby_positions(std::size_t k, F f) const;
@@ -93,9 +95,7 @@ class Triangulation::ConcurrentInsertion {
     std::size_t stops_ = 0;     // of this round, for hubs
 
     Zones zones_;
-    bool is_crowded_ = false;        // the round before: many points were deferred
-    Atomic<std::size_t> inside_{0};  // positions in zones that are still to be looked at
-    Atomic<bool> is_some_zone_done_{false};
+    bool is_crowded_ = false;  // the round before: many points were deferred
 
     std::size_t trial_ = 0;       // tries after which a thread may leave
     Atomic<unsigned> active_{0};  // threads that go on

@@ -30,7 +30,7 @@ struct Triangulation::ConcurrentInsertion::Member {
     };
     Buffer<Repeat> repeats;
     Buffer<std::uint32_t> deferred, left;
-    unsigned zone = 0;                    // that it inserts in
+    std::size_t next = 0, end = 0;        // positions in its zone that are to be inserted
     std::size_t misses = 0;               // points in a row that it could not insert there
     std::uint32_t hub = no_index;         // position of one that all have stopped for
     std::size_t tries = 0, failures = 0;  // of the trial that goes on

@@ -25,125 +25,149 @@ bool Triangulation::ConcurrentInsertion::may_use_zones(const Zones::Round& round
 bool Triangulation::ConcurrentInsertion::insert_in_zones(const Zones::Round& round,
                                                          unsigned members) {
     if (!may_use_zones(round, members)) return false;
+    Buffer<std::uint32_t> border(t_.allocator_);
     try {
         zones_.divide(members, round, t_.mesh_);
+        if (!list_border(round, members, border)) return false;
     } catch (const std::bad_alloc&) {
+        zones_.forget();
         return false;  // the other way needs less
     }
-    const Buffer<std::uint32_t> border = list_border(round, members);
-    constexpr std::size_t enough = 8;  // points inside for one at the border
-    if (t_.settings_.zones == ZoneUse::where_few_meet && enough * border.size() > round.size())
-        return false;
     insert_anywhere({0, border.size(), border.data()}, members_for_few(border.size()));
     insert_inside(round, members);
     const Buffer<std::uint32_t> left = take_left();
-    insert_anywhere({0, left.size(), left.data()}, members_for_left(left.size(), round.size()));
+    insert_anywhere({0, left.size(), left.data()}, members_for_few(left.size()));
     return true;
 }
 
-Buffer<std::uint32_t> Triangulation::ConcurrentInsertion::list_border(const Zones::Round& round,
-                                                                      unsigned members) {
+// Lists the positions near the border, ascending. False if they are too many.
+bool Triangulation::ConcurrentInsertion::list_border(const Zones::Round& round, unsigned members,
+                                                     Buffer<std::uint32_t>& border) {
+    std::size_t ends[Team::most + 1] = {};
+    const auto for_each = [&](unsigned zone, auto f) {
+        const std::size_t end = zones_.first(round, zone + 1);
+        for (std::size_t k = zones_.first(round, zone); k < end; ++k)
+            if (zones_.is_at_border(k)) f(static_cast<std::uint32_t>(k));
+    };
     team_.run(members, [&](unsigned m) {
-        const std::size_t end = zones_.first(round, m + 1);
-        for (std::size_t k = zones_.first(round, m); k < end; ++k)
-            if (zones_.is_at_border(k)) members_[m].left.push_back(static_cast<std::uint32_t>(k));
+        std::size_t count = 0;
+        for_each(m, [&](std::uint32_t) { ++count; });
+        ends[m + 1] = count;
     });
-    gather_left(members);
-    return take_left();
+    for (unsigned m = 0; m < members; ++m) ends[m + 1] += ends[m];
+    constexpr std::size_t enough = 8;  // points inside for one at the border
+    if (t_.settings_.zones == ZoneUse::where_few_meet && enough * ends[members] > round.size())
+        return false;
+    border.resize(ends[members]);
+    team_.run(members, [&](unsigned m) {
+        std::uint32_t* to = border.data() + ends[m];
+        for_each(m, [&](std::uint32_t k) { *to++ = k; });
+    });
+    return true;
 }
 
+// Inserts what it can of the points inside zones. The others are left.
 void Triangulation::ConcurrentInsertion::insert_inside(const Zones::Round& round,
                                                        unsigned members) {
-    Mesh& mesh = t_.mesh_;
-    const Items items{round.begin, round.size(), nullptr};
-    queue_.deal(0, 1, members);
-    begin_stage(items, members);
-    inside_ = round.size();
-    is_some_zone_done_ = false;
     for (unsigned m = 0; m < members; ++m) {
-        members_[m].zone = m;
-        members_[m].misses = 0;
+        members_[m].next = zones_.first(round, m);
+        members_[m].end = zones_.first(round, m + 1);
     }
-    zones_.close(mesh);
+    bool goes_on = true;
+    while (goes_on) {
+        try {
+            zones_.close(t_.mesh_);
+        } catch (const std::bad_alloc&) {
+            break;
+        }
+        insert_closed(round, members);
+        goes_on = no_slots_ ? grow_storage(members) : insert_hubs() > 0;
+    }
+    for (unsigned m = 0; m < members; ++m)
+        for (std::size_t k = members_[m].next; k < members_[m].end; ++k)
+            if (!zones_.is_at_border(k)) left_.push_back(static_cast<std::uint32_t>(k));
+}
+
+// The same while the tetrahedra between zones are closed, till a zone is done, or all stop.
+void Triangulation::ConcurrentInsertion::insert_closed(const Zones::Round& round,
+                                                       unsigned members) {
+    const Items none{round.begin, 0, nullptr};
+    queue_.deal(0, 1, members);
+    begin_stage(none, members);
     supply_.open();
     const auto finish = [&] {
-        zones_.open(mesh);
+        zones_.open(t_.mesh_);
         for (unsigned m = 0; m < members; ++m) {
             // The others may change it from now on.
             members_[m].here = no_tetrahedron;
             members_[m].workspace.slot_count = 0;
         }
-        gather_results(members, items);
+        gather_results(members, none);
     };
     try {
-        team_.run(members, [&](unsigned m) { work_inside(members_[m], round); });
+        team_.run(members, [&](unsigned m) { work_inside(members_[m], m); });
     } catch (...) {
         finish();
         throw;
     }
     finish();
-    insert_hubs();
     poll(done_);
 }
 
-void Triangulation::ConcurrentInsertion::work_inside(Member& member, const Zones::Round& round) {
+// The first one that is done stops all: what they have left is shared better anywhere.
+void Triangulation::ConcurrentInsertion::work_inside(Member& member, unsigned zone) {
     constexpr std::size_t piece_size = 256;
-    // When a thread is done and the others have no more than that left, all go on together.
-    const std::size_t few = round.size() / 16;
-    const bool is_first = &member == members_;
-    std::size_t k = zones_.first(round, member.zone);
-    const std::size_t end = zones_.first(round, member.zone + 1);
+    std::size_t& k = member.next;
+    member.misses = 0;
     try {
-        while (k < end && !stop_ && !(is_some_zone_done_ && inside_ < few)) {
-            const std::size_t begin = k, piece_end = std::min(k + piece_size, end);
+        while (k < member.end && !stop_) {
+            const std::size_t piece_end = std::min(k + piece_size, member.end);
             std::size_t inserted = 0;
             for (; k < piece_end && !stop_.load(std::memory_order_relaxed); ++k) {
                 if (zones_.is_at_border(k)) continue;
-                if (try_insert_inside(member, k)) {
+                if (try_insert_inside(member, zone, k)) {
                     ++inserted;
                 } else {
                     member.left.push_back(static_cast<std::uint32_t>(k));
                     ++member.times_deferred;
                 }
             }
-            inside_ -= k - begin;
             const std::size_t done = done_.fetch_add(inserted) + inserted;
-            if (is_first) poll(done);
+            if (zone == 0) poll(done);
         }
-        is_some_zone_done_ = true;
-        for (; k < end; ++k)
-            if (!zones_.is_at_border(k)) member.left.push_back(static_cast<std::uint32_t>(k));
+        stop_ = true;
     } catch (...) {
         stop_ = true;
         throw;
     }
 }
 
-bool Triangulation::ConcurrentInsertion::try_insert_inside(Member& member, std::size_t k) {
+bool Triangulation::ConcurrentInsertion::try_insert_inside(Member& member, unsigned zone,
+                                                           std::size_t k) {
     // After so many failures in a row the thread may be in a corner of its zone.
     constexpr std::size_t most_misses = 4;
     if ((member.here == no_tetrahedron || member.misses >= most_misses) &&
-        !arrive_inside(member, k))
+        !arrive_inside(member, zone, k))
         return false;
     const bool is_in = insert(member, k, t_.calls().insert_in_zone);
     member.misses = is_in ? 0 : member.misses + 1;
     return is_in;
 }
 
-// Finds a tetrahedron of the zone near point k, to walk from. Whether there is one.
-bool Triangulation::ConcurrentInsertion::arrive_inside(Member& member, std::size_t k) {
+// Finds a tetrahedron of a zone near point k, to walk from. Whether there is one.
+bool Triangulation::ConcurrentInsertion::arrive_inside(Member& member, unsigned zone,
+                                                       std::size_t k) {
     const Mesh& mesh = t_.mesh_;
     return for_nearby_positions(k, [&](std::size_t position) {
         const VertexId near = vertex(position);
-        if (zones_.of(near) != member.zone) return false;
+        if (zones_.of(near) != zone) return false;
         const TetId t = mesh.vertex_hint[near];
         if (t == no_tetrahedron) return false;
         // Another thread may have taken its slot, for a tetrahedron whose first vertex is in
         // another zone; that of a free slot is in none.
         VertexId first[2];
         read_racing(mesh.tetrahedra[t].v, first);
-        if (zones_.of(first[0]) != member.zone || mesh.tetrahedra.sphere(t).is_closed())
-            return false;
+        if (zones_.of(first[0]) != zone || mesh.tetrahedra.sphere(t).is_closed()) return false;
         member.here = t;
         member.workspace.slot_count = 0;
         return true;

@@ -20,30 +20,35 @@ Zones::Zones(Team& team, Allocator& allocator, const Schedule& schedule, std::si
       between_(team, allocator, &allocator) {}
 
 void Zones::divide(unsigned count, const Round& round, const Mesh& mesh) {
-    zone_.resize(first_vertex + n_);
-    zone_[infinite_vertex] = no_zone;
-    count_ = count;
-    for (std::size_t r = 0; r < rounds_.size(); ++r) {
-        const Round any = {rounds_[r], r + 1 < rounds_.size() ? rounds_[r + 1] : n_, 0};
-        for (unsigned zone = 0; zone < count; ++zone)
-            std::fill(zone_.begin() + first_vertex + first(any, zone),
-                      zone_.begin() + first_vertex + first(any, zone + 1),
-                      static_cast<std::uint8_t>(zone));
+    if (count != count_) {
+        zone_.resize(first_vertex + n_);
+        zone_[infinite_vertex] = no_zone;
+        count_ = count;
+        for (std::size_t r = 0; r < rounds_.size(); ++r) {
+            const std::size_t begin = rounds_[r],
+                              end = r + 1 < rounds_.size() ? rounds_[r + 1] : n_;
+            for (unsigned zone = 0; zone < count; ++zone)
+                std::fill(zone_.begin() + first_vertex + first({begin, end, begin}, zone),
+                          zone_.begin() + first_vertex + first({begin, end, begin}, zone + 1),
+                          static_cast<std::uint8_t>(zone));
+        }
     }
+    find_between(mesh);
 
     begin_ = round.begin;
     const std::size_t near = round.begin - round.before;
     share_ = static_cast<double>(near) / static_cast<double>(round.size());
+    // Each of the round before, with a place for the neighbour of the first and of the last.
     at_border_.clear();
-    at_border_.resize(near, 0);
-    find_between(mesh);
-    const std::size_t before = first_vertex + round.before;
+    at_border_.resize(near + 2, 0);
     for (const Part& part : between_)
         for (const Closed& c : part.closed)
-            for (const VertexId v : mesh.tetrahedra[c.tetrahedron].v)
-                // With those beside it along the curve, which are near as well.
-                for (std::size_t i = v - before - 1, k = 0; k < 3; ++i, ++k)
-                    if (i < near) at_border_[i] = 1;
+            for (const VertexId v : mesh.tetrahedra[c.tetrahedron].v) {
+                if (v < first_vertex + round.before) continue;
+                // Those beside it along the curve are near as well.
+                std::uint8_t* const before = &at_border_[v - first_vertex - round.before];
+                before[0] = before[1] = before[2] = 1;
+            }
 }
 
 bool Zones::is_between(const Tetrahedron& t) const noexcept {
@@ -67,17 +72,27 @@ void Zones::find_between(const Mesh& mesh) {
 
 void Zones::close(Mesh& mesh) {
     find_between(mesh);
-    for (Part& part : between_)
-        for (Closed& c : part.closed) {
+    team_.run(team_.size(), [&](unsigned member) {
+        for (Closed& c : between_[member].closed) {
             KeptSphere& sphere = mesh.tetrahedra.sphere(c.tetrahedron);
             c.bound = sphere.e;
             sphere.close();
         }
+    });
 }
 
 void Zones::open(Mesh& mesh) noexcept {
-    for (const Part& part : between_)
-        for (const Closed& c : part.closed) mesh.tetrahedra.sphere(c.tetrahedron).e = c.bound;
+    team_.run(team_.size(), [&](unsigned member) {
+        for (const Closed& c : between_[member].closed)
+            mesh.tetrahedra.sphere(c.tetrahedron).e = c.bound;
+    });
+}
+
+void Zones::forget() noexcept {
+    zone_.reset();
+    at_border_.reset();
+    for (Part& part : between_) part.closed.reset();
+    count_ = 0;
 }
 
 }  // namespace mgdt

@@ -43,19 +43,20 @@ class Zones {
     unsigned of(VertexId v) const noexcept { return zone_[v]; }
     // The first position of the round in a zone; its end for the number of zones.
     std::size_t first(const Round& round, unsigned zone) const noexcept {
-        return round.begin +
-               static_cast<std::size_t>((std::uint64_t{round.size()} * zone + count_ - 1) / count_);
+        return round.begin + Team::part(round.size(), zone, count_);
     }
     // Whether the point at a position of the round is likely to remove a tetrahedron between zones:
     // whether there was one at a vertex of the round before that is near.
     bool is_at_border(std::size_t k) const noexcept {
         const auto offset = static_cast<std::size_t>(static_cast<double>(k - begin_) * share_);
-        return at_border_[offset] != 0;
+        return at_border_[offset + 1] != 0;
     }
 
     // Closes what is between zones now. Throws std::bad_alloc, with nothing closed.
     void close(Mesh& mesh);
     void open(Mesh& mesh) noexcept;
+    // Gives the memory back that all this takes.
+    void forget() noexcept;
 
   private:
     struct Closed {
@@ -72,7 +73,7 @@ class Zones {
     Team& team_;
     const Buffer<std::uint32_t>& rounds_;
     const std::size_t n_;
-    unsigned count_ = 0;
+    unsigned count_ = 0;              // of zones, if they are divided
     Buffer<std::uint8_t> zone_;       // by vertex
     Buffer<std::uint8_t> at_border_;  // by vertex of the round before
     PerMember<Part> between_;         // zones, as each member of the team found it

@@ -75,7 +75,7 @@ struct CavityFront {
             *boundary_end = facet_code(start.tetrahedron, i);
             boundary_end += start.faces >> i & 1;
         }
-        take_apart(t.n, start.faces);
+        take(tetrahedra.four(t.n), t.n, start.faces);
     }
     // A function that says whether a tetrahedron is in the cavity.
     MGDT_ALWAYS_INLINE auto membership() const {
@@ -100,7 +100,7 @@ struct CavityFront {
             fresh = mark_four(four, conflict);
         end += append(end, codes, fresh);
     }
-    // The same without a store to the others, which may be closed.
+    // The same where some of the others may be closed: nothing is stored there.
     void sort_out_apart(const FacetCode* codes, std::uint32_t active, std::uint32_t conflict) {
         boundary_end += append(boundary_end, codes, active & ~conflict);
         take_apart(codes, conflict);

@@ -45,13 +45,9 @@ Insertion insert_concurrent(Mesh& mesh, Workspace& w, ThreadState& thread_state,
     return insert_with(ConcurrentAccess<Spheres>(mesh, thread_state), mesh, w, q, start);
 }
 
-template <class Spheres>
-Insertion insert_in_zone(Mesh& mesh, Workspace& w, ThreadState& thread_state, VertexId q,
-                         TetId start) {
-    if constexpr (Spheres::are_kept)
-        return insert_with(ZoneAccess(mesh, thread_state), mesh, w, q, start);
-    else  // nothing there can be closed
-        return insert_concurrent<Spheres>(mesh, w, thread_state, q, start);
+inline Insertion insert_in_zone(Mesh& mesh, Workspace& w, ThreadState& thread_state, VertexId q,
+                                TetId start) {
+    return insert_with(ZoneAccess(mesh, thread_state), mesh, w, q, start);
 }
 
 template <class Spheres>
@@ -61,10 +57,13 @@ void find_cavity(const Mesh& mesh, Workspace& w, MarkTable& marks, const double*
 }
 
 template <class Spheres>
-constexpr KernelCalls kernel_calls = {
-    insert<Spheres>,       insert_in_zone<Spheres>, insert_concurrent<Spheres>,
-    locate_begin<Spheres>, locate_step<Spheres>,    locate_jump<Spheres>,
-    find_cavity<Spheres>};
+constexpr KernelCalls kernel_calls = {insert<Spheres>,
+                                      Spheres::are_kept ? insert_in_zone : nullptr,
+                                      insert_concurrent<Spheres>,
+                                      locate_begin<Spheres>,
+                                      locate_step<Spheres>,
+                                      locate_jump<Spheres>,
+                                      find_cavity<Spheres>};
 
 // The functions of this island that the library calls.
 constexpr Kernel kernel_named(const char* isa) {

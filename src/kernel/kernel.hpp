@@ -51,7 +51,7 @@ struct KernelCalls {
     // it throws (std::bad_alloc, Error with MGDT_ERR_TOO_LARGE) the triangulation is unchanged.
     Insertion (*insert)(Mesh& mesh, Workspace& workspace, VertexId q, TetId start);
     // The same while other threads insert in zones of their own, where q and `start` are in this
-    // thread's and the tetrahedra between zones are closed; not without spheres. May throw
+    // thread's and the tetrahedra between zones are closed; null without spheres. May throw
     // SlotSupply::NoSlots too.
     Insertion (*insert_in_zone)(Mesh& mesh, Workspace& workspace, ThreadState& thread_state,
                                 VertexId q, TetId start);

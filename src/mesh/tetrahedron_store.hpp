@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <type_traits>
 
 #include "mesh/tetrahedron.hpp"
@@ -82,7 +83,10 @@ class TetrahedronStore {
     bool has_spheres() const noexcept { return sphere_ != 0; }
     // Of a tetrahedron in a store with spheres.
     MGDT_ALWAYS_INLINE static const KeptSphere& sphere_of(const Tetrahedron& t) noexcept {
-        return reinterpret_cast<const KeptSphere*>(&t)[-1];
+        const char* const bytes = reinterpret_cast<const char*>(&t);
+        return reinterpret_cast<const TetrahedronAndSphere*>(
+                   bytes - offsetof(TetrahedronAndSphere, tetrahedron))
+            ->sphere;
     }
     // Of slot t, if there are spheres.
     MGDT_ALWAYS_INLINE KeptSphere& sphere(std::size_t t) noexcept { return view<true>().sphere(t); }

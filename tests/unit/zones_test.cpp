@@ -352,31 +352,35 @@ TEST(Zones, OutOfMemoryInZones) {
     }
 }
 
-// A lattice, whose spheres have many points on them, so that conflicts are ties at the border of
-// zones as well: the same as one thread, in each kernel.
-TEST(Zones, TiesBetweenZones) {
+// In each kernel the same as one thread: a lattice, whose conflicts are ties at the border of zones
+// as well; points of which some are beyond the range in which the filters are proved.
+TEST(Zones, TiesAndExtremes) {
+    std::mt19937_64 random(27);
     Points lattice;
     const int n = is_small() ? 10 : 24;
     for (int x = 0; x < n; ++x)
         for (int y = 0; y < n; ++y)
             for (int z = 0; z < n; ++z)
                 for (const int c : {x, y, z}) lattice.push_back(c);
-    for (const char* isa : {"baseline", "avx2", "avx512", "neon"}) {
-        const Kernel* const kernel = find_kernel(isa);
-        if (!kernel) continue;
-        Triangulation alone(nullptr, nullptr, nullptr);
-        insert(alone, lattice);
-        for (const std::int32_t threads : {2, 3, 7}) {
-            Triangulation t(nullptr, nullptr, nullptr);
-            t.set_kernel(*kernel);
-            t.settings().threads = threads;
-            t.settings().points_a_thread = 16;
-            t.settings().zones = ZoneUse::always;
-            insert(t, lattice);
-            EXPECT_EQ(outcome(t), outcome(alone)) << isa;
-            expect_valid(t);
+    Points extremes = random_points(random, is_small() ? 1000 : 8000, 1000000);
+    for (std::size_t i = 0; i < extremes.size(); i += 50) extremes[i] *= 0x1p-400;
+    for (const Points& xyz : {lattice, extremes})
+        for (const char* isa : {"baseline", "avx2", "avx512", "neon"}) {
+            const Kernel* const kernel = find_kernel(isa);
+            if (!kernel) continue;
+            Triangulation alone(nullptr, nullptr, nullptr);
+            insert(alone, xyz);
+            for (const std::int32_t threads : {2, 3, 7}) {
+                Triangulation t(nullptr, nullptr, nullptr);
+                t.set_kernel(*kernel);
+                t.settings().threads = threads;
+                t.settings().points_a_thread = 16;
+                t.settings().zones = ZoneUse::always;
+                insert(t, xyz);
+                EXPECT_EQ(outcome(t), outcome(alone)) << isa;
+                expect_valid(t);
+            }
         }
-    }
 }
 
 // More threads than the system gives, than there are cores, than there are points.
