@@ -87,12 +87,20 @@ void Triangulation::ConcurrentInsertion::run(std::size_t done) {
 }
 
 void Triangulation::ConcurrentInsertion::insert_round(const Zones::Round& round) {
-    const unsigned members = team_.members_for(round.size(), t_.settings_.points_a_thread);
+    const unsigned members = members_for_round(round);
     stops_ = 0;
     const std::uint64_t before = times_deferred();
     if (!insert_in_zones(round, members))
         insert_anywhere({round.begin, round.size(), nullptr}, members);
     is_crowded_ = is_many(times_deferred() - before, round.size());
+}
+
+// Where there are many tetrahedra a vertex, as between the arms of a spiral, most are long, and
+// most points want some that belong to others: one thread takes less time.
+unsigned Triangulation::ConcurrentInsertion::members_for_round(const Zones::Round& round) const {
+    const Settings& settings = t_.settings_;
+    if (t_.mesh_.tetrahedra.size() / settings.most_a_vertex > base_ + round.begin) return 1;
+    return team_.members_for(round.size(), settings.points_a_thread);
 }
 
 std::uint64_t Triangulation::ConcurrentInsertion::times_deferred() const {

@@ -44,6 +44,7 @@ class Triangulation::ConcurrentInsertion {
 
     void insert_round(const Zones::Round& round);
     void insert_anywhere(Items items, unsigned members);
+    unsigned members_for_round(const Zones::Round& round) const;
     std::uint64_t times_deferred() const;
     bool grow_storage(unsigned members);
     unsigned members_for_few(std::size_t count) const;

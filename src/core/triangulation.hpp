@@ -32,6 +32,8 @@ struct Settings {
     std::int32_t threads = 1;            // 0: all cores
     std::size_t points_a_thread = 8192;  // with fewer a thread does not pay; lowered by tests
     ZoneUse zones = ZoneUse::where_few_meet;
+    // With more tetrahedra a vertex, threads would wait for each other; raised by tests.
+    std::size_t most_a_vertex = 16;
     // A call that removes or moves more than one in this many vertices triangulates the others, or
     // all, anew; changed by tests.
     std::size_t vertices_a_rebuild = 10;

@@ -203,6 +203,7 @@ TEST(Zones, LargeCavities) {
         Triangulation alone(nullptr, nullptr, nullptr), together(nullptr, nullptr, nullptr);
         together.settings().threads = 2 + static_cast<std::int32_t>(round % 3);
         together.settings().points_a_thread = 10;
+        together.settings().most_a_vertex = 1000000;
         together.settings().zones = zone_uses[round % 3];
         for (Triangulation* t : {&alone, &together}) {
             insert(*t, lines);
@@ -229,11 +230,25 @@ TEST(Zones, StorageGrows) {
         Triangulation together(nullptr, nullptr, nullptr);
         together.settings().threads = 4;
         together.settings().points_a_thread = 8;
+        together.settings().most_a_vertex = 1000000;
         together.settings().zones = use;
         insert(together, xyz);
         EXPECT_EQ(outcome(together), outcome(alone));
         expect_valid(together);
     }
+}
+
+// Each two neighbours on the curve are joined to all others: threads would only wait.
+TEST(Zones, LongTetrahedraAreLeftToOneThread) {
+    Points xyz;
+    for (int i = 0; i < 400; ++i)
+        for (const int c : {i, i * i, i * i * i}) xyz.push_back(c);
+    Triangulation t(nullptr, nullptr, nullptr);
+    t.settings().threads = 4;
+    t.settings().points_a_thread = 8;
+    insert(t, xyz);
+    EXPECT_GE(t.statistics().inserted_alone, 300u);  // the last round
+    expect_valid(t);
 }
 
 // Cancelled or out of memory, at any moment: a valid triangulation of the points that got in, and
