@@ -114,14 +114,11 @@ void Triangulation::ConcurrentInsertion::insert_anywhere(Items items, unsigned m
     Buffer<std::uint32_t> list(t_.allocator_);
     while (members > 1) {
         insert_concurrently(items, members);
-        const std::size_t hubs = insert_hubs();
-        if (hubs > 0) {
-            // The others can go on.
-        } else if (no_slots_) {
-            if (!grow_storage(members))
+        if (insert_hubs() == 0) {
+            if (!no_slots_)
+                members /= 2;  // what is left is where threads met: fewer will meet less
+            else if (!grow_storage(members))
                 members = 1;  // which wastes no slots, and reports the error
-        } else {
-            members /= 2;  // what is left is where threads met: fewer will meet less
         }
         list = take_left();
         members = std::min(members, members_for_left(list.size(), items.size));
@@ -225,19 +222,13 @@ void Triangulation::ConcurrentInsertion::gather_results(unsigned members, const 
         for (const Member::Repeat& repeat : members_[m].repeats)
             t_.note_repeat(repeat.q, repeat.vertex);
         members_[m].repeats.clear();
+        for (const std::uint32_t k : members_[m].left) left_.push_back(k);
+        members_[m].left.clear();
     }
-    gather_left(members);
     unsigned from = 0;
     for (WorkQueue::Piece piece; queue_.next(0, from, piece);)
         for (std::size_t i = piece.begin; i < piece.end; ++i)
             left_.push_back(static_cast<std::uint32_t>(items[i]));
-}
-
-void Triangulation::ConcurrentInsertion::gather_left(unsigned members) {
-    for (unsigned m = 0; m < members; ++m) {
-        for (const std::uint32_t k : members_[m].left) left_.push_back(k);
-        members_[m].left.clear();
-    }
 }
 
 void Triangulation::ConcurrentInsertion::work(Member& member, const Items& items) {

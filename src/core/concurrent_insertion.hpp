@@ -60,7 +60,6 @@ class Triangulation::ConcurrentInsertion {
     bool arrive(Member& member, std::size_t k);
     void release_blocks(Member& member);
     void gather_results(unsigned members, const Items& items);
-    void gather_left(unsigned members);
     std::size_t insert_hubs();
     void insert_serially(std::size_t k, bool is_next);
 

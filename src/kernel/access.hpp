@@ -35,22 +35,11 @@ struct SerialAccess {
     Mesh& mesh;
 };
 
-// Other threads insert too, in zones of their own. Tetrahedra of which some vertices are in one
-// zone and some in another are closed: they stay, their spheres leave every test open, and a thread
-// may read them, and write their links to its own. All others that it comes to are its own alone,
-// since two neighbours have three vertices in common.
-class ZoneAccess {
+// What is the same in both ways to insert among other threads: slots and ghosts are the thread's.
+class SharedAccess {
   public:
-    using SphereSource = KeptSpheres;
-    static constexpr bool is_alone = false, has_mark_table = false;
+    static constexpr bool is_alone = false;
 
-    MGDT_ALWAYS_INLINE ZoneAccess(Mesh& mesh, ThreadState& thread_state) noexcept
-        : mesh_(mesh), thread_state_(thread_state) {}
-
-    MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron& t) const noexcept {
-        return !TetrahedronStore::sphere_of(t).is_closed();
-    }
-    bool owns(VertexId) const noexcept { return true; }
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
         thread_state_.reserve_slots(taken, freed);
     }
@@ -62,25 +51,44 @@ class ZoneAccess {
         thread_state_.count_ghosts(made, gone);
     }
     MGDT_ALWAYS_INLINE void made_ghost(TetId t) const noexcept { thread_state_.a_ghost = t; }
-    // All vertices of a star are in one zone, but for the one at infinity, which is in each.
-    MGDT_ALWAYS_INLINE void set_vertex_hint(VertexId v, TetId t) const noexcept {
-        if (v != infinite_vertex) mesh_.vertex_hint[v] = t;
-    }
 
-  private:
+  protected:
+    MGDT_ALWAYS_INLINE SharedAccess(Mesh& mesh, ThreadState& thread_state) noexcept
+        : mesh_(mesh), thread_state_(thread_state) {}
+
     Mesh& mesh_;
     ThreadState& thread_state_;
 };
 
-// Other threads insert wherever they are.
+// In a zone, while what is between zones is closed: all that is not closed is this thread's. A
+// closed tetrahedron may be read, and its link to one of this thread's written.
+class ZoneAccess : public SharedAccess {
+  public:
+    using SphereSource = KeptSpheres;
+    static constexpr bool has_mark_table = false;
+
+    MGDT_ALWAYS_INLINE ZoneAccess(Mesh& mesh, ThreadState& thread_state) noexcept
+        : SharedAccess(mesh, thread_state) {}
+
+    MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron& t) const noexcept {
+        return !TetrahedronStore::sphere_of(t).is_closed();
+    }
+    bool owns(VertexId) const noexcept { return true; }
+    // All vertices of a star are in one zone, but for the one at infinity, which is in each.
+    MGDT_ALWAYS_INLINE void set_vertex_hint(VertexId v, TetId t) const noexcept {
+        if (v != infinite_vertex) mesh_.vertex_hint[v] = t;
+    }
+};
+
+// Anywhere.
 template <class Spheres>
-class ConcurrentAccess {
+class ConcurrentAccess : public SharedAccess {
   public:
     using SphereSource = Spheres;
-    static constexpr bool is_alone = false, has_mark_table = true;
+    static constexpr bool has_mark_table = true;
 
     MGDT_ALWAYS_INLINE ConcurrentAccess(Mesh& mesh, ThreadState& thread_state) noexcept
-        : mesh_(mesh), thread_state_(thread_state), mine_(thread_state.blocks.mine()) {}
+        : SharedAccess(mesh, thread_state), mine_(thread_state.blocks.mine()) {}
 
     // Whether a vertex, or a tetrahedron, is mine, now if not before.
     MGDT_ALWAYS_INLINE bool try_own(VertexId v) const noexcept {
@@ -90,17 +98,6 @@ class ConcurrentAccess {
         return try_own(t.v[0]) && try_own(t.v[1]);
     }
     bool owns(VertexId v) const noexcept { return mine_(v); }
-    MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
-        thread_state_.reserve_slots(taken, freed);
-    }
-    MGDT_ALWAYS_INLINE void take_slots(FacetCode* slots, std::size_t count) const noexcept {
-        thread_state_.take_slots(slots, count);
-    }
-    MGDT_ALWAYS_INLINE void free_slot(TetId t) const noexcept { thread_state_.free_slot(t); }
-    MGDT_ALWAYS_INLINE void count_ghosts(std::size_t made, std::size_t gone) const noexcept {
-        thread_state_.count_ghosts(made, gone);
-    }
-    MGDT_ALWAYS_INLINE void made_ghost(TetId t) const noexcept { thread_state_.a_ghost = t; }
     MGDT_ALWAYS_INLINE void set_vertex_hint(VertexId v, TetId t) const noexcept {
         if (mine_(v)) mesh_.vertex_hint[v] = t;
     }
@@ -108,8 +105,6 @@ class ConcurrentAccess {
     MGDT_ALWAYS_INLINE MarkTable& marks() const noexcept { return thread_state_.marks; }
 
   private:
-    Mesh& mesh_;
-    ThreadState& thread_state_;
     const OwnedBlocks::Mine mine_;
 };
 

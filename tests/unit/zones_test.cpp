@@ -316,11 +316,10 @@ void give_back(void* p, std::size_t, std::size_t, void*) {
     free_aligned(p);
 }
 
-TEST(Zones, OutOfMemory) {
-    std::mt19937_64 random(23);
-    const Points first = random_points(random, 40, 1000000);
-    Points xyz = random_points(random, is_small() ? 200 : 800, 1000000);
-    std::copy_n(&xyz[0], 3, &xyz[3 * (is_small() ? 100 : 400)]);
+// Lets that happen while xyz is inserted upon what is there.
+void expect_to_survive_scarcity(const Points& there, const Points& xyz, ZoneUse zones) {
+    Points all = there;
+    all.insert(all.end(), xyz.begin(), xyz.end());
     bool is_done = false;
     for (long k = 0; !is_done; k += is_small() ? 9 : 1) {
         SCOPED_TRACE(k);
@@ -328,7 +327,8 @@ TEST(Zones, OutOfMemory) {
         allocations_left = 1000000;
         Triangulation t(scarce, give_back, nullptr);
         settle_for_threads(t, 3);
-        insert(t, first);  // space is spanned before memory is short
+        t.settings().zones = zones;
+        insert(t, there);
         allocations_left = k;
         try {
             insert(t, xyz);
@@ -336,35 +336,23 @@ TEST(Zones, OutOfMemory) {
         } catch (const std::bad_alloc&) {
         }
         allocations_left = 1000000;
-        expect_rest_can_follow(t, [&] {
-            Points all = first;
-            all.insert(all.end(), xyz.begin(), xyz.end());
-            return all;
-        }());
+        expect_rest_can_follow(t, all);
     }
+}
+
+TEST(Zones, OutOfMemory) {
+    std::mt19937_64 random(23);
+    const Points first = random_points(random, 40, 1000000);  // space is spanned before
+    Points xyz = random_points(random, is_small() ? 200 : 800, 1000000);
+    std::copy_n(&xyz[0], 3, &xyz[3 * (is_small() ? 100 : 400)]);
+    expect_to_survive_scarcity(first, xyz, ZoneUse::where_few_meet);
 }
 
 // The batch that the mesh begins with, which zones are for.
 TEST(Zones, OutOfMemoryInZones) {
     std::mt19937_64 random(26);
     const Points xyz = random_points(random, is_small() ? 200 : 800, 1000000);
-    bool is_done = false;
-    for (long k = 0; !is_done; k += is_small() ? 9 : 1) {
-        SCOPED_TRACE(k);
-        ASSERT_LT(k, 100000);
-        allocations_left = 1000000;
-        Triangulation t(scarce, give_back, nullptr);
-        settle_for_threads(t, 3);
-        t.settings().zones = ZoneUse::always;
-        allocations_left = k;
-        try {
-            insert(t, xyz);
-            is_done = true;
-        } catch (const std::bad_alloc&) {
-        }
-        allocations_left = 1000000;
-        expect_rest_can_follow(t, xyz);
-    }
+    expect_to_survive_scarcity({}, xyz, ZoneUse::always);
 }
 
 // In each kernel the same as one thread: a lattice, whose conflicts are ties at the border of zones
@@ -379,23 +367,23 @@ TEST(Zones, TiesAndExtremes) {
                 for (const int c : {x, y, z}) lattice.push_back(c);
     Points extremes = random_points(random, is_small() ? 1000 : 8000, 1000000);
     for (std::size_t i = 0; i < extremes.size(); i += 50) extremes[i] *= 0x1p-400;
-    for (const Points& xyz : {lattice, extremes})
+    for (const Points& xyz : {lattice, extremes}) {
+        Triangulation alone(nullptr, nullptr, nullptr);
+        insert(alone, xyz);
         for (const char* isa : {"baseline", "avx2", "avx512", "neon"}) {
             const Kernel* const kernel = find_kernel(isa);
             if (!kernel) continue;
-            Triangulation alone(nullptr, nullptr, nullptr);
-            insert(alone, xyz);
             for (const std::int32_t threads : {2, 3, 7}) {
                 Triangulation t(nullptr, nullptr, nullptr);
                 t.set_kernel(*kernel);
-                t.settings().threads = threads;
-                t.settings().points_a_thread = 16;
+                settle_for_threads(t, threads);
                 t.settings().zones = ZoneUse::always;
                 insert(t, xyz);
                 EXPECT_EQ(outcome(t), outcome(alone)) << isa;
                 expect_valid(t);
             }
         }
+    }
 }
 
 // More threads than the system gives, than there are cores, than there are points.
