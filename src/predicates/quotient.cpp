@@ -11,6 +11,14 @@ Limb bit(const Limb* a, int i) {
     return i < 0 ? 0 : a[i / limb_bits] >> (i % limb_bits) & 1U;
 }
 
+// The bits from bit `first` on, which may lie below bit 0 or beyond the last: 0 there.
+Limb bits_from(const Limb* a, int size, int first) {
+    const int shift = ((first % limb_bits) + limb_bits) % limb_bits,
+              k = (first - shift) / limb_bits;
+    const auto limb = [&](int i) { return i < 0 || i >= size ? Limb{0} : a[i]; };
+    return shift == 0 ? limb(k) : limb(k) >> shift | limb(k + 1) << (limb_bits - shift);
+}
+
 // m 2^exponent with the last bit of m standing for all after it; 2^54 <= m < 2^55.
 double rounded_once(std::uint64_t m, int exponent) {
     // Two bits more than the last that a subnormal has: what is shifted out goes to the last.
@@ -30,13 +38,15 @@ double rounded_once(std::uint64_t m, int exponent) {
 
 }  // namespace
 
-// Long division from the leading bit on, until the quotient has two bits more than a double.
+// Long division, until the quotient has two bits more than a double. It begins where the rest has
+// one bit less than d.
 double rounded_quotient(Limb* n, int n_size, Limb* d, int d_size, Limb* rest, int exponent) {
     const bool is_negative = take_sign(n, n_size) != take_sign(d, d_size);
     const int n_length = length_of(n, n_size), d_length = length_of(d, d_size);
     if (n_length == 0) return 0;
     const int size = limb_count(d_length);
-    for (int i = 0; i < size; ++i) rest[i] = 0;
+    int at = n_length - d_length;
+    for (int i = 0; i < size; ++i) rest[i] = bits_from(n, n_size, i * limb_bits + at + 1);
     // Takes one more bit of n. The rest is below d: with that bit it may be one longer than its
     // limbs, and what is returned is the last.
     const auto shift_in = [&](int at) {
@@ -49,8 +59,6 @@ double rounded_quotient(Limb* n, int n_size, Limb* d, int d_size, Limb* rest, in
         return carry;
     };
     std::uint64_t quotient = 0;
-    int at = n_length - 1;
-    for (int k = 0; k < d_length - 1; ++k, --at) shift_in(at);
     for (; quotient < std::uint64_t{1} << 54; --at) {
         bool fits = shift_in(at) != 0;
         if (!fits) {
