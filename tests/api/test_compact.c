@@ -331,7 +331,7 @@ static mgdt_triangulation* of_one_call(int32_t compact, int64_t n, const double*
 }
 
 static void memory(void) {
-    const int64_t n = is_small() ? 20000 : 100000;
+    const int64_t n = is_small() ? 10000 : 100000;
     const double points = (double)n;
     double* xyz = random_points(n, 0, 42);
     mgdt_triangulation *kept = of_one_call(0, n, xyz), *compact = of_one_call(1, n, xyz);

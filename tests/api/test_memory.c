@@ -259,7 +259,7 @@ static void refuse_each(source* s, const mgdt_triangulation* t, exporter export,
                         int64_t* list) {
     mgdt_status status;
     int64_t nth, before;
-    for (nth = 1;; nth += is_small() ? 3 : 1) {
+    for (nth = 1;; nth += is_small() ? 7 : 1) {
         /* One refusal: an array that wanted to grow generously may do with less. */
         before = s->calls;
         fail(s, before + nth, before + nth + 1);

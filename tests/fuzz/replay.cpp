@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
     std::vector<CorpusInput> inputs;
     for (int i = 1; i < argc; ++i) add_inputs(argv[i], inputs);
     // Under Valgrind and the like, some of them.
-    const std::size_t step = is_small() && inputs.size() > 20 ? 10 : 1;
+    const std::size_t step = is_small() && inputs.size() > 20 ? 25 : 1;
     std::size_t count = 0;
     for (std::size_t i = 0; i < inputs.size(); i += step, ++count) {
         current = inputs[i].where;

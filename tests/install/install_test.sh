@@ -22,11 +22,12 @@ unset PKG_CONFIG_PATH PYTHONPATH VIRTUAL_ENV
 rm -rf "$scratch/prefix" "$scratch/elsewhere" "$scratch/shared" "$scratch/static" "$scratch/host"
 mkdir -p "$scratch/prefix"
 
+# Not optimised: that is most of the time, and no matter here.
 build_and_install() { # folder, prefix, meson options...
     folder=$scratch/$1
     prefix=$scratch/prefix/$2
     shift 2
-    meson setup "$folder" "$source" --prefix "$prefix" --libdir lib --buildtype release \
+    meson setup "$folder" "$source" --prefix "$prefix" --libdir lib --buildtype release -Doptimization=0 \
         "$@" &&
         meson compile -C "$folder" && meson install -C "$folder" --no-rebuild
 }
@@ -94,7 +95,7 @@ subproject() {
     cp "$here/example.c" "$scratch/host/"
     cat >"$scratch/host/meson.build" <<'END'
 project('host', 'c', default_options : ['c_std=c99', 'warning_level=3', 'werror=true'])
-mgdt = dependency('mgdt', fallback : 'mgdt', default_options : ['program=disabled'])
+mgdt = dependency('mgdt', fallback : 'mgdt', default_options : ['program=disabled', 'optimization=0'])
 test('example', executable('example', 'example.c', dependencies : mgdt))
 END
     PKG_CONFIG_LIBDIR=$scratch/nowhere

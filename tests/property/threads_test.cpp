@@ -270,7 +270,7 @@ TEST(Threads, ExportsAreThoseOfOne) {
         for (int k = 0; k < 3; ++k) p[k] /= length;
     }
     for (double& x : often) x = std::floor(16 * x);
-    const std::vector<double> sets[] = {random_points(small ? 20000 : 45000, 9), sphere, often};
+    const std::vector<double> sets[] = {random_points(small ? 10000 : 45000, 9), sphere, often};
     for (const std::vector<double>& xyz : sets) {
         const auto n = static_cast<std::int64_t>(xyz.size() / 3);
         const property::Handle of_one = property::create(), of_three = property::create();

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "../small.h"
@@ -111,11 +112,13 @@ class CellBounds : public testing::TestWithParam<Set> {
                      areas = measures(Measure::area, planes),
                      centroids = measures(Measure::centroid, planes),
                      faces = measures(Measure::faces, planes);
+        // The exact cell is nearly all of the time: under Valgrind and the like, of one set.
+        if (is_small() && std::string(GetParam().name) != "uniform") return;
         double size = 0;
         for (const double x : xyz) size = std::max(size, std::fabs(x));
         const Rational far = Rational(size) * Rational(0x1p300);
         std::size_t finite = 0;
-        for (std::size_t k = 0; 3 * k < xyz.size(); k += is_small() ? 53 : 2) {
+        for (std::size_t k = 0; 3 * k < xyz.size(); k += is_small() ? 10 : 2) {
             SCOPED_TRACE(k);
             const exact_cells::Cell exact =
                 exact_cells::cell(exact_cells::half_spaces(xyz, k, planes), far);

@@ -103,8 +103,8 @@ TEST(Cells, HaveTheSameBitsInWhateverOrder) {
     const Points xyz = uniform(9000);
     for (const Measure m : {Measure::volume, Measure::area, Measure::centroid, Measure::faces})
         for (const Points& planes : {Points{}, unit_box}) {
-            const Points expected = measures(xyz, m, planes);
             if (is_small() && (m == Measure::area || m == Measure::centroid)) continue;
+            const Points expected = measures(xyz, m, planes);
             for (const std::int32_t scheme : {MGDT_ORDER_REGULAR_GRID, MGDT_ORDER_MULTI_GRID})
                 EXPECT_EQ(measures(xyz, m, planes, scheme, 2), expected);
         }
