@@ -23,7 +23,7 @@ import cli_test  # noqa: E402  (its tests do not run here)
 
 COLUMNS = ("library,version,distribution,points,seed,scheme,threads,run,status,np,nr,created,"
            "order_seconds,insert_seconds,total_seconds,bytes_per_point,peak_rss_bytes,inserted,"
-           "duplicates,tetrahedra,levels,rounds,system_seconds,user_seconds")
+           "duplicates,tetrahedra,levels,rounds,system_seconds,user_seconds,alone_percent")
 # The random order walks from end to end of the line at each point, which takes some 700 times as long
 # as the second run: on every machine there is time to interfere with the first.
 QUICK = ["--distributions", "line", "--sizes", "500000", "--schemes", "auto", "--runs", "1"]
@@ -93,6 +93,10 @@ class Tables(BenchTest):
             self.assertGreater(system, 0)
             # The points are not made, nor read, in the time that is measured.
             self.assertLess(user + system, int(row["threads"]) * float(row["total_seconds"]) + 0.02)
+        # The first rounds are too small for two.
+        self.assertEqual(self.rows()[0]["alone_percent"], "")
+        alone = float(self.rows()[1]["alone_percent"])
+        self.assertTrue(0 < alone < 50, alone)
         # A thread is not idle while it inserts; another process may take the processor from it.
         self.assertGreater(float(self.rows()[0]["user_seconds"]), 0.05)
 
@@ -104,7 +108,7 @@ class Tables(BenchTest):
         rows = self.rows()
         self.assertEqual(len(rows), 3 * 2 * 2 * 2 * 2)
         for title in ["NP", "NR", "created", "order s", "insert s", "total s", "user s",
-                      "bytes/pt"]:
+                      "alone %", "bytes/pt"]:
             self.assertIn(title, text)
         # In turns: everyone's first run before anyone's second.
         self.assertEqual([(r["scheme"], r["threads"], r["run"]) for r in rows[:8]],
@@ -135,7 +139,7 @@ class Tables(BenchTest):
         self.assertEqual([",".join(r) for r in document["rows"]], [COLUMNS] * len(rows))
         for r, j in zip(rows, document["rows"]):
             for name, value in j.items():
-                field = r[name] if isinstance(value, str) else float(r[name])
+                field = r[name] if isinstance(value, str) else float(r[name]) if r[name] else None
                 self.assertEqual(field, value, name)
 
     def test_compact(self):

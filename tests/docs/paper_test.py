@@ -23,7 +23,7 @@ PAPER = SOURCE / "docs" / "paper"
 HEADING = (
     "library,version,distribution,points,seed,scheme,threads,run,status,np,nr,created,order_seconds,"
     "insert_seconds,total_seconds,bytes_per_point,peak_rss_bytes,inserted,duplicates,tetrahedra,"
-    "levels,rounds,system_seconds,user_seconds"
+    "levels,rounds,system_seconds,user_seconds,alone_percent"
 )
 
 

@@ -27,6 +27,7 @@ enum Figure : std::size_t {
     rounds,
     system_seconds,  // processor time in the system, of all threads: mostly fresh pages
     user_seconds,    // processor time in the program itself, of all threads
+    alone_percent,   // of the points, inserted by one thread while the others had no work
     figure_count
 };
 
@@ -44,7 +45,8 @@ inline constexpr std::array<const char*, figure_count> figure_names{"np",
                                                                     "levels",
                                                                     "rounds",
                                                                     "system_seconds",
-                                                                    "user_seconds"};
+                                                                    "user_seconds",
+                                                                    "alone_percent"};
 
 // A figure that a library does not report is empty.
 using Figures = std::array<std::optional<double>, figure_count>;

@@ -83,6 +83,8 @@ Figures figures_of(const mgdt_triangulation* t, double seconds, double user, dou
     f[tetrahedra] = static_cast<double>(mgdt_tetrahedron_count(t));
     f[levels] = stat(MGDT_STAT_GRID_LEVELS);
     f[rounds] = stat(MGDT_STAT_ROUNDS);
+    if (const double points = in + f[duplicates].value(); points > 0 && stat(MGDT_STAT_THREADS) > 1)
+        f[alone_percent] = 100 * stat(MGDT_STAT_INSERTED_ALONE) / points;
     return f;
 }
 

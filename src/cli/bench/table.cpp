@@ -25,6 +25,7 @@ constexpr Column columns[] = {
     {insert_seconds, "insert s", 9, 4},
     {total_seconds, "total s", 9, 4},
     {user_seconds, "user s", 9, 4},
+    {alone_percent, "alone %", 8, 2},
     {bytes_per_point, "bytes/pt", 9, 0},
 };
 
