@@ -17,7 +17,7 @@ struct SerialAccess {
     using SphereSource = Spheres;
     static constexpr bool is_alone = true, has_mark_table = false;
     MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron&) const noexcept { return true; }
-    bool owns(VertexId) const noexcept { return true; }
+    bool owns(const Tetrahedron&) const noexcept { return true; }
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) const {
         mesh.reserve_slots(taken, freed);
     }
@@ -73,7 +73,7 @@ class ZoneAccess : public SharedAccess {
     MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron& t) const noexcept {
         return !TetrahedronStore::sphere_of(t).is_closed();
     }
-    bool owns(VertexId) const noexcept { return true; }
+    bool owns(const Tetrahedron& t) const noexcept { return try_own(t); }
     // All vertices of a star are in one zone, but for the one at infinity, which is in each.
     MGDT_ALWAYS_INLINE void set_vertex_hint(VertexId v, TetId t) const noexcept {
         if (v != infinite_vertex) mesh_.vertex_hint[v] = t;
@@ -97,7 +97,10 @@ class ConcurrentAccess : public SharedAccess {
     MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron& t) const noexcept {
         return try_own(t.v[0]) && try_own(t.v[1]);
     }
-    bool owns(VertexId v) const noexcept { return mine_(v); }
+    // Without taking it.
+    bool owns(const Tetrahedron& t) const noexcept {
+        return mine_(t.v[0]) && mine_(unmarked(t.v[1]));
+    }
     MGDT_ALWAYS_INLINE void set_vertex_hint(VertexId v, TetId t) const noexcept {
         if (mine_(v)) mesh_.vertex_hint[v] = t;
     }

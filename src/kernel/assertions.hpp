@@ -12,8 +12,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Before the mesh changes: each member of the cavity is alive, and the thread's own by its first
-// two vertices, which guard it.
+// Before the mesh changes: each member of the cavity is alive, and the thread's own.
 template <class Access>
 void assert_cavity_is_sound(Access access, const Mesh& mesh, const Workspace& w) {
     static_cast<void>(access);
@@ -21,8 +20,7 @@ void assert_cavity_is_sound(Access access, const Mesh& mesh, const Workspace& w)
         const Tetrahedron& t = mesh.tetrahedra[tetrahedron_of(w.cavity.data[i])];
         static_cast<void>(t);
         assert(!t.is_dead() && "a member of the cavity is dead");
-        assert(access.owns(t.v[0]) && access.owns(unmarked(t.v[1])) &&
-               "a member of the cavity is not owned");
+        assert(access.owns(t) && "a member of the cavity is not owned");
     }
 }
 
