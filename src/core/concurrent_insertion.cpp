@@ -24,6 +24,8 @@ constexpr std::chrono::microseconds first_wait{100};
 // are few of those in between.
 constexpr std::size_t far_away_in_round = 512, far_away_in_list = 32;
 constexpr std::uint32_t most_slots_at_once = 16384;
+// A round is early if the batch is so many times as large.
+constexpr std::size_t early_share = 8;
 // A point whose cavity has grown so large when it comes to what another thread owns is a hub, which
 // has an edge to most of the vertices around. It cannot be inserted while other threads insert, and
 // until it is, they build tetrahedra in its place that it removes again. So all threads stop for
@@ -96,11 +98,17 @@ void Triangulation::ConcurrentInsertion::insert_round(const Zones::Round& round)
 }
 
 // Where there are many tetrahedra a vertex, as between the arms of a spiral, most are long, and
-// most points want some that belong to others: one thread takes less time.
+// most points want some that belong to others: one thread takes less time. So it does where there
+// are few, because most points are where others are.
 unsigned Triangulation::ConcurrentInsertion::members_for_round(const Zones::Round& round) const {
     const Settings& settings = t_.settings_;
-    if (t_.mesh_.tetrahedra.size() / settings.most_a_vertex > base_ + round.begin) return 1;
-    return team_.members_for(round.size(), settings.points_a_thread);
+    const std::size_t tetrahedra = t_.mesh_.tetrahedra.size();
+    if (tetrahedra / settings.most_a_vertex > base_ + round.begin) return 1;
+    // For an early round all others wait.
+    const bool is_early = early_share * round.size() < batch_.points.size;
+    const std::size_t share = settings.points_a_thread / (is_early ? 4 : 1);
+    return std::min(team_.members_for(round.size(), std::max<std::size_t>(share, 1)),
+                    members_for_few(tetrahedra));
 }
 
 std::uint64_t Triangulation::ConcurrentInsertion::times_deferred() const {

@@ -3,8 +3,8 @@
 // timed against CGAL in turns, so that both meet the same noise. Prints the worst ten by the ratio
 // of CGAL's time to mgdt's, then all of them, worst first.
 //
-//   sweep_cgal [--sizes N,N,...] [--runs N] [--modes MODE,MODE,...] [--worst N] [--verbose]
-//   [FAMILY...]
+//   sweep_cgal [--sizes N,N,...] [--runs N] [--modes MODE,MODE,...] [--threads N,N,...]
+//              [--worst N] [--verbose] [FAMILY...]
 //
 // Modes:
 //   batch    all points in one call, against CGAL's insertion of a range
@@ -13,8 +13,8 @@
 //   locate   single locations, near vertices and between pairs of them
 //   box      single locations, anywhere in the bounding box
 //   nearest  single nearest vertices of places near vertices and between them
-//   threads  all points in one call, one thread against two; sets are as many times larger as
-//            two threads want; CGAL has no part in it
+//   threads  all points in one call, one thread against each number of --threads (2); sets are as
+//            many times larger as two threads want; CGAL has no part in it
 //
 // Seconds are those of the processor, which depend less on what else the machine does, but for
 // threads. FAMILY is a part of a family's name; without any, all families are taken. A measurement
@@ -91,6 +91,7 @@ struct Options {
     int runs = 3;
     bool is_verbose = false;
     std::size_t worst = 10;
+    std::vector<int> threads = {2};
     std::vector<std::string> modes, families;
 
     bool has_mode(const char* mode) const {
@@ -131,6 +132,10 @@ Options parse(int argc, char** argv) {
             options.is_verbose = true;
         } else if (argument == "--worst") {
             options.worst = std::stoul(value());
+        } else if (argument == "--threads") {
+            options.threads.clear();
+            for (const std::string& part : parts_of(value()))
+                options.threads.push_back(std::stoi(part));
         } else if (argument == "--modes") {
             options.modes = parts_of(value());
         } else if (argument.compare(0, 2, "--") == 0) {
@@ -154,7 +159,7 @@ struct Result {
 using Body = std::function<void()>;
 
 void print(std::FILE* out, const Result& r) {
-    std::fprintf(out, "%-44s %-8s %8zu %10.3f %10.3f %8.3f\n", r.family.c_str(), r.mode.c_str(),
+    std::fprintf(out, "%-44s %-10s %8zu %10.3f %10.3f %8.3f\n", r.family.c_str(), r.mode.c_str(),
                  r.points, r.ours, r.theirs, r.ratio());
 }
 
@@ -197,10 +202,11 @@ class Sweep {
         if (options_.has_mode("threads")) {
             const Points more = family.points(std::min(30 * size, 4 * family.most));
             const std::size_t count = more.size() / 3;
-            if (count >= 2 * 8192)
-                add(
-                    {family.name, "threads", count, 0, 0}, count, [&] { inserted(more, 2); },
-                    [&] { inserted(more, 1); });
+            for (const int threads : options_.threads)
+                if (count >= 2 * 8192)
+                    add(
+                        {family.name, std::to_string(threads) + " threads", count, 0, 0}, count,
+                        [&] { inserted(more, threads); }, [&] { inserted(more, 1); });
         }
     }
 
@@ -261,8 +267,9 @@ class Sweep {
     }
 
     void add(Result result, std::size_t count, const Body& ours, const Body& theirs) {
-        const auto seconds =
-            result.mode == "threads" ? bench::seconds<Body> : bench::processor_seconds<Body>;
+        const auto seconds = result.mode.find("threads") != std::string::npos
+                                 ? bench::seconds<Body>
+                                 : bench::processor_seconds<Body>;
         std::vector<double> our_times, their_times;
         double total = 0;
         for (int run = 0; run < options_.runs && (run == 0 || total < 0.5); ++run) {
@@ -288,8 +295,8 @@ class Sweep {
 };
 
 void print(const std::vector<Result>& results, std::size_t count) {
-    std::printf("%-44s %-8s %8s %10s %10s %8s\n", "family", "mode", "points", "mgdt us", "other us",
-                "ratio");
+    std::printf("%-44s %-10s %8s %10s %10s %8s\n", "family", "mode", "points", "mgdt us",
+                "other us", "ratio");
     for (std::size_t i = 0; i < std::min(count, results.size()); ++i) print(stdout, results[i]);
 }
 

@@ -251,6 +251,20 @@ TEST(Zones, LongTetrahedraAreLeftToOneThread) {
     expect_valid(t);
 }
 
+// Most points are where others are, so that threads would meet at the same few tetrahedra.
+TEST(Zones, FewPlacesAreLeftToOneThread) {
+    std::mt19937_64 random(25);
+    Points xyz;
+    for (int i = 0; i < 3 * 20000; ++i) xyz.push_back(static_cast<double>(random() % 3));
+    Triangulation t(nullptr, nullptr, nullptr);
+    t.settings().threads = 4;
+    t.settings().points_a_thread = 1000;
+    insert(t, xyz);
+    EXPECT_EQ(t.statistics().deferred, 0u);
+    EXPECT_GE(t.statistics().inserted_alone, 19000u);
+    expect_valid(t);
+}
+
 // Cancelled or out of memory, at any moment: a valid triangulation of the points that got in, and
 // the rest can be given again.
 void expect_rest_can_follow(Triangulation& t, const Points& xyz) {
