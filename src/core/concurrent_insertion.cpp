@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/concurrent_member.hpp"
+#include "core/stopwatch.hpp"
 
 namespace mgdt {
 namespace {
@@ -26,6 +27,10 @@ constexpr std::size_t far_away_in_round = 512, far_away_in_list = 32;
 constexpr std::uint32_t most_slots_at_once = 16384;
 // A round is early if the batch is so many times as large.
 constexpr std::size_t early_share = 8;
+// Points that one thread inserts to see whether it is faster than several.
+constexpr std::size_t sample_size = 1024;
+// Members of cavities a try that a thread gives up before it stops all.
+constexpr std::size_t most_given_up = 64;
 // A point whose cavity has grown so large when it comes to what another thread owns is a hub, which
 // has an edge to most of the vertices around. It cannot be inserted while other threads insert, and
 // until it is, they build tetrahedra in its place that it removes again. So all threads stop for
@@ -104,11 +109,14 @@ unsigned Triangulation::ConcurrentInsertion::members_for_round(const Zones::Roun
     const Settings& settings = t_.settings_;
     const std::size_t tetrahedra = t_.mesh_.tetrahedra.size();
     if (tetrahedra / settings.most_a_vertex > base_ + round.begin) return 1;
-    // For an early round all others wait.
-    const bool is_early = early_share * round.size() < batch_.points.size;
-    const std::size_t share = settings.points_a_thread / (is_early ? 4 : 1);
-    return std::min(team_.members_for(round.size(), std::max<std::size_t>(share, 1)),
-                    members_for_few(tetrahedra));
+    const std::size_t usual = settings.points_a_thread;
+    unsigned members = team_.members_for(round.size(), usual);
+    // For an early round all others wait: it has two threads if it is large enough for that.
+    if (early_share * round.size() < batch_.points.size)
+        members = std::max(
+            members,
+            std::min(2u, team_.members_for(round.size(), std::max<std::size_t>(usual / 4, 1))));
+    return std::min(members, members_for_few(tetrahedra));
 }
 
 std::uint64_t Triangulation::ConcurrentInsertion::times_deferred() const {
@@ -120,23 +128,88 @@ std::uint64_t Triangulation::ConcurrentInsertion::times_deferred() const {
 // Inserts items on `members` threads, and what is left on fewer, in the end on one.
 void Triangulation::ConcurrentInsertion::insert_anywhere(Items items, unsigned members) {
     Buffer<std::uint32_t> list(t_.allocator_);
+    was_faster_alone_ = false;
+    doubt_after_ = t_.settings_.doubt_after;
     while (members > 1) {
-        insert_concurrently(items, members);
-        if (insert_hubs() == 0) {
-            if (!no_slots_)
-                members /= 2;  // what is left is where threads met: fewer will meet less
-            else if (!grow_storage(members))
-                members = 1;  // which wastes no slots, and reports the error
+        const std::size_t before = done_;
+        double seconds = 0;
+        {
+            const Stopwatch watch(seconds);
+            insert_concurrently(items, members);
         }
+        const bool are_in_doubt = doubts_, met_hubs = insert_hubs() > 0;
+        if (no_slots_ && !met_hubs) {
+            // One wastes no slots, and reports the error.
+            if (!grow_storage(members)) members = 1;
+        } else if (!are_in_doubt && !met_hubs) {
+            members /= 2;  // what is left is where threads met: fewer will meet less
+        }
+        if (are_in_doubt) {
+            const Stopwatch watch(seconds);
+            insert_put_off();
+        }
+        const std::size_t inserted = done_ - before;
         list = take_left();
-        members = std::min(members, members_for_left(list.size(), items.size));
+        if (!are_in_doubt)
+            members = std::min(members, members_for_left(list.size(), items.size));
+        else if (!met_hubs && is_faster_alone(list, seconds, inserted))
+            members = 1;
+        else
+            members = std::min(members, members_for_few(list.size()));
         items = {0, list.size(), list.data()};
     }
+    insert_alone(items);
+}
+
+void Triangulation::ConcurrentInsertion::insert_alone(const Items& items) {
     begin_stage(items, 1);
     for (std::size_t i = 0; i < items.size; ++i) {
         if (i % 1024 == 0) poll(done_);
         insert_serially(items[i], i > 0 && items[i] - items[i - 1] <= far_away_);
     }
+}
+
+// Inserts those that threads have put off, before others make more tetrahedra in their place.
+void Triangulation::ConcurrentInsertion::insert_put_off() {
+    const std::size_t count = std::min(put_off_, left_.size());
+    std::sort(left_.begin(), left_.begin() + count);
+    insert_alone({0, count, left_.data()});
+    std::copy(left_.begin() + count, left_.end(), left_.begin());
+    left_.resize(left_.size() - count);
+}
+
+// Whether threads are so much in each other's way that one alone may be faster: where a few
+// vertices have edges to all others, all want the same tetrahedra.
+bool Triangulation::ConcurrentInsertion::has_doubts(Member& member, std::size_t tries,
+                                                    std::size_t failures) const {
+    member.all_tries += tries;
+    member.all_failures += failures;
+    if (member.all_tries < doubt_after_) return false;
+    // A large cavity that is given up takes the time of many points.
+    const std::size_t lost = member.all_failures + member.members_given_up / 256;
+    const bool doubts = lost > member.all_tries / 4;
+    member.all_tries = member.all_failures = member.members_given_up = 0;
+    return doubts;
+}
+
+// Inserts some of the list, the last ones, and takes them out. Whether that was faster a point than
+// the seconds that all have taken together.
+bool Triangulation::ConcurrentInsertion::is_faster_alone(Buffer<std::uint32_t>& list,
+                                                         double together, std::size_t inserted) {
+    const std::size_t n = std::min(list.size(), sample_size);
+    if (n == 0) return false;
+    double alone = 0;
+    {
+        const Stopwatch watch(alone);
+        insert_alone({0, n, list.end() - n});
+    }
+    list.resize(list.size() - n);
+    // A burst may pass, so it has to be much faster, twice in a row.
+    const bool is_faster =
+        alone * static_cast<double>(inserted) < 0.5 * together * static_cast<double>(n);
+    const bool was_faster = std::exchange(was_faster_alone_, is_faster);
+    if (!is_faster) doubt_after_ *= 2;
+    return is_faster && was_faster;
 }
 
 // Room for more tetrahedra. Whether there is any.
@@ -172,7 +245,7 @@ Buffer<std::uint32_t> Triangulation::ConcurrentInsertion::take_left() {
 void Triangulation::ConcurrentInsertion::begin_stage(const Items& items, unsigned members) {
     far_away_ = items.list ? far_away_in_list : far_away_in_round;
     may_stop_for_hubs_ = stops_ < most_stops;
-    stop_ = no_slots_ = false;
+    stop_ = no_slots_ = doubts_ = false;
     for (unsigned m = 0; m < members; ++m) members_[m].hub = no_index;
 }
 
@@ -183,8 +256,7 @@ void Triangulation::ConcurrentInsertion::insert_concurrently(const Items& items,
     begin_stage(items, members);
     active_ = members;
     trial_ = std::max(least_trial, items.size / (members * trials));
-    for (unsigned m = 0; m < members; ++m)
-        members_[m].tries = members_[m].failures = members_[m].waits = 0;
+    for (unsigned m = 0; m < members; ++m) members_[m].begin_counting();
     supply_.open();
     try {
         team_.run(members, [&](unsigned m) { work(members_[m], items); });
@@ -233,6 +305,7 @@ void Triangulation::ConcurrentInsertion::gather_results(unsigned members, const 
         for (const std::uint32_t k : members_[m].left) left_.push_back(k);
         members_[m].left.clear();
     }
+    put_off_ = left_.size();
     unsigned from = 0;
     for (WorkQueue::Piece piece; queue_.next(0, from, piece);)
         for (std::size_t i = piece.begin; i < piece.end; ++i)
@@ -272,6 +345,12 @@ void Triangulation::ConcurrentInsertion::work(Member& member, const Items& items
             release_blocks(member);
             const std::size_t done = done_.fetch_add(size - left) + size - left;
             if (number == 0) poll(done);
+            if (stop_) return;
+            if (has_doubts(member, size, failures)) {
+                doubts_ = true;
+                stop_ = true;
+                return;
+            }
             if (is_too_crowded(member, size, failures)) return;
         }
     } catch (...) {
@@ -307,7 +386,10 @@ bool Triangulation::ConcurrentInsertion::try_insert(Member& member, std::size_t 
     if (!member.thread_state.try_own(vertex(k))) return false;
     const std::size_t distance = k > member.last ? k - member.last : member.last - k;
     if ((member.here == no_tetrahedron || distance > far_away_) && !arrive(member, k)) return false;
-    return insert(member, k, t_.calls().insert_concurrent);
+    if (insert(member, k, t_.calls().insert_concurrent)) return true;
+    member.members_given_up += member.workspace.given_up;
+    if (member.members_given_up > most_given_up * doubt_after_) doubts_ = stop_ = true;
+    return false;
 }
 
 // Inserts point k in one of the kernel's ways, from where the thread is.

@@ -8,8 +8,10 @@
 // other, a thread may change anything: it goes along its zone and keeps the blocks of vertices that
 // it touches for some hundred points (parallel/block_ownership.hpp). A point that needs a block of
 // another thread is deferred, tried again when this thread has given its blocks back, and in the
-// end inserted while nobody else is there. The tetrahedra do not depend on any of this, since the
-// Delaunay triangulation of the points is unique.
+// end inserted while nobody else is there. Where most tries fail, as at a vertex with edges to all
+// others, all stop, one inserts what was put off, and then a sample of the rest: if that is twice
+// as fast a point, and the next time too, it goes on alone. The tetrahedra do not depend on any of
+// this, since the Delaunay triangulation of the points is unique.
 #pragma once
 
 #include "core/batch.hpp"
@@ -44,6 +46,10 @@ class Triangulation::ConcurrentInsertion {
 
     void insert_round(const Zones::Round& round);
     void insert_anywhere(Items items, unsigned members);
+    void insert_alone(const Items& items);
+    void insert_put_off();
+    bool has_doubts(Member& member, std::size_t tries, std::size_t failures) const;
+    bool is_faster_alone(Buffer<std::uint32_t>& list, double together, std::size_t inserted);
     unsigned members_for_round(const Zones::Round& round) const;
     std::uint64_t times_deferred() const;
     bool grow_storage(unsigned members);
@@ -91,14 +97,18 @@ class Triangulation::ConcurrentInsertion {
     Member* members_ = nullptr;
     unsigned member_count_ = 0;
     Buffer<std::uint32_t> left_;
+    std::size_t put_off_ = 0;   // of these, the first
     std::size_t far_away_ = 0;  // along the schedule: too far for a walk from the last point
     std::size_t stops_ = 0;     // of this round, for hubs
 
     Zones zones_;
     bool is_crowded_ = false;  // the round before: many points were deferred
 
-    std::size_t trial_ = 0;       // tries after which a thread may leave
-    Atomic<unsigned> active_{0};  // threads that go on
+    std::size_t trial_ = 0;        // tries after which a thread may leave
+    Atomic<unsigned> active_{0};   // threads that go on
+    std::size_t doubt_after_ = 0;  // tries of a thread before it may doubt
+    bool was_faster_alone_ = false;
+    Atomic<bool> doubts_{false};  // all stop since one may be faster alone
     bool may_stop_for_hubs_ = false;
     Atomic<bool> stop_{false};      // all threads end soon
     Atomic<bool> no_slots_{false};  // why they do: the storage must grow

@@ -17,6 +17,11 @@ struct Triangulation::ConcurrentInsertion::Member {
           repeats(mesh.vertices.allocator()),
           deferred(mesh.vertices.allocator()),
           left(mesh.vertices.allocator()) {}
+    void begin_counting() noexcept {
+        tries = failures = all_tries = all_failures = 0;
+        members_given_up = 0;
+        waits = 0;
+    }
 
     ThreadState thread_state;
     Workspace own;
@@ -34,7 +39,9 @@ struct Triangulation::ConcurrentInsertion::Member {
     std::size_t misses = 0;               // points in a row that it could not insert there
     std::uint32_t hub = no_index;         // position of one that all have stopped for
     std::size_t tries = 0, failures = 0;  // of the trial that goes on
-    unsigned waits = 0;                   // in a row, after trials of which too many failed
+    std::size_t all_tries = 0, all_failures = 0;
+    std::size_t members_given_up = 0;  // of cavities
+    unsigned waits = 0;                // in a row, after trials of which too many failed
     std::uint64_t inserted = 0, times_deferred = 0;
 };
 

@@ -34,6 +34,8 @@ struct Settings {
     ZoneUse zones = ZoneUse::where_few_meet;
     // With more tetrahedra a vertex, threads would wait for each other; raised by tests.
     std::size_t most_a_vertex = 16;
+    // Tries of a thread before it may doubt that several are faster than one.
+    std::size_t doubt_after = 2048;
     // A call that removes or moves more than one in this many vertices triangulates the others, or
     // all, anew; changed by tests.
     std::size_t vertices_a_rebuild = 10;

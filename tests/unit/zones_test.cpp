@@ -86,6 +86,7 @@ TEST(Zones, SameAsOneThread) {
         settings.scheme = scheme;
         settings.threads = static_cast<std::int32_t>(2 + random() % (round % 64 == 0 ? 30 : 7));
         settings.points_a_thread = 1 + random() % 20;
+        settings.doubt_after = 1 + random() % 100;
         settings.zones = zone_uses[random() % 3];
         settings.pause = pause;
         yield_one_in = random() % 3 == 0 ? 0 : 1 + static_cast<unsigned>(random() % 9);
@@ -126,6 +127,7 @@ TEST(Zones, ShareTheWorkAroundAHub) {
         insert(serial, xyz);
         concurrent.settings().threads = 4;
         concurrent.settings().points_a_thread = 16;
+        concurrent.settings().doubt_after = n;
         insert(concurrent, xyz);
         ASSERT_EQ(outcome(concurrent), outcome(serial));
         // Neither do the threads leave the points to one of them, nor does the hub come so late
@@ -212,6 +214,30 @@ TEST(Zones, LargeCavities) {
         ASSERT_EQ(outcome(together), outcome(alone));
         expect_valid(together);
     }
+}
+
+// Every point of an axis is joined to all of a ring: threads want the same tetrahedra, stop, and
+// compare with one alone, many times.
+TEST(Zones, ThreadsInEachOthersWay) {
+    const int on_axis = is_small() ? 300 : 4000;
+    Points xyz;
+    for (int i = 0; i < on_axis; ++i) xyz.insert(xyz.end(), {0, 0, 1e-3 * i - 1e-7 * i * i});
+    for (int i = 0; i < 40; ++i)
+        xyz.insert(xyz.end(), {100 * std::cos(0.157 * i), 100 * std::sin(0.157 * i), 1e-3 * i});
+    Triangulation alone(nullptr, nullptr, nullptr);
+    insert(alone, xyz);
+    for (const ZoneUse use : zone_uses)
+        for (const std::size_t share : {1u, 8u, 64u}) {
+            Triangulation together(nullptr, nullptr, nullptr);
+            together.settings().threads = 4;
+            together.settings().points_a_thread = share;
+            together.settings().doubt_after = share;
+            together.settings().most_a_vertex = 1000000;
+            together.settings().zones = use;
+            insert(together, xyz);
+            ASSERT_EQ(outcome(together), outcome(alone)) << share;
+            expect_valid(together);
+        }
 }
 
 // The storage has to grow while threads insert, many times.
