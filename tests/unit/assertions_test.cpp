@@ -61,7 +61,7 @@ TEST_F(AssertionsDeathTest, PlaceOfTheVertexAtInfinity) {
 
 // Owns nothing.
 struct Stranger {
-    bool owns(VertexId) const { return false; }
+    bool owns(const Tetrahedron&) const { return false; }
 };
 
 TEST_F(AssertionsDeathTest, Cavity) {
