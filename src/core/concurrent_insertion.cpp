@@ -27,8 +27,6 @@ constexpr std::size_t far_away_in_round = 512, far_away_in_list = 32;
 constexpr std::uint32_t most_slots_at_once = 16384;
 // A round is early if the batch is so many times as large.
 constexpr std::size_t early_share = 8;
-// Points that one thread inserts to see whether it is faster than several.
-constexpr std::size_t sample_size = 1024;
 // Members of cavities a try that a thread gives up before it stops all.
 constexpr std::size_t most_given_up = 64;
 // A point whose cavity has grown so large when it comes to what another thread owns is a hub, which
@@ -169,49 +167,6 @@ void Triangulation::ConcurrentInsertion::insert_alone(const Items& items) {
     }
 }
 
-// Inserts those that threads have put off, before others make more tetrahedra in their place.
-void Triangulation::ConcurrentInsertion::insert_put_off() {
-    const std::size_t count = std::min(put_off_, left_.size());
-    std::sort(left_.begin(), left_.begin() + count);
-    insert_alone({0, count, left_.data()});
-    std::copy(left_.begin() + count, left_.end(), left_.begin());
-    left_.resize(left_.size() - count);
-}
-
-// Whether threads are so much in each other's way that one alone may be faster: where a few
-// vertices have edges to all others, all want the same tetrahedra.
-bool Triangulation::ConcurrentInsertion::has_doubts(Member& member, std::size_t tries,
-                                                    std::size_t failures) const {
-    member.all_tries += tries;
-    member.all_failures += failures;
-    if (member.all_tries < doubt_after_) return false;
-    // A large cavity that is given up takes the time of many points.
-    const std::size_t lost = member.all_failures + member.members_given_up / 256;
-    const bool doubts = lost > member.all_tries / 4;
-    member.all_tries = member.all_failures = member.members_given_up = 0;
-    return doubts;
-}
-
-// Inserts some of the list, the last ones, and takes them out. Whether that was faster a point than
-// the seconds that all have taken together.
-bool Triangulation::ConcurrentInsertion::is_faster_alone(Buffer<std::uint32_t>& list,
-                                                         double together, std::size_t inserted) {
-    const std::size_t n = std::min(list.size(), sample_size);
-    if (n == 0) return false;
-    double alone = 0;
-    {
-        const Stopwatch watch(alone);
-        insert_alone({0, n, list.end() - n});
-    }
-    list.resize(list.size() - n);
-    // A burst may pass, so it has to be much faster, twice in a row.
-    const bool is_faster =
-        alone * static_cast<double>(inserted) < 0.5 * together * static_cast<double>(n);
-    const bool was_faster = std::exchange(was_faster_alone_, is_faster);
-    if (!is_faster) doubt_after_ *= 2;
-    return is_faster && was_faster;
-}
-
 // Room for more tetrahedra. Whether there is any.
 bool Triangulation::ConcurrentInsertion::grow_storage(unsigned members) {
     const std::size_t more = members * std::size_t{2} * most_slots_at_once;
@@ -346,12 +301,15 @@ void Triangulation::ConcurrentInsertion::work(Member& member, const Items& items
             const std::size_t done = done_.fetch_add(size - left) + size - left;
             if (number == 0) poll(done);
             if (stop_) return;
-            if (has_doubts(member, size, failures)) {
-                doubts_ = true;
-                stop_ = true;
+            for (Member::Trial* const trial : {&member.crowd, &member.doubts}) {
+                trial->tries += size;
+                trial->failures += failures;
+            }
+            if (has_doubts(member)) {
+                doubts_ = stop_ = true;
                 return;
             }
-            if (is_too_crowded(member, size, failures)) return;
+            if (is_too_crowded(member)) return;
         }
     } catch (...) {
         stop_ = true;
@@ -359,14 +317,9 @@ void Triangulation::ConcurrentInsertion::work(Member& member, const Items& items
     }
 }
 
-bool Triangulation::ConcurrentInsertion::is_too_crowded(Member& member, std::size_t tries,
-                                                        std::size_t failures) {
-    member.tries += tries;
-    member.failures += failures;
-    if (member.tries < trial_) return false;
-    const bool is_crowded = member.failures > member.tries / 4;
-    member.tries = member.failures = 0;
-    if (!is_crowded) {
+bool Triangulation::ConcurrentInsertion::is_too_crowded(Member& member) {
+    if (member.crowd.tries < trial_) return false;
+    if (!member.crowd.ends_crowded()) {
         member.waits = 0;
         return false;
     }

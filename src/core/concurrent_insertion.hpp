@@ -47,9 +47,6 @@ class Triangulation::ConcurrentInsertion {
     void insert_round(const Zones::Round& round);
     void insert_anywhere(Items items, unsigned members);
     void insert_alone(const Items& items);
-    void insert_put_off();
-    bool has_doubts(Member& member, std::size_t tries, std::size_t failures) const;
-    bool is_faster_alone(Buffer<std::uint32_t>& list, double together, std::size_t inserted);
     unsigned members_for_round(const Zones::Round& round) const;
     std::uint64_t times_deferred() const;
     bool grow_storage(unsigned members);
@@ -60,7 +57,7 @@ class Triangulation::ConcurrentInsertion {
     // Inserts items on `members` threads and lists those that are left.
     void insert_concurrently(const Items& items, unsigned members);
     void work(Member& member, const Items& items);
-    bool is_too_crowded(Member& member, std::size_t tries, std::size_t failures);
+    bool is_too_crowded(Member& member);
     bool try_insert(Member& member, std::size_t k);
     bool insert(Member& member, std::size_t k, ConcurrentCall call);
     bool arrive(Member& member, std::size_t k);
@@ -68,6 +65,11 @@ class Triangulation::ConcurrentInsertion {
     void gather_results(unsigned members, const Items& items);
     std::size_t insert_hubs();
     void insert_serially(std::size_t k, bool is_next);
+
+    // Where most tries fail: concurrent_doubts.cpp.
+    void insert_put_off();
+    bool has_doubts(Member& member) const;
+    bool is_faster_alone(Buffer<std::uint32_t>& list, double together, std::size_t inserted);
 
     // In zones: zone_insertion.cpp.
     bool may_use_zones(const Zones::Round& round, unsigned members) const;

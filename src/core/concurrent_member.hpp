@@ -18,7 +18,7 @@ struct Triangulation::ConcurrentInsertion::Member {
           deferred(mesh.vertices.allocator()),
           left(mesh.vertices.allocator()) {}
     void begin_counting() noexcept {
-        tries = failures = all_tries = all_failures = 0;
+        crowd = doubts = {};
         members_given_up = 0;
         waits = 0;
     }
@@ -35,11 +35,20 @@ struct Triangulation::ConcurrentInsertion::Member {
     };
     Buffer<Repeat> repeats;
     Buffer<std::uint32_t> deferred, left;
-    std::size_t next = 0, end = 0;        // positions in its zone that are to be inserted
-    std::size_t misses = 0;               // points in a row that it could not insert there
-    std::uint32_t hub = no_index;         // position of one that all have stopped for
-    std::size_t tries = 0, failures = 0;  // of the trial that goes on
-    std::size_t all_tries = 0, all_failures = 0;
+    std::size_t next = 0, end = 0;  // positions in its zone that are to be inserted
+    std::size_t misses = 0;         // points in a row that it could not insert there
+    std::uint32_t hub = no_index;   // position of one that all have stopped for
+    struct Trial {
+        std::size_t tries = 0, failures = 0;
+        // Begins another one. Whether more than a quarter failed.
+        bool ends_crowded() noexcept {
+            const bool is_crowded = failures > tries / 4;
+            tries = failures = 0;
+            return is_crowded;
+        }
+    };
+    Trial crowd;                       // of this thread, which may wait and leave
+    Trial doubts;                      // whether all should stop and compare with one alone
     std::size_t members_given_up = 0;  // of cavities
     unsigned waits = 0;                // in a row, after trials of which too many failed
     std::uint64_t inserted = 0, times_deferred = 0;
