@@ -3,21 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "predicates/circumcenter.hpp"
 
 namespace mgdt {
 
-template <class Real>
-void Cell<Real>::make(const Mesh& mesh, VertexId v, const Link& link, Centers centers) {
+void Cell::make(const Mesh& mesh, VertexId v, const Link& link, Centers centers) {
     set_sides(mesh, v, link);
     radius_ = 0;
     corners_.resize(link.triangles().size());
     for (std::size_t i = 0; i < corners_.size(); ++i) set_corner(mesh, v, link, i, centers);
 }
 
-template <class Real>
-void Cell<Real>::set_sides(const Mesh& mesh, VertexId v, const Link& link) {
+void Cell::set_sides(const Mesh& mesh, VertexId v, const Link& link) {
     const double* const origin = mesh.point(v);
     const std::size_t n = link.neighbor_count();
     sides_.resize(n);
@@ -31,19 +30,22 @@ void Cell<Real>::set_sides(const Mesh& mesh, VertexId v, const Link& link) {
             is_bounded_ = false;
             continue;
         }
-        sides_[i].normal = difference<Real>(neighbor.x, origin);
-        for (const Real& x : sides_[i].normal.x)
-            largest = std::fmax(largest, std::fabs(nearest_double(x)));
+        sides_[i].normal = difference<double>(neighbor.x, origin);
+        for (const double x : sides_[i].normal.x) largest = std::fmax(largest, std::fabs(x));
     }
-    factor_ = largest < 0x1p-100 || largest > 0x1p100 ? std::ldexp(1.0, -std::ilogb(largest)) : 1;
+    is_ordinary_ = largest <= std::numeric_limits<double>::max();
+    factor_ = !is_ordinary_                             ? 0x1p-1022
+              : largest < 0x1p-100 || largest > 0x1p100 ? std::ldexp(1.0, -std::ilogb(largest))
+                                                        : 1;
     for (std::size_t i = 0; i < n; ++i) {
         if (link.neighbor(i) == infinite_vertex) continue;
-        Side<Real>& side = sides_[i];
+        Side<double>& side = sides_[i];
         if (factor_ != 1)
-            for (Real& x : side.normal.x) x = scaled_by(x, factor_);
+            for (double& x : side.normal.x) x = scaled_by(x, factor_);
         side.offset = scaled_by(dot(side.normal, side.normal), 0.5);
-        side.size = std::sqrt(2 * nearest_double(side.offset));
-        side.error = 5 * rounding_of<Real> * nearest_double(side.offset);
+        side.size = std::sqrt(2 * side.offset);
+        side.error = 5 * rounding_of<double> * side.offset;
+        is_ordinary_ &= side.size > 0x1p-250;
     }
 }
 
@@ -54,8 +56,7 @@ inline void turn(unsigned (&at)[3], const std::uint32_t (&index)[3]) {
     at[2] = at[1] == 2 ? 0 : at[1] + 1;
 }
 
-template <class Real>
-bool Cell<Real>::set_plain_center(const LinkTriangle& triangle, Corner<Real>& corner) const {
+bool Cell::set_plain_center(const LinkTriangle& triangle, Corner<double>& corner) const {
     unsigned at[3];
     turn(at, {indices_[triangle.corner[0]], indices_[triangle.corner[1]],
               indices_[triangle.corner[2]]});
@@ -63,12 +64,11 @@ bool Cell<Real>::set_plain_center(const LinkTriangle& triangle, Corner<Real>& co
                 sides_[triangle.corner[at[2]]], corner);
 }
 
-template <class Real>
-void Cell<Real>::set_corner(const Mesh& mesh, VertexId v, const Link& link, std::size_t i,
-                            Centers centers) {
-    constexpr double u = rounding_of<Real>;
+void Cell::set_corner(const Mesh& mesh, VertexId v, const Link& link, std::size_t i,
+                      Centers centers) {
+    constexpr double u = rounding_of<double>;
     const LinkTriangle& triangle = link.triangles()[i];
-    Corner<Real>& corner = corners_[i];
+    Corner<double>& corner = corners_[i];
     VertexId vertex[3];
     for (unsigned k = 0; k < 3; ++k) vertex[k] = link.neighbor(triangle.corner[k]);
     unsigned ghost = 3;
@@ -78,7 +78,7 @@ void Cell<Real>::set_corner(const Mesh& mesh, VertexId v, const Link& link, std:
     corner.is_ideal = ghost < 3;
     if (corner.is_ideal) {
         // The way out, at right angles to the hull facet of the other two.
-        const Side<Real>&p = sides_[triangle.corner[ghost == 2 ? 0 : ghost + 1]],
+        const Side<double>&p = sides_[triangle.corner[ghost == 2 ? 0 : ghost + 1]],
               &q = sides_[triangle.corner[ghost == 0 ? 2 : ghost - 1]];
         corner.x = cross(p.normal, q.normal);
         corner.size = length(corner.x);
@@ -94,18 +94,15 @@ void Cell<Real>::set_corner(const Mesh& mesh, VertexId v, const Link& link, std:
                        mesh.point(vertex[at[2]])},
                       offset);
         for (int k = 0; k < 3; ++k) {
-            // Beyond the range of doubles it is the way that counts.
             constexpr double most = 0x1p300;
-            const double x = std::fmax(-most, std::fmin(most, offset[k] * factor_));
-            corner.x.x[k] = to_real<Real>(x);
+            corner.x.x[k] = std::fmax(-most, std::fmin(most, offset[k] * factor_));
         }
         corner.size = length(corner.x);
-        corner.error = 2 * center_offset_error * corner.size;
+        // Of one that is too far away for doubles nothing is known.
+        corner.error = corner.size < 0x1p299 ? 2 * center_offset_error * corner.size
+                                             : std::numeric_limits<double>::infinity();
     }
     radius_ = std::fmax(radius_, corner.size);
 }
-
-template class Cell<double>;
-template class Cell<Twofold>;
 
 }  // namespace mgdt

@@ -8,11 +8,10 @@
 
 namespace mgdt {
 
-// How circumcentres are found: from differences in doubles; corrected, which makes them good to
-// the last bits; or in twofold numbers, where those are used.
+// How circumcentres are computed: from differences in doubles, or corrected once, which makes them
+// good to the last bits.
 enum class Centers { plain, corrected };
 
-template <class Real>
 class Cell {
   public:
     explicit Cell(Allocator& allocator)
@@ -23,10 +22,12 @@ class Cell {
 
     // By the numbers of the link's neighbours: the half of space that is nearer to the vertex. Not
     // of the vertex at infinity.
-    const Side<Real>& side(std::size_t neighbor) const noexcept { return sides_[neighbor]; }
+    const Side<double>& side(std::size_t neighbor) const noexcept { return sides_[neighbor]; }
     // By the numbers of the link's triangles: that of a ghost is the way of a ray.
-    const Corner<Real>& corner(std::size_t triangle) const noexcept { return corners_[triangle]; }
+    const Corner<double>& corner(std::size_t triangle) const noexcept { return corners_[triangle]; }
     bool is_bounded() const noexcept { return is_bounded_; }
+    // False where the distances of neighbours differ by so much that doubles are of no use.
+    bool is_ordinary() const noexcept { return is_ordinary_; }
     // Bounds the distance of the corners that are points.
     double radius() const noexcept { return radius_; }
     // A power of two that brings lengths into the range of doubles.
@@ -38,12 +39,12 @@ class Cell {
     void set_sides(const Mesh& mesh, VertexId v, const Link& link);
     void set_corner(const Mesh& mesh, VertexId v, const Link& link, std::size_t triangle,
                     Centers centers);
-    bool set_plain_center(const LinkTriangle& triangle, Corner<Real>& corner) const;
+    bool set_plain_center(const LinkTriangle& triangle, Corner<double>& corner) const;
 
-    Buffer<Side<Real>> sides_;
-    Buffer<Corner<Real>> corners_;
+    Buffer<Side<double>> sides_;
+    Buffer<Corner<double>> corners_;
     Buffer<std::uint32_t> indices_;
-    bool is_bounded_ = true;
+    bool is_bounded_ = true, is_ordinary_ = true;
     double radius_ = 0, factor_ = 1;
 };
 

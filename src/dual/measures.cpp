@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dual/exact_measures.hpp"
 #include "dual/volume_pass.hpp"
 #include "parallel/atomic_array.hpp"
 
@@ -28,28 +29,31 @@ void find_tetrahedra(const ExportView& view, AtomicArray<TetId>& first) {
 
 constexpr std::size_t min_vertices_per_thread = 4096;
 
-// One cell, by what is sure.
+// Measures one cell: in doubles where they are good enough, else from its exact faces.
 class Measurer {
   public:
     explicit Measurer(Allocator& allocator)
-        : link_(allocator), in_doubles_(allocator), again_(allocator) {}
+        : link_(allocator), in_doubles_(allocator), faces_(allocator), exact_(allocator) {}
 
     void measure(const Mesh& mesh, VertexId v, TetId first, const Region& region, Measure measure,
                  double* out) {
         link_.gather(mesh, v, first);
-        using F = FacesFrom;
-        for (const Centers centers : {Centers::plain, Centers::corrected})
-            if (in_doubles_.measure(mesh, v, link_, region, measure, centers, F::corners, out))
-                return;
-        for (const FacesFrom faces_from : {F::corners, F::triangles})
-            if (again_.measure(mesh, v, link_, region, measure, Centers::plain, faces_from, out))
-                return;
+        for (const Centers centers : {Centers::plain, Centers::corrected}) {
+            if (in_doubles_.measure(mesh, v, link_, region, measure, centers, out)) return;
+            if (measure == Measure::faces) break;
+        }
+        faces_.find(mesh, v, link_, in_doubles_.cell(), region);
+        if (measure == Measure::faces)
+            *out = static_cast<double>(faces_.size());
+        else
+            exact_.measure(faces_, mesh.point(v), mesh.scale, measure, out);
     }
 
   private:
     Link link_;
-    CellMeasures<double> in_doubles_;
-    CellMeasures<Twofold> again_;
+    CellMeasures in_doubles_;
+    CellFaces faces_;
+    ExactMeasures exact_;
 };
 
 // Cells that the region cuts, and those that the passes leave open, one by one.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "dual/exact_polygon.hpp"
 #include "mesh/scale.hpp"
 #include "platform/error.hpp"
 
@@ -11,10 +12,8 @@ namespace mgdt {
 namespace {
 
 constexpr double u = rounding_of<double>;
-
-double largest_of(const double* v) {
-    return std::fmax(std::fmax(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
-}
+// Numbers below it in magnitude have products with others that are doubles.
+constexpr double most_ordinary = 0x1p300;
 
 // normal . p - offset.
 Twofold exact_height(const double* normal, double offset, const double* p) {
@@ -26,51 +25,61 @@ Twofold exact_height(const double* normal, double offset, const double* p) {
 }  // namespace
 
 double Region::Plane::error(const double* p) const {
-    return 6 * u *
-           (size * (std::fabs(p[0]) + std::fabs(p[1]) + std::fabs(p[2])) + std::fabs(offset));
+    const double terms =
+        size * (std::fabs(p[0]) + std::fabs(p[1]) + std::fabs(p[2])) + std::fabs(offset);
+    return 6 * u * terms + 8 * std::numeric_limits<double>::denorm_min();
 }
 
 Region::Region(Allocator& allocator, std::size_t n, const double* planes, const Mesh& mesh,
                std::int32_t base)
     : planes_(allocator), corners_(allocator), base_(base) {
+    if (n == 0) return;
     planes_.reserve(n);
-    for (std::size_t k = 0; k < n; ++k) {
-        const double* const of = planes + 4 * k;
-        for (int i = 0; i < 4; ++i)
-            if (!std::isfinite(of[i]))
-                fail(MGDT_ERR_NOT_FINITE, "plane %lld has a number that is not finite", number(k));
-        const double largest = largest_of(of);
-        if (largest == 0) fail(MGDT_ERR_INVALID_ARGUMENT, "plane %lld has no normal", number(k));
-        // Lengths of normals between 1 and 4, by powers of two.
-        const int shift = -std::ilogb(largest);
-        Plane plane;
-        for (int i = 0; i < 3; ++i) plane.normal[i] = scaled(of[i], shift);
-        plane.offset = scaled(of[3], shift + mesh.scale);
-        if (!(std::fabs(plane.offset) < 0x1p900))
-            fail(MGDT_ERR_INVALID_ARGUMENT, "plane %lld is too far from the points", number(k));
-        plane.size =
-            std::hypot(std::hypot(plane.normal[0], plane.normal[1]), plane.normal[2]) * (1 + 8 * u);
-        plane.first = 0;
-        planes_.push_back(plane);
-    }
+    for (std::size_t k = 0; k < n; ++k) add_plane(k, planes + 4 * k, mesh);
     require_inside(mesh);
-    Polygon<Twofold> polygon(allocator);
-    // One that does not depend on the order of insertion.
-    VertexId first = 1;
-    for (VertexId v = 2; v < mesh.vertices.size(); ++v)
-        if (mesh.vertices[v].index < mesh.vertices[first].index) first = v;
-    for (std::size_t k = 0; k < n; ++k) add_face(k, mesh.point(first), polygon);
+    set_faces(mesh);
+}
+
+void Region::add_plane(std::size_t k, const double* of, const Mesh& mesh) {
+    for (int i = 0; i < 4; ++i)
+        if (!std::isfinite(of[i]))
+            fail(MGDT_ERR_NOT_FINITE, "plane %lld has a number that is not finite", number(k));
+    const double largest = std::max({std::fabs(of[0]), std::fabs(of[1]), std::fabs(of[2])});
+    if (largest == 0) fail(MGDT_ERR_INVALID_ARGUMENT, "plane %lld has no normal", number(k));
+    // Lengths of normals between 1 and 4, by powers of two.
+    const int shift = -std::ilogb(largest);
+    Plane plane;
+    plane.numbers = of;
+    for (int i = 0; i < 3; ++i) plane.normal[i] = scaled(of[i], shift);
+    plane.offset = scaled(of[3], shift + mesh.scale);
+    plane.size =
+        std::hypot(std::hypot(plane.normal[0], plane.normal[1]), plane.normal[2]) * (1 + 8 * u);
+    plane.index = static_cast<std::uint32_t>(k);
+    plane.first = 0;
+    planes_.push_back(plane);
+}
+
+// Whether a point is outside by more than rounding; exactly where doubles overflow.
+bool Region::is_beyond(const Plane& plane, const double* p, int scale, ExactMemory& memory) const {
+    const double height = plane.height(p), error = plane.error(p);
+    if (std::isfinite(height) && std::isfinite(error)) return height > error;
+    memory.release(0);
+    ExactNumber exact = -memory.number(plane.numbers[3], scale);
+    for (int i = 0; i < 3; ++i)
+        exact = exact + memory.number(plane.numbers[i]) * memory.number(p[i]);
+    return exact.sign() > 0;
 }
 
 // Names the first point that is outside.
 void Region::require_inside(const Mesh& mesh) const {
+    ExactMemory memory(planes_.allocator());
     constexpr std::uint32_t none = 0xffffffffu;
     std::uint32_t point = none;
     std::size_t plane = 0;
     for (VertexId v = 1; v < mesh.vertices.size(); ++v) {
         const double* const p = mesh.point(v);
         for (std::size_t k = 0; k < planes_.size(); ++k)
-            if (mesh.vertices[v].index < point && planes_[k].height(p) > planes_[k].error(p)) {
+            if (mesh.vertices[v].index < point && is_beyond(planes_[k], p, mesh.scale, memory)) {
                 point = mesh.vertices[v].index;
                 plane = k;
             }
@@ -80,88 +89,98 @@ void Region::require_inside(const Mesh& mesh) const {
              number(plane));
 }
 
-// What the other planes leave of a triangle that is far too large.
-void Region::add_face(std::size_t k, const double* near, Polygon<Twofold>& polygon) {
-    using V = Vector<Twofold>;
-    planes_[k].first = static_cast<std::uint32_t>(corners_.size());
-    const Plane& plane = planes_[k];
-    const auto side_of = [&](std::size_t j) {
-        Side<Twofold> side;
-        for (int i = 0; i < 3; ++i) side.normal.x[i] = {planes_[j].normal[i], 0};
-        side.offset = {planes_[j].offset, 0};
-        side.size = planes_[j].size;
-        side.error = 0;
-        return side;
-    };
-    const Side<Twofold> own = side_of(k);
-    // Below `near`, and far beyond the planes from there.
-    const Twofold down =
-        exact_height(plane.normal, plane.offset, near) / dot(own.normal, own.normal);
-    const V middle = V{{{near[0], 0}, {near[1], 0}, {near[2], 0}}} - down * own.normal;
-    double distance = 0;
-    for (const Plane& other : planes_)
-        distance = std::fmax(distance, std::fabs(other.height(near)));
-    const std::uint32_t no_plane = static_cast<std::uint32_t>(planes_.size());
-    polygon.set_triangle(own, middle, 0x1p50 * distance, no_plane);
-    for (std::uint32_t j = 0; j < planes_.size() && !polygon.corners().empty(); ++j) {
-        if (j == k) continue;
-        // Of planes that coincide the first one counts.
-        if (!polygon.clip(side_of(j), j) && j < k) polygon.clear();
-    }
-    for (std::size_t i = 0; i < polygon.corners().size(); ++i)
-        if (polygon.label(i) == no_plane)
-            fail(MGDT_ERR_INVALID_ARGUMENT,
-                 "the planes do not bound a region: plane %lld has no end", number(k));
-    polygon.settle(own, side_of);
-    for (std::size_t i = 0; i < polygon.corners().size(); ++i) {
-        const Corner<Twofold>& corner = polygon.corners()[i];
+// Finds the faces, and keeps the planes that have one.
+void Region::set_faces(const Mesh& mesh) {
+    Allocator& allocator = planes_.allocator();
+    // A point that does not depend on the order of insertion.
+    VertexId first = 1;
+    for (VertexId v = 2; v < mesh.vertices.size(); ++v)
+        if (mesh.vertices[v].index < mesh.vertices[first].index) first = v;
+    const double* const near = mesh.point(first);
+    for (VertexId v = 1; v < mesh.vertices.size(); ++v)
         for (int axis = 0; axis < 3; ++axis)
-            extent_ = std::fmax(extent_, 2 * std::fabs(corner.x.x[axis].high - near[axis]));
-        corners_.push_back(
-            {{corner.x.x[0], corner.x.x[1], corner.x.x[2]}, corner.error, polygon.label(i)});
+            is_ordinary_ &= std::fabs(mesh.point(v)[axis]) < most_ordinary;
+    HalfSpaces half_spaces(allocator);
+    half_spaces.clear(near, 1);
+    for (const Plane& plane : planes_) half_spaces.add_plane(plane.numbers, mesh.scale);
+    ExactPolygon polygon(allocator, half_spaces);
+    const auto count = static_cast<PlaneNumber>(planes_.size());
+    Buffer<Plane> with_faces(allocator);
+    Buffer<PlaneNumber> numbers(allocator);  // by what was a plane's number
+    numbers.resize(count, 0);
+    for (PlaneNumber k = 0; k < count; ++k) {
+        polygon.set_far(k);
+        // Of planes that coincide the first one has the face.
+        for (PlaneNumber j = 0; j < count && !polygon.is_empty(); ++j)
+            if (j != k) polygon.clip(j, k < j);
+        if (polygon.is_empty()) continue;
+        for (std::size_t i = 0; i < polygon.size(); ++i)
+            if (is_far(polygon.edge(i)))
+                fail(MGDT_ERR_INVALID_ARGUMENT,
+                     "the planes do not bound a region: plane %lld has no end", number(k));
+        Plane plane = planes_[k];
+        plane.first = static_cast<std::uint32_t>(corners_.size());
+        is_ordinary_ &= std::fabs(plane.offset) < most_ordinary;
+        numbers[k] = static_cast<PlaneNumber>(with_faces.size());
+        with_faces.push_back(plane);
+        add_face(polygon, half_spaces, near);
+    }
+    if (with_faces.empty())
+        fail(MGDT_ERR_INVALID_ARGUMENT, "the planes bound a region without a volume");
+    for (RegionCorner& corner : corners_) corner.label = numbers[corner.label];
+    planes_ = std::move(with_faces);
+}
+
+void Region::add_face(const ExactPolygon& polygon, HalfSpaces& half_spaces, const double* near) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        RegionCorner corner = {};
+        Vector<Twofold> x = {};
+        is_ordinary_ &= half_spaces.round_corner(polygon.plane(), polygon.edge_before(i),
+                                                 polygon.edge(i), 0, false, x);
+        double largest = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            corner.x[axis] = x.x[axis];
+            largest = std::fmax(largest, std::fabs(x.x[axis].high));
+            extent_ = std::fmax(extent_, 2 * std::fabs(x.x[axis].high - near[axis]));
+        }
+        is_ordinary_ &= largest < most_ordinary;
+        corner.error = 2 * HalfSpaces::corner_error * largest;
+        corner.label = polygon.edge(i);
+        corners_.push_back(corner);
     }
 }
 
-template <class Real>
 void Region::set_face(std::size_t k, const double* point, double factor, std::uint32_t first_label,
-                      Polygon<Real>& face) const {
+                      Polygon& face) const {
     const std::size_t end = k + 1 < planes_.size() ? planes_[k + 1].first : corners_.size();
     face.clear();
     for (std::size_t i = planes_[k].first; i < end; ++i) {
-        Corner<Real> corner;
+        Corner<double> corner;
         for (int axis = 0; axis < 3; ++axis)
-            set_rounded(corner.x.x[axis],
-                        scaled_by(corners_[i].x[axis] - Twofold{point[axis], 0}, factor));
+            corner.x.x[axis] = (corners_[i].x[axis] - Twofold{point[axis], 0}).high * factor;
         corner.size = length(corner.x);
-        corner.error = 8 * rounding_of<Real> * corner.size + corners_[i].error * factor;
+        corner.error = 8 * u * corner.size + corners_[i].error * factor;
         corner.is_ideal = false;
         face.push_back(corner, first_label + corners_[i].label);
     }
 }
-template void Region::set_face(std::size_t, const double*, double, std::uint32_t,
-                               Polygon<double>&) const;
-template void Region::set_face(std::size_t, const double*, double, std::uint32_t,
-                               Polygon<Twofold>&) const;
 
-template <class Real>
-Side<Real> Region::side(std::size_t k, const double* point, double factor) const {
+Side<double> Region::side(std::size_t k, const double* point, double factor) const {
     const Plane& plane = planes_[k];
     const Twofold height = exact_height(plane.normal, plane.offset, point);
-    Side<Real> side;
-    for (int i = 0; i < 3; ++i) side.normal.x[i] = to_real<Real>(plane.normal[i]);
+    Side<double> side;
+    for (int i = 0; i < 3; ++i) side.normal.x[i] = plane.normal[i];
     side.size = plane.size;
-    set_rounded(side.offset, scaled_by(Twofold{-height.high, -height.low}, factor));
+    side.offset = -height.high * factor;
     const double terms =
         plane.size * (std::fabs(point[0]) + std::fabs(point[1]) + std::fabs(point[2])) +
         std::fabs(plane.offset);
-    side.error = rounding_of<Real> * std::fabs(height.high) * factor +
-                 4 * rounding_of<Twofold> * terms * factor;
+    side.error = u * std::fabs(height.high) * factor + 4 * rounding_of<Twofold> * terms * factor;
     return side;
 }
-template Side<double> Region::side(std::size_t, const double*, double) const;
-template Side<Twofold> Region::side(std::size_t, const double*, double) const;
 
 double Region::clearance(const double* point) const {
+    if (!is_ordinary_) return std::numeric_limits<double>::quiet_NaN();
     double least = std::numeric_limits<double>::infinity();
     for (const Plane& plane : planes_) {
         const double depth = -plane.height(point) - plane.error(point);

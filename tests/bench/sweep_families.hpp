@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Families of point sets over which tests/bench/sweep_cgal.cpp looks for the sets that suit mgdt
-// least.
+// Families of point sets over which sweep_cgal.cpp and sweep_calls.cpp look for the sets that suit
+// mgdt least.
 #pragma once
 
 #include <cstddef>

@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "../small.h"
-#include "core/triangulation.hpp"
-#include "dual/measures.hpp"
-#include "exact_cells.hpp"
+#include "cells_and_rationals.hpp"
 
 namespace mgdt {
 namespace {
@@ -93,59 +91,15 @@ Points planes_around(const Points& xyz) {
 
 class CellBounds : public testing::TestWithParam<Set> {
   protected:
-    Points measures(Measure measure, const Points& planes) {
-        const Points& xyz = GetParam().xyz;
-        Triangulation t(nullptr, nullptr, nullptr);
-        const std::size_t n = xyz.size() / 3;
-        const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
-        t.insert(n, axis, 3);
-        Team team(1);
-        const ExportView view = {team, t.mesh(), nullptr, t.allocator(), 0, false};
-        const Region region(t.allocator(), planes.size() / 4, planes.data(), t.mesh(), 0);
-        Points x((measure == Measure::centroid ? 3 : 1) * n);
-        export_measures(view, region, measure, n, x.data());
-        return x;
-    }
     void compare(const Points& planes) {
-        const Points& xyz = GetParam().xyz;
-        const Points volumes = measures(Measure::volume, planes),
-                     areas = measures(Measure::area, planes),
-                     centroids = measures(Measure::centroid, planes),
-                     faces = measures(Measure::faces, planes);
-        // The exact cell is nearly all of the time: under Valgrind and the like, of one set.
+        // The exact cells take nearly all of the time: under Valgrind and the like, of one set.
         if (is_small() && std::string(GetParam().name) != "uniform") return;
         double size = 0;
-        for (const double x : xyz) size = std::max(size, std::fabs(x));
-        const Rational far = Rational(size) * Rational(0x1p300);
-        std::size_t finite = 0;
-        for (std::size_t k = 0; 3 * k < xyz.size(); k += is_small() ? 10 : 2) {
-            SCOPED_TRACE(k);
-            const exact_cells::Cell exact =
-                exact_cells::cell(exact_cells::half_spaces(xyz, k, planes), far);
-            EXPECT_EQ(faces[k], exact.faces);
-            if (exact.reach > far) {
-                EXPECT_TRUE(planes.empty());
-                EXPECT_TRUE(std::isinf(volumes[k]) && std::isinf(areas[k]) &&
-                            std::isinf(centroids[3 * k]));
-                continue;
-            }
-            ++finite;
-            const Rational bound = Rational(measure_error) * exact.volume;
-            EXPECT_LE(abs(Rational(volumes[k]) - exact.volume), bound) << volumes[k];
-            EXPECT_LE(std::fabs(areas[k] / exact.area - 1), measure_error * (1 + 1e-3));
-            // In units of the farthest corner's distance, which the cell's size bounds from below
-            // well enough here.
-            for (std::size_t i = 0; i < 3; ++i) {
-                const Rational offset = Rational(centroids[3 * k + i]) - Rational(xyz[3 * k + i]);
-                // The coordinates themselves are rounded.
-                const Rational rounding = Rational(0x1p-52) * abs(Rational(centroids[3 * k + i]));
-                EXPECT_LE(abs(offset * exact.volume - exact.moment[i]),
-                          bound * exact.reach + rounding * exact.volume)
-                    << i;
-            }
-        }
+        for (const double x : GetParam().xyz) size = std::max(size, std::fabs(x));
+        const std::size_t bounded = compare_cells_with_rationals(
+            GetParam().xyz, planes, is_small() ? 10 : 2, Rational(size) * Rational(0x1p300));
         if (!planes.empty()) {
-            EXPECT_GT(finite, 0u);
+            EXPECT_GT(bounded, 0u);
         }
     }
 };

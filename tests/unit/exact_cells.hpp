@@ -3,6 +3,7 @@
 // the triangulation nor anything of src/dual has a part in it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
@@ -101,8 +102,19 @@ inline std::vector<V> face(const std::vector<HalfSpace>& all, std::size_t k, con
     return polygon;
 }
 
-inline Cell cell(const std::vector<HalfSpace>& all, const Rational& far) {
+// Whether two half-spaces are one.
+inline bool are_equal(const HalfSpace& a, const HalfSpace& b) {
+    return dot(a.normal, b.normal) > 0 && cross(a.normal, b.normal) == V{0, 0, 0} &&
+           a.offset * dot(a.normal, b.normal) == b.offset * dot(a.normal, a.normal);
+}
+
+inline Cell cell(const std::vector<HalfSpace>& given, const Rational& far) {
     Cell cell;
+    std::vector<HalfSpace> all;
+    for (const HalfSpace& h : given)
+        if (std::none_of(all.begin(), all.end(),
+                         [&](const HalfSpace& other) { return are_equal(h, other); }))
+            all.push_back(h);
     for (std::size_t k = 0; k < all.size(); ++k) {
         const std::vector<V> polygon = face(all, k, far);
         const V& normal = all[k].normal;

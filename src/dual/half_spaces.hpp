@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Half-spaces that bound a cell or a region, with numbers, and exact decisions about the points
+// where three of their planes meet. docs/theory.md, "Cells".
+#pragma once
+
+#include "dual/corner.hpp"
+#include "predicates/exact_number.hpp"
+
+namespace mgdt {
+
+using PlaneNumber = std::uint32_t;
+
+// Beyond the numbers of half-spaces: planes that are farther away than everything, three for each
+// axis. With an axis along which a plane's normal has an extent, they cut a triangle out of that
+// plane.
+constexpr PlaneNumber first_far_plane = 0xfffffff0;
+constexpr bool is_far(PlaneNumber p) {
+    return p >= first_far_plane;
+}
+constexpr PlaneNumber far_plane(int axis, int which) {
+    return first_far_plane + static_cast<PlaneNumber>(3 * axis + which);
+}
+
+class HalfSpaces {
+  public:
+    explicit HalfSpaces(Allocator& allocator)
+        : sources_(allocator), sides_(allocator), rows_(allocator), memory_(allocator) {}
+
+    // Begins anew. The origin is a point that stays where it is. Approximate lengths are multiplied
+    // by `factor`, a power of two.
+    void clear(const double* origin, double factor);
+    // Each gets the next number. What is nearer to the origin than to this point, which stays.
+    void add_nearer_side(const double* point);
+    // normal . x <= offset 2^scale, where x is not relative to the origin. The four numbers stay.
+    void add_plane(const double* normal_and_offset, int scale);
+    // A number without a half-space.
+    void add_nothing();
+
+    std::size_t size() const noexcept { return sources_.size(); }
+    // Rounded. The error of the offset is infinite where doubles are of no use.
+    const Side<double>& side(PlaneNumber p) const noexcept { return sides_[p]; }
+
+    // +1 where the point in which the planes p, q and r meet is outside the half-space s, 0 on its
+    // plane, -1 inside. The normals of p, q and r are positively oriented. Planes q and r may be
+    // far.
+    int side_of_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, PlaneNumber s);
+    // Sign of the scalar product of two normals.
+    int sign_of_product(PlaneNumber p, PlaneNumber q);
+    // Sign of the determinant of three normals. Planes q and r may be far.
+    int orientation_of(PlaneNumber p, PlaneNumber q, PlaneNumber r);
+    // The axis along which a normal has its largest extent, and the sign of that.
+    int main_axis(PlaneNumber p, int& sign);
+
+    // The point where three planes meet, as x / weight, and other things in exact numbers. They are
+    // valid until the next call of a function that is not const.
+    struct Point {
+        ExactNumber x[3], weight;
+    };
+    Point meeting_point(PlaneNumber p, PlaneNumber q, PlaneNumber r);
+    struct Row {
+        ExactNumber normal[3], offset;
+    };
+    const Row& row(PlaneNumber p);
+    // The half-space rounded, lengths being multiplied by 2^exponent; false where twofold numbers
+    // do not hold it.
+    bool round_side(PlaneNumber p, int exponent, Side<Twofold>& side);
+    // The same point rounded, not relative to the origin, or relative to it; lengths are multiplied
+    // by 2^exponent. The error is relative to each coordinate, below corner_error; false where
+    // twofold numbers do not hold it.
+    bool round_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, int exponent, bool is_relative,
+                      Vector<Twofold>& x);
+    static constexpr double corner_error = 0x1p-100;
+
+  private:
+    struct Source {
+        const double* numbers;  // a point, or a normal and an offset; null of nothing
+        bool is_plane;
+        int scale;
+    };
+    // Rows of all half-spaces, if they are not there yet.
+    void prepare();
+    void set_row(const Source& source, Row& row);
+    Row far_row(PlaneNumber p, bool is_offset_far);
+    Row row_of(PlaneNumber p, bool is_far_part);
+
+    const double* origin_ = nullptr;
+    double factor_ = 1;
+    Buffer<Source> sources_;
+    Buffer<Side<double>> sides_;
+    Buffer<Row> rows_;
+    ExactMemory memory_;
+    std::size_t end_of_rows_ = 0;  // in memory_
+};
+
+}  // namespace mgdt

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// Cells within regions that are hard: planes that are needless, doubled or nearly equal, regions
+// that touch their points or are far larger than a cell, and coordinates of any size. Beside
+// rational numbers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "../small.h"
+#include "cells_and_rationals.hpp"
+
+namespace mgdt {
+namespace {
+
+using exact_cells::Rational;
+using Points = std::vector<double>;
+
+Points box(double half) {
+    return {1, 0,  0, half, -1, 0, 0, half, 0, 1, 0,  half,
+            0, -1, 0, half, 0,  0, 1, half, 0, 0, -1, half};
+}
+
+// The least box around the points.
+Points own_box(const Points& xyz) {
+    Points planes;
+    for (std::size_t k = 0; k < 3; ++k) {
+        double low = xyz[k], high = xyz[k];
+        for (std::size_t i = k; i < xyz.size(); i += 3) {
+            low = std::min(low, xyz[i]);
+            high = std::max(high, xyz[i]);
+        }
+        for (const double sign : {1.0, -1.0}) {
+            Points plane = {0, 0, 0, sign > 0 ? high : -low};
+            plane[k] = sign;
+            planes.insert(planes.end(), plane.begin(), plane.end());
+        }
+    }
+    return planes;
+}
+
+Points with(Points planes, const Points& further) {
+    planes.insert(planes.end(), further.begin(), further.end());
+    return planes;
+}
+
+// The corners of a cube.
+Points eight(double half) {
+    Points xyz;
+    for (int i = 0; i < 8; ++i)
+        for (int k = 0; k < 3; ++k) xyz.push_back(i >> k & 1 ? half : -half);
+    return xyz;
+}
+
+class Random {
+  public:
+    explicit Random(std::uint64_t seed) : engine_(seed) {}
+    double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+    double within(double size) { return size * (2 * unit() - 1); }
+    int integer(int n) { return static_cast<int>(engine_() % static_cast<unsigned>(n)); }
+    Points points(std::size_t n, double size = 1) {
+        Points xyz(3 * n);
+        for (double& x : xyz) x = within(size);
+        return xyz;
+    }
+
+  private:
+    std::mt19937_64 engine_;
+};
+
+// Within planes the first six of which are nearly a box.
+std::size_t compare(const Points& xyz, const Points& planes, std::size_t step) {
+    double size = 0;
+    for (const double x : xyz) size = std::max(size, std::fabs(x));
+    for (std::size_t i = 3; i < 24; i += 4) size = std::max(size, std::fabs(planes[i]));
+    return compare_cells_with_rationals(xyz, planes, step, Rational(size) * 16);
+}
+
+double sum(const Points& x) {
+    double all = 0;
+    for (const double v : x) all += v;
+    return all;
+}
+
+TEST(Regions, NeedlessPlanesChangeNothing) {
+    const Points xyz = eight(.15), inner = box(1);
+    for (const double far : {1e13, 1e14, 1e40, 1e150, 1e300}) {
+        const Points planes = with(inner, {1, 0, 0, far, 0, 1, 0, far, 0, 0, 1, far});
+        for (const double volume : measures_of_cells(xyz, Measure::volume, planes))
+            EXPECT_NEAR(volume, 1, measure_error) << far;
+        for (const double faces : measures_of_cells(xyz, Measure::faces, planes))
+            EXPECT_EQ(faces, 6) << far;
+    }
+}
+
+TEST(Regions, PlanesMayComeAnyNumberOfTimes) {
+    const Points xyz = eight(.15), once = box(1);
+    Points third = once;
+    for (int i = 0; i < 4; ++i) third.push_back(3 * once[static_cast<std::size_t>(12 + i)]);
+    for (const Points& planes : {third, with(once, once), with(once, with(once, once))}) {
+        for (const Measure m : {Measure::volume, Measure::area, Measure::faces})
+            EXPECT_EQ(measures_of_cells(xyz, m, planes), measures_of_cells(xyz, m, once));
+        EXPECT_EQ(sum(measures_of_cells(xyz, Measure::faces, planes)), 48);
+    }
+}
+
+TEST(Regions, NearlyEqualPlanes) {
+    const Points xyz = eight(.15);
+    for (const double tilt : {1e-9, 1e-14, 1e-16, 1e-40, 1e-300}) {
+        SCOPED_TRACE(tilt);
+        EXPECT_EQ(compare(xyz, with(box(1), {1, tilt, tilt / 3, 1, 1, -tilt / 7, tilt, 1}), 3), 3u);
+    }
+}
+
+TEST(Regions, OfAnyNumberOfPlanesOfAnySize) {
+    Random random(4);
+    for (int run = 0; run < (is_small() ? 2 : 12); ++run) {
+        SCOPED_TRACE(run);
+        const std::size_t n = run < 11 ? 1 + static_cast<std::size_t>(random.integer(12)) : 100;
+        Points planes = box(run % 2 ? 1 : 1.5);
+        for (std::size_t k = 0; k < n; ++k) {
+            const double size = std::ldexp(1, random.integer(200) - 100);
+            double normal[3], length = 0;
+            for (double& x : normal) {
+                x = random.integer(3) ? random.within(1) : random.integer(3) - 1;
+                length += std::fabs(x);
+            }
+            if (length == 0) normal[0] = length = 1;
+            // Far enough for all points; now and then through the corner of one plane and others.
+            const double reach = random.integer(4) == 0
+                                     ? length
+                                     : length + std::ldexp(length, random.integer(80) - 40);
+            for (const double x : normal) planes.push_back(x * size);
+            planes.push_back(reach * size);
+        }
+        EXPECT_GT(compare(random.points(8), planes, n == 100 ? 8 : 3), 0u);
+    }
+}
+
+TEST(Regions, TouchTheirPoints) {
+    const Points first = {0, 0, 0, .5, .5, 3.5, .5, .5, 4.5, .5, 1.5, 3.5},
+                 second = {1, 0, 0, 0, 1, 0, 0, 6, 0, 0, 0, 6};
+    EXPECT_EQ(measures_of_cells(first, Measure::faces, own_box(first))[3], 6);
+    EXPECT_EQ(measures_of_cells(second, Measure::faces, {1, 0,  0, 6, -1, 0, 0, 0, 0, 1, 0,  6,
+                                                         0, -1, 0, 0, 0,  0, 1, 6, 0, 0, -1, 0})[2],
+              7);
+    Random random(8);
+    for (int run = 0; run < (is_small() ? 2 : 24); ++run) {
+        SCOPED_TRACE(run);
+        const int n = 2 + random.integer(6);
+        Points xyz;
+        for (int i = 0; i < 12; ++i)
+            for (int k = 0; k < 3; ++k)
+                xyz.push_back(run % 3 == 0 ? 0.5 * random.integer(n) : random.integer(n));
+        // Points that span space.
+        xyz.insert(xyz.end(), {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
+        // A repeat has no cell.
+        Points distinct;
+        for (std::size_t i = 0; i < xyz.size(); i += 3) {
+            bool is_new = true;
+            for (std::size_t j = 0; j < distinct.size(); j += 3)
+                is_new &= !std::equal(&xyz[i], &xyz[i] + 3, &distinct[j]);
+            if (is_new) distinct.insert(distinct.end(), &xyz[i], &xyz[i] + 3);
+        }
+        compare(distinct, own_box(distinct), 2);
+    }
+}
+
+TEST(Regions, FarLargerThanACell) {
+    Random random(5);
+    for (const double size : {1e3, 1e10, 1e36, 1e250}) {
+        SCOPED_TRACE(size);
+        compare(random.points(9, 5), box(size), is_small() ? 8 : 3);
+        // The same without faces that are parallel to the axes.
+        Points tilted = box(size);
+        for (std::size_t i = 0; i < tilted.size(); i += 4)
+            for (std::size_t k = 0; k < 3; ++k) tilted[i + k] += random.within(.2);
+        compare(random.points(9, 5), tilted, is_small() ? 8 : 3);
+    }
+}
+
+TEST(Regions, OfPointsWhoseExponentsAreFarApart) {
+    Random random(6);
+    for (const int most : {30, 100, 368, 900}) {
+        SCOPED_TRACE(most);
+        Points xyz;
+        for (int i = 0; i < 24; ++i)
+            xyz.push_back(std::ldexp(random.within(1), random.integer(2 * most) - most));
+        compare(xyz, own_box(xyz), is_small() ? 7 : 4);
+        if (most < 400 && !is_small())
+            compare_cells_with_rationals(xyz, {}, 5,
+                                         Rational(boost::multiprecision::cpp_int(1) << 4500));
+    }
+    // One point far from all others.
+    for (const double far : {1e30, 1e150, 1e300}) {
+        SCOPED_TRACE(far);
+        Points xyz = random.points(8);
+        xyz.insert(xyz.end(), {far, far / 3, -far / 7});
+        compare(xyz, own_box(xyz), 4);
+        compare(xyz, box(far), 5);
+    }
+}
+
+TEST(Regions, BoxesOfPointsOfAnySizeAreTaken) {
+    Random random(7);
+    for (int e = -1070; e <= 1020; e += 110) {
+        SCOPED_TRACE(e);
+        Points xyz = random.points(9);
+        for (double& x : xyz) x = std::ldexp(x, e);
+        EXPECT_EQ(measures_of_cells(xyz, Measure::faces, own_box(xyz)).size(), 9u);
+    }
+}
+
+}  // namespace
+}  // namespace mgdt
