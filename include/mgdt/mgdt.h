@@ -828,10 +828,11 @@ MGDT_API mgdt_status mgdt_nearest_vertices_i32(const mgdt_triangulation* t, int6
 /* --------------------------------------------------------------- values between points --- */
 
 /** Values at any places from values at the points. Within the convex hull, its boundary included,
- *  each place has a value, and every method but MGDT_INTERPOLATE_NEAREST gives a linear function
- *  again. At a point the value is that of the point; of equal points, that of the vertex, the least
- *  index among them. The value of a point that is not in is not read. The result depends neither on
- *  the number of threads nor on the order of the places.
+ *  each place has a value, also where the points are all in one plane, which allows
+ *  MGDT_INTERPOLATE_NEAREST alone. Every other method gives a linear function again. At a point the
+ * value is that of the point; of equal points, that of the vertex, the least index among them. The
+ * value of a point that is not in is not read. The result depends neither on the number of threads
+ * nor on the order of the places.
  *  @param method    an MGDT_INTERPOLATE_ value
  *  @param outside   an MGDT_OUTSIDE_ value
  *  @param n_fields  numbers for each point and each place, at least 0

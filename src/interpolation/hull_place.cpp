@@ -9,13 +9,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "predicates/foot_weights.hpp"
 #include "predicates/predicates.hpp"
-#include "predicates/vector.hpp"
 
 namespace mgdt {
 namespace {
-
-using V = Vector<double>;
 
 class HullWalk {
   public:
@@ -180,41 +178,18 @@ HullPlace HullWalk::place() const {
     std::sort(place.corner, place.corner + place.size, [&](VertexId a, VertexId b) {
         return mesh_.vertices[a].index < mesh_.vertices[b].index;
     });
-    const double* const origin = point(place.corner[0]);
-    V x[3] = {};
-    double largest = 0;
-    const V to_q = difference<double>(q_, origin);
-    for (unsigned k = 1; k < place.size; ++k) {
-        x[k] = difference<double>(point(place.corner[k]), origin);
-        for (const double c : x[k].x) largest = std::max(largest, std::fabs(c));
+    const double *const a = point(place.corner[0]), *const b = point(place.corner[1]),
+                        *const c = point(place.corner[2]);
+    place.weight[0] = 1;
+    if (place.size == 2) {
+        double w[2];
+        foot_weights(a, b, q_, w);
+        std::copy(w, w + 2, place.weight);
+    } else if (place.size == 3) {
+        foot_weights(a, b, c, q_, place.weight);
     }
-    if (place.size > 1) {
-        // Lengths near 1, so that products are doubles.
-        const double factor = std::ldexp(1.0, -std::ilogb(largest));
-        const V e = scaled_by(x[1], factor), f = scaled_by(x[2], factor),
-                w = scaled_by(to_q, factor);
-        const double ee = dot(e, e), ew = dot(e, w), ef = dot(e, f), ff = dot(f, f), fw = dot(f, w);
-        if (place.size == 2) {
-            place.weight[1] = std::min(std::max(ew / ee, 0.0), 1.0);
-        } else {
-            const double whole = ee * ff - ef * ef;
-            if (whole > 0) {
-                place.weight[1] = std::max((ff * ew - ef * fw) / whole, 0.0);
-                place.weight[2] = std::max((ee * fw - ef * ew) / whole, 0.0);
-            }
-            const double sum = place.weight[1] + place.weight[2];
-            if (!(sum <= 1)) {
-                place.weight[1] /= sum;
-                place.weight[2] /= sum;
-            }
-        }
-    }
-    const bool is_known = place.weight[1] <= 1 && place.weight[2] <= 1;
-    if (!is_known) place.weight[1] = place.weight[2] = 0;  // of sizes beyond those of doubles
-    place.weight[0] = std::max(1 - (place.weight[1] + place.weight[2]), 0.0);
-    for (int axis = 0; axis < 3; ++axis)
-        place.x[axis] =
-            origin[axis] + (place.weight[1] * x[1].x[axis] + place.weight[2] * x[2].x[axis]);
+    for (int k = 0; k < 3; ++k)
+        place.x[k] = a[k] + (place.weight[1] * (b[k] - a[k]) + place.weight[2] * (c[k] - a[k]));
     return place;
 }
 

@@ -6,8 +6,9 @@
 
 namespace mgdt {
 
-// In the corner, edge or facet that has the nearest place, exactly; where in it is computed in
-// doubles, in the same way whatever the order in which the mesh stores it.
+// In the corner, edge or facet that has the nearest place, by weights that are ratios of exact
+// numbers, whatever the order in which the mesh stores it. A coordinate of the place is off by less
+// than 2^-53 of itself and 2^-50 of the extent of the corners.
 struct HullPlace {
     unsigned size;       // 1 to 3 corners, in the order of the caller's indices
     VertexId corner[3];  // the mean of which, with these weights, is the place

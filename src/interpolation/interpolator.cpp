@@ -17,6 +17,8 @@ Interpolator::Interpolator(const Locator& where, Allocator& allocator, Method me
       row_(allocator),
       natural_(allocator) {
     if (method != Method::linear && method != Method::nearest) star_.emplace(allocator);
+    if (where.mesh.live_count() == 0 && outside == Outside::none)
+        flat_hull_.emplace(where.mesh, allocator);
 }
 
 const PlaceRow& Interpolator::row(const double* q, TetId t, TetId near) {
@@ -26,6 +28,8 @@ const PlaceRow& Interpolator::row(const double* q, TetId t, TetId near) {
     const bool has_hull = where_.mesh.live_count() != 0;
     if (t != no_tetrahedron)
         add_inside(q, t);
+    else if (flat_hull_ && is_exact_ && flat_hull_->contains(q_))
+        add_nearest(q, near);
     else if (outside_ == Outside::nearest || (outside_ != Outside::none && !has_hull))
         add_nearest(q, near);
     else if (outside_ != Outside::none)

@@ -7,6 +7,7 @@
 #include "interpolation/gradient.hpp"
 #include "interpolation/hull_place.hpp"
 #include "interpolation/natural_weights.hpp"
+#include "query/flat_hull.hpp"
 
 namespace mgdt {
 
@@ -61,6 +62,7 @@ class Interpolator {
     PlaceRow row_;
     std::optional<PlaceStar> star_;
     NaturalWeights natural_;
+    std::optional<FlatHull> flat_hull_;  // if there are no tetrahedra and nothing outside it
 };
 
 }  // namespace mgdt

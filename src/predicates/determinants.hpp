@@ -39,6 +39,16 @@ MGDT_PREDICATES_INLINE auto three_products(const X& x, const U& u, const X& y, c
     }
 }
 
+// The scalar product of two vectors.
+template <class T>
+MGDT_PREDICATES_INLINE auto scalar_product(const T* a, const T* b) {
+    if constexpr (is_long<T>) {
+        return apart([&] { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; });
+    } else {
+        return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+    }
+}
+
 // Determinant of the rows b - a, c - a, d - a.
 struct OrientationDeterminant {
     template <class T>
@@ -65,11 +75,7 @@ struct SphereMinors {
 struct SphereDeterminant {
     template <class T>
     static MGDT_PREDICATES_INLINE auto square(const T* p) {
-        if constexpr (is_long<T>) {
-            return apart([&] { return (p[0] * p[0] + p[1] * p[1]) + p[2] * p[2]; });
-        } else {
-            return (p[0] * p[0] + p[1] * p[1]) + p[2] * p[2];
-        }
+        return scalar_product(p, p);
     }
 
     template <class T>

@@ -22,7 +22,7 @@ struct SquareDifference {
 struct Product {
     template <class T>
     auto operator()(const T (&v)[6]) const {
-        return (v[0] * v[3] + v[1] * v[4]) + v[2] * v[5];
+        return exact::scalar_product(v, v + 3);
     }
 };
 
@@ -41,17 +41,11 @@ struct Cross {
 // is perpendicular to it, in the direction of w's.
 struct EdgePlane {
     template <class T>
-    static auto product(const T* a, const T* b) {
-        if constexpr (exact::is_long<T>) {
-            return exact::apart([&] { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; });
-        } else {
-            return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-        }
-    }
-    template <class T>
     auto operator()(const T (&v)[9]) const {
         const T *const e = v, *const f = v + 3, *const w = v + 6;
-        return exact::two_products(product(e, e), product(f, w), product(e, w), product(e, f));
+        using exact::scalar_product;
+        return exact::two_products(scalar_product(e, e), scalar_product(f, w), scalar_product(e, w),
+                                   scalar_product(e, f));
     }
 };
 

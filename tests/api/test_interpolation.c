@@ -300,6 +300,17 @@ static void flat_and_empty(void) {
                                  place, &out),
                 MGDT_OK);
     CHECK(out == 2);
+    /* In the closed hull without anything outside: at a point, on an edge, inside, in the plane
+     * only, and off it. */
+    {
+        static const double at[15] = {1, 1, 0, .5, 0, 0, .25, .125, 0, 1.5, .5, 0, .5, .5, 1e-300};
+        double five[5];
+        CHECK_EQUAL(mgdt_interpolate(t, MGDT_INTERPOLATE_NEAREST, MGDT_OUTSIDE_NONE, 1, values, 5,
+                                     at, five),
+                    MGDT_OK);
+        CHECK(five[0] == 4 && five[1] == 1 && five[2] == 1);
+        CHECK(five[3] != five[3] && five[4] != five[4]);
+    }
     mgdt_destroy(t);
     t = make(0, NULL);
     CHECK_EQUAL(
