@@ -174,13 +174,8 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
         const std::uint64_t bits = least[place].load(std::memory_order_relaxed);
         std::memcpy(&alpha, &bits, sizeof bits);
         if (is_attached[place].load(std::memory_order_relaxed) != 0) return alpha;
-        const double *const a = mesh.point(point_map[k]), *const b = mesh.point(point_map[other]);
-        double square = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double half = 0.5 * (a[axis] - b[axis]);
-            square += half * half;
-        }
-        return std::fmin(alpha, std::ldexp(square, -2 * mesh.scale));
+        return std::fmin(alpha, edge_radius2(mesh.point(point_map[k]), mesh.point(point_map[other]),
+                                             mesh.scale));
     };
     if (view.canonical) {
         edges.write(

@@ -127,6 +127,24 @@ int side_of_facet_sphere(const double* a, const double* b, const double* c, cons
     return s != exact::undecided ? s : exact::facet_sphere_integer(a, b, c, q);
 }
 
+double edge_radius2(const double* a, const double* b, int scale) {
+    double half[3], largest = 0;
+    for (int k = 0; k < 3; ++k) {
+        half[k] = a[k] - b[k];
+        // Of halves where it overflows; a half that is rounded is too small to count.
+        half[k] = std::isfinite(half[k]) ? 0.5 * half[k] : 0.5 * a[k] - 0.5 * b[k];
+        largest = std::fmax(largest, std::fabs(half[k]));
+    }
+    // Squares of numbers near 1 are in the range of doubles.
+    const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+    double square = 0;
+    for (const double x : half) {
+        const double near_one = std::ldexp(x, -exponent);
+        square += near_one * near_one;
+    }
+    return std::ldexp(square, 2 * (exponent - scale));
+}
+
 double facet_radius2(const double* const (&p)[3], int scale) {
     double square;
     if (exact::facet_radius2_plain(p, square) || exact::facet_radius2_twofold(p, square))

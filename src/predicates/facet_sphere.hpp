@@ -12,6 +12,9 @@ int side_of_facet_sphere(const double* a, const double* b, const double* c, cons
 double facet_radius2(const double* const (&p)[3], int scale = 0);
 constexpr double facet_radius_error = 0x1p-46;
 
+// The same of two points: a quarter of the square of their distance.
+double edge_radius2(const double* a, const double* b, int scale = 0);
+
 namespace exact {
 
 // The stages of both, for tests. A filter that does not know gives `undecided`, and false.

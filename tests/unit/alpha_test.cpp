@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 #include <set>
@@ -147,6 +148,17 @@ std::vector<double> alphas_of(const Triangulation& t, std::int32_t dimension, st
 }
 
 void expect_near(double found, const Rational& exact) {
+    if (exact > Rational(std::numeric_limits<double>::max())) {
+        EXPECT_TRUE(std::isinf(found)) << found;
+        return;
+    }
+    // A subnormal alpha is rounded to a multiple of the least number.
+    if (exact < Rational(std::numeric_limits<double>::min())) {
+        EXPECT_LE(abs(Rational(found) - exact),
+                  Rational(2 * std::numeric_limits<double>::denorm_min()))
+            << found;
+        return;
+    }
     EXPECT_LE(abs(Rational(found) - exact), exact * Rational(2e-14)) << found;
 }
 
@@ -190,6 +202,22 @@ TEST(Alphas, AreThoseOfTheDefinition) {
     compare(uniform(n, 1e-9, 1e-9));
     compare(scaled(uniform(n), 1e-120));
     compare(scaled(uniform(n), 1e120));
+}
+
+// Some are beyond the range of doubles, and none is lost within it.
+TEST(Alphas, OfPointsWhoseExponentsAreFarApart) {
+    std::mt19937_64 random(6);
+    for (const int most : {200, 700}) {
+        Points xyz(is_small() ? 18 : 24);
+        for (double& x : xyz)
+            x = std::ldexp(static_cast<double>(random() >> 11) * 0x1p-53 - 0.5,
+                           static_cast<int>(random() % (2 * static_cast<unsigned>(most))) - most);
+        compare(xyz);
+    }
+    // Edges that are short beside the largest coordinate.
+    Points xyz = {1e150, 0, 0, 0, 1e150, 0, 0, 0, -1e150};
+    for (const double x : scaled(uniform(4), 1e-143)) xyz.push_back(x);
+    compare(xyz);
 }
 
 // At each edge of a surface as many facets turn one way as the other.
