@@ -694,9 +694,8 @@ MGDT_API mgdt_status mgdt_get_circumcenters(const mgdt_triangulation* t, int64_t
  *
  *  Volumes and areas are off by less than 1e-12 of themselves, and centroids by less than 1e-12
  *  of the distance of the cell's farthest corner from the point. Faces are counted exactly: cells
- *  of a cubic lattice have 6. For these bounds, cells are computed with up to 2,048 bits where need
- *  be; volumes, areas and centroids of points whose exponents are several hundred apart may need
- *  more. Numbers beyond the largest double are infinite. docs/theory.md, "Cells".
+ *  of a cubic lattice have 6. Numbers beyond the largest double are infinite.
+ *  docs/theory.md, "Cells".
  *  @param measure   an MGDT_MEASURE_ value
  *  @param n_planes  number of planes, at least 0
  *  @param planes    4 n_planes elements, a b c d each: the region is where a x + b y + c z <= d. No

@@ -66,65 +66,45 @@ bool ExactMeasures::in_twofold(CellFaces& faces, const double* point, int scale,
 
 namespace {
 
-// A double with an exponent of its own: of a number that may be beyond the range of doubles.
-struct WideDouble {
-    double mantissa;
-    std::int64_t exponent;
-};
-
-template <int Bits>
-WideDouble wide(LongFloat<Bits> x) {
-    const std::int64_t exponent = x.exponent;
-    x.exponent = 0;
-    return {x.in_double(), exponent};
-}
-
-template <int Bits>
-LongFloat<Bits> long_float(const WideDouble& x) {
-    LongFloat<Bits> r(x.mantissa);
-    r.exponent += x.exponent;
-    return r;
-}
-
 // x / sqrt(y), y being above 0; with a few roundings.
 WideDouble over_root(const WideDouble& x, const WideDouble& y) {
     const bool is_odd = y.exponent % 2 != 0;
     const double root = std::sqrt(is_odd ? 2 * y.mantissa : y.mantissa);
-    return {x.mantissa / root, x.exponent - (y.exponent - is_odd) / 2};
+    return WideDouble(x.mantissa / root, x.exponent - (y.exponent - is_odd) / 2);
 }
 
 // The sums over the faces in numbers that bound their own errors.
-template <int Bits>
 class LongSums {
   public:
-    using L = LongFloat<Bits>;
-    using B = Bounded<L>;
-    using V = Vector<B>;
+    LongSums(Allocator& allocator, std::size_t limbs)
+        : memory_(allocator, limbs), sums_(allocator, 4, limbs), corners_(allocator) {}
 
-    explicit LongSums(Allocator& allocator) : corners_(allocator) {
-        for (B& sum : sums_) sum = number(0);
-    }
     void add(CellFaces& faces, const CellFaces::Face& face, Measure measure);
-    bool give(const double* point, int scale, Measure measure, double* x) const;
+    bool give(const double* point, int scale, Measure measure, double* x);
 
   private:
-    using Bound = typename B::Bound;
-    static B number(double x) { return {L(x), Bound()}; }
-    static B rounded(const ExactNumber& x) {
-        return B::rounded(x.template rounded<Bits>(), Bound());
-    }
-    static bool is_below(const Bound& a, const Bound& b, double factor) {
-        return !(b * Bound(factor) < a);
+    using B = Bounded<LongNumber>;
+    using V = Vector<B>;
+
+    B number(double x) { return {memory_.number(x), {}}; }
+    B rounded(const LongNumber& x) { return B::rounded(memory_.copy(x), {}); }
+    B sum(std::size_t i) { return {memory_.copy(sums_[i]), errors_[i]}; }
+    void add_to_sum(std::size_t i, const B& term) {
+        const B all = sum(i) + term;
+        sums_.set(i, all.value);
+        errors_[i] = all.error;
     }
 
-    B sums_[4];  // 12 times the volume and the moment; or twice the area
-    Bound extent_;
+    LongMemory memory_;
+    LongNumbers sums_;  // twelve times the volume and the moment, or twice the area
+    WideDouble errors_[4];
+    WideDouble extent_;
     Buffer<V> corners_;
 };
 
-template <int Bits>
-void LongSums<Bits>::add(CellFaces& faces, const CellFaces::Face& face, Measure measure) {
+void LongSums::add(CellFaces& faces, const CellFaces::Face& face, Measure measure) {
     HalfSpaces& half_spaces = faces.half_spaces();
+    memory_.release(0);
     corners_.clear();
     for (std::size_t i = face.begin; i < face.end; ++i) {
         const HalfSpaces::Point exact = half_spaces.meeting_point(
@@ -133,82 +113,72 @@ void LongSums<Bits>::add(CellFaces& faces, const CellFaces::Face& face, Measure 
         V corner;
         for (int k = 0; k < 3; ++k) {
             corner.x[k] = rounded(exact.x[k]) / weight;
-            const Bound size = corner.x[k].magnitude();
+            const WideDouble size = corner.x[k].magnitude();
             if (extent_ < size) extent_ = size;
         }
         corners_.push_back(corner);
     }
     const HalfSpaces::Row& row = half_spaces.row(face.plane);
     const V normal = {{rounded(row.normal[0]), rounded(row.normal[1]), rounded(row.normal[2])}};
-    const B square = dot(normal, normal), twice_over_square = number(2) / square,
-            weight = rounded(row.offset) * twice_over_square;
+    const B square = dot(normal, normal), weight = rounded(row.offset) * (number(2) / square);
+    const std::size_t mark = memory_.mark();
     B doubled_area = number(0);  // times the length of the normal
     for (std::size_t i = 0; i < corners_.size(); ++i) {
         const V &a = corners_[i], &b = corners_[i + 1 == corners_.size() ? 0 : i + 1];
         const B along = dot(normal, cross(a, b));
-        doubled_area = doubled_area + along;
-        if (measure != Measure::centroid) continue;
+        if (measure == Measure::area) {
+            doubled_area = doubled_area + along;
+            continue;
+        }
         const B volume = weight * along;
-        for (int k = 0; k < 3; ++k)
-            sums_[1 + k] =
-                sums_[1 + k] + volume * (number(0.5) * weight * normal.x[k] + (a.x[k] + b.x[k]));
+        add_to_sum(0, volume);
+        if (measure == Measure::centroid)
+            for (std::size_t k = 0; k < 3; ++k)
+                add_to_sum(1 + k,
+                           volume * (number(0.5) * weight * normal.x[k] + (a.x[k] + b.x[k])));
+        memory_.release(mark);
     }
-    if (measure != Measure::area) {
-        sums_[0] = sums_[0] + weight * doubled_area;
-        return;
-    }
-    const WideDouble length2 = wide(square.value);
-    const auto term = [&](const L& x) { return long_float<Bits>(over_root(wide(x), length2)); };
-    Bound error = doubled_area.error;
-    L of_error(0.0);
-    for (int i = 0; i < error.size; ++i)
-        of_error.limb[of_error.size - error.size + i] = error.limb[i];
-    of_error.exponent = error.exponent;
-    const B area = {term(doubled_area.value),
-                    BoundsOf<L>::magnitude(term(of_error)) * Bound(1 + 0x1p-30)};
-    sums_[0] = sums_[0] + area;
+    if (measure != Measure::area) return;
+    const WideDouble length2 = square.value.wide(),
+                     area = over_root(doubled_area.value.wide(), length2),
+                     error = over_root(doubled_area.error, length2);
+    add_to_sum(0, {memory_.number(area.mantissa, area.exponent), error * WideDouble(1 + 0x1p-30)});
 }
 
-template <int Bits>
-bool LongSums<Bits>::give(const double* point, int scale, Measure measure, double* x) const {
-    const B& whole = sums_[0];
-    bool is_sure = whole.value.is_zero() || whole.value.is_negative
-                       ? false
-                       : is_below(whole.error, whole.magnitude(), 0.9 * measure_error);
-    const auto in_double = [](L value, std::int64_t exponent) {
-        value.exponent += exponent;
-        return value.is_negative ? 0.0 : value.in_double();
+bool LongSums::give(const double* point, int scale, Measure measure, double* x) {
+    const auto is_below = [](const WideDouble& a, const WideDouble& b, double factor) {
+        return !(b * WideDouble(factor) < a);
     };
+    memory_.release(0);
+    const B whole = sum(0);
+    if (whole.value.sign() <= 0 || !is_below(whole.error, whole.magnitude(), 0.9 * measure_error))
+        return false;
+    const WideDouble value = whole.value.wide();
     if (measure == Measure::volume) {
-        x[0] = in_double(whole.value * (L(1.0) / L(12.0)), -3 * std::int64_t{scale});
+        const WideDouble volume = value / WideDouble(12);
+        x[0] = WideDouble(volume.mantissa, volume.exponent - 3 * scale).in_double();
     } else if (measure == Measure::area) {
-        x[0] = in_double(whole.value * L(0.5), -2 * std::int64_t{scale});
+        x[0] = WideDouble(value.mantissa, value.exponent - 1 - 2 * scale).in_double();
     } else {
-        const L inverse = L(1.0) / (whole.value * L(4.0));
-        for (int k = 0; k < 3; ++k) {
-            is_sure &= is_below(sums_[1 + k].error, extent_ * whole.magnitude(), measure_error);
-            L offset = sums_[1 + k].value * inverse;
-            // Beyond what these numbers can tell, the vertex is a point of the cell.
-            if (!is_sure && extent_ < BoundsOf<L>::magnitude(offset)) offset = L(0.0);
-            L at = L(point[k]) + offset;
-            at.exponent -= scale;
-            x[k] = at.in_double();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const B moment = sum(1 + k);
+            if (!is_below(moment.error, extent_ * whole.magnitude(), measure_error)) return false;
+            const WideDouble offset = moment.value.wide() / (value * WideDouble(4)),
+                             at = WideDouble(point[k]) + offset;
+            x[k] = WideDouble(at.mantissa, at.exponent - scale).in_double();
         }
     }
-    return is_sure;
+    return true;
 }
 
 }  // namespace
 
-template <int Bits>
-bool ExactMeasures::in_long(CellFaces& faces, const double* point, int scale, Measure measure,
-                            double* x) {
-    LongSums<Bits> sums(corners_.allocator());
+bool ExactMeasures::in_long(CellFaces& faces, const double* point, int scale, std::size_t limbs,
+                            Measure measure, double* x) {
+    LongSums sums(corners_.allocator(), limbs);
     for (std::size_t f = 0; f < faces.size(); ++f) sums.add(faces, faces.face(f), measure);
     return sums.give(point, scale, measure, x);
 }
-template bool ExactMeasures::in_long<512>(CellFaces&, const double*, int, Measure, double*);
-template bool ExactMeasures::in_long<2048>(CellFaces&, const double*, int, Measure, double*);
 
 void ExactMeasures::measure(CellFaces& faces, const double* point, int scale, Measure measure,
                             double* x) {
@@ -220,10 +190,10 @@ void ExactMeasures::measure(CellFaces& faces, const double* point, int scale, Me
             x[0] = 0;
         return;
     }
-    const int exponent = faces.exponent();
-    if (in_twofold(faces, point, scale, exponent, measure, x)) return;
-    if (in_long<512>(faces, point, scale, measure, x)) return;
-    in_long<2048>(faces, point, scale, measure, x);
+    if (in_twofold(faces, point, scale, faces.exponent(), measure, x)) return;
+    // A cell has a volume, so that enough limbs tell it.
+    for (std::size_t limbs = 512 / exact::limb_bits;; limbs *= 4)
+        if (in_long(faces, point, scale, limbs, measure, x)) return;
 }
 
 }  // namespace mgdt

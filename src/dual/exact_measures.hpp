@@ -17,12 +17,11 @@ class ExactMeasures {
     void measure(CellFaces& faces, const double* point, int scale, Measure measure, double* x);
 
     // The stages, one by one: in twofold numbers, lengths being multiplied by 2^exponent; in long
-    // ones. False where the error may be above measure_error; then long ones give the best that
-    // they can.
+    // ones of so many limbs. False where the error may be above measure_error.
     bool in_twofold(CellFaces& faces, const double* point, int scale, int exponent, Measure measure,
                     double* x);
-    template <int Bits>
-    bool in_long(CellFaces& faces, const double* point, int scale, Measure measure, double* x);
+    bool in_long(CellFaces& faces, const double* point, int scale, std::size_t limbs,
+                 Measure measure, double* x);
 
   private:
     template <Measure M>

@@ -12,9 +12,9 @@ constexpr double u = rounding_of<double>;
 constexpr double least_length = 0x1p-250, most_length = 0x1p250;
 
 using Row = HalfSpaces::Row;
-using Numbers3 = ExactNumber[3];
+using Numbers3 = LongNumber[3];
 
-ExactNumber dot(const Numbers3& a, const Numbers3& b) {
+LongNumber dot(const Numbers3& a, const Numbers3& b) {
     return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
 }
 void set_cross(const Numbers3& a, const Numbers3& b, Numbers3& c) {
@@ -25,8 +25,8 @@ void set_cross(const Numbers3& a, const Numbers3& b, Numbers3& c) {
 }
 
 // The height of the point where p, q and r meet over s, times the determinant of their normals.
-ExactNumber height_of(const Row& p, const Row& q, const Row& r, const Row& s) {
-    ExactNumber qr[3], ps[3];
+LongNumber height_of(const Row& p, const Row& q, const Row& r, const Row& s) {
+    LongNumber qr[3], ps[3];
     set_cross(q.normal, r.normal, qr);
     set_cross(p.normal, s.normal, ps);
     return (p.offset * dot(s.normal, qr) - s.offset * dot(p.normal, qr)) +
@@ -84,10 +84,10 @@ void HalfSpaces::add_plane(const double* of, int scale) {
 
 void HalfSpaces::set_row(const Source& source, Row& row) {
     if (!source.numbers) return;
-    ExactNumber at[3];
+    LongNumber at[3];
     for (int i = 0; i < 3; ++i) {
         at[i] = memory_.number(origin_[i]);
-        const ExactNumber x = memory_.number(source.numbers[i]);
+        const LongNumber x = memory_.number(source.numbers[i]);
         row.normal[i] = source.is_plane ? x : x - at[i];
     }
     // Half the square of the normal.
@@ -132,7 +132,7 @@ Row HalfSpaces::far_row(PlaneNumber p, bool is_offset_far) {
 Row HalfSpaces::row_of(PlaneNumber p, bool is_far_part) {
     if (is_far(p)) return far_row(p, is_far_part);
     Row row = rows_[p];
-    if (is_far_part) row.offset = ExactNumber();
+    if (is_far_part) row.offset = LongNumber();
     return row;
 }
 
@@ -153,7 +153,7 @@ int HalfSpaces::sign_of_product(PlaneNumber p, PlaneNumber q) {
 
 int HalfSpaces::orientation_of(PlaneNumber p, PlaneNumber q, PlaneNumber r) {
     prepare();
-    ExactNumber qr[3];
+    LongNumber qr[3];
     set_cross(row_of(q, false).normal, row_of(r, false).normal, qr);
     return dot(rows_[p].normal, qr).sign();
 }
@@ -172,7 +172,7 @@ int HalfSpaces::main_axis(PlaneNumber p, int& sign) {
 HalfSpaces::Point HalfSpaces::meeting_point(PlaneNumber p, PlaneNumber q, PlaneNumber r) {
     prepare();
     const Row *const a = &rows_[p], *const b = &rows_[q], *const c = &rows_[r];
-    ExactNumber bc[3], ca[3], ab[3];
+    LongNumber bc[3], ca[3], ab[3];
     set_cross(b->normal, c->normal, bc);
     set_cross(c->normal, a->normal, ca);
     set_cross(a->normal, b->normal, ab);
@@ -186,14 +186,10 @@ HalfSpaces::Point HalfSpaces::meeting_point(PlaneNumber p, PlaneNumber q, PlaneN
 namespace {
 
 // x 2^exponent with a relative error below 2^-104; false where it is not in the range.
-bool round_number(LongFloat<128> x, std::int64_t exponent, Twofold& r) {
-    r = {0, 0};
-    if (x.is_zero()) return true;
-    x.exponent += exponent;
-    if (!(x.exponent > -600 && x.exponent < 600)) return false;
-    const double high = x.in_double();
-    r = Twofold::sum(high, (x - LongFloat<128>(high)).in_double());
-    return true;
+bool round_number(const LongNumber& x, std::int64_t exponent, Twofold& r) {
+    r = x.twofold(exponent);
+    const double size = std::fabs(r.high);
+    return x.sign() == 0 || (size > 0x1p-600 && size < 0x1p600);
 }
 
 }  // namespace
@@ -209,8 +205,8 @@ bool HalfSpaces::round_side(PlaneNumber p, int exponent, Side<Twofold>& side) {
             -std::ilogb(std::fmax(std::fmax(std::fabs(of[0]), std::fabs(of[1])), std::fabs(of[2])));
     }
     for (int i = 0; i < 3; ++i)
-        if (!round_number(row.normal[i].rounded<128>(), of_normal, side.normal.x[i])) return false;
-    if (!round_number(row.offset.rounded<128>(), of_normal + exponent, side.offset)) return false;
+        if (!round_number(row.normal[i], of_normal, side.normal.x[i])) return false;
+    if (!round_number(row.offset, of_normal + exponent, side.offset)) return false;
     side.size = length(side.normal);
     side.error = rounding_of<Twofold> * std::fabs(side.offset.high);
     return side.size > least_length && side.size < most_length;
@@ -219,11 +215,12 @@ bool HalfSpaces::round_side(PlaneNumber p, int exponent, Side<Twofold>& side) {
 bool HalfSpaces::round_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, int exponent,
                               bool is_relative, Vector<Twofold>& x) {
     Point point = meeting_point(p, q, r);
-    using L = LongFloat<128>;
-    const L inverse = L(1.0) / point.weight.rounded<128>();
+    // Three limbs, or a few more of 32 bits, leave out less than 2^-110 of a quotient.
+    LongMemory cut_off(rows_.allocator(), 192 / exact::limb_bits);
+    const LongNumber weight = cut_off.copy(point.weight);
     for (int i = 0; i < 3; ++i) {
         if (!is_relative) point.x[i] = point.x[i] + point.weight * memory_.number(origin_[i]);
-        if (!round_number(point.x[i].rounded<128>() * inverse, exponent, x.x[i])) return false;
+        if (!round_number(cut_off.copy(point.x[i]) / weight, exponent, x.x[i])) return false;
     }
     return true;
 }

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "dual/corner.hpp"
-#include "predicates/exact_number.hpp"
+#include "predicates/long_number.hpp"
 
 namespace mgdt {
 
@@ -54,11 +54,11 @@ class HalfSpaces {
     // The point where three planes meet, as x / weight, and other things in exact numbers. They are
     // valid until the next call of a function that is not const.
     struct Point {
-        ExactNumber x[3], weight;
+        LongNumber x[3], weight;
     };
     Point meeting_point(PlaneNumber p, PlaneNumber q, PlaneNumber r);
     struct Row {
-        ExactNumber normal[3], offset;
+        LongNumber normal[3], offset;
     };
     const Row& row(PlaneNumber p);
     // The half-space rounded, lengths being multiplied by 2^exponent; false where twofold numbers
@@ -88,7 +88,7 @@ class HalfSpaces {
     Buffer<Source> sources_;
     Buffer<Side<double>> sides_;
     Buffer<Row> rows_;
-    ExactMemory memory_;
+    LongMemory memory_;
     std::size_t end_of_rows_ = 0;  // in memory_
 };
 

@@ -60,11 +60,11 @@ void Region::add_plane(std::size_t k, const double* of, const Mesh& mesh) {
 }
 
 // Whether a point is outside by more than rounding; exactly where doubles overflow.
-bool Region::is_beyond(const Plane& plane, const double* p, int scale, ExactMemory& memory) const {
+bool Region::is_beyond(const Plane& plane, const double* p, int scale, LongMemory& memory) const {
     const double height = plane.height(p), error = plane.error(p);
     if (std::isfinite(height) && std::isfinite(error)) return height > error;
     memory.release(0);
-    ExactNumber exact = -memory.number(plane.numbers[3], scale);
+    LongNumber exact = -memory.number(plane.numbers[3], scale);
     for (int i = 0; i < 3; ++i)
         exact = exact + memory.number(plane.numbers[i]) * memory.number(p[i]);
     return exact.sign() > 0;
@@ -72,7 +72,7 @@ bool Region::is_beyond(const Plane& plane, const double* p, int scale, ExactMemo
 
 // Names the first point that is outside.
 void Region::require_inside(const Mesh& mesh) const {
-    ExactMemory memory(planes_.allocator());
+    LongMemory memory(planes_.allocator());
     constexpr std::uint32_t none = 0xffffffffu;
     std::uint32_t point = none;
     std::size_t plane = 0;

@@ -8,7 +8,7 @@
 
 namespace mgdt {
 
-class ExactMemory;
+class LongMemory;
 class HalfSpaces;
 class ExactPolygon;
 
@@ -60,7 +60,7 @@ class Region {
         std::uint32_t label;  // the plane of the edge that follows
     };
     void add_plane(std::size_t k, const double* of, const Mesh& mesh);
-    bool is_beyond(const Plane& plane, const double* p, int scale, ExactMemory& memory) const;
+    bool is_beyond(const Plane& plane, const double* p, int scale, LongMemory& memory) const;
     void require_inside(const Mesh& mesh) const;
     void set_faces(const Mesh& mesh);
     void add_face(const ExactPolygon& polygon, HalfSpaces& half_spaces, const double* near);

@@ -28,9 +28,8 @@ const PlaceRow& Interpolator::row(const double* q, TetId t, TetId near) {
     const bool has_hull = where_.mesh.live_count() != 0;
     if (t != no_tetrahedron)
         add_inside(q, t);
-    else if (flat_hull_ && is_exact_ && flat_hull_->contains(q_))
-        add_nearest(q, near);
-    else if (outside_ == Outside::nearest || (outside_ != Outside::none && !has_hull))
+    else if (outside_ == Outside::nearest || (outside_ != Outside::none && !has_hull) ||
+             (flat_hull_ && is_exact_ && flat_hull_->contains(q_)))
         add_nearest(q, near);
     else if (outside_ != Outside::none)
         add_outside(near);
@@ -61,14 +60,15 @@ void Interpolator::add_linear(const double* q, TetId t) {
     sort();
 }
 
-// False at a vertex, on a ridge of the hull, and where the coordinates are too far apart.
+// False at a vertex and on a ridge of the hull.
 bool Interpolator::add_natural(TetId t) {
     const Mesh& mesh = where_.mesh;
     for (const VertexId v : mesh.tetrahedra[t].v)
         if (std::equal(q_, q_ + 3, mesh.point(v))) return false;
     star_->find(mesh, where_.kernel, q_, t);
     const Natural natural = method_ == Method::laplace ? Natural::laplace : Natural::sibson;
-    if (star_->is_on_ridge() || !natural_.find(mesh, *star_, q_, natural)) return false;
+    if (star_->is_on_ridge()) return false;
+    natural_.find(mesh, *star_, q_, natural);
     for (PlaceStar::Number k = 0; k < star_->size(); ++k)
         add(star_->vertex(k), natural_.weights()[k]);
     return true;

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "predicates/long_float.hpp"
-#include "predicates/twofold.hpp"
+#include "predicates/long_number.hpp"
 
 namespace mgdt {
 namespace {
@@ -19,15 +18,15 @@ constexpr double u = unit_roundoff;
 
 }  // namespace
 
-bool NaturalWeights::find(const Mesh& mesh, const PlaceStar& star, const double* q,
+void NaturalWeights::find(const Mesh& mesh, const PlaceStar& star, const double* q,
                           Natural natural) {
-    for (const Stage stage : {Stage::doubles, Stage::twofold, Stage::long_512, Stage::long_2048})
-        if (find_in(stage, mesh, star, q, natural)) return true;
-    return false;
+    for (const Stage stage : {Stage::doubles, Stage::twofold})
+        if (find_in(stage, mesh, star, q, natural)) return;
+    for (int bits = 512; !find_in(Stage::long_numbers, mesh, star, q, natural, bits);) bits *= 4;
 }
 
 bool NaturalWeights::find_in(Stage stage, const Mesh& mesh, const PlaceStar& star, const double* q,
-                             Natural natural) {
+                             Natural natural, int bits) {
     double largest = 0;
     for (PlaceStar::Number k = 0; k < star.size(); ++k)
         for (unsigned axis = 0; axis < 3; ++axis)
@@ -42,11 +41,10 @@ bool NaturalWeights::find_in(Stage stage, const Mesh& mesh, const PlaceStar& sta
         case Stage::doubles:
             return is_ordinary && !star.is_on_hull() && in_doubles(mesh, star, q, natural);
         case Stage::twofold:
-            return is_ordinary && in_real<Twofold>(mesh, star, q, natural);
-        case Stage::long_512:
-            return in_real<LongFloat<512>>(mesh, star, q, natural);
+            return is_ordinary && in_real<Twofold>(mesh, star, q, natural, 0);
         default:
-            return in_real<LongFloat<2048>>(mesh, star, q, natural);
+            return in_real<LongNumber>(mesh, star, q, natural,
+                                       static_cast<std::size_t>(bits / exact::limb_bits));
     }
 }
 

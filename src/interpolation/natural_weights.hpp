@@ -8,10 +8,6 @@
 
 namespace mgdt {
 
-template <int Bits>
-struct LongFloat;
-struct Twofold;
-
 enum class Natural { sibson, laplace };
 
 // How far a weight may be from the exact one, of all weights, which add up to 1; and the place that
@@ -21,20 +17,21 @@ inline constexpr double natural_place_error = 0x1p-47;
 
 // Weights of the vertices of the star of q, a place in the mesh's scale that is not on a ridge of
 // the hull, by their local numbers: none is negative, and their sum is 1 but for its rounding. They
-// do not depend on how the triangulation came about. False where numbers of 2048 bits do not
-// measure them: of coordinates whose exponents are thousands apart.
+// do not depend on how the triangulation came about.
 class NaturalWeights {
   public:
     explicit NaturalWeights(Allocator& allocator)
         : weights_(allocator), x_(allocator), centers_(allocator), sums_(allocator) {}
 
-    bool find(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural);
+    void find(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural);
     const Buffer<double>& weights() const noexcept { return weights_; }
 
     // The stages, one by one. Doubles leave weights even where they are not sure of them.
-    enum class Stage { doubles, twofold, long_512, long_2048 };
+    // Others are false where the weights are not known to 2^-52. Long numbers have so many bits, of
+    // which a multiple is always enough.
+    enum class Stage { doubles, twofold, long_numbers };
     bool find_in(Stage stage, const Mesh& mesh, const PlaceStar& star, const double* q,
-                 Natural natural);
+                 Natural natural, int bits = 512);
 
   private:
     struct Center {
@@ -42,7 +39,8 @@ class NaturalWeights {
     };
     bool in_doubles(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural);
     template <class Real>
-    bool in_real(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural);
+    bool in_real(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural,
+                 std::size_t limbs);
     bool set_centers(const Mesh& mesh, const PlaceStar& star, Natural natural);
     // From sums that are proportional to the weights.
     void normalize();

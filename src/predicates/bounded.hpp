@@ -3,7 +3,9 @@
 // its own bound says, and needs no analysis beforehand.
 #pragma once
 
-#include "long_float.hpp"
+#include <limits>
+
+#include "long_number.hpp"
 #include "vector.hpp"
 
 namespace mgdt {
@@ -16,32 +18,24 @@ template <>
 struct BoundsOf<Twofold> {
     using Bound = double;
     static Bound magnitude(const Twofold& x) { return std::fabs(x.high); }
-    static Bound rounding() { return rounding_of<Twofold>; }
+    static Bound rounding_error(const Twofold& x) { return rounding_of<Twofold> * magnitude(x); }
+    static Bound quotient_error(const Twofold& x) { return rounding_error(x); }
     // Of a product or quotient that is too small for doubles, where all begins near 1.
     static Bound underflow() { return 0x1p-900; }
     static Bound infinite() { return std::numeric_limits<double>::infinity(); }
 };
-template <int Bits>
-struct BoundsOf<LongFloat<Bits>> {
-    using Bound = LongFloat<64>;
-    static Bound magnitude(const LongFloat<Bits>& x) {
-        Bound r;
-        r.exponent = x.exponent;
-        for (int i = 0; i < Bound::size; ++i)
-            r.limb[i] = x.limb[LongFloat<Bits>::size - Bound::size + i];
-        return r;
+template <>
+struct BoundsOf<LongNumber> {
+    using Bound = WideDouble;
+    static Bound magnitude(const LongNumber& x) {
+        const WideDouble w = x.wide();
+        return w.mantissa < 0 ? WideDouble() - w : w;
     }
-    static Bound rounding() {
-        Bound r(8.0);
-        r.exponent -= Bits;
-        return r;
-    }
+    static Bound rounding_error(const LongNumber& x) { return x.rounding() * magnitude(x); }
+    // A quotient has four times the error of a product.
+    static Bound quotient_error(const LongNumber& x) { return WideDouble(4) * rounding_error(x); }
     static Bound underflow() { return Bound(); }
-    static Bound infinite() {
-        Bound r(1.0);
-        r.exponent = std::int64_t{1} << 50;
-        return r;
-    }
+    static Bound infinite() { return Bound(1, std::int64_t{1} << 50); }
 };
 
 template <class Real>
@@ -54,8 +48,10 @@ struct Bounded {
     Bound magnitude() const { return Of::magnitude(value); }
     // Of an operation that gives `value`, from operands' errors that add up to `inherited`.
     static Bounded rounded(const Real& value, const Bound& inherited) {
-        const Bound slack(1 + 0x1p-30);
-        return {value, (inherited + Of::rounding() * Of::magnitude(value)) * slack};
+        return with_error(value, inherited + Of::rounding_error(value));
+    }
+    static Bounded with_error(const Real& value, const Bound& error) {
+        return {value, error * Bound(1 + 0x1p-30)};
     }
 
     friend Bounded operator+(const Bounded& a, const Bounded& b) {
@@ -72,8 +68,8 @@ struct Bounded {
         const Bound least = b.magnitude() * Bound(1 - 0x1p-30) - b.error;
         if (!(Bound(0.0) < least)) return {a.value, Of::infinite()};
         const Real quotient = a.value / b.value;
-        return rounded(quotient,
-                       (a.error + Of::magnitude(quotient) * b.error) / least + Of::underflow());
+        return with_error(quotient, (a.error + Of::magnitude(quotient) * b.error) / least +
+                                        (Of::quotient_error(quotient) + Of::underflow()));
     }
 };
 

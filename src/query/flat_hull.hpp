@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
-#include "predicates/exact_number.hpp"
+#include "predicates/long_number.hpp"
 
 namespace mgdt {
 
@@ -24,7 +24,7 @@ class FlatHull {
     bool is_between(const double* p, const double* q, const double* r) const;
 
     const Mesh& mesh_;
-    ExactMemory memory_;
+    LongMemory memory_;
     int dimension_ = -1;
     const double* span_[3] = {};  // vertices that span the hull's line or plane
     const double* ends_[2] = {};  // the first and last vertex in the order of coordinates
