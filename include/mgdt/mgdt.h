@@ -829,9 +829,10 @@ MGDT_API mgdt_status mgdt_nearest_vertices_i32(const mgdt_triangulation* t, int6
 /** Values at any places from values at the points. Within the convex hull, its boundary included,
  *  each place has a value, also where the points are all in one plane, which allows
  *  MGDT_INTERPOLATE_NEAREST alone. Every other method gives a linear function again. At a point the
- * value is that of the point; of equal points, that of the vertex, the least index among them. The
- * value of a point that is not in is not read. The result depends neither on the number of threads
- * nor on the order of the places.
+ *  value is that of the point; of equal points, that of the vertex, the least index among them. The
+ *  value of a point that is not in is not read. The result depends neither on the number of threads
+ *  nor on the order of the places. Weights of natural neighbours, whose sum is 1, are off by less
+ *  than 2^-30, and on ordinary points by some 1e-13.
  *  @param method    an MGDT_INTERPOLATE_ value
  *  @param outside   an MGDT_OUTSIDE_ value
  *  @param n_fields  numbers for each point and each place, at least 0

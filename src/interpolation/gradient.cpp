@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mesh/star_traversal.hpp"
 
@@ -42,57 +43,86 @@ void Gradient::gather(const Locator& where, VertexId v) {
     });
 }
 
+namespace {
+
+Twofold twofold(double x) {
+    return {x, 0};
+}
+Twofold twofold(const Twofold& x) {
+    return x;
+}
+
+double root(double x) {
+    return std::sqrt(x);
+}
+Twofold root(const Twofold& x) {
+    const double r = std::sqrt(x.high);
+    if (r == 0) return {0, 0};
+    return Twofold{r, 0} + (x - Twofold::product(r, r)) / Twofold{2 * r, 0};
+}
+
+}  // namespace
+
 // With A the rows of unit vectors to the neighbours, the pseudo-inverse of A. Rotations in the
 // plane of two axes make the columns of A V orthogonal (Hestenes, Inversion of matrices by
 // biorthogonalization and related results, Journal of the SIAM 6, 1958): A V = U S, and the
 // pseudo-inverse is V S^-1 U^T.
-void Gradient::find(const Locator& where, VertexId v) {
-    gather(where, v);
-    const Mesh& mesh = where.mesh;
+template <class Real>
+double Gradient::set_directions(const Mesh& mesh, VertexId v, Buffer<Real>& columns) {
     const std::size_t n = neighbors_.size();
-    rows_.clear();
-    rows_.resize(n);
-    columns_.clear();
-    columns_.resize(3 * n);
-    double* const a[3] = {columns_.data(), columns_.data() + n, columns_.data() + 2 * n};
+    columns.clear();
+    columns.resize(3 * n);
+    Real* const a[3] = {columns.data(), columns.data() + n, columns.data() + 2 * n};
+    const Real zero = to_real<Real>(0), one = to_real<Real>(1);
     for (std::size_t j = 0; j < n; ++j) {
-        double d[3], largest = 0;
+        const double *const to = mesh.point(neighbors_[j]), *const from = mesh.point(v);
+        Vector<Real> d;
+        double largest = 0;
         const auto set = [&](double part) {
             largest = 0;
             for (int k = 0; k < 3; ++k) {
-                d[k] = part * mesh.point(neighbors_[j])[k] - part * mesh.point(v)[k];
-                largest = std::max(largest, std::fabs(d[k]));
+                set_difference(d.x[k], part * to[k], part * from[k]);
+                largest = std::max(largest, std::fabs(nearest_double(d.x[k])));
             }
         };
         double part = 1;
         set(part);
         if (!std::isfinite(largest)) set(part = 0.25);
-        for (double& x : d) x /= largest;
-        const double length = std::sqrt((d[0] * d[0] + d[1] * d[1]) + d[2] * d[2]);
-        for (int k = 0; k < 3; ++k) a[k][j] = d[k] / length;
-        rows_[j].distance = largest * length / part;
+        // Near 1, by a power of two.
+        const int exponent = std::ilogb(largest);
+        for (Real& x : d.x)
+            x = scaled_by(scaled_by(x, std::ldexp(1.0, -exponent / 2)),
+                          std::ldexp(1.0, -exponent + exponent / 2));
+        const Real length = root(dot(d, d));
+        for (int k = 0; k < 3; ++k) a[k][j] = d.x[k] / length;
+        rows_[j].distance = std::ldexp(nearest_double(length), exponent) / part;
     }
-    double rotation[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const auto product = [n](const double* x, const double* y) {
-        double sum = 0;
-        for (std::size_t j = 0; j < n; ++j) sum += x[j] * y[j];
+    Real rotation[3][3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+    const auto product = [n, zero](const Real* x, const Real* y) {
+        Real sum = zero;
+        for (std::size_t j = 0; j < n; ++j) sum = sum + x[j] * y[j];
         return sum;
     };
-    constexpr int most_sweeps = 12;  // each squares what is left
+    constexpr int most_sweeps = 16;  // each squares what is left
+    constexpr double least_cosine = 2 * rounding_of<Real>;
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         bool is_orthogonal = true;
         for (int p = 0; p < 2; ++p)
             for (int q = p + 1; q < 3; ++q) {
-                const double pp = product(a[p], a[p]), qq = product(a[q], a[q]),
-                             pq = product(a[p], a[q]);
-                if (!(std::fabs(pq) > 0x1p-52 * std::sqrt(pp * qq))) continue;
+                const Real pp = product(a[p], a[p]), qq = product(a[q], a[q]),
+                           pq = product(a[p], a[q]);
+                if (!(std::fabs(nearest_double(pq)) >
+                      least_cosine * std::sqrt(nearest_double(pp) * nearest_double(qq))))
+                    continue;
                 is_orthogonal = false;
-                const double zeta = (qq - pp) / (2 * pq);
+                // Any rotation will do, if it is one to the last bits.
+                const double zeta = nearest_double(qq - pp) / (2 * nearest_double(pq));
                 const double t =
                     std::copysign(1 / (std::fabs(zeta) + std::sqrt(1 + zeta * zeta)), zeta);
-                const double c = 1 / std::sqrt(1 + t * t), s = c * t;
-                const auto rotate = [c, s](double& x, double& y) {
-                    const double old = x;
+                const Real tangent = to_real<Real>(t), c = one / root(one + tangent * tangent),
+                           s = c * tangent;
+                const auto rotate = [c, s](Real& x, Real& y) {
+                    const Real old = x;
                     x = c * old - s * y;
                     y = s * old + c * y;
                 };
@@ -101,19 +131,33 @@ void Gradient::find(const Locator& where, VertexId v) {
             }
         if (is_orthogonal) break;
     }
-    double square[3], largest = 0;
+    Real square[3];
+    double largest = 0, least = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k) {
         square[k] = product(a[k], a[k]);
-        largest = std::max(largest, square[k]);
+        largest = std::max(largest, nearest_double(square[k]));
+        least = std::min(least, nearest_double(square[k]));
     }
+    const auto counts = [&](const Real& x) {
+        return nearest_double(x) > least_extent * least_extent * largest;
+    };
     for (std::size_t j = 0; j < n; ++j)
         for (int k = 0; k < 3; ++k) {
-            double x = 0;
+            Real x = zero;
             for (int i = 0; i < 3; ++i)
-                if (square[i] > least_extent * least_extent * largest)
-                    x += rotation[k][i] * (a[i][j] / square[i]);
-            rows_[j].x[k] = x;
+                if (counts(square[i])) x = x + rotation[k][i] * (a[i][j] / square[i]);
+            rows_[j].direction.x[k] = twofold(x);
         }
+    return n == 0 ? 1 : std::sqrt(least / largest);
+}
+
+void Gradient::find(const Locator& where, VertexId v) {
+    gather(where, v);
+    rows_.clear();
+    rows_.resize(neighbors_.size());
+    constexpr double thin = 0x1p-10;
+    is_thin_ = set_directions(where.mesh, v, columns_) < thin;
+    if (is_thin_) set_directions(where.mesh, v, twofold_columns_);
 }
 
 }  // namespace mgdt

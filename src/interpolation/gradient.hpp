@@ -4,6 +4,7 @@
 #pragma once
 
 #include "mesh/numbers.hpp"
+#include "predicates/vector.hpp"
 #include "query/locate.hpp"
 
 namespace mgdt {
@@ -16,7 +17,8 @@ class Gradient {
           vertices_(allocator),
           neighbors_(allocator),
           rows_(allocator),
-          columns_(allocator) {}
+          columns_(allocator),
+          twofold_columns_(allocator) {}
 
     void find(const Locator& where, VertexId v);
 
@@ -24,20 +26,29 @@ class Gradient {
     // from the vertex's, divided by distance(j).
     std::size_t size() const noexcept { return neighbors_.size(); }
     VertexId neighbor(std::size_t j) const noexcept { return neighbors_[j]; }
-    const double* direction(std::size_t j) const noexcept { return rows_[j].x; }
+    const Vector<Twofold>& direction(std::size_t j) const noexcept { return rows_[j].direction; }
     double distance(std::size_t j) const noexcept { return rows_[j].distance; }
+    // Whether neighbours are nearly in one plane or on one line: then directions are long, cancel,
+    // and have a lower part, which else is 0.
+    bool is_thin() const noexcept { return is_thin_; }
 
   private:
     struct Row {
-        double x[3];
+        Vector<Twofold> direction;
         double distance;
     };
     void gather(const Locator& where, VertexId v);
+    // Sets the directions and distances; returns the least extent of the neighbours over the
+    // largest.
+    template <class Real>
+    double set_directions(const Mesh& mesh, VertexId v, Buffer<Real>& columns);
 
     Numbers tetrahedra_, vertices_;
     Buffer<VertexId> neighbors_;  // in the order of the caller's indices
     Buffer<Row> rows_;
     Buffer<double> columns_;
+    Buffer<Twofold> twofold_columns_;
+    bool is_thin_ = false;
 };
 
 }  // namespace mgdt

@@ -14,24 +14,36 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+// The product of a way and a gradient or direction, of which only long ones have lower parts.
+double product(const Vector<Twofold>& way, const Twofold* g) {
+    if (g[0].low == 0 && g[1].low == 0 && g[2].low == 0)
+        return (way.x[0].high * g[0].high + way.x[1].high * g[1].high) + way.x[2].high * g[2].high;
+    return ((way.x[0] * g[0] + way.x[1] * g[1]) + way.x[2] * g[2]).high;
+}
+
 // Gradients at vertices, in the lengths of the mesh's scale.
 class GradientsOf {
   public:
     GradientsOf(const Locator& where, const Values& values, Allocator& allocator)
         : where_(where), values_(values), stencil_(allocator) {}
     // Three numbers for each field.
-    void write(VertexId v, double* out) {
+    void write(VertexId v, Twofold* out) {
         const Mesh& mesh = where_.mesh;
         stencil_.find(where_, v);
-        std::fill_n(out, 3 * values_.fields, 0.0);
+        std::fill_n(out, 3 * values_.fields, Twofold{0, 0});
         const double* const here = values_.of(mesh.vertices[v].index);
         for (std::size_t j = 0; j < stencil_.size(); ++j) {
             const double* const there = values_.of(mesh.vertices[stencil_.neighbor(j)].index);
-            const double* const direction = stencil_.direction(j);
+            const Vector<Twofold>& direction = stencil_.direction(j);
             for (std::size_t f = 0; f < values_.fields; ++f) {
                 const double rise = (there[f] - here[f]) / stencil_.distance(j);
-                for (int k = 0; k < 3; ++k)
-                    out[3 * f + static_cast<std::size_t>(k)] += rise * direction[k];
+                for (int k = 0; k < 3; ++k) {
+                    Twofold& to = out[3 * f + static_cast<std::size_t>(k)];
+                    if (stencil_.is_thin())
+                        to = to + Twofold{rise, 0} * direction.x[k];
+                    else
+                        to.high += rise * direction.x[k].high;
+                }
             }
         }
     }
@@ -44,19 +56,18 @@ class GradientsOf {
 
 constexpr std::size_t vertices_per_thread = 1024;
 
-// Writes the gradients at each vertex to place_of(vertex), and has then(place) go on with them.
-template <class PlaceOf, class Then>
-void write_gradients(const ExportView& view, const Locator& where, const Values& values,
-                     PlaceOf place_of, Then then) {
+// Calls write(vertex, worker) for each vertex, a worker writing its gradients.
+template <class Write>
+void for_each_gradient(const ExportView& view, const Locator& where, const Values& values,
+                       Write write) {
     PerMember<GradientsOf> workers(view.team, view.allocator, where, values,
                                    std::ref(view.allocator));
     view.team.split(view.mesh.vertices.size() - 1, vertices_per_thread,
                     [&](std::size_t begin, std::size_t end, unsigned m) {
-                        for (std::size_t v = begin + 1; v <= end; ++v) {
-                            double* const place = place_of(v);
-                            workers[m].write(static_cast<VertexId>(v), place);
-                            then(place);
-                        }
+                        Buffer<Twofold> scratch(view.allocator);
+                        scratch.resize(3 * values.fields);
+                        for (std::size_t v = begin + 1; v <= end; ++v)
+                            write(static_cast<VertexId>(v), workers[m], scratch.data());
                     });
 }
 
@@ -65,7 +76,7 @@ class Evaluator {
   public:
     // `gradients` may be empty: then they are found where they are wanted.
     Evaluator(const Locator& where, Allocator& allocator, const Manner& manner,
-              const Values& values, const Buffer<double>& gradients)
+              const Values& values, const Buffer<Twofold>& gradients)
         : mesh_(where.mesh),
           values_(values),
           gradients_(gradients),
@@ -81,15 +92,14 @@ class Evaluator {
             for (std::size_t f = 0; f < values_.fields; ++f) out[f] += w.weight * value[f];
         }
         for (const PlaceRow::Slope& s : row.slopes) {
-            const double* const g = gradient(s.vertex);
+            const Twofold* const g = gradient(s.vertex);
             for (std::size_t f = 0; f < values_.fields; ++f)
-                out[f] +=
-                    (s.along[0] * g[3 * f] + s.along[1] * g[3 * f + 1]) + s.along[2] * g[3 * f + 2];
+                out[f] += s.factor * product(s.way, g + 3 * f);
         }
     }
 
   private:
-    const double* gradient(VertexId v) {
+    const Twofold* gradient(VertexId v) {
         const std::size_t width = 3 * values_.fields;
         if (!gradients_.empty()) return gradients_.data() + width * v;
         gradient_.clear();
@@ -100,10 +110,10 @@ class Evaluator {
 
     const Mesh& mesh_;
     const Values values_;
-    const Buffer<double>& gradients_;
+    const Buffer<Twofold>& gradients_;
     Interpolator interpolator_;
     GradientsOf gradients_of_;
-    Buffer<double> gradient_;
+    Buffer<Twofold> gradient_;
 };
 
 // Weights alone, of points by index: those of gradients are put with the others.
@@ -131,10 +141,8 @@ class RowWriter {
             gradient_.find(where_, s.vertex);
             double sum = 0;
             for (std::size_t j = 0; j < gradient_.size(); ++j) {
-                const double* const d = gradient_.direction(j);
-                const double weight = ((s.along[0] / gradient_.distance(j)) * d[0] +
-                                       (s.along[1] / gradient_.distance(j)) * d[1]) +
-                                      (s.along[2] / gradient_.distance(j)) * d[2];
+                const double weight =
+                    s.factor * (product(s.way, gradient_.direction(j).x) / gradient_.distance(j));
                 sum += weight;
                 entries.push_back({vertices[gradient_.neighbor(j)].index, weight});
             }
@@ -169,14 +177,14 @@ class RowWriter {
 
 void interpolate(const ExportView& view, const Locator& where, Manner manner, const Values& values,
                  const PointSet& places, double* out) {
-    Buffer<double> gradients(view.allocator);
+    Buffer<Twofold> gradients(view.allocator);
     // A place wants some sixteen of them.
     if (manner.method == Method::sibson_c1 && places.size >= view.mesh.vertices.size() / 8) {
         const std::size_t width = 3 * values.fields;
         gradients.resize(width * view.mesh.vertices.size());
-        write_gradients(
-            view, where, values, [&](std::size_t v) { return gradients.data() + width * v; },
-            [](double*) {});
+        for_each_gradient(view, where, values, [&](VertexId v, GradientsOf& worker, Twofold*) {
+            worker.write(v, gradients.data() + width * v);
+        });
     }
     PerMember<Evaluator> workers(view.team, view.allocator, where, std::ref(view.allocator), manner,
                                  values, std::ref(gradients));
@@ -249,12 +257,11 @@ void gradients(const ExportView& view, const Locator& where, const Buffer<Vertex
                const Values& values, double* out) {
     const Mesh& mesh = view.mesh;
     const std::size_t width = 3 * values.fields;
-    const auto unscale = [&](double* at) {
-        for (std::size_t i = 0; i < width; ++i) at[i] = scaled(at[i], mesh.scale);
-    };
-    write_gradients(
-        view, where, values, [&](std::size_t v) { return out + width * mesh.vertices[v].index; },
-        unscale);
+    for_each_gradient(view, where, values, [&](VertexId v, GradientsOf& worker, Twofold* scratch) {
+        worker.write(v, scratch);
+        double* const to = out + width * mesh.vertices[v].index;
+        for (std::size_t i = 0; i < width; ++i) to[i] = scaled(scratch[i].high, mesh.scale);
+    });
     constexpr std::size_t points_per_thread = 65536;
     view.team.split(point_map.size(), points_per_thread,
                     [&](std::size_t begin, std::size_t end, unsigned) {

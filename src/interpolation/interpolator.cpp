@@ -134,23 +134,25 @@ void Interpolator::smooth() {
                  of_planes = square / (alpha + square);
     for (PlaceRow::Weight& w : weights) {
         const double part = of_planes * (w.weight / distance(w.vertex) / over);
-        row_.slopes.push_back(
-            {w.vertex,
-             {part * from(w.vertex, 0), part * from(w.vertex, 1), part * from(w.vertex, 2)}});
+        row_.slopes.push_back({w.vertex, part, difference<Twofold>(q_, mesh.point(w.vertex))});
         w.weight = of_values * w.weight + part;
     }
 }
 
-// By the mean of the gradients at the corners of the hull facet.
+// By the mean of the gradients at the corners of the hull facet, on the way from the place that the
+// corners have with these very weights.
 void Interpolator::extrapolate(const HullPlace& from) {
-    for (unsigned k = 0; k < from.size; ++k) {
-        PlaceRow::Slope slope = {from.corner[k], {}};
-        for (int axis = 0; axis < 3; ++axis)
-            slope.along[axis] = from.weight[k] * (q_[axis] - from.x[axis]);
+    Vector<Twofold> way;
+    for (int axis = 0; axis < 3; ++axis) {
+        way.x[axis] = {q_[axis], 0};
+        for (unsigned k = 0; k < from.size; ++k)
+            way.x[axis] = way.x[axis] -
+                          Twofold::product(from.weight[k], where_.mesh.point(from.corner[k])[axis]);
         // Where the way is too long for doubles, what is at its beginning stays.
-        if (std::all_of(slope.along, slope.along + 3, [](double x) { return std::isfinite(x); }))
-            row_.slopes.push_back(slope);
+        if (!std::isfinite(way.x[axis].high) || !std::isfinite(way.x[axis].low)) return;
     }
+    for (unsigned k = 0; k < from.size; ++k)
+        row_.slopes.push_back({from.corner[k], from.weight[k], way});
 }
 
 }  // namespace mgdt

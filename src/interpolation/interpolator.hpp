@@ -14,8 +14,9 @@ namespace mgdt {
 enum class Method { linear, nearest, sibson, laplace, sibson_c1 };
 enum class Outside { none, nearest, boundary, linear };
 
-// The value is the sum of weights times the values at vertices, and of the products of slopes and
-// the gradients at vertices, in the lengths of the mesh's scale. Empty where there is no value.
+// The value is the sum of weights times the values at vertices, and for each slope the product of
+// its factor, its way and the gradient at its vertex, in the lengths of the mesh's scale. Empty
+// where there is no value.
 struct PlaceRow {
     explicit PlaceRow(Allocator& allocator) : weights(allocator), slopes(allocator) {}
     struct Weight {
@@ -24,7 +25,8 @@ struct PlaceRow {
     };
     struct Slope {
         VertexId vertex;
-        double along[3];
+        double factor;
+        Vector<Twofold> way;  // as long gradients across thin neighbourhoods cancel along it
     };
     Buffer<Weight> weights;  // none is 0; in the order of the caller's indices
     Buffer<Slope> slopes;

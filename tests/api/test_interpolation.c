@@ -325,6 +325,56 @@ static void flat_and_empty(void) {
     mgdt_destroy(t);
 }
 
+/* Smooth values, and linear ones outside, of points that are nearly in one plane in no direction of
+ * an axis: linear functions come back, and weights say the same. */
+static void thin_slabs(void) {
+    static const double thickness[4] = {1e-3, 1e-8, 1e-12, 1e-14};
+    enum { n = 300, m = 60 };
+    double xyz[3 * n], values[n], places[3 * m], out[m], weights[200 * m];
+    int64_t offsets[m + 1], points[200 * m];
+    double* const at = random_points(n, 0, 7);
+    double* const of = random_points(m, 0, 8);
+    int s, i, k, method;
+    for (s = 0; s < 4; ++s) {
+        mgdt_triangulation* t;
+        for (i = 0; i < n + m; ++i) {
+            const double* const p = i < n ? at + 3 * i : of + 3 * (i - n);
+            /* Half of the places are outside, in the plane and above it. */
+            const double size = i >= n && i % 2 ? 1.5 : 1, a = size * (p[0] - .5),
+                         b = size * (p[1] - .5), c = size * (p[2] - .5) * thickness[s];
+            double* const to = i < n ? xyz + 3 * i : places + 3 * (i - n);
+            to[0] = .6 * a - .64 * b + .48 * c;
+            to[1] = .8 * a + .48 * b - .36 * c;
+            to[2] = .6 * b + .8 * c;
+        }
+        for (i = 0; i < n; ++i)
+            values[i] = 1 + xyz[3 * i] - 2 * xyz[3 * i + 1] + 3 * xyz[3 * i + 2];
+        t = make(n, xyz);
+        for (method = 0; method < 2; ++method) {
+            const int32_t of_methods[2] = {MGDT_INTERPOLATE_SIBSON_C1, MGDT_INTERPOLATE_LINEAR};
+            CHECK_EQUAL(mgdt_interpolate(t, of_methods[method], MGDT_OUTSIDE_LINEAR, 1, values, m,
+                                         places, out),
+                        MGDT_OK);
+            CHECK_EQUAL(
+                mgdt_get_interpolation_weights(t, of_methods[method], MGDT_OUTSIDE_LINEAR, m,
+                                               places, m + 1, offsets, 200 * m, points, weights),
+                MGDT_OK);
+            for (i = 0; i < m; ++i) {
+                const double exact =
+                    1 + places[3 * i] - 2 * places[3 * i + 1] + 3 * places[3 * i + 2];
+                double sum = 0;
+                for (k = (int)offsets[i]; k < offsets[i + 1]; ++k)
+                    sum += weights[k] * values[points[k]];
+                CHECK(fabs(out[i] - exact) <= 1e-11);
+                CHECK(fabs(sum - exact) <= 1e-11);
+            }
+        }
+        mgdt_destroy(t);
+    }
+    free(at);
+    free(of);
+}
+
 /* The same bits with any number of threads, and one by one. */
 static void threads(void) {
     const int64_t n = is_small() ? 1000 : 20000;
@@ -438,5 +488,6 @@ void test_interpolation(void) {
     paraboloid();
     absent_points();
     flat_and_empty();
+    thin_slabs();
     threads();
 }
