@@ -39,7 +39,8 @@ class Triangulation::Motion {
         : t_(triangulation),
           moved_(moved),
           equal_points_(triangulation.allocator_, triangulation.mesh_.vertices.size()),
-          gaps_(triangulation.allocator_) {}
+          gaps_(triangulation.allocator_),
+          budget_(triangulation.removal_budget()) {}
     ~Motion() { t_.close_gaps(gaps_); }
     Motion(const Motion&) = delete;
     Motion& operator=(const Motion&) = delete;
@@ -47,8 +48,11 @@ class Triangulation::Motion {
     void one_by_one();
 
   private:
+    // False, with the point where it was, where those from k on are to be moved by a new
+    // triangulation: they have to be, or it is faster.
     bool try_to_move(std::size_t k);
-    bool try_to_move_vertex(VertexId v, std::uint32_t point, const double (&p)[3]);
+    bool try_to_move_vertex(VertexId v, std::uint32_t point, const double (&p)[3],
+                            std::size_t left);
     void split_off(VertexId v, std::uint32_t point, const double (&p)[3], std::uint32_t other);
     Insertion insert(VertexId q, TetId start);
 
@@ -56,6 +60,8 @@ class Triangulation::Motion {
     const MovedPoints& moved_;
     EqualPoints equal_points_;
     Buffer<VertexId> gaps_;  // vertices that are gone
+    RemovalBudget budget_;
+    bool has_budget_ = true, is_too_slow_ = false;
 };
 
 void Triangulation::Motion::one_by_one() {
@@ -63,12 +69,20 @@ void Triangulation::Motion::one_by_one() {
     gaps_.reserve(n);
     if (t_.are_equals_among(moved_.points)) equal_points_.find(t_.point_map_, moved_.points);
     t_.change_one_by_one(
-        n, moved_.list_size,
+        0, n, moved_.list_size,
         [this](std::size_t k) { return std::size_t{moved_.places_in_list[k]}; },
         [this](std::size_t k) {
             if (try_to_move(k)) return true;
-            // The others do not span space without this vertex.
-            t_.rebuild_moved(moved_, k);
+            const auto rebuild = [&] { t_.rebuild_moved(moved_, k); };
+            if (!is_too_slow_) {
+                // The others do not span space without this vertex.
+                rebuild();
+            } else if (!t_.try_to_rebuild(rebuild)) {
+                // There is no memory for the faster way.
+                has_budget_ = is_too_slow_ = false;
+                if (try_to_move(k)) return true;
+                rebuild();
+            }
             gaps_.clear();
             return false;
         });
@@ -83,7 +97,7 @@ bool Triangulation::Motion::try_to_move(std::size_t k) {
     const std::uint32_t other = equal_points_.least_other(t_.point_map_, v, point);
     if (other != no_index)
         split_off(v, point, p, other);
-    else if (!try_to_move_vertex(v, point, p))
+    else if (!try_to_move_vertex(v, point, p, moved_.size() - k))
         return false;
     ++t_.statistics_.moved;
     ++t_.statistics_.put_back;
@@ -97,10 +111,13 @@ Insertion Triangulation::Motion::insert(VertexId q, TetId start) {
 
 // A vertex with one point keeps its number.
 bool Triangulation::Motion::try_to_move_vertex(VertexId v, std::uint32_t point,
-                                               const double (&p)[3]) {
+                                               const double (&p)[3], std::size_t left) {
     Mesh& mesh = t_.mesh_;
     VertexRemoval& removal = t_.vertex_removal_;
-    t_.prepare_removal(v);
+    t_.find_link(v);
+    is_too_slow_ = has_budget_ && t_.is_rebuild_better(budget_, left);
+    if (is_too_slow_) return false;
+    budget_.add(removal.link_size(), t_.fill_hole());
     if (!removal.leaves_space()) return false;
     removal.keep_star(mesh);
     double before[3];
@@ -218,7 +235,9 @@ void Triangulation::move(const Buffer<std::uint32_t>& points, const double* xyz)
     forget_numbering();
     change_location_tree(size);
     set_scale(scale_for(size, axis, 3));
-    if (!try_to_rebuild(size, [&] { rebuild_moved(moved, 0); })) Motion(*this, moved).one_by_one();
+    const bool is_one_by_one = mesh_.live_count() != 0 && !is_rebuild_faster(size);
+    if (is_one_by_one || !try_to_rebuild([&] { rebuild_moved(moved, 0); }))
+        Motion(*this, moved).one_by_one();
     report(size, size);
 }
 

@@ -34,14 +34,19 @@ struct Destroy {
 
 }  // namespace
 
-void Triangulation::prepare_removal(VertexId v) {
+void Triangulation::find_link(VertexId v) {
     vertex_removal_.find(mesh_, v, Locator{mesh_, calls(), nullptr}.tetrahedron_of(v));
-    if (vertex_removal_.link_size() < settings_.large_link || !fill_from_link())
-        vertex_removal_.fill(*kernel_, mesh_);
 }
 
-// Returns false where the link's points do not span space.
-bool Triangulation::fill_from_link() {
+std::size_t Triangulation::fill_hole() {
+    if (has_large_link())
+        if (const std::size_t tetrahedra = fill_from_link()) return tetrahedra;
+    vertex_removal_.fill(*kernel_, mesh_);
+    return 0;
+}
+
+// Returns 0 where the link's points do not span space.
+std::size_t Triangulation::fill_from_link() {
     const Buffer<VertexId>& vertices = vertex_removal_.link();
     Buffer<double> xyz(allocator_);
     xyz.reserve(3 * vertices.size());
@@ -62,9 +67,9 @@ bool Triangulation::fill_from_link() {
     link.settings_.progress_user = &cancelled_;
     const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
     link.insert(xyz.size() / 3, axis, 3);
-    if (link.dimension() < 3) return false;
+    if (link.dimension() < 3) return 0;
     vertex_removal_.fill_from(link.mesh(), mesh_);
-    return true;
+    return link.mesh().live_count();
 }
 
 }  // namespace mgdt

@@ -8,9 +8,13 @@
 namespace mgdt {
 
 bool Triangulation::is_rebuild_faster(std::size_t points) const noexcept {
-    constexpr std::size_t few = 64;
+    constexpr std::size_t few = 16;
     const std::size_t share = settings_.vertices_a_rebuild;
     return share != 0 && points > few && points > vertex_count() / share;
+}
+
+RemovalBudget Triangulation::removal_budget() const noexcept {
+    return RemovalBudget(mesh_.live_count(), static_cast<std::size_t>(vertex_count()));
 }
 
 void Triangulation::rebuild(const Batch& all) {

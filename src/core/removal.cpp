@@ -31,7 +31,9 @@ class Triangulation::Removal {
         const TetId near = t.mesh_.vertex_hint[t.point_map_[point]];
         if (near != no_tetrahedron) t.mesh_.tetrahedra.prefetch(near);
     }
-    void take_out(std::uint32_t point);
+    // Returns false, with the point still in, where the budget says that all `left` points that are
+    // to go are better left out of a new triangulation.
+    bool try_to_take_out(std::uint32_t point, RemovalBudget* budget, std::size_t left);
 
   private:
     Triangulation& t;
@@ -40,7 +42,8 @@ class Triangulation::Removal {
     Buffer<VertexId> gaps;  // vertices that are gone
 };
 
-void Triangulation::Removal::take_out(std::uint32_t point) {
+bool Triangulation::Removal::try_to_take_out(std::uint32_t point, RemovalBudget* budget,
+                                             std::size_t left) {
     Mesh& mesh = t.mesh_;
     const VertexId v = t.point_map_[point];
     const std::uint32_t other = equal_points.least_other(t.point_map_, v, point);
@@ -50,10 +53,13 @@ void Triangulation::Removal::take_out(std::uint32_t point) {
         t.point_map_[point] = infinite_vertex;
         --t.statistics_.duplicates;
         ++t.statistics_.removed;
-        return;
+        return true;
     }
     if (mesh.live_count() != 0) {
-        t.prepare_removal(v);
+        t.find_link(v);
+        if (budget && t.is_rebuild_better(*budget, left)) return false;
+        const std::size_t tetrahedra = t.fill_hole();
+        if (budget) budget->add(vertex.link_size(), tetrahedra);
         if (vertex.leaves_space()) {
             t.last_ = vertex.replace(mesh);
             mesh.guards_agree = false;
@@ -71,6 +77,7 @@ void Triangulation::Removal::take_out(std::uint32_t point) {
     t.point_map_[point] = infinite_vertex;
     --t.statistics_.points_inserted;
     ++t.statistics_.removed;
+    return true;
 }
 
 // Whether some of these points share a vertex with others, or have done so.
@@ -102,20 +109,41 @@ void Triangulation::require_in(const Buffer<std::uint32_t>& points, const char* 
         fail(MGDT_ERR_INVALID_ARGUMENT, "point %lld is to be %s twice", named(*twice), what);
 }
 
-void Triangulation::rebuild_without(const Buffer<std::uint32_t>& points) {
+void Triangulation::rebuild_without(const std::uint32_t* points, std::size_t count,
+                                    std::size_t total) {
     Batch rest(allocator_);
     {
         Buffer<bool> leaves(allocator_);
         leaves.resize(point_map_.size(), false);
-        for (const std::uint32_t i : points) leaves[i] = true;
-        rest.begin_gathering(point_map_.size() - points.size());
+        for (std::size_t k = 0; k < count; ++k) leaves[points[k]] = true;
+        rest.begin_gathering(point_map_.size() - count);
         for (std::uint32_t i = 0; i < point_map_.size(); ++i)
             if (point_map_[i] != infinite_vertex && !leaves[i])
                 rest.gather(mesh_.point(point_map_[i]), i);
     }
     rest.end_gathering();
-    rebuild(rest, 0, points.size());
-    statistics_.removed += points.size();
+    rebuild(rest, total - count, total);
+    statistics_.removed += count;
+}
+
+std::size_t Triangulation::remove_one_by_one(const Buffer<std::uint32_t>& points, std::size_t total,
+                                             bool may_stop) {
+    Removal removal(*this, points);
+    RemovalBudget budget = removal_budget();
+    const std::size_t first = total - points.size();
+    std::size_t done = 0;
+    constexpr std::size_t ahead = 4;
+    change_one_by_one(
+        first, total, total, [](std::size_t i) { return i; },
+        [&](std::size_t i) {
+            if (i + ahead < total) removal.announce(points[i + ahead - first]);
+            if (!removal.try_to_take_out(points[i - first], may_stop ? &budget : nullptr,
+                                         total - i))
+                return false;
+            ++done;
+            return true;
+        });
+    return done;
 }
 
 void Triangulation::remove(const Buffer<std::uint32_t>& points) {
@@ -129,26 +157,24 @@ void Triangulation::remove(const Buffer<std::uint32_t>& points) {
     exponents_are_wide_ = true;
     report(0, n);
     stop_if_cancelled(0, n);
+    // In the order of vertices, which mostly follow a curve: what one needs is near what the one
+    // before has used.
+    Buffer<std::uint32_t> left(allocator_);
+    left.reserve(n);
+    for (const std::uint32_t i : points) left.push_back(i);
+    std::sort(left.begin(), left.end(), [this](std::uint32_t i, std::uint32_t j) {
+        return point_map_[i] != point_map_[j] ? point_map_[i] < point_map_[j] : i < j;
+    });
+    const auto rebuild_without_those_left = [&] { rebuild_without(left.data(), left.size(), n); };
     // Points that are held cost nothing to take out.
-    if (mesh_.live_count() == 0 || !try_to_rebuild(n, [&] { rebuild_without(points); })) {
-        Removal removal(*this, points);
-        // In the order of vertices, which mostly follow a curve: what one needs is near what the
-        // one before has used.
-        Buffer<std::uint32_t> order(allocator_);
-        order.reserve(n);
-        for (const std::uint32_t i : points) order.push_back(i);
-        std::sort(order.begin(), order.end(), [this](std::uint32_t i, std::uint32_t j) {
-            return point_map_[i] != point_map_[j] ? point_map_[i] < point_map_[j] : i < j;
-        });
-        constexpr std::size_t ahead = 4;
-        change_one_by_one(
-            n, n, [](std::size_t i) { return i; },
-            [&](std::size_t i) {
-                if (i + ahead < n) removal.announce(order[i + ahead]);
-                removal.take_out(order[i]);
-                return true;
-            });
-    }
+    const bool is_held = mesh_.live_count() == 0;
+    if (!is_held && is_rebuild_faster(n) && try_to_rebuild(rebuild_without_those_left))
+        return report(n, n);
+    const std::size_t done = remove_one_by_one(left, n, !is_held);
+    std::copy(left.begin() + done, left.end(), left.begin());
+    left.resize_within_capacity(n - done);
+    if (!left.empty() && !try_to_rebuild(rebuild_without_those_left))
+        remove_one_by_one(left, n, false);
     report(n, n);
 }
 

@@ -9,6 +9,7 @@
 #include "core/affine_basis.hpp"
 #include "core/degenerate_points.hpp"
 #include "core/point_scan.hpp"
+#include "core/removal_budget.hpp"
 #include "kernel/circumsphere.hpp"
 #include "kernel/kernel.hpp"
 #include "kernel/location_tree.hpp"
@@ -38,7 +39,7 @@ struct Settings {
     std::size_t doubt_after = 2048;
     // A call that removes or moves more than one in this many vertices triangulates the others, or
     // all, anew; changed by tests.
-    std::size_t vertices_a_rebuild = 10;
+    std::size_t vertices_a_rebuild = 14;
     // A vertex with so many around it is removed by way of a triangulation of these; lowered by
     // tests.
     std::size_t large_link = 128;
@@ -156,14 +157,32 @@ class Triangulation {
     void require_in(const Buffer<std::uint32_t>& points, const char* what) const;
     bool are_equals_among(const Buffer<std::uint32_t>& points) const noexcept;
     bool is_rebuild_faster(std::size_t points) const noexcept;
-    // Has body() rebuild where that is faster or the only way, if there is memory for it.
+    // Has body() rebuild, if there is memory for it, which there must be where points are held.
     template <class Body>
-    bool try_to_rebuild(std::size_t points, Body body);
+    bool try_to_rebuild(Body body);
     void rebuild(const Batch& all);
     void rebuild(const Batch& all, std::size_t done, std::size_t total);
-    void prepare_removal(VertexId v);
-    bool fill_from_link();
-    void rebuild_without(const Buffer<std::uint32_t>& points);
+    // Finds what the removal of v takes: first its link, then what fills the hole. Returns how many
+    // tetrahedra a triangulation of the link had, 0 without one.
+    void find_link(VertexId v);
+    bool has_large_link() const noexcept {
+        return vertex_removal_.link_size() >= settings_.large_link;
+    }
+    std::size_t fill_hole();
+    std::size_t fill_from_link();
+    RemovalBudget removal_budget() const noexcept;
+    // Whether the hole of the vertex whose link was found is better left, as the others, of which
+    // `left` are to go, are better triangulated anew.
+    bool is_rebuild_better(const RemovalBudget& budget, std::size_t left) const noexcept {
+        return settings_.vertices_a_rebuild != 0 &&
+               budget.is_exceeded_by(vertex_removal_.link_size(), has_large_link(), left);
+    }
+    // Without `count` points, of which `total` were to be removed at first.
+    void rebuild_without(const std::uint32_t* points, std::size_t count, std::size_t total);
+    // These points are the last of `total`. Returns how many it has removed: fewer than all where
+    // the others are better triangulated anew, if it `may_stop`.
+    std::size_t remove_one_by_one(const Buffer<std::uint32_t>& points, std::size_t total,
+                                  bool may_stop);
     void rebuild_moved(const MovedPoints& moved, std::size_t first);
     void make_guards_agree() noexcept;
     void close_gaps(Buffer<VertexId>& gaps) noexcept;
@@ -173,10 +192,12 @@ class Triangulation {
     void note_repeat(VertexId q, VertexId vertex);
     void report(std::size_t done, std::size_t total);
     void stop_if_cancelled(std::size_t done, std::size_t total);
-    // Makes n changes, step(k) for each k until one returns false, with progress. What stops them
-    // says that done(k) of the `total` points that the caller has listed are done.
+    // Makes changes, step(k) for each k from `first` to before n until one returns false, with
+    // progress. What stops them says that done(k) of the `total` points that the caller has listed
+    // are done.
     template <class Done, class Step>
-    void change_one_by_one(std::size_t n, std::size_t total, Done done, Step step);
+    void change_one_by_one(std::size_t first, std::size_t n, std::size_t total, Done done,
+                           Step step);
 
     mutable Allocator allocator_;
     Settings settings_;
@@ -199,9 +220,8 @@ class Triangulation {
 };
 
 template <class Body>
-bool Triangulation::try_to_rebuild(std::size_t points, Body body) {
+bool Triangulation::try_to_rebuild(Body body) {
     const bool is_held = mesh_.live_count() == 0;
-    if (!is_held && !is_rebuild_faster(points)) return false;
     try {
         body();
         return true;
@@ -215,10 +235,11 @@ bool Triangulation::try_to_rebuild(std::size_t points, Body body) {
 }
 
 template <class Done, class Step>
-void Triangulation::change_one_by_one(std::size_t n, std::size_t total, Done done, Step step) {
+void Triangulation::change_one_by_one(std::size_t first, std::size_t n, std::size_t total,
+                                      Done done, Step step) {
     const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
-    std::size_t next_report = report_interval;
-    for (std::size_t k = 0; k < n; ++k) {
+    std::size_t next_report = first + report_interval;
+    for (std::size_t k = first; k < n; ++k) {
         const bool is_due = k >= next_report;
         if (is_due) {
             next_report += report_interval;

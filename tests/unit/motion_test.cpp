@@ -126,6 +126,7 @@ TEST(MotionWithoutMemory, LeavesEachPointInOnePlace) {
     for (std::size_t allowed = 0; !is_done; ++allowed) {
         left = 1000000;
         Triangulation t(LimitedBlocks::alloc, LimitedBlocks::release, nullptr);
+        t.settings().vertices_a_rebuild = 0;
         Points xyz = given, places = far;
         insert(t, xyz);
         Buffer<std::uint32_t> points(t.allocator());

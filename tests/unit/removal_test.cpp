@@ -152,6 +152,7 @@ TEST(RemovalOfHub, CentreOfASphere) {
         if (!is_closed)
             for (std::size_t i = 0; i < n; ++i) xyz[3 * i + 2] = std::abs(xyz[3 * i + 2]);
         const auto t = empty();
+        t->settings().vertices_a_rebuild = 0;
         insert(*t, xyz);
         const auto centre = static_cast<std::uint32_t>(n);
         remove(*t, {centre});
@@ -185,6 +186,75 @@ TEST(RemovalOfHub, ApexOverAPlane) {
     remove(*t, {301});
     EXPECT_EQ(t->dimension(), 2);
     expect_as_fresh(*t, xyz);
+}
+
+// All points are around each other: links as large as the set, each of which takes as long as all.
+Points moment_curve(int n) {
+    Points xyz;
+    for (double i = 1; i <= n; ++i) xyz.insert(xyz.end(), {i, i * i, i * i * i});
+    return xyz;
+}
+
+TEST(RemovalOfHubs, TriangulatesTheOthersAnew) {
+    const int n = is_small() ? 200 : 400;
+    const Points xyz = moment_curve(n);
+    for (const bool moves : {false, true}) {
+        const auto t = empty();
+        insert(*t, xyz);
+        std::vector<std::uint32_t> points;
+        Points places, expected = xyz;
+        for (std::uint32_t i = 3; i < static_cast<std::uint32_t>(n); i += 20) {
+            points.push_back(i);
+            for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) {
+                places.push_back(xyz[k] * 1.125);
+                expected[k] = places.back();
+            }
+        }
+        if (moves)
+            move(*t, points, places);
+        else
+            remove(*t, points);
+        EXPECT_EQ(t->statistics().rebuilds, 1u);
+        EXPECT_LT(t->statistics().link_vertices, 4u * static_cast<unsigned>(n));
+        expect_as_fresh(*t, moves ? expected : xyz);
+    }
+}
+
+// Where there is no memory for that they go one by one.
+TEST(RemovalOfHubs, IsPossibleInLittleMemory) {
+    std::size_t& left = LimitedBlocks::left;
+    left = 1000000;
+    const Points xyz = moment_curve(150);
+    Triangulation t(LimitedBlocks::alloc, LimitedBlocks::release, nullptr);
+    insert(t, xyz);
+    t.settings().large_link = 1000;
+    Buffer<std::uint32_t> points(t.allocator());
+    points.reserve(8);
+    for (std::uint32_t i = 0; i < 8; ++i) points.push_back(10 * i);
+    t.allocator().set_limit(t.allocator().bytes() + t.allocator().bytes() / 4);
+    t.remove(points);
+    EXPECT_EQ(t.statistics().rebuilds, 0u);
+    t.allocator().set_limit(0);
+    expect_as_fresh(t, xyz);
+}
+
+TEST(RemovalBudgets, EndNearTheTimeOfARebuild) {
+    // A tenth of uniform points stays below, single points always do.
+    RemovalBudget uniform(67000, 10000);
+    for (std::size_t left = 1000; left > 0; --left) {
+        EXPECT_FALSE(uniform.is_exceeded_by(16, false, left));
+        uniform.add(16, 0);
+    }
+    EXPECT_FALSE(RemovalBudget(20, 10).is_exceeded_by(9, false, 1));
+    // A large part of all points around each of several: at once; around one: that is removed.
+    EXPECT_TRUE(RemovalBudget(500000, 1000).is_exceeded_by(990, true, 50));
+    EXPECT_FALSE(RemovalBudget(500000, 1000).is_exceeded_by(990, true, 1));
+    // Links that turn out to be costly.
+    RemovalBudget helix(1000000, 10000);
+    std::size_t removed = 0;
+    while (!helix.is_exceeded_by(300, true, 1000)) helix.add(300, 50000), ++removed;
+    EXPECT_GT(removed, 5u);
+    EXPECT_LT(removed, 30u);
 }
 
 // As an allocator: asks for a stop when the coordinates of a large link are copied.
