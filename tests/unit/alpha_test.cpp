@@ -208,6 +208,7 @@ TEST(Alphas, AreThoseOfTheDefinition) {
 TEST(Alphas, OfPointsWhoseExponentsAreFarApart) {
     std::mt19937_64 random(6);
     for (const int most : {200, 700}) {
+        if (is_small() && most > 200) break;
         Points xyz(is_small() ? 18 : 24);
         for (double& x : xyz)
             x = std::ldexp(static_cast<double>(random() >> 11) * 0x1p-53 - 0.5,
