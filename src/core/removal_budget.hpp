@@ -12,7 +12,7 @@ namespace mgdt {
 // Work is in units of a tetrahedron that an insertion creates.
 class RemovalBudget {
   public:
-    // Of a mesh with so many tetrahedra and vertices.
+    // Of a mesh with this number of tetrahedra and of vertices.
     RemovalBudget(std::size_t tetrahedra, std::size_t vertices)
         : rebuild_(per_tetrahedron * static_cast<double>(tetrahedra) + least_rebuild),
           vertices_(static_cast<double>(vertices)) {}
@@ -29,8 +29,8 @@ class RemovalBudget {
             is_large ? per_neighbor * static_cast<double>(link) + rebuild_ * share : work_of(link);
         return work_ + some * work > limit * rebuild_;
     }
-    // The hole of a vertex was filled facet by facet, or from a triangulation of its link that has
-    // so many tetrahedra.
+    // The hole of a vertex was filled facet by facet, or from a triangulation of its link with
+    // this number of tetrahedra, else 0.
     void add(std::size_t link, std::size_t tetrahedra) noexcept {
         work_ += tetrahedra == 0 ? work_of(link)
                                  : per_neighbor * static_cast<double>(link) +

@@ -17,7 +17,7 @@ class ExactMeasures {
     void measure(CellFaces& faces, const double* point, int scale, Measure measure, double* x);
 
     // The stages, one by one: in twofold numbers, lengths being multiplied by 2^exponent; in long
-    // ones of so many limbs. False where the error may be above measure_error.
+    // ones, cut off to a number of limbs. False where the error may be above measure_error.
     bool in_twofold(CellFaces& faces, const double* point, int scale, int exponent, Measure measure,
                     double* x);
     bool in_long(CellFaces& faces, const double* point, int scale, std::size_t limbs,

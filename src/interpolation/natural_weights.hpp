@@ -27,8 +27,8 @@ class NaturalWeights {
     const Buffer<double>& weights() const noexcept { return weights_; }
 
     // The stages, one by one. Doubles leave weights even where they are not sure of them.
-    // Others are false where the weights are not known to 2^-52. Long numbers have so many bits, of
-    // which a multiple is always enough.
+    // Others are false where the weights are not known to 2^-52. Long numbers are
+    // cut off to `bits`; enough bits always do.
     enum class Stage { doubles, twofold, long_numbers };
     bool find_in(Stage stage, const Mesh& mesh, const PlaceStar& star, const double* q,
                  Natural natural, int bits = 512);

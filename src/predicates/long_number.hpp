@@ -16,7 +16,7 @@ class LongNumber;
 // Holds the limbs of numbers. A number is valid until a mark that is older than it is released.
 class LongMemory {
   public:
-    // Numbers are cut off to so many limbs after each operation; exact if it is 0.
+    // Each result is cut off to this number of limbs; with 0 it is exact.
     explicit LongMemory(Allocator& allocator, std::size_t most_limbs = 0)
         : limbs_(allocator), most_limbs_(most_limbs) {}
 
