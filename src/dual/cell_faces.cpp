@@ -5,19 +5,6 @@
 
 namespace mgdt {
 
-// The triangles of the link around neighbour b in turn, each with the neighbour that it shares with
-// the next.
-template <class Visit>
-void CellFaces::for_ring(const Link& link, std::uint32_t b, Visit visit) const {
-    std::uint32_t i = first_[b];
-    do {
-        const LinkTriangle& t = link.triangles()[i];
-        const unsigned k = t.corner[0] == b ? 0 : t.corner[1] == b ? 1 : 2;
-        visit(i, t.corner[k == 0 ? 2 : k - 1]);
-        i = t.beyond[k == 2 ? 0 : k + 1];
-    } while (i != first_[b]);
-}
-
 // The planes of the region that some corner of the cell may be beyond.
 void CellFaces::find_cutting(const Link& link, const Cell& cell, const Region& region) {
     cutting_.clear();
@@ -44,16 +31,17 @@ void CellFaces::set_polygon(const Link& link, const Cell& cell, std::uint32_t b)
                      (!before || length(corner.x - before->x) > 2 * (corner.error + before->error));
         before = &corner;
     };
-    for_ring(link, b, look);
+    link.for_ring(b, first_[b], look);
     look(first_[b], 0);
     if (are_apart) {
         polygon_.begin(b);
-        for_ring(link, b,
-                 [&](std::uint32_t i, std::uint32_t next) { polygon_.add(cell.corner(i), next); });
+        link.for_ring(b, first_[b], [&](std::uint32_t i, std::uint32_t next) {
+            polygon_.add(cell.corner(i), next);
+        });
         return;
     }
     ring_.clear();
-    for_ring(link, b, [&](std::uint32_t, std::uint32_t next) {
+    link.for_ring(b, first_[b], [&](std::uint32_t, std::uint32_t next) {
         if (link.neighbor(next) != infinite_vertex) ring_.push_back(next);
     });
     // Which of two planes through one line is an edge must not depend on where the ring begins.
@@ -65,7 +53,7 @@ void CellFaces::set_polygon(const Link& link, const Cell& cell, std::uint32_t b)
 
 void CellFaces::add_whole(const Link& link, std::uint32_t b) {
     const std::size_t begin = edges_.size();
-    for_ring(link, b, [&](std::uint32_t, std::uint32_t next) { edges_.push_back(next); });
+    link.for_ring(b, first_[b], [&](std::uint32_t, std::uint32_t next) { edges_.push_back(next); });
     faces_.push_back({b, begin, edges_.size()});
 }
 

@@ -41,8 +41,6 @@ class CellFaces {
     int exponent() const noexcept { return exponent_; }
 
   private:
-    template <class Visit>
-    void for_ring(const Link& link, std::uint32_t b, Visit visit) const;
     void find_cutting(const Link& link, const Cell& cell, const Region& region);
     void set_polygon(const Link& link, const Cell& cell, std::uint32_t b);
     void add_whole(const Link& link, std::uint32_t b);

@@ -66,23 +66,10 @@ void CellMeasures::find_cuts(const Link& link, const Region& region) {
     }
 }
 
-// The triangles of the link around neighbour b, each with the neighbour that it shares with the
-// next.
-template <class Visit>
-void CellMeasures::for_face(const Link& link, std::uint32_t b, Visit visit) const {
-    std::uint32_t i = first_[b];
-    do {
-        const LinkTriangle& t = link.triangles()[i];
-        const unsigned k = t.corner[0] == b ? 0 : t.corner[1] == b ? 1 : 2;
-        visit(i, t.corner[before(k)]);
-        i = t.beyond[after(k)];
-    } while (i != first_[b]);
-}
-
 // The face to neighbour b, cut by the planes of the region.
 void CellMeasures::set_face(const Link& link, std::uint32_t b) {
     polygon_.clear();
-    for_face(link, b, [&](std::uint32_t i, std::uint32_t next) {
+    link.for_ring(b, first_[b], [&](std::uint32_t i, std::uint32_t next) {
         polygon_.push_back(cell_.corner(i), next);
     });
     for (const Cut& cut : cutting_)

@@ -39,8 +39,6 @@ class CellMeasures {
     };
 
     void find_cuts(const Link& link, const Region& region);
-    template <class Visit>
-    void for_face(const Link& link, std::uint32_t b, Visit visit) const;
     void set_face(const Link& link, std::uint32_t b);
     void settle(const Side& plane, const Link& link, const Region& region);
     template <Measure M>

@@ -12,8 +12,7 @@ class ExactMeasures {
     explicit ExactMeasures(Allocator& allocator) : sums_(allocator), corners_(allocator) {}
 
     // Of a bounded cell of a vertex at `point`, of the mesh with this scale: one double, or the
-    // three of a centroid. The error is below measure_error, unless 2,048 bits are too few for
-    // that, of points whose exponents are hundreds apart.
+    // three of a centroid. The error is below measure_error.
     void measure(CellFaces& faces, const double* point, int scale, Measure measure, double* x);
 
     // The stages, one by one: in twofold numbers, lengths being multiplied by 2^exponent; in long

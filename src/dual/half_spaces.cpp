@@ -151,13 +151,6 @@ int HalfSpaces::sign_of_product(PlaneNumber p, PlaneNumber q) {
     return dot(rows_[p].normal, rows_[q].normal).sign();
 }
 
-int HalfSpaces::orientation_of(PlaneNumber p, PlaneNumber q, PlaneNumber r) {
-    prepare();
-    LongNumber qr[3];
-    set_cross(row_of(q, false).normal, row_of(r, false).normal, qr);
-    return dot(rows_[p].normal, qr).sign();
-}
-
 int HalfSpaces::main_axis(PlaneNumber p, int& sign) {
     prepare();
     const Row& row = rows_[p];

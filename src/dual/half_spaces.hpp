@@ -46,8 +46,6 @@ class HalfSpaces {
     int side_of_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, PlaneNumber s);
     // Sign of the scalar product of two normals.
     int sign_of_product(PlaneNumber p, PlaneNumber q);
-    // Sign of the determinant of three normals. Planes q and r may be far.
-    int orientation_of(PlaneNumber p, PlaneNumber q, PlaneNumber r);
     // The axis along which a normal has its largest extent, and the sign of that.
     int main_axis(PlaneNumber p, int& sign);
 

@@ -34,6 +34,19 @@ class Link {
         return tetrahedra_.name(static_cast<std::uint32_t>(triangle));
     }
 
+    // The triangles around neighbour b in turn, from `first` on, which has it: visit(triangle, the
+    // neighbour that it shares with the next).
+    template <class Visit>
+    void for_ring(std::uint32_t b, std::uint32_t first, Visit visit) const {
+        std::uint32_t i = first;
+        do {
+            const LinkTriangle& t = triangles_[i];
+            const unsigned k = t.corner[0] == b ? 0 : t.corner[1] == b ? 1 : 2;
+            visit(i, t.corner[k == 0 ? 2 : k - 1]);
+            i = t.beyond[k == 2 ? 0 : k + 1];
+        } while (i != first);
+    }
+
   private:
     Buffer<LinkTriangle> triangles_;
     Numbers vertices_, tetrahedra_;

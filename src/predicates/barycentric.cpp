@@ -5,6 +5,7 @@
 
 #include "determinants.hpp"
 #include "native_integer.hpp"
+#include "quotient.hpp"
 
 namespace mgdt {
 namespace exact {
@@ -78,11 +79,6 @@ MGDT_PREDICATES_INLINE void native_weights(const std::int64_t (&v)[12], double (
 }
 
 #endif
-
-// The ratio may be subnormal.
-double quotient(const Rounded& a, const Rounded& b) {
-    return a.value == 0 ? 0 : std::ldexp(a.value / b.value, a.exponent - b.exponent);
-}
 
 }  // namespace
 

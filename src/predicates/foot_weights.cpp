@@ -5,19 +5,13 @@
 
 #include "determinants.hpp"
 #include "differences.hpp"
+#include "quotient.hpp"
 
 namespace mgdt {
-namespace {
 
+using exact::quotient;
 using exact::Rounded;
 using exact::scalar_product;
-
-// The ratio may be subnormal.
-double quotient(const Rounded& a, const Rounded& b) {
-    return a.value == 0 ? 0 : std::ldexp(a.value / b.value, a.exponent - b.exponent);
-}
-
-}  // namespace
 
 void foot_weights(const double* a, const double* b, const double* c, const double* q,
                   double (&w)[3]) {

@@ -2,6 +2,8 @@
 // The ratio of two integers as a double that is rounded once.
 #pragma once
 
+#include <cmath>
+
 #include "integer.hpp"
 
 namespace mgdt::exact {
@@ -17,6 +19,11 @@ MGDT_PREDICATES_APART double rounded_quotient(const Integer<A>& n, const Integer
     to_limbs(n, of_n);
     to_limbs(d, of_d);
     return rounded_quotient(of_n, limb_count(A), of_d, limb_count(B), rest, exponent);
+}
+
+// The ratio of two that were rounded already, and so with three roundings; it may be subnormal.
+inline double quotient(const Rounded& a, const Rounded& b) {
+    return a.value == 0 ? 0 : std::ldexp(a.value / b.value, a.exponent - b.exponent);
 }
 
 }  // namespace mgdt::exact

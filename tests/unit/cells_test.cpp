@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "../small.h"
-#include "core/triangulation.hpp"
-#include "dual/measures.hpp"
+#include "cells_and_rationals.hpp"
 #include "predicates/circumcenter.hpp"
 
 namespace mgdt {
@@ -18,21 +17,6 @@ namespace {
 
 using Points = std::vector<double>;
 const Points unit_box = {1, 0, 0, 1, -1, 0, 0, 0, 0, 1, 0, 1, 0, -1, 0, 0, 0, 0, 1, 1, 0, 0, -1, 0};
-
-Points measures(const Points& xyz, Measure measure, const Points& planes, std::int32_t scheme = 0,
-                unsigned threads = 1) {
-    Triangulation t(nullptr, nullptr, nullptr);
-    t.settings().scheme = scheme;
-    const std::size_t n = xyz.size() / 3;
-    const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
-    t.insert(n, axis, 3);
-    Team team(threads);
-    const ExportView view = {team, t.mesh(), nullptr, t.allocator(), 0, false};
-    const Region region(t.allocator(), planes.size() / 4, planes.data(), t.mesh(), 0);
-    Points x((measure == Measure::centroid ? 3 : 1) * n);
-    export_measures(view, region, measure, n, x.data());
-    return x;
-}
 
 Points uniform(std::size_t n, double z_size = 1) {
     std::mt19937_64 random(7);
@@ -59,10 +43,10 @@ Points lattice(int n) {
 }
 
 TEST(Cells, OfALatticeAreCubes) {
-    const Points xyz = lattice(5), volumes = measures(xyz, Measure::volume, {}),
-                 areas = measures(xyz, Measure::area, {}),
-                 faces = measures(xyz, Measure::faces, {}),
-                 centroids = measures(xyz, Measure::centroid, {});
+    const Points xyz = lattice(5), volumes = measures_of_cells(xyz, Measure::volume, {}),
+                 areas = measures_of_cells(xyz, Measure::area, {}),
+                 faces = measures_of_cells(xyz, Measure::faces, {}),
+                 centroids = measures_of_cells(xyz, Measure::centroid, {});
     for (std::size_t i = 0; i < volumes.size(); ++i) {
         bool is_inside = true;
         int neighbors = 0;
@@ -82,18 +66,20 @@ TEST(Cells, OfALatticeAreCubes) {
     }
     const Points box = {1, 0,  0, 4.5, -1, 0, 0, .5,  0, 1, 0,  4.5,
                         0, -1, 0, .5,  0,  0, 1, 4.5, 0, 0, -1, .5};
-    for (const double volume : measures(xyz, Measure::volume, box)) EXPECT_EQ(volume, 1);
-    for (const double area : measures(xyz, Measure::area, box)) EXPECT_NEAR(area, 6, 6e-12);
-    for (const double count : measures(xyz, Measure::faces, box)) EXPECT_EQ(count, 6);
+    for (const double volume : measures_of_cells(xyz, Measure::volume, box)) EXPECT_EQ(volume, 1);
+    for (const double area : measures_of_cells(xyz, Measure::area, box))
+        EXPECT_NEAR(area, 6, 6e-12);
+    for (const double count : measures_of_cells(xyz, Measure::faces, box)) EXPECT_EQ(count, 6);
 }
 
 TEST(Cells, FillTheBox) {
     for (const std::size_t n : {4u, 5u, 20u, 300u, 3000u}) {
-        EXPECT_NEAR(sum(measures(uniform(n), Measure::volume, unit_box)), 1, 4e-16) << n;
+        EXPECT_NEAR(sum(measures_of_cells(uniform(n), Measure::volume, unit_box)), 1, 4e-16) << n;
         // As flat as that, circumcentres are far outside.
         Points flat_box = unit_box;
         flat_box[19] = 1e-7;
-        EXPECT_NEAR(sum(measures(uniform(n, 1e-7), Measure::volume, flat_box)) * 1e7, 1, 4e-16)
+        EXPECT_NEAR(sum(measures_of_cells(uniform(n, 1e-7), Measure::volume, flat_box)) * 1e7, 1,
+                    4e-16)
             << n;
     }
 }
@@ -104,20 +90,20 @@ TEST(Cells, HaveTheSameBitsInWhateverOrder) {
     for (const Measure m : {Measure::volume, Measure::area, Measure::centroid, Measure::faces})
         for (const Points& planes : {Points{}, unit_box}) {
             if (is_small() && (m == Measure::area || m == Measure::centroid)) continue;
-            const Points expected = measures(xyz, m, planes);
+            const Points expected = measures_of_cells(xyz, m, planes);
             for (const std::int32_t scheme : {MGDT_ORDER_REGULAR_GRID, MGDT_ORDER_MULTI_GRID})
-                EXPECT_EQ(measures(xyz, m, planes, scheme, 2), expected);
+                EXPECT_EQ(measures_of_cells(xyz, m, planes, scheme, 2), expected);
         }
 }
 
 TEST(Cells, OfPointsTimesAPowerOfTwo) {
     const Points xyz = uniform(200);
-    const Points expected = measures(xyz, Measure::volume, unit_box);
+    const Points expected = measures_of_cells(xyz, Measure::volume, unit_box);
     for (const int e : {-200, 200}) {
         Points scaled = xyz, box = unit_box;
         for (double& x : scaled) x = std::ldexp(x, e);
         for (std::size_t k = 3; k < box.size(); k += 4) box[k] = std::ldexp(box[k], e);
-        const Points volumes = measures(scaled, Measure::volume, box);
+        const Points volumes = measures_of_cells(scaled, Measure::volume, box);
         for (std::size_t i = 0; i < volumes.size(); ++i)
             EXPECT_EQ(volumes[i], std::ldexp(expected[i], 3 * e));
     }
@@ -125,7 +111,7 @@ TEST(Cells, OfPointsTimesAPowerOfTwo) {
 
 void expect_refused(const Points& planes, mgdt_status status) {
     try {
-        measures(uniform(10), Measure::volume, planes);
+        measures_of_cells(uniform(10), Measure::volume, planes);
         ADD_FAILURE() << "planes are taken";
     } catch (const Error& error) {
         EXPECT_EQ(error.status, status) << error.message;
@@ -145,8 +131,8 @@ TEST(Cells, NeedPlanesThatBoundARegion) {
 TEST(Cells, TakePlanesThatComeTwice) {
     Points planes = unit_box;
     planes.insert(planes.end(), {3, 0, 0, 3, 1, 1, 1, 5});
-    const Points volumes = measures(uniform(300), Measure::volume, planes),
-                 expected = measures(uniform(300), Measure::volume, unit_box);
+    const Points volumes = measures_of_cells(uniform(300), Measure::volume, planes),
+                 expected = measures_of_cells(uniform(300), Measure::volume, unit_box);
     for (std::size_t i = 0; i < volumes.size(); ++i)
         EXPECT_NEAR(volumes[i], expected[i], 2 * measure_error * expected[i]);
 }
