@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "predicates/circumcenter.hpp"
 #include "predicates/long_number.hpp"
 
 namespace mgdt {
@@ -20,7 +21,7 @@ constexpr double u = unit_roundoff;
 
 void NaturalWeights::find(const Mesh& mesh, const PlaceStar& star, const double* q,
                           Natural natural) {
-    for (const Stage stage : {Stage::doubles, Stage::twofold})
+    for (const Stage stage : {Stage::doubles, Stage::corrected, Stage::twofold})
         if (find_in(stage, mesh, star, q, natural)) return;
     for (int bits = 512; !find_in(Stage::long_numbers, mesh, star, q, natural, bits);) bits *= 4;
 }
@@ -39,7 +40,9 @@ bool NaturalWeights::find_in(Stage stage, const Mesh& mesh, const PlaceStar& sta
     const bool is_ordinary = std::abs(exponent) < 400;
     switch (stage) {
         case Stage::doubles:
-            return is_ordinary && !star.is_on_hull() && in_doubles(mesh, star, q, natural);
+        case Stage::corrected:
+            return is_ordinary && !star.is_on_hull() &&
+                   in_doubles(mesh, star, q, natural, stage == Stage::corrected);
         case Stage::twofold:
             return is_ordinary && in_real<Twofold>(mesh, star, q, natural, 0);
         default:
@@ -147,8 +150,38 @@ bool NaturalWeights::set_centers(const Mesh& mesh, const PlaceStar& star, Natura
     return true;
 }
 
+void NaturalWeights::set_corrected_centers(const Mesh& mesh, const PlaceStar& star, const double* q,
+                                           Natural natural) {
+    const std::size_t removed = star.removed().size(), created = star.created().size();
+    centers_.clear();
+    centers_.resize(removed + created);
+    const auto point = [&](PlaceStar::Number k) { return mesh.point(star.vertex(k)); };
+    const auto set = [&](const double* base, const PlaceStar::Number* corner, bool is_odd,
+                         const LocalVertex* from, Center& c) {
+        double offset[3];
+        center_offset(
+            {base, point(corner[0]), point(corner[is_odd ? 2 : 1]), point(corner[is_odd ? 1 : 2])},
+            offset);
+        for (double& x : offset) x *= factor_;
+        const double length = max_magnitude(offset[0], offset[1], offset[2]);
+        c.x[0] = from ? from->x + offset[0] : offset[0];
+        c.x[1] = from ? from->y + offset[1] : offset[1];
+        c.x[2] = from ? from->z + offset[2] : offset[2];
+        c.size = max_magnitude(c.x[0], c.x[1], c.x[2]);
+        c.error = center_offset_error * length + (from ? u * (from->largest + c.size) : 0);
+    };
+    for (std::size_t i = 0; i < (natural == Natural::sibson ? removed : 0); ++i) {
+        const PlaceStar::Removed& r = star.removed()[i];
+        set(point(r.corner[0]), r.corner + 1, r.is_odd, &x_[r.corner[0]], centers_[i]);
+    }
+    for (std::size_t i = 0; i < created; ++i) {
+        const PlaceStar::Created& t = star.created()[i];
+        set(q, t.corner, t.is_odd, nullptr, centers_[removed + i]);
+    }
+}
+
 bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const double* q,
-                                Natural natural) {
+                                Natural natural, bool is_corrected) {
     const PlaceStar::Number n = star.size();
     x_.clear();
     x_.resize(n);
@@ -157,17 +190,22 @@ bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const d
         x_[k] =
             local_vertex((p[0] - q[0]) * factor_, (p[1] - q[1]) * factor_, (p[2] - q[2]) * factor_);
     }
-    if (!set_centers(mesh, star, natural)) return false;
+    if (is_corrected)
+        set_corrected_centers(mesh, star, q, natural);
+    else if (!set_centers(mesh, star, natural))
+        return false;
     double largest = 0;
     const std::size_t first = natural == Natural::sibson ? 0 : star.removed().size();
     for (std::size_t i = first; i < centers_.size(); ++i)
         largest = std::max(largest, centers_[i].size);
     if (!(largest < 0x1p200)) return false;
-    // Coordinates are below 2, so a term is below 24 largest^2, and sums of integers do not
-    // overflow.
+    // Coordinates are below 2, so a term is below 24 largest^2; the whole of a vertex is 12 times a
+    // part of the place's cell, which is in a cube, so that it is below 96 largest^3 too. On the
+    // way there integers may overflow.
     const std::size_t terms = star.old_facets().size() + star.new_facets().size();
-    const double one = std::ldexp(
-        1.0, 63 - static_cast<int>(bit_width(terms)) - 5 - 2 * (std::ilogb(largest) + 1));
+    const int exponent = std::ilogb(largest) + 1, of_term = 5 + 2 * exponent,
+              of_whole = std::min(of_term + static_cast<int>(bit_width(terms)), 7 + 3 * exponent);
+    const double one = std::ldexp(1.0, 62 - std::max(of_term, of_whole));
     const bool is_sibson = natural == Natural::sibson;
     sums_.clear();
     sums_.resize(n, 0);
@@ -186,7 +224,8 @@ bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const d
                  40 * (reach * size);
     };
     const auto give = [&](std::uint32_t to, const double* x, const double* d) {
-        sums_[to] += static_cast<std::int64_t>((x[0] * d[0] + x[1] * d[1]) + x[2] * d[2]);
+        const double term = (x[0] * d[0] + x[1] * d[1]) + x[2] * d[2];
+        sums_[to] += static_cast<std::uint64_t>(static_cast<std::int64_t>(term));
     };
     const auto length = [](const double* d) {
         return std::fabs(d[0]) + std::fabs(d[1]) + std::fabs(d[2]);
@@ -218,11 +257,12 @@ bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const d
     const double error_of_sums = error * one + 3 * static_cast<double>(terms);
     for (PlaceStar::Number k = 0; k < n; ++k) {
         const double square = is_sibson ? 1 : x_[k].square;
-        weights_[k] = static_cast<double>(sums_[k]) / square;
+        weights_[k] = static_cast<double>(static_cast<std::int64_t>(sums_[k])) / square;
         total += weights_[k];
         error_of_all = std::max(error_of_all, error_of_sums / square);
     }
-    const bool is_known = 2.05 * error_of_all < 0.9 * natural_weight_error * total;
+    const bool is_known =
+        error_of_sums < 0x1p61 && 2.05 * error_of_all < 0.9 * natural_weight_error * total;
     normalize();
     double off[3];
     return is_known && (is_in_place(off) || (correct(off) && is_in_place(off)));

@@ -26,10 +26,11 @@ class NaturalWeights {
     void find(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural);
     const Buffer<double>& weights() const noexcept { return weights_; }
 
-    // The stages, one by one. Doubles leave weights even where they are not sure of them.
-    // Others are false where the weights are not known to 2^-52. Long numbers are
-    // cut off to `bits`; enough bits always do.
-    enum class Stage { doubles, twofold, long_numbers };
+    // The stages, one by one: doubles, the same with circumcentres that are good to the last bits,
+    // and numbers that bound their errors. Doubles leave weights even where they are not sure of
+    // them. Others are false where the weights are not known to 2^-52. Long numbers are cut off to
+    // `bits`; enough bits always do.
+    enum class Stage { doubles, corrected, twofold, long_numbers };
     bool find_in(Stage stage, const Mesh& mesh, const PlaceStar& star, const double* q,
                  Natural natural, int bits = 512);
 
@@ -37,11 +38,14 @@ class NaturalWeights {
     struct Center {
         double x[3], size, error;
     };
-    bool in_doubles(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural);
+    bool in_doubles(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural,
+                    bool is_corrected);
     template <class Real>
     bool in_real(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural,
                  std::size_t limbs);
     bool set_centers(const Mesh& mesh, const PlaceStar& star, Natural natural);
+    void set_corrected_centers(const Mesh& mesh, const PlaceStar& star, const double* q,
+                               Natural natural);
     // From sums that are proportional to the weights.
     void normalize();
     bool is_in_place(double (&off)[3]) const;
@@ -50,7 +54,7 @@ class NaturalWeights {
     Buffer<double> weights_;
     Buffer<LocalVertex> x_;  // by local number: relative to the place, the largest near 1
     Buffer<Center> centers_;
-    Buffer<std::int64_t> sums_;
+    Buffer<std::uint64_t> sums_;  // of integers, modulo 2^64
     double factor_ = 1;
 };
 

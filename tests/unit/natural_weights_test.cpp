@@ -137,6 +137,18 @@ void expect_near(const Weights& actual, const Weights& expected, double error) {
         EXPECT_TRUE(expected.count(point) || w < error) << point << " has " << w;
 }
 
+// The largest difference of a weight.
+double distance(const Weights& a, const Weights& b) {
+    double most = 0;
+    for (const auto* const of : {&a, &b})
+        for (const auto& [point, w] : *of) {
+            const double in_a = a.count(point) ? a.at(point) : 0,
+                         in_b = b.count(point) ? b.at(point) : 0;
+            most = std::max(most, std::fabs(in_a - in_b));
+        }
+    return most;
+}
+
 // Below `end`.
 double integer(std::mt19937& random, unsigned end) {
     return static_cast<double>(random() % end);
@@ -169,6 +181,8 @@ TEST(NaturalWeights, AreThoseOfCellsCutOutInRationals) {
                     const Weights expected = exact_weights(set.xyz, q, natural);
                     set.find(natural);
                     expect_near(set.weights(), expected, 1e-13);
+                    if (set.find_in(Stage::corrected, natural))
+                        expect_near(set.weights(), expected, 1e-13);
                     ASSERT_TRUE(set.find_in(Stage::twofold, natural));
                     expect_near(set.weights(), expected, 1e-15);
                     ASSERT_TRUE(set.find_in(Stage::long_numbers, natural, 2048));
@@ -278,7 +292,7 @@ TEST(NaturalWeights, AtAHullThatIsNearlyFlat) {
     std::mt19937 random(5);
     const auto end = static_cast<unsigned>(10 * side - 10);
     int on_hull = 0;
-    double most_of_sure = 0, most_of_others = 0;
+    double most_of_sure = 0, most_of_others = 0, most_of_corrected = 0;
     for (int k = 0; k < (is_small() ? 30 : 400); ++k) {
         double q[3];
         place(k % 2 ? 0 : side - 1, 0.1 * integer(random, end), 0.1 * integer(random, end), q);
@@ -291,17 +305,57 @@ TEST(NaturalWeights, AtAHullThatIsNearlyFlat) {
             if (set.star().is_on_hull()) continue;
             const Weights known = set.weights();
             double& most = set.find_in(Stage::doubles, natural) ? most_of_sure : most_of_others;
-            const Weights in_doubles = set.weights();
-            for (const auto& [point, w] : known) {
-                const auto found = in_doubles.find(point);
-                most =
-                    std::max(most, std::fabs(w - (found == in_doubles.end() ? 0 : found->second)));
-            }
+            most = std::max(most, distance(known, set.weights()));
+            if (set.find_in(Stage::corrected, natural))
+                most_of_corrected = std::max(most_of_corrected, distance(known, set.weights()));
         }
     }
     EXPECT_GT(on_hull, 0);
     EXPECT_LT(most_of_sure, natural_weight_error);
+    EXPECT_LT(most_of_corrected, natural_weight_error);
     EXPECT_GT(most_of_others, natural_weight_error);
+}
+
+// A place inside a hollow body has all points as its neighbours, and takes its part of each cell
+// from circumcentres that are all but one.
+TEST(NaturalWeights, InHollowBodiesAreFoundInDoubles) {
+    const std::size_t n = is_small() ? 60 : 600;
+    std::mt19937_64 random(6);
+    std::normal_distribution<double> normal;
+    Points round;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double x[3] = {normal(random), normal(random), normal(random)},
+                     size = std::hypot(std::hypot(x[0], x[1]), x[2]);
+        for (const double c : x) round.push_back(c / size);
+    }
+    Points spiral;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double z = 2 * (static_cast<double>(i) + 0.5) / static_cast<double>(n) - 1,
+                     r = std::sqrt(1 - z * z), turn = 0.1 * static_cast<double>(i);
+        spiral.insert(spiral.end(), {r * std::cos(turn), r * std::sin(turn), z});
+    }
+    for (const Points& xyz : {round, spiral}) {
+        Set set(xyz);
+        int places = 0, in_doubles = 0;
+        for (int k = 0; k < 20; ++k) {
+            double q[3];
+            for (double& x : q) x = 0.2 * normal(random);
+            if (!set.find_star(q)) continue;
+            for (const Natural natural : {Natural::sibson, Natural::laplace}) {
+                ++places;
+                EXPECT_GT(set.star().size(), n / 2);
+                if (!set.find_in(Stage::doubles, natural) &&
+                    !set.find_in(Stage::corrected, natural))
+                    continue;
+                ++in_doubles;
+                const Weights found = set.weights();
+                ASSERT_TRUE(set.find_in(Stage::twofold, natural));
+                EXPECT_LT(distance(found, set.weights()), 1e-12);
+            }
+        }
+        EXPECT_GT(in_doubles, 0.9 * places);
+        EXPECT_GT(places, 30);
+    }
 }
 
 TEST(NaturalWeights, OfCoordinatesOfAnySize) {
