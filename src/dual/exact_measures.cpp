@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "mesh/scale.hpp"
-#include "predicates/bounded.hpp"
+#include "predicates/bounded_long.hpp"
 
 namespace mgdt {
 
@@ -83,7 +83,7 @@ class LongSums {
     bool give(const double* point, int scale, Measure measure, double* x);
 
   private:
-    using B = Bounded<LongNumber>;
+    using B = BoundedLong;
     using V = Vector<B>;
 
     B number(double x) { return {memory_.number(x), {}}; }
@@ -113,7 +113,7 @@ void LongSums::add(CellFaces& faces, const CellFaces::Face& face, Measure measur
         V corner;
         for (int k = 0; k < 3; ++k) {
             corner.x[k] = rounded(exact.x[k]) / weight;
-            const WideDouble size = corner.x[k].magnitude();
+            const WideDouble size = magnitude(corner.x[k].wide());
             if (extent_ < size) extent_ = size;
         }
         corners_.push_back(corner);
@@ -151,7 +151,8 @@ bool LongSums::give(const double* point, int scale, Measure measure, double* x) 
     };
     memory_.release(0);
     const B whole = sum(0);
-    if (whole.value.sign() <= 0 || !is_below(whole.error, whole.magnitude(), 0.9 * measure_error))
+    if (whole.value.sign() <= 0 ||
+        !is_below(whole.error, magnitude(whole.wide()), 0.9 * measure_error))
         return false;
     const WideDouble value = whole.value.wide();
     if (measure == Measure::volume) {
@@ -162,7 +163,8 @@ bool LongSums::give(const double* point, int scale, Measure measure, double* x) 
     } else {
         for (std::size_t k = 0; k < 3; ++k) {
             const B moment = sum(1 + k);
-            if (!is_below(moment.error, extent_ * whole.magnitude(), measure_error)) return false;
+            if (!is_below(moment.error, extent_ * magnitude(whole.wide()), measure_error))
+                return false;
             const WideDouble offset = moment.value.wide() / (value * WideDouble(4)),
                              at = WideDouble(point[k]) + offset;
             x[k] = WideDouble(at.mantissa, at.exponent - scale).in_double();

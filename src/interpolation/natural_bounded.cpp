@@ -2,9 +2,10 @@
 // Natural-neighbour coordinates in numbers that bound their own errors, in space and in planes of
 // the hull.
 #include <algorithm>
+#include <iterator>
 
 #include "interpolation/natural_weights.hpp"
-#include "predicates/bounded.hpp"
+#include "predicates/bounded_numbers.hpp"
 
 namespace mgdt {
 namespace {
@@ -12,85 +13,21 @@ namespace {
 // Of each weight: so that its rounding is the larger part of what it is off.
 constexpr double weight_error = 0x1p-52;
 
-// Numbers with bounds, and an array of them that stays while what is computed meanwhile is
-// forgotten. Twofold numbers need a common factor that brings them near 1.
-template <class Real>
-class BoundedNumbers;
-
-template <>
-class BoundedNumbers<Twofold> {
-  public:
-    using B = Bounded<Twofold>;
-    BoundedNumbers(Allocator&, std::size_t, double factor) : factor_(factor) {}
-    B number(double x) const { return {{x, 0}, 0}; }
-    B difference(double a, double b) const {
-        const Twofold exact = Twofold::sum(a, -b);
-        return {{exact.high * factor_, exact.low * factor_}, 0};
-    }
-    void forget() {}
-
-    class Array {
-      public:
-        Array(Allocator& allocator, std::size_t size, std::size_t) : numbers_(allocator) {
-            numbers_.resize(size, B{{0, 0}, 0});
-        }
-        B get(const BoundedNumbers&, std::size_t i) const { return numbers_[i]; }
-        void set(std::size_t i, const B& x) { numbers_[i] = x; }
-
-      private:
-        Buffer<B> numbers_;
-    };
-
-  private:
-    double factor_;
-};
-
-template <>
-class BoundedNumbers<LongNumber> {
-  public:
-    using B = Bounded<LongNumber>;
-    BoundedNumbers(Allocator& allocator, std::size_t limbs, double) : memory_(allocator, limbs) {}
-    B number(double x) { return {memory_.number(x), {}}; }
-    B difference(double a, double b) { return number(a) - number(b); }
-    void forget() { memory_.release(0); }
-
-    class Array {
-      public:
-        Array(Allocator& allocator, std::size_t size, std::size_t limbs)
-            : numbers_(allocator, size, limbs), errors_(allocator) {
-            errors_.resize(size, WideDouble());
-        }
-        B get(BoundedNumbers& in, std::size_t i) const {
-            return {in.memory_.copy(numbers_[i]), errors_[i]};
-        }
-        void set(std::size_t i, const B& x) {
-            numbers_.set(i, x.value);
-            errors_[i] = x.error;
-        }
-
-      private:
-        LongNumbers numbers_;
-        Buffer<WideDouble> errors_;
-    };
-
-  private:
-    LongMemory memory_;
-};
-
-template <class Real>
+template <class Numbers>
 class BoundedStar {
   public:
-    using B = Bounded<Real>;
+    using B = typename Numbers::B;
     using V = Vector<B>;
 
-    BoundedStar(Allocator& allocator, const Mesh& mesh, const PlaceStar& star, const double* q,
-                double factor, std::size_t limbs)
+    BoundedStar(Allocator& allocator, Numbers& numbers, const Mesh& mesh, const PlaceStar& star,
+                const double* q)
         : mesh_(mesh),
           star_(star),
-          numbers_(allocator, limbs, factor),
-          x_(allocator, 3 * star.size(), limbs),
-          centers_(allocator, 3 * (star.removed().size() + star.created().size()), limbs),
-          sums_(allocator, star.size(), limbs) {
+          numbers_(numbers),
+          x_(numbers.array(allocator, 3 * star.size())),
+          centers_(numbers.array(allocator, 3 * (star.removed().size() + star.created().size()))),
+          sums_(numbers.array(allocator, star.size())),
+          order_(allocator) {
         for (PlaceStar::Number k = 0; k < star.size(); ++k) {
             set(x_, k, difference(point(k), q));
             numbers_.forget();
@@ -104,7 +41,6 @@ class BoundedStar {
     bool give(Buffer<double>& weights);
 
   private:
-    using Numbers = BoundedNumbers<Real>;
     using Array = typename Numbers::Array;
     V get(const Array& from, std::size_t i) {
         return {{from.get(numbers_, 3 * i), from.get(numbers_, 3 * i + 1),
@@ -117,6 +53,19 @@ class BoundedStar {
     V difference(const double* a, const double* b) {
         return {{numbers_.difference(a[0], b[0]), numbers_.difference(a[1], b[1]),
                  numbers_.difference(a[2], b[2])}};
+    }
+    // Calls f for each in the order of its corners, which does not depend on how the triangulation
+    // came about: nor do sums then.
+    template <class Part, class F>
+    void for_each(const Buffer<Part>& parts, F f) {
+        order_.clear();
+        for (std::uint32_t i = 0; i < parts.size(); ++i) order_.push_back(i);
+        std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+            const auto &of_a = parts[a].corner, &of_b = parts[b].corner;
+            return std::lexicographical_compare(std::begin(of_a), std::end(of_a), std::begin(of_b),
+                                                std::end(of_b));
+        });
+        for (const std::uint32_t i : order_) f(parts[i]);
     }
     void add_to(PlaceStar::Number k, const B& term, bool is_negative) {
         const B sum = sums_.get(numbers_, k);
@@ -135,13 +84,14 @@ class BoundedStar {
 
     const Mesh& mesh_;
     const PlaceStar& star_;
-    Numbers numbers_;
+    Numbers& numbers_;
     Array x_, centers_, sums_;
+    Buffer<std::uint32_t> order_;
 };
 
 // Of a tetrahedron, however it is oriented.
-template <class Real>
-auto BoundedStar<Real>::center(const V& a, const V& b, const V& c) -> V {
+template <class Numbers>
+auto BoundedStar<Numbers>::center(const V& a, const V& b, const V& c) -> V {
     const V bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
     const B two_volumes = dot(a, bc) + dot(a, bc);
     V sum = dot(a, a) * bc + dot(b, b) * ca;
@@ -151,8 +101,8 @@ auto BoundedStar<Real>::center(const V& a, const V& b, const V& c) -> V {
 }
 
 // Of a triangle.
-template <class Real>
-auto BoundedStar<Real>::center(const V& a, const V& b) -> V {
+template <class Numbers>
+auto BoundedStar<Numbers>::center(const V& a, const V& b) -> V {
     const V normal = cross(a, b);
     V sum = cross(dot(a, a) * b - dot(b, b) * a, normal);
     const B two_squares = dot(normal, normal) + dot(normal, normal);
@@ -160,8 +110,8 @@ auto BoundedStar<Real>::center(const V& a, const V& b) -> V {
     return sum;
 }
 
-template <class Real>
-void BoundedStar<Real>::measure_in_space(Natural natural) {
+template <class Numbers>
+void BoundedStar<Numbers>::measure_in_space(Natural natural) {
     const bool is_sibson = natural == Natural::sibson;
     const std::size_t removed = star_.removed().size();
     for (std::size_t i = 0; i < (is_sibson ? removed : 0); ++i) {
@@ -178,40 +128,43 @@ void BoundedStar<Real>::measure_in_space(Natural natural) {
         numbers_.forget();
     }
     if (is_sibson)
-        for (const auto& f : star_.old_facets()) {
+        for_each(star_.old_facets(), [&](const auto& f) {
             const V c = cross(get(centers_, f.near), get(centers_, f.beyond));
             const PlaceStar::Number(&v)[3] = f.corner;
             for (int k = 0; k < 3; ++k)
                 add_to(v[k], dot(get(x_, v[(k + 1) % 3]) - get(x_, v[(k + 2) % 3]), c), f.is_odd);
             numbers_.forget();
-        }
-    for (const auto& f : star_.new_facets()) {
+        });
+    for_each(star_.new_facets(), [&](const auto& f) {
         const V c = cross(get(centers_, f.near), get(centers_, f.beyond));
         const PlaceStar::Number(&v)[2] = f.corner;
         add_to(v[0], dot(get(x_, v[is_sibson ? 1 : 0]), c), !f.is_odd);
         add_to(v[1], dot(get(x_, v[is_sibson ? 0 : 1]), c), f.is_odd);
         numbers_.forget();
-    }
+    });
     if (!is_sibson) divide_by_squares();
 }
 
-template <class Real>
-void BoundedStar<Real>::measure_on_hull(Natural natural) {
+template <class Numbers>
+void BoundedStar<Numbers>::measure_on_hull(Natural natural) {
     const std::size_t removed = star_.removed_triangles().size();
     int axis = 0;
-    for (std::size_t i = 0; i < removed; ++i) {
-        const PlaceStar::Number(&v)[4] = star_.removed_triangles()[i].corner;
+    bool is_first = true;
+    for_each(star_.removed_triangles(), [&](const auto& t) {
+        const PlaceStar::Number(&v)[4] = t.corner;
         const double* const base = point(v[0]);
         const V a = difference(point(v[1]), base), b = difference(point(v[2]), base);
-        if (i == 0) {
+        if (is_first) {
             // Areas of the shadow along one axis are proportional to those in the plane.
             const V normal = cross(a, b);
             for (int k = 1; k < 3; ++k)
-                if (normal.x[axis].magnitude() < normal.x[k].magnitude()) axis = k;
+                if (magnitude(normal.x[axis].wide()) < magnitude(normal.x[k].wide())) axis = k;
+            is_first = false;
         }
+        const auto i = static_cast<std::size_t>(&t - star_.removed_triangles().data());
         set(centers_, i, get(x_, v[0]) + center(a, b));
         numbers_.forget();
-    }
+    });
     for (std::size_t i = 0; i < star_.created_triangles().size(); ++i) {
         const PlaceStar::Number(&v)[3] = star_.created_triangles()[i].corner;
         set(centers_, removed + i, center(get(x_, v[0]), get(x_, v[1])));
@@ -223,51 +176,58 @@ void BoundedStar<Real>::measure_on_hull(Natural natural) {
         return a.x[y] * b.x[z] - a.x[z] * b.x[y];
     };
     if (natural == Natural::sibson)
-        for (const auto& e : star_.old_edges()) {
+        for_each(star_.old_edges(), [&](const auto& e) {
             const B a = area(e.near, e.beyond);
             add_to(e.corner[0], a, !e.is_odd);
             add_to(e.corner[1], a, e.is_odd);
             numbers_.forget();
-        }
-    for (const auto& e : star_.new_edges()) {
-        add_to(e.corner, area(e.near, e.beyond), false);
+        });
+    for_each(star_.new_edges(), [&](const auto& e) {
+        add_to(e.corner[0], area(e.near, e.beyond), false);
         numbers_.forget();
-    }
+    });
     if (natural == Natural::laplace) divide_by_squares();
 }
 
-template <class Real>
-bool BoundedStar<Real>::give(Buffer<double>& weights) {
-    B total = numbers_.number(0);
-    for (PlaceStar::Number k = 0; k < star_.size(); ++k) total = total + sums_.get(numbers_, k);
+template <class Numbers>
+bool BoundedStar<Numbers>::give(Buffer<double>& weights) {
+    B total = sums_.get(numbers_, 0);
+    for (PlaceStar::Number k = 1; k < star_.size(); ++k) total = total + sums_.get(numbers_, k);
     for (PlaceStar::Number k = 0; k < star_.size(); ++k) {
         const B weight = sums_.get(numbers_, k) / total;
-        if (!(weight.error < typename B::Bound(weight_error))) return false;
-        if constexpr (std::is_same_v<Real, Twofold>)
-            weights[k] = weight.value.high;
-        else
-            weights[k] = weight.value.wide().in_double();
+        if (!(weight.wide_error() < WideDouble(weight_error))) return false;
+        weights[k] = weight.wide().in_double();
     }
     return true;
 }
 
-}  // namespace
-
-template <class Real>
-bool NaturalWeights::in_real(const Mesh& mesh, const PlaceStar& star, const double* q,
-                             Natural natural, std::size_t limbs) {
-    BoundedStar<Real> measured(weights_.allocator(), mesh, star, q, factor_, limbs);
+template <class Numbers>
+bool give_weights(Numbers& numbers, const Mesh& mesh, const PlaceStar& star, const double* q,
+                  Natural natural, Buffer<double>& weights) {
+    BoundedStar<Numbers> measured(weights.allocator(), numbers, mesh, star, q);
     if (star.is_on_hull())
         measured.measure_on_hull(natural);
     else
         measured.measure_in_space(natural);
-    if (!measured.give(weights_)) return false;
+    return measured.give(weights);
+}
+
+}  // namespace
+
+bool NaturalWeights::in_twofold(const Mesh& mesh, const PlaceStar& star, const double* q,
+                                Natural natural) {
+    BoundedFloats<Twofold> numbers;
+    if (!give_weights(numbers, mesh, star, q, natural, weights_)) return false;
     normalize();
     return true;
 }
-template bool NaturalWeights::in_real<Twofold>(const Mesh&, const PlaceStar&, const double*,
-                                               Natural, std::size_t);
-template bool NaturalWeights::in_real<LongNumber>(const Mesh&, const PlaceStar&, const double*,
-                                                  Natural, std::size_t);
+
+bool NaturalWeights::in_long(const Mesh& mesh, const PlaceStar& star, const double* q,
+                             Natural natural, std::size_t limbs) {
+    BoundedLongs numbers(weights_.allocator(), limbs);
+    if (!give_weights(numbers, mesh, star, q, natural, weights_)) return false;
+    normalize();
+    return true;
+}
 
 }  // namespace mgdt

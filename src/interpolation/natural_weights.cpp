@@ -44,10 +44,10 @@ bool NaturalWeights::find_in(Stage stage, const Mesh& mesh, const PlaceStar& sta
             return is_ordinary && !star.is_on_hull() &&
                    in_doubles(mesh, star, q, natural, stage == Stage::corrected);
         case Stage::twofold:
-            return is_ordinary && in_real<Twofold>(mesh, star, q, natural, 0);
+            return in_twofold(mesh, star, q, natural);
         default:
-            return in_real<LongNumber>(mesh, star, q, natural,
-                                       static_cast<std::size_t>(bits / exact::limb_bits));
+            return in_long(mesh, star, q, natural,
+                           static_cast<std::size_t>(bits / exact::limb_bits));
     }
 }
 

@@ -40,8 +40,8 @@ class NaturalWeights {
     };
     bool in_doubles(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural,
                     bool is_corrected);
-    template <class Real>
-    bool in_real(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural,
+    bool in_twofold(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural);
+    bool in_long(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural,
                  std::size_t limbs);
     bool set_centers(const Mesh& mesh, const PlaceStar& star, Natural natural);
     void set_corrected_centers(const Mesh& mesh, const PlaceStar& star, const double* q,

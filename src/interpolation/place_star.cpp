@@ -269,7 +269,7 @@ void PlaceStar::build_on_hull(const Mesh& mesh, Lookup number) {
     for (std::uint32_t i = 0; i < created_.size(); ++i) {
         const Created& c = created_[i];
         const Number to = c.is_odd ? c.corner[0] : c.corner[1];
-        new_edges_.push_back({members + i, members + from_[to], to});
+        new_edges_.push_back({members + i, members + from_[to], {to}});
     }
 }
 

@@ -63,7 +63,7 @@ class PlaceStar {
     const Buffer<Meeting<2>>& old_edges() const noexcept { return new_facets_; }
     struct NewEdge {
         std::uint32_t near, beyond;
-        Number corner;
+        Number corner[1];
     };
     const Buffer<NewEdge>& new_edges() const noexcept { return new_edges_; }
 

@@ -47,6 +47,9 @@ struct WideDouble {
     friend WideDouble operator/(const WideDouble& a, const WideDouble& b) {
         return WideDouble(a.mantissa / b.mantissa, a.exponent - b.exponent);
     }
+    friend WideDouble magnitude(const WideDouble& a) {
+        return a.mantissa < 0 ? WideDouble() - a : a;
+    }
     friend bool operator<(const WideDouble& a, const WideDouble& b) { return (a - b).mantissa < 0; }
 };
 

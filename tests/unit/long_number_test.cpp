@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "../small.h"
-#include "predicates/bounded.hpp"
+#include "predicates/bounded_numbers.hpp"
 
 namespace mgdt {
 namespace {
@@ -187,16 +187,16 @@ TEST(WideDouble, IsADoubleWithAnotherExponent) {
 }
 
 // Whatever is computed, the exact value is within the bound.
-template <class Real, class Make, class Value>
-void expect_bounded(Make make, Value value_of_real) {
+template <class B, class Make, class Value, class Error>
+void expect_bounded(Make make, Value value_of_bounded, Error error_of) {
     std::mt19937_64 random(11);
+    int known = 0;
     for (int k = 0; k < (is_small() ? 20 : 300); ++k) {
-        using B = Bounded<Real>;
         B x[6];
         Rational r[6];
         for (int i = 0; i < 6; ++i) {
             x[i] = make(random);
-            r[i] = value_of_real(x[i].value);
+            r[i] = value_of_bounded(x[i]);
         }
         for (int step = 0; step < 12; ++step) {
             const std::size_t i = random() % 6, j = random() % 6, to = random() % 6;
@@ -214,32 +214,69 @@ void expect_bounded(Make make, Value value_of_real) {
                     if (r[j] == 0) continue;
                     x[to] = x[i] / x[j], r[to] = r[i] / r[j];
             }
-            if constexpr (std::is_same_v<Real, Twofold>)
-                if (!std::isfinite(x[to].error)) break;
-            if constexpr (std::is_same_v<Real, LongNumber>)
-                if (x[to].error.exponent > 100000) break;
-            EXPECT_LE(abs(value_of_real(x[to].value) - r[to]), value_of(x[to].error));
+            if (!(x[to].wide_error() < WideDouble(1, 100000))) break;
+            EXPECT_LE(abs(value_of_bounded(x[to]) - r[to]), error_of(x[to]));
+            ++known;
         }
     }
+    EXPECT_GT(known, is_small() ? 100 : 2000);
+}
+
+// With exponents up to `spread` apart.
+template <class Real>
+void expect_floats_bounded(int spread) {
+    using B = BoundedFloat<Real>;
+    expect_bounded<B>(
+        [&](std::mt19937_64& random) {
+            const double mantissa = static_cast<double>(random() >> 11) * 0x1p-53;
+            return B::number(mantissa,
+                             static_cast<int>(random() % (2u * unsigned(spread) + 1)) - spread);
+        },
+        [&](const B& x) { return times_power_of_two(value_of(x.value), 256 * x.block); },
+        [&](const B& x) { return times_power_of_two(Rational(x.error), 256 * x.block); });
 }
 
 TEST(Bounded, KnowsItsError) {
-    const auto any = [](std::mt19937_64& random) {
-        return std::ldexp(static_cast<double>(random() >> 11) * 0x1p-53,
-                          static_cast<int>(random() % 3));
-    };
-    expect_bounded<Twofold>(
-        [&](std::mt19937_64& random) {
-            return Bounded<Twofold>{{any(random), 0}, 0};
-        },
-        [](const Twofold& x) { return value_of(x); });
+    for (const int spread : {1, 100, 300, 2000}) {
+        expect_floats_bounded<double>(spread);
+        expect_floats_bounded<Twofold>(spread);
+    }
     Allocator allocator;
     LongMemory memory(allocator, 512 / exact::limb_bits);
-    expect_bounded<LongNumber>(
+    expect_bounded<BoundedLong>(
         [&](std::mt19937_64& random) {
-            return Bounded<LongNumber>{memory.number(any(random)), {}};
+            return BoundedLong{memory.number(std::ldexp(static_cast<double>(random() >> 11),
+                                                        static_cast<int>(random() % 3))),
+                               {}};
         },
-        [&](const LongNumber& x) { return value_of(x, memory); });
+        [&](const BoundedLong& x) { return value_of(x.value, memory); },
+        [](const BoundedLong& x) { return value_of(x.error); });
+}
+
+TEST(BoundedFloat, IsWhatDoublesAre) {
+    using B = BoundedFloat<Twofold>;
+    std::mt19937_64 random(12);
+    for (int k = 0; k < 3000; ++k) {
+        double x[2];
+        for (double& y : x)
+            y = std::ldexp(static_cast<double>(random() >> 11) * 0x1p-53,
+                           static_cast<int>(random() % 2040) - 1060);
+        const B number = B::number(x[0]);
+        EXPECT_EQ(number.wide().in_double(), x[0]);
+        EXPECT_EQ(number.error, 0);
+        const B difference = B::difference(x[0], x[1]);
+        EXPECT_EQ(difference.wide().in_double(), x[0] - x[1]);
+        EXPECT_EQ(difference.sign(), (x[0] > x[1]) - (x[0] < x[1]));
+        EXPECT_EQ(B::difference(x[0], x[0]).sign(), 0);
+        EXPECT_EQ((number - number).sign(), 0);
+    }
+    // What is not known stays so.
+    const B one = B::number(1), unknown = one / (one - one), tiny = B::number(0x1p-1000);
+    for (const B& x : {unknown, unknown + tiny, tiny * unknown, B::number(0) * unknown,
+                       one / unknown, unknown - unknown, tiny + unknown * unknown}) {
+        EXPECT_EQ(x.sign(), 2);
+        EXPECT_FALSE(x.wide_error() < WideDouble(1, 100000));
+    }
 }
 
 }  // namespace

@@ -271,6 +271,27 @@ TEST(NaturalWeights, HaveTheSameBitsInWhateverOrder) {
     EXPECT_GT(in_doubles, 200);  // so these are seen
 }
 
+// In all stages, in space and in planes of the hull, where the order of the parts might be seen.
+TEST(NaturalWeights, HaveTheSameBitsInAllStages) {
+    Points xyz = uniform(120, 3), places = uniform(100, 4);
+    for (std::size_t i = 0; i < xyz.size(); i += 9) xyz[i + 2] = 0;
+    for (std::size_t i = 0; i < places.size(); i += 6) places[i + 2] = 0;
+    Set set(xyz), other(xyz, MGDT_ORDER_LEXICOGRAPHIC);
+    int on_hull = 0;
+    for (std::size_t i = 0; i < 100; ++i) {
+        const double* const q = places.data() + 3 * i;
+        if (!set.find_star(q) || set.star().is_on_ridge()) continue;
+        ASSERT_TRUE(other.find_star(q));
+        on_hull += set.star().is_on_hull();
+        for (const Natural natural : {Natural::sibson, Natural::laplace})
+            for (const Stage stage : {Stage::corrected, Stage::twofold, Stage::long_numbers}) {
+                EXPECT_EQ(set.find_in(stage, natural, 256), other.find_in(stage, natural, 256));
+                EXPECT_EQ(set.weights(), other.weights());
+            }
+    }
+    EXPECT_GT(on_hull, 10);
+}
+
 // Points in a plane but for their rounding: the circumspheres at that part of the hull are as large
 // as the planes are flat, and places may be in tetrahedra of the height of a rounding.
 TEST(NaturalWeights, AtAHullThatIsNearlyFlat) {

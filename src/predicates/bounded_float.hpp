@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// A double or twofold number with a bound of its error and an exponent that no product leaves: a
+// result is known as well as its own bound says, whatever the sizes of what it came from.
+// docs/theory.md, "Numbers with bounds".
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "platform/compiler.hpp"
+#include "vector.hpp"
+#include "wide_double.hpp"
+
+namespace mgdt {
+
+// (value +- error) 2^(256 block). The larger of |value| and error is from 2^-128 to below 2^128; in
+// an exact 0, all are 0. The error of what is not known at all is infinite or NaN.
+template <class Real>
+struct BoundedFloat {
+    Real value;
+    double error;
+    std::int64_t block;
+
+    // x 2^exponent, exactly.
+    static BoundedFloat number(double x, std::int64_t exponent = 0) {
+        return exact({x, 0}, exponent);
+    }
+    // a - b, which does not overflow.
+    static BoundedFloat difference(double a, double b) { return exact(Twofold::sum(a, -b), 0); }
+
+    // +1, 0 or -1 where the bound tells it, else 2.
+    int sign() const {
+        const double x = nearest_double(value);
+        return x > error ? 1 : -x > error ? -1 : error == 0 ? 0 : 2;
+    }
+    WideDouble wide() const { return WideDouble(nearest_double(value), 256 * block); }
+    WideDouble wide_error() const { return WideDouble(error, 256 * block); }
+
+    friend BoundedFloat operator-(const BoundedFloat& a) {
+        return {scaled_by(a.value, -1), a.error, a.block};
+    }
+    friend BoundedFloat operator+(const BoundedFloat& a, const BoundedFloat& b) {
+        if (a.block != b.block) return sum_of_unequal(a, b);
+        return rounded(a.value + b.value, a.error + b.error, a.block);
+    }
+    friend BoundedFloat operator-(const BoundedFloat& a, const BoundedFloat& b) { return a + -b; }
+    friend BoundedFloat operator*(const BoundedFloat& a, const BoundedFloat& b) {
+        return rounded(a.value * b.value,
+                       (magnitude(a) * b.error + magnitude(b) * a.error) + a.error * b.error,
+                       a.block + b.block);
+    }
+    friend BoundedFloat operator/(const BoundedFloat& a, const BoundedFloat& b) {
+        const double least = magnitude(b) * (1 - 0x1p-40) - b.error;
+        if (!(least > 0)) return unknown();
+        const Real quotient = a.value / b.value;
+        return rounded(quotient, (a.error + std::fabs(nearest_double(quotient)) * b.error) / least,
+                       a.block - b.block);
+    }
+
+  private:
+    static constexpr double least = 0x1p-128, most = 0x1p128, one_block = 0x1p256;
+
+    static double magnitude(const BoundedFloat& a) { return std::fabs(nearest_double(a.value)); }
+    // Greater than every exponent, so that it stays in sums.
+    static BoundedFloat unknown() {
+        return {to_real<Real>(0), std::numeric_limits<double>::infinity(), std::int64_t{1} << 40};
+    }
+    // Of an operation on numbers whose errors make `inherited` of it.
+    static BoundedFloat rounded(const Real& value, double inherited, std::int64_t block) {
+        const double size = std::fabs(nearest_double(value));
+        const double error = (inherited + rounding_of<Real> * size) * (1 + 0x1p-40);
+        const double larger = error > size ? error : size;
+        if (larger >= least && larger < most) return {value, error, block};
+        return normalized(value, error, block);
+    }
+    MGDT_NOT_INLINE static BoundedFloat normalized(Real value, double error, std::int64_t block) {
+        if (nearest_double(value) == 0 && error == 0) return {to_real<Real>(0), 0, 0};
+        if (!(error <= std::numeric_limits<double>::max())) return unknown();
+        const auto larger = [&] { return std::fmax(std::fabs(nearest_double(value)), error); };
+        // Downwards one step is enough.
+        if (larger() >= most) {
+            value = scaled_by(value, 1 / one_block);
+            error *= 1 / one_block;
+            ++block;
+        }
+        while (larger() < least) {
+            value = scaled_by(value, one_block);
+            error *= one_block;
+            --block;
+        }
+        return {value, error, block};
+    }
+    MGDT_NOT_INLINE static BoundedFloat sum_of_unequal(const BoundedFloat& a,
+                                                       const BoundedFloat& b) {
+        if (a.is_zero()) return b;
+        if (b.is_zero()) return a;
+        if (a.block < b.block) return sum_of_unequal(b, a);
+        // What underflows here, and what is left out below, is less than 2^-900 and 2^-380.
+        if (a.block - b.block == 1)
+            return rounded(a.value + scaled_by(b.value, 1 / one_block),
+                           a.error + b.error * (1 / one_block) + 0x1p-900, a.block);
+        return rounded(a.value, a.error + 0x1p-380, a.block);
+    }
+    bool is_zero() const { return error == 0 && nearest_double(value) == 0; }
+
+    static BoundedFloat exact(const Twofold& x, std::int64_t exponent) {
+        if (x.high == 0) return {to_real<Real>(0), 0, 0};
+        int of_x;
+        std::frexp(x.high, &of_x);
+        // Division that rounds downwards; magnitudes from 2^-128 to 2^128.
+        const std::int64_t block = (of_x + exponent + 127) >> 8;
+        const auto shift = static_cast<int>(exponent - 256 * block);
+        BoundedFloat r = {to_real<Real>(0), 0, block};
+        r.set(std::ldexp(x.high, shift), std::ldexp(x.low, shift));
+        if (x.low != 0) r.error += 0x1p-900;  // where the low part underflows
+        return r;
+    }
+    void set(double high, double low);
+};
+
+template <>
+inline void BoundedFloat<double>::set(double high, double low) {
+    value = high;
+    error = std::fabs(low);
+}
+template <>
+inline void BoundedFloat<Twofold>::set(double high, double low) {
+    value = {high, low};
+}
+
+}  // namespace mgdt
