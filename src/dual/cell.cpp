@@ -39,7 +39,7 @@ void Cell::set_sides(const Mesh& mesh, VertexId v, const Link& link) {
                                                         : 1;
     for (std::size_t i = 0; i < n; ++i) {
         if (link.neighbor(i) == infinite_vertex) continue;
-        Side<double>& side = sides_[i];
+        Side& side = sides_[i];
         if (factor_ != 1)
             for (double& x : side.normal.x) x = scaled_by(x, factor_);
         side.offset = scaled_by(dot(side.normal, side.normal), 0.5);
@@ -56,7 +56,7 @@ inline void turn(unsigned (&at)[3], const std::uint32_t (&index)[3]) {
     at[2] = at[1] == 2 ? 0 : at[1] + 1;
 }
 
-bool Cell::set_plain_center(const LinkTriangle& triangle, Corner<double>& corner) const {
+bool Cell::set_plain_center(const LinkTriangle& triangle, Corner& corner) const {
     unsigned at[3];
     turn(at, {indices_[triangle.corner[0]], indices_[triangle.corner[1]],
               indices_[triangle.corner[2]]});
@@ -68,7 +68,7 @@ void Cell::set_corner(const Mesh& mesh, VertexId v, const Link& link, std::size_
                       Centers centers) {
     constexpr double u = rounding_of<double>;
     const LinkTriangle& triangle = link.triangles()[i];
-    Corner<double>& corner = corners_[i];
+    Corner& corner = corners_[i];
     VertexId vertex[3];
     for (unsigned k = 0; k < 3; ++k) vertex[k] = link.neighbor(triangle.corner[k]);
     unsigned ghost = 3;
@@ -78,8 +78,8 @@ void Cell::set_corner(const Mesh& mesh, VertexId v, const Link& link, std::size_
     corner.is_ideal = ghost < 3;
     if (corner.is_ideal) {
         // The way out, at right angles to the hull facet of the other two.
-        const Side<double>&p = sides_[triangle.corner[ghost == 2 ? 0 : ghost + 1]],
-              &q = sides_[triangle.corner[ghost == 0 ? 2 : ghost - 1]];
+        const Side &p = sides_[triangle.corner[ghost == 2 ? 0 : ghost + 1]],
+                   &q = sides_[triangle.corner[ghost == 0 ? 2 : ghost - 1]];
         corner.x = cross(p.normal, q.normal);
         corner.size = length(corner.x);
         corner.error = 8 * u * p.size * q.size;

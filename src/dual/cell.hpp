@@ -22,9 +22,9 @@ class Cell {
 
     // By the numbers of the link's neighbours: the half of space that is nearer to the vertex. Not
     // of the vertex at infinity.
-    const Side<double>& side(std::size_t neighbor) const noexcept { return sides_[neighbor]; }
+    const Side& side(std::size_t neighbor) const noexcept { return sides_[neighbor]; }
     // By the numbers of the link's triangles: that of a ghost is the way of a ray.
-    const Corner<double>& corner(std::size_t triangle) const noexcept { return corners_[triangle]; }
+    const Corner& corner(std::size_t triangle) const noexcept { return corners_[triangle]; }
     bool is_bounded() const noexcept { return is_bounded_; }
     // False where the distances of neighbours differ by so much that doubles are of no use.
     bool is_ordinary() const noexcept { return is_ordinary_; }
@@ -39,10 +39,10 @@ class Cell {
     void set_sides(const Mesh& mesh, VertexId v, const Link& link);
     void set_corner(const Mesh& mesh, VertexId v, const Link& link, std::size_t triangle,
                     Centers centers);
-    bool set_plain_center(const LinkTriangle& triangle, Corner<double>& corner) const;
+    bool set_plain_center(const LinkTriangle& triangle, Corner& corner) const;
 
-    Buffer<Side<double>> sides_;
-    Buffer<Corner<double>> corners_;
+    Buffer<Side> sides_;
+    Buffer<Corner> corners_;
     Buffer<std::uint32_t> indices_;
     bool is_bounded_ = true, is_ordinary_ = true;
     double radius_ = 0, factor_ = 1;

@@ -8,9 +8,8 @@ namespace mgdt {
 // The planes of the region that some corner of the cell may be beyond.
 void CellFaces::find_cutting(const Link& link, const Cell& cell, const Region& region) {
     cutting_.clear();
-    const std::size_t n = link.neighbor_count();
     for (std::size_t k = 0; k < region.size(); ++k) {
-        const auto plane = static_cast<PlaneNumber>(n + k);
+        const auto plane = static_cast<PlaneNumber>(order_.size() + k);
         const bool is_surely_inside =
             cell.is_ordinary() && cell.is_bounded() &&
             Polygon::are_inside(half_spaces_.side(plane), 0, [&](auto look) {
@@ -20,13 +19,14 @@ void CellFaces::find_cutting(const Link& link, const Cell& cell, const Region& r
     }
 }
 
-// What the neighbours leave of the plane of b: from the circumcentres around it where these are
-// points that are surely apart.
-void CellFaces::set_polygon(const Link& link, const Cell& cell, std::uint32_t b) {
+// What the neighbours leave of a neighbour's plane: from the circumcentres around it where these
+// are points that are surely apart.
+void CellFaces::set_polygon(const Link& link, const Cell& cell, PlaneNumber plane) {
+    const std::uint32_t b = order_[plane];
     bool are_apart = cell.is_ordinary();
-    const Corner<double>* before = nullptr;
+    const mgdt::Corner* before = nullptr;
     const auto look = [&](std::uint32_t i, std::uint32_t) {
-        const Corner<double>& corner = cell.corner(i);
+        const mgdt::Corner& corner = cell.corner(i);
         are_apart &= !corner.is_ideal &&
                      (!before || length(corner.x - before->x) > 2 * (corner.error + before->error));
         before = &corner;
@@ -34,82 +34,166 @@ void CellFaces::set_polygon(const Link& link, const Cell& cell, std::uint32_t b)
     link.for_ring(b, first_[b], look);
     look(first_[b], 0);
     if (are_apart) {
-        polygon_.begin(b);
+        polygon_.begin(plane);
         link.for_ring(b, first_[b], [&](std::uint32_t i, std::uint32_t next) {
-            polygon_.add(cell.corner(i), next);
+            polygon_.add(cell.corner(i), rank_[next]);
         });
         return;
     }
     ring_.clear();
     link.for_ring(b, first_[b], [&](std::uint32_t, std::uint32_t next) {
-        if (link.neighbor(next) != infinite_vertex) ring_.push_back(next);
+        if (link.neighbor(next) != infinite_vertex) ring_.push_back(rank_[next]);
     });
     // Which of two planes through one line is an edge must not depend on where the ring begins.
-    std::sort(ring_.begin(), ring_.end(),
-              [&](PlaneNumber a, PlaneNumber c) { return cell.index(a) < cell.index(c); });
-    polygon_.set_far(b);
-    for (const PlaneNumber plane : ring_) polygon_.clip(plane, true);
+    std::sort(ring_.begin(), ring_.end());
+    polygon_.set_far(plane);
+    for (const PlaneNumber other : ring_) polygon_.clip(other, true);
 }
 
-void CellFaces::add_whole(const Link& link, std::uint32_t b) {
-    const std::size_t begin = edges_.size();
-    link.for_ring(b, first_[b], [&](std::uint32_t, std::uint32_t next) { edges_.push_back(next); });
-    faces_.push_back({b, begin, edges_.size()});
+void CellFaces::add_whole(const Link& link, PlaneNumber plane) {
+    const std::uint32_t b = order_[plane];
+    ring_.clear();
+    link.for_ring(b, first_[b],
+                  [&](std::uint32_t, std::uint32_t next) { ring_.push_back(rank_[next]); });
+    add_face(plane);
 }
 
 void CellFaces::add_polygon() {
     if (polygon_.is_empty()) return;
-    const std::size_t begin = edges_.size();
-    for (std::size_t i = 0; i < polygon_.size(); ++i) edges_.push_back(polygon_.edge(i));
-    faces_.push_back({polygon_.plane(), begin, edges_.size()});
+    ring_.clear();
+    for (std::size_t i = 0; i < polygon_.size(); ++i) ring_.push_back(polygon_.edge(i));
+    add_face(polygon_.plane());
 }
 
-void CellFaces::find(const Mesh& mesh, VertexId v, const Link& link, const Cell& cell,
-                     const Region& region) {
-    const std::size_t n = link.neighbor_count();
-    faces_.clear();
-    edges_.clear();
-    exponent_ = std::ilogb(cell.factor());
-    half_spaces_.clear(mesh.point(v), cell.factor());
-    for (std::size_t b = 0; b < n; ++b) {
-        if (link.neighbor(b) == infinite_vertex)
-            half_spaces_.add_nothing();
-        else
-            half_spaces_.add_nearer_side(mesh.point(link.neighbor(b)));
+// A face whose edges are in the ring, from the one of the least number on.
+void CellFaces::add_face(PlaneNumber plane) {
+    const std::size_t begin = edges_.size();
+    PlaneNumber* const least = std::min_element(ring_.begin(), ring_.end());
+    for (const PlaneNumber* edge = least; edge != ring_.end(); ++edge) edges_.push_back(*edge);
+    for (const PlaneNumber* edge = ring_.begin(); edge != least; ++edge) edges_.push_back(*edge);
+    faces_.push_back({plane, begin, edges_.size()});
+}
+
+// The cell's face in a plane of the region, from the neighbours whose faces touch the plane:
+// docs/theory.md, "Cells", has why these are enough. Of a plane of the region and that of a
+// neighbour that are one, the neighbour has the face.
+void CellFaces::add_region_face(std::size_t cut) {
+    polygon_.set_far(cutting_[cut]);
+    for (const PlaneNumber other : cutting_)
+        if (other != cutting_[cut]) polygon_.clip(other, true);
+    const Touch* touch = std::partition_point(touches_.begin(), touches_.end(),
+                                              [&](const Touch& t) { return t.cut < cut; });
+    for (; touch != touches_.end() && touch->cut == cut && !polygon_.is_empty(); ++touch)
+        polygon_.clip(touch->neighbor, false);
+    switch (overlap_with_cell()) {
+        case Overlap::some:
+            break;
+        case Overlap::none:
+            return;
+        case Overlap::unknown:
+            for (PlaneNumber b = 0; b < order_.size() && !polygon_.is_empty(); ++b)
+                polygon_.clip(b, false);
     }
-    for (std::size_t k = 0; k < region.size(); ++k)
-        half_spaces_.add_plane(region.numbers(k), mesh.scale);
-    first_.resize(n);
-    for (std::uint32_t i = 0; i < link.triangles().size(); ++i)
-        for (const std::uint32_t corner : link.triangles()[i].corner) first_[corner] = i;
+    add_polygon();
+}
+
+// Of a polygon that is a face of the cell or has no area in common with it: told by a corner that
+// is outside, or inside but for the planes of its edges.
+CellFaces::Overlap CellFaces::overlap_with_cell() {
+    for (std::size_t i = 0; i < polygon_.size(); ++i) {
+        bool is_inside = true;
+        for (PlaneNumber b = 0; b < order_.size(); ++b) {
+            if (b == polygon_.edge(i) || b == polygon_.edge_before(i)) continue;
+            const int sign = polygon_.sign_at(i, b);
+            if (sign > 0) return Overlap::none;
+            if (sign < 0) continue;
+            is_inside = false;
+            break;
+        }
+        if (is_inside) return Overlap::some;
+    }
+    return polygon_.is_empty() ? Overlap::none : Overlap::unknown;
+}
+
+void CellFaces::number_planes(const Mesh& mesh, VertexId v, const Link& link, const Cell& cell,
+                              const Region& region) {
+    const std::size_t n = link.neighbor_count();
     order_.clear();
     for (std::uint32_t b = 0; b < n; ++b)
         if (link.neighbor(b) != infinite_vertex) order_.push_back(b);
     std::sort(order_.begin(), order_.end(),
-              [&](PlaneNumber a, PlaneNumber b) { return cell.index(a) < cell.index(b); });
+              [&](std::uint32_t a, std::uint32_t b) { return cell.index(a) < cell.index(b); });
+    rank_.resize(n);
+    half_spaces_.clear(mesh.point(v), cell.factor());
+    for (PlaneNumber plane = 0; plane < order_.size(); ++plane) {
+        rank_[order_[plane]] = plane;
+        half_spaces_.add_nearer_side(mesh.point(link.neighbor(order_[plane])));
+    }
+    for (std::size_t k = 0; k < region.size(); ++k)
+        half_spaces_.add_plane(region.numbers(k), mesh.scale);
+}
+
+void CellFaces::find(const Mesh& mesh, VertexId v, const Link& link, const Cell& cell,
+                     const Region& region) {
+    faces_.clear();
+    edges_.clear();
+    number_planes(mesh, v, link, cell, region);
+    const auto neighbors = static_cast<PlaneNumber>(order_.size());
+    first_.resize(link.neighbor_count());
+    for (std::uint32_t i = 0; i < link.triangles().size(); ++i)
+        for (const std::uint32_t corner : link.triangles()[i].corner) first_[corner] = i;
     find_cutting(link, cell, region);
-    for (const PlaneNumber b : order_) {
+    touches_.clear();
+    for (PlaneNumber plane = 0; plane < neighbors; ++plane) {
         if (cutting_.empty()) {
-            add_whole(link, b);
+            add_whole(link, plane);
             continue;
         }
-        set_polygon(link, cell, b);
-        for (const PlaneNumber plane : cutting_) {
-            if (polygon_.is_empty()) break;
-            polygon_.clip(plane, true);
-        }
+        set_polygon(link, cell, plane);
+        for (std::size_t cut = 0; cut < cutting_.size() && !polygon_.is_empty(); ++cut)
+            if (polygon_.clip(cutting_[cut], true)) touches_.push_back({cut, plane});
         add_polygon();
     }
-    // Of a plane of the region and a side of a neighbour that are one, the neighbour has the face.
-    for (const PlaneNumber plane : cutting_) {
-        polygon_.set_far(plane);
-        for (const PlaneNumber other : cutting_)
-            if (other != plane) polygon_.clip(other, true);
-        for (const PlaneNumber b : order_) {
-            if (polygon_.is_empty()) break;
-            polygon_.clip(b, false);
+    std::sort(touches_.begin(), touches_.end(), [](const Touch& a, const Touch& b) {
+        return a.cut != b.cut ? a.cut < b.cut : a.neighbor < b.neighbor;
+    });
+    for (std::size_t cut = 0; cut < cutting_.size(); ++cut) add_region_face(cut);
+    number_corners();
+}
+
+// Three faces have a corner each, whose planes turn round it in one way.
+void CellFaces::number_corners() {
+    std::size_t slots = 16;
+    while (slots < edges_.size()) slots *= 2;
+    slots_.clear();
+    slots_.resize(slots, 0);
+    corners_.clear();
+    corner_of_edge_.resize(edges_.size());
+    for (const Face& face : faces_)
+        for (std::size_t i = face.begin; i < face.end; ++i) {
+            const PlaneNumber before = edges_[i == face.begin ? face.end - 1 : i - 1];
+            Corner corner = {{face.plane, before, edges_[i]}};
+            std::rotate(corner.plane, std::min_element(corner.plane, corner.plane + 3),
+                        corner.plane + 3);
+            corner_of_edge_[i] = corner_number(corner);
         }
-        add_polygon();
+}
+
+std::uint32_t CellFaces::corner_number(const Corner& corner) {
+    const auto is_it = [&](const Corner& c) {
+        return std::equal(c.plane, c.plane + 3, corner.plane);
+    };
+    const std::uint64_t hash = (corner.plane[0] * std::uint64_t{0x9E3779B97F4A7C15}) ^
+                               (corner.plane[1] * std::uint64_t{0xC2B2AE3D27D4EB4F}) ^
+                               (corner.plane[2] * std::uint64_t{0x165667B19E3779F9});
+    std::size_t slot = hash >> 32;
+    for (;; ++slot) {
+        std::uint32_t& of_slot = slots_[slot & (slots_.size() - 1)];
+        if (of_slot == 0) {
+            corners_.push_back(corner);
+            return (of_slot = static_cast<std::uint32_t>(corners_.size())) - 1;
+        }
+        if (is_it(corners_[of_slot - 1])) return of_slot - 1;
     }
 }
 

@@ -66,14 +66,25 @@ void CellMeasures::find_cuts(const Link& link, const Region& region) {
     }
 }
 
-// The face to neighbour b, cut by the planes of the region.
-void CellMeasures::set_face(const Link& link, std::uint32_t b) {
+// The face to a neighbour, cut by the planes of the region. Where nothing has been left or taken by
+// mistake, it is known which of them it does not reach to.
+void CellMeasures::set_face(const Link& link, std::size_t rank) {
+    const std::uint32_t b = order_[rank];
     polygon_.clear();
     link.for_ring(b, first_[b], [&](std::uint32_t i, std::uint32_t next) {
         polygon_.push_back(cell_.corner(i), next);
     });
-    for (const Cut& cut : cutting_)
+    for (std::size_t k = 0; k < cutting_.size(); ++k) {
+        const Cut& cut = cutting_[k];
+        const bool is_surely_inside =
+            polygon_.slack() == 0 &&
+            Polygon::are_inside(cut.side, polygon_.reach(), [&](auto look) {
+                for (const Corner& corner : polygon_.corners()) look(corner);
+            });
+        if (is_surely_inside) continue;
+        touches_.push_back({k, rank});
         polygon_.clip(cut.side, static_cast<std::uint32_t>(link.neighbor_count() + cut.plane));
+    }
 }
 
 void CellMeasures::settle(const Side& plane, const Link& link, const Region& region) {
@@ -83,32 +94,74 @@ void CellMeasures::settle(const Side& plane, const Link& link, const Region& reg
     });
 }
 
+// The face in a plane of the region: docs/theory.md, "Cells", has why those neighbours are enough
+// whose faces touch the plane.
+void CellMeasures::set_region_face(const Cut& cut, const Link& link, const Region& region,
+                                   const Touch* begin, const Touch* end) {
+    const auto n = static_cast<std::uint32_t>(link.neighbor_count());
+    region.set_face(cut.plane, point_, cell_.factor(), n, polygon_);
+    for (; begin != end && !polygon_.corners().empty(); ++begin) {
+        const std::uint32_t b = order_[begin->neighbor];
+        polygon_.clip(cell_.side(b), b);
+    }
+    switch (overlap_with_cell()) {
+        case Overlap::some:
+            break;
+        case Overlap::none:
+            return polygon_.clear();
+        case Overlap::unknown:
+            for (const std::uint32_t b : order_) {
+                polygon_.clip(cell_.side(b), b);
+                if (polygon_.corners().empty()) break;
+            }
+    }
+    settle(cut.side, link, region);
+}
+
+// Of a polygon that is a face of the cell or has no area in common with it.
+CellMeasures::Overlap CellMeasures::overlap_with_cell() const {
+    const Buffer<Corner>& corners = polygon_.corners();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        bool is_inside = true;
+        for (const std::uint32_t b : order_) {
+            if (b == polygon_.label(i) || b == polygon_.label_before(i)) continue;
+            const int sign = Polygon::sign_at(corners[i], cell_.side(b));
+            if (sign > 0) return Overlap::none;
+            is_inside &= sign < 0;
+            if (!is_inside) break;
+        }
+        if (is_inside) return Overlap::some;
+    }
+    return corners.empty() ? Overlap::none : Overlap::unknown;
+}
+
 // The faces to neighbours are what the cutting planes leave of them; a face in such a plane is what
-// all neighbours leave of it.
+// the neighbours leave of it.
 template <Measure M>
 void CellMeasures::add_clipped(const Link& link, const Region& region) {
     const Buffer<LinkTriangle>& triangles = link.triangles();
-    const std::size_t n = link.neighbor_count();
-    first_.resize(n);
+    first_.resize(link.neighbor_count());
     order_.clear();
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
         for (const std::uint32_t corner : triangles[i].corner) first_[corner] = i;
-    for (std::uint32_t b = 0; b < n; ++b)
+    for (std::uint32_t b = 0; b < link.neighbor_count(); ++b)
         if (link.neighbor(b) != infinite_vertex) order_.push_back(b);
     std::sort(order_.begin(), order_.end(),
               [&](std::uint32_t a, std::uint32_t b) { return cell_.index(a) < cell_.index(b); });
-    for (const std::uint32_t b : order_) {
-        set_face(link, b);
-        add_polygon<M>({cell_.side(b), 1, 0});
+    touches_.clear();
+    for (std::size_t rank = 0; rank < order_.size(); ++rank) {
+        set_face(link, rank);
+        add_polygon<M>({cell_.side(order_[rank]), 1, 0});
     }
-    for (const Cut& cut : cutting_) {
-        region.set_face(cut.plane, point_, cell_.factor(), static_cast<std::uint32_t>(n), polygon_);
-        for (const std::uint32_t b : order_) {
-            polygon_.clip(cell_.side(b), b);
-            if (polygon_.corners().empty()) break;
-        }
-        settle(cut.side, link, region);
-        add_polygon<M>(Sums::face_in_plane(cut.side));
+    std::sort(touches_.begin(), touches_.end(), [](const Touch& a, const Touch& b) {
+        return a.cut != b.cut ? a.cut < b.cut : a.neighbor < b.neighbor;
+    });
+    const Touch* touch = touches_.begin();
+    for (std::size_t k = 0; k < cutting_.size(); ++k) {
+        const Touch* const begin = touch;
+        while (touch != touches_.end() && touch->cut == k) ++touch;
+        set_region_face(cutting_[k], link, region, begin, touch);
+        add_polygon<M>(FaceSums::face_in_plane(cutting_[k].side));
     }
 }
 

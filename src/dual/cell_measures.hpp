@@ -18,7 +18,8 @@ class CellMeasures {
           order_(allocator),
           first_(allocator),
           edges_(allocator),
-          cutting_(allocator) {}
+          cutting_(allocator),
+          touches_(allocator) {}
 
     // Of vertex v, whose link is given, within the region: one double, or the three of a centroid.
     // Returns false where the error may be above measure_error, and for the number of faces of a
@@ -29,17 +30,24 @@ class CellMeasures {
     const Cell& cell() const noexcept { return cell_; }
 
   private:
-    using Side = mgdt::Side<double>;
-    using Corner = mgdt::Corner<double>;
-    using Sums = FaceSums<double>;
+    using Sums = FaceSums;
     // A plane of the region that cuts the cell.
     struct Cut {
         std::size_t plane;
         Side side;
     };
+    // Faces to neighbours that may reach to a cutting plane, by their places in order_ and
+    // cutting_.
+    struct Touch {
+        std::size_t cut, neighbor;
+    };
 
     void find_cuts(const Link& link, const Region& region);
-    void set_face(const Link& link, std::uint32_t b);
+    void set_face(const Link& link, std::size_t rank);
+    void set_region_face(const Cut& cut, const Link& link, const Region& region, const Touch* begin,
+                         const Touch* end);
+    enum class Overlap { some, none, unknown };
+    Overlap overlap_with_cell() const;
     void settle(const Side& plane, const Link& link, const Region& region);
     template <Measure M>
     bool measure_as(const Link& link, const Region& region);
@@ -58,6 +66,7 @@ class CellMeasures {
     Sums sums_;
     Buffer<std::uint32_t> order_, first_, edges_;
     Buffer<Cut> cutting_;
+    Buffer<Touch> touches_;
     bool is_known_ = true;           // all corners are points
     const double* point_ = nullptr;  // of the vertex
 };

@@ -7,36 +7,32 @@
 namespace mgdt {
 
 // A corner of a face: a point, or the direction of a ray that ends nowhere.
-template <class Real>
 struct Corner {
-    Vector<Real> x;
+    Vector<double> x;
     double size, error;  // length of x; of the error of x, at most
     bool is_ideal;
 };
 
 // A face lies in the plane normal . x = offset of its side; the cell is where normal . x is less.
-template <class Real>
 struct Side {
-    Vector<Real> normal;
-    Real offset;
+    Vector<double> normal;
+    double offset;
     double size;   // length of the normal
     double error;  // of the offset, at most; the normal's is that of one rounding of its numbers
 
-    double distance() const noexcept { return std::fabs(nearest_double(offset)) / size; }
+    double distance() const noexcept { return std::fabs(offset) / size; }
 };
 
 // The point where three planes meet, by Cramer's rule; of planes that turn round it so that their
 // normals are positively oriented. False where these are in one plane, nearly, or where numbers are
 // beyond the range of doubles. Bounds of the error: docs/theory.md, "Cells".
-template <class Real>
-bool meet(const Side<Real>& p, const Side<Real>& q, const Side<Real>& r, Corner<Real>& corner) {
-    constexpr double u = rounding_of<Real>;
-    const Vector<Real> qr = cross(q.normal, r.normal), rp = cross(r.normal, p.normal),
-                       pq = cross(p.normal, q.normal);
-    const Real det = dot(p.normal, qr);
-    const double d = nearest_double(det), product = p.size * q.size * r.size;
+inline bool meet(const Side& p, const Side& q, const Side& r, Corner& corner) {
+    constexpr double u = rounding_of<double>;
+    const Vector<double> qr = cross(q.normal, r.normal), rp = cross(r.normal, p.normal),
+                         pq = cross(p.normal, q.normal);
+    const double d = dot(p.normal, qr), product = p.size * q.size * r.size;
     if (!(d > 1024 * u * product)) return false;
-    const Real inverse = to_real<Real>(1) / det;
+    const double inverse = 1 / d;
     for (int k = 0; k < 3; ++k)
         corner.x.x[k] = ((p.offset * qr.x[k] + q.offset * rp.x[k]) + r.offset * pq.x[k]) * inverse;
     corner.size = length(corner.x);

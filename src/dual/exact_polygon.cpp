@@ -7,7 +7,7 @@ namespace mgdt {
 namespace {
 
 constexpr double u = rounding_of<double>;
-constexpr Corner<double> unknown = {{}, 0, std::numeric_limits<double>::infinity(), false};
+constexpr Corner unknown = {{}, 0, std::numeric_limits<double>::infinity(), false};
 
 }  // namespace
 
@@ -28,10 +28,10 @@ void ExactPolygon::set_far(PlaneNumber plane) {
 ExactPolygon::LabelledCorner ExactPolygon::corner(PlaneNumber before, PlaneNumber after) const {
     LabelledCorner c = {unknown, after};
     if (is_far(before) && is_far(after)) return c;
-    const Side<double>& plane = half_spaces_.side(plane_);
+    const Side& plane = half_spaces_.side(plane_);
     if (is_far(before) || is_far(after)) {
-        const Side<double>& edge = half_spaces_.side(is_far(before) ? after : before);
-        Corner<double> way;
+        const Side& edge = half_spaces_.side(is_far(before) ? after : before);
+        Corner way;
         way.x =
             is_far(before) ? cross(edge.normal, plane.normal) : cross(plane.normal, edge.normal);
         way.size = length(way.x);
@@ -40,14 +40,14 @@ ExactPolygon::LabelledCorner ExactPolygon::corner(PlaneNumber before, PlaneNumbe
         if (std::isfinite(plane.error) && std::isfinite(edge.error)) c.at = way;
         return c;
     }
-    Corner<double> at;
+    Corner at;
     if (meet(plane, half_spaces_.side(before), half_spaces_.side(after), at)) c.at = at;
     return c;
 }
 
 int ExactPolygon::sign_at(std::size_t i, PlaneNumber s) {
-    const Corner<double>& at = corners_[i].at;
-    const Side<double>& side = half_spaces_.side(s);
+    const Corner& at = corners_[i].at;
+    const Side& side = half_spaces_.side(s);
     const double along = dot(side.normal, at.x);
     double height = along, error = side.size * (at.error + 6 * u * at.size);
     if (!at.is_ideal) {
@@ -61,24 +61,28 @@ int ExactPolygon::sign_at(std::size_t i, PlaneNumber s) {
     return half_spaces_.side_of_corner(plane_, edge_before(i), edge(i), s);
 }
 
-void ExactPolygon::clip(PlaneNumber s, bool stays_if_equal) {
+bool ExactPolygon::clip(PlaneNumber s, bool stays_if_equal) {
     const std::size_t n = corners_.size();
-    bool has_inside = false, has_outside = false;
+    bool has_inside = false, has_outside = false, touches = false;
     signs_.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
         const int sign = sign_at(i, s);
         has_inside |= sign < 0;
         has_outside |= sign > 0;
+        touches |= sign >= 0;
         signs_[i] = static_cast<std::int8_t>(sign);
     }
     if (!has_outside) {
         const bool is_one_plane = !has_inside && n > 0;
         if (is_one_plane && !(stays_if_equal && half_spaces_.sign_of_product(plane_, s) > 0))
             corners_.clear();
-        return;
+        return touches;
     }
-    // A corner or an edge may be left, which has no area.
-    if (!has_inside) return corners_.clear();
+    if (!has_inside) {
+        // A corner or an edge may be left, which has no area.
+        corners_.clear();
+        return true;
+    }
     next_.clear();
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t j = i + 1 == n ? 0 : i + 1;
@@ -91,6 +95,7 @@ void ExactPolygon::clip(PlaneNumber s, bool stays_if_equal) {
         if (signs_[i] > 0 && signs_[j] < 0) next_.push_back(corner(s, edge));
     }
     std::swap(corners_, next_);
+    return true;
 }
 
 }  // namespace mgdt

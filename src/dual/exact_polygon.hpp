@@ -30,18 +30,21 @@ class ExactPolygon {
         plane_ = plane;
         corners_.clear();
     }
-    void add(const Corner<double>& at, PlaneNumber edge) { corners_.push_back({at, edge}); }
+    void add(const Corner& at, PlaneNumber edge) { corners_.push_back({at, edge}); }
 
-    // Leaves what is in half-space s. If both planes are one, the polygon stays only where both
-    // normals have one direction and the caller says so.
-    void clip(PlaneNumber s, bool stays_if_equal);
+    // Leaves what is in half-space s, and returns whether some of the polygon was on its plane or
+    // beyond. If both planes are one, the polygon stays only where both normals have one direction
+    // and the caller says so.
+    bool clip(PlaneNumber s, bool stays_if_equal);
+    // +1 where corner i is outside half-space s, 0 on its plane, -1 inside.
+    int sign_at(std::size_t i, PlaneNumber s);
+    void clear() noexcept { corners_.clear(); }
 
   private:
     struct LabelledCorner {
-        Corner<double> at;  // may be unknown: its error is infinite then
+        Corner at;  // may be unknown: its error is infinite then
         PlaneNumber edge;
     };
-    int sign_at(std::size_t i, PlaneNumber s);
     // Where the edge before meets the one after.
     LabelledCorner corner(PlaneNumber before, PlaneNumber after) const;
 

@@ -16,7 +16,6 @@ enum class Measure { volume, area, centroid, faces };
 constexpr double measure_error = 1e-12;
 
 // Terms, and a bound of the error of each.
-template <class Real>
 class ErrorBoundSum {
   public:
     explicit ErrorBoundSum(Allocator& allocator) : terms_(allocator), errors_(allocator) {}
@@ -25,48 +24,41 @@ class ErrorBoundSum {
         errors_.clear();
         largest_ = largest_error_ = 0;
     }
-    void add(const Real& term, double error) {
-        push(term);
+    void add(double term, double error) {
+        terms_.push_back(term);
         errors_.push_back(error);
-        largest_ = std::fmax(largest_, std::fabs(nearest_double(term)));
+        largest_ = std::fmax(largest_, std::fabs(term));
         largest_error_ = std::fmax(largest_error_, error);
     }
     double value() const { return order_free_sum(terms_.data(), terms_.size(), largest_); }
     double error() const { return order_free_sum(errors_.data(), errors_.size(), largest_error_); }
 
   private:
-    void push(double term) { terms_.push_back(term); }
-    void push(const Twofold& term) {
-        terms_.push_back(term.high);
-        terms_.push_back(term.low);
-    }
     Buffer<double> terms_, errors_;
     double largest_ = 0, largest_error_ = 0;
 };
 
-template <class Real>
 class FaceSums {
   public:
     explicit FaceSums(Allocator& allocator)
-        : sums_{Sum(allocator), Sum(allocator), Sum(allocator), Sum(allocator)} {}
+        : sums_{ErrorBoundSum(allocator), ErrorBoundSum(allocator), ErrorBoundSum(allocator),
+                ErrorBoundSum(allocator)} {}
 
     // A face's side, and twice the multiple of its normal that lies in the face.
     struct Face {
-        const Side<Real>& side;
-        Real weight;
+        const Side& side;
+        double weight;
         double error;  // of the weight
     };
     // The face in a plane that is no bisector.
-    static Face face_in_plane(const Side<Real>& side) {
-        const Real squared = dot(side.normal, side.normal),
-                   weight = scaled_by(side.offset, 2) / squared;
+    static Face face_in_plane(const Side& side) {
+        const double squared = dot(side.normal, side.normal), weight = 2 * side.offset / squared;
         return {side, weight,
-                2 * side.error / nearest_double(squared) +
-                    8 * rounding_of<Real> * std::fabs(nearest_double(weight))};
+                2 * side.error / squared + 8 * rounding_of<double> * std::fabs(weight)};
     }
 
     void clear() {
-        for (Sum& sum : sums_) sum.clear();
+        for (ErrorBoundSum& sum : sums_) sum.clear();
         extent_ = 0;
     }
     // Bounds the distance of corners from the vertex.
@@ -74,8 +66,8 @@ class FaceSums {
     // What the triangle of the vertex and an edge of the face adds, the face turning round its
     // outward normal. Volumes are 12 times too large and areas twice; docs/theory.md, "Cells".
     template <Measure M>
-    void add_edge(const Face& face, const Corner<Real>& a, const Corner<Real>& b,
-                  const Vector<Real>& a_cross_b);
+    void add_edge(const Face& face, const Corner& a, const Corner& b,
+                  const Vector<double>& a_cross_b);
     // An area of the face that may be there or not.
     template <Measure M>
     void add_doubt(const Face& face, double area);
@@ -90,56 +82,48 @@ class FaceSums {
     double extent() const noexcept { return extent_; }
 
   private:
-    using Sum = ErrorBoundSum<Real>;
-    Sum sums_[4];
+    ErrorBoundSum sums_[4];
     double extent_ = 0;
 };
 
-template <class Real>
 template <Measure M>
-void FaceSums<Real>::add_edge(const Face& face, const Corner<Real>& a, const Corner<Real>& b,
-                              const Vector<Real>& a_cross_b) {
-    constexpr double u = rounding_of<Real>;
-    const Side<Real>& side = face.side;
-    const Real along = dot(side.normal, a_cross_b);
+void FaceSums::add_edge(const Face& face, const Corner& a, const Corner& b,
+                        const Vector<double>& a_cross_b) {
+    constexpr double u = rounding_of<double>;
+    const Side& side = face.side;
+    const double along = dot(side.normal, a_cross_b);
     const double error = side.size * (a.size * b.error + b.size * a.error + a.error * b.error +
                                       24 * u * a.size * b.size);
     if constexpr (M == Measure::volume || M == Measure::centroid) {
-        const Real volume = face.weight * along;
-        const double w = std::fabs(nearest_double(face.weight)),
-                     volume_error = w * error + face.error * std::fabs(nearest_double(along));
+        const double volume = face.weight * along;
+        const double w = std::fabs(face.weight),
+                     volume_error = w * error + face.error * std::fabs(along);
         sums_[0].add(volume, volume_error);
         if constexpr (M == Measure::centroid) {
-            const Real half = scaled_by(face.weight, 0.5);
+            const double half = 0.5 * face.weight;
             const double distance = 0.5 * w * side.size + a.size + b.size;
             const double moved = 0.5 * face.error * side.size + a.error + b.error;
             for (int k = 0; k < 3; ++k)
-                sums_[1 + k].add(
-                    volume * (half * side.normal.x[k] + (a.x.x[k] + b.x.x[k])),
-                    volume_error * (distance + moved) +
-                        std::fabs(nearest_double(volume)) * (moved + 8 * u * distance));
+                sums_[1 + k].add(volume * (half * side.normal.x[k] + (a.x.x[k] + b.x.x[k])),
+                                 volume_error * (distance + moved) +
+                                     std::fabs(volume) * (moved + 8 * u * distance));
         }
     } else {
-        const Real one_over_size = to_real<Real>(1 / side.size);
-        sums_[0].add(one_over_size * along, error / side.size);
+        sums_[0].add(along * (1 / side.size), error / side.size);
     }
 }
 
-template <class Real>
 template <Measure M>
-void FaceSums<Real>::add_doubt(const Face& face, double area) {
-    const double w =
-        M == Measure::area ? 1 / face.side.size : std::fabs(nearest_double(face.weight));
+void FaceSums::add_doubt(const Face& face, double area) {
+    const double w = M == Measure::area ? 1 / face.side.size : std::fabs(face.weight);
     const double error = 2 * w * face.side.size * area;
-    const Real nothing = to_real<Real>(0);
-    sums_[0].add(nothing, error);
+    sums_[0].add(0, error);
     if constexpr (M == Measure::centroid)
-        for (int k = 1; k < 4; ++k) sums_[k].add(nothing, 3 * extent_ * error);
+        for (int k = 1; k < 4; ++k) sums_[k].add(0, 3 * extent_ * error);
 }
 
-template <class Real>
 template <Measure M>
-bool FaceSums<Real>::is_sure() const {
+bool FaceSums::is_sure() const {
     // Terms of such a sum that are lost below the range of doubles do not count.
     constexpr double least = 0x1p-900, most = 0x1p900;
     const double value = sums_[0].value();

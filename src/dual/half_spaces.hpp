@@ -4,7 +4,7 @@
 #pragma once
 
 #include "dual/corner.hpp"
-#include "predicates/long_number.hpp"
+#include "predicates/bounded_numbers.hpp"
 
 namespace mgdt {
 
@@ -21,10 +21,22 @@ constexpr PlaneNumber far_plane(int axis, int which) {
     return first_far_plane + static_cast<PlaneNumber>(3 * axis + which);
 }
 
+// The plane normal . x = offset.
+template <class Number>
+struct PlaneRow {
+    Vector<Number> normal;
+    Number offset;
+};
+
 class HalfSpaces {
   public:
     explicit HalfSpaces(Allocator& allocator)
-        : sources_(allocator), sides_(allocator), rows_(allocator), memory_(allocator) {}
+        : sources_(allocator),
+          sides_(allocator),
+          in_doubles_(allocator),
+          in_twofold_(allocator),
+          exact_(allocator),
+          memory_(allocator) {}
 
     // Begins anew. The origin is a point that stays where it is. Approximate lengths are multiplied
     // by `factor`, a power of two.
@@ -38,7 +50,7 @@ class HalfSpaces {
 
     std::size_t size() const noexcept { return sources_.size(); }
     // Rounded. The error of the offset is infinite where doubles are of no use.
-    const Side<double>& side(PlaneNumber p) const noexcept { return sides_[p]; }
+    const Side& side(PlaneNumber p) const noexcept { return sides_[p]; }
 
     // +1 where the point in which the planes p, q and r meet is outside the half-space s, 0 on its
     // plane, -1 inside. The normals of p, q and r are positively oriented. Planes q and r may be
@@ -49,24 +61,21 @@ class HalfSpaces {
     // The axis along which a normal has its largest extent, and the sign of that.
     int main_axis(PlaneNumber p, int& sign);
 
-    // The point where three planes meet, as x / weight, and other things in exact numbers. They are
-    // valid until the next call of a function that is not const.
-    struct Point {
-        LongNumber x[3], weight;
-    };
-    Point meeting_point(PlaneNumber p, PlaneNumber q, PlaneNumber r);
-    struct Row {
-        LongNumber normal[3], offset;
-    };
-    const Row& row(PlaneNumber p);
-    // The half-space rounded, lengths being multiplied by 2^exponent; false where twofold numbers
-    // do not hold it.
-    bool round_side(PlaneNumber p, int exponent, Side<Twofold>& side);
-    // The same point rounded, not relative to the origin, or relative to it; lengths are multiplied
-    // by 2^exponent. The error is relative to each coordinate, below corner_error; false where
-    // twofold numbers do not hold it.
-    bool round_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, int exponent, bool is_relative,
-                      Vector<Twofold>& x);
+    // Whether the plane is halfway between the origin and another point, which is its normal then.
+    bool is_bisector(PlaneNumber p) const noexcept { return !sources_[p].is_plane; }
+    // In numbers with bounds, relative to the origin.
+    template <class Real>
+    PlaneRow<BoundedFloat<Real>> row(BoundedFloats<Real>&, PlaneNumber p) {
+        prepare<BoundedFloat<Real>>();
+        return rows<BoundedFloat<Real>>()[p];
+    }
+    PlaneRow<BoundedLong> row(BoundedLongs& numbers, PlaneNumber p) const {
+        return row_of(numbers, sources_[p]);
+    }
+
+    // The point where three planes meet, rounded, not relative to the origin. The error is relative
+    // to each coordinate, below corner_error; false where twofold numbers do not hold it.
+    bool round_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, Vector<Twofold>& x);
     static constexpr double corner_error = 0x1p-100;
 
   private:
@@ -75,17 +84,31 @@ class HalfSpaces {
         bool is_plane;
         int scale;
     };
-    // Rows of all half-spaces, if they are not there yet.
+    template <class Numbers>
+    PlaneRow<typename Numbers::B> row_of(Numbers& numbers, const Source& source) const;
+    // Rows of all half-spaces in the order of their numbers.
+    template <class Number>
+    Buffer<PlaneRow<Number>>& rows();
+    // Finds the rows, if they are not there yet, and forgets other exact numbers.
+    template <class Number>
     void prepare();
-    void set_row(const Source& source, Row& row);
-    Row far_row(PlaneNumber p, bool is_offset_far);
-    Row row_of(PlaneNumber p, bool is_far_part);
+    template <class Number>
+    Number number(double x);
+    template <class Number>
+    PlaneRow<Number> far_row(PlaneNumber p, bool is_offset_far);
+    template <class Number>
+    PlaneRow<Number> any_row(PlaneNumber p, bool is_far_part);
+    // 2 where the numbers do not tell it.
+    template <class Number>
+    int side_in(PlaneNumber p, PlaneNumber q, PlaneNumber r, PlaneNumber s);
 
     const double* origin_ = nullptr;
     double factor_ = 1;
     Buffer<Source> sources_;
-    Buffer<Side<double>> sides_;
-    Buffer<Row> rows_;
+    Buffer<Side> sides_;
+    Buffer<PlaneRow<BoundedFloat<double>>> in_doubles_;
+    Buffer<PlaneRow<BoundedFloat<Twofold>>> in_twofold_;
+    Buffer<PlaneRow<LongNumber>> exact_;
     LongMemory memory_;
     std::size_t end_of_rows_ = 0;  // in memory_
 };

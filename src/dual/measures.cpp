@@ -33,7 +33,7 @@ constexpr std::size_t min_vertices_per_thread = 4096;
 class Measurer {
   public:
     explicit Measurer(Allocator& allocator)
-        : link_(allocator), in_doubles_(allocator), faces_(allocator), exact_(allocator) {}
+        : link_(allocator), in_doubles_(allocator), faces_(allocator) {}
 
     void measure(const Mesh& mesh, VertexId v, TetId first, const Region& region, Measure measure,
                  double* out) {
@@ -46,14 +46,13 @@ class Measurer {
         if (measure == Measure::faces)
             *out = static_cast<double>(faces_.size());
         else
-            exact_.measure(faces_, mesh.point(v), mesh.scale, measure, out);
+            ExactMeasures::measure(faces_, mesh.point(v), mesh.scale, measure, out);
     }
 
   private:
     Link link_;
     CellMeasures in_doubles_;
     CellFaces faces_;
-    ExactMeasures exact_;
 };
 
 // Cells that the region cuts, and those that the passes leave open, one by one.

@@ -25,32 +25,41 @@ class Polygon {
         slack_ = 0;
     }
     // Adds a corner, and the label of the edge that follows it.
-    void push_back(const Corner<double>& corner, std::uint32_t label) {
+    void push_back(const Corner& corner, std::uint32_t label) {
         corners_.push_back(corner);
         labels_.push_back(label);
     }
-    const Buffer<Corner<double>>& corners() const noexcept { return corners_; }
+    const Buffer<Corner>& corners() const noexcept { return corners_; }
+    // Of an edge, and of the edge that ends in a corner.
     std::uint32_t label(std::size_t edge) const noexcept { return labels_[edge]; }
+    std::uint32_t label_before(std::size_t corner) const noexcept {
+        return labels_[corner == 0 ? labels_.size() - 1 : corner - 1];
+    }
     // Bounds the area that was left or taken by mistake.
     double slack() const noexcept { return slack_; }
 
     // Leaves what is on the inner side (Sutherland and Hodgman, Reentrant polygon clipping,
     // Communications of the ACM 17, 1974). Returns whether some corner is off the plane for sure.
-    bool clip(const Side<double>& side, std::uint32_t label);
+    bool clip(const Side& side, std::uint32_t label);
     // Puts corners where the planes of their edges meet that of the polygon, side(label) being that
     // of an edge, if that is more precise.
     template <class SideOf>
-    void settle(const Side<double>& plane, SideOf side);
+    void settle(const Side& plane, SideOf side);
     // Where rays end at last: bounds the distance of what is looked at from the origin.
     void set_reach(double reach) noexcept { reach_ = reach; }
+    double reach() const noexcept { return reach_; }
+    // +1 where a corner that is a point is outside for sure, -1 where it is inside for sure, else
+    // 0.
+    static int sign_at(const Corner& corner, const Side& side) {
+        const Height h = height(corner, side);
+        return h.value > h.error ? 1 : -h.value > h.error ? -1 : 0;
+    }
     // Whether all of these corners, each(f) calling f(corner), are on the inner side for sure, and
     // rays do not leave it within the reach.
     template <class Each>
-    static bool are_inside(const Side<double>& side, double reach, Each each) {
+    static bool are_inside(const Side& side, double reach, Each each) {
         double top = -std::numeric_limits<double>::infinity(), rise = 0;
-        each([&](const Corner<double>& corner) {
-            look_up(corner, height(corner, side), top, rise);
-        });
+        each([&](const Corner& corner) { look_up(corner, height(corner, side), top, rise); });
         return top + rise * reach < 0;
     }
 
@@ -59,9 +68,9 @@ class Polygon {
         double value;
         double error;
     };
-    static Height height(const Corner<double>& corner, const Side<double>& side);
+    static Height height(const Corner& corner, const Side& side);
     // What bounds heights from above: those of points, and how fast rays may rise.
-    static void look_up(const Corner<double>& corner, const Height& h, double& top, double& rise) {
+    static void look_up(const Corner& corner, const Height& h, double& top, double& rise) {
         const double value = h.value;
         if (!corner.is_ideal)
             top = std::fmax(top, value + h.error);
@@ -74,16 +83,16 @@ class Polygon {
     // Bounds the area that is taken or left by mistake, heights having errors up to `doubt`.
     double doubt_area(double doubt) const;
     // Where an edge meets a side: one end is inside, or on it, the other one is outside.
-    static Corner<double> crossing(const Corner<double>& in, const Height& of_in,
-                                   const Corner<double>& out, const Height& of_out);
+    static Corner crossing(const Corner& in, const Height& of_in, const Corner& out,
+                           const Height& of_out);
 
-    Buffer<Corner<double>> corners_, next_;
+    Buffer<Corner> corners_, next_;
     Buffer<std::uint32_t> labels_, next_labels_;
     Buffer<Height> heights_;
     double slack_ = 0, reach_ = 0;
 };
 
-inline Polygon::Height Polygon::height(const Corner<double>& corner, const Side<double>& side) {
+inline Polygon::Height Polygon::height(const Corner& corner, const Side& side) {
     constexpr double u = rounding_of<double>;
     const double along = dot(side.normal, corner.x);
     double error = side.size * (corner.error + 6 * u * corner.size);
@@ -98,11 +107,11 @@ inline Polygon::Height Polygon::height(const Corner<double>& corner, const Side<
 
 // The combination of the ends whose height is 0, by weights that are not negative; that of an ideal
 // end counts no point. Exchanging the ends gives the same.
-inline Corner<double> Polygon::crossing(const Corner<double>& in, const Height& of_in,
-                                        const Corner<double>& out, const Height& of_out) {
+inline Corner Polygon::crossing(const Corner& in, const Height& of_in, const Corner& out,
+                                const Height& of_out) {
     constexpr double u = rounding_of<double>;
     const double depth = -of_in.value, excess = of_out.value;
-    Corner<double> c;
+    Corner c;
     c.x = excess * in.x + depth * out.x;
     double weight = 0;
     if (!in.is_ideal) weight = weight + excess;
@@ -138,7 +147,7 @@ inline Corner<double> Polygon::crossing(const Corner<double>& in, const Height& 
     return c;
 }
 
-inline bool Polygon::clip(const Side<double>& side, std::uint32_t label) {
+inline bool Polygon::clip(const Side& side, std::uint32_t label) {
     const std::size_t n = corners_.size();
     heights_.resize(n);
     bool is_off = false, is_cut = false;
@@ -196,10 +205,10 @@ inline double Polygon::doubt_area(double doubt) const {
 }
 
 template <class SideOf>
-void Polygon::settle(const Side<double>& plane, SideOf side) {
+void Polygon::settle(const Side& plane, SideOf side) {
     for (std::size_t i = 0; i < corners_.size(); ++i) {
-        const std::uint32_t before = labels_[i == 0 ? corners_.size() - 1 : i - 1];
-        Corner<double> corner;
+        const std::uint32_t before = label_before(i);
+        Corner corner;
         // Edges turn round the plane's normal, and sides look outwards.
         if (before != labels_[i] && meet(plane, side(before), side(labels_[i]), corner) &&
             corner.error < corners_[i].error)

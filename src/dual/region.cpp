@@ -135,8 +135,8 @@ void Region::add_face(const ExactPolygon& polygon, HalfSpaces& half_spaces, cons
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         RegionCorner corner = {};
         Vector<Twofold> x = {};
-        is_ordinary_ &= half_spaces.round_corner(polygon.plane(), polygon.edge_before(i),
-                                                 polygon.edge(i), 0, false, x);
+        is_ordinary_ &=
+            half_spaces.round_corner(polygon.plane(), polygon.edge_before(i), polygon.edge(i), x);
         double largest = 0;
         for (int axis = 0; axis < 3; ++axis) {
             corner.x[axis] = x.x[axis];
@@ -155,7 +155,7 @@ void Region::set_face(std::size_t k, const double* point, double factor, std::ui
     const std::size_t end = k + 1 < planes_.size() ? planes_[k + 1].first : corners_.size();
     face.clear();
     for (std::size_t i = planes_[k].first; i < end; ++i) {
-        Corner<double> corner;
+        Corner corner;
         for (int axis = 0; axis < 3; ++axis)
             corner.x.x[axis] = (corners_[i].x[axis] - Twofold{point[axis], 0}).high * factor;
         corner.size = length(corner.x);
@@ -165,10 +165,10 @@ void Region::set_face(std::size_t k, const double* point, double factor, std::ui
     }
 }
 
-Side<double> Region::side(std::size_t k, const double* point, double factor) const {
+Side Region::side(std::size_t k, const double* point, double factor) const {
     const Plane& plane = planes_[k];
     const Twofold height = exact_height(plane.normal, plane.offset, point);
-    Side<double> side;
+    Side side;
     for (int i = 0; i < 3; ++i) side.normal.x[i] = plane.normal[i];
     side.size = plane.size;
     side.offset = -height.high * factor;

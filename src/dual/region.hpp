@@ -33,7 +33,7 @@ class Region {
     double extent() const noexcept { return extent_; }
     // The side of plane k relative to a point, which is at the origin then, all lengths times
     // `factor`.
-    Side<double> side(std::size_t k, const double* point, double factor) const;
+    Side side(std::size_t k, const double* point, double factor) const;
     // A bound from below of the distance of a point from the nearest plane; negative for a point
     // that is outside by more than rounding, NaN where it is not known.
     double clearance(const double* point) const;

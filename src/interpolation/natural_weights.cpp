@@ -23,7 +23,7 @@ void NaturalWeights::find(const Mesh& mesh, const PlaceStar& star, const double*
                           Natural natural) {
     for (const Stage stage : {Stage::doubles, Stage::corrected, Stage::twofold})
         if (find_in(stage, mesh, star, q, natural)) return;
-    for (int bits = 512; !find_in(Stage::long_numbers, mesh, star, q, natural, bits);) bits *= 4;
+    for (int bits = 256; !find_in(Stage::long_numbers, mesh, star, q, natural, bits);) bits *= 2;
 }
 
 bool NaturalWeights::find_in(Stage stage, const Mesh& mesh, const PlaceStar& star, const double* q,

@@ -25,8 +25,18 @@ struct BoundedFloat {
     static BoundedFloat number(double x, std::int64_t exponent = 0) {
         return exact({x, 0}, exponent);
     }
-    // a - b, which does not overflow.
-    static BoundedFloat difference(double a, double b) { return exact(Twofold::sum(a, -b), 0); }
+    static BoundedFloat with_error(const WideDouble& x, const WideDouble& error) {
+        if (!(error.mantissa <= 1)) return unknown();
+        const BoundedFloat value = number(x.mantissa, x.exponent),
+                           bound = number(error.mantissa, error.exponent);
+        return value + BoundedFloat{to_real<Real>(0), nearest_double(bound.value), bound.block};
+    }
+    // a - b.
+    static BoundedFloat difference(double a, double b) {
+        const Twofold d = Twofold::sum(a, -b);
+        return std::fabs(d.high) <= std::numeric_limits<double>::max() ? exact(d, 0)
+                                                                       : number(a) - number(b);
+    }
 
     // +1, 0 or -1 where the bound tells it, else 2.
     int sign() const {
@@ -117,6 +127,14 @@ struct BoundedFloat {
     }
     void set(double high, double low);
 };
+
+inline BoundedFloat<double> in_double(const BoundedFloat<Twofold>& x) {
+    return {x.value.high, x.error + std::fabs(x.value.low) * (1 + 0x1p-40), x.block};
+}
+
+// x 2^exponent as the nearest double, 0 and infinity included; false where the bound leaves that
+// open, and for subnormal numbers.
+bool round_to_nearest(const BoundedFloat<Twofold>& x, std::int64_t exponent, double& r);
 
 template <>
 inline void BoundedFloat<double>::set(double high, double low) {

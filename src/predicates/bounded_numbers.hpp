@@ -13,6 +13,9 @@ class BoundedFloats {
   public:
     using B = BoundedFloat<Real>;
     static B number(double x, std::int64_t exponent = 0) { return B::number(x, exponent); }
+    static B number(const WideDouble& x, const WideDouble& error) {
+        return B::with_error(x, error);
+    }
     static B difference(double a, double b) { return B::difference(a, b); }
     void forget() {}
 
@@ -36,6 +39,9 @@ class BoundedLongs {
     using B = BoundedLong;
     BoundedLongs(Allocator& allocator, std::size_t limbs) : memory_(allocator, limbs) {}
     B number(double x, std::int64_t exponent = 0) { return {memory_.number(x, exponent), {}}; }
+    B number(const WideDouble& x, const WideDouble& error) {
+        return {memory_.number(x.mantissa, x.exponent), error};
+    }
     B difference(double a, double b) { return number(a) - number(b); }
     void forget() { memory_.release(0); }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bounded_float.hpp"
 #include "determinants.hpp"
 #include "differences.hpp"
 #include "quotient.hpp"
@@ -164,6 +165,44 @@ bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& 
 
 namespace {
 
+using Number = BoundedFloat<Twofold>;
+
+// Relative to the first vertex.
+Vector<Number> bounded_offset(const double* const (&p)[4]) {
+    const auto relative = [&](const double* x) {
+        Vector<Number> r;
+        for (int k = 0; k < 3; ++k) r.x[k] = Number::difference(x[k], p[0][k]);
+        return r;
+    };
+    const Vector<Number> a = relative(p[1]), b = relative(p[2]), c = relative(p[3]),
+                         bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+    const Number inverse = Number::number(0.5) / dot(a, bc);
+    return inverse * ((dot(a, a) * bc + dot(b, b) * ca) + dot(c, c) * ab);
+}
+
+}  // namespace
+
+bool circumcenter_bounded(const double* const (&p)[4], int scale, Circumcenter& c) {
+    const Vector<Number> offset = bounded_offset(p);
+    for (int k = 0; k < 3; ++k)
+        if (!round_to_nearest(offset.x[k] + Number::number(p[0][k]), -scale, c.x[k])) return false;
+    return round_to_nearest(dot(offset, offset), -2 * scale, c.radius2);
+}
+
+bool center_offset_bounded(const double* const (&p)[4], double (&offset)[3]) {
+    const Vector<Number> x = bounded_offset(p);
+    WideDouble largest;
+    for (const Number& of : x.x)
+        if (largest < magnitude(of.wide())) largest = magnitude(of.wide());
+    for (int k = 0; k < 3; ++k) {
+        if (!(x.x[k].wide_error() < largest * WideDouble(0.5 * center_offset_error))) return false;
+        offset[k] = x.x[k].wide().in_double();
+    }
+    return true;
+}
+
+namespace {
+
 // The differences of three vertices and the first, and then that one itself.
 struct VertexAndDifferences : ExactPairs<12> {
     static constexpr int count = 12;
@@ -219,14 +258,17 @@ void center_offset_integer(const double* const (&p)[4], double (&offset)[3]) {
 void center_offset(const double* const (&p)[4], double (&offset)[3]) {
     exact::DoubledOffset w;
     if (!exact::solve(p, exact::circumcenter_bounds, w) ||
-        w.error > 0.5 * center_offset_error * w.size)
-        return exact::center_offset_integer(p, offset);
+        w.error > 0.5 * center_offset_error * w.size) {
+        if (!exact::center_offset_bounded(p, offset)) exact::center_offset_integer(p, offset);
+        return;
+    }
     for (int k = 0; k < 3; ++k) offset[k] = 0.5 * (w.rough[k] + w.correction[k]);
 }
 
 Circumcenter circumcenter(const double* const (&p)[4], int scale) {
     Circumcenter c;
-    if (!exact::circumcenter_refined(p, scale, c)) exact::circumcenter_integer(p, scale, c);
+    if (!exact::circumcenter_refined(p, scale, c) && !exact::circumcenter_bounded(p, scale, c))
+        exact::circumcenter_integer(p, scale, c);
     return c;
 }
 

@@ -35,11 +35,14 @@ double sphere_residual(const double* p, const double* origin, const double (&w)[
 constexpr double sphere_residual_bound = 90;
 
 // The stages, one by one. Doubles that are corrected once: false where that leaves the rounding
-// open. Integers of the least of `widths` that fits and is at least least_width.
+// open. Twofold numbers with bounds, likewise, of coordinates of any size. Integers of the least of
+// `widths` that fits and is at least least_width.
 bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& c,
                           const CircumcenterBounds& bounds = circumcenter_bounds);
+bool circumcenter_bounded(const double* const (&p)[4], int scale, Circumcenter& c);
 void circumcenter_integer(const double* const (&p)[4], int scale, Circumcenter& c,
                           int least_width = 0);
+bool center_offset_bounded(const double* const (&p)[4], double (&offset)[3]);
 void center_offset_integer(const double* const (&p)[4], double (&offset)[3]);
 
 }  // namespace exact

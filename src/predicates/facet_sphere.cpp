@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "bounded_float.hpp"
 #include "determinants.hpp"
 #include "differences.hpp"
 #include "filter.hpp"
@@ -19,6 +20,14 @@ constexpr double least_square = 0x1p-240, most_square = 0x1p240;
 
 bool is_in_range(double square) {
     return square > least_square && square < most_square;
+}
+
+using Number = BoundedFloat<Twofold>;
+
+Vector<Number> bounded_difference(const double* a, const double* b) {
+    Vector<Number> d;
+    for (int k = 0; k < 3; ++k) d.x[k] = Number::difference(a[k], b[k]);
+    return d;
 }
 
 struct Edges : ExactPairs<9> {
@@ -77,6 +86,15 @@ int facet_sphere_filter(const double* a, const double* b, const double* c, const
     return height > error ? -1 : height < -error ? 1 : undecided;
 }
 
+int facet_sphere_bounded(const double* a, const double* b, const double* c, const double* q) {
+    const Vector<Number> r = bounded_difference(b, a), s = bounded_difference(c, a),
+                         t = bounded_difference(q, a), n = cross(r, s);
+    const Number height =
+        (dot(r, r) * dot(cross(s, t), n) + dot(s, s) * dot(cross(t, r), n)) + dot(t, t) * dot(n, n);
+    const int sign = height.sign();
+    return sign == 2 ? undecided : -sign;
+}
+
 int facet_sphere_integer(const double* a, const double* b, const double* c, const double* q,
                          int least_width) {
     return with_integers(ExactDifferences<9>({b, c, q}, a), least_width, [](const auto& v) -> int {
@@ -94,6 +112,18 @@ bool facet_radius2_plain(const double* const (&p)[3], double& square) {
 
 bool facet_radius2_twofold(const double* const (&p)[3], double& square) {
     return radius2_as<Twofold>(p, 0x1p80, square);
+}
+
+bool facet_radius2_bounded(const double* const (&p)[3], int scale, double& square) {
+    const unsigned i = widest_corner(p);
+    const double *const origin = p[i], *const a = p[(i + 1) % 3], *const b = p[(i + 2) % 3];
+    const Vector<Number> r = bounded_difference(a, origin), s = bounded_difference(b, origin),
+                         t = bounded_difference(a, b), n = cross(r, s);
+    const Number x = dot(r, r) * dot(s, s) * dot(t, t) / dot(n, n);
+    const WideDouble value = x.wide();
+    if (!(x.wide_error() < value * WideDouble(0.5 * facet_radius_error))) return false;
+    square = WideDouble(value.mantissa, value.exponent - 2 - 2 * scale).in_double();
+    return true;
 }
 
 double facet_radius2_integer(const double* const (&p)[3], int scale, int least_width) {
@@ -124,7 +154,9 @@ double facet_radius2_integer(const double* const (&p)[3], int scale, int least_w
 
 int side_of_facet_sphere(const double* a, const double* b, const double* c, const double* q) {
     const int s = exact::facet_sphere_filter(a, b, c, q);
-    return s != exact::undecided ? s : exact::facet_sphere_integer(a, b, c, q);
+    if (s != exact::undecided) return s;
+    const int bounded = exact::facet_sphere_bounded(a, b, c, q);
+    return bounded != exact::undecided ? bounded : exact::facet_sphere_integer(a, b, c, q);
 }
 
 double edge_radius2(const double* a, const double* b, int scale) {
@@ -149,6 +181,7 @@ double facet_radius2(const double* const (&p)[3], int scale) {
     double square;
     if (exact::facet_radius2_plain(p, square) || exact::facet_radius2_twofold(p, square))
         return std::ldexp(square, -2 * scale);
+    if (exact::facet_radius2_bounded(p, scale, square)) return square;
     return exact::facet_radius2_integer(p, scale);
 }
 

@@ -19,10 +19,12 @@ namespace exact {
 
 // The stages of both, for tests. A filter that does not know gives `undecided`, and false.
 int facet_sphere_filter(const double* a, const double* b, const double* c, const double* q);
+int facet_sphere_bounded(const double* a, const double* b, const double* c, const double* q);
 int facet_sphere_integer(const double* a, const double* b, const double* c, const double* q,
                          int least_width = 0);
 bool facet_radius2_plain(const double* const (&p)[3], double& square);
 bool facet_radius2_twofold(const double* const (&p)[3], double& square);
+bool facet_radius2_bounded(const double* const (&p)[3], int scale, double& square);
 double facet_radius2_integer(const double* const (&p)[3], int scale, int least_width = 0);
 
 }  // namespace exact

@@ -43,6 +43,8 @@ void LongNumber::trim() noexcept {
     unit_ += static_cast<std::int64_t>(zeros);
 }
 
+// Numbers whose exponents are far apart have sums and products most of whose limbs are 0: the one
+// that has fewer others goes first.
 LongNumber LongNumber::product(const LongNumber& a, const LongNumber& b) {
     if (a.size_ == 0 || b.size_ == 0) return {};
     const std::size_t begin = a.memory_->add(a.size_ + b.size_);
@@ -50,9 +52,17 @@ LongNumber LongNumber::product(const LongNumber& a, const LongNumber& b) {
                  a.is_negative_ != b.is_negative_);
     Limb* const to = r.limbs();
     std::fill_n(to, r.size_, Limb{0});
-    for (std::size_t i = 0; i < a.size_; ++i)
-        to[i + b.size_] =
-            exact::add_row(to + i, a.limbs()[i], b.limbs(), static_cast<int>(b.size_));
+    const auto rows = [](const LongNumber& x) {
+        return x.size_ -
+               static_cast<std::size_t>(std::count(x.limbs(), x.limbs() + x.size_, Limb{0}));
+    };
+    const bool is_a_first = rows(a) <= rows(b);
+    const LongNumber &x = is_a_first ? a : b, &y = is_a_first ? b : a;
+    for (std::size_t i = 0; i < x.size_; ++i) {
+        const Limb limb = x.limbs()[i];
+        if (limb != 0)
+            to[i + y.size_] = exact::add_row(to + i, limb, y.limbs(), static_cast<int>(y.size_));
+    }
     r.trim();
     return r;
 }

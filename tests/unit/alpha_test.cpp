@@ -311,12 +311,14 @@ TEST(FacetSphere, StagesAgree) {
     const auto coordinate = [&](int bits) {
         return std::ldexp(static_cast<double>(random() >> (64 - bits)), -bits);
     };
-    int known = 0;
+    int known = 0, by_bounds = 0, wide = 0;
     for (int i = 0; i < 2000; ++i) {
         double p[4][3];
         const int bits = i % 2 == 0 ? 53 : 3;
+        const bool is_wide = i % 10 == 0;
         for (auto& point : p)
-            for (double& x : point) x = coordinate(bits);
+            for (double& x : point)
+                x = std::ldexp(coordinate(bits), is_wide ? static_cast<int>(random() % 300) : 0);
         std::vector<V> corners;
         for (int k = 0; k < 3; ++k) corners.push_back({{p[k][0], p[k][1], p[k][2]}});
         const V n = cross(corners[1] - corners[0], corners[2] - corners[0]),
@@ -332,7 +334,24 @@ TEST(FacetSphere, StagesAgree) {
             EXPECT_EQ(filtered, expected);
             ++known;
         }
+        const int bounded = exact::facet_sphere_bounded(p[0], p[1], p[2], p[3]);
+        if (bounded != exact::undecided) {
+            EXPECT_EQ(bounded, expected);
+            ++by_bounds;
+        }
         double square = 0;
+        if (is_wide) {
+            // The square itself may be no double.
+            constexpr int scale = 300;
+            const Rational small =
+                s.square / Rational(boost::multiprecision::cpp_int(1) << (2 * scale));
+            if (!exact::facet_radius2_bounded({p[0], p[1], p[2]}, scale, square)) continue;
+            EXPECT_LE(abs(Rational(square) - small), small * Rational(facet_radius_error));
+            ++wide;
+            continue;
+        }
+        ASSERT_TRUE(exact::facet_radius2_bounded({p[0], p[1], p[2]}, 0, square));
+        EXPECT_LE(abs(Rational(square) - s.square), s.square * Rational(facet_radius_error));
         if (exact::facet_radius2_plain({p[0], p[1], p[2]}, square)) {
             EXPECT_LE(abs(Rational(square) - s.square), s.square * Rational(facet_radius_error));
         }
@@ -344,6 +363,8 @@ TEST(FacetSphere, StagesAgree) {
         EXPECT_EQ(exact::facet_radius2_integer({p[0], p[1], p[2]}, 3, 511), square * 0x1p-6);
     }
     EXPECT_GT(known, 1000);
+    EXPECT_GT(by_bounds, 1500);  // lattices have points on spheres
+    EXPECT_GT(wide, 100);
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ TEST(CornerBound, IsKeptAndTight) {
     double largest = 0;
     for (int i = 0; i < (is_small() ? 300 : 3000); ++i) {
         const double spread = std::ldexp(1, -(i % 12));
-        Side<double> side[3];
+        Side side[3];
         exact_cells::HalfSpace exact[3];
         const double origin[3] = {coordinate(2), coordinate(2), coordinate(2)};
         for (int j = 0; j < 3; ++j) {
@@ -136,7 +136,7 @@ TEST(CornerBound, IsKeptAndTight) {
             exact[j].offset = exact_cells::dot(exact[j].normal, exact[j].normal) / 2;
         }
         exact_cells::V x;
-        Corner<double> corner;
+        Corner corner;
         if (!exact_cells::meet(exact[0], exact[1], exact[2], x) ||
             !meet(side[0], side[1], side[2], corner))
             continue;

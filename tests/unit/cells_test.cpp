@@ -84,6 +84,38 @@ TEST(Cells, FillTheBox) {
     }
 }
 
+// Nearly all points are neighbours of each other, and many cells reach to each face of the box.
+TEST(Cells, WithManyNeighborsFillTheBox) {
+    const std::size_t n = is_small() ? 20 : 200;
+    Points curve, lines, fan;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double t = static_cast<double>(i + 1) / static_cast<double>(n + 2);
+        curve.insert(curve.end(), {t, t * t, t * t * t});
+        lines.insert(lines.end(), {i % 2 ? t : 0.25, i % 2 ? 0.25 : t, i % 2 ? 0.125 : 0.875});
+        fan.insert(fan.end(), {i % 2 ? 0.5 + 0.25 * std::cos(20 * t) : 0.5,
+                               i % 2 ? 0.5 + 0.25 * std::sin(20 * t) : 0.5, i % 2 ? 0.5 : t});
+    }
+    for (const Points& xyz : {curve, lines, fan}) {
+        EXPECT_NEAR(sum(measures_of_cells(xyz, Measure::volume, unit_box)), 1, 1e-12);
+        // Those of the box and of every cut through it.
+        const Points faces = measures_of_cells(xyz, Measure::faces, unit_box);
+        EXPECT_GT(*std::max_element(faces.begin(), faces.end()), 0.4 * static_cast<double>(n));
+    }
+}
+
+// Thin slabs, and exponents that are far apart.
+TEST(Cells, HaveTheSameBitsInWhateverOrderInAllStages) {
+    Points xyz = uniform(60, 1e-15), far = xyz;
+    Points planes = unit_box;
+    planes[19] = 1e-15;
+    for (std::size_t i = 0; i < far.size(); ++i)
+        if (i % 7 == 0) far[i] *= 1e-200;
+    for (const Measure m : {Measure::volume, Measure::area, Measure::centroid, Measure::faces})
+        for (const Points& points : {xyz, far})
+            EXPECT_EQ(measures_of_cells(points, m, planes, MGDT_ORDER_LEXICOGRAPHIC),
+                      measures_of_cells(points, m, planes));
+}
+
 TEST(Cells, HaveTheSameBitsInWhateverOrder) {
     // Enough for two threads.
     const Points xyz = uniform(9000);

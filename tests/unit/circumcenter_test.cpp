@@ -106,6 +106,10 @@ bool refined(const Four& f, Circumcenter& c, int scale = 0,
     return mgdt::exact::circumcenter_refined({f[0].data(), f[1].data(), f[2].data(), f[3].data()},
                                              scale, c, bounds);
 }
+bool bounded(const Four& f, Circumcenter& c, int scale = 0) {
+    return mgdt::exact::circumcenter_bounded({f[0].data(), f[1].data(), f[2].data(), f[3].data()},
+                                             scale, c);
+}
 Circumcenter integer(const Four& f, int least_width, int scale = 0) {
     Circumcenter c;
     mgdt::exact::circumcenter_integer({f[0].data(), f[1].data(), f[2].data(), f[3].data()}, scale,
@@ -155,7 +159,7 @@ Four any(Random& random, unsigned kind) {
 TEST(Circumcenter, IsTheNearestDouble) {
     Random random(1);
     const int n = is_small() ? 60 : 3000;
-    int decided[6] = {}, all[6] = {};
+    int decided[6] = {}, by_bounds[6] = {}, all[6] = {};
     for (int i = 0; i < n; ++i) {
         const auto kind = static_cast<unsigned>(i % 6);
         Four f = any(random, kind);
@@ -165,6 +169,10 @@ TEST(Circumcenter, IsTheNearestDouble) {
         ++all[kind];
         if (refined(f, c)) {
             ++decided[kind];
+            ASSERT_TRUE(reference.is_met_by(c, 0)) << text(f);
+        }
+        if (bounded(f, c)) {
+            ++by_bounds[kind];
             ASSERT_TRUE(reference.is_met_by(c, 0)) << text(f);
         }
         ASSERT_TRUE(reference.is_met_by(integer(f, 0), 0)) << text(f);
@@ -177,6 +185,8 @@ TEST(Circumcenter, IsTheNearestDouble) {
     EXPECT_GT(decided[1], all[1] / 2);
     EXPECT_GT(decided[2], all[2] / 3);
     EXPECT_EQ(decided[5], 0);
+    for (const int kind : {0, 2, 3}) EXPECT_GT(by_bounds[kind], all[kind] * 9 / 10);
+    EXPECT_GT(by_bounds[4], all[4] / 2);  // results that are subnormal are left open
 }
 
 // Coordinates that carry a factor: the result is that of the points without it, down to subnormals.
@@ -191,8 +201,33 @@ TEST(Circumcenter, IsThatOfUnscaledPoints) {
         if (refined(f, c, scale)) {
             ASSERT_TRUE(reference.is_met_by(c, scale)) << text(f) << scale;
         }
+        if (bounded(f, c, scale)) {
+            ASSERT_TRUE(reference.is_met_by(c, scale)) << text(f) << scale;
+        }
         ASSERT_TRUE(reference.is_met_by(integer(f, 0, scale), scale)) << text(f) << scale;
     }
+}
+
+TEST(CenterOffset, StagesAgree) {
+    Random random(6);
+    int known = 0, all = 0;
+    for (int i = 0; i < (is_small() ? 60 : 3000); ++i) {
+        Four f = any(random, static_cast<unsigned>(i % 5));
+        if (Reference(f).determinant == 0) continue;
+        const double* const p[4] = {f[0].data(), f[1].data(), f[2].data(), f[3].data()};
+        double offset[3], exact[3], largest = 0;
+        mgdt::exact::center_offset_integer(p, exact);
+        for (const double x : exact) largest = std::fmax(largest, std::fabs(x));
+        ++all;
+        if (!mgdt::exact::center_offset_bounded(p, offset)) continue;
+        ++known;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double tolerance = mgdt::center_offset_error * largest;
+            ASSERT_TRUE(offset[k] == exact[k] || std::fabs(offset[k] - exact[k]) <= tolerance)
+                << text(f);
+        }
+    }
+    EXPECT_GT(known, all * 8 / 10);
 }
 
 // A centre that is a little below a double, which times 2^-1022 is half way to the least normal

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "bounded_float.hpp"
+
+namespace mgdt {
+
+bool round_to_nearest(const BoundedFloat<Twofold>& x, std::int64_t exponent, double& r) {
+    if (x.sign() == 2) return false;
+    const double high = x.value.high;
+    r = high;
+    if (high == 0) return true;
+    int of_high;
+    const double mantissa = std::frexp(high, &of_high);
+    const std::int64_t of_unit = 256 * x.block + exponent, of_result = of_unit + of_high;
+    // The sign is known, and the error is less than the value.
+    if (of_result > 1026) {
+        r = std::copysign(std::numeric_limits<double>::infinity(), high);
+        return true;
+    }
+    if (of_result < -1080) {
+        r = std::copysign(0.0, high);
+        return true;
+    }
+    // Halfway to the next double; towards 0 that is nearer below a power of two.
+    const double half = std::ldexp(1, of_high - (std::fabs(mantissa) == 0.5 ? 55 : 54));
+    if (of_result < -1019 || of_result > 1023) return false;
+    if (!(std::fabs(x.value.low) + x.error * (1 + 0x1p-40) < half)) return false;
+    r = std::ldexp(high, static_cast<int>(of_unit));
+    return true;
+}
+
+}  // namespace mgdt
