@@ -54,6 +54,27 @@ void* obtain_medium(std::size_t bytes) noexcept {
     p[-1] = whole;
     return p;
 }
+
+// Whether the C library mapped pages for the block alone, so that realloc() remaps them: glibc's
+// such blocks begin 16 bytes behind a page. A block that happens to begin there too is copied.
+bool is_remapped_by_library(const void* p) {
+    const void* const whole = static_cast<void* const*>(p)[-1];
+    return reinterpret_cast<std::uintptr_t>(whole) % page == 2 * sizeof(std::size_t);
+}
+
+// Grows a medium block by realloc(); null where that refuses, and the block stays.
+void* regrow_medium(void* p, std::size_t used, std::size_t new_bytes) noexcept {
+    char* const whole = static_cast<char*>(static_cast<void**>(p)[-1]);
+    const std::ptrdiff_t offset = static_cast<char*>(p) - whole;
+    char* const moved = static_cast<char*>(std::realloc(whole, new_bytes + page + heap_offset));
+    if (!moved) return nullptr;
+    const std::uintptr_t at = page_round(reinterpret_cast<std::uintptr_t>(moved)) + heap_offset;
+    void** const q = reinterpret_cast<void**>(at);
+    // Remapped pages leave it where it was behind the beginning of a page.
+    if (static_cast<void*>(q) != moved + offset) std::memmove(q, moved + offset, used);
+    q[-1] = moved;
+    return q;
+}
 #endif
 
 void* default_obtain(std::size_t bytes, std::size_t align, bool remaps) noexcept {
@@ -176,6 +197,16 @@ void* Allocator::reallocate(void* p, std::size_t bytes, std::size_t used, std::s
             throw std::bad_alloc();
         }
         if (new_bytes < bytes) discount(bytes - new_bytes);
+        return moved;
+    }
+    if (!alloc_ && new_bytes > bytes && !is_small(bytes, align) && align <= heap_offset &&
+        is_remapped_by_library(p)) {
+        count(new_bytes - bytes);
+        void* const moved = regrow_medium(p, used, new_bytes);
+        if (!moved) {
+            discount(new_bytes - bytes);
+            throw std::bad_alloc();
+        }
         return moved;
     }
 #endif

@@ -43,8 +43,8 @@ class Allocator {
     void* allocate(std::size_t bytes, std::size_t align, bool remaps = false);
     void release(void* p, std::size_t bytes, std::size_t align) noexcept;
     // Grows or shrinks a block; the first `used` bytes keep their values. Blocks of the
-    // default allocator that are large, or at least 1 MiB and moved before, move by remapping
-    // pages, without a copy.
+    // default allocator of 1 MiB or more move by remapping pages, without a copy, unless the C
+    // library has them in its heap.
     void* reallocate(void* p, std::size_t bytes, std::size_t used, std::size_t new_bytes,
                      std::size_t align);
 

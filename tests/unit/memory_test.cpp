@@ -2,6 +2,10 @@
 #include "platform/memory.hpp"
 
 #include <gtest/gtest.h>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#include <sys/resource.h>
+#endif
 
 #include <algorithm>
 #include <cstdint>
@@ -54,10 +58,22 @@ TEST(Memory, BlocksKeepWhatIsInThem) {
 }
 
 #if defined(__linux__)
-// A block that took another's place can grow in place of a copy, and goes back to the system; one
-// that did not may be the C library's, which has it ready for the next handle.
-TEST(Memory, BlocksThatMoveAreMapped) {
-    const auto is_mapped = [](void* p) { return reinterpret_cast<std::uintptr_t>(p) % 4096 == 0; };
+bool is_mapped(void* p) {
+    return reinterpret_cast<std::uintptr_t>(p) % 4096 == 0;
+}
+
+#if defined(__GLIBC__)
+// The C library maps pages for a first block of this size, or has it in its heap, ready for the
+// next handle.
+void set_mapped_by_library(bool is_mapped) {
+    ASSERT_EQ(mallopt(M_MMAP_THRESHOLD, is_mapped ? 128 << 10 : 32 << 20), 1);
+    if (is_mapped) malloc_trim(0);  // what other tests left there
+}
+
+// A block from the heap that takes another's place is mapped by itself.
+TEST(Memory, BlocksOfTheHeapThatMoveAreMapped) {
+    if (is_small()) GTEST_SKIP() << "tools have an allocator of their own";
+    set_mapped_by_library(false);
     Allocator allocator;
     void* p = allocator.allocate(medium, 64);
     EXPECT_FALSE(is_mapped(p));
@@ -75,6 +91,31 @@ TEST(Memory, BlocksThatMoveAreMapped) {
     EXPECT_TRUE(is_mapped(p));
     allocator.release(p, large, 64);
 }
+
+// Else its pages are moved and not copied: copies would fault on each of the new ones.
+TEST(Memory, MappedBlocksGrowWithoutACopy) {
+    if (is_small()) GTEST_SKIP() << "tools have an allocator of their own";
+    set_mapped_by_library(true);
+    const auto faults = [] {
+        rusage usage;
+        getrusage(RUSAGE_SELF, &usage);
+        return usage.ru_minflt;
+    };
+    Allocator allocator;
+    const std::size_t bytes = 8 * medium, grown = 20 * medium;
+    auto* p = static_cast<unsigned char*>(allocator.allocate(bytes, 64));
+    for (std::size_t i = 0; i < bytes; ++i) p[i] = pattern(i);
+    const long before = faults();
+    p = static_cast<unsigned char*>(allocator.reallocate(p, bytes, bytes, grown, 64));
+    EXPECT_LT(faults() - before, 100);
+    EXPECT_EQ(allocator.bytes(), grown);
+    EXPECT_EQ(allocator.peak(), grown);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < bytes; ++i) wrong += p[i] != pattern(i);
+    EXPECT_EQ(wrong, 0u);
+    allocator.release(p, grown, 64);
+}
+#endif
 
 // Where there is a limit, growth needs room for what is added alone.
 TEST(Memory, BlocksGrowUpToTheLimit) {
