@@ -139,9 +139,7 @@ void CellFaces::find(const Mesh& mesh, VertexId v, const Link& link, const Cell&
     edges_.clear();
     number_planes(mesh, v, link, cell, region);
     const auto neighbors = static_cast<PlaneNumber>(order_.size());
-    first_.resize(link.neighbor_count());
-    for (std::uint32_t i = 0; i < link.triangles().size(); ++i)
-        for (const std::uint32_t corner : link.triangles()[i].corner) first_[corner] = i;
+    link.find_rings([&](std::uint32_t b) { return cell.index(b); }, first_);
     find_cutting(link, cell, region);
     touches_.clear();
     for (PlaneNumber plane = 0; plane < neighbors; ++plane) {

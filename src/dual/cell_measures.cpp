@@ -139,11 +139,8 @@ CellMeasures::Overlap CellMeasures::overlap_with_cell() const {
 // the neighbours leave of it.
 template <Measure M>
 void CellMeasures::add_clipped(const Link& link, const Region& region) {
-    const Buffer<LinkTriangle>& triangles = link.triangles();
-    first_.resize(link.neighbor_count());
+    link.find_rings([&](std::uint32_t b) { return cell_.index(b); }, first_);
     order_.clear();
-    for (std::uint32_t i = 0; i < triangles.size(); ++i)
-        for (const std::uint32_t corner : triangles[i].corner) first_[corner] = i;
     for (std::uint32_t b = 0; b < link.neighbor_count(); ++b)
         if (link.neighbor(b) != infinite_vertex) order_.push_back(b);
     std::sort(order_.begin(), order_.end(),

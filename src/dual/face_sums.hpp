@@ -25,6 +25,11 @@ class ErrorBoundSum {
         largest_ = largest_error_ = 0;
     }
     void add(double term, double error) {
+        constexpr double most = std::numeric_limits<double>::max();
+        if (!(std::fabs(term) <= most && error <= most)) {
+            term = 0;
+            error = std::numeric_limits<double>::infinity();
+        }
         terms_.push_back(term);
         errors_.push_back(error);
         largest_ = std::fmax(largest_, std::fabs(term));

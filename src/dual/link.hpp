@@ -34,6 +34,22 @@ class Link {
         return tetrahedra_.name(static_cast<std::uint32_t>(triangle));
     }
 
+    // By neighbour: the triangle from which on for_ring() meets the neighbour of the least index
+    // first, so that nothing depends on the order of the records.
+    template <class IndexOf>
+    void find_rings(IndexOf index_of, Buffer<std::uint32_t>& first) const {
+        constexpr std::uint32_t none = 0xffffffffu;
+        first.clear();
+        first.resize(neighbor_count(), none);
+        for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+            for (unsigned k = 0; k < 3; ++k) {
+                std::uint32_t& of_corner = first[triangles_[i].corner[k]];
+                if (of_corner == none ||
+                    index_of(shared(i, k)) <
+                        index_of(shared(of_corner, place(of_corner, triangles_[i].corner[k]))))
+                    of_corner = i;
+            }
+    }
     // The triangles around neighbour b in turn, from `first` on, which has it: visit(triangle, the
     // neighbour that it shares with the next).
     template <class Visit>
@@ -41,13 +57,23 @@ class Link {
         std::uint32_t i = first;
         do {
             const LinkTriangle& t = triangles_[i];
-            const unsigned k = t.corner[0] == b ? 0 : t.corner[1] == b ? 1 : 2;
-            visit(i, t.corner[k == 0 ? 2 : k - 1]);
+            const unsigned k = place(i, b);
+            visit(i, shared(i, k));
             i = t.beyond[k == 2 ? 0 : k + 1];
         } while (i != first);
     }
 
   private:
+    // Where a triangle has a neighbour.
+    unsigned place(std::uint32_t triangle, std::uint32_t b) const noexcept {
+        const std::uint32_t(&corner)[3] = triangles_[triangle].corner;
+        return corner[0] == b ? 0 : corner[1] == b ? 1 : 2;
+    }
+    // What it shares with the next triangle around its corner k.
+    std::uint32_t shared(std::uint32_t triangle, unsigned k) const noexcept {
+        return triangles_[triangle].corner[k == 0 ? 2 : k - 1];
+    }
+
     Buffer<LinkTriangle> triangles_;
     Numbers vertices_, tetrahedra_;
 };

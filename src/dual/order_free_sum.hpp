@@ -4,16 +4,18 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace mgdt {
 
 // Of n terms of at most `largest` in magnitude. They are rounded to multiples of one power of two,
 // so that their sum is exact, and what that leaves to multiples of a smaller one (Demmel and
 // Nguyen, Fast reproducible floating-point summation, ARITH 21, 2013). The error is at most n^3
-// 2^-102 largest, and that of one addition.
+// 2^-102 largest, and that of one addition. Infinite where they may leave the range of doubles.
 inline double order_free_sum(const double* terms, std::size_t n, double largest) {
     if (!(largest > 0)) return 0;
     const auto count = static_cast<double>(n);
+    if (!(count * largest < 0x1p1000)) return std::numeric_limits<double>::infinity();
     // What is added to 3 2^e has multiples of 2^(e - 51) alone.
     const auto rounder = [](double bound) { return std::ldexp(3.0, std::ilogb(bound) + 1); };
     const double coarse = rounder(count * largest), fine = rounder(count * std::ldexp(coarse, -53));

@@ -151,12 +151,23 @@ double Gradient::set_directions(const Mesh& mesh, VertexId v, Buffer<Real>& colu
     return n == 0 ? 1 : std::sqrt(least / largest);
 }
 
+// The distance of the nearest neighbour over that of the farthest: the slope towards a near one is
+// steep, and counts in all directions by the rounding of its own.
+double Gradient::nearness() const {
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (const Row& row : rows_) {
+        least = std::min(least, row.distance);
+        most = std::max(most, row.distance);
+    }
+    return rows_.empty() ? 1 : least / most;
+}
+
 void Gradient::find(const Locator& where, VertexId v) {
     gather(where, v);
     rows_.clear();
     rows_.resize(neighbors_.size());
     constexpr double thin = 0x1p-10;
-    is_thin_ = set_directions(where.mesh, v, columns_) < thin;
+    is_thin_ = set_directions(where.mesh, v, columns_) < thin || nearness() < thin;
     if (is_thin_) set_directions(where.mesh, v, twofold_columns_);
 }
 

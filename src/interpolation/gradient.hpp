@@ -28,8 +28,8 @@ class Gradient {
     VertexId neighbor(std::size_t j) const noexcept { return neighbors_[j]; }
     const Vector<Twofold>& direction(std::size_t j) const noexcept { return rows_[j].direction; }
     double distance(std::size_t j) const noexcept { return rows_[j].distance; }
-    // Whether neighbours are nearly in one plane or on one line: then directions are long, cancel,
-    // and have a lower part, which else is 0.
+    // Whether neighbours are nearly in one plane or on one line, or one is far nearer than another:
+    // then directions or slopes are long, cancel, and have a lower part, which else is 0.
     bool is_thin() const noexcept { return is_thin_; }
 
   private:
@@ -38,6 +38,7 @@ class Gradient {
         double distance;
     };
     void gather(const Locator& where, VertexId v);
+    double nearness() const;
     // Sets the directions and distances; returns the least extent of the neighbours over the
     // largest.
     template <class Real>

@@ -189,6 +189,14 @@ bool circumcenter_bounded(const double* const (&p)[4], int scale, Circumcenter& 
     return round_to_nearest(dot(offset, offset), -2 * scale, c.radius2);
 }
 
+namespace {
+
+bool has_short_integers(const double* const (&p)[4]) {
+    return ExactDifferences<9>({p[1], p[2], p[3]}, p[0]).bits() <= short_width;
+}
+
+}  // namespace
+
 bool center_offset_bounded(const double* const (&p)[4], double (&offset)[3]) {
     const Vector<Number> x = bounded_offset(p);
     WideDouble largest;
@@ -259,7 +267,8 @@ void center_offset(const double* const (&p)[4], double (&offset)[3]) {
     exact::DoubledOffset w;
     if (!exact::solve(p, exact::circumcenter_bounds, w) ||
         w.error > 0.5 * center_offset_error * w.size) {
-        if (!exact::center_offset_bounded(p, offset)) exact::center_offset_integer(p, offset);
+        if (exact::has_short_integers(p) || !exact::center_offset_bounded(p, offset))
+            exact::center_offset_integer(p, offset);
         return;
     }
     for (int k = 0; k < 3; ++k) offset[k] = 0.5 * (w.rough[k] + w.correction[k]);
@@ -267,7 +276,8 @@ void center_offset(const double* const (&p)[4], double (&offset)[3]) {
 
 Circumcenter circumcenter(const double* const (&p)[4], int scale) {
     Circumcenter c;
-    if (!exact::circumcenter_refined(p, scale, c) && !exact::circumcenter_bounded(p, scale, c))
+    if (exact::circumcenter_refined(p, scale, c)) return c;
+    if (exact::has_short_integers(p) || !exact::circumcenter_bounded(p, scale, c))
         exact::circumcenter_integer(p, scale, c);
     return c;
 }

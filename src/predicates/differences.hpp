@@ -197,6 +197,8 @@ struct ExactDifferencesByAxis {
 // Bits = 64 k - 1 the products of a degree-5 determinant fill 5 k limbs to the last bits. The
 // last holds every difference of doubles: 1024 + 1074 + 2 = 2100 bits.
 constexpr int widths[] = {63, 127, 255, 511, 1023, 2111};
+// Up to this width integers are faster than twofold numbers with bounds, and they always know.
+constexpr int short_width = 63;
 
 // Calls polynomial with the differences as integers of this width. Apart, so that of all widths
 // only the one that is used takes its room on the stack.

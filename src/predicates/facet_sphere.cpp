@@ -155,8 +155,11 @@ double facet_radius2_integer(const double* const (&p)[3], int scale, int least_w
 int side_of_facet_sphere(const double* a, const double* b, const double* c, const double* q) {
     const int s = exact::facet_sphere_filter(a, b, c, q);
     if (s != exact::undecided) return s;
-    const int bounded = exact::facet_sphere_bounded(a, b, c, q);
-    return bounded != exact::undecided ? bounded : exact::facet_sphere_integer(a, b, c, q);
+    if (exact::ExactDifferences<9>({b, c, q}, a).bits() > exact::short_width) {
+        const int bounded = exact::facet_sphere_bounded(a, b, c, q);
+        if (bounded != exact::undecided) return bounded;
+    }
+    return exact::facet_sphere_integer(a, b, c, q);
 }
 
 double edge_radius2(const double* a, const double* b, int scale) {

@@ -375,6 +375,29 @@ static void thin_slabs(void) {
     free(of);
 }
 
+/* Two points side by side have a steep slope between them, which is at right angles to the way to
+ * this place. */
+static void points_side_by_side(void) {
+    static const double xyz[12] = {0,  0, .3, .2,       .3, .3, /**/
+                                   7., 2, 5,  -0x1p-49, 0,  .3};
+    static const double place[3] = {3.4999999999999991, 1, 2.6499999999999999},
+                        values[4] = {-2, -1, 0, 1};
+    double out, sum = 0, weights[4];
+    int64_t offsets[2], points[4];
+    int k;
+    mgdt_triangulation* const t = make(4, xyz);
+    CHECK_EQUAL(mgdt_interpolate(t, MGDT_INTERPOLATE_SIBSON_C1, MGDT_OUTSIDE_NEAREST, 1, values, 1,
+                                 place, &out),
+                MGDT_OK);
+    CHECK_EQUAL(mgdt_get_interpolation_weights(t, MGDT_INTERPOLATE_SIBSON_C1, MGDT_OUTSIDE_NEAREST,
+                                               1, place, 2, offsets, 4, points, weights),
+                MGDT_OK);
+    for (k = 0; k < offsets[1]; ++k) sum += weights[k] * values[points[k]];
+    CHECK(offsets[1] == 4);
+    CHECK(fabs(sum - out) <= 1e-12);
+    mgdt_destroy(t);
+}
+
 /* The same bits with any number of threads, and one by one. */
 static void threads(void) {
     const int64_t n = is_small() ? 1000 : 20000;
@@ -489,5 +512,6 @@ void test_interpolation(void) {
     absent_points();
     flat_and_empty();
     thin_slabs();
+    points_side_by_side();
     threads();
 }
