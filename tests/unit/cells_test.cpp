@@ -10,6 +10,8 @@
 
 #include "../small.h"
 #include "cells_and_rationals.hpp"
+#include "core/triangulation.hpp"
+#include "dual/exact_measures.hpp"
 #include "predicates/circumcenter.hpp"
 
 namespace mgdt {
@@ -82,6 +84,60 @@ TEST(Cells, FillTheBox) {
                     4e-16)
             << n;
     }
+}
+
+// How many cells of a set in a box doubles and twofold numbers with bounds leave to long ones, of
+// those that the plain stages leave open.
+struct Shares {
+    int in_short = 0, in_long = 0;
+};
+Shares shares(const Points& xyz, const Points& planes) {
+    Triangulation t(nullptr, nullptr, nullptr);
+    const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
+    t.insert(xyz.size() / 3, axis, 3);
+    const Mesh& mesh = t.mesh();
+    const Region region(t.allocator(), planes.size() / 4, planes.data(), mesh, 0);
+    std::vector<TetId> first(mesh.vertices.size(), no_tetrahedron);
+    for (TetId id = 0; id < mesh.tetrahedra.size(); ++id)
+        if (!mesh.tetrahedra[id].is_dead())
+            for (const VertexId v : mesh.tetrahedra[id].v) first[v] = id;
+    Link link(t.allocator());
+    CellMeasures in_doubles(t.allocator());
+    CellFaces faces(t.allocator());
+    Shares found;
+    for (VertexId v = 1; v < mesh.vertices.size(); ++v) {
+        link.gather(mesh, v, first[v]);
+        double volume;
+        if (in_doubles.measure(mesh, v, link, region, Measure::volume, Centers::corrected, &volume))
+            continue;
+        faces.find(mesh, v, link, in_doubles.cell(), region);
+        const auto is_in = [&](ExactMeasures::Stage stage) {
+            return ExactMeasures::measure_in(stage, faces, mesh.point(v), mesh.scale,
+                                             Measure::volume, &volume);
+        };
+        const bool is_short =
+            is_in(ExactMeasures::Stage::doubles) || is_in(ExactMeasures::Stage::twofold);
+        ++(is_short ? found.in_short : found.in_long);
+    }
+    return found;
+}
+
+// Long numbers take a thousand times as long as doubles: where one axis is far longer than another
+// and where exponents are far apart they are not needed.
+TEST(Cells, OfExtremeShapesAreFoundInShortNumbers) {
+    const std::size_t n = is_small() ? 20 : 150;
+    for (const double z_size : {1e-6, 1e-15, 1e-100, 1e-300}) {
+        Points planes = unit_box;
+        planes[19] = planes[23] = z_size;
+        const Shares found = shares(uniform(n, z_size), planes);
+        EXPECT_EQ(found.in_long, 0) << z_size;
+        EXPECT_GT(found.in_short, 0) << z_size;
+    }
+    Points xyz = uniform(n), planes = unit_box;
+    for (double& x : xyz) x = std::pow(x, 400);
+    const Shares found = shares(xyz, planes);
+    EXPECT_LE(found.in_long, static_cast<int>(n / 50));
+    EXPECT_GT(found.in_short, static_cast<int>(n / 4));
 }
 
 // Nearly all points are neighbours of each other, and many cells reach to each face of the box.
