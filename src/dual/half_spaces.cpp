@@ -33,11 +33,6 @@ void HalfSpaces::clear(const double* origin, double factor) {
     memory_.release(0);
 }
 
-void HalfSpaces::add_nothing() {
-    sources_.push_back({nullptr, false, 0});
-    sides_.push_back({});
-}
-
 void HalfSpaces::add_nearer_side(const double* point) {
     sources_.push_back({point, false, 0});
     Side side;
@@ -73,8 +68,7 @@ void HalfSpaces::add_plane(const double* of, int scale) {
 
 template <class Numbers>
 PlaneRow<typename Numbers::B> HalfSpaces::row_of(Numbers& numbers, const Source& source) const {
-    PlaneRow<typename Numbers::B> row = {};
-    if (!source.numbers) return row;
+    PlaneRow<typename Numbers::B> row;
     if (!source.is_plane) {
         for (int k = 0; k < 3; ++k)
             row.normal.x[k] = numbers.difference(source.numbers[k], origin_[k]);

@@ -45,8 +45,6 @@ class HalfSpaces {
     void add_nearer_side(const double* point);
     // normal . x <= offset 2^scale, where x is not relative to the origin. The four numbers stay.
     void add_plane(const double* normal_and_offset, int scale);
-    // A number without a half-space.
-    void add_nothing();
 
     std::size_t size() const noexcept { return sources_.size(); }
     // Rounded. The error of the offset is infinite where doubles are of no use.
@@ -80,7 +78,7 @@ class HalfSpaces {
 
   private:
     struct Source {
-        const double* numbers;  // a point, or a normal and an offset; null of nothing
+        const double* numbers;  // a point, or a normal and an offset
         bool is_plane;
         int scale;
     };

@@ -87,11 +87,5 @@ Vector<Real> difference(const double* a, const double* b) {
     for (int k = 0; k < 3; ++k) set_difference(d.x[k], a[k], b[k]);
     return d;
 }
-inline void set_rounded(double& to, const Twofold& x) {
-    to = x.high;
-}
-inline void set_rounded(Twofold& to, const Twofold& x) {
-    to = x;
-}
 
 }  // namespace mgdt
