@@ -86,7 +86,7 @@ class Voronoi(unittest.TestCase):
         points = np.random.default_rng(4).random((100, 3))
         box = [[1, 0, 0, 2], [-1, 0, 0, 1], [0, 1, 0, 2], [0, -1, 0, 1], [0, 0, 1, 2], [0, 0, -1, 1]]
         diagram = mgdt.Voronoi(np.concatenate([points, points[:3]]), planes=box)
-        self.assertEqual(diagram.point_region[100:].tolist(), [-1, -1, -1])
+        self.assertEqual(diagram.point_region[100:].tolist(), diagram.point_region[:3].tolist())
         self.assertAlmostEqual(diagram.volumes.sum(), 27, delta=1e-12)
         self.assertEqual(diagram.areas.shape, (103,))
         self.assertEqual(diagram.centroids.shape, (103, 3))
@@ -106,6 +106,119 @@ class Voronoi(unittest.TestCase):
         np.testing.assert_array_equal(
             count_of_faces(diagram), diagram.delaunay.cell_measures("faces")
         )
+
+
+
+def spoiled(points):
+    """A triangulation whose arrays the user has sorted."""
+    triangulation = mgdt.Delaunay(points)
+    for array in (
+        triangulation.simplices,
+        triangulation.neighbors,
+        triangulation.convex_hull,
+        triangulation.point_map,
+        triangulation.circumcenters,
+    ):
+        array.sort(axis=0)
+        array[...] = array[::-1]
+    return triangulation
+
+
+class ArraysOfTheUser(unittest.TestCase):
+    """Nothing but the user reads the arrays that attributes have given."""
+
+    def setUp(self):
+        self.points = np.concatenate([random_points(100), random_points(3)])
+        self.mean = self.points[:100].mean(axis=0)
+
+    def test_diagrams_and_shapes(self):
+        ours, theirs = mgdt.Voronoi(spoiled(self.points)), mgdt.Voronoi(self.points)
+        for name in ("vertices", "ridge_points", "ridge_list", "point_region", "volumes"):
+            np.testing.assert_array_equal(getattr(ours, name), getattr(theirs, name), name)
+        self.assertEqual(ours.regions, theirs.regions)
+        shape, expected = mgdt.AlphaShape(spoiled(self.points)), mgdt.AlphaShape(self.points)
+        np.testing.assert_array_equal(shape.simplices, expected.simplices)
+        self.assertEqual(shape.volume, expected.volume)
+
+    def test_what_follows_from_others(self):
+        ours, theirs = spoiled(self.points), mgdt.Delaunay(self.points)
+        for name in ("coplanar", "vertex_to_simplex", "transform", "equations", "circumradii",
+                     "min_bound"):
+            np.testing.assert_array_equal(getattr(ours, name), getattr(theirs, name), name)
+        values = self.points[:, 0]
+        self.assertEqual(
+            ours.interpolator(self.mean)(values), theirs.interpolator(self.mean)(values)
+        )
+        outside = theirs.max_bound + 1e-9
+        self.assertEqual(
+            ours.find_simplex(outside, tol=0.5), theirs.find_simplex(outside, tol=0.5)
+        )
+
+
+class Snapshots(unittest.TestCase):
+    """A diagram and a shape stay what they were, whatever the triangulation does next."""
+
+    def changes(self):
+        yield lambda t: t.move_points(random_points(60) + 1)
+        yield lambda t: t.remove_points(np.arange(0, 60, 2))
+        yield lambda t: t.add_points(random_points(30) + 0.25)
+
+        def renumber(t):
+            t.remove_points([0, 7])
+            t.renumber_points()
+
+        yield renumber
+
+    def test_whatever_the_triangulation_does_next(self):
+        points = random_points(60)
+        expected = mgdt.Voronoi(np.delete(points, 5, axis=0))
+        solid = mgdt.AlphaShape(np.delete(points, 5, axis=0))
+        others = np.delete(np.arange(60), 5)
+        for change in self.changes():
+            triangulation = mgdt.Delaunay(points, incremental=True)
+            triangulation.remove_points([5])
+            diagram, shape = mgdt.Voronoi(triangulation), mgdt.AlphaShape(triangulation)
+            change(triangulation)
+            for name in ("volumes", "areas", "centroids"):
+                np.testing.assert_array_equal(
+                    getattr(diagram, name)[others], getattr(expected, name)
+                )
+            self.assertEqual(diagram.volumes[5], 0)
+            self.assertEqual(diagram.point_region[5], -1)
+            self.assertEqual(len(diagram.regions), 59)
+            np.testing.assert_array_equal(np.sort(diagram.vertices, axis=0),
+                                          np.sort(expected.vertices, axis=0))
+            self.assertAlmostEqual(shape.volume, solid.volume, delta=1e-12 * solid.volume)
+            self.assertEqual(len(shape.points), 60)
+
+    def test_points_given_twice_have_the_region_of_their_twins(self):
+        points = random_points(20)
+        diagram = mgdt.Voronoi(np.concatenate([points, points[3:5]]))
+        np.testing.assert_array_equal(diagram.point_region[20:], diagram.point_region[3:5])
+
+    def test_planes_stay_what_they_were(self):
+        points = random_points(50)
+        planes = np.array([[s if j == k else 0.0 for j in range(3)] + [1000.0]
+                           for k in range(3) for s in (1, -1)])
+        diagram, expected = mgdt.Voronoi(points, planes), mgdt.Voronoi(points, planes.copy())
+        volumes = expected.volumes
+        planes[:, 3] = 2000
+        np.testing.assert_array_equal(diagram.volumes, volumes)
+
+    def test_what_takes_long_is_computed_once(self):
+        diagram, shape = mgdt.Voronoi(random_points(50)), mgdt.AlphaShape(random_points(50))
+        for of, names in (
+            (diagram, ("regions", "ridge_vertices", "ridge_dict", "volumes", "areas", "centroids")),
+            (shape, ("volume", "area")),
+        ):
+            for name in names:
+                self.assertIs(getattr(of, name), getattr(of, name), name)
+
+    def test_settings_of_a_triangulation_are_not_ignored(self):
+        triangulation = mgdt.Delaunay(random_points(10))
+        for make in (mgdt.Voronoi, mgdt.AlphaShape):
+            with self.assertRaisesRegex(TypeError, "threads"):
+                make(triangulation, threads=2)
 
 
 if __name__ == "__main__":

@@ -157,6 +157,32 @@ class GrowingTriangulation:
 
         return self._cached(name, read)
 
+    def _fresh(self, *names: str) -> list[Any]:
+        """What the methods of the handle that have these names give, all of one state, in arrays of
+        their own: the user may have written into those that attributes gave."""
+
+        def export(handle: Handle, _: object) -> list[Any]:
+            return [getattr(handle, name)() for name in names]
+
+        return self._read(export, self.npoints >= _LONG_EXPORT)
+
+    @property
+    def _state(self) -> object:
+        """Another object after each change of the points."""
+        return self._cache
+
+    @property
+    def _is_released(self) -> bool:
+        return self._handle is None
+
+    def _read_long(self, work: Callable[[Handle], None]) -> None:
+        """Reads by the work, which signals interrupt where there are many points."""
+        self._read(lambda handle, _: work(handle), self.npoints >= _LONG_EXPORT)
+
+    def _kept(self, handle: Handle, name: str) -> Any:
+        """The same of one method, which is kept for the next time."""
+        return self._cached("kept " + name, getattr(handle, name))
+
     # Points in
 
     def _insert(self, points: FloatArray, restart: bool = False) -> None:

@@ -3,15 +3,17 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any, Optional
 
 import numpy as np
 
-from ._arrays import FloatArray, IndexArray
-from .delaunay import Delaunay
+from ._arrays import IndexArray
+from ._handle import Handle
+from ._snapshot import Snapshot
 
 
-class AlphaShape:
+class AlphaShape(Snapshot):
     """The solid that balls of a radius leave when they take away what they reach without touching a
     point: the Delaunay tetrahedra whose circumradius is at most `alpha`.
 
@@ -27,6 +29,7 @@ class AlphaShape:
     Attributes
     ----------
     delaunay : Delaunay
+    points : ndarray of float, shape (n, 3)
     alpha : float
     simplices : ndarray of int, shape (k, 4)
         The tetrahedra.
@@ -36,35 +39,37 @@ class AlphaShape:
 
     Notes
     -----
-    Since 1.2.
+    A shape stays that of the points as they were when it was made, also if the triangulation goes
+    on. Since 1.2.
+
+    Examples
+    --------
+    >>> import mgdt, numpy
+    >>> lattice = numpy.indices((3, 3, 3)).reshape(3, -1).T
+    >>> mgdt.AlphaShape(lattice, 1.0).volume
+    8.0
     """
 
     def __init__(self, points: Any, alpha: Optional[float] = None, **settings: Any) -> None:
-        self.delaunay: Delaunay = (
-            points if isinstance(points, Delaunay) else Delaunay(points, **settings)
-        )
         if alpha is not None and not alpha >= 0:
             raise ValueError(f"alpha is {alpha}; it must be at least 0")
+        self._given = alpha
+        super().__init__(points, settings)
+
+    def _take(self, handle: Handle) -> None:
         # The square of a square root may be another number.
-        squared = self.delaunay.squared_solid_alpha if alpha is None else float(alpha) ** 2
-        self.alpha: float = float(np.sqrt(squared)) if alpha is None else float(alpha)
-        is_in = self.delaunay.squared_alphas(3) <= squared
-        self.simplices: IndexArray = self.delaunay.simplices[is_in]
-        self.facets: IndexArray = self.delaunay._surface(squared)
+        squared = handle.solid_alpha() if self._given is None else float(self._given) ** 2
+        self.alpha: float = float(np.sqrt(squared)) if self._given is None else float(self._given)
+        self.simplices: IndexArray = handle.tetrahedra()[handle.alphas(3) <= squared]
+        self.facets: IndexArray = handle.alpha_surface(squared)
 
-    @property
-    def points(self) -> FloatArray:
-        """The points given."""
-        points: FloatArray = self.delaunay.points
-        return points
-
-    @property
+    @cached_property
     def volume(self) -> float:
         """Volume of the solid."""
         a, b, c, d = np.moveaxis(self.points[self.simplices], 1, 0)
         return float(np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a).sum() / 6)
 
-    @property
+    @cached_property
     def area(self) -> float:
         """Area of the surface."""
         a, b, c = np.moveaxis(self.points[self.facets], 1, 0)

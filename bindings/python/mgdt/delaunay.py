@@ -21,6 +21,17 @@ _LONG_CHECK = 20_000
 _LONG_LOCATION = 50_000
 
 
+def _simplex_of_each(tetrahedra: IndexArray, point_map: IndexArray) -> IndexArray:
+    """By point: a simplex around its vertex."""
+    # The last is for points that were left out, whose vertex is -1.
+    found = np.full(len(point_map) + 1, -1, dtype=np.int32)
+    numbers = np.arange(len(tetrahedra), dtype=np.int32)
+    for k in range(4):
+        found[tetrahedra[:, k]] = numbers
+    of_points: IndexArray = found[point_map]
+    return of_points
+
+
 class Delaunay(GrowingTriangulation):
     """Exact Delaunay triangulation of points in space.
 
@@ -114,7 +125,7 @@ class Delaunay(GrowingTriangulation):
 
     def _bounds(self) -> tuple[FloatArray, FloatArray]:
         def find() -> Any:
-            points = self.points[self.point_map >= 0]
+            points = self.points[self._fresh("point_map")[0] >= 0]
             return points.min(axis=0, initial=np.inf), points.max(axis=0, initial=-np.inf)
 
         bounds: tuple[FloatArray, FloatArray] = self._cached("bounds", find)
@@ -154,11 +165,11 @@ class Delaunay(GrowingTriangulation):
         """
 
         def find() -> Any:
-            point_map = self.point_map
+            point_map, tetrahedra = self._fresh("point_map", "tetrahedra")
             own = np.arange(len(point_map), dtype=np.int32)
             points = np.flatnonzero((point_map != own) & (point_map >= 0))
             vertices = point_map[points]
-            simplices = self.vertex_to_simplex[vertices]
+            simplices = _simplex_of_each(tetrahedra, point_map)[vertices]
             return np.stack([points, simplices, vertices], axis=1).astype(np.int32)
 
         rows: IndexArray = self._cached("coplanar", find)
@@ -202,14 +213,7 @@ class Delaunay(GrowingTriangulation):
         """
 
         def find() -> IndexArray:
-            simplices, point_map = self.simplices, self.point_map
-            # The last is for points that were left out, whose vertex is -1.
-            found = np.full(len(point_map) + 1, -1, dtype=np.int32)
-            numbers = np.arange(len(simplices), dtype=np.int32)
-            for k in range(4):
-                found[simplices[:, k]] = numbers
-            of_points: IndexArray = found[point_map]
-            return of_points
+            return _simplex_of_each(*self._fresh("tetrahedra", "point_map"))
 
         return self._cached("vertex_to_simplex", find)
 
@@ -251,7 +255,7 @@ class Delaunay(GrowingTriangulation):
         to the exact squares. Not in SciPy. Since 1.2."""
 
         def roots() -> FloatArray:
-            squares: FloatArray = self._exported("circumcenters")[1]
+            squares: FloatArray = self._fresh("circumcenters")[0][1]
             radii: FloatArray = np.sqrt(squares)
             return radii
 
@@ -331,7 +335,8 @@ class Delaunay(GrowingTriangulation):
         of `locate` are better.
         """
         return self._cached(
-            "transform", lambda: _geometry.barycentric_transforms(self.points, self.simplices)
+            "transform",
+            lambda: _geometry.barycentric_transforms(self.points, self._fresh("tetrahedra")[0]),
         )
 
     # The paraboloid
@@ -355,7 +360,9 @@ class Delaunay(GrowingTriangulation):
         dimensions, pointing down, and the offset."""
         return self._cached(
             "equations",
-            lambda: _geometry.hyperplanes(self.points, self.simplices, *self._paraboloid()),
+            lambda: _geometry.hyperplanes(
+                self.points, self._fresh("tetrahedra")[0], *self._paraboloid()
+            ),
         )
 
     def lift_points(self, x: ArrayLike) -> FloatArray:
@@ -420,12 +427,9 @@ class Delaunay(GrowingTriangulation):
                     places[outside],
                     float(tol),
                     self.points,
-                    self._cached("hull_facets", handle.hull_facets),
+                    self._kept(handle, "hull_facets"),
                     handle.locate_finite,
-                    lambda: (
-                        self._cached("tetrahedra", handle.tetrahedra),
-                        self._cached("neighbors", handle.neighbors),
-                    ),
+                    lambda: (self._kept(handle, "tetrahedra"), self._kept(handle, "neighbors")),
                 )
         return found.reshape(shape)
 
@@ -518,8 +522,14 @@ class Delaunay(GrowingTriangulation):
         """
         places, shape = as_places(points, "points")
         weights = np.empty((len(places), 4))
-        simplices = self._locate_finite(places, weights).reshape(shape)
-        return Interpolator(self.npoints, self.simplices, simplices, weights.reshape(shape + (4,)))
+
+        def find(handle: Handle, is_left: Callable[[], bool]) -> tuple[IndexArray, IndexArray]:
+            return handle.locate_finite(places, weights, is_left), self._kept(handle, "tetrahedra")
+
+        simplices, tetrahedra = self._read(find, len(places) >= _LONG_LOCATION)
+        return Interpolator(
+            self.npoints, tetrahedra, simplices.reshape(shape), weights.reshape(shape + (4,))
+        )
 
     def interpolate(
         self,

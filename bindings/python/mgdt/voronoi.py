@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import FloatArray, IndexArray
+from ._arrays import FloatArray, IndexArray, as_planes
+from ._handle import Handle
+from ._snapshot import Snapshot
 from .delaunay import Delaunay
 
 # Edge k of a tetrahedron joins the first two; the four are an even permutation of 0, 1, 2, 3.
@@ -32,7 +35,7 @@ def _volume_is_zero(corners: FloatArray) -> bool:
     return volume == 0
 
 
-class Voronoi:
+class Voronoi(Snapshot):
     """Voronoi diagram of points in space: the cells of what is nearest to each point.
 
     What has a name in ``scipy.spatial.Voronoi`` has the same name, shape and meaning here. Vertices
@@ -60,11 +63,23 @@ class Voronoi:
         The vertices of face k, in turn around it, are
         ``ridge_list[ridge_offsets[k]:ridge_offsets[k + 1]]``; -1, which comes first, is at infinity.
     point_region : ndarray of int, shape (n,)
-        The region of each point; -1 of one that repeats an earlier one.
+        The region of each point, that of its twin for one that repeats an earlier one; -1 of one that
+        is not in.
 
     Notes
     -----
-    Since 1.2.
+    A diagram stays that of the points as they were when it was made, also if the triangulation goes
+    on. What takes long is computed when it is asked for, and once. Since 1.2.
+
+    Examples
+    --------
+    >>> import mgdt, numpy
+    >>> lattice = numpy.indices((3, 3, 3)).reshape(3, -1).T
+    >>> diagram = mgdt.Voronoi(lattice)
+    >>> len(diagram.vertices)
+    8
+    >>> float(diagram.volumes[13])
+    1.0
     """
 
     furthest_site = False
@@ -72,18 +87,22 @@ class Voronoi:
     def __init__(
         self, points: Any, planes: Optional[ArrayLike] = None, **settings: Any
     ) -> None:
-        self.delaunay: Delaunay = (
-            points if isinstance(points, Delaunay) else Delaunay(points, **settings)
-        )
-        self._planes = planes
-        if self.delaunay.nsimplex == 0:
+        super().__init__(points, settings)
+        self._planes = as_planes(planes).copy()
+        if len(self._simplices) == 0:
             raise ValueError("there are no cells: all points are in one plane, or fewer than four")
-        self.points: FloatArray = self.delaunay.points
         self.vertices, self._vertex_of = self._join_vertices()
         self.ridge_points, self.ridge_offsets, self.ridge_list = self._faces()
-        is_vertex = np.unique(self.delaunay.simplices)
-        self.point_region: IndexArray = np.full(len(self.points), -1, dtype=np.int32)
-        self.point_region[is_vertex] = np.arange(len(is_vertex), dtype=np.int32)
+        is_vertex = np.unique(self._simplices)
+        region_of = np.full(len(self.points) + 1, -1, dtype=np.int32)
+        region_of[is_vertex] = np.arange(len(is_vertex), dtype=np.int32)
+        self.point_region: IndexArray = region_of[self._point_map]
+
+    def _take(self, handle: Handle) -> None:
+        self._simplices: IndexArray = handle.tetrahedra()
+        self._neighbors: IndexArray = handle.neighbors()
+        self._hull: IndexArray = handle.hull_facets()
+        self._centers, self._squares = handle.circumcenters()
 
     @property
     def npoints(self) -> int:
@@ -107,54 +126,57 @@ class Voronoi:
         high: FloatArray = self.points.max(axis=0)
         return high
 
-    @property
+    @cached_property
     def ridge_vertices(self) -> list[list[int]]:
         """The vertices of each face in turn, -1 standing for infinity."""
         flat, offsets = self.ridge_list.tolist(), self.ridge_offsets.tolist()
         return [flat[begin:end] for begin, end in zip(offsets, offsets[1:])]
 
-    @property
+    @cached_property
     def ridge_dict(self) -> dict[tuple[int, int], list[int]]:
         """From the two points of each face to its vertices."""
         pairs = map(tuple, self.ridge_points.tolist())
         return dict(zip(pairs, self.ridge_vertices))  # type: ignore[arg-type]
 
-    @property
+    @cached_property
     def regions(self) -> list[list[int]]:
         """The vertices of each cell, ascending, -1 first where the cell has no end."""
-        simplices = self.delaunay.simplices
+        is_vertex = np.unique(self._simplices)
         of_corners = np.repeat(self._vertex_of, 4)
-        region = self.point_region[simplices.ravel()]
-        hull = self.point_region[np.unique(self.delaunay.convex_hull)]
+        region = np.searchsorted(is_vertex, self._simplices.ravel())
+        hull = np.searchsorted(is_vertex, np.unique(self._hull))
         pairs = np.unique(
             np.stack(
                 [np.append(region, hull), np.append(of_corners, np.full(len(hull), -1))], axis=1
             ),
             axis=0,
         )
-        starts = np.searchsorted(pairs[:, 0], np.arange(self.point_region.max() + 2))
+        starts = np.searchsorted(pairs[:, 0], np.arange(len(is_vertex) + 1))
         flat = pairs[:, 1].tolist()
         return [flat[begin:end] for begin, end in zip(starts.tolist(), starts[1:].tolist())]
 
-    @property
+    @cached_property
     def volumes(self) -> FloatArray:
         """Volumes of the points' cells, within 1e-12; infinite where a cell has no end."""
-        return self.delaunay.cell_measures("volume", self._planes)
+        return self._cell_measures("volume")
 
-    @property
+    @cached_property
     def areas(self) -> FloatArray:
         """Areas of the surfaces of the points' cells, likewise."""
-        return self.delaunay.cell_measures("area", self._planes)
+        return self._cell_measures("area")
 
-    @property
+    @cached_property
     def centroids(self) -> FloatArray:
         """Centroids of the points' cells, likewise, shape (n, 3)."""
-        return self.delaunay.cell_measures("centroid", self._planes)
+        return self._cell_measures("centroid")
+
+    def _cell_measures(self, measure: str) -> FloatArray:
+        return self._measured(lambda handle: handle.cell_measures(measure, self._planes))
 
     def _join_vertices(self) -> tuple[FloatArray, IndexArray]:
         """Circumcentres of spheres that differ, in the order of their first simplices, and the
         number of each simplex's: simplices on one sphere have equal numbers, rounded once."""
-        centers, squares = self.delaunay._exported("circumcenters")
+        centers, squares = self._centers, self._squares
         order = np.lexsort((squares, *centers.T))
         sorted_ = np.column_stack([centers, squares])[order]
         is_new = np.ones(len(order), dtype=np.bool_)
@@ -173,7 +195,7 @@ class Voronoi:
     def _faces(self) -> tuple[IndexArray, IndexArray, IndexArray]:
         """Walks around all edges at once: the next simplex is across the facet opposite the third
         vertex, and its third vertex is the fourth of this one."""
-        simplices, neighbors = self.delaunay.simplices, self.delaunay.neighbors
+        simplices, neighbors = self._simplices, self._neighbors
         # By 6 * simplex + edge; from the lesser end to the other one.
         ends = simplices[:, _EDGES[:, :2]].reshape(-1, 2)
         is_turned = ends[:, 0] > ends[:, 1]
@@ -246,7 +268,7 @@ class Voronoi:
 
     def _are_flat(self, pairs: NDArray[Any]) -> NDArray[np.bool_]:
         """Whether the two hull facets at each edge are in one plane."""
-        hull, n = self.delaunay.convex_hull.astype(np.int64), len(self.points)
+        hull, n = self._hull.astype(np.int64), len(self.points)
         key = np.concatenate(
             [hull[:, [k - 2, k - 1]].min(axis=1) * n + hull[:, [k - 2, k - 1]].max(axis=1)
              for k in range(3)]

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+"""What is made of a triangulation as it is, and stays so when that goes on."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, TypeVar
+
+import numpy as np
+
+from ._arrays import FloatArray, IndexArray
+from ._handle import Handle
+from .delaunay import Delaunay
+
+_T = TypeVar("_T")
+
+
+class Snapshot:
+    """Base of what is made of points or of their triangulation."""
+
+    def __init__(self, points: Any, settings: dict[str, Any]) -> None:
+        is_made = not isinstance(points, Delaunay)
+        self.delaunay: Delaunay = Delaunay(points, **settings) if is_made else points
+        if settings and not is_made:
+            names = ", ".join(settings)
+            raise TypeError(f"{names}: a Delaunay object has its settings already")
+        self.points: FloatArray
+        self._point_map: IndexArray
+
+        # All of one state of the triangulation.
+        def take(handle: Handle) -> None:
+            self._state = self.delaunay._state
+            self.points = self.delaunay.points
+            self._point_map = handle.point_map()
+            self._take(handle)
+
+        self.delaunay._read_long(take)
+
+    def _take(self, handle: Handle) -> None:
+        """Takes what the triangulation has to give, in arrays of its own."""
+        raise NotImplementedError
+
+    def _measured(self, measure: Callable[[Handle], _T]) -> _T:
+        """What the library measures in the triangulation that this was made of: in that itself, or
+        where it went on, in one of the points as they were."""
+        result: list[_T] = []
+
+        def work(handle: Handle) -> None:
+            if self.delaunay._state is self._state:
+                result.append(measure(handle))
+
+        if not self.delaunay._is_released:
+            self.delaunay._read_long(work)
+        if not result:
+            again = Delaunay(self.points, incremental=True)
+            again.remove_points(np.flatnonzero(self._point_map < 0))
+            again._read_long(lambda handle: result.append(measure(handle)))
+        return result[0]
