@@ -53,6 +53,13 @@ int check(const CheckOptions& options) {
         fmt::print("\n");
     }
 
+    if (!mesh.has_tetrahedra && mesh.other_cells > 0) {
+        throw Error(exit_no_tetrahedra,
+                    fmt::format("{}: a mesh of {} with no tetrahedron that mgdt reads; there is "
+                                "nothing to check",
+                                name, counted(mesh.other_cells, "other cell", "other cells")));
+    }
+
     Triangulation t(options.triangulation);
     t.insert(mesh.points, name);
     const std::string defect = t.check(MGDT_CHECK_CANONICAL);

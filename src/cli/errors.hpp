@@ -17,6 +17,7 @@ enum ExitCode : int {
     exit_output = 4,
     exit_memory = 5,
     exit_internal = 6,
+    exit_no_tetrahedra = 7,
     exit_signal = 128  // plus the signal's number
 };
 

@@ -27,6 +27,7 @@ const char* const exit_codes =
     "  4    an output cannot be written; no partial file is left\n"
     "  5    out of memory, or too large\n"
     "  6    a defect in mgdt\n"
+    "  7    nothing to check: a mesh of other cells than tetrahedra\n"
     "  130  cancelled by Ctrl-C (in general 128 + the signal's number)";
 
 std::string formats_footer() {

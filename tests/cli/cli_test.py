@@ -237,6 +237,26 @@ class BadInput(CliTest):
         self.put("t.npy", b"not numpy")
         self.fails(3, "check", "t.npy", "--points", "a.xyz", says="line 3")
 
+    def test_meshes_without_tetrahedra_are_not_valid(self):
+        corners = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        numbered = [f"{i} {x} {y} {z}" for i, (x, y, z) in enumerate(corners, 1)]
+        hexahedron = " ".join(map(str, range(1, 9)))
+        lines = "\n".join
+        self.put("h.inp", lines(["*HEADING", "*NODE", *(n.replace(" ", ", ") for n in numbered),
+                                 "*ELEMENT, TYPE=C3D8", "1, " + hexahedron.replace(" ", ", "),
+                                 ""]))
+        self.put("h.msh", lines(["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", "8",
+                                 *numbered, "$EndNodes", "$Elements", "1", "1 5 2 0 1 " + hexahedron,
+                                 "$EndElements", ""]))
+        self.put("h.mesh", lines(["MeshVersionFormatted 2", "Dimension 3", "Vertices", "8",
+                                  *(f"{x} {y} {z} 0" for x, y, z in corners), "Hexahedra", "1",
+                                  hexahedron + " 0", "End", ""]))
+        for name in ("h.inp", "h.msh", "h.mesh"):
+            self.fails(7, "check", name, says=[name, "1 other cell", "nothing to check"])
+            self.assertIn(b"8 points", self.out)
+        self.put("p.xyz", lines(f"{x} {y} {z}" for x, y, z in corners))
+        self.assertIn(b"points only", self.mgdt("check", "p.xyz"))
+
     def test_the_program_finds_its_data_beside_itself(self):
         # A copy of the program and of its data, somewhere else.
         os.makedirs(self.path("moved/bin"))
