@@ -126,7 +126,8 @@ CellMeasures::Overlap CellMeasures::overlap_with_cell() const {
         for (const std::uint32_t b : order_) {
             if (b == polygon_.label(i) || b == polygon_.label_before(i)) continue;
             const int sign = Polygon::sign_at(corners[i], cell_.side(b));
-            if (sign > 0) return Overlap::none;
+            // A corner that is there by mistake may be outside anyway.
+            if (sign > 0) return polygon_.slack() == 0 ? Overlap::none : Overlap::unknown;
             is_inside &= sign < 0;
             if (!is_inside) break;
         }

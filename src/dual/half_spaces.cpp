@@ -62,7 +62,10 @@ void HalfSpaces::add_plane(const double* of, int scale) {
     side.offset = offset.high * factor_;
     side.error =
         (u * std::fabs(offset.high) + 8 * rounding_of<Twofold> * terms + 0x1p-1000) * factor_;
-    if (!(terms < 0x1p900 && terms * factor_ < 0x1p900)) side.error = infinity;
+    if (!(terms < 0x1p900 && terms * factor_ < 0x1p900)) {
+        side.offset = 0;  // it may be NaN
+        side.error = infinity;
+    }
     sides_.push_back(side);
 }
 

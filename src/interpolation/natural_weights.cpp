@@ -197,7 +197,7 @@ bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const d
     double largest = 0;
     const std::size_t first = natural == Natural::sibson ? 0 : star.removed().size();
     for (std::size_t i = first; i < centers_.size(); ++i)
-        largest = std::max(largest, centers_[i].size);
+        largest = std::max(largest, centers_[i].size + centers_[i].error);
     if (!(largest < 0x1p200)) return false;
     // Coordinates are below 2, so a term is below 24 largest^2; the whole of a vertex is 12 times a
     // part of the place's cell, which is in a cube, so that it is below 96 largest^3 too. On the

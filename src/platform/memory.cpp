@@ -64,6 +64,7 @@ bool is_remapped_by_library(const void* p) {
 
 // Grows a medium block by realloc(); null where that refuses, and the block stays.
 void* regrow_medium(void* p, std::size_t used, std::size_t new_bytes) noexcept {
+    if (new_bytes > static_cast<std::size_t>(-1) - 2 * page) return nullptr;
     char* const whole = static_cast<char*>(static_cast<void**>(p)[-1]);
     const std::ptrdiff_t offset = static_cast<char*>(p) - whole;
     char* const moved = static_cast<char*>(std::realloc(whole, new_bytes + page + heap_offset));

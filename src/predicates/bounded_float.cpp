@@ -11,11 +11,11 @@ bool round_to_nearest(const BoundedFloat<Twofold>& x, std::int64_t exponent, dou
     int of_high;
     const double mantissa = std::frexp(high, &of_high);
     const std::int64_t of_unit = 256 * x.block + exponent, of_result = of_unit + of_high;
-    // The sign is known, and the error is less than the value.
-    if (of_result > 1026) {
+    if (of_result > 1026 && x.error < 0.5 * std::fabs(high)) {
         r = std::copysign(std::numeric_limits<double>::infinity(), high);
         return true;
     }
+    // The sign is known: the error is less than the value.
     if (of_result < -1080) {
         r = std::copysign(0.0, high);
         return true;

@@ -205,6 +205,18 @@ class Snapshots(unittest.TestCase):
         planes[:, 3] = 2000
         np.testing.assert_array_equal(diagram.volumes, volumes)
 
+    def test_points_and_released_triangulations(self):
+        points = random_points(50)
+        shape, volume = mgdt.AlphaShape(points), mgdt.AlphaShape(points).volume
+        points += 1
+        self.assertEqual(shape.volume, volume)
+        shape = mgdt.AlphaShape(points, 1e200)
+        self.assertEqual(len(shape.simplices), shape.delaunay.nsimplex)
+        diagram = mgdt.Voronoi(points)
+        areas = mgdt.Voronoi(points).areas
+        diagram.delaunay.release()
+        np.testing.assert_array_equal(diagram.areas, areas)
+
     def test_what_takes_long_is_computed_once(self):
         diagram, shape = mgdt.Voronoi(random_points(50)), mgdt.AlphaShape(random_points(50))
         for of, names in (

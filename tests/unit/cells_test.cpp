@@ -140,6 +140,23 @@ TEST(Cells, OfExtremeShapesAreFoundInShortNumbers) {
     EXPECT_GT(found.in_short, static_cast<int>(n / 4));
 }
 
+// Where products of coordinates and planes overflow, the planes still cut.
+TEST(Cells, OfCoordinatesNearTheLargest) {
+    const Points near_one = uniform(60);
+    Points xyz = near_one, planes = unit_box;
+    for (double& x : xyz) x *= 0x1p1000;
+    for (std::size_t k = 3; k < planes.size(); k += 4) planes[k] *= 0x1p1000;
+    xyz[0] = 1e-30;  // so that no power of two makes all ordinary
+    Points same = near_one;
+    same[0] = 0;
+    EXPECT_EQ(measures_of_cells(xyz, Measure::faces, planes),
+              measures_of_cells(same, Measure::faces, unit_box));
+    const Points centroids = measures_of_cells(xyz, Measure::centroid, planes),
+                 expected = measures_of_cells(same, Measure::centroid, unit_box);
+    for (std::size_t i = 0; i < centroids.size(); ++i)
+        EXPECT_NEAR(centroids[i] * 0x1p-1000, expected[i], 1e-11);
+}
+
 // Nearly all points are neighbours of each other, and many cells reach to each face of the box.
 TEST(Cells, WithManyNeighborsFillTheBox) {
     const std::size_t n = is_small() ? 20 : 200;

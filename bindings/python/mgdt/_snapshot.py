@@ -29,7 +29,7 @@ class Snapshot:
         # All of one state of the triangulation.
         def take(handle: Handle) -> None:
             self._state = self.delaunay._state
-            self.points = self.delaunay.points
+            self.points = self.delaunay.points.copy()
             self._point_map = handle.point_map()
             self._take(handle)
 
@@ -48,8 +48,11 @@ class Snapshot:
             if self.delaunay._state is self._state:
                 result.append(measure(handle))
 
-        if not self.delaunay._is_released:
+        try:
             self.delaunay._read_long(work)
+        except RuntimeError:
+            if not self.delaunay._is_released:
+                raise
         if not result:
             again = Delaunay(self.points, incremental=True)
             again.remove_points(np.flatnonzero(self._point_map < 0))

@@ -53,13 +53,13 @@ class AlphaShape(Snapshot):
     def __init__(self, points: Any, alpha: Optional[float] = None, **settings: Any) -> None:
         if alpha is not None and not alpha >= 0:
             raise ValueError(f"alpha is {alpha}; it must be at least 0")
-        self._given = alpha
+        self._given = None if alpha is None else float(alpha)
         super().__init__(points, settings)
 
     def _take(self, handle: Handle) -> None:
         # The square of a square root may be another number.
-        squared = handle.solid_alpha() if self._given is None else float(self._given) ** 2
-        self.alpha: float = float(np.sqrt(squared)) if self._given is None else float(self._given)
+        squared = handle.solid_alpha() if self._given is None else self._given * self._given
+        self.alpha: float = float(np.sqrt(squared)) if self._given is None else self._given
         self.simplices: IndexArray = handle.tetrahedra()[handle.alphas(3) <= squared]
         self.facets: IndexArray = handle.alpha_surface(squared)
 

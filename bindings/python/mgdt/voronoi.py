@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 from ._arrays import FloatArray, IndexArray, as_planes
 from ._handle import Handle
 from ._snapshot import Snapshot
-from .delaunay import Delaunay
 
 # Edge k of a tetrahedron joins the first two; the four are an even permutation of 0, 1, 2, 3.
 _EDGES = np.array(
