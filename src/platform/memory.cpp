@@ -56,10 +56,11 @@ void* obtain_medium(std::size_t bytes) noexcept {
 }
 
 // Whether the C library mapped pages for the block alone, so that realloc() remaps them: glibc's
-// such blocks begin 16 bytes behind a page. A block that happens to begin there too is copied.
+// such blocks begin 16 bytes behind a page, or 8. A block that happens to begin there too is
+// copied.
 bool is_remapped_by_library(const void* p) {
-    const void* const whole = static_cast<void* const*>(p)[-1];
-    return reinterpret_cast<std::uintptr_t>(whole) % page == 2 * sizeof(std::size_t);
+    const std::uintptr_t whole = reinterpret_cast<std::uintptr_t>(static_cast<void* const*>(p)[-1]);
+    return whole % page == 16 || whole % page == 2 * sizeof(std::size_t);
 }
 
 // Grows a medium block by realloc(); null where that refuses, and the block stays.
