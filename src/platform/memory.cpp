@@ -59,8 +59,9 @@ void* obtain_medium(std::size_t bytes) noexcept {
 // such blocks begin 16 bytes behind a page, or 8. A block that happens to begin there too is
 // copied.
 bool is_remapped_by_library(const void* p) {
-    const std::uintptr_t whole = reinterpret_cast<std::uintptr_t>(static_cast<void* const*>(p)[-1]);
-    return whole % page == 16 || whole % page == 2 * sizeof(std::size_t);
+    const void* const whole = static_cast<void* const*>(p)[-1];
+    const std::uintptr_t behind = reinterpret_cast<std::uintptr_t>(whole) % page;
+    return behind == 8 || behind == 16;
 }
 
 // Grows a medium block by realloc(); null where that refuses, and the block stays.
