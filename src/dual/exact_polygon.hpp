@@ -38,7 +38,6 @@ class ExactPolygon {
     bool clip(PlaneNumber s, bool stays_if_equal);
     // +1 where corner i is outside half-space s, 0 on its plane, -1 inside.
     int sign_at(std::size_t i, PlaneNumber s);
-    void clear() noexcept { corners_.clear(); }
 
   private:
     struct LabelledCorner {

@@ -84,7 +84,6 @@ class FaceSums {
     double area() const { return std::fmax(sums_[0].value() / 2, 0); }
     // A coordinate of the centroid relative to the vertex.
     double centroid(int axis) const { return sums_[1 + axis].value() / (4 * sums_[0].value()); }
-    double extent() const noexcept { return extent_; }
 
   private:
     ErrorBoundSum sums_[4];

@@ -117,8 +117,8 @@ void HalfSpaces::prepare<BoundedFloat<double>>() {
     in_doubles_.clear();
     for (const PlaneRow<BoundedFloat<Twofold>>& row : in_twofold_) {
         PlaneRow<BoundedFloat<double>> rounded;
-        for (int k = 0; k < 3; ++k) rounded.normal.x[k] = in_double(row.normal.x[k]);
-        rounded.offset = in_double(row.offset);
+        for (int k = 0; k < 3; ++k) rounded.normal.x[k] = narrowed(row.normal.x[k]);
+        rounded.offset = narrowed(row.offset);
         in_doubles_.push_back(rounded);
     }
 }

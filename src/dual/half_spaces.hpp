@@ -46,7 +46,6 @@ class HalfSpaces {
     // normal . x <= offset 2^scale, where x is not relative to the origin. The four numbers stay.
     void add_plane(const double* normal_and_offset, int scale);
 
-    std::size_t size() const noexcept { return sources_.size(); }
     // Rounded. The error of the offset is infinite where doubles are of no use.
     const Side& side(PlaneNumber p) const noexcept { return sides_[p]; }
 

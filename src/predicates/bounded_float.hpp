@@ -128,7 +128,14 @@ struct BoundedFloat {
     void set(double high, double low);
 };
 
-inline BoundedFloat<double> in_double(const BoundedFloat<Twofold>& x) {
+template <class Real>
+Vector<BoundedFloat<Real>> bounded_difference(const double* a, const double* b) {
+    Vector<BoundedFloat<Real>> d;
+    for (int k = 0; k < 3; ++k) d.x[k] = BoundedFloat<Real>::difference(a[k], b[k]);
+    return d;
+}
+
+inline BoundedFloat<double> narrowed(const BoundedFloat<Twofold>& x) {
     return {x.value.high, x.error + std::fabs(x.value.low) * (1 + 0x1p-40), x.block};
 }
 

@@ -169,13 +169,10 @@ using Number = BoundedFloat<Twofold>;
 
 // Relative to the first vertex.
 Vector<Number> bounded_offset(const double* const (&p)[4]) {
-    const auto relative = [&](const double* x) {
-        Vector<Number> r;
-        for (int k = 0; k < 3; ++k) r.x[k] = Number::difference(x[k], p[0][k]);
-        return r;
-    };
-    const Vector<Number> a = relative(p[1]), b = relative(p[2]), c = relative(p[3]),
-                         bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+    const Vector<Number> a = bounded_difference<Twofold>(p[1], p[0]),
+                         b = bounded_difference<Twofold>(p[2], p[0]),
+                         c = bounded_difference<Twofold>(p[3], p[0]), bc = cross(b, c),
+                         ca = cross(c, a), ab = cross(a, b);
     const Number inverse = Number::number(0.5) / dot(a, bc);
     return inverse * ((dot(a, a) * bc + dot(b, b) * ca) + dot(c, c) * ab);
 }

@@ -24,12 +24,6 @@ bool is_in_range(double square) {
 
 using Number = BoundedFloat<Twofold>;
 
-Vector<Number> bounded_difference(const double* a, const double* b) {
-    Vector<Number> d;
-    for (int k = 0; k < 3; ++k) d.x[k] = Number::difference(a[k], b[k]);
-    return d;
-}
-
 struct Edges : ExactPairs<9> {
     static constexpr int count = 9;
 };
@@ -87,8 +81,9 @@ int facet_sphere_filter(const double* a, const double* b, const double* c, const
 }
 
 int facet_sphere_bounded(const double* a, const double* b, const double* c, const double* q) {
-    const Vector<Number> r = bounded_difference(b, a), s = bounded_difference(c, a),
-                         t = bounded_difference(q, a), n = cross(r, s);
+    const Vector<Number> r = bounded_difference<Twofold>(b, a),
+                         s = bounded_difference<Twofold>(c, a),
+                         t = bounded_difference<Twofold>(q, a), n = cross(r, s);
     const Number height =
         (dot(r, r) * dot(cross(s, t), n) + dot(s, s) * dot(cross(t, r), n)) + dot(t, t) * dot(n, n);
     const int sign = height.sign();
@@ -117,8 +112,9 @@ bool facet_radius2_twofold(const double* const (&p)[3], double& square) {
 bool facet_radius2_bounded(const double* const (&p)[3], int scale, double& square) {
     const unsigned i = widest_corner(p);
     const double *const origin = p[i], *const a = p[(i + 1) % 3], *const b = p[(i + 2) % 3];
-    const Vector<Number> r = bounded_difference(a, origin), s = bounded_difference(b, origin),
-                         t = bounded_difference(a, b), n = cross(r, s);
+    const Vector<Number> r = bounded_difference<Twofold>(a, origin),
+                         s = bounded_difference<Twofold>(b, origin),
+                         t = bounded_difference<Twofold>(a, b), n = cross(r, s);
     const Number x = dot(r, r) * dot(s, s) * dot(t, t) / dot(n, n);
     const WideDouble value = x.wide();
     if (!(x.wide_error() < value * WideDouble(0.5 * facet_radius_error))) return false;

@@ -56,5 +56,5 @@ class Snapshot:
         if not result:
             again = Delaunay(self.points, incremental=True)
             again.remove_points(np.flatnonzero(self._point_map < 0))
-            again._read_long(lambda handle: result.append(measure(handle)))
+            return again._read_long(measure)
         return result[0]

@@ -149,22 +149,19 @@ class GrowingTriangulation:
     def _exported(self, name: str) -> Any:
         """What the method of the handle that has that name gives."""
 
-        def export(handle: Handle, _: object) -> Any:
+        def export(handle: Handle) -> Any:
             return getattr(handle, name)()
 
         def read() -> Any:
-            return self._read(export, self.npoints >= _LONG_EXPORT)
+            result: Any = self._read_long(export)
+            return result
 
         return self._cached(name, read)
 
     def _fresh(self, *names: str) -> list[Any]:
         """What the methods of the handle that have these names give, all of one state, in arrays of
         their own: the user may have written into those that attributes gave."""
-
-        def export(handle: Handle, _: object) -> list[Any]:
-            return [getattr(handle, name)() for name in names]
-
-        return self._read(export, self.npoints >= _LONG_EXPORT)
+        return self._read_long(lambda handle: [getattr(handle, name)() for name in names])
 
     @property
     def _state(self) -> object:
@@ -175,9 +172,9 @@ class GrowingTriangulation:
     def _is_released(self) -> bool:
         return self._handle is None
 
-    def _read_long(self, work: Callable[[Handle], None]) -> None:
+    def _read_long(self, work: Callable[[Handle], _T]) -> _T:
         """Reads by the work, which signals interrupt where there are many points."""
-        self._read(lambda handle, _: work(handle), self.npoints >= _LONG_EXPORT)
+        return self._read(lambda handle, _: work(handle), self.npoints >= _LONG_EXPORT)
 
     def _kept(self, handle: Handle, name: str) -> Any:
         """The same of one method, which is kept for the next time."""

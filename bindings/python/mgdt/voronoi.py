@@ -140,17 +140,16 @@ class Voronoi(Snapshot):
     @cached_property
     def regions(self) -> list[list[int]]:
         """The vertices of each cell, ascending, -1 first where the cell has no end."""
-        is_vertex = np.unique(self._simplices)
         of_corners = np.repeat(self._vertex_of, 4)
-        region = np.searchsorted(is_vertex, self._simplices.ravel())
-        hull = np.searchsorted(is_vertex, np.unique(self._hull))
+        region = self.point_region[self._simplices.ravel()]
+        hull = self.point_region[np.unique(self._hull)]
         pairs = np.unique(
             np.stack(
                 [np.append(region, hull), np.append(of_corners, np.full(len(hull), -1))], axis=1
             ),
             axis=0,
         )
-        starts = np.searchsorted(pairs[:, 0], np.arange(len(is_vertex) + 1))
+        starts = np.searchsorted(pairs[:, 0], np.arange(self.point_region.max() + 2))
         flat = pairs[:, 1].tolist()
         return [flat[begin:end] for begin, end in zip(starts.tolist(), starts[1:].tolist())]
 
