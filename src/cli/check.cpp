@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
+#include "cli/formats/mid_side_nodes.hpp"
 #include "cli/mesh_check.hpp"
 
 namespace mgdt::cli {
@@ -50,6 +51,8 @@ int check(const CheckOptions& options) {
             fmt::print(", {}", counted(mesh.tetrahedron_count(), "tetrahedron", "tetrahedra"));
         }
         if (mesh.other_cells > 0) fmt::print(", {} other cells left out", mesh.other_cells);
+        if (mesh.mid_side_nodes > 0)
+            fmt::print(", {}", describe_mid_side_nodes(mesh.mid_side_nodes));
         fmt::print("\n");
     }
 

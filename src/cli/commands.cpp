@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "cli/errors.hpp"
+#include "cli/formats/mid_side_nodes.hpp"
 #include "cli/system.hpp"
 
 namespace mgdt::cli {
@@ -31,7 +32,7 @@ Mesh read_input(const InputOptions& options, const Format** format) {
     Mesh mesh;
     // Bare doubles may have the bytes of blanks.
     if (!blank || (&f == &raw_format() && !source.bytes.empty())) {
-        mesh = f.read(source, options.read);
+        mesh = read_mesh(f, source, options.read);
     } else if (options.allow_empty) {
         mesh.detail = "empty";
     } else {
@@ -41,6 +42,12 @@ Mesh read_input(const InputOptions& options, const Format** format) {
     }
     if (file.identity()) mesh.inputs.push_back(*file.identity());
     return mesh;
+}
+
+void print_left_out(std::size_t mid_side_nodes, const std::string& name) {
+    if (mid_side_nodes == 0) return;
+    fmt::print(stderr, "mgdt: {}: {}: tetrahedra of higher order are read by their corners\n", name,
+               describe_mid_side_nodes(mid_side_nodes));
 }
 
 std::vector<FileIdentity> data_files(const std::vector<std::string>& names,

@@ -89,6 +89,9 @@ int run_bench(const BenchOptions& options);
 // Reads an input; `format` receives the format it was read as.
 Mesh read_input(const InputOptions& options, const Format** format = nullptr);
 
+// Says on standard error what of a file was left out, if anything.
+void print_left_out(std::size_t mid_side_nodes, const std::string& name);
+
 // The data files that points of these distributions are made from.
 std::vector<FileIdentity> data_files(const std::vector<std::string>& names,
                                      const std::string& directory);

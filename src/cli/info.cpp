@@ -61,6 +61,8 @@ int info(const InputOptions& options) {
     line("dimension", fmt::format("{}", dimension(mesh.points)));
     if (mesh.has_tetrahedra) line("tetrahedra", fmt::format("{}", mesh.tetrahedron_count()));
     if (mesh.other_cells > 0) line("other cells", fmt::format("{}", mesh.other_cells));
+    if (mesh.mid_side_nodes > 0)
+        line("mid-side nodes", fmt::format("{}, left out", mesh.mid_side_nodes));
     for (std::size_t k = 0; k < 3 && mesh.point_count() > 0; ++k) {
         double low = mesh.points[k], high = low;
         for (std::size_t i = k; i < mesh.points.size(); i += 3) {

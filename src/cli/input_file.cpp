@@ -10,6 +10,7 @@
 #include <new>
 
 #include "cli/errors.hpp"
+#include "cli/gzip.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/system.hpp"
 
@@ -107,6 +108,11 @@ InputFile::InputFile(const std::string& path, std::size_t begin, std::size_t mos
             fail_reading(name_, errno);
         }
         size_ += static_cast<std::size_t>(got);
+    }
+    if (!standard && most == whole && is_gzip_name(path)) {
+        expanded_ = expand_gzip({data_.get(), size_}, name_);
+        data_.reset();
+        path_.resize(path_.size() - 3);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A whole input file in memory, and the place that error messages speak of. Files are read, not
-// mapped: one that shrinks while it is mapped would kill the program.
+// A whole input file in memory, expanded where its name ends with .gz, and the place that error
+// messages speak of. Files are read, not mapped: one that shrinks while it is mapped would kill the
+// program.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,7 @@ namespace mgdt::cli {
 // The bytes of an input with its name. Readers see nothing else.
 struct Source {
     std::string name;  // as messages say it
-    std::string path;  // empty for standard input
+    std::string path;  // empty for standard input; without .gz
     std::string_view bytes;
     std::size_t begin = 0;  // of the bytes in the file
 
@@ -32,9 +33,13 @@ class InputFile {
   public:
     // "-" is standard input.
     explicit InputFile(const std::string& path) : InputFile(path, 0, whole) {}
-    // At most so many bytes from a place; of pipes and their like, from where they are.
+    // At most so many bytes from a place, as they are in the file; of pipes and their like, from
+    // where they are.
     InputFile(const std::string& path, std::size_t begin, std::size_t most);
-    Source source() const { return {name_, path_, {data_.get(), size_}, begin_}; }
+    Source source() const {
+        if (expanded_) return {name_, path_, *expanded_, 0};
+        return {name_, path_, {data_.get(), size_}, begin_};
+    }
     // Of a regular file; nothing for others.
     std::optional<std::size_t> file_size() const { return file_size_; }
     // Nothing for terminals and their like.
@@ -48,6 +53,7 @@ class InputFile {
     std::string name_, path_;
     std::optional<FileIdentity> identity_;
     std::unique_ptr<char, Free> data_;
+    std::optional<std::string> expanded_;
     std::size_t begin_, size_ = 0;
     std::optional<std::size_t> file_size_;
 };

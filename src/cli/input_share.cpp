@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "cli/formats/bytes.hpp"
+#include "cli/gzip.hpp"
 #include "cli/system.hpp"
 
 namespace mgdt::cli {
@@ -15,8 +16,8 @@ constexpr std::size_t beginning_bytes = std::size_t{1} << 17;
 }  // namespace
 
 std::optional<RowLayout> shared_layout(const InputOptions& options) {
-    // What is read of a pipe is gone.
-    if (options.path == "-") return std::nullopt;
+    // What is read of a pipe is gone; where a point is in compressed bytes is not known.
+    if (options.path == "-" || is_gzip_name(options.path)) return std::nullopt;
     const auto status = system::status(options.path);
     if (!status || status->kind != system::FileKind::regular) return std::nullopt;
     const InputFile file(options.path, 0, beginning_bytes);
@@ -34,6 +35,7 @@ Share read_share(const InputOptions& options, const std::optional<RowLayout>& la
         if (reader > 0) return share;
         Mesh mesh = read_input(options);
         share.points = std::move(mesh.points);
+        share.mid_side_nodes = mesh.mid_side_nodes;
         share.inputs = std::move(mesh.inputs);
         return share;
     }

@@ -12,7 +12,8 @@ namespace mgdt::cli {
 
 struct Share {
     std::vector<double> points;
-    std::int64_t first = 0;  // the place of the first of them in the file
+    std::int64_t first = 0;          // the place of the first of them in the file
+    std::size_t mid_side_nodes = 0;  // left out, by the one who read the whole file
     std::vector<FileIdentity> inputs;
 };
 

@@ -130,6 +130,10 @@ int interpolate(const InterpolateOptions& options) {
 
     const Mesh samples = read_samples(options);
     Mesh places = read_input(options.places);
+    if (!options.triangulation.quiet) {
+        print_left_out(samples.mid_side_nodes, input_name(options.samples.path));
+        print_left_out(places.mid_side_nodes, input_name(options.places.path));
+    }
     std::vector<FileIdentity> inputs = samples.inputs;
     inputs.insert(inputs.end(), places.inputs.begin(), places.inputs.end());
     require_apart(inputs, {output.path});

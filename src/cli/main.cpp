@@ -67,13 +67,14 @@ std::string data_directory() {
 }
 
 void add_columns(CLI::App& app, const char* option, InputOptions& options, const char* whose) {
+    options.read.columns_option = option;
     app.add_option_function<std::vector<int>>(
            option,
            [&options](const std::vector<int>& c) {
                options.read.columns = {{c[0], c[1], c[2]}};
            },
            fmt::format("Columns of x, y and z in {}, counted from 1 (default: those with these "
-                       "names, or 1,2,3)",
+                       "names, or all three)",
                        whose))
         ->delimiter(',')
         ->expected(3)

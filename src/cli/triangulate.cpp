@@ -109,6 +109,7 @@ int triangulate(const TriangulateOptions& options) {
     Mesh mesh = read_input(options.input);
     require_apart(mesh.inputs, files);
     const std::string name = input_name(options.input.path);
+    if (!options.triangulation.quiet) print_left_out(mesh.mid_side_nodes, name);
     const auto begin = std::chrono::steady_clock::now();
     double seconds = 0;
     std::vector<std::int64_t> point_map;  // the vertex that stands for each point

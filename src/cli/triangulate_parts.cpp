@@ -102,6 +102,8 @@ int triangulate_in_parts(const TriangulateOptions& options) {
         {
             // Gone before it is triangulated.
             const Mesh mesh = read_input(options.input);
+            if (!options.triangulation.quiet)
+                print_left_out(mesh.mid_side_nodes, input_name(options.input.path));
             std::vector<std::string> written = files;
             written.push_back(output.path);
             require_apart(mesh.inputs, written);

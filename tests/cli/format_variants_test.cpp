@@ -8,13 +8,19 @@
 namespace mgdt::cli {
 namespace {
 
+ReadOptions with_all_fields() {
+    ReadOptions options;
+    options.has_fields = true;
+    return options;
+}
+
 TEST(Text, Separators) {
     const Points expected = {1, 2, 3, 4, 5, 6};
     for (const char* text :
          {"1 2 3\n4 5 6\n", "1,2,3\n4,5,6", "1;2;3\r\n4;5;6\r\n", "1\t2\t3\n4\t5\t6\n",
-          " 1 , 2 ,3 \n\n  4 ,  5, 6 , 99 text; more\n", "1 2 3\n  4   5 6 99 text, more\n",
-          "# comment\n1 2 3 # more\n#\n4 5 6", "x y z\n1 2 3\n4 5 6",
-          "\"x\",\"y\",\"z\"\n1,2,3\n4,5,6\n", "2\n1 2 3\n4 5 6\n",
+          " 1 , 2 ,3 \n\n  4 ,  5, 6 \n", "1 2 3\n  4   5 6 \n", "1,2,3,\n4,5,6,\n",
+          "# comment\n1 2 3 # more\n#\n4 5 6", "! comment\n1 2 3 ! more\n  // too\n4 5 6 //",
+          "x y z\n1 2 3\n4 5 6", "\"x\",\"y\",\"z\"\n1,2,3\n4,5,6\n", "2\n1 2 3\n4 5 6\n",
           "\xef\xbb\xbf"
           "1 2 3\n4 5 6\n",
           "1 2 3\r4 5 6\r", "1.0D0 2.D0 3\n+4 5 6\n"}) {
@@ -29,6 +35,65 @@ TEST(Text, Columns) {
               (Points{1, 2, 3, 4, 5, 6}));
     EXPECT_TRUE(contains(failure(csv_format(), "2,3,a\n", options), "x needs column 4"));
     EXPECT_TRUE(contains(failure(csv_format(), "2,3,a,1\n5,6,b\n", options), "line 2: 3 columns"));
+    // Chosen columns, and text of any number of words.
+    options.columns = {{1, 2, 3}};
+    EXPECT_EQ(read(text_format(), "1 2 3 one\n4 5 6 two words\n", options).points,
+              (Points{1, 2, 3, 4, 5, 6}));
+}
+
+// A lost or additional field moves the coordinates to other columns.
+TEST(Text, RowsHaveTheSameColumns) {
+    for (const char* text :
+         {"1 2 3\n4 5 6 7\n", "1,2,3\n4,5,6,7\n", "1,2,3\n4,5,6,\n", "x,y,z\n1,2,3,4\n",
+          "x,y,z,t\n1,2,3\n", "t;x;y;z\n1;2;3\n", "2\n1 2 3\n4 5 6 7\n"}) {
+        const std::string what = failure(csv_format(), text);
+        EXPECT_TRUE(contains(what, "line 2") || contains(what, "line 3")) << text;
+        EXPECT_TRUE(contains(what, " column")) << text;
+    }
+    ReadOptions options;
+    options.columns = {{1, 2, 3}};
+    EXPECT_TRUE(contains(failure(csv_format(), "1,2,3,4\n1,2,3\n", options),
+                         "line 2: 3 columns, but line 1 has 4"));
+}
+
+TEST(Text, MoreThanThreeColumnsWithoutNames) {
+    const auto says = [](const char* text, const char* part) {
+        return contains(failure(text_format(), text), part);
+    };
+    EXPECT_TRUE(says("1 0 0 0\n2 1 0 0\n", "line 1: 4 columns without names"));
+    EXPECT_TRUE(says("1 0 0 0\n2 1 0 0\n", "--columns 2,3,4: the first column counts"));
+    EXPECT_TRUE(says("0,5,6,7\n1,8,9,7\n# so\n2,5,5,5\n", "the first column counts"));
+    for (const char* text : {"1 0 0 0\n", "1 0 0 0\n3 1 0 0\n", "2 0 0 0\n3 1 0 0\n",
+                             "1.5 0 0 0\n2.5 1 0 0\n", "2\n0 0 0 255\n1 0 0 255 0\n"}) {
+        EXPECT_TRUE(says(text, "say which are x, y and z, with --columns 1,2,3 or others") ||
+                    says(text, "the first column counts"))
+            << text;
+    }
+    EXPECT_FALSE(says("1 0 0 0\n3 1 0 0\n", "counts"));
+    ReadOptions options;
+    options.columns = {{2, 3, 4}};
+    EXPECT_EQ(read(text_format(), "1 0 0 0\n2 1 0 0\n", options).points,
+              (Points{0, 0, 0, 1, 0, 0}));
+}
+
+// The number of atoms, a line of anything, then an element and its place.
+TEST(Text, AtomsOfChemists) {
+    const Points expected = {1, 2, 3, 4, 5, 6};
+    for (const char* text :
+         {"2\nwater, 1 2 3 4\nO 1 2 3\nH 4 5 6\n", "2\n\nO 1 2 3 0.5\nH1 4 5 6 0.25\n\n\n",
+          " 2 \r\nLattice=\"5 0 0\" # x\r\n  O 1 2 3\r\n H 4 5 6\r\n", "2\n\n8 1 2 3\n1 4 5 6\n",
+          "2\nof numbers\n8 1 2 3\n1 4 5 6\n"}) {
+        EXPECT_EQ(read(text_format(), text).points, expected) << text;
+    }
+    EXPECT_TRUE(contains(failure(text_format(), "3\n\nO 1 2 3\nH 4 5 6\n"), "announces 3 points"));
+    EXPECT_TRUE(contains(failure(text_format(), "1\n\nO 1 2 3\n1\n\nO 4 5 6\n"),
+                         "line 4: text after the 1 atoms"));
+    EXPECT_TRUE(contains(failure(text_format(), "2\n\nO 1 2 3\nH 4 5\n"), "line 4"));
+    const Mesh charged = read(text_format(), "1\n\nO 1 2 3 0.5\n", with_all_fields());
+    ASSERT_EQ(charged.fields.size(), 1u);
+    EXPECT_EQ(charged.fields[0].values, (Points{0.5}));
+    // No title of text: a table with a count and four columns.
+    EXPECT_TRUE(contains(failure(text_format(), "2\n8 1 2 3\n1 4 5 6\n"), "4 columns"));
 }
 
 TEST(Text, NamesOfColumns) {
@@ -37,7 +102,10 @@ TEST(Text, NamesOfColumns) {
          {"id,x,y,z\n7,1,2,3\n8,4,5,6\n", "\"id\",\"X\",\"Y\",\"Z\"\n7,1,2,3\n8,4,5,6\n",
           "id z y x\n7 3 2 1\n8 6 5 4\n", "what; x ;y;z\na;1;2;3\n\"b;c\";4;5;6\n",
           "lon,lat,height\n1,2,3\n4,5,6\n",
-          "\"Points:0\",\"Points:1\",\"Points:2\",\"x\"\n1,2,3,9\n4,5,6,9\n"}) {
+          "\"Points:0\",\"Points:1\",\"Points:2\",\"x\"\n1,2,3,9\n4,5,6,9\n",
+          "\"T\",\"Points_0\",\"Points_1\",\"Points_2\"\n9,1,2,3\n9,4,5,6\n",
+          "Station;Northing;Easting;Height\na;2;1;3\nb;5;4;6\n",
+          "easting northing elevation t\n1 2 3 9\n4 5 6 9\n"}) {
         EXPECT_EQ(read(csv_format(), text).points, expected) << text;
     }
     for (const char* text : {"id,lon,lat,h\n7,1,2,3\n", "x,x,y,z\n9,1,2,3\n", "x,y,w,t\n1,2,3,4\n",
@@ -206,7 +274,12 @@ TEST(Tetgen, Nodes) {
 TEST(Tetgen, Elements) {
     Directory directory;
     const std::string ele = directory.file("m.ele");
-    put(directory.file("m.node"), "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
+    std::string nodes = "10 3 0 0\n";
+    for (const char* p : {"1 0 0 0", "2 1 0 0", "3 0 1 0", "4 0 0 1", "5 .5 0 0", "6 .5 .5 0",
+                          "7 0 .5 0", "8 0 0 .5", "9 .5 0 .5", "10 0 .5 .5"}) {
+        nodes += std::string(p) + "\n";
+    }
+    put(directory.file("m.node"), nodes);
     const auto fail = [&](const std::string& text) {
         put(ele, text);
         const InputFile file(ele);
@@ -219,8 +292,8 @@ TEST(Tetgen, Elements) {
     };
     EXPECT_EQ(fail("1 4 0\n1 1 2 3 4\n"), "no error");
     EXPECT_EQ(fail("1 10 0\n1 1 2 3 4 5 6 7 8 9 10\n"), "no error");
-    EXPECT_TRUE(contains(fail("1 4 0\n1 0 1 2 3\n"), "vertex is 0; it must be from 1 to 4"));
-    EXPECT_TRUE(contains(fail("1 4 0\n1 1 2 3 5\n"), "m.ele: line 2"));
+    EXPECT_TRUE(contains(fail("1 4 0\n1 0 1 2 3\n"), "vertex is 0; it must be from 1 to 10"));
+    EXPECT_TRUE(contains(fail("1 4 0\n1 1 2 3 11\n"), "m.ele: line 2"));
     EXPECT_TRUE(contains(fail("1 8 0\n1 1 2 3 4 5 6 7 8\n"), "8 nodes"));
     EXPECT_TRUE(contains(fail("999999999999 4 0\n1 1 2 3 4\n"), "announces"));
     unlink((ele.substr(0, ele.size() - 4) + ".node").c_str());

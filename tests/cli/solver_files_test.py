@@ -125,7 +125,8 @@ class SolverFiles(CliTest):
                  "20, 1.D0, 0., 0.\n30,0.,1.,0.\n40,0.,0.,1.\n50,.5,0.,0.\n*Element, type = c3d10 , elset=e\n"
                  "7, 10, 20, 30, 40, 50,\n 50, 50, 50, 50, 50\n*element, TYPE=S3\n8, 10, 20, 30\n*Step\n*Static\n1., 1.\n")
         said = self.mgdt("info", "own.inp").decode()
-        self.assertRegex(said, r"points +5\n")
+        self.assertRegex(said, r"points +4\n")
+        self.assertRegex(said, r"mid-side nodes +1, left out\n")
         self.assertRegex(said, r"tetrahedra +1\n")
 
     def test_abaqus_with_numbers_in_no_order(self):
@@ -152,12 +153,14 @@ class SolverFiles(CliTest):
         self.put("poly.vtk", head + "ASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0\n0 1 0\n0 0 1\nPOLYGONS 1 4\n3 0 1 2\n")
         self.assertRegex(self.mgdt("info", "poly.vtk").decode(), r"points +4\n")
         self.put("binary.vtk", head + "BINARY\nDATASET POLYDATA\n")
-        self.fails(3, "info", "binary.vtk", says=("line 3", "ASCII can be read"))
+        self.fails(3, "info", "binary.vtk", says="has no POINTS")
+        self.put("odd.vtk", head + "EBCDIC\nDATASET POLYDATA\n")
+        self.fails(3, "info", "odd.vtk", says=("line 3", "ASCII or BINARY"))
         self.put("late.vtk", head + "ASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 1 float\n0 0 0\nCELL_TYPES 0\nCELLS 1 2\n1 0\n")
         self.fails(3, "info", "late.vtk", says="after their types")
-        for version in ("5.1", "10.0", "0.9", "x"):
+        for version in ("6.0", "10.0", "0.9", "x"):
             self.put("new.vtk", f"# vtk DataFile Version {version}\n\nASCII\n")
-            self.fails(3, "info", "new.vtk", says=("line 1", "up to 4.2"))
+            self.fails(3, "info", "new.vtk", says=("line 1", "up to 5.1"))
         self.put("small.vtk", head + "ascii\ndataset unstructured_grid\npoints 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\n"
                  "cells 1 5\n4 0 1 2 3\ncell_types 1\n10\npoint_data 4\nscalars s float\n")
         self.assertRegex(self.mgdt("info", "small.vtk").decode(), r"tetrahedra +1\n")

@@ -93,7 +93,8 @@ inline std::optional<Mesh> read(const Format& format, std::string_view bytes,
     const Source source{"file", path, {exact.data(), exact.size()}};
     const bool may_expand = bytes.find("compressor") != bytes.npos;
     const std::size_t size = bytes.size() * (may_expand ? mgdt::cli::most_expansion : 1) + beside;
-    const std::optional<Mesh> mesh = attempt(size, [&] { return format.read(source, options); });
+    const std::optional<Mesh> mesh =
+        attempt(size, [&] { return read_mesh(format, source, options); });
     if (!mesh) return mesh;
     FUZZ_REQUIRE(mesh->points.size() % 3 == 0, "points");
     FUZZ_REQUIRE(mesh->tetrahedra.size() % 4 == 0, "tetrahedra");

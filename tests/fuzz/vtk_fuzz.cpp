@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// VTK's legacy files, text.
+// VTK's legacy files, text and binary, and what is left of tetrahedra of higher order.
 #include "reader.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Abaqus's input files, .inp, which CalculiX reads too: the nodes, and the elements of type C3D4
-// and the corners of C3D10. Points keep the order of the file; numbers of nodes may be any positive
+// Abaqus's input files, .inp, which CalculiX reads too: the nodes, and the elements of types such
+// as C3D4 and C3D10. Points keep the order of the file; numbers of nodes may be any positive
 // ones. Abaqus Analysis User's Manual, "Input syntax rules".
 #include <fmt/format.h>
 
@@ -35,8 +35,32 @@ struct Keyword {
     bool has(std::string_view parameter) const {
         return text.find(fmt::format(",{},", parameter)) != std::string::npos;
     }
+    // Of a parameter; empty where there is none.
+    std::string value_of(std::string_view parameter) const {
+        const std::size_t at = text.find(fmt::format(",{}=", parameter));
+        if (at == std::string::npos) return "";
+        const std::size_t begin = at + parameter.size() + 2;
+        return text.substr(begin, text.find(',', begin) - begin);
+    }
     std::string text;
 };
+
+// How many nodes an element of a type has if it is a tetrahedron; else 0. A family (of solids: C;
+// of heat, DC; acoustic, AC; coupled, Q; of fluids, F and FC; electromagnetic, EMC), 3D, the number
+// of nodes, and letters for variants such as C3D10MH. Membranes (M3D4) and their like are no
+// solids.
+int nodes_of(std::string_view type) {
+    const std::size_t at = type.find("3D");
+    if (at == std::string_view::npos) return 0;
+    const std::string_view family = type.substr(0, at);
+    constexpr std::string_view families[] = {"C", "DC", "AC", "Q", "F", "FC", "EMC"};
+    if (std::find(std::begin(families), std::end(families), family) == std::end(families)) return 0;
+    std::string_view rest = type.substr(at + 2);
+    const int nodes = rest.substr(0, 2) == "10" ? 10 : rest.substr(0, 1) == "4" ? 4 : 0;
+    rest.remove_prefix(std::min<std::size_t>(rest.size(), nodes == 10 ? 2 : 1));
+    const auto is_letter = [](char c) { return c >= 'A' && c <= 'Z'; };
+    return std::all_of(rest.begin(), rest.end(), is_letter) ? nodes : 0;
+}
 
 bool sniff(std::string_view bytes) {
     const std::string start =
@@ -69,9 +93,9 @@ class Reader {
                     has_nodes_ = true;
                 }
                 if (is_element) {
-                    corners_ = keyword.has("TYPE=C3D4") ? 4 : keyword.has("TYPE=C3D10") ? 10 : 0;
-                    section = corners_ > 0 ? tetrahedra : others;
-                    mesh_.has_tetrahedra |= corners_ > 0;
+                    nodes_ = nodes_of(keyword.value_of("TYPE"));
+                    section = nodes_ > 0 ? tetrahedra : others;
+                    mesh_.has_tetrahedra |= nodes_ > 0;
                 }
                 continue;
             }
@@ -159,10 +183,10 @@ class Reader {
         may_go_on_ = true;
         split_line();
         integer("the element's number");
-        for (int k = 0; k < corners_; ++k) {
+        for (int k = 0; k < nodes_; ++k) {
             const std::int64_t tag = integer("node");
             const std::int64_t node = numbers_.find(tag, fail());
-            if (k < 4) mesh_.tetrahedra.push_back(node);
+            (k < 4 ? mesh_.tetrahedra : mesh_.mid_side).push_back(node);
         }
     }
 
@@ -173,7 +197,7 @@ class Reader {
     std::vector<std::string_view> words_;
     std::size_t at_ = 0;
     std::string_view text_;  // of the line
-    int corners_ = 0;
+    int nodes_ = 0;          // of a tetrahedron of the section
     bool has_nodes_ = false, may_go_on_ = false;
 };
 

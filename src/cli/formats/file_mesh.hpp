@@ -24,9 +24,13 @@ struct Mesh {
     std::vector<std::int64_t> neighbors;   // 4 each, opposite the vertices, -1 for none; or empty
     bool has_tetrahedra = false;           // the file says so, even if there are none
     std::size_t other_cells = 0;           // cells of other shapes, left out
-    std::vector<Field> fields;             // of the points
-    std::string detail;                    // version and encoding, for people
-    std::vector<FileIdentity> inputs;      // the files that it was read from
+    // The nodes of tetrahedra of higher order but their corners, in any order and with repeats,
+    // until leave_out_mid_side_nodes() takes them out and counts them.
+    std::vector<std::int64_t> mid_side;
+    std::size_t mid_side_nodes = 0;
+    std::vector<Field> fields;         // of the points
+    std::string detail;                // version and encoding, for people
+    std::vector<FileIdentity> inputs;  // the files that it was read from
 
     std::size_t point_count() const { return points.size() / 3; }
     std::size_t tetrahedron_count() const { return tetrahedra.size() / 4; }

@@ -8,6 +8,7 @@
 #include <cctype>
 
 #include "cli/errors.hpp"
+#include "cli/formats/mid_side_nodes.hpp"
 #include "cli/formats/vtk_arrays.hpp"
 #include "cli/system.hpp"
 
@@ -34,9 +35,10 @@ std::string names() {
 
 const std::vector<const Format*>& all_formats() {
     static const std::vector<const Format*> formats = {
-        &text_format(), &csv_format(), &npy_format(),    &raw_format(),          &ply_format(),
-        &obj_format(),  &stl_format(), &tetgen_format(), &gmsh_format(),         &gmsh2_format(),
-        &vtu_format(),  &vtk_format(), &medit_format(),  &medit_binary_format(), &abaqus_format()};
+        &text_format(),         &csv_format(),   &npy_format(), &raw_format(),    &ply_format(),
+        &obj_format(),          &off_format(),   &stl_format(), &tetgen_format(), &gmsh_format(),
+        &gmsh2_format(),        &vtu_format(),   &vtp_format(), &vtk_format(),    &medit_format(),
+        &medit_binary_format(), &abaqus_format()};
     return formats;
 }
 
@@ -74,8 +76,20 @@ const Format* format_from_content(std::string_view bytes) {
 const Format& input_format(const Source& source, const std::string& name) {
     if (!name.empty()) return format_from_name(name);
     if (const Format* f = format_from_path(source.path)) return *f;
-    if (const Format* f = format_from_content(source.bytes)) return *f;
-    source.fail(fmt::format("unknown format; choose it with --from ({})", names()));
+    const std::string e = extension(source.path);
+    if (const Format* f = format_from_content(source.bytes)) {
+        // Text without a signature may be anything.
+        if (e.empty() || f != &text_format()) return *f;
+    }
+    source.fail(fmt::format("unknown format{}; choose it with --from ({})",
+                            e.empty() ? "" : fmt::format(" by the extension {}", quote(e)),
+                            names()));
+}
+
+Mesh read_mesh(const Format& format, const Source& source, const ReadOptions& options) {
+    Mesh mesh = format.read(source, options);
+    leave_out_mid_side_nodes(mesh);
+    return mesh;
 }
 
 const Format& output_format(const std::string& path, const std::string& name) {

@@ -18,6 +18,7 @@ struct ReadOptions {
     // Of x, y and z in text, from 1, where they are chosen. Otherwise those that have the names, or
     // the first three.
     std::optional<std::array<int, 3>> columns;
+    const char* columns_option = "--columns";  // which chooses them, for messages
     // Whether the fields are wanted too: those of these names, or all where there are no names.
     bool has_fields = false;
     std::vector<std::string> field_names;
@@ -43,7 +44,8 @@ struct Format {
 
     // Whether the beginning of a file is this format's for certain; nullptr where none can be.
     bool (*sniff)(std::string_view bytes);
-    // Every coordinate that comes back is finite and every vertex is a point; else Error.
+    // Every coordinate that comes back is finite and every vertex is a point; else Error. Called
+    // by read_mesh().
     Mesh (*read)(const Source& source, const ReadOptions& options);
     // nullptr where the format has no place for them.
     void (*write_points)(const std::vector<double>& points, OutputFile& out,
@@ -69,7 +71,9 @@ const Format& tetgen_format();
 const Format& gmsh_format();
 const Format& gmsh2_format();
 const Format& vtu_format();
+const Format& vtp_format();
 const Format& obj_format();
+const Format& off_format();
 const Format& stl_format();
 const Format& vtk_format();
 const Format& medit_format();
@@ -85,8 +89,12 @@ const Format* format_from_path(const std::string& path);
 // By content; nullptr where that says nothing.
 const Format* format_from_content(std::string_view bytes);
 
-// The format of an input: `name` unless empty, then the extension, then the content.
+// The format of an input: `name` unless empty, then the extension, then the content. Text is taken
+// for points only where there is no extension.
 const Format& input_format(const Source& source, const std::string& name);
+// What a source holds. The nodes of tetrahedra of higher order are their corners alone.
+Mesh read_mesh(const Format& format, const Source& source, const ReadOptions& options);
+
 // The format of an output: `name` unless empty, then the extension; usage error if neither.
 const Format& output_format(const std::string& path, const std::string& name);
 

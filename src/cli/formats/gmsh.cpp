@@ -17,7 +17,6 @@ namespace mgdt::cli {
 namespace {
 
 constexpr std::int64_t tetrahedron_type = 4;
-constexpr std::int64_t quadratic_tetrahedron_type = 11;  // its corners come first
 constexpr std::int64_t most = std::int64_t{1} << 62;
 
 // Nodes of each element type, from the Gmsh reference manual, "MSH file format"; 0 unknown.
@@ -239,18 +238,22 @@ void read_nodes_4(Reader& reader, Mesh& mesh, Tags& tags) {
     if (seen != total) reader.fail(fmt::format("{} nodes; {} are announced", seen, total));
 }
 
+// Of order 1 to 5; the corners come first.
+bool is_tetrahedron(std::int64_t type) {
+    return type == tetrahedron_type || type == 11 || (type >= 29 && type <= 31);
+}
+
 // The nodes of one element, after its tag.
 void read_element(Reader& reader, std::int64_t type, int nodes, const Tags& tags, Mesh& mesh) {
-    const bool tetrahedron = type == tetrahedron_type || type == quadratic_tetrahedron_type;
-    if (!tetrahedron) {
+    if (!is_tetrahedron(type)) {
         ++mesh.other_cells;
         reader.skip_words(nodes, reader.version() == 4 ? 8 : 4, "nodes");
         return;
     }
-    std::int64_t v[4];
-    for (std::int64_t& k : v) k = tags.find(reader.size("node tag"));
-    mesh.tetrahedra.insert(mesh.tetrahedra.end(), v, v + 4);
-    reader.skip_words(nodes - 4, reader.version() == 4 ? 8 : 4, "nodes");
+    for (int k = 0; k < nodes; ++k) {
+        const std::int64_t node = tags.find(reader.size("node tag"));
+        (k < 4 ? mesh.tetrahedra : mesh.mid_side).push_back(node);
+    }
 }
 
 int known_nodes(Reader& reader, std::int64_t type) {

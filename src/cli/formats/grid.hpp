@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "cli/formats/file_mesh.hpp"
+#include "cli/formats/vtk_cells.hpp"
 #include "cli/output_file.hpp"
 
 namespace mgdt::cli {
-
-// Types of cells, from VTK's vtkCellType.h.
-constexpr std::uint8_t vtk_vertex = 1, vtk_tetra = 10, vtk_quadratic_tetra = 24;
 
 struct Grid {
     const std::vector<double>& points;          // x y z of each

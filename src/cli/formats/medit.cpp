@@ -50,14 +50,18 @@ Mesh read_medit(const Source& source, const ReadOptions&) {
                 for (int k = 0; k < 3; ++k) mesh.points.push_back(words.number("coordinate"));
                 words.number("the vertex's reference");
             }
-        } else if (word == "Tetrahedra") {
-            if (!has_vertices) words.fail("Tetrahedra before the Vertices");
+        } else if (word == "Tetrahedra" || word == "TetrahedraP2") {
+            if (!has_vertices) words.fail(fmt::format("{} before the Vertices", word));
             mesh.has_tetrahedra = true;
-            const std::size_t n = words.count("the number of tetrahedra", 5);
+            const int nodes = word == "Tetrahedra" ? 4 : 10;
+            const std::size_t n =
+                words.count("the number of tetrahedra", static_cast<std::size_t>(nodes) + 1);
             const auto last = static_cast<std::int64_t>(mesh.point_count());
             for (std::size_t i = 0; i < n; ++i) {
-                for (int k = 0; k < 4; ++k)
-                    mesh.tetrahedra.push_back(words.integer("vertex", 1, last) - 1);
+                for (int k = 0; k < nodes; ++k) {
+                    const std::int64_t v = words.integer("vertex", 1, last) - 1;
+                    (k < 4 ? mesh.tetrahedra : mesh.mid_side).push_back(v);
+                }
                 words.number("the tetrahedron's reference");
             }
         } else if (is_cell(word)) {

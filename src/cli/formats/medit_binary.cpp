@@ -4,6 +4,7 @@
 // of the format, "The GMF library".
 #include <fmt/format.h>
 
+#include <array>
 #include <limits>
 
 #include "cli/formats/bytes.hpp"
@@ -21,6 +22,7 @@ enum Keyword : std::int32_t {
     tetrahedra_keyword = 8,
     prisms_keyword = 9,
     hexahedra_keyword = 10,
+    quadratic_tetrahedra_keyword = 30,
     pyramids_keyword = 49,
     end_keyword = 54
 };
@@ -68,9 +70,9 @@ class Reader {
                 has_vertices = true;
                 read_vertices();
             } else if (keyword == tetrahedra_keyword) {
-                if (!has_vertices) bytes_.fail("tetrahedra before the vertices");
-                if (mesh_.has_tetrahedra) bytes_.fail("the tetrahedra come twice");
-                read_tetrahedra();
+                read_tetrahedra(4, has_vertices);
+            } else if (keyword == quadratic_tetrahedra_keyword) {
+                read_tetrahedra(10, has_vertices);
             } else if (is_other_cell(keyword)) {
                 mesh_.other_cells += count("cells", 2);
             }
@@ -107,16 +109,18 @@ class Reader {
             integer("a vertex's reference");
         }
     }
-    void read_tetrahedra() {
-        mesh_.has_tetrahedra = true;
-        const std::size_t n = count("tetrahedra", 5);
+    void read_tetrahedra(std::size_t nodes, bool has_vertices) {
+        if (!has_vertices) bytes_.fail("tetrahedra before the vertices");
+        if (nodes_read_[nodes]) bytes_.fail("the tetrahedra come twice");
+        mesh_.has_tetrahedra = nodes_read_[nodes] = true;
+        const std::size_t n = count("tetrahedra", nodes + 1);
         const auto last = static_cast<std::int64_t>(mesh_.point_count());
         for (std::size_t i = 0; i < n; ++i) {
-            for (int k = 0; k < 4; ++k) {
+            for (std::size_t k = 0; k < nodes; ++k) {
                 const std::int64_t v = integer("a vertex");
                 if (v < 1 || v > last)
                     bytes_.fail(fmt::format("vertex {}, but there are {} vertices", v, last));
-                mesh_.tetrahedra.push_back(v - 1);
+                (k < 4 ? mesh_.tetrahedra : mesh_.mid_side).push_back(v - 1);
             }
             integer("a tetrahedron's reference");
         }
@@ -126,6 +130,7 @@ class Reader {
     ByteReader bytes_;
     Mesh mesh_;
     std::int32_t version_ = 0;
+    std::array<bool, 11> nodes_read_ = {};  // whether tetrahedra of so many nodes were there
 };
 
 Mesh read_medit_binary(const Source& source, const ReadOptions&) {

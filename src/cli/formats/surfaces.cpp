@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The vertices of surfaces of triangles: Wavefront's .obj (its lines v), and .stl of either kind,
-// where each triangle has its corners, so that equal ones become one point, the first of them.
+// The vertices of surfaces: Wavefront's .obj (its lines v), Geomview's .off, and .stl of either
+// kind, where each triangle has its corners, so that equal ones become one point, the first of
+// them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <unordered_set>
 
+#include "cli/errors.hpp"
 #include "cli/formats/bytes.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/formats/lines.hpp"
@@ -26,6 +29,48 @@ Mesh read_obj(const Source& source, const ReadOptions&) {
         for (int k = 0; k < 3; ++k) mesh.points.push_back(fields.number("coordinate"));
     }
     if (mesh.points.empty()) source.fail("has no vertices, which are lines that begin with v");
+    return mesh;
+}
+
+bool sniff_off(std::string_view bytes) {
+    return bytes.substr(0, 3) == "OFF" && bytes.find_first_of(" \t\r\n") == 3;
+}
+
+// Geomview's manual, "OFF files": the word OFF, after letters for what vertices have beside their
+// coordinates; the numbers of vertices, faces and edges; then a line for each vertex.
+Mesh read_off(const Source& source, const ReadOptions&) {
+    Mesh mesh;
+    mesh.detail = "text";
+    LineReader lines(source);
+    if (!lines.next_with_text()) source.fail_at_line(1, "the file is empty");
+    Fields head(lines);
+    const std::string_view keyword = head.word("OFF");
+    const std::size_t off = keyword.find("OFF");
+    if (off == std::string_view::npos || off + 3 != keyword.size())
+        lines.fail("not an OFF file: it does not begin with OFF");
+    if (keyword.find_first_of("4n") < off)
+        lines.fail(fmt::format("{}; vertices of three coordinates are needed", quote(keyword)));
+    std::string_view word;
+    if (Fields(head).next(word) && word == "BINARY")
+        lines.fail("binary OFF; write it as text, or as PLY");
+    if (!Fields(head).next(word)) {
+        if (!lines.next_with_text()) lines.fail("the file is cut short");
+        head = Fields(lines);
+    }
+    constexpr std::int64_t most = std::int64_t{1} << 62;
+    const std::int64_t n = head.integer("the number of vertices", 0, most);
+    mesh.other_cells = static_cast<std::size_t>(head.integer("the number of faces", 0, most));
+    if (static_cast<std::uint64_t>(n) > (lines.bytes_left() + 1) / 6)
+        lines.fail(
+            fmt::format("{} vertices announced, but only {} bytes follow; the file is cut "
+                        "short or the count is wrong",
+                        n, lines.bytes_left()));
+    for (std::int64_t i = 0; i < n; ++i) {
+        if (!lines.next_with_text())
+            lines.fail(fmt::format("the file ends after {} of {} vertices", i, n));
+        Fields fields(lines);
+        for (int k = 0; k < 3; ++k) mesh.points.push_back(fields.number("coordinate"));
+    }
     return mesh;
 }
 
@@ -58,6 +103,14 @@ class Corners {
     std::unordered_set<Corner, HashOfCorner> seen_;
 };
 
+// Programs write STL's keywords in small letters or in capitals.
+bool is_keyword(std::string_view word, std::string_view keyword) {
+    const auto is_same = [](char c, char small) {
+        return c == small || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == small);
+    };
+    return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), is_same);
+}
+
 constexpr std::size_t head_bytes = 84, triangle_bytes = 50;
 
 Mesh read_stl(const Source& source, const ReadOptions&) {
@@ -68,7 +121,7 @@ Mesh read_stl(const Source& source, const ReadOptions&) {
         ByteReader bytes(source, head_bytes - 4, false);
         const std::uint64_t n = bytes.value<std::uint32_t>("the number of triangles");
         const bool is_whole = source.bytes.size() == head_bytes + n * triangle_bytes;
-        if (is_whole || source.bytes.substr(0, 5) != "solid") {
+        if (is_whole || !is_keyword(source.bytes.substr(0, 5), "solid")) {
             mesh.detail = "binary";
             mesh.other_cells = static_cast<std::size_t>(n);
             bytes.need(n, triangle_bytes, "triangles");
@@ -86,15 +139,15 @@ Mesh read_stl(const Source& source, const ReadOptions&) {
     }
     mesh.detail = "text";
     LineReader lines(source);
-    if (!lines.next_with_text(no_comment) || Fields(lines).word("solid") != "solid")
+    if (!lines.next_with_text(no_comment) || !is_keyword(Fields(lines).word("solid"), "solid"))
         source.fail_at_line(1, "not an STL file: neither solid nor a whole binary one");
     bool has_ended = false;
     while (lines.next_with_text(no_comment)) {
         Fields fields(lines);
         const std::string_view keyword = fields.word("a keyword");
-        has_ended = keyword == "endsolid";
-        if (keyword == "facet") ++mesh.other_cells;
-        if (keyword != "vertex") continue;
+        has_ended = is_keyword(keyword, "endsolid");
+        if (is_keyword(keyword, "facet")) ++mesh.other_cells;
+        if (!is_keyword(keyword, "vertex")) continue;
         Corner c;
         for (double& x : c) x = fields.number("coordinate");
         corners.add(c);
@@ -108,6 +161,13 @@ Mesh read_stl(const Source& source, const ReadOptions&) {
 const Format& obj_format() {
     static const Format format = {
         "obj", {".obj"}, "vertices of Wavefront's OBJ", false, nullptr, read_obj, nullptr, nullptr};
+    return format;
+}
+
+const Format& off_format() {
+    static const Format format = {"off",   {".off"},  "vertices of Geomview's OFF, text",
+                                  false,   sniff_off, read_off,
+                                  nullptr, nullptr};
     return format;
 }
 

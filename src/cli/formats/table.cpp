@@ -95,8 +95,9 @@ void TableFields::choose(const std::vector<std::string_view>& first_row, const L
     require_fields(source_, options_, names);
 }
 
-void TableFields::read(const LineReader& line, char separator, const Columns& points) {
-    const std::vector<std::string_view> row = split(line.text(), separator);
+void TableFields::read(const LineReader& line, std::string_view text, char separator,
+                       const Columns& points) {
+    const std::vector<std::string_view> row = split(text, separator);
     if (!has_chosen_) choose(row, line, points);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const std::size_t c = columns_[i];

@@ -37,7 +37,7 @@ class TableFields {
     // Names of columns; others are called column4 and so on.
     void set_names(const std::vector<std::string_view>& names);
     // The values in a line that has a point.
-    void read(const LineReader& line, char separator, const Columns& points);
+    void read(const LineReader& line, std::string_view text, char separator, const Columns& points);
     std::vector<Field> take() { return std::move(fields_); }
 
   private:

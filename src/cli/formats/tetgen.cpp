@@ -21,6 +21,13 @@ std::string with_ending(const std::string& path, const char* ending) {
     return without_extension(path, tetgen_format()) + ending;
 }
 
+// The file beside an .ele file, which may be compressed where the plain one is not there.
+std::string beside(const Source& source, const char* ending) {
+    std::string path = with_ending(source.path, ending);
+    if (!system::status(path) && system::status(path + ".gz")) path += ".gz";
+    return path;
+}
+
 // Goes to the first line with text, which there must be.
 void first_line(LineReader& lines) {
     if (!lines.next_with_text()) {
@@ -100,8 +107,9 @@ void read_elements(const Source& source, std::int64_t base, Mesh& mesh) {
         next_line(lines, i, count);
         Fields fields(lines);
         fields.integer("the tetrahedron's number");
-        for (int k = 0; k < 4; ++k) {
-            mesh.tetrahedra.push_back(fields.integer("vertex", base, last) - base);
+        for (std::int64_t k = 0; k < nodes; ++k) {
+            const std::int64_t v = fields.integer("vertex", base, last) - base;
+            (k < 4 ? mesh.tetrahedra : mesh.mid_side).push_back(v);
         }
     }
     expect_end(lines, count);
@@ -150,12 +158,12 @@ Mesh read_tetgen(const Source& source, const ReadOptions&) {
     const auto add_input = [&mesh](const InputFile& file) {
         if (file.identity()) mesh.inputs.push_back(*file.identity());
     };
-    const InputFile nodes(with_ending(source.path, ".node"));
+    const InputFile nodes(beside(source, ".node"));
     add_input(nodes);
     const std::int64_t base = read_nodes(nodes.source(), mesh.points);
     read_elements(source, base, mesh);
     mesh.detail = fmt::format("with {}, numbered from {}", nodes.source().name, base);
-    const std::string neigh = with_ending(source.path, ".neigh");
+    const std::string neigh = beside(source, ".neigh");
     if (system::status(neigh)) {
         const InputFile file(neigh);
         add_input(file);

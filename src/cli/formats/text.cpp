@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Points as plain text, one a line: x y z, separated by blanks and tabs, by commas, or by
-// semicolons, by the same throughout a file. Comments begin with #. One header line may come first:
-// column names, of which x, y and z are read, or the number of points.
+// semicolons, by the same throughout a file. Comments begin with #, ! or //. One header line may
+// come first: column names, of which x, y and z are read, or the number of points. Atoms as
+// chemists write them are read too.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,12 +23,17 @@ bool is_name(std::string_view field, std::string_view name) {
     });
 }
 
-// The columns that a line of names calls x, y and z, or as ParaView does; where there are three in
-// all, these.
+// The columns that a line of names calls x, y and z, or as ParaView and surveyors do; where there
+// are three in all, these.
 std::optional<Columns> named_columns(std::string_view line) {
     const std::vector<std::string_view> names = split(line, separator_of(line));
     constexpr std::array<std::string_view, 3> known[] = {{"x", "y", "z"},
-                                                         {"points:0", "points:1", "points:2"}};
+                                                         {"points:0", "points:1", "points:2"},
+                                                         {"points_0", "points_1", "points_2"},
+                                                         {"easting", "northing", "height"},
+                                                         {"easting", "northing", "elevation"},
+                                                         {"easting", "northing", "altitude"},
+                                                         {"easting", "northing", "z"}};
     for (const auto& wanted : known) {
         Columns columns = {};
         int found = 0;
@@ -42,6 +48,22 @@ std::optional<Columns> named_columns(std::string_view line) {
         if (found == 3 && has_all) return columns;
     }
     return names.size() == 3 ? std::optional<Columns>({1, 2, 3}) : std::nullopt;
+}
+
+// A line without its comment, which begins with #, or with ! or // at the line's begin or after a
+// blank.
+std::string_view without_comment(std::string_view line) {
+    line = line.substr(0, line.find('#'));
+    for (const std::string_view mark : {"!", "//"}) {
+        for (std::size_t at = line.find(mark); at != std::string_view::npos;
+             at = line.find(mark, at + 1)) {
+            if (at == 0 || is_blank(line[at - 1])) {
+                line = line.substr(0, at);
+                break;
+            }
+        }
+    }
+    return line;
 }
 
 // The coordinates that are in a line, and how they are read.
@@ -61,6 +83,9 @@ class RowReader {
         fields_.resize(static_cast<std::size_t>(std::max(last, 2)));
     }
 
+    // Counts up to so many fields.
+    void look_at(std::size_t fields) { fields_.resize(std::max(fields_.size(), fields)); }
+
     Row read(std::string_view line, char separator) {
         Row row;
         row.count = split(line, separator, fields_.data(), fields_.size());
@@ -79,20 +104,22 @@ class RowReader {
         return row;
     }
 
-    void require_numbers(const Row& row, char separator, const LineReader& lines) const {
+    void require_numbers(const Row& row, char separator, const LineReader& lines,
+                         const ReadOptions& options) const {
         for (std::size_t k = 0; k < 3; ++k) {
             if (static_cast<std::size_t>(columns_[k]) > row.count) {
                 lines.fail(
                     fmt::format("{} column{}, but {} needs column {}; complete the line, or "
-                                "choose columns with --columns",
-                                row.count, row.count == 1 ? "" : "s", "xyz"[k], columns_[k]));
+                                "choose columns with {}",
+                                row.count, row.count == 1 ? "" : "s", "xyz"[k], columns_[k],
+                                options.columns_option));
             }
             if (row.status[k] == NumberStatus::ok) continue;
             std::string advice;
             if (row.status[k] == NumberStatus::not_a_number) {
-                advice =
-                    "; correct the line, mark it as a comment with #, or choose columns with "
-                    "--columns";
+                advice = fmt::format(
+                    "; correct the line, mark it as a comment with #, or choose columns with {}",
+                    options.columns_option);
                 if (row.fields[k].find_first_of(",;") != std::string_view::npos) {
                     advice = fmt::format(
                         "; fields are separated by {} in this file, and decimals "
@@ -112,64 +139,220 @@ class RowReader {
     std::vector<std::string_view> fields_;
 };
 
+// Whether a row ends with a separator, after which there is one more column, which is empty.
+bool ends_empty(std::string_view line, char separator) {
+    if (separator == ' ') return false;
+    const std::size_t last = line.find_last_not_of(" \t\f\v");
+    return last != std::string_view::npos && line[last] == separator;
+}
+
+std::size_t count_columns(std::string_view line, char separator) {
+    return split(line, separator).size() + ends_empty(line, separator);
+}
+
+// Whether the first column of the rows from here on is 0, 1, 2 and so on, or 1, 2, 3.
+bool first_column_counts(LineReader lines, std::string_view row, char separator) {
+    std::int64_t before = -1;
+    int rows = 0;
+    do {
+        std::string_view field;
+        std::int64_t number = 0;
+        if (split(row, separator, &field, 1) == 0 || !parse_integer(field, number)) return false;
+        if (rows == 0 ? number != 0 && number != 1 : number != before + 1) return false;
+        before = number;
+        ++rows;
+        do {
+            if (!lines.next()) return rows > 1;
+            row = without_comment(lines.text());
+        } while (row.find_first_not_of(" \t\f\v") == std::string_view::npos);
+    } while (rows < 100);
+    return true;
+}
+
+// Whether a file is of the kind that chemists call .xyz: the number of atoms, a line of any text,
+// then a line for each atom, of its element (by symbol or by number), x, y, z, and what else is
+// known of it.
+bool is_of_chemists(LineReader lines) {
+    std::string_view field;
+    std::int64_t count = 0;
+    if (!lines.next()) return false;
+    Fields first(lines);
+    if (!first.next(field) || !parse_integer(field, count) || count < 1 || first.next(field))
+        return false;
+    if (!lines.next()) return false;
+    const std::string_view title = lines.text();
+    if (!lines.next()) return false;
+    Fields atom(lines);
+    if (!atom.next(field)) return false;
+    const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
+    const bool is_symbol = is_letter(field[0]) && field.size() <= 6;
+    std::int64_t element = 0;
+    if (!is_symbol && !(parse_integer(field, element) && element >= 0 && element <= 118))
+        return false;
+    double x = 0;
+    for (int k = 0; k < 3; ++k) {
+        if (!atom.next(field) || parse_number(field, x) == NumberStatus::not_a_number) return false;
+    }
+    if (is_symbol) return true;
+    // Numbers of elements: the line of text is no row.
+    std::string_view word;
+    if (split(title, ' ', &word, 1) == 0) return true;
+    return parse_number(word, x) == NumberStatus::not_a_number;
+}
+
+class TextReader {
+  public:
+    TextReader(const Source& source, const ReadOptions& options)
+        : source_(source),
+          options_(options),
+          lines_(source, source.bytes.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0),
+          columns_(options.columns.value_or(Columns{1, 2, 3})),
+          rows_(columns_) {
+        if (options.has_fields) fields_.emplace(source, options);
+    }
+
+    Mesh read() {
+        Mesh mesh;
+        mesh.detail = "text";
+        if (is_of_chemists(lines_)) {
+            mesh.detail = "text, atoms";
+            begin_atoms();
+        } else {
+            begin_table();
+        }
+        while (has_row_) {
+            const char separator = separator_ != 0 ? separator_ : separator_of(text_);
+            const Row row = rows_.read(text_, separator);
+            rows_.require_numbers(row, separator, lines_, options_);
+            require_same_columns(row, separator);
+            separator_ = separator;
+            mesh.points.insert(mesh.points.end(), row.xyz, row.xyz + 3);
+            if (fields_) fields_->read(lines_, text_, separator, columns_);
+            next();
+            if (are_atoms_ && has_row_ && is_complete(mesh))
+                lines_.fail(
+                    fmt::format("text after the {} atoms that line 1 announces; where it is the "
+                                "next frame, split the file",
+                                announced_));
+        }
+        if (fields_) mesh.fields = fields_->take();
+        if (announced_ >= 0 && !is_complete(mesh)) {
+            source_.fail_at_line(
+                announced_at_,
+                fmt::format("announces {} points, but {} follow; correct or remove the line",
+                            announced_, mesh.point_count()));
+        }
+        return mesh;
+    }
+
+  private:
+    bool is_complete(const Mesh& mesh) const {
+        return mesh.point_count() == static_cast<std::uint64_t>(announced_);
+    }
+    // Goes to the next line with text that is no comment.
+    void next() {
+        do {
+            has_row_ = lines_.next();
+            text_ = has_row_ ? without_comment(lines_.text()) : "";
+        } while (has_row_ && text_.find_first_not_of(" \t\f\v") == std::string_view::npos);
+    }
+    void begin_atoms() {
+        are_atoms_ = true;
+        lines_.next();
+        announced_ = Fields(lines_).integer("the number of atoms");
+        announced_at_ = lines_.number();
+        lines_.next();
+        if (!options_.columns) choose({2, 3, 4});
+        separator_ = ' ';
+        next();
+    }
+    // A line of names, or of the number of points, may come first.
+    void begin_table() {
+        next();
+        if (!has_row_) return;
+        const char separator = separator_of(text_);
+        std::string_view fields[2];
+        if (split(text_, separator, fields, 2) == 1 && parse_integer(fields[0], announced_) &&
+            announced_ >= 0) {
+            announced_at_ = lines_.number();
+            next();
+        } else {
+            announced_ = -1;
+            if (rows_.read(text_, separator).is_of_words) {
+                take_names(separator);
+                next();
+                return;
+            }
+        }
+        if (has_row_ && !options_.columns) require_three_columns(separator_of(text_));
+    }
+    void take_names(char separator) {
+        if (fields_) fields_->set_names(split(text_, separator));
+        if (options_.columns) return;
+        const std::optional<Columns> named = named_columns(text_);
+        if (!named) {
+            lines_.fail(
+                fmt::format("no number, and no columns with the names x, y and z; give them these "
+                            "names, or choose columns with {}",
+                            options_.columns_option));
+        }
+        choose(*named);
+        separator_ = separator;
+        expect(count_columns(text_, separator));
+    }
+    void choose(const Columns& columns) {
+        columns_ = columns;
+        rows_ = RowReader(columns);
+    }
+    // Which of more columns are x, y and z would be a guess.
+    void require_three_columns(char separator) const {
+        std::size_t n = split(text_, separator).size();
+        if (n <= 3) return;
+        const bool counts = first_column_counts(lines_, text_, separator);
+        lines_.fail(fmt::format("{} columns without names; say which are x, y and z, with {} {}{}",
+                                n, options_.columns_option, counts ? "2,3,4" : "1,2,3 or others",
+                                counts ? ": the first column counts the points" : ""));
+    }
+    // A row that has lost a field, or has one more, has its coordinates elsewhere. Where columns
+    // are chosen and blanks separate them, text of any number of words may follow.
+    void require_same_columns(const Row& row, char separator) {
+        if (options_.columns && separator == ' ') return;
+        if (expected_ == 0) {
+            expect(count_columns(text_, separator));
+            return;
+        }
+        const std::size_t n = row.count + ends_empty(text_, separator);
+        if (n == expected_) return;
+        lines_.fail(fmt::format("{}{} column{}, but line {} has {}; all rows must have the same",
+                                n > expected_ ? "more than " : "", std::min(n, expected_),
+                                std::min(n, expected_) == 1 ? "" : "s", expected_at_, expected_));
+    }
+    void expect(std::size_t columns) {
+        expected_ = columns;
+        expected_at_ = lines_.number();
+        rows_.look_at(columns + 1);
+    }
+
+    const Source& source_;
+    const ReadOptions& options_;
+    LineReader lines_;
+    Columns columns_;
+    RowReader rows_;
+    std::optional<TableFields> fields_;
+    std::string_view text_;  // of the row
+    bool has_row_ = false, are_atoms_ = false;
+    // Not known, 0, before the first row, or the line of names that are used.
+    char separator_ = 0;
+    std::size_t expected_ = 0, expected_at_ = 0;  // the number of columns, and the line that has it
+    std::int64_t announced_ = -1;                 // the number of points
+    std::size_t announced_at_ = 0;
+};
+
 Mesh read_text(const Source& source, const ReadOptions& options) {
     if (source.bytes.substr(0, 2) == "\xff\xfe" || source.bytes.substr(0, 2) == "\xfe\xff") {
         source.fail("this is UTF-16 text; convert it with iconv -f UTF-16 -t UTF-8");
     }
-    const std::size_t bom = source.bytes.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0;
-
-    Mesh mesh;
-    mesh.detail = "text";
-    std::int64_t announced = -1;
-    std::size_t announced_at = 0;
-    Columns columns = options.columns.value_or(Columns{1, 2, 3});
-    RowReader rows(columns);
-    std::optional<TableFields> fields;
-    if (options.has_fields) fields.emplace(source, options);
-    char separator =
-        0;  // not known before the first line of coordinates, or of names that are used
-    bool is_first = true;
-    LineReader lines(source, bom);
-    while (lines.next_with_text()) {
-        const char here = separator != 0 ? separator : separator_of(lines.text());
-        Row row = rows.read(lines.text(), here);
-        if (is_first) {
-            is_first = false;
-            std::string_view count;
-            if (row.count == 1 && split(lines.text(), here, &count, 1) == 1 &&
-                parse_integer(count, announced) && announced >= 0) {
-                announced_at = lines.number();
-                continue;
-            }
-            announced = -1;
-            if (row.is_of_words) {
-                if (fields) fields->set_names(split(lines.text(), here));
-                if (options.columns.has_value()) continue;
-                const std::optional<Columns> named = named_columns(lines.text());
-                if (!named.has_value()) {
-                    lines.fail(
-                        "no number, and no columns with the names x, y and z; give them "
-                        "these names, or choose columns with --columns");
-                }
-                columns = *named;
-                rows = RowReader(columns);
-                separator = here;
-                continue;
-            }
-        }
-        separator = here;
-        rows.require_numbers(row, separator, lines);
-        mesh.points.insert(mesh.points.end(), row.xyz, row.xyz + 3);
-        if (fields) fields->read(lines, separator, columns);
-    }
-    if (fields) mesh.fields = fields->take();
-    if (announced >= 0 && static_cast<std::uint64_t>(announced) != mesh.point_count()) {
-        source.fail_at_line(announced_at,
-                            fmt::format("announces {} points, but {} follow; correct or remove the "
-                                        "line",
-                                        announced, mesh.point_count()));
-    }
-    return mesh;
+    return TextReader(source, options).read();
 }
 
 void write_rows(const std::vector<double>& points, const char* separator, OutputFile& out) {

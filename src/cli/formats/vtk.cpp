@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: MIT
-// VTK's legacy files, .vtk, text: the points and the tetrahedra of an unstructured grid, and the
-// points of other datasets that list them. The VTK User's Guide, "VTK File Formats".
+// VTK's legacy files, .vtk, text and binary, versions 1 to 5.1: the points and the tetrahedra of an
+// unstructured grid, and the points of other datasets that list them. The VTK User's Guide, "VTK
+// File Formats"; what version 5 changed, VTK's vtkDataReader. Written as version 3.0, text.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "cli/errors.hpp"
+#include "cli/formats/bytes.hpp"
 #include "cli/formats/format.hpp"
-#include "cli/formats/grid.hpp"
 #include "cli/formats/number.hpp"
+#include "cli/formats/vtk_cells.hpp"
 #include "cli/formats/words.hpp"
 
 namespace mgdt::cli {
 namespace {
 
 constexpr std::string_view magic = "# vtk DataFile Version ";
-
-// Of the linear types; 0: any number, or not known.
-std::size_t corners_of(std::int64_t type) {
-    constexpr std::size_t corners[] = {0, 1, 0, 2, 0, 3, 0, 0, 4, 4, 4, 8, 8, 6, 5};
-    return type < 15 ? corners[type] : type == vtk_quadratic_tetra ? 10 : 0;
-}
 
 // VTK reads keywords in any case.
 bool same(std::string_view word, std::string_view capitals) {
@@ -34,82 +30,283 @@ bool sniff(std::string_view bytes) {
     return bytes.substr(0, magic.size()) == magic;
 }
 
-// Where the dataset begins: after the first line, a title and the encoding.
-LineReader after_head(const Source& source, Mesh& mesh) {
-    LineReader lines(source);
-    if (!lines.next() || !sniff(lines.text()))
-        source.fail_at_line(1, "not a VTK file: it does not begin with # vtk DataFile Version");
-    const std::string_view version = lines.text().substr(magic.size());
-    double number = 0;
-    if (parse_number(version, number) != NumberStatus::ok || !(number >= 1 && number < 5))
-        lines.fail(
-            fmt::format("version {}; up to 4.2 can be read; write it as .vtu, or as an "
-                        "older version",
-                        quote(version)));
-    if (!lines.next() || !lines.next()) lines.fail("the file is cut short");
-    const std::string_view encoding = Fields(lines).word("the encoding");
-    if (!same(encoding, "ASCII"))
-        lines.fail(fmt::format("encoding {}; ASCII can be read; write it as text, or as .vtu",
-                               quote(encoding)));
-    mesh.detail = fmt::format("version {}, text", version);
-    return lines;
+enum class Type { none, i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
+
+struct TypeName {
+    std::string_view name;
+    Type type;
+};
+
+// What VTK calls the types of arrays. It writes vtkIdType with 32 bits.
+Type type_of(std::string_view word) {
+    static constexpr TypeName names[] = {
+        {"CHAR", Type::i8},           {"SIGNED_CHAR", Type::i8},     {"UNSIGNED_CHAR", Type::u8},
+        {"SHORT", Type::i16},         {"UNSIGNED_SHORT", Type::u16}, {"INT", Type::i32},
+        {"UNSIGNED_INT", Type::u32},  {"VTKIDTYPE", Type::i32},      {"LONG", Type::i64},
+        {"UNSIGNED_LONG", Type::u64}, {"VTKTYPEINT64", Type::i64},   {"VTKTYPEUINT64", Type::u64},
+        {"FLOAT", Type::f32},         {"DOUBLE", Type::f64}};
+    for (const TypeName& n : names) {
+        if (same(word, n.name)) return n.type;
+    }
+    return Type::none;
 }
 
-void take_tetrahedra(const std::vector<std::int64_t>& cells, const std::vector<std::size_t>& begin,
-                     Words& words, Mesh& mesh) {
-    const std::size_t n = words.count("the number of cell types", 1);
-    if (n != begin.size()) words.fail(fmt::format("{} types of {} cells", n, begin.size()));
-    mesh.has_tetrahedra = true;
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::int64_t type = words.integer("the cell's type", 0, 1000);
-        const std::size_t end = i + 1 < n ? begin[i + 1] : cells.size();
-        const std::size_t corners = end - begin[i];
-        if (corners_of(type) != 0 && corners != corners_of(type))
-            words.fail(fmt::format("a cell of type {} with {} points", type, corners));
-        if (type != vtk_tetra && type != vtk_quadratic_tetra) {
-            ++mesh.other_cells;
-            continue;
+// Calls act with a value of the type.
+template <class Act>
+void with_type(Type type, const Act& act) {
+    if (type == Type::i8) act(std::int8_t());
+    if (type == Type::u8) act(std::uint8_t());
+    if (type == Type::i16) act(std::int16_t());
+    if (type == Type::u16) act(std::uint16_t());
+    if (type == Type::i32) act(std::int32_t());
+    if (type == Type::u32) act(std::uint32_t());
+    if (type == Type::i64) act(std::int64_t());
+    if (type == Type::u64) act(std::uint64_t());
+    if (type == Type::f32) act(float());
+    if (type == Type::f64) act(double());
+}
+
+// Keywords and their numbers are words of text; arrays are text too, or bytes in big-endian order
+// that begin after the line of their keyword.
+class Input {
+  public:
+    explicit Input(const Source& source) : source_(source), words_(LineReader(source)) {
+        LineReader lines(source);
+        if (!lines.next() || !sniff(lines.text()))
+            source.fail_at_line(1, "not a VTK file: it does not begin with # vtk DataFile Version");
+        const std::string_view version = lines.text().substr(magic.size());
+        if (parse_number(version, version_) != NumberStatus::ok ||
+            !(version_ >= 1 && version_ < 6)) {
+            lines.fail(
+                fmt::format("version {}; up to 5.1 can be read; write it as .vtu, or as an "
+                            "older version",
+                            quote(version)));
         }
-        for (std::size_t k = 0; k < 4; ++k) mesh.tetrahedra.push_back(cells[begin[i] + k]);
+        if (!lines.next() || !lines.next()) lines.fail("the file is cut short");
+        const std::string_view encoding = Fields(lines).word("the encoding");
+        is_binary_ = same(encoding, "BINARY");
+        if (!is_binary_ && !same(encoding, "ASCII"))
+            lines.fail(fmt::format("encoding {}; it is ASCII or BINARY", quote(encoding)));
+        detail_ = fmt::format("version {}, {}", version, is_binary_ ? "binary" : "text");
+        words_ = Words(lines, no_comment);
+    }
+
+    Words& words() { return words_; }
+    bool is_binary() const { return is_binary_; }
+    // Whether cells are lists of offsets and of points.
+    bool has_offsets() const { return version_ >= 5; }
+    const std::string& detail() const { return detail_; }
+
+    std::vector<double> coordinates(std::uint64_t n, Type type) {
+        return array<double>(
+            n, type, "coordinates",
+            [&](auto item, ByteReader& bytes) { return bytes.coordinate<decltype(item)>(); },
+            [](Words& words) { return words.number("coordinate"); });
+    }
+    std::vector<std::int64_t> integers(std::uint64_t n, Type type, const char* what) {
+        return array<std::int64_t>(
+            n, type, what,
+            [&](auto item, ByteReader& bytes) {
+                return static_cast<std::int64_t>(bytes.value<decltype(item)>(what));
+            },
+            [&](Words& words) { return words.integer(what, 0, most); });
+    }
+    // Goes past an array of bytes.
+    void skip(std::uint64_t n, Type type) {
+        ByteReader bytes(source_, words_.lines().offset(), true);
+        with_type(type, [&](auto item) { bytes.skip(n, sizeof item, "items of an array"); });
+        go_on_at(bytes.offset());
+    }
+
+    static constexpr std::int64_t most = std::int64_t{1} << 62;
+
+  private:
+    template <class Item, class FromBytes, class FromText>
+    std::vector<Item> array(std::uint64_t n, Type type, const char* what,
+                            const FromBytes& from_bytes, const FromText& from_text) {
+        if (!is_binary_) {
+            const LineReader& lines = words_.lines();
+            const std::size_t left = lines.bytes_left() + lines.text().size() + 1;
+            if (n > left / 2)
+                words_.fail(
+                    fmt::format("{} {}, but only {} bytes are left; the file is cut short "
+                                "or the number is wrong",
+                                n, what, left));
+            std::vector<Item> items(static_cast<std::size_t>(n));
+            for (Item& item : items) item = from_text(words_);
+            return items;
+        }
+        if (type == Type::none) words_.fail("a type of numbers that is not known");
+        ByteReader bytes(source_, words_.lines().offset(), true);
+        std::vector<Item> items;
+        with_type(type, [&](auto item) {
+            bytes.need(n, sizeof item, what);
+            items.resize(static_cast<std::size_t>(n));
+            for (Item& i : items) i = from_bytes(item, bytes);
+        });
+        go_on_at(bytes.offset());
+        return items;
+    }
+    // Lines after an array of bytes count from where lines were last read.
+    void go_on_at(std::size_t offset) {
+        words_ = Words(LineReader(source_, offset, words_.lines().number() + 1), no_comment);
+    }
+
+    const Source& source_;
+    Words words_;
+    std::string detail_;
+    double version_ = 0;
+    bool is_binary_ = false;
+};
+
+struct Cells {
+    std::vector<std::int64_t> nodes;
+    std::vector<std::size_t> begin;  // of each cell's nodes, and the end of the last
+    std::size_t count() const { return begin.empty() ? 0 : begin.size() - 1; }
+};
+
+// Up to version 4. The numbers are of cells, and of the list's integers, which are the
+// number of nodes of each cell and then these.
+Cells read_list_of_cells(Input& input, std::int64_t count, std::int64_t size) {
+    const std::vector<std::int64_t> list =
+        input.integers(static_cast<std::uint64_t>(size), Type::i32, "the list of cells");
+    Cells cells;
+    std::size_t at = 0;
+    for (std::int64_t i = 0; i < count; ++i) {
+        if (at == list.size()) input.words().fail("the list of cells is too short");
+        const std::int64_t n = list[at++];
+        if (n < 0 || static_cast<std::uint64_t>(n) > list.size() - at)
+            input.words().fail(fmt::format("a cell of {} points", n));
+        cells.begin.push_back(cells.nodes.size());
+        const auto first = list.begin() + static_cast<std::ptrdiff_t>(at);
+        cells.nodes.insert(cells.nodes.end(), first, first + n);
+        at += static_cast<std::size_t>(n);
+    }
+    cells.begin.push_back(cells.nodes.size());
+    return cells;
+}
+
+Type array_type(Input& input, std::string_view keyword) {
+    std::string_view word;
+    if (!input.words().next(word) || !same(word, keyword))
+        input.words().fail(fmt::format("{} is to follow", keyword));
+    if (!input.words().next(word)) input.words().fail("the type is to follow");
+    return type_of(word);
+}
+
+// From version 5: the numbers are of offsets, one more than cells, and of nodes.
+Cells read_offsets_of_cells(Input& input, std::int64_t count, std::int64_t size) {
+    const Type offset_type = array_type(input, "OFFSETS");
+    const std::vector<std::int64_t> offsets =
+        input.integers(static_cast<std::uint64_t>(count), offset_type, "offsets");
+    const Type node_type = array_type(input, "CONNECTIVITY");
+    Cells cells;
+    cells.nodes = input.integers(static_cast<std::uint64_t>(size), node_type, "points of cells");
+    std::int64_t least = 0;
+    for (const std::int64_t offset : offsets) {
+        if (offset < least || offset > size)
+            input.words().fail(fmt::format("the cells' offset {} after {}", offset, least));
+        least = offset;
+        cells.begin.push_back(static_cast<std::size_t>(offset));
+    }
+    return cells;
+}
+
+// After a keyword such as CELLS.
+Cells read_cells(Input& input) {
+    Words& words = input.words();
+    const std::int64_t count = words.integer("the number of cells", 0, Input::most);
+    const std::int64_t size = words.integer("the size of the list of cells", 0, Input::most);
+    return input.has_offsets() ? read_offsets_of_cells(input, count, size)
+                               : read_list_of_cells(input, count, size);
+}
+
+void take_tetrahedra(const Cells& cells, Input& input, Mesh& mesh) {
+    Words& words = input.words();
+    const std::int64_t n = words.integer("the number of cell types", 0, Input::most);
+    if (static_cast<std::uint64_t>(n) != cells.count())
+        words.fail(fmt::format("{} types of {} cells", n, cells.count()));
+    const std::vector<std::int64_t> types =
+        input.integers(static_cast<std::uint64_t>(n), Type::i32, "the cell's type");
+    mesh.has_tetrahedra = true;
+    const auto last = static_cast<std::int64_t>(mesh.point_count()) - 1;
+    for (std::size_t i = 0; i < types.size(); ++i) {
+        const std::int64_t* nodes = cells.nodes.data() + cells.begin[i];
+        const std::size_t count = cells.begin[i + 1] - cells.begin[i];
+        if (!may_have_nodes(types[i], count))
+            words.fail(fmt::format("a cell of type {} with {} points", types[i], count));
+        for (std::size_t k = 0; k < count; ++k) {
+            if (nodes[k] < 0 || nodes[k] > last)
+                words.fail(fmt::format("cell {}: point is {}; it must be from 0 to {}", i, nodes[k],
+                                       last));
+        }
+        if (is_vtk_tetrahedron(types[i]))
+            add_vtk_tetrahedron(nodes, count, mesh);
+        else
+            ++mesh.other_cells;
+    }
+}
+
+// The arrays of FIELD: their names, components, tuples and types, each before its bytes.
+void skip_fields(Input& input) {
+    Words& words = input.words();
+    std::string_view word;
+    words.next(word);  // the name
+    const std::int64_t arrays = words.integer("the number of arrays", 0, Input::most);
+    for (std::int64_t i = 0; i < arrays; ++i) {
+        if (!words.next(word)) words.fail("the file ends where an array is to follow");
+        if (same(word, "METADATA")) {
+            words.skip_to_blank_line();
+            words.next(word);
+        }
+        const auto components = words.integer("the number of components", 0, 1 << 20);
+        const auto tuples = words.integer("the number of tuples", 0, std::int64_t{1} << 40);
+        if (!words.next(word)) words.fail("the type is to follow");
+        const Type type = type_of(word);
+        if (type == Type::none)
+            words.fail(
+                fmt::format("a field of type {} in a binary file; take it out", quote(word)));
+        input.skip(static_cast<std::uint64_t>(components * tuples), type);
     }
 }
 
 Mesh read_vtk(const Source& source, const ReadOptions&) {
+    Input input(source);
     Mesh mesh;
-    Words words(after_head(source, mesh), no_comment);
-    std::vector<std::int64_t> cells;
-    std::vector<std::size_t> begin;  // of each cell among them
-    bool has_points = false, has_types = false, is_grid = false;
+    mesh.detail = input.detail();
+    Cells cells;
+    bool has_points = false, has_cells = false, has_types = false, is_grid = false;
     std::string_view word;
+    Words& words = input.words();
     while (words.next(word) && !same(word, "POINT_DATA") && !same(word, "CELL_DATA")) {
         if (same(word, "DATASET")) {
             is_grid = words.next(word) && same(word, "UNSTRUCTURED_GRID");
+        } else if (same(word, "METADATA")) {
+            words.skip_to_blank_line();
+        } else if (same(word, "FIELD") && input.is_binary()) {
+            skip_fields(input);
         } else if (same(word, "POINTS")) {
             if (has_points) words.fail("POINTS come twice");
             has_points = true;
-            const std::size_t n = words.count("the number of points", 3);
-            words.next(word);  // the type
-            mesh.points.resize(3 * n);
-            for (double& x : mesh.points) x = words.number("coordinate");
+            const std::int64_t n = words.integer("the number of points", 0, Input::most / 4);
+            const Type type = words.next(word) ? type_of(word) : Type::none;
+            mesh.points = input.coordinates(3 * static_cast<std::uint64_t>(n), type);
         } else if (same(word, "CELLS")) {
-            if (!begin.empty() || has_types) words.fail("CELLS come twice, or after their types");
-            const std::size_t n = words.count("the number of cells", 2);
-            words.count("the size of the list of cells", 1);
-            const auto last = static_cast<std::int64_t>(mesh.point_count()) - 1;
-            for (std::size_t i = 0; i < n; ++i) {
-                begin.push_back(cells.size());
-                const std::size_t corners = words.count("the number of a cell's points", 1);
-                for (std::size_t k = 0; k < corners; ++k)
-                    cells.push_back(words.integer("point", 0, last));
-            }
+            if (has_cells || has_types) words.fail("CELLS come twice, or after their types");
+            has_cells = true;
+            cells = read_cells(input);
+        } else if (same(word, "VERTICES")) {
+            read_cells(input);
+        } else if (same(word, "LINES") || same(word, "POLYGONS") || same(word, "TRIANGLE_STRIPS")) {
+            mesh.other_cells += read_cells(input).count();
         } else if (same(word, "CELL_TYPES")) {
             if (has_types) words.fail("CELL_TYPES come twice");
             has_types = true;
-            take_tetrahedra(cells, begin, words, mesh);
+            take_tetrahedra(cells, input, mesh);
         }
     }
     if (!has_points) source.fail("has no POINTS");
-    if ((is_grid || !begin.empty()) && !has_types)
+    if ((is_grid || has_cells) && !has_types)
         source.fail("has no CELL_TYPES; the file is cut short");
     return mesh;
 }
@@ -138,8 +335,8 @@ void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
 }  // namespace
 
 const Format& vtk_format() {
-    static const Format format = {
-        "vtk", {".vtk"}, "VTK's legacy files, text", false, sniff, read_vtk, nullptr, write_mesh};
+    static const Format format = {"vtk",   {".vtk"},  "VTK's legacy files", false, sniff, read_vtk,
+                                  nullptr, write_mesh};
     return format;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// VTK's XML unstructured grid (.vtu), as ParaView reads it. Written with appended raw arrays, each
+// VTK's XML unstructured grid (.vtu), as ParaView reads it, and the points of its surfaces (.vtp).
+// Written with appended raw arrays, each
 // compressed or with a 64-bit length before it; read in every form but compression by other
 // libraries than zlib. The fields are the arrays of numbers in PointData.
 #include <fmt/format.h>
@@ -98,6 +99,7 @@ std::string attribute(const Tag& tag, std::string_view name, const char* otherwi
 
 // What the file says of itself before its data.
 struct Layout {
+    bool is_surface = false;  // PolyData, whose cells are lines and polygons
     std::uint64_t points = 0, cells = 0;
     // Arrays that share bytes would let a small file fill the memory.
     mutable std::uint64_t bytes_left = 0;
@@ -128,9 +130,11 @@ Layout parse_layout(const Source& source) {
     while (reader.next(tag)) {
         if (tag.name == "VTKFile") {
             const std::string type = attribute(tag, "type", "");
-            if (type != "UnstructuredGrid") {
+            layout.is_surface = type == "PolyData";
+            if (!layout.is_surface && type != "UnstructuredGrid") {
                 source.fail_at_byte(
-                    tag.begin, fmt::format("type {}; UnstructuredGrid is needed", quote(type)));
+                    tag.begin,
+                    fmt::format("type {}; UnstructuredGrid or PolyData is needed", quote(type)));
             }
             layout.compressor = attribute(tag, "compressor", "");
             layout.encoding.is_compressed = layout.compressor != "";
@@ -142,7 +146,11 @@ Layout parse_layout(const Source& source) {
             if (++pieces > 1)
                 source.fail_at_byte(tag.begin, "more than one Piece; merge them first");
             layout.points = parse_count(source, tag, "NumberOfPoints");
-            layout.cells = parse_count(source, tag, "NumberOfCells");
+            if (!layout.is_surface) layout.cells = parse_count(source, tag, "NumberOfCells");
+            for (const char* kind : {"NumberOfLines", "NumberOfStrips", "NumberOfPolys"}) {
+                if (layout.is_surface && tag.attributes.count(kind) != 0)
+                    layout.cells += parse_count(source, tag, kind);
+            }
         } else if (tag.name == "Points" || tag.name == "Cells" || tag.name == "PointData") {
             section = tag.name;
         } else if (tag.name == "/Points" || tag.name == "/Cells" || tag.name == "/PointData") {
@@ -369,19 +377,8 @@ bool sniff(std::string_view bytes) {
     return start.find("<VTKFile") != none;
 }
 
-Mesh read_vtu(const Source& source, const ReadOptions& options) {
-    const Layout layout = parse_layout(source);
-    const std::uint64_t bytes =
-        source.bytes.size() * (layout.encoding.is_compressed ? most_expansion : 1);
-    layout.bytes_left = bytes;
-    if (layout.points > bytes || layout.cells > bytes) {
-        source.fail(fmt::format("{} points and {} cells cannot be in {} bytes", layout.points,
-                                layout.cells, source.bytes.size()));
-    }
-    Mesh mesh;
-    mesh.detail = "UnstructuredGrid";
-    mesh.points = read_array<Coordinates>(source, layout, "points", 3 * layout.points);
-    if (options.has_fields) mesh.fields = read_fields(source, layout, options);
+// The tetrahedra, and how many other cells there are. `bytes` is the most that the file can hold.
+void read_cells(const Source& source, const Layout& layout, std::uint64_t bytes, Mesh& mesh) {
     const auto types = read_array<Indices>(source, layout, "types", layout.cells);
     const auto offsets = read_array<Indices>(source, layout, "offsets", layout.cells);
     const std::int64_t length = offsets.empty() ? 0 : offsets.back();
@@ -397,23 +394,43 @@ Mesh read_vtu(const Source& source, const ReadOptions& options) {
         if (end < begin || end > length) {
             source.fail(fmt::format("cell {}: offset {} after {}", i, end, begin));
         }
-        if (types[i] != vtk_tetra) {
+        const auto nodes = static_cast<std::size_t>(end - begin);
+        if (!is_vtk_tetrahedron(types[i])) {
             ++mesh.other_cells;
+        } else if (!may_have_nodes(types[i], nodes)) {
+            source.fail(fmt::format("cell {}: a tetrahedron of type {} with {} vertices", i,
+                                    types[i], nodes));
         } else {
-            if (end - begin != 4) {
-                source.fail(fmt::format("cell {}: a tetrahedron of {} vertices", i, end - begin));
+            const std::int64_t* first = vertices.data() + begin;
+            for (const std::int64_t* v = first; v < first + nodes; ++v) {
+                if (*v >= 0 && static_cast<std::uint64_t>(*v) < layout.points) continue;
+                source.fail(fmt::format("cell {}: vertex {}, but there are {} points", i, *v,
+                                        layout.points));
             }
-            for (std::int64_t k = begin; k < end; ++k) {
-                const std::int64_t v = vertices[static_cast<std::size_t>(k)];
-                if (v < 0 || static_cast<std::uint64_t>(v) >= layout.points) {
-                    source.fail(fmt::format("cell {}: vertex {}, but there are {} points", i, v,
-                                            layout.points));
-                }
-                mesh.tetrahedra.push_back(v);
-            }
+            add_vtk_tetrahedron(first, nodes, mesh);
         }
         begin = end;
     }
+}
+
+Mesh read_vtu(const Source& source, const ReadOptions& options) {
+    const Layout layout = parse_layout(source);
+    const std::uint64_t bytes =
+        source.bytes.size() * (layout.encoding.is_compressed ? most_expansion : 1);
+    layout.bytes_left = bytes;
+    if (layout.points > bytes || layout.cells > bytes) {
+        source.fail(fmt::format("{} points and {} cells cannot be in {} bytes", layout.points,
+                                layout.cells, source.bytes.size()));
+    }
+    Mesh mesh;
+    mesh.detail = layout.is_surface ? "PolyData" : "UnstructuredGrid";
+    mesh.points = read_array<Coordinates>(source, layout, "points", 3 * layout.points);
+    if (options.has_fields) mesh.fields = read_fields(source, layout, options);
+    if (layout.is_surface) {
+        mesh.other_cells = layout.cells;
+        return mesh;
+    }
+    read_cells(source, layout, bytes, mesh);
     return mesh;
 }
 
@@ -444,6 +461,12 @@ const Format& vtu_format() {
                                   true,        sniff,      read_vtu,
                                   nullptr,     write_mesh, nullptr,
                                   write_fields};
+    return format;
+}
+
+const Format& vtp_format() {
+    static const Format format = {
+        "vtp", {".vtp"}, "points of VTK's surfaces", true, nullptr, read_vtu, nullptr, nullptr};
     return format;
 }
 

@@ -17,6 +17,14 @@ class Words {
         : lines_(lines), comment_(comment) {}
 
     bool next(std::string_view& word) { return advance() && row_->next(word); }
+    // Goes past the next line that is blank, or to the end of the file.
+    void skip_to_blank_line() {
+        row_.reset();
+        std::string_view word;
+        while (lines_.next() && Fields(lines_).next(word)) continue;
+    }
+    // The lines, of which the current one has been begun.
+    const LineReader& lines() const { return lines_; }
     double number(const char* what) {
         require(what);
         return row_->number(what);

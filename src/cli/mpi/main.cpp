@@ -176,6 +176,7 @@ void triangulate(const Options& o, Ranks& ranks) {
             check_writable(o.output);
         }
         const Share share = read_share(o.input, layout, rank, ranks.count());
+        if (!o.triangulation.quiet) print_left_out(share.mid_side_nodes, name);
         require_apart(share.inputs, written);
         parts.emplace(exchange.new_parts(), o.triangulation);
         insert(*parts, rank, share);

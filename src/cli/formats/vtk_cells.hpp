@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// VTK's types of cells, from its vtkCellType.h, and which of them are tetrahedra.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "cli/formats/file_mesh.hpp"
+
+namespace mgdt::cli {
+
+constexpr std::uint8_t vtk_vertex = 1, vtk_tetra = 10, vtk_quadratic_tetra = 24,
+                       vtk_lagrange_tetra = 71, vtk_bezier_tetra = 79;
+
+inline bool is_vtk_tetrahedron(std::int64_t type) {
+    return type == vtk_tetra || type == vtk_quadratic_tetra || type == vtk_lagrange_tetra ||
+           type == vtk_bezier_tetra;
+}
+
+// Whether a cell of a type may have so many nodes. Of types that are not linear, only tetrahedra
+// are looked at.
+inline bool may_have_nodes(std::int64_t type, std::size_t nodes) {
+    // 0: any number, or not known.
+    constexpr std::size_t linear[] = {0, 1, 0, 2, 0, 3, 0, 0, 4, 4, 4, 8, 8, 6, 5};
+    if (type >= 0 && type < 15) return linear[type] == 0 || nodes == linear[type];
+    if (type == vtk_quadratic_tetra) return nodes == 10;
+    return !is_vtk_tetrahedron(type) || nodes >= 4;
+}
+
+// Takes the nodes of a tetrahedron, whose corners come first. They are points of the mesh.
+inline void add_vtk_tetrahedron(const std::int64_t* nodes, std::size_t count, Mesh& mesh) {
+    mesh.tetrahedra.insert(mesh.tetrahedra.end(), nodes, nodes + 4);
+    mesh.mid_side.insert(mesh.mid_side.end(), nodes + 4, nodes + count);
+}
+
+}  // namespace mgdt::cli
