@@ -2,7 +2,7 @@
 #include "cli/interrupt.hpp"
 
 #include <atomic>
-#include <cstring>
+#include <string>
 
 #include "cli/errors.hpp"
 #include "cli/system.hpp"
@@ -10,29 +10,57 @@
 namespace mgdt::cli {
 namespace {
 
-std::atomic<int> received{0};
-std::atomic<mgdt_triangulation*> cancellable{nullptr};
+constexpr char message[] = "cancelled; nothing was written";
+// As main() writes it, over a line of progress that may be there.
+constexpr char last_words[] = "\r\x1b[Kmgdt: cancelled; nothing was written\n";
+constexpr std::size_t erasure = 4;
+constexpr int patience = 100;  // milliseconds
 
-// Fixed storage, because a signal handler can neither allocate nor lock.
-constexpr int slots = 8;
-constexpr std::size_t longest_path = 4096;
-char paths[slots][longest_path];
-std::atomic<bool> used[slots];
+std::atomic<int> received{0};
+std::atomic<bool> has_begun_commit{false};
+std::atomic<mgdt_triangulation*> cancellable{nullptr};
+bool has_terminal = false;
+
+}  // namespace
+
+// A signal handler can neither allocate nor lock: names are in a list that only grows.
+struct RegisteredName {
+    std::string path;
+    std::atomic<bool> is_used{false};
+    RegisteredName* next = nullptr;
+};
+
+namespace {
+
+std::atomic<RegisteredName*> names{nullptr};
+
+void end_at_once() {
+    for (const RegisteredName* n = names.load(); n != nullptr; n = n->next) {
+        if (n->is_used.load()) system::remove(n->path.c_str());
+    }
+    const std::size_t skipped = has_terminal ? 0 : erasure;
+    static_cast<void>(system::write(system::standard_error, last_words + skipped,
+                                    sizeof last_words - 1 - skipped));
+    system::leave(exit_signal + received.load());
+}
 
 extern "C" void on_signal(int signal) {
-    if (received.exchange(signal) != 0) {
-        for (int i = 0; i < slots; ++i) {
-            if (used[i].load()) system::remove(paths[i]);
-        }
-        system::leave(exit_signal + signal);
-    }
+    if (has_begun_commit.load()) return;
+    int none = 0;
+    if (!received.compare_exchange_strong(none, signal)) end_at_once();
     if (mgdt_triangulation* t = cancellable.load()) mgdt_cancel(t);
+    system::signal_again_in(patience);
 }
 
 }  // namespace
 
 void install_signal_handlers() {
+    has_terminal = system::is_terminal(system::standard_error);
     system::handle_signals(on_signal);
+}
+
+void begin_commit() noexcept {
+    has_begun_commit.store(true);
 }
 
 int interrupt_signal() noexcept {
@@ -41,7 +69,7 @@ int interrupt_signal() noexcept {
 
 void check_interrupt() {
     if (const int signal = interrupt_signal()) {
-        throw Error(exit_signal + signal, "cancelled; nothing was written");
+        throw Error(exit_signal + signal, message);
     }
 }
 
@@ -50,18 +78,23 @@ void set_cancellable(mgdt_triangulation* t) noexcept {
 }
 
 TemporaryName::TemporaryName(const std::string& path) {
-    if (path.size() >= longest_path) return;
-    for (int i = 0; i < slots; ++i) {
-        if (used[i].load()) continue;
-        std::memcpy(paths[i], path.c_str(), path.size() + 1);
-        used[i].store(true);
-        slot_ = i;
+    for (entry_ = names.load(); entry_ != nullptr; entry_ = entry_->next) {
+        if (!entry_->is_used.load()) break;
+    }
+    if (entry_ != nullptr) {
+        entry_->path = path;
+        entry_->is_used.store(true);
         return;
     }
+    entry_ = new RegisteredName;
+    entry_->path = path;
+    entry_->is_used.store(true);
+    entry_->next = names.load();
+    names.store(entry_);
 }
 
 TemporaryName::~TemporaryName() {
-    if (slot_ >= 0) used[slot_].store(false);
+    entry_->is_used.store(false);
 }
 
 }  // namespace mgdt::cli

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Ctrl-C and its kin. The first signal asks for an orderly end: the library is cancelled, and
-// loops that call check_interrupt() throw. A second one removes temporary files and leaves.
+// loops that call check_interrupt() throw. Where that has not ended the program a tenth of a second
+// later, or when a second signal comes, its temporary files are removed and the program leaves at
+// once, whatever it is doing.
 #pragma once
 
 #include <string>
@@ -19,8 +21,13 @@ int interrupt_signal() noexcept;
 // Throws Error (exit code 128 + signal) once a signal has come.
 void check_interrupt();
 
+// From here on signals are too late: the output gets its names.
+void begin_commit() noexcept;
+
 // The handle that a signal cancels; nullptr for none.
 void set_cancellable(mgdt_triangulation* t) noexcept;
+
+struct RegisteredName;
 
 // A file that must not outlive the program.
 class TemporaryName {
@@ -31,7 +38,7 @@ class TemporaryName {
     TemporaryName& operator=(const TemporaryName&) = delete;
 
   private:
-    int slot_ = -1;
+    RegisteredName* entry_;
 };
 
 }  // namespace mgdt::cli

@@ -214,6 +214,7 @@ void OutputSet::close() {
 
 void OutputSet::commit() {
     if (!is_closed_) close();
+    begin_commit();
     for (OutputFile& file : files_) file.commit();
 }
 

@@ -61,6 +61,8 @@ std::size_t last_separator(const std::string& path);
 // Calls the handler when the user or the system asks the program to end, with the signal's number.
 // Pipes that were closed and limits of file sizes come back as errors of write().
 void handle_signals(void (*handler)(int signal));
+// Calls it again after a time. May be called by the handler.
+void signal_again_in(int milliseconds) noexcept;
 [[noreturn]] void leave(int code) noexcept;  // at once
 
 // The words of the command line, in UTF-8; and the program's file, or nothing.

@@ -83,12 +83,14 @@ std::optional<FileStatus> status_of(HANDLE file) {
 }
 
 void (*the_handler)(int) = nullptr;
+DWORD milliseconds_until_again = 0;
 
 BOOL WINAPI on_event(DWORD event) {
+    // On a thread of its own, which may wait. Windows ends the program when this returns, where the
+    // event was not of the keyboard, and soon in any case.
     the_handler(event == CTRL_C_EVENT ? SIGINT : SIGTERM);
-    if (event != CTRL_C_EVENT && event != CTRL_BREAK_EVENT) {
-        // Windows ends the program when this returns, and soon in any case.
-        Sleep(3000);
+    if (milliseconds_until_again > 0) {
+        Sleep(milliseconds_until_again);
         the_handler(SIGTERM);
     }
     return TRUE;
@@ -229,6 +231,10 @@ std::size_t last_separator(const std::string& path) {
 void handle_signals(void (*handler)(int signal)) {
     the_handler = handler;
     SetConsoleCtrlHandler(on_event, TRUE);
+}
+
+void signal_again_in(int milliseconds) noexcept {
+    milliseconds_until_again = static_cast<DWORD>(milliseconds);
 }
 
 void leave(int code) noexcept {
