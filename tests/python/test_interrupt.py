@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Ctrl-C and other signals during long calls, in processes of their own."""
 
+import _thread
 import os
 import signal
 import subprocess
@@ -11,8 +12,10 @@ import unittest
 from unittest import mock
 
 import mgdt
+import numpy as np
 from mgdt._gate import interruptibly
 from mgdt._insertion import Insertion
+from mgdt.voronoi import _lists
 
 # What the children have in common. A child says when its call begins and how long the call takes when
 # nobody interrupts it, so that the signal comes within the call on a slow machine and on a fast one.
@@ -184,6 +187,43 @@ class Aside(unittest.TestCase):
             interruptibly(lambda is_left: flags.append(is_left()), True)
         start.call_args.args[0]()
         self.assertEqual(flags, [True])
+
+
+class Snapshots(unittest.TestCase):
+    """What takes long of a diagram and of a shape is done aside, so that Ctrl-C is heard at once."""
+
+    @staticmethod
+    def threads_begun_by(work):
+        begin = _thread.start_new_thread
+        with mock.patch("_thread.start_new_thread", side_effect=begin) as start:
+            work()
+        return start.call_count
+
+    def test_long_work_is_done_aside(self):
+        points = np.random.default_rng(1).random((25_000, 3))
+        made = []
+        self.assertGreaterEqual(self.threads_begun_by(lambda: made.append(mgdt.Voronoi(points))), 2)
+        self.assertGreaterEqual(self.threads_begun_by(lambda: made.append(mgdt.AlphaShape(points))), 1)
+        diagram, shape = made
+        names = ["regions", "ridge_vertices", "ridge_dict", "volumes", "areas", "centroids"]
+        for thing, name in [(diagram, n) for n in names] + [(shape, "volume"), (shape, "area")]:
+            with self.subTest(name=name):
+                self.assertEqual(self.threads_begun_by(lambda: getattr(thing, name)), 1)
+                self.assertEqual(self.threads_begun_by(lambda: getattr(thing, name)), 0)
+
+    def test_lists_end_when_they_are_left(self):
+        offsets = np.arange(100_001)
+        asked = []
+
+        def is_left():
+            asked.append(1)
+            return len(asked) == 3
+
+        self.assertLess(len(_lists(np.arange(100_000), offsets, is_left)), 50_000)
+        whole = _lists(np.arange(100_000), offsets, lambda: False)
+        self.assertEqual(whole, [[i] for i in range(100_000)])
+        self.assertEqual(_lists(np.arange(0), np.zeros(1, int), lambda: False), [])
+        self.assertEqual(_lists(np.arange(3), np.array([0, 0, 3, 3]), lambda: False), [[], [0, 1, 2], []])
 
 
 class Interrupts(unittest.TestCase):

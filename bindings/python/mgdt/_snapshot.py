@@ -8,7 +8,9 @@ from typing import Any, Callable, TypeVar
 import numpy as np
 
 from ._arrays import FloatArray, IndexArray
+from ._gate import interruptibly
 from ._handle import Handle
+from ._triangulation import LONG_EXPORT
 from .delaunay import Delaunay
 
 _T = TypeVar("_T")
@@ -38,6 +40,11 @@ class Snapshot:
     def _take(self, handle: Handle) -> None:
         """Takes what the triangulation has to give, in arrays of its own."""
         raise NotImplementedError
+
+    def _aside(self, work: Callable[[Callable[[], bool]], _T]) -> _T:
+        """Does work in NumPy that signals interrupt where there are many points. The work is given a
+        function that says whether it has been left; it may then end early, and give anything."""
+        return interruptibly(work, len(self.points) >= LONG_EXPORT)
 
     def _measured(self, measure: Callable[[Handle], _T]) -> _T:
         """What the library measures in the triangulation that this was made of: in that itself, or

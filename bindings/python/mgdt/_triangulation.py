@@ -27,7 +27,7 @@ from ._handle import Handle
 from ._insertion import Insertion, ProgressFunction
 
 # Points from which an export may take so long that Ctrl-C shall interrupt it.
-_LONG_EXPORT = 200_000
+LONG_EXPORT = 20_000
 
 _T = TypeVar("_T")
 _Self = TypeVar("_Self", bound="GrowingTriangulation")
@@ -174,7 +174,7 @@ class GrowingTriangulation:
 
     def _read_long(self, work: Callable[[Handle], _T]) -> _T:
         """Reads by the work, which signals interrupt where there are many points."""
-        return self._read(lambda handle, _: work(handle), self.npoints >= _LONG_EXPORT)
+        return self._read(lambda handle, _: work(handle), self.npoints >= LONG_EXPORT)
 
     def _kept(self, handle: Handle, name: str) -> Any:
         """The same of one method, which is kept for the next time."""

@@ -66,14 +66,22 @@ class AlphaShape(Snapshot):
     @cached_property
     def volume(self) -> float:
         """Volume of the solid."""
-        a, b, c, d = np.moveaxis(self.points[self.simplices], 1, 0)
-        return float(np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a).sum() / 6)
+
+        def measure(_: object) -> float:
+            a, b, c, d = np.moveaxis(self.points[self.simplices], 1, 0)
+            return float(np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a).sum() / 6)
+
+        return self._aside(measure)
 
     @cached_property
     def area(self) -> float:
         """Area of the surface."""
-        a, b, c = np.moveaxis(self.points[self.facets], 1, 0)
-        return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+
+        def measure(_: object) -> float:
+            a, b, c = np.moveaxis(self.points[self.facets], 1, 0)
+            return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+
+        return self._aside(measure)
 
     def __repr__(self) -> str:
         return (

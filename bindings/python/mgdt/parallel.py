@@ -4,9 +4,11 @@
 from __future__ import annotations
 
 import ctypes
+import signal
+import threading
 from ctypes import POINTER, c_char_p, c_int32, c_int64, c_void_p
 from functools import partial
-from typing import Any, Optional
+from typing import Any, Callable, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -41,6 +43,37 @@ def _function(name: str) -> Any:
     function = getattr(_library.library, f"mgdt_parts_{name}")
     function.restype, function.argtypes = _FUNCTIONS[name]
     return function
+
+
+class _DeferredInterrupt:
+    """While the library calls functions of Python's, Ctrl-C is noted; its handler is called afterwards.
+    What a handler raises as such a function is entered would be lost."""
+
+    def __init__(self) -> None:
+        self.has_come = False
+        self._handler: Any = None
+
+    def __enter__(self) -> "_DeferredInterrupt":
+        handler = signal.getsignal(signal.SIGINT)
+        if callable(handler) and threading.current_thread() is threading.main_thread():
+            signal.signal(signal.SIGINT, self._note)
+            self._handler = handler
+        return self
+
+    def _note(self, *_: Any) -> None:
+        self.has_come = True
+
+    def __exit__(self, *_: Any) -> None:
+        if self._handler is None:
+            return
+        signal.signal(signal.SIGINT, self._handler)
+        if not self.has_come:
+            return
+        try:
+            signal.raise_signal(signal.SIGINT)
+        except BaseException as error:
+            # In the place of the library's word that it was cancelled.
+            raise error from None
 
 
 class ParallelDelaunay:
@@ -98,21 +131,29 @@ class ParallelDelaunay:
         # What is wrong here is so on all ranks, which wait for this one.
         if problem is not None and not isinstance(problem, _errors.Error):
             self._call_quietly("insert_points", self._rank, -1, None, None)
-        # Without a function to call, too, so that Ctrl-C is heard.
-        report = PROGRESS(partial(self._report, progress))
-        self._call_quietly("set_progress", report, None)
-        try:
-            self._call("build")
-        except _errors.Error:
-            if problem is not None:
-                raise problem from None
-            raise
-        finally:
-            self._call_quietly("set_progress", _library.NO_PROGRESS, None)
+        with _DeferredInterrupt() as interrupt:
+            # Without a function to call, too, so that Ctrl-C is heard.
+            report = PROGRESS(partial(self._report, progress, lambda: interrupt.has_come))
+            self._call_quietly("set_progress", report, None)
+            try:
+                self._call("build")
+            except _errors.Error:
+                if problem is not None:
+                    raise problem from None
+                raise
+            finally:
+                self._call_quietly("set_progress", _library.NO_PROGRESS, None)
 
-    def _report(self, progress: Optional[ProgressFunction], fraction: float, _: Any) -> int:
+    def _report(
+        self,
+        progress: Optional[ProgressFunction],
+        is_interrupted: Callable[[], bool],
+        fraction: float,
+        _: Any,
+    ) -> int:
         try:
-            return 1 if progress is not None and progress(fraction) is CANCEL else 0
+            is_cancelled = progress is not None and progress(fraction) is CANCEL
+            return 1 if is_cancelled or is_interrupted() else 0
         except BaseException as error:  # pylint: disable=broad-exception-caught
             self._transport.failure = error
             return 1
@@ -166,7 +207,8 @@ class ParallelDelaunay:
 
     def check(self, level: int = 3) -> None:
         """Proves the triangulation of all ranks; see `Delaunay.check`. Collective."""
-        self._call("check", level)
+        with _DeferredInterrupt():
+            self._call("check", level)
 
     def number(self, name: str) -> int:
         """A number of the part, such as "own_vertices", "tetrahedra", "all_tetrahedra", "received"."""

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from functools import cached_property
-from typing import Any, Optional
+from functools import cached_property, partial
+from typing import Any, Callable, Iterator, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,6 +32,28 @@ def _volume_is_zero(corners: FloatArray) -> bool:
         u[k] * (v[k - 2] * w[k - 1] - v[k - 1] * w[k - 2]) for k in range(3)
     )
     return volume == 0
+
+
+def _blocks(count: int, is_left: Callable[[], bool]) -> Iterator[slice]:
+    """Slices short enough that between them a thread that waits gets its turn."""
+    size = 1 << 14
+    for begin in range(0, count, size):
+        if is_left():
+            return
+        yield slice(begin, begin + size)
+
+
+def _lists(
+    flat: NDArray[Any], offsets: NDArray[Any], is_left: Callable[[], bool]
+) -> list[list[int]]:
+    """One list from each offset to the next."""
+    lists: list[list[int]] = []
+    for block in _blocks(len(offsets) - 1, is_left):
+        ends = offsets[block.start : block.stop + 1]
+        values = flat[ends[0] : ends[-1]].tolist()
+        steps = (ends - ends[0]).tolist()
+        lists += [values[begin:end] for begin, end in zip(steps, steps[1:])]
+    return lists
 
 
 class Voronoi(Snapshot):
@@ -90,18 +112,27 @@ class Voronoi(Snapshot):
         self._planes = as_planes(planes).copy()
         if len(self._simplices) == 0:
             raise ValueError("there are no cells: all points are in one plane, or fewer than four")
-        self.vertices, self._vertex_of = self._join_vertices()
-        self.ridge_points, self.ridge_offsets, self.ridge_list = self._faces()
-        is_vertex = np.unique(self._simplices)
-        region_of = np.full(len(self.points) + 1, -1, dtype=np.int32)
-        region_of[is_vertex] = np.arange(len(is_vertex), dtype=np.int32)
-        self.point_region: IndexArray = region_of[self._point_map]
+        self.vertices: FloatArray
+        self.ridge_points: IndexArray
+        self.ridge_offsets: IndexArray
+        self.ridge_list: IndexArray
+        self.point_region: IndexArray
+        self._aside(self._build)
 
     def _take(self, handle: Handle) -> None:
         self._simplices: IndexArray = handle.tetrahedra()
         self._neighbors: IndexArray = handle.neighbors()
         self._hull: IndexArray = handle.hull_facets()
         self._centers, self._squares = handle.circumcenters()
+
+    def _build(self, is_left: Callable[[], bool]) -> None:
+        is_vertex = np.unique(self._simplices)
+        region_of = np.full(len(self.points) + 1, -1, dtype=np.int32)
+        region_of[is_vertex] = np.arange(len(is_vertex), dtype=np.int32)
+        self.point_region = region_of[self._point_map]
+        self.vertices, self._vertex_of = self._join_vertices()
+        if not is_left():
+            self.ridge_points, self.ridge_offsets, self.ridge_list = self._faces(is_left)
 
     @property
     def npoints(self) -> int:
@@ -128,30 +159,36 @@ class Voronoi(Snapshot):
     @cached_property
     def ridge_vertices(self) -> list[list[int]]:
         """The vertices of each face in turn, -1 standing for infinity."""
-        flat, offsets = self.ridge_list.tolist(), self.ridge_offsets.tolist()
-        return [flat[begin:end] for begin, end in zip(offsets, offsets[1:])]
+        return self._aside(partial(_lists, self.ridge_list, self.ridge_offsets))
 
     @cached_property
     def ridge_dict(self) -> dict[tuple[int, int], list[int]]:
         """From the two points of each face to its vertices."""
-        pairs = map(tuple, self.ridge_points.tolist())
-        return dict(zip(pairs, self.ridge_vertices))  # type: ignore[arg-type]
+        vertices = self.ridge_vertices
+
+        def pair(is_left: Callable[[], bool]) -> dict[tuple[int, int], list[int]]:
+            found: dict[tuple[int, int], list[int]] = {}
+            for block in _blocks(len(vertices), is_left):
+                for (a, b), of_face in zip(self.ridge_points[block].tolist(), vertices[block]):
+                    found[a, b] = of_face
+            return found
+
+        return self._aside(pair)
 
     @cached_property
     def regions(self) -> list[list[int]]:
         """The vertices of each cell, ascending, -1 first where the cell has no end."""
-        of_corners = np.repeat(self._vertex_of, 4)
-        region = self.point_region[self._simplices.ravel()]
-        hull = self.point_region[np.unique(self._hull)]
-        pairs = np.unique(
-            np.stack(
-                [np.append(region, hull), np.append(of_corners, np.full(len(hull), -1))], axis=1
-            ),
-            axis=0,
-        )
-        starts = np.searchsorted(pairs[:, 0], np.arange(self.point_region.max() + 2))
-        flat = pairs[:, 1].tolist()
-        return [flat[begin:end] for begin, end in zip(starts.tolist(), starts[1:].tolist())]
+        return self._aside(self._make_regions)
+
+    def _make_regions(self, is_left: Callable[[], bool]) -> list[list[int]]:
+        # Region and vertex in one number, which NumPy sorts much faster than pairs. Infinity is 0.
+        width = len(self.vertices) + 1
+        region = self.point_region[self._simplices.ravel()].astype(np.int64)
+        keys = region * width + np.repeat(self._vertex_of, 4) + 1
+        hull = self.point_region[np.unique(self._hull)].astype(np.int64) * width
+        of_region, vertices = np.divmod(np.unique(np.append(keys, hull)), width)
+        offsets = np.searchsorted(of_region, np.arange(self.point_region.max() + 2))
+        return _lists(vertices - 1, offsets, is_left)
 
     @cached_property
     def volumes(self) -> FloatArray:
@@ -190,7 +227,7 @@ class Voronoi(Snapshot):
         vertices: FloatArray = centers[first[by_first]]
         return vertices, of_simplices
 
-    def _faces(self) -> tuple[IndexArray, IndexArray, IndexArray]:
+    def _faces(self, is_left: Callable[[], bool]) -> tuple[IndexArray, IndexArray, IndexArray]:
         """Walks around all edges at once: the next simplex is across the facet opposite the third
         vertex, and its third vertex is the fourth of this one."""
         simplices, neighbors = self._simplices, self._neighbors
@@ -212,7 +249,7 @@ class Voronoi(Snapshot):
         first = simplex.copy()
         faces = np.arange(len(starts))
         steps_face, steps_vertex = [faces], [self._vertex_of[simplex]]
-        while len(faces):
+        while len(faces) and not is_left():
             at = np.argmax(simplices[simplex] == c[:, np.newaxis], axis=1)
             simplex = neighbors[simplex, at]
             goes_on = (simplex >= 0) & (simplex != first)
