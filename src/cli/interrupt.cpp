@@ -19,7 +19,7 @@ constexpr int patience = 100;  // milliseconds
 std::atomic<int> received{0};
 std::atomic<bool> has_begun_commit{false};
 std::atomic<mgdt_triangulation*> cancellable{nullptr};
-bool has_terminal = false;
+bool has_terminal = false, is_patient = false;
 
 }  // namespace
 
@@ -39,8 +39,10 @@ void end_at_once() {
         if (n->is_used.load()) system::remove(n->path.c_str());
     }
     const std::size_t skipped = has_terminal ? 0 : erasure;
-    static_cast<void>(system::write(system::standard_error, last_words + skipped,
-                                    sizeof last_words - 1 - skipped));
+    if (!is_patient) {
+        static_cast<void>(system::write(system::standard_error, last_words + skipped,
+                                        sizeof last_words - 1 - skipped));
+    }
     system::leave(exit_signal + received.load());
 }
 
@@ -49,12 +51,13 @@ extern "C" void on_signal(int signal) {
     int none = 0;
     if (!received.compare_exchange_strong(none, signal)) end_at_once();
     if (mgdt_triangulation* t = cancellable.load()) mgdt_cancel(t);
-    system::signal_again_in(patience);
+    if (!is_patient) system::signal_again_in(patience);
 }
 
 }  // namespace
 
-void install_signal_handlers() {
+void install_signal_handlers(bool patient) {
+    is_patient = patient;
     has_terminal = system::is_terminal(system::standard_error);
     system::handle_signals(on_signal);
 }

@@ -12,8 +12,9 @@
 namespace mgdt::cli {
 
 // Handles SIGINT, SIGTERM and SIGHUP; ignores SIGPIPE and SIGXFSZ, so that a closed pipe and the
-// limit on file sizes come back as errors of write().
-void install_signal_handlers();
+// limit on file sizes come back as errors of write(). A program that is one of several, which have
+// to agree on how they end, is patient: it leaves at once when a second signal comes, and silently.
+void install_signal_handlers(bool patient = false);
 
 // The signal that has come, or 0.
 int interrupt_signal() noexcept;

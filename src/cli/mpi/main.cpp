@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program mgdt-mpi: the Delaunay triangulation of a file of points on the ranks of MPI, each of
 // which reads a share of the points and writes a piece of the mesh.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -228,7 +228,7 @@ int main(int argc, char** argv) {
     using namespace mgdt::cli;
     Ranks ranks(&argc, &argv);
     try {
-        install_signal_handlers();
+        install_signal_handlers(true);
         return run(argc, argv, ranks);
     } catch (...) {
         const int code = report_exception(stderr);
