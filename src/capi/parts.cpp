@@ -33,7 +33,7 @@ void mgdt_parts::forget_triangulation() noexcept {
 
 namespace {
 
-constexpr std::size_t handle_size = sizeof(mgdt_parts), handle_align = alignof(mgdt_parts);
+constexpr std::size_t parts_size = sizeof(mgdt_parts), parts_align = alignof(mgdt_parts);
 constexpr std::int32_t most_parts = 1 << 20;
 
 // As run_inside() of guard.hpp, for the calls that make a handle and free it.
@@ -41,15 +41,15 @@ MGDT_NOT_INLINE mgdt_status create(const HostFunctions* functions, PartId parts,
                                    mgdt_alloc_fn alloc, mgdt_free_fn release, void* user,
                                    mgdt_parts** out) noexcept {
     const FpEnvironment environment;
-    void* const memory = Allocator::obtain(alloc, user, handle_size, handle_align);
+    void* const memory = Allocator::obtain(alloc, user, parts_size, parts_align);
     if (!memory) return MGDT_ERR_OUT_OF_MEMORY;
     try {
         mgdt_parts* const p = new (memory) mgdt_parts(functions, parts, alloc, release, user);
-        p->allocator.count(handle_size);
+        p->allocator.count(parts_size);
         *out = p;
         return MGDT_OK;
     } catch (...) {
-        Allocator::give_back(release, user, memory, handle_size, handle_align);
+        Allocator::give_back(release, user, memory, parts_size, parts_align);
         return MGDT_ERR_OUT_OF_MEMORY;
     }
 }
@@ -58,7 +58,7 @@ MGDT_NOT_INLINE void destroy(mgdt_parts* p) noexcept {
     const mgdt_free_fn release = p->allocator.release_function();
     void* const user = p->allocator.user();
     p->~mgdt_parts();
-    Allocator::give_back(release, user, p, handle_size, handle_align);
+    Allocator::give_back(release, user, p, parts_size, parts_align);
 }
 
 // The memory of triangulations where it is limited, or the host's: it passes through the handle's.

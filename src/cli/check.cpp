@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // mgdt check: is what a file holds a Delaunay triangulation?
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdio>
 

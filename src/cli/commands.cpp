@@ -2,7 +2,7 @@
 // What the commands share.
 #include "cli/commands.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <charconv>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/errors.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdint>
 #include <exception>

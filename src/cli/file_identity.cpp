@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/file_identity.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cli/errors.hpp"
 #include "cli/output_file.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // mgdt generate: points of a named distribution.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdio>
 #include <stdexcept>

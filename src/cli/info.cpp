@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // mgdt info: what is in a file.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/input_file.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cerrno>

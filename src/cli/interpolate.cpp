@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // mgdt interpolate: values at samples in, values at places out.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The program mgdt: exact 3D Delaunay triangulation from the command line.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/program_triangulation.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // mgdt triangulate: points in, tetrahedra out.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // mgdt triangulate --parts: tetrahedra of more points than memory has room for, a file to a part.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <chrono>
 #include <exception>

@@ -10,7 +10,7 @@
 namespace mgdt {
 namespace {
 
-constexpr std::size_t min_items_per_thread = 65536;
+constexpr std::size_t items_of_a_part = 65536;
 // Tetrahedra that a turn through all of them passes while one vertex is looked for.
 constexpr std::size_t passed = 2048;
 
@@ -45,7 +45,7 @@ void renumber(const Mesh& mesh, std::size_t end, VertexId& v) noexcept {
 
 // The same by a turn through all tetrahedra.
 void renumber_all(Team& team, Mesh& mesh, std::size_t end) {
-    team.split(mesh.tetrahedra.size(), min_items_per_thread,
+    team.split(mesh.tetrahedra.size(), items_of_a_part,
                [&](std::size_t from, std::size_t to, unsigned) {
                    for (std::size_t t = from; t < to; ++t)
                        if (!mesh.tetrahedra[t].is_dead())
@@ -100,7 +100,7 @@ void Triangulation::renumber_moved(Team& team, std::size_t end, std::size_t move
 // The same for points from `first_point` on in the map.
 void Triangulation::renumber_points(Team& team, std::size_t end, std::size_t first_point) noexcept {
     VertexId* const of_points = point_map_.data() + first_point;
-    team.split(point_map_.size() - first_point, min_items_per_thread,
+    team.split(point_map_.size() - first_point, items_of_a_part,
                [&](std::size_t from, std::size_t to, unsigned) {
                    for (std::size_t i = from; i < to; ++i) renumber(mesh_, end, of_points[i]);
                });

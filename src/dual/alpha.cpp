@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "mesh/facet_turns.hpp"
 #include "parallel/atomic_array.hpp"
 #include "parallel/disjoint_sets.hpp"
 #include "predicates/circumcenter.hpp"
@@ -16,7 +17,7 @@
 namespace mgdt {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinite_alpha = std::numeric_limits<double>::infinity();
 constexpr std::size_t slots_a_thread = 4096;
 
 double alpha_of(const Mesh& mesh, const Tetrahedron& t) {
@@ -30,13 +31,13 @@ double alpha_of(const Mesh& mesh, const Tetrahedron& t) {
 Buffer<double> alphas_by_slot(const ExportView& view) {
     const Mesh& mesh = view.mesh;
     Buffer<double> alphas(view.allocator, mesh.tetrahedra.size());
-    view.team.split(mesh.tetrahedra.size(), slots_a_thread,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                        for (std::size_t id = begin; id < end; ++id) {
-                            const Tetrahedron& t = mesh.tetrahedra[id];
-                            alphas[id] = t.is_dead() || t.is_ghost() ? infinity : alpha_of(mesh, t);
-                        }
-                    });
+    view.team.split(
+        mesh.tetrahedra.size(), slots_a_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+            for (std::size_t id = begin; id < end; ++id) {
+                const Tetrahedron& t = mesh.tetrahedra[id];
+                alphas[id] = t.is_dead() || t.is_ghost() ? infinite_alpha : alpha_of(mesh, t);
+            }
+        });
     return alphas;
 }
 
@@ -147,7 +148,7 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
     view.team.split(edges.size(), slots_a_thread,
                     [&](std::size_t begin, std::size_t end, unsigned) {
                         for (std::size_t e = begin; e < end; ++e)
-                            least[e].store(bits_of(infinity), std::memory_order_relaxed);
+                            least[e].store(bits_of(infinite_alpha), std::memory_order_relaxed);
                     });
     const Buffer<double> alphas = alphas_by_slot(view);
     view.team.split(
@@ -198,7 +199,7 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
 }
 
 void export_vertex_alphas(const ExportView& view, std::size_t points, double* out) {
-    std::fill_n(out, points, infinity);
+    std::fill_n(out, points, infinite_alpha);
     for (VertexId v = 1; v < view.mesh.vertices.size(); ++v) out[view.mesh.vertices[v].index] = 0;
 }
 
@@ -219,7 +220,7 @@ Buffer<std::uint32_t> alpha_surface(const ExportView& view, double alpha2) {
             const unsigned char* const corner = outer_face[face];
             Facet f = {{mesh.vertices[t.v[corner[0]]].index, mesh.vertices[t.v[corner[2]]].index,
                         mesh.vertices[t.v[corner[1]]].index}};
-            std::rotate(f.v, std::min_element(f.v, f.v + 3), f.v + 3);
+            turn_to_least(f.v);
             facets.push_back(f);
         }
     }
@@ -261,7 +262,7 @@ double solid_alpha(const ExportView& view) {
         const bool is_last = k + 1 == order.size() || alphas[order[k + 1]] > alphas[id];
         if (is_last && solids == 1 && vertices_left == 0) return alphas[id];
     }
-    return order.empty() ? 0 : infinity;
+    return order.empty() ? 0 : infinite_alpha;
 }
 
 }  // namespace mgdt

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "mesh/facet_turns.hpp"
+
 namespace mgdt {
 
 // The planes of the region that some corner of the cell may be beyond.
@@ -171,8 +173,7 @@ void CellFaces::number_corners() {
         for (std::size_t i = face.begin; i < face.end; ++i) {
             const PlaneNumber before = edges_[i == face.begin ? face.end - 1 : i - 1];
             Corner corner = {{face.plane, before, edges_[i]}};
-            std::rotate(corner.plane, std::min_element(corner.plane, corner.plane + 3),
-                        corner.plane + 3);
+            turn_to_least(corner.plane);
             corner_of_edge_[i] = corner_number(corner);
         }
 }

@@ -6,7 +6,6 @@
 namespace mgdt {
 namespace {
 
-constexpr double u = rounding_of<double>;
 constexpr Corner unknown = {{}, 0, std::numeric_limits<double>::infinity(), false};
 
 }  // namespace
@@ -35,7 +34,7 @@ ExactPolygon::LabelledCorner ExactPolygon::corner(PlaneNumber before, PlaneNumbe
         way.x =
             is_far(before) ? cross(edge.normal, plane.normal) : cross(plane.normal, edge.normal);
         way.size = length(way.x);
-        way.error = 8 * u * plane.size * edge.size;
+        way.error = 8 * rounding_of<double> * plane.size * edge.size;
         way.is_ideal = true;
         if (std::isfinite(plane.error) && std::isfinite(edge.error)) c.at = way;
         return c;
@@ -49,10 +48,10 @@ int ExactPolygon::sign_at(std::size_t i, PlaneNumber s) {
     const Corner& at = corners_[i].at;
     const Side& side = half_spaces_.side(s);
     const double along = dot(side.normal, at.x);
-    double height = along, error = side.size * (at.error + 6 * u * at.size);
+    double height = along, error = side.size * (at.error + 6 * rounding_of<double> * at.size);
     if (!at.is_ideal) {
         height -= side.offset;
-        error += side.error + 2 * u * std::fabs(side.offset);
+        error += side.error + 2 * rounding_of<double> * std::fabs(side.offset);
     } else if (!std::isfinite(side.error)) {
         error = side.error;
     }

@@ -6,8 +6,6 @@
 namespace mgdt {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double u = rounding_of<double>;
 // Products of three lengths within these stay in the range of doubles.
 constexpr double least_length = 0x1p-250, most_length = 0x1p250;
 
@@ -39,8 +37,9 @@ void HalfSpaces::add_nearer_side(const double* point) {
     side.normal = scaled_by(difference<double>(point, origin_), factor_);
     side.offset = 0.5 * dot(side.normal, side.normal);
     side.size = std::sqrt(2 * side.offset);
-    side.error = 5 * u * side.offset;
-    if (!(side.size > least_length && side.size < most_length)) side.error = infinity;
+    side.error = 5 * rounding_of<double> * side.offset;
+    if (!(side.size > least_length && side.size < most_length))
+        side.error = std::numeric_limits<double>::infinity();
     sides_.push_back(side);
 }
 
@@ -60,11 +59,12 @@ void HalfSpaces::add_plane(const double* of, int scale) {
     }
     side.size = length(side.normal);
     side.offset = offset.high * factor_;
-    side.error =
-        (u * std::fabs(offset.high) + 8 * rounding_of<Twofold> * terms + 0x1p-1000) * factor_;
+    side.error = (rounding_of<double> * std::fabs(offset.high) + 8 * rounding_of<Twofold> * terms +
+                  0x1p-1000) *
+                 factor_;
     if (!(terms < 0x1p900 && terms * factor_ < 0x1p900)) {
         side.offset = 0;  // it may be NaN
-        side.error = infinity;
+        side.error = std::numeric_limits<double>::infinity();
     }
     sides_.push_back(side);
 }

@@ -11,7 +11,6 @@
 namespace mgdt {
 namespace {
 
-constexpr double u = rounding_of<double>;
 // Numbers below it in magnitude have products with others that are doubles.
 constexpr double most_ordinary = 0x1p300;
 
@@ -27,7 +26,7 @@ Twofold exact_height(const double* normal, double offset, const double* p) {
 double Region::Plane::error(const double* p) const {
     const double terms =
         size * (std::fabs(p[0]) + std::fabs(p[1]) + std::fabs(p[2])) + std::fabs(offset);
-    return 6 * u * terms + 8 * std::numeric_limits<double>::denorm_min();
+    return 6 * rounding_of<double> * terms + 8 * std::numeric_limits<double>::denorm_min();
 }
 
 Region::Region(Allocator& allocator, std::size_t n, const double* planes, const Mesh& mesh,
@@ -52,8 +51,8 @@ void Region::add_plane(std::size_t k, const double* of, const Mesh& mesh) {
     plane.numbers = of;
     for (int i = 0; i < 3; ++i) plane.normal[i] = scaled(of[i], shift);
     plane.offset = scaled(of[3], shift + mesh.scale);
-    plane.size =
-        std::hypot(std::hypot(plane.normal[0], plane.normal[1]), plane.normal[2]) * (1 + 8 * u);
+    plane.size = std::hypot(std::hypot(plane.normal[0], plane.normal[1]), plane.normal[2]) *
+                 (1 + 8 * rounding_of<double>);
     plane.index = static_cast<std::uint32_t>(k);
     plane.first = 0;
     planes_.push_back(plane);
@@ -159,7 +158,7 @@ void Region::set_face(std::size_t k, const double* point, double factor, std::ui
         for (int axis = 0; axis < 3; ++axis)
             corner.x.x[axis] = (corners_[i].x[axis] - Twofold{point[axis], 0}).high * factor;
         corner.size = length(corner.x);
-        corner.error = 8 * u * corner.size + corners_[i].error * factor;
+        corner.error = 8 * rounding_of<double> * corner.size + corners_[i].error * factor;
         corner.is_ideal = false;
         face.push_back(corner, first_label + corners_[i].label);
     }
@@ -175,7 +174,8 @@ Side Region::side(std::size_t k, const double* point, double factor) const {
     const double terms =
         plane.size * (std::fabs(point[0]) + std::fabs(point[1]) + std::fabs(point[2])) +
         std::fabs(plane.offset);
-    side.error = u * std::fabs(height.high) * factor + 4 * rounding_of<Twofold> * terms * factor;
+    side.error = rounding_of<double> * std::fabs(height.high) * factor +
+                 4 * rounding_of<Twofold> * terms * factor;
     return side;
 }
 
@@ -186,7 +186,7 @@ double Region::clearance(const double* point) const {
         const double depth = -plane.height(point) - plane.error(point);
         least = std::fmin(least, depth / plane.size);
     }
-    return least * (least > 0 ? 1 - 4 * u : 1);
+    return least * (least > 0 ? 1 - 4 * rounding_of<double> : 1);
 }
 
 }  // namespace mgdt

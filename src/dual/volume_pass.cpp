@@ -11,7 +11,6 @@
 namespace mgdt {
 namespace {
 
-constexpr double u = 0x1p-53;
 constexpr int least_exponent = -500;
 // Sums count units of 2^-60 of the cube of the longest edge, as long as no part has more than a
 // 32nd of that, and 255 have not more than 8; errors units of 2^-66.
@@ -73,8 +72,9 @@ MGDT_ALWAYS_INLINE FacetParts facet_parts(double pp, double qq, double rr, const
     const double all = std::fabs(p) + std::fabs(q) + std::fabs(r), square = sum * sum;
     return {
         {(q + r) * by_height, (r + p) * by_height, (p + q) * by_height},
-        factor * (std::fabs(height) * (16 * u * square + all * u * (2 * square * inverse + 12)) +
-                  all * sum * (0.29 * center_error + 5 * u * radius))};
+        factor * (std::fabs(height) * (16 * rounding_of<double> * square +
+                                       all * rounding_of<double> * (2 * square * inverse + 12)) +
+                  all * sum * (0.29 * center_error + 5 * rounding_of<double> * radius))};
 }
 
 }  // namespace
@@ -108,13 +108,14 @@ MGDT_ALWAYS_INLINE VolumePass::Parts VolumePass::parts_of(const Mesh& mesh, cons
                  c_size = std::sqrt(cc), product = a_size * b_size * c_size;
     V x;
     double error = -1;
-    if (det > 1024 * u * product) {
+    if (det > 1024 * rounding_of<double> * product) {
         const double inverse = sign * 0.5 / det;
         for (int k = 0; k < 3; ++k) x.x[k] = ((aa * A.x[k] + bb * B.x[k]) + cc * C.x[k]) * inverse;
         result.radius = length(x);
-        error = u * (product / det) * (10.5 * (a_size + b_size + c_size) + 16 * result.radius);
+        error = rounding_of<double> * (product / det) *
+                (10.5 * (a_size + b_size + c_size) + 16 * result.radius);
     }
-    if (!(error >= 0) || error > 400 * u * result.radius) {
+    if (!(error >= 0) || error > 400 * rounding_of<double> * result.radius) {
         double offset[3];
         center_offset({p0, p1, is_odd ? p3 : p2, is_odd ? p2 : p3}, offset);
         x = {{offset[0], offset[1], offset[2]}};

@@ -7,14 +7,13 @@
 #include "bounded_float.hpp"
 #include "determinants.hpp"
 #include "differences.hpp"
+#include "filter.hpp"
 #include "quotient.hpp"
 #include "twofold.hpp"
 
 namespace mgdt {
 namespace exact {
 namespace {
-
-constexpr double u = 0x1p-53;
 
 MGDT_PREDICATES_INLINE double largest_of_three(const double (&v)[3]) {
     return std::fmax(std::fmax(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
@@ -106,7 +105,7 @@ MGDT_PREDICATES_INLINE bool solve(const double* const (&p)[4], const Circumcente
     const double det =
         (r[0].x[0] * cross[0][0] + r[0].x[1] * cross[0][1]) + r[0].x[2] * cross[0][2];
     const double product = r[0].largest * r[1].largest * r[2].largest;
-    if (!(det > 2 * bounds.solution * u * product)) return false;
+    if (!(det > 2 * bounds.solution * half_ulp * product)) return false;
     const double inverse = 1 / det;
     const auto times_inverse = [&](const double(&of)[3], double(&w)[3]) {
         each<3>([&](auto k) {
@@ -131,7 +130,8 @@ MGDT_PREDICATES_INLINE bool solve(const double* const (&p)[4], const Circumcente
         rests += r[i].largest * (r[i].largest + largest) * others;
     });
     result.error =
-        inverse * u * (bounds.solution * (sum + product * change) + bounds.residual * u * rests);
+        inverse * half_ulp *
+        (bounds.solution * (sum + product * change) + bounds.residual * half_ulp * rests);
     result.size = largest + change;
     return true;
 }
@@ -150,7 +150,7 @@ bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& 
         w[k] = Twofold::sum(offset.rough[k], offset.correction[k]);
         Twofold x = Twofold::sum(p[0][k], 0.5 * w[k].high);
         x.low += 0.5 * w[k].low;
-        is_known &= nearest(x, error + 4 * u * std::fabs(x.low), c.x[k]);
+        is_known &= nearest(x, error + 4 * half_ulp * std::fabs(x.low), c.x[k]);
         is_known &= scale_exactly(c.x[k], -scale);
         square[k] = Twofold::product(w[k].high, w[k].high);
         rest += square[k].low + 2 * w[k].high * w[k].low;
@@ -158,7 +158,8 @@ bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& 
     const Twofold first = Twofold::sum(square[0].high, square[1].high);
     const Twofold all = Twofold::sum(first.high, square[2].high);
     is_known &= nearest({all.high, rest + (first.low + all.low)},
-                        (8 * size + 4 * error) * error + 100 * u * u * size * size, c.radius2);
+                        (8 * size + 4 * error) * error + 100 * half_ulp * half_ulp * size * size,
+                        c.radius2);
     c.radius2 *= 0.25;
     return is_known && scale_exactly(c.radius2, -2 * scale);
 }

@@ -14,7 +14,6 @@ namespace mgdt {
 namespace exact {
 namespace {
 
-constexpr double u = 0x1p-53;
 // Lengths between these neither overflow nor lose anything that counts in products of eight.
 constexpr double least_square = 0x1p-240, most_square = 0x1p240;
 
@@ -76,7 +75,7 @@ int facet_sphere_filter(const double* a, const double* b, const double* c, const
         square[2] * dot(n, n);
     const double all = length[0] * length[1] * length[2];
     const double error =
-        32 * u * (all * (length[0] + length[1] + length[2])) * (length[0] * length[1]);
+        32 * half_ulp * (all * (length[0] + length[1] + length[2])) * (length[0] * length[1]);
     return height > error ? -1 : height < -error ? 1 : undecided;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mesh/facet_turns.hpp"
 #include "parallel/disjoint_sets.hpp"
 #include "platform/atomic.hpp"
 #include "query/checker.hpp"
@@ -165,7 +166,7 @@ void Checker::adjacency() const {
                 mine[i] = t.v[outer_face[f][i]];
                 theirs[i] = tet(m).v[outer_face[g][2 - i]];
             }
-            std::rotate(theirs, std::find(theirs, theirs + 3, mine[0]), theirs + 3);
+            turn_to(theirs, theirs[1] == mine[0] ? 1 : theirs[2] == mine[0] ? 2 : 0);
             if (!std::equal(mine, mine + 3, theirs)) reject(id, "a shared facet does not match");
         }
     });

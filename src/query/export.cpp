@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "mesh/facet_turns.hpp"
 #include "platform/streaming.hpp"
 #include "query/canonical_sort.hpp"
 #include "query/vertex_indices.hpp"
@@ -157,7 +158,7 @@ HullFacet hull_facet(const Mesh& mesh, TetId ghost) {
     const unsigned char* const face = outer_face[t.infinite_slot()];
     HullFacet f;
     for (int i = 0; i < 3; ++i) f.v[i] = mesh.vertices[t.v[face[i]]].index;
-    std::rotate(f.v, std::min_element(f.v, f.v + 3), f.v + 3);
+    turn_to_least(f.v);
     return f;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // mgdt bench: distributions, sizes, order schemes, threads and peers, each run in a process of its
 // own.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // Abaqus's input files, .inp, which CalculiX reads too: the nodes, and the elements of types such
 // as C3D4 and C3D10. Points keep the order of the file; numbers of nodes may be any positive
 // ones. Abaqus Analysis User's Manual, "Input syntax rules".
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

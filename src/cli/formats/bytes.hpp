@@ -2,7 +2,7 @@
 // Binary formats value by value: every access is checked against the end of the file.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

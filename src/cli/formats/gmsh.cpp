@@ -2,7 +2,7 @@
 // Gmsh's .msh, versions 2.2 and 4.1, text and binary: the nodes and the tetrahedra. Points keep
 // the order of the file; node tags may be any positive numbers.
 // Written as 4.1 binary, or as 2.2 text, which older programs read.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <optional>

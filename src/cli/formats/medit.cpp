@@ -2,7 +2,7 @@
 // INRIA's .mesh, as Medit, Mmg and FreeFem read and write it: text of keywords and numbers, which
 // may be on any lines. Vertices and tetrahedra are read; their references are not. P.J. Frey,
 // MEDIT, RT-0253, INRIA, 2001, section 7.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cli/formats/format.hpp"
 #include "cli/formats/words.hpp"

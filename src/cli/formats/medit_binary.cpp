@@ -2,7 +2,7 @@
 // INRIA's .meshb, the binary form of .mesh: keywords by number, each with the place of the next.
 // Vertices and tetrahedra are read; their references are not. L. Maréchal, libMeshb's description
 // of the format, "The GMF library".
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <limits>

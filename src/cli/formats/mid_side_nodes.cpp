@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/formats/mid_side_nodes.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 // which takes no memory; others are sorted, so that no choice of numbers makes the search slow.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // NumPy's .npy, versions 1.0 to 3.0 (numpy.lib.format): a magic string, the length of a header,
 // the header (a Python dictionary that says type, order and shape), the array's bytes.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // PLY, the Stanford polygon format: x, y and z of the element "vertex", in any scalar type, in
 // text or binary of either byte order. Other properties and elements are passed over.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Points as bare doubles, x y z of each in turn, least significant byte first.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cli/formats/bytes.hpp"
 #include "cli/formats/format.hpp"

@@ -2,7 +2,7 @@
 // The vertices of surfaces: Wavefront's .obj (its lines v), Geomview's .off, and .stl of either
 // kind, where each triangle has its corners, so that equal ones become one point, the first of
 // them.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/formats/table.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // TetGen's text files: NAME.node (points), NAME.ele (tetrahedra), NAME.neigh (neighbours).
 // Numbers begin with 0 or 1, as the first point's does. '#' begins a comment.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>

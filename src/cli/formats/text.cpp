@@ -3,7 +3,7 @@
 // semicolons, by the same throughout a file. Comments begin with #, ! or //. One header line may
 // come first: column names, of which x, y and z are read, or the number of points. Atoms as
 // chemists write them are read too.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>

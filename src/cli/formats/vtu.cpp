@@ -3,7 +3,7 @@
 // Written with appended raw arrays, each
 // compressed or with a 64-bit length before it; read in every form but compression by other
 // libraries than zlib. The fields are the arrays of numbers in PointData.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

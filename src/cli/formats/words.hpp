@@ -2,7 +2,7 @@
 // Text formats word by word.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <optional>
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Facets are cycles of three: which of them comes first is a choice.
+#pragma once
+
+namespace mgdt {
+
+// Turns v such that v[first] comes first.
+template <class T>
+inline void turn_to(T (&v)[3], int first) {
+    const T a = v[0], b = v[1], c = v[2];
+    if (first == 1) {
+        v[0] = b;
+        v[1] = c;
+        v[2] = a;
+    } else if (first == 2) {
+        v[0] = c;
+        v[1] = a;
+        v[2] = b;
+    }
+}
+
+// Turns v such that its least comes first.
+template <class T>
+inline void turn_to_least(T (&v)[3]) {
+    const int of_two = v[1] < v[0] ? 1 : 0;
+    turn_to(v, v[2] < v[of_two] ? 2 : of_two);
+}
+
+}  // namespace mgdt
