@@ -7,6 +7,9 @@
 # run; the others that run are those of the folders in which files have changed since the last commit
 # for which all of this passed, or since the one before the last commit, with small sets of points.
 
+# shellcheck disable=SC2086 # packages are words
+need $packages
+
 folder=$builds/quick
 stamp=$folder/passed
 
@@ -37,13 +40,15 @@ tests_for() {
     esac
 }
 
+cache=
+command -v ccache >/dev/null && cache=ccache
 mkdir -p "$builds"
 say "building in ${folder#"$root"/}"
 if { [ -f "$folder/build.ninja" ] ||
     CC="$cache gcc" CXX="$cache g++" meson setup "$folder" "$root" -Dwerror=true -Dtests=enabled \
         -Dcgal=disabled -Dpeers=disabled -Dprogram=enabled -Dbuildtype=debugoptimized \
         -Ddebug=false; } >"$builds/setup.log" 2>&1 &&
-    meson compile -C "$folder" -j "$jobs" >"$builds/compile.log" 2>&1; then
+    compile "$folder" all; then
     pass "the build"
 else
     tail -n 40 "$builds/setup.log" "$builds/compile.log"
@@ -53,7 +58,7 @@ fi
 
 MGDT_TEST_SMALL=1
 export MGDT_TEST_SMALL
-wanted=$(changed_files | sort -u | while read -r file; do tests_for "$file"; done)
+wanted=$(changed_files | while read -r file; do tests_for "$file"; done | tr ' ' '\n' | sort -u)
 suites='--suite style --suite unit --suite api'
 names=
 for word in $wanted; do

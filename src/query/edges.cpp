@@ -58,5 +58,6 @@ void export_vertex_neighbors(const ExportView& view, std::size_t points, Int* of
     template void export_vertex_neighbors(const ExportView&, std::size_t, Int*, Int*);
 MGDT_INSTANTIATE(std::int64_t)
 MGDT_INSTANTIATE(std::int32_t)
+#undef MGDT_INSTANTIATE
 
 }  // namespace mgdt

@@ -272,5 +272,6 @@ void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* o
     template void export_vertex_tetrahedra(const ExportView&, std::size_t, Int*, Int*);
 MGDT_INSTANTIATE(std::int64_t)
 MGDT_INSTANTIATE(std::int32_t)
+#undef MGDT_INSTANTIATE
 
 }  // namespace mgdt

@@ -22,13 +22,13 @@ unset PKG_CONFIG_PATH PYTHONPATH VIRTUAL_ENV
 rm -rf "$scratch/prefix" "$scratch/elsewhere" "$scratch/shared" "$scratch/static" "$scratch/host"
 mkdir -p "$scratch/prefix"
 
-# Not optimised: that is most of the time, and no matter here.
+# Not optimised, and in few pieces: that is most of the time, and no matter here.
 build_and_install() { # folder, prefix, meson options...
     folder=$scratch/$1
     prefix=$scratch/prefix/$2
     shift 2
     meson setup "$folder" "$source" --prefix "$prefix" --libdir lib --buildtype release -Doptimization=0 \
-        "$@" &&
+        -Dunity=on -Dunity_size=16 "$@" &&
         meson compile -C "$folder" && meson install -C "$folder" --no-rebuild
 }
 
