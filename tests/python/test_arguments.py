@@ -26,15 +26,16 @@ class Wrong(unittest.TestCase):
             (np.zeros((0, 2)), r"3D.*\(0, 2\)"),
         ):
             self.refused(ValueError, shape, mgdt.Delaunay, points)
-        self.refused(ValueError, "", mgdt.Delaunay, [[1, 2, 3], [1, 2]])
+        self.refused(ValueError, "points cannot be made into an array", mgdt.Delaunay, [[1, 2, 3], [1, 2]])
 
     def test_numbers(self):
         self.refused(TypeError, "complex", mgdt.Delaunay, np.zeros((5, 3), dtype=complex))
         self.refused(TypeError, "<U1", mgdt.Delaunay, [["a", "b", "c"]])
         self.refused(TypeError, "datetime64", mgdt.Delaunay, np.zeros((5, 3), dtype="M8[s]"))
-        self.refused(TypeError, "", mgdt.Delaunay, [[print, 1, 2]] * 5)
+        self.refused(TypeError, "points must be real numbers", mgdt.Delaunay, [[print, 1, 2]] * 5)
+        self.refused(TypeError, "points must be real numbers", mgdt.Delaunay, {"x": 1})
         self.refused(ValueError, r"points\[0\].*nan", mgdt.Delaunay, [[None, 1, 2]] * 5)
-        self.refused(ValueError, "", mgdt.Delaunay, np.array([["x", 1, 2]] * 5, dtype=object))
+        self.refused(ValueError, "points must be real numbers", mgdt.Delaunay, np.array([["x", 1, 2]] * 5, dtype=object))
         self.refused(ValueError, "masked", mgdt.Delaunay, np.ma.zeros((5, 3)))
         self.refused(TypeError, "points", mgdt.Delaunay)
 
@@ -50,8 +51,6 @@ class Wrong(unittest.TestCase):
         for restart in (False, True):
             points = [[1, 2, 3], [1, 2, np.nan]]
             self.refused(mgdt.ArgumentError, r"points\[1\]", tri.add_points, points, restart)
-        self.refused(ValueError, r"points\[1\]", tri.locate, [[1, 2, 3], [1, np.inf, 3]])
-        self.refused(ValueError, r"points\[1\]", tri.nearest_vertex, [[1, 2, 3], [1, np.inf, 3]])
         self.assertEqual(tri.npoints, 10)
         tri.check()
 

@@ -131,8 +131,12 @@ class FewPoints(unittest.TestCase):
         self.assertEqual(tri.find_simplex([[0, 0, 0], [1, 1, 1]]).tolist(), [-1, -1])
         self.assertEqual(tri.find_simplex([0, 0, 0], tol=1).tolist(), -1)
         self.assertEqual(tri.plane_distance([0, 0, 0]).shape, (0,))
-        values = tri.interpolate(np.ones(tri.npoints), [[0, 0, 0]], fill_value=-7)
-        self.assertEqual(values.tolist(), [-7])
+        # As in C: it is not that the place is outside.
+        if dimension >= 0:
+            with self.assertRaisesRegex(mgdt.ArgumentError, "there are no values between points: all"):
+                tri.interpolate(np.ones(tri.npoints), [[0, 0, 0]], fill_value=-7)
+        at = tri.interpolator([[0, 0, 0]])
+        self.assertEqual(at(np.ones(tri.npoints), fill_value=-7).tolist(), [-7])
 
     def test_each_dimension(self):
         sets = {

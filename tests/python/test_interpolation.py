@@ -100,8 +100,6 @@ class Interpolation(unittest.TestCase):
             self.tri.interpolate(values, self.inside, outside=1)
         with self.assertRaisesRegex(ValueError, "there are 208 points"):
             self.tri.interpolate(values[:-1], self.inside, method="sibson")
-        with self.assertRaisesRegex(ValueError, "must be finite"):
-            self.tri.interpolation_weights([[np.nan, 0, 0]])
         flat = mgdt.Delaunay(self.points * [1, 1, 0])
         with self.assertRaisesRegex(mgdt.ArgumentError, "in one plane"):
             flat.interpolate(values, self.inside, method="sibson")
@@ -171,6 +169,99 @@ class BesideSciPy(unittest.TestCase):
                     np.testing.assert_allclose(mgdt.griddata(*given), expected, atol=1e-12)
         with self.assertRaisesRegex(ValueError, "Unknown interpolation method 'cubic'"):
             mgdt.griddata(self.points, self.real, grid, "cubic")
+
+    def test_places_that_rounding_brings_outside(self):
+        """On a slanted edge of the hull, where SciPy's tolerance takes nearly all."""
+        corners = np.array([[0, 0, 0], [1, 0.3, 0.1], [0.1, 1, 0.2], [0.3, 0.1, 1]])
+        points = np.concatenate([0.2 + 0.3 * np.random.default_rng(5).random((100, 3)), corners])
+        values = field(points)
+        shares = np.linspace(0, 1, 101)[:, np.newaxis]
+        bare = 0
+        for a in range(4):
+            for b in range(a):
+                places = corners[a] * (1 - shares) + corners[b] * shares
+                for shift in (0.0, 8.0):
+                    at = mgdt.LinearNDInterpolator(points + shift, values)
+                    np.testing.assert_allclose(at(places + shift), field(places), atol=1e-13)
+                exact = mgdt.LinearNDInterpolator(points, values, tol=0)(places)
+                bare += int(np.isnan(exact).sum())
+                np.testing.assert_array_equal(exact, mgdt.Delaunay(points).interpolate(values, places))
+                for method in ("sibson", "linear"):
+                    found = mgdt.griddata(points, values, places, method)
+                    np.testing.assert_allclose(found, field(places), atol=1e-12)
+        self.assertGreater(bare, 50)
+        # No farther than the tolerance, which is 100 units in the last place of the extent.
+        at = mgdt.LinearNDInterpolator(points, values)
+        self.assertAlmostEqual(at.tol, 100 * 2.0**-52, delta=1e-15)
+        off = np.array([[-1.0, -1, -1]]) / np.sqrt(3)
+        self.assertFalse(np.isnan(at(off * at.tol * 0.9)).any())
+        self.assertTrue(np.isnan(at(off * at.tol * 1.1)).all())
+        wide = mgdt.LinearNDInterpolator(points, values, tol=0.5)
+        np.testing.assert_allclose(wide(off * 0.4), field(np.zeros((1, 3))), atol=1e-12)
+        self.assertTrue(np.isnan(wide(off * 0.6)).all())
+        self.assertEqual(mgdt.LinearNDInterpolator(points, values, -7)(5, 5, 5), -7)
+
+    def test_outside_and_fill_value(self):
+        beyond = [[5.0, 5, 5]]
+        for outside in OUTSIDES[1:]:
+            expected = mgdt.Delaunay(self.points).interpolate(self.real, beyond, outside=outside)
+            at = mgdt.LinearNDInterpolator(self.points, self.real, outside=outside)
+            np.testing.assert_array_equal(at(beyond), expected)
+            np.testing.assert_array_equal(
+                mgdt.griddata(self.points, self.real, beyond, outside=outside), expected
+            )
+        tri = mgdt.Delaunay(self.points)
+        for call in (
+            lambda: mgdt.LinearNDInterpolator(self.points, self.real, fill_value="x"),
+            lambda: mgdt.NaturalNeighborInterpolator(self.points, self.real, "x"),
+            lambda: mgdt.griddata(self.points, self.real, beyond, fill_value="x"),
+            lambda: tri.interpolate(self.real, beyond, "x"),
+            lambda: tri.interpolator(beyond)(self.real, [1.0, 2.0]),
+        ):
+            with self.assertRaisesRegex(TypeError, "fill_value is .*; it must be a number"):
+                call()
+        for tol in (-1, np.nan):
+            with self.assertRaisesRegex(ValueError, "tol is"):
+                mgdt.LinearNDInterpolator(self.points, self.real, tol=tol)
+
+    def test_one_rule_for_places_that_are_not_finite(self):
+        """They are outside, for every method; masked arrays are refused by all."""
+        tri = mgdt.Delaunay(self.points)
+        inside = self.points.mean(axis=0)
+        places = np.array([inside, [np.nan, 0, 0], [0.5, np.inf, 0], inside])
+        nowhere = [1, 2]
+        self.assertEqual(tri.find_simplex(places)[nowhere].tolist(), [-1, -1])
+        simplices, weights = tri.locate(places)
+        self.assertEqual(simplices[nowhere].tolist(), [-1, -1])
+        self.assertEqual(np.abs(weights[nowhere]).max(), 0)
+        self.assertEqual(tri.nearest_vertex(places)[nowhere].tolist(), [-1, -1])
+        self.assertGreaterEqual(tri.nearest_vertex(places)[[0, 3]].min(), 0)
+        offsets, indices, some = tri.interpolation_weights(places)
+        self.assertEqual(np.diff(offsets).tolist(), [4, 0, 0, 4])
+        np.testing.assert_array_equal(indices[:4], indices[4:])
+        self.assertEqual(len(some), 8)
+        for method in METHODS:
+            found = tri.interpolate(self.real, places, method=method, outside="nearest")
+            self.assertEqual(np.isnan(found).tolist(), [False, True, True, False])
+        nearest = mgdt.NearestNDInterpolator(self.points, self.real)
+        self.assertEqual(np.isnan(nearest(places)).tolist(), [False, True, True, False])
+        several = mgdt.NearestNDInterpolator(self.points, np.stack([self.real, self.real], axis=1))
+        self.assertEqual(np.isnan(several(places)).all(axis=1).tolist(), [False, True, True, False])
+        with self.assertRaisesRegex(ValueError, "a place is not finite"):
+            mgdt.NearestNDInterpolator(self.points, np.arange(len(self.points)))(places)
+        masked, values = np.ma.array(places), np.ma.array(self.real)
+        for call in (
+            lambda: tri.find_simplex(masked), lambda: tri.locate(masked),
+            lambda: tri.nearest_vertex(masked), lambda: tri.interpolation_weights(masked),
+            lambda: tri.interpolator(masked), lambda: tri.interpolate(self.real, masked),
+            lambda: tri.interpolate(values, places), lambda: tri.gradients(values),
+            lambda: mgdt.LinearNDInterpolator(self.points, values),
+            lambda: mgdt.LinearNDInterpolator(self.points, self.real)(masked),
+            lambda: mgdt.NearestNDInterpolator(self.points, values), lambda: nearest(masked),
+            lambda: nearest(*masked.T), lambda: mgdt.griddata(self.points, self.real, masked),
+        ):
+            with self.assertRaisesRegex(ValueError, "cannot be a masked array"):
+                call()
 
     def test_natural_neighbors(self):
         corners = np.array(np.meshgrid([0, 1], [0, 1], [0, 1])).reshape(3, 8).T

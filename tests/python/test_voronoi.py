@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The Voronoi diagram: beside SciPy's, and cells of lattices."""
 
+import doctest
 import unittest
 
 import numpy as np
@@ -27,6 +28,89 @@ def faces(diagram):
 
 def count_of_faces(diagram):
     return np.bincount(diagram.ridge_points.ravel(), minlength=diagram.npoints)
+
+
+class Arguments(unittest.TestCase):
+    """Those of SciPy, in its order; what is not possible says so."""
+
+    def test_as_scipys(self):
+        points = random_points(30)
+        for given in ((points, False, True, "Qc"), (points, False, False, None)):
+            ours, theirs = mgdt.Voronoi(*given), scipy.spatial.Voronoi(*given)
+            self.assertEqual(len(ours.vertices), len(theirs.vertices))
+        for error, words, given, named in (
+            (ValueError, "furthest-site", (True,), {}),
+            (TypeError, "furthest_site must be a bool, not list; give planes", ([[1, 0, 0, 1]],), {}),
+            (TypeError, "furthest_site must be a bool, not ndarray", (np.zeros((1, 4)),), {}),
+            (ValueError, "Qu", (False, False, "Qu"), {}),
+            (TypeError, "unexpected keyword argument", (), {"box": 1}),
+            (ValueError, "planes must have the shape", (), {"planes": [1, 2, 3]}),
+            (ValueError, "plane", (), {"planes": [[0, 0, 0, 1]]}),
+            (ValueError, "plane|finite", (), {"planes": [[1, 0, np.nan, 1]]}),
+            (ValueError, "plane", (), {"planes": [[1, 0, 0, 0.5]]}),
+            (ValueError, "bounds must be", (), {"bounds": [[0, 0, 0], [1, 1, 0]]}),
+            (ValueError, "bounds must be", (), {"bounds": [0, 1]}),
+        ):
+            with self.subTest(given=given, named=named), self.assertRaisesRegex(error, words):
+                mgdt.Voronoi(points, *given, **named)
+        for named in ({"incremental": True}, {"qhull_options": "Qbb"}, {"threads": 2}):
+            with self.subTest(named=named), self.assertRaisesRegex(TypeError, "has its settings already"):
+                mgdt.Voronoi(mgdt.Delaunay(points), **named)
+        with self.assertRaisesRegex(TypeError, "alpha is 'auto'; it must be a number"):
+            mgdt.AlphaShape(points, "auto")
+        with self.assertRaisesRegex(ValueError, "alpha is -1.5; it must be at least 0"):
+            mgdt.Delaunay(points).alpha_surface(-1.5)
+
+    def test_bounds(self):
+        points = np.random.default_rng(3).random((40, 3))
+        planes = [[-1, 0, 0, 1], [0, -1, 0, 2], [0, 0, -1, 3], [1, 0, 0, 4], [0, 1, 0, 5], [0, 0, 1, 6]]
+        expected = mgdt.Voronoi(points, planes=planes).volumes
+        np.testing.assert_array_equal(mgdt.Voronoi(points, bounds=[[-1, -2, -3], [4, 5, 6]]).volumes, expected)
+        cut = mgdt.Voronoi(points, bounds=[[-1, -2, -3], [9, 5, 6]], planes=[[1, 0, 0, 4]])
+        np.testing.assert_allclose(cut.volumes, expected, rtol=1e-12)
+        self.assertAlmostEqual(expected.sum(), 5 * 7 * 9)
+
+    def test_growing(self):
+        points = np.random.default_rng(4).random((60, 3))
+        diagram = mgdt.Voronoi(points[:40], incremental=True, bounds=[[0, 0, 0], [1, 1, 1]])
+        before = diagram.volumes, diagram.regions, diagram.ridge_dict
+        self.assertEqual(diagram.volumes.shape, (40,))
+        diagram.add_points(points[40:])
+        expected = mgdt.Voronoi(points, bounds=[[0, 0, 0], [1, 1, 1]])
+        np.testing.assert_array_equal(diagram.points, points)
+        np.testing.assert_array_equal(diagram.volumes, expected.volumes)
+        self.assertEqual(faces(diagram), faces(expected))
+        self.assertEqual(len(diagram.regions), 60)
+        self.assertEqual((before[0].shape, len(before[1])), ((40,), 40))
+        diagram.close()
+        with self.assertRaises(RuntimeError):
+            diagram.add_points(points[:1])
+        np.testing.assert_array_equal(diagram.volumes, expected.volumes)
+        with self.assertRaises(RuntimeError):
+            mgdt.Voronoi(points).add_points(points[:1])
+        with self.assertRaisesRegex(TypeError, "made of a Delaunay object"):
+            mgdt.Voronoi(mgdt.Delaunay(points, incremental=True)).add_points(points[:1])
+
+    def test_what_they_say_of_themselves(self):
+        points = random_points(30)
+        values = points[:, 0]
+        for made, words in (
+            (mgdt.Delaunay(points), "<mgdt.Delaunay: 30 points"),
+            (mgdt.Voronoi(points), "<mgdt.Voronoi: 30 points"),
+            (mgdt.AlphaShape(points), "<mgdt.AlphaShape: alpha"),
+            (mgdt.LinearNDInterpolator(points, values), "<mgdt.LinearNDInterpolator: 30 points, values of shape (30,)>"),
+            (mgdt.NearestNDInterpolator(points, values), "<mgdt.NearestNDInterpolator: 30 points"),
+            (mgdt.NaturalNeighborInterpolator(points, values), "<mgdt.NaturalNeighborInterpolator: 30 points"),
+            (mgdt.Delaunay(points).interpolator(points[:4]), "<mgdt.Interpolator: 30 points, places of shape (4,)>"),
+        ):
+            self.assertIn(words, repr(made))
+            self.assertIn(">>> ", type(made).__doc__)
+
+    def test_examples(self):
+        for module in (mgdt.alpha, mgdt.delaunay, mgdt.interpolation, mgdt.scattered, mgdt.voronoi):
+            result = doctest.testmod(module)
+            self.assertEqual(result.failed, 0, module)
+            self.assertGreater(result.attempted, 0, module)
 
 
 class Voronoi(unittest.TestCase):
@@ -200,7 +284,7 @@ class Snapshots(unittest.TestCase):
         points = random_points(50)
         planes = np.array([[s if j == k else 0.0 for j in range(3)] + [1000.0]
                            for k in range(3) for s in (1, -1)])
-        diagram, expected = mgdt.Voronoi(points, planes), mgdt.Voronoi(points, planes.copy())
+        diagram, expected = mgdt.Voronoi(points, planes=planes), mgdt.Voronoi(points, planes=planes.copy())
         volumes = expected.volumes
         planes[:, 3] = 2000
         np.testing.assert_array_equal(diagram.volumes, volumes)

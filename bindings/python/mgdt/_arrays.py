@@ -15,14 +15,39 @@ IndexArray = NDArray[np.int32]
 _BLOCK = 1 << 16
 
 
-def _as_doubles(values: ArrayLike, name: str) -> FloatArray:
+def as_array(values: Any, name: str) -> NDArray[Any]:
+    """An array of what may become one.
+
+    Raises
+    ------
+    ValueError
+        If it is masked, which NumPy's functions forget, or a list of rows of different lengths.
+    """
     if isinstance(values, np.ma.MaskedArray):
         raise ValueError(f"{name} cannot be a masked array")
-    array = np.asarray(values)
+    try:
+        return np.asarray(values)
+    except ValueError as error:
+        raise ValueError(f"{name} cannot be made into an array: {error}") from None
+
+
+def _as_doubles(values: ArrayLike, name: str) -> FloatArray:
+    array = as_array(values, name)
     if array.dtype.kind not in "biufO":
         raise TypeError(f"{name} must be real numbers, not {array.dtype}")
-    # Native byte order and alignment; nothing is copied if the array has them.
-    return np.require(array, dtype=np.float64, requirements="A")
+    try:
+        # Native byte order and alignment; nothing is copied if the array has them.
+        return np.require(array, dtype=np.float64, requirements="A")
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"{name} must be real numbers: {error}") from None
+
+
+def as_fill_value(value: Any) -> Any:
+    """A number, which a result has where there is no value."""
+    array = np.asarray(value)
+    if array.ndim != 0 or array.dtype.kind not in "biufc":
+        raise TypeError(f"fill_value is {value!r}; it must be a number")
+    return value
 
 
 def as_points(values: ArrayLike, name: str = "points") -> FloatArray:

@@ -322,9 +322,19 @@ class Handle:
             return out
 
     def nearest_vertices(
-        self, places: FloatArray, name: str, is_left: Callable[[], bool] = lambda: False
+        self, places: FloatArray, is_left: Callable[[], bool] = lambda: False
     ) -> IndexArray:
-        """The vertices nearest to contiguous rows; -1 where there are none."""
+        """The vertices nearest to contiguous rows; -1 where there are none, and for rows that are not
+        finite."""
+        try:
+            return self._nearest_to_finite(places, is_left)
+        except _errors.ArgumentError:
+            finite = finite_rows(places)
+            out = np.full(len(places), -1, dtype=np.int32)
+            out[finite] = self._nearest_to_finite(places[finite], is_left)
+            return out
+
+    def _nearest_to_finite(self, places: FloatArray, is_left: Callable[[], bool]) -> IndexArray:
         out = np.empty(len(places), dtype=np.int32)
         function = self._library.mgdt_nearest_vertices_i32
         size = _LOCATION_BLOCK
@@ -335,7 +345,7 @@ class Handle:
                 break
             block = places[begin : begin + size]
             status = function(self._pointer, len(block), address(block), address(out[begin:]))
-            self._ensure_located(status, places, name)
+            self._ensure_located(status, places, "")
         return out
 
     def _ensure_located(self, status: int, places: FloatArray, name: str) -> None:

@@ -20,14 +20,16 @@ class Snapshot:
     """Base of what is made of points or of their triangulation."""
 
     def __init__(self, points: Any, settings: dict[str, Any]) -> None:
-        is_made = not isinstance(points, Delaunay)
-        self.delaunay: Delaunay = Delaunay(points, **settings) if is_made else points
-        if settings and not is_made:
+        self._is_made = not isinstance(points, Delaunay)
+        self.delaunay: Delaunay = Delaunay(points, **settings) if self._is_made else points
+        if settings and not self._is_made:
             names = ", ".join(settings)
             raise TypeError(f"{names}: a Delaunay object has its settings already")
         self.points: FloatArray
         self._point_map: IndexArray
+        self._read_state()
 
+    def _read_state(self) -> None:
         # All of one state of the triangulation.
         def take(handle: Handle) -> None:
             self._state = self.delaunay._state

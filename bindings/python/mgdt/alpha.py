@@ -51,6 +51,8 @@ class AlphaShape(Snapshot):
     """
 
     def __init__(self, points: Any, alpha: Optional[float] = None, **settings: Any) -> None:
+        if isinstance(alpha, (str, bytes)):
+            raise TypeError(f"alpha is {alpha!r}; it must be a number, or None for the least")
         if alpha is not None and not alpha >= 0:
             raise ValueError(f"alpha is {alpha}; it must be at least 0")
         self._given = None if alpha is None else float(alpha)

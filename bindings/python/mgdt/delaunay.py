@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _geometry, export
-from ._arrays import FloatArray, IndexArray, as_places, as_planes, finite_rows
+from ._arrays import FloatArray, IndexArray, as_fill_value, as_places, as_planes, finite_rows
 from ._handle import MEASURES, METHODS, OUTSIDES, Handle
 from ._tolerance import in_tolerance
 from ._triangulation import GrowingTriangulation, whole
-from .interpolation import Interpolator, as_fields
+from .interpolation import Interpolator, Prepared, as_fields
 
 # Numbers of points and of places from which a check and a location may take so long that Ctrl-C
 # shall interrupt them.
@@ -30,6 +30,31 @@ def _simplex_of_each(tetrahedra: IndexArray, point_map: IndexArray) -> IndexArra
         found[tetrahedra[:, k]] = numbers
     of_points: IndexArray = found[point_map]
     return of_points
+
+
+def _bring_in(
+    handle: Handle,
+    method: str,
+    rows: FloatArray,
+    points: FloatArray,
+    box: tuple[FloatArray, FloatArray],
+    places: FloatArray,
+    found: FloatArray,
+    tolerance: float,
+) -> None:
+    """Gives those of the places that have no value and are near the hull that of the nearest place of
+    the hull. Which place that is, is the value there of the points themselves, relative to the least
+    corner of their box so that little is rounded."""
+    low, high = box[0] - tolerance, box[1] + tolerance
+    out = np.flatnonzero(np.isnan(found[:, -1]))
+    out = out[((places[out] >= low) & (places[out] <= high)).all(axis=1)]
+    if len(out) == 0:
+        return
+    some = np.ascontiguousarray(places[out])
+    there = handle.interpolate(method, "boundary", np.column_stack([rows, points - box[0]]), some)
+    way = there[:, -3:] - (some - box[0])
+    is_near = np.einsum("ij,ij->i", way, way) <= tolerance * tolerance
+    found[out[is_near]] = there[is_near, :-3]
 
 
 class Delaunay(GrowingTriangulation):
@@ -280,7 +305,9 @@ class Delaunay(GrowingTriangulation):
         """Facets between the simplices with circumradii of at most `alpha` and all others, int32,
         shape (m, 3), counter-clockwise seen from outside: a closed surface. Not in SciPy. Since
         1.2."""
-        return self._surface(float(alpha) * abs(float(alpha)))
+        if not float(alpha) >= 0:
+            raise ValueError(f"alpha is {alpha}; it must be at least 0")
+        return self._surface(float(alpha) * float(alpha))
 
     def _surface(self, alpha2: float) -> IndexArray:
         return self._read(
@@ -464,19 +491,10 @@ class Delaunay(GrowingTriangulation):
         weights : ndarray of float64, shape (..., 4)
             In the order of the vertices in `simplices`; they add up to 1 within rounding, and are
             zeros outside. Only if asked for.
-
-        Raises
-        ------
-        ValueError
-            For a coordinate that is NaN or infinite; the message names the place.
         """
         places, shape = as_places(points, "points")
         room = np.empty((len(places), 4)) if weights else None
-
-        def find(handle: Handle, is_left: Callable[[], bool]) -> IndexArray:
-            return handle.locate(places, room, "points", is_left)
-
-        found = self._read(find, len(places) >= _LONG_LOCATION).reshape(shape)
+        found = self._locate_finite(places, room).reshape(shape)
         return found if room is None else (found, room.reshape(shape + (4,)))
 
     def _locate_finite(self, places: FloatArray, weights: Optional[FloatArray]) -> IndexArray:
@@ -497,12 +515,12 @@ class Delaunay(GrowingTriangulation):
         Returns
         -------
         ndarray of int32, shape (...)
-            -1 if there are no points.
+            -1 if there are no points, and where a coordinate is NaN or infinite.
         """
         places, shape = as_places(points, "points")
 
         def find(handle: Handle, is_left: Callable[[], bool]) -> IndexArray:
-            return handle.nearest_vertices(places, "points", is_left)
+            return handle.nearest_vertices(places, is_left)
 
         # Where there are no tetrahedra each place is compared with each vertex.
         steps = len(places) * (1 if self.nsimplex else 1 + self.npoints // 64)
@@ -566,31 +584,40 @@ class Delaunay(GrowingTriangulation):
 
         Notes
         -----
-        Methods but "linear" and "nearest" raise `mgdt.ArgumentError` for points in one plane.
+        A place is in the hull or not, exactly: one that should lie on its boundary and is off by
+        rounding may have no value. `mgdt.LinearNDInterpolator` has a tolerance, as SciPy's, and so
+        has ``outside="boundary"``, which has no end. Methods but "nearest" raise
+        `mgdt.ArgumentError` for points in one plane.
         """
-        if method == "linear" and outside == "none" and self.dimension < 3:
-            return self.interpolator(points)(values, fill_value)
         self._require_manner(method, outside)
-        given, rows = as_fields(values, self.npoints)
+        return self._interpolate(Prepared(values, self.npoints), points, fill_value, method, outside)
+
+    def _interpolate(
+        self,
+        values: Prepared,
+        points: ArrayLike,
+        fill_value: complex,
+        method: str,
+        outside: str,
+        tolerance: float = 0.0,
+    ) -> NDArray[Any]:
+        """Places outside the hull by at most the tolerance have the value of the nearest one in it."""
+        as_fill_value(fill_value)
         places, shape = as_places(points, "points")
         finite = finite_rows(places)
-        # Ones are NaN only where there is no value.
-        rows = np.column_stack([rows, np.ones(len(rows))])
         some = places if finite.all() else np.ascontiguousarray(places[finite])
+        # Not within the call below, which reads already.
+        box = self._bounds() if tolerance > 0 else None
+        own = self.points
 
         def find(handle: Handle, is_left: Callable[[], bool]) -> FloatArray:
-            return handle.interpolate(method, outside, rows, some, is_left)
+            found = handle.interpolate(method, outside, values.rows, some, is_left)
+            if box is not None and not is_left() and np.isnan(found[:, -1]).any():
+                _bring_in(handle, method, values.rows, own, box, some, found, tolerance)
+            return found
 
         found = self._read(find, len(places) >= _LONG_LOCATION)
-        kind = np.result_type(given.dtype, np.float64, np.min_scalar_type(fill_value))
-        out = np.full((len(places),) + given.shape[1:], fill_value, dtype=kind)
-        is_known = ~np.isnan(found[:, -1])
-        known = np.flatnonzero(finite)[is_known]
-        fields = np.ascontiguousarray(found[is_known, :-1])
-        if given.dtype.kind == "c":
-            fields = fields.view(np.complex128)
-        out[known] = fields.reshape((len(known),) + given.shape[1:])
-        return out.reshape(shape + given.shape[1:])
+        return values.result(found, finite, fill_value).reshape(shape + values.shape)
 
     def _require_manner(self, method: str, outside: str) -> None:
         for name, value, known in (("method", method, METHODS), ("outside", outside, OUTSIDES)):
@@ -605,7 +632,7 @@ class Delaunay(GrowingTriangulation):
         Parameters
         ----------
         points : array_like of float, shape (m, 3)
-            Finite.
+            One with a coordinate that is NaN or infinite has no weights.
         method, outside : str, optional
             As `interpolate`.
 
@@ -625,12 +652,17 @@ class Delaunay(GrowingTriangulation):
         """
         self._require_manner(method, outside)
         places = as_places(points, "points")[0]
-        if not finite_rows(places).all():
-            raise ValueError("points must be finite")
-        return self._read(
-            lambda handle, _: handle.interpolation_weights(method, outside, places),
+        finite = finite_rows(places)
+        some = places if finite.all() else np.ascontiguousarray(places[finite])
+        offsets, indices, weights = self._read(
+            lambda handle, _: handle.interpolation_weights(method, outside, some),
             len(places) >= _LONG_LOCATION // 16,
         )
+        if len(some) < len(places):
+            counts = np.zeros(len(places) + 1, dtype=np.int32)
+            counts[1:][finite] = np.diff(offsets)
+            offsets = np.cumsum(counts, dtype=np.int32)
+        return offsets, indices, weights
 
     def gradients(self, values: ArrayLike) -> NDArray[Any]:
         """Gradients of values at the points.

@@ -96,6 +96,15 @@ class ParallelDelaunay:
     progress : called as ``progress(fraction)`` with 0 to 1, on this rank. The result ``mgdt.CANCEL``
         before 1 cancels, and so does an exception, and Ctrl-C within a call of it; then the other
         ranks raise `mgdt.Cancelled`. It must not raise at 1, when all is done
+
+    Examples
+    --------
+    On one rank, or on any number by ``mpiexec``:
+
+    >>> import mgdt, numpy  # doctest: +SKIP
+    >>> d = mgdt.ParallelDelaunay(numpy.random.random((1000, 3)))  # doctest: +SKIP
+    >>> d.number("all_vertices")  # doctest: +SKIP
+    1000
     """
 
     def __init__(
@@ -198,6 +207,14 @@ class ParallelDelaunay:
         # Not the communicator: other ranks may drop theirs at another time.
         if self._pointer:
             _function("destroy")(self._pointer)
+
+    def __repr__(self) -> str:
+        if not self._pointer:
+            return "<mgdt.ParallelDelaunay: closed>"
+        return (
+            f"<mgdt.ParallelDelaunay: rank {self._rank}, {self.own_vertices} vertices and "
+            f"{self.own_simplices} tetrahedra of its own>"
+        )
 
     def __enter__(self) -> "ParallelDelaunay":
         return self

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import cached_property, partial
-from typing import Any, Callable, Iterator, Optional
+from typing import Any, Callable, Iterator, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -56,6 +56,19 @@ def _lists(
     return lists
 
 
+def _planes_of_box(bounds: Optional[ArrayLike]) -> FloatArray:
+    if bounds is None:
+        return np.empty((0, 4))
+    box = np.asarray(bounds, dtype=np.float64)
+    if box.shape != (2, 3) or not (box[0] < box[1]).all():
+        raise ValueError(
+            "bounds must be the least and the largest coordinates of a box, of shape (2, 3), not "
+            f"{bounds!r}"
+        )
+    normals = np.eye(3)
+    return np.column_stack([np.concatenate([-normals, normals]), np.append(-box[0], box[1])])
+
+
 class Voronoi(Snapshot):
     """Voronoi diagram of points in space: the cells of what is nearest to each point.
 
@@ -67,9 +80,17 @@ class Voronoi(Snapshot):
     ----------
     points : array_like of float, shape (n, 3), or Delaunay
         The points, or their triangulation.
+    furthest_site : bool, optional
+        Must be false: there is no diagram of what is farthest.
+    incremental : bool, optional
+        Whether `add_points` may be called. Not with a triangulation, which grows by itself.
+    qhull_options : str, optional
+        As `Delaunay`.
     planes : array_like of float, shape (k, 4), optional
         Bound the region that `volumes`, `areas` and `centroids` are clipped to: a, b, c, d each,
         where a x + b y + c z <= d.
+    bounds : array_like of float, shape (2, 3), optional
+        A box that bounds it too: its least and its largest coordinates.
     **settings
         Of `Delaunay`.
 
@@ -106,10 +127,32 @@ class Voronoi(Snapshot):
     furthest_site = False
 
     def __init__(
-        self, points: Any, planes: Optional[ArrayLike] = None, **settings: Any
+        self,
+        points: Any,
+        furthest_site: bool = False,
+        incremental: bool = False,
+        qhull_options: Union[None, str, bytes] = None,
+        *,
+        planes: Optional[ArrayLike] = None,
+        bounds: Optional[ArrayLike] = None,
+        **settings: Any,
     ) -> None:
+        if not isinstance(furthest_site, (bool, np.bool_)):
+            raise TypeError(
+                f"furthest_site must be a bool, not {type(furthest_site).__name__}; give planes and "
+                "bounds by name"
+            )
+        if furthest_site:
+            raise ValueError("mgdt has no furthest-site diagram")
+        if incremental:
+            settings["incremental"] = True
+        if qhull_options is not None:
+            settings["qhull_options"] = qhull_options
+        self._planes = np.concatenate([as_planes(planes), _planes_of_box(bounds)])
         super().__init__(points, settings)
-        self._planes = as_planes(planes).copy()
+        self._begin()
+
+    def _begin(self) -> None:
         if len(self._simplices) == 0:
             raise ValueError("there are no cells: all points are in one plane, or fewer than four")
         self.vertices: FloatArray
@@ -117,6 +160,9 @@ class Voronoi(Snapshot):
         self.ridge_offsets: IndexArray
         self.ridge_list: IndexArray
         self.point_region: IndexArray
+        if len(self._planes):
+            # The library says what is wrong with them, before the rest takes its time.
+            self.volumes  # pylint: disable=pointless-statement
         self._aside(self._build)
 
     def _take(self, handle: Handle) -> None:
@@ -133,6 +179,37 @@ class Voronoi(Snapshot):
         self.vertices, self._vertex_of = self._join_vertices()
         if not is_left():
             self.ridge_points, self.ridge_offsets, self.ridge_list = self._faces(is_left)
+
+    def add_points(self, points: ArrayLike, restart: bool = False) -> None:
+        """Makes the diagram one of more points. What was computed of the diagram before is forgotten.
+
+        Parameters
+        ----------
+        points, restart
+            As `Delaunay.add_points`.
+
+        Raises
+        ------
+        RuntimeError
+            If the diagram was made without ``incremental=True``, or is closed.
+        TypeError
+            If it was made of a triangulation: add them there, and make another diagram.
+        """
+        if not self._is_made:
+            raise TypeError(
+                "this diagram was made of a Delaunay object: add the points to that, and make another "
+                "diagram of it"
+            )
+        self.delaunay.add_points(points, restart)
+        for name in ("regions", "ridge_vertices", "ridge_dict", "volumes", "areas", "centroids"):
+            self.__dict__.pop(name, None)
+        self._read_state()
+        self._begin()
+
+    def close(self) -> None:
+        """Ends `add_points`. The diagram stays as it is."""
+        if self._is_made:
+            self.delaunay.close()
 
     @property
     def npoints(self) -> int:
