@@ -1004,8 +1004,8 @@ subroutine mgsat(k, iord, ierr)
     if (ierr == mgdt_ok) iord = found
 end subroutine
 
-! Message of the last call on the handle that the library refused; blank if there is none. 256
-! characters hold every message.
+! Message of the last call on the handle that the library refused; blank if there is none, and where
+! there is no handle. 256 characters hold every message.
 subroutine mgerr(h, text, ierr)
     use mgdt_f77_support
     implicit none
@@ -1014,6 +1014,7 @@ subroutine mgerr(h, text, ierr)
     integer, intent(out) :: ierr
 
     ierr = mgdt_err_null_pointer
+    text = ' '
     if (.not. c_associated(handle_of(h))) return
     text = last_message(handle_of(h))
     ierr = mgdt_ok

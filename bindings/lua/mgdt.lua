@@ -219,6 +219,18 @@ local function small(value, what)
     return value
 end
 
+-- The number of a name, or a number that is one.
+local function choice(value, names, what)
+    if names[value] then return names[value] end
+    if type(value) ~= "number" then
+        local known = {}
+        for name in pairs(names) do known[#known + 1] = name end
+        table.sort(known, function(a, b) return names[a] < names[b] end)
+        bad_argument("%s is %s; it must be one of %s", what, tostring(value), table.concat(known, ", "))
+    end
+    return small(value, what)
+end
+
 --- Sets how many threads a call may use; 0 for all cores.
 function Triangulation:set_threads(n)
     local handle = handle_of(self)
@@ -539,7 +551,7 @@ local measures = constants.measure
 --- a x + b y + c z <= d, given as points are; without any, those of hull vertices are infinite.
 function Triangulation:cell_measures(measure, planes, n)
     local handle = handle_of(self)
-    local key = measures[measure] or small(measure, "the measure")
+    local key = choice(measure, measures, "the measure")
     local rows, number = nil, 0
     if planes ~= nil then rows, number = rows_of(planes, n, "planes", 4, "planes") end
     local count = tonumber(C.mgdt_point_count(handle))
@@ -652,8 +664,7 @@ local function values_of(handle, values, fields)
 end
 
 local function manner(method, outside)
-    return methods[method] or small(method, "the method"),
-        sides[outside or "none"] or small(outside, "what is outside")
+    return choice(method, methods, "the method"), choice(outside or "none", sides, "what is outside")
 end
 
 --- Values at places (given as points are for insert()) from values at the points: an array of doubles,
@@ -718,7 +729,7 @@ local levels = constants.check
 function Triangulation:check(level)
     local handle = handle_of(self)
     if level == nil then level = 3 end
-    local value = C.mgdt_check(handle, levels[level] or small(level, "the level"))
+    local value = C.mgdt_check(handle, choice(level, levels, "the level"))
     if value == status.check_failed then return nil, message_of(handle, value) end
     ensure(handle, value)
     return true

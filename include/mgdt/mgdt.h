@@ -926,8 +926,9 @@ MGDT_API const char* mgdt_stat_name(int32_t key);
 MGDT_API const char* mgdt_status_string(mgdt_status s);
 
 /** Copies the message of the last call that failed on the handle, NUL-terminated and cut to
- *  capacity; an empty string if none has failed. With calls from several threads it is the last
- *  of any of them. Never busy: callbacks and other threads may call it at any time.
+ *  capacity; an empty string if none has failed. Calls that succeed leave it. With calls from
+ * several threads it is the last of any of them. Never busy: callbacks and other threads may call
+ * it at any time.
  *  @param capacity     bytes in buffer, at least 1
  *  @param[out] buffer  256 bytes hold every message
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT

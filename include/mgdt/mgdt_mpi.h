@@ -79,7 +79,8 @@ MGDT_API mgdt_status mgdt_mpi_get_coordinates(const mgdt_mpi* m, int64_t capacit
 /** As mgdt_parts_check(). Collective.
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_mpi_check(mgdt_mpi* m, int32_t level);
-/** As mgdt_parts_get_error().
+/** As mgdt_parts_get_error(): the message of the last call that failed, which calls that succeed
+ * leave.
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_mpi_get_error(const mgdt_mpi* m, int64_t capacity, char* buffer);
 

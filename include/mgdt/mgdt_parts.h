@@ -275,7 +275,8 @@ MGDT_API mgdt_status mgdt_parts_get_coordinates(const mgdt_parts* p, int32_t par
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_parts_check(mgdt_parts* p, int32_t level);
 
-/** The message of the last failed call on the handle, as mgdt_get_error().
+/** The message of the last failed call on the handle, which calls that succeed leave, as
+ *  mgdt_get_error().
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (a capacity below 1)
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_parts_get_error(const mgdt_parts* p, int64_t capacity, char* buffer);

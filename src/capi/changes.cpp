@@ -21,8 +21,10 @@ void read_points(const Triangulation& core, std::size_t n, const Int* points,
         const std::uint64_t from_zero =
             static_cast<std::uint64_t>(i) - static_cast<std::uint64_t>(core.settings().index_base);
         if (from_zero >= given)
-            fail(MGDT_ERR_INVALID_ARGUMENT, "there is no point %lld: %llu were given",
-                 static_cast<long long>(i), static_cast<unsigned long long>(given));
+            fail(MGDT_ERR_INVALID_ARGUMENT,
+                 "there is no point %lld: %llu were given, counted from %d",
+                 static_cast<long long>(i), static_cast<unsigned long long>(given),
+                 static_cast<int>(core.settings().index_base));
         list[k] = static_cast<std::uint32_t>(from_zero);
     }
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Life, options and points of parts, and what all processes do together.
-#include <cmath>
 #include <functional>
 
 #include "capi/parts_handle.hpp"
+#include "core/point_scan.hpp"
 #include "platform/callback.hpp"
 
 using namespace mgdt;
@@ -81,10 +81,9 @@ void insert(mgdt_parts& p, std::int32_t part, std::int64_t n, const double* xyz,
     require_pointer(xyz, "xyz");
     if (count > static_cast<std::size_t>(-1) / (3 * sizeof(double)))
         fail(MGDT_ERR_TOO_LARGE, "%zu points are more than memory can hold", count);
-    for (std::size_t i = 0; i < 3 * count; ++i)
-        if (!std::isfinite(xyz[i]))
-            fail(MGDT_ERR_NOT_FINITE, "point %zu: coordinate %zu is not finite", i / 3, i % 3);
     const std::size_t before = given.count();
+    for (std::size_t i = 0; i < 3 * count; ++i)
+        require_finite(xyz[i], i % 3, static_cast<long long>(before + i / 3) + p.index_base);
     if (before > 0 && given.has_ids() != (ids != nullptr))
         fail(MGDT_ERR_INVALID_ARGUMENT, "%s",
              ids ? "the points before these have no ids" : "the points before these have ids");

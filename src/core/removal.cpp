@@ -97,8 +97,9 @@ void Triangulation::require_in(const Buffer<std::uint32_t>& points, const char* 
     sorted.reserve(points.size());
     for (const std::uint32_t i : points) {
         if (i >= point_map_.size())
-            fail(MGDT_ERR_INVALID_ARGUMENT, "there is no point %lld: %zu were given", named(i),
-                 point_map_.size());
+            fail(MGDT_ERR_INVALID_ARGUMENT,
+                 "there is no point %lld: %zu were given, counted from %d", named(i),
+                 point_map_.size(), static_cast<int>(settings_.index_base));
         if (point_map_[i] == infinite_vertex)
             fail(MGDT_ERR_INVALID_ARGUMENT, "point %lld is not in the triangulation", named(i));
         sorted.push_back(i);

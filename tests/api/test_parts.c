@@ -293,10 +293,10 @@ static void reports_bad_points(void) {
     CHECK_EQUAL(mgdt_parts_insert_points(p, 0, 4, xyz, NULL), MGDT_OK);
     xyz[7] = NAN;
     CHECK_EQUAL(mgdt_parts_insert_points(p, 2, 4, xyz, NULL), MGDT_ERR_NOT_FINITE);
-    CHECK_MESSAGE(p, "point 2: coordinate 1");
+    CHECK_MESSAGE(p, "coordinate y of point 2 is NaN");
     CHECK_EQUAL(stat(p, 2, MGDT_PARTS_POINTS), 0);
     CHECK_EQUAL(mgdt_parts_build(p), MGDT_ERR_NOT_FINITE);
-    CHECK_MESSAGE(p, "part 2: point 2: coordinate 1");
+    CHECK_MESSAGE(p, "part 2: coordinate y of point 2 is NaN");
     CHECK_EQUAL(mgdt_parts_build(p), MGDT_OK);
     CHECK_EQUAL(stat(p, 1, MGDT_PARTS_ALL_TETRAHEDRA), 1);
     mgdt_parts_destroy(p);

@@ -790,8 +790,10 @@
         CALL EXPECT(IERR .EQ. MGENUL .AND. N .EQ. 77, 'count of it')
         CALL MGDIM(H, N, IERR)
         CALL EXPECT(IERR .EQ. MGENUL .AND. N .EQ. 77, 'MGDIM of it')
+        TEXT = 'an old message'
         CALL MGERR(H, TEXT, IERR)
-        CALL EXPECT(IERR .EQ. MGENUL, 'message of it')
+        CALL EXPECT(IERR .EQ. MGENUL .AND. TEXT .EQ. ' ',
+     +              'message of it')
         CALL MGISAN(H, TEXT, IERR)
         CALL EXPECT(IERR .EQ. MGENUL, 'instruction set of it')
         CALL MGNEAR(H, XYZ, N, IERR)

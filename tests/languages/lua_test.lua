@@ -147,6 +147,12 @@ test("random points: every export as the C interface writes it", function()
     same(interpolated, expected_values, 2 * place_count, "values between points")
     local gradients, with_gradient = t:gradients(values, 2)
     same(gradients, read("gradients", "double"), 6 * with_gradient, "gradients")
+    refused("invalid_argument", { "the method is sibsom; it must be one of linear, nearest, sibson" }, t.interpolate,
+            t, "sibsom", values, places, "none", 2, value_count / 2)
+    refused("invalid_argument", { "what is outside is far; it must be one of none, nearest, boundary" }, t.interpolate,
+            t, "linear", values, places, "far", 2, value_count / 2)
+    refused("invalid_argument", { "the measure is size; it must be one of volume" }, t.cell_measures, t, "size")
+    refused("invalid_argument", { "the level is deep; it must be one of" }, t.check, t, "deep")
     local row_offsets, row_points, row_weights = t:interpolation_weights("sibson", places, nil, place_count)
     same(row_offsets, read("row_offsets", "int64_t"), place_count + 1, "offsets of rows")
     same(row_points, read("row_points", "int64_t"), row_offsets[place_count], "points of rows")

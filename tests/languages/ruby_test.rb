@@ -105,6 +105,14 @@ class MgdtTest < Minitest::Test
     values = self.class.doubles("values").each_slice(2).to_a
     expected = self.class.doubles("interpolated").each_slice(2).to_a
     assert_equal expected, t.interpolate(:sibson_c1, values, places, outside: :linear)
+    refused(Mgdt::InvalidArgument, "the method is :sibsom; it must be one of", ":sibson_c1") do
+      t.interpolate(:sibsom, values, places)
+    end
+    refused(Mgdt::InvalidArgument, "what is outside is :far; it must be one of", ":boundary") do
+      t.interpolate(:linear, values, places, outside: :far)
+    end
+    refused(Mgdt::InvalidArgument, "the measure is :size; it must be one of", ":volume") { t.cell_measures(:size) }
+    refused(Mgdt::InvalidArgument, "the level is :deep; it must be one of", ":canonical") { t.check(:deep) }
     gradients = self.class.doubles("gradients").each_slice(3).each_slice(2).to_a
     assert_equal gradients, t.gradients(values)
     assert_equal gradients.map(&:first), t.gradients(values.map(&:first))

@@ -39,6 +39,27 @@ class Wrong(unittest.TestCase):
         self.refused(ValueError, "masked", mgdt.Delaunay, np.ma.zeros((5, 3)))
         self.refused(TypeError, "points", mgdt.Delaunay)
 
+    def test_messages_name_the_argument(self):
+        points = random_points(30, 1)
+        linear = mgdt.LinearNDInterpolator(points, points[:, 0])
+        refused = self.refused
+        refused(TypeError, "order_parameters must be a dict", mgdt.Delaunay, points, order_parameters=[1])
+        refused(TypeError, "order parameter 'threshold' must be a number, not NoneType", mgdt.Delaunay, points,
+                order_parameters={"threshold": None})
+        refused(TypeError, "progress must be a function, not int", mgdt.Delaunay, points, progress=3)
+        refused(TypeError, "no places: give an array", linear)
+        refused(ValueError, "places must have 3 coordinates", linear, 1, 2)
+        refused(ValueError, "places cannot be made into an array", linear, [[1, 2, 3], [1, 2]])
+        refused(ValueError, "values cannot be made into an array", mgdt.LinearNDInterpolator, points, [[1], [1, 2]])
+        for bad in ("auto", {}, [1, 2]):
+            refused(TypeError, "alpha is .*; it must be a number", mgdt.AlphaShape, points, bad)
+            refused(TypeError, "alpha is .*; it must be a number", mgdt.Delaunay(points).alpha_surface, bad)
+            refused(TypeError, "tol is .*; it must be a number", mgdt.Delaunay(points).find_simplex, points, tol=bad)
+            refused(TypeError, "tol is .*; it must be a number", mgdt.LinearNDInterpolator, points, points, tol=bad)
+        refused(MemoryError, "the memory limit is 10 bytes", mgdt.Delaunay, points, memory_limit=10)
+        tri = mgdt.Delaunay(points, incremental=True)
+        refused(ValueError, "there is no point 30: 30 were given, counted from 0", tri.remove_points, [30])
+
     def test_not_finite(self):
         for value, name in ((np.nan, "nan"), (np.inf, "inf"), (-np.inf, "-inf")):
             for row in (0, 70_000, 99_999):
@@ -80,7 +101,7 @@ class Wrong(unittest.TestCase):
         refused(TypeError, "threads.*str", threads="all")
         refused(ValueError, "memory_limit is -5", memory_limit=-5)
         refused(TypeError, "memory_limit.*float", memory_limit=1e9)
-        refused(TypeError, "callable", progress=7)
+        refused(TypeError, "progress must be a function", progress=7)
         refused(TypeError, "unexpected", number=7)
         for good in ("Qbb Qc Qz Q12", "QJ", "Qt Qx Pp", b"Qbb", "", None):
             mgdt.Delaunay(points, qhull_options=good).check()

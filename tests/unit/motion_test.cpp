@@ -259,7 +259,7 @@ TEST(MotionArguments, AreRefusedWithTheirIndex) {
         return {};
     };
     const double infinity = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(message({3, 20}, Points(6)), "there is no point 21: 20 were given");
+    EXPECT_EQ(message({3, 20}, Points(6)), "there is no point 21: 20 were given, counted from 1");
     EXPECT_EQ(message({3, 5, 3}, Points(9)), "point 4 is to be moved twice");
     EXPECT_EQ(message({3, 4}, Points(6)), "point 5 is not in the triangulation");
     EXPECT_EQ(message({3, 5}, {1, 2, 3, 4, -infinity, 6}), "coordinate y of point 6 is infinite");

@@ -260,7 +260,7 @@ TEST(PartsTransport, FailsTogether) {
             if (process != 2) return;
             EXPECT_EQ(mgdt_parts_insert_points(p, 2, 2, bad, nullptr), MGDT_ERR_NOT_FINITE);
         },
-        MGDT_ERR_NOT_FINITE, "part 2: point 1: coordinate 1 is not finite");
+        MGDT_ERR_NOT_FINITE, "part 2: coordinate y of point 101 is infinite");
     expect(
         [](mgdt_parts* p, std::int32_t process) {
             if (process == 1) mgdt_parts_set_option(p, MGDT_PARTS_INDEX_BASE, 1);

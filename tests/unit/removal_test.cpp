@@ -435,7 +435,7 @@ TEST(RemovalArguments, AreRefusedWithTheirIndex) {
         }
         return {};
     };
-    EXPECT_EQ(message({3, 20}), "there is no point 21: 20 were given");
+    EXPECT_EQ(message({3, 20}), "there is no point 21: 20 were given, counted from 1");
     EXPECT_EQ(message({3, 4, 3}), "point 4 is to be removed twice");
     EXPECT_EQ(t->vertex_count(), 20u);
     EXPECT_EQ(message({3}), "");

@@ -42,6 +42,19 @@ def _as_doubles(values: ArrayLike, name: str) -> FloatArray:
         raise type(error)(f"{name} must be real numbers: {error}") from None
 
 
+def as_number(value: Any, name: str) -> float:
+    """A number of at least 0, which may be infinite."""
+    try:
+        number = float(value) if not isinstance(value, (str, bytes)) else None
+    except TypeError:
+        number = None
+    if number is None:
+        raise TypeError(f"{name} is {value!r}; it must be a number")
+    if not number >= 0:
+        raise ValueError(f"{name} is {value}; it must be at least 0")
+    return number
+
+
 def as_fill_value(value: Any) -> Any:
     """A number, which a result has where there is no value."""
     array = np.asarray(value)

@@ -54,6 +54,7 @@ class Handle:
     def __init__(self) -> None:
         self._library = _library.library
         self._pointer = ctypes.c_void_p()
+        self._memory_limit = 0
         status = self._library.mgdt_create(ctypes.byref(self._pointer))
         if status != _errors.OK:
             raise _errors.make(status, "the library gave no triangulation: out of memory")
@@ -69,9 +70,12 @@ class Handle:
     def _message(self, status: int) -> str:
         buffer = ctypes.create_string_buffer(_MESSAGE_BYTES)
         self._library.mgdt_get_error(self._pointer, _MESSAGE_BYTES, buffer)
-        return _library.text(buffer.value) or _library.text(
+        message = _library.text(buffer.value) or _library.text(
             self._library.mgdt_status_string(status)
         )
+        if status == _errors.OUT_OF_MEMORY and self._memory_limit:
+            message += f"; the memory limit is {self._memory_limit} bytes"
+        return message
 
     def _call(self, name: str, *arguments: Any) -> None:
         status = getattr(self._library, name)(self._pointer, *arguments)
@@ -110,6 +114,7 @@ class Handle:
 
     def set_memory_limit(self, limit: int) -> None:
         self._call("mgdt_set_memory_limit", limit)
+        self._memory_limit = limit
 
     def set_compact(self, on: bool) -> None:
         self._call("mgdt_set_compact", int(on))

@@ -44,11 +44,14 @@ def whole(value: Any, name: str, least: int, most: int) -> int:
     return number
 
 
-def _number_or_name(value: Any) -> Union[float, str]:
+def _number_or_name(value: Any, name: object) -> Union[float, str]:
     try:
         return float(value)
     except ValueError:
         return str(value)
+    except TypeError:
+        kind = type(value).__name__
+        raise TypeError(f"the order parameter {name!r} must be a number, not {kind}") from None
 
 
 class GrowingTriangulation:
@@ -78,11 +81,16 @@ class GrowingTriangulation:
         _qhull_options.check(qhull_options)
         if not isinstance(order, str):
             raise TypeError(f"order must be a string, not {type(order).__name__}")
+        if order_parameters is not None and not isinstance(order_parameters, Mapping):
+            kind = type(order_parameters).__name__
+            raise TypeError(f"order_parameters must be a dict of names and numbers, not {kind}")
+        if progress is not None and not callable(progress):
+            raise TypeError(f"progress must be a function, not {type(progress).__name__}")
         self.progress = progress
         self._settings: dict[str, Any] = {
             "order": order,
             "order_parameters": {
-                k: _number_or_name(v)
+                k: _number_or_name(v, k)
                 for k, v in (order_parameters or {}).items()
             },
             "seed": whole(seed, "seed", 0, 2**64 - 1),
@@ -406,7 +414,7 @@ class GrowingTriangulation:
         # An index that does not fit is one of no point.
         for index in (array.min(), array.max()):
             if not 0 <= index < self.npoints:
-                raise ValueError(f"there is no point {index}: {self.npoints} were given")
+                raise ValueError(f"there is no point {index}: {self.npoints} were given, counted from 0")
         return np.ascontiguousarray(array, dtype=np.int32)
 
     def close(self) -> None:

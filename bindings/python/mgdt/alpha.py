@@ -8,7 +8,7 @@ from typing import Any, Optional
 
 import numpy as np
 
-from ._arrays import IndexArray
+from ._arrays import IndexArray, as_number
 from ._handle import Handle
 from ._snapshot import Snapshot
 
@@ -51,11 +51,7 @@ class AlphaShape(Snapshot):
     """
 
     def __init__(self, points: Any, alpha: Optional[float] = None, **settings: Any) -> None:
-        if isinstance(alpha, (str, bytes)):
-            raise TypeError(f"alpha is {alpha!r}; it must be a number, or None for the least")
-        if alpha is not None and not alpha >= 0:
-            raise ValueError(f"alpha is {alpha}; it must be at least 0")
-        self._given = None if alpha is None else float(alpha)
+        self._given = None if alpha is None else as_number(alpha, "alpha")
         super().__init__(points, settings)
 
     def _take(self, handle: Handle) -> None:

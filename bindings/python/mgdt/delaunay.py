@@ -9,7 +9,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _geometry, export
-from ._arrays import FloatArray, IndexArray, as_fill_value, as_places, as_planes, finite_rows
+from ._arrays import (
+    FloatArray,
+    IndexArray,
+    as_fill_value,
+    as_number,
+    as_places,
+    as_planes,
+    finite_rows,
+)
 from ._handle import MEASURES, METHODS, OUTSIDES, Handle
 from ._tolerance import in_tolerance
 from ._triangulation import GrowingTriangulation, whole
@@ -305,9 +313,8 @@ class Delaunay(GrowingTriangulation):
         """Facets between the simplices with circumradii of at most `alpha` and all others, int32,
         shape (m, 3), counter-clockwise seen from outside: a closed surface. Not in SciPy. Since
         1.2."""
-        if not float(alpha) >= 0:
-            raise ValueError(f"alpha is {alpha}; it must be at least 0")
-        return self._surface(float(alpha) * float(alpha))
+        number = as_number(alpha, "alpha")
+        return self._surface(number * number)
 
     def _surface(self, alpha2: float) -> IndexArray:
         return self._read(
@@ -444,15 +451,14 @@ class Delaunay(GrowingTriangulation):
         Many places in one call are much faster than one by one. Since 1.0.
         """
         places, shape = as_places(xi, "xi")
-        if tol is not None and not tol >= 0:
-            raise ValueError(f"tol is {tol}; it must be at least 0")
+        tolerance = 0.0 if tol is None else as_number(tol, "tol")
         found = self._locate_finite(places, None)
-        if tol:
+        if tolerance:
             outside = np.flatnonzero((found < 0) & finite_rows(places))
             with self._reading() as handle:
                 found[outside] = in_tolerance(
                     places[outside],
-                    float(tol),
+                    tolerance,
                     self.points,
                     self._kept(handle, "hull_facets"),
                     handle.locate_finite,

@@ -8,13 +8,15 @@ from typing import Any, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import FloatArray, as_array, as_fill_value, as_points
+from ._arrays import FloatArray, as_array, as_fill_value, as_number, as_points
 from .delaunay import Delaunay
 from .interpolation import Prepared, as_fields
 
 
 def _as_places(arguments: tuple[Any, ...]) -> NDArray[Any]:
     """Places as SciPy takes them: one array, a tuple of three, or three arguments."""
+    if len(arguments) == 0:
+        raise TypeError("no places: give an array of shape (..., 3), a tuple of three, or three arguments")
     given = arguments[0] if len(arguments) == 1 else arguments
     places: NDArray[Any]
     if isinstance(given, tuple):
@@ -118,8 +120,8 @@ class LinearNDInterpolator(_Scattered):
         **options: Any,
     ) -> None:
         self.fill_value = as_fill_value(fill_value)
-        if tol is not None and not tol >= 0:
-            raise ValueError(f"tol is {tol}; it must be at least 0")
+        if tol is not None:
+            tol = as_number(tol, "tol")
         super().__init__(points, values, rescale, **options)
         self.tri._require_manner(self._method, outside)
         self._prepared = Prepared(self.values, self.tri.npoints)

@@ -294,7 +294,7 @@ module Mgdt
     # numbers. Cells are clipped to the planes [a, b, c, d], where a x + b y + c z <= d, given as
     # points are; without any, those of hull vertices are infinite.
     def cell_measures(measure, planes = [])
-      key = MEASURES[measure] || integer(measure, "the measure", 31)
+      key = choice(measure, MEASURES, "the measure")
       rows = Points.new(planes, width: 4, name: "planes")
       with_handle do |handle|
         room = Library.mgdt_point_count(handle) * (key == MEASURES[:centroid] ? 3 : 1)
@@ -432,7 +432,7 @@ module Mgdt
     # Proves the triangulation by exact arithmetic, at a level :combinatorial, :geometric or
     # :canonical. True, or CheckFailed is raised, which says what and where.
     def check(level = :canonical)
-      call(:mgdt_check, LEVELS[level] || integer(level, "the level", 31))
+      call(:mgdt_check, choice(level, LEVELS, "the level"))
       true
     end
 
@@ -461,8 +461,8 @@ module Mgdt
     private
 
     def manner(method, outside)
-      [METHODS[method] || integer(method, "the method", 31),
-       SIDES[outside] || integer(outside, "what is outside", 31)]
+      [choice(method, METHODS, "the method"),
+       choice(outside, SIDES, "what is outside")]
     end
 
     # The number of fields, and the values of n points one behind the other.
@@ -492,6 +492,15 @@ module Mgdt
       return value if value.is_a?(Integer) && value.abs < 2**bits
 
       raise argument("#{what} is #{value.inspect}; it must be an Integer below 2**#{bits}")
+    end
+
+    # The number of a name, or a number that is one.
+    def choice(value, names, what)
+      return names[value] if names.key?(value)
+      return integer(value, what, 31) if value.is_a?(Integer)
+
+      raise argument("#{what} is #{value.inspect}; it must be one of " \
+                     "#{names.keys.map(&:inspect).join(', ')}")
     end
 
     def numbers(points)
