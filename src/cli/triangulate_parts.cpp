@@ -114,7 +114,9 @@ int triangulate_in_parts(const TriangulateOptions& options) {
         tetrahedra = parts.number(MGDT_PARTS_ALL_TETRAHEDRA);
     }
     write_index_of_pieces(files, outputs.open(output.path));
+    const std::vector<std::string> left_over = pieces_left_over(output.path, files.size());
     outputs.commit();
+    remove_pieces(left_over);
     if (!options.triangulation.quiet)
         fmt::print("{}, {}, {}, {:.2f} s: {}\n",
                    counted(static_cast<std::size_t>(vertices), "vertex", "vertices"),

@@ -61,6 +61,27 @@ class Parts(Pieces):
         self.mgdt("triangulate", "flat.xyz", "--parts", "3", "-o", "flat.pvtu")
         self.assertEqual(self.pieces("flat.pvtu")[1], [])
 
+    def test_fewer_parts_leave_no_pieces(self):
+        """Those of the file that is written anew, and no others."""
+        self.mgdt("generate", "-q", "uniform", "2000", "-o", "p.npy")
+        for name in ("a.pvtu", "a&b.pvtu"):
+            stem = name[:-5]
+            self.mgdt("triangulate", "-q", "p.npy", "--parts", "4", "-o", name)
+            for other in (f"{stem}_7.vtu", f"{stem}_x.vtu", f"b{stem}_3.vtu"):
+                self.put(other, "of somebody else")
+            self.mgdt("triangulate", "-q", "p.npy", "--parts", "2", "-o", name)
+            made = sorted(n for n in self.names() if n.startswith(stem + "_"))
+            self.assertEqual(made, [f"{stem}_0.vtu", f"{stem}_1.vtu", f"{stem}_7.vtu", f"{stem}_x.vtu"])
+            self.assertIn(f"b{stem}_3.vtu", self.names())
+            os.remove(self.path(f"{stem}_x.vtu"))
+        # An index that names what it should not.
+        self.put("c.pvtu", '<Piece Source="../p.npy"/><Piece Source="c_9.vtu"/><Piece Source="c_09.vtu"/><Piece Source="c_5.vtu')
+        for n in ("c_9.vtu", "c_09.vtu", "c_5.vtu"):
+            self.put(n, "")
+        self.mgdt("triangulate", "-q", "p.npy", "--parts", "2", "-o", "c.pvtu")
+        made = sorted(n for n in self.names() if n.startswith("c_"))
+        self.assertEqual(made, ["c_0.vtu", "c_09.vtu", "c_1.vtu", "c_5.vtu"])
+
     def test_a_name_that_xml_has_other_words_for(self):
         self.put("points.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n")
         self.mgdt("triangulate", "points.xyz", "--parts", "1", "-o", "a&b.pvtu")

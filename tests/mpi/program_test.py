@@ -57,7 +57,9 @@ class Ranks(Pieces):
         for name in ("big.npy", "short.npy", "columns.npy", "bare.f64", "mesh.msh"):
             with self.subTest(name=name):
                 self.assertEqual(self.same(3, name), expected)
+        self.assertIn("out_2.vtu", self.names())
         self.assertEqual(self.same(2, "-", data=self.get("little.npy")), expected)
+        self.assertNotIn("out_2.vtu", self.names())  # of the three ranks before
 
     def test_no_points(self):
         np.save(self.path("none.npy"), np.zeros((0, 3)))

@@ -23,4 +23,9 @@ std::vector<std::string> piece_paths(const std::string& path, int count);
 void write_piece(const Piece& piece, bool compress, OutputFile& out);
 void write_index_of_pieces(const std::vector<std::string>& files, OutputFile& out);
 
+// The pieces beyond the first `count` that the file at the path names, if it is an index of pieces
+// of before: nothing names them once another index has its place.
+std::vector<std::string> pieces_left_over(const std::string& path, std::size_t count);
+void remove_pieces(const std::vector<std::string>& pieces) noexcept;
+
 }  // namespace mgdt::cli

@@ -137,8 +137,13 @@ void write(const Options& o, Ranks& ranks, const ProgramParts& parts,
         if (ranks.is_first()) write_index_of_pieces(files, outputs.open(o.output));
     });
     // A rank that cannot, or was interrupted, says so before any has given its file a name.
-    ranks.together([&] { outputs.close(); });
+    std::vector<std::string> left_over;
+    ranks.together([&] {
+        outputs.close();
+        if (ranks.is_first()) left_over = pieces_left_over(o.output, files.size());
+    });
     ranks.together([&] { outputs.commit(); });
+    remove_pieces(left_over);
 }
 
 // The first rank looks at the file: a name may lead elsewhere on another, and a file may grow.
