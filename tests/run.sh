@@ -78,7 +78,7 @@ packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 pytho
     cmake tetgen abigail-tools mandoc groff-base gfortran
     luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev
     libopenmpi-dev openmpi-bin libmpich-dev mpich python3-mpi4py clang-format clang-tidy doxygen shellcheck python3-pyflakes python3-pycparser fypp
-    g++-mingw-w64-x86-64-posix wine wine64 g++-aarch64-linux-gnu qemu-user'
+    g++-mingw-w64-x86-64-posix wine wine64 g++-aarch64-linux-gnu qemu-user zsh fish'
 [ $long = no ] || packages="$packages npm gzip llvm libclang-rt-dev"
 
 # Installs Debian packages that are missing, or ends.

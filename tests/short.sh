@@ -26,7 +26,7 @@ fi
 
 MGDT_TEST_SMALL=1
 export MGDT_TEST_SMALL
-selection='--no-suite meshio --no-suite compilers --no-suite once'
+selection='--no-suite meshio --no-suite shells --no-suite compilers --no-suite once'
 for suite in $suites; do selection="$selection --suite $suite"; done
 # shellcheck disable=SC2086 # options are words
 run short $selection
