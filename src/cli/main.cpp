@@ -98,8 +98,14 @@ void add_output(CLI::App& app, OutputOptions& options, bool required) {
 }
 
 void add_index_base(CLI::App& app, OutputOptions& options) {
-    app.add_option("--index-base", options.write.index_base,
-                   "Number of the first point and tetrahedron in .npy and TetGen files (default 0)")
+    app.add_option_function<int>(
+           "--index-base",
+           [&options](int base) {
+               options.write.index_base = base;
+               options.write.is_base_chosen = true;
+           },
+           "Number of the first point and tetrahedron in .npy and TetGen files (default 0, or that "
+           "of a TetGen input)")
         ->check(CLI::IsMember({0, 1}))
         ->type_name("0|1");
 }

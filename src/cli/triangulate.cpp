@@ -150,7 +150,11 @@ int triangulate(const TriangulateOptions& options) {
     OutputSet outputs;
     if (!options.point_map.empty())
         write_npy_integers(point_map, output.write.index_base, outputs.open(options.point_map));
-    if (format) format->write_mesh(mesh, output.path, outputs, output.write);
+    WriteOptions write = output.write;
+    // As the points came: they have these numbers in other files of the same set.
+    if (format == &tetgen_format() && !write.is_base_chosen)
+        write.index_base = mesh.first_number.value_or(0);
+    if (format) format->write_mesh(mesh, output.path, outputs, write);
     if (!options.neighbors.empty()) {
         write_npy_rows_of_4(mesh.neighbors, output.write.index_base,
                             outputs.open(options.neighbors));

@@ -290,6 +290,20 @@ class BadInput(CliTest):
             self.fails(3, "info", "p." + name, says="p." + name,
                        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
 
+    def test_numbers_of_tetgen_follow_the_input(self):
+        corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"]
+        for first in (0, 1):
+            self.put("p.node", "4 3 0 0\n" + "".join(f"{i + first} {c}\n" for i, c in enumerate(corners)))
+            for options, base in ((), first), (("--index-base", 0), 0), (("--index-base", 1), 1):
+                self.mgdt("triangulate", "p.node", "-o", "m.ele", *options)
+                for name in ("m.node", "m.ele", "m.neigh"):
+                    self.assertEqual(self.get(name).split(b"\n")[1].split()[0], b"%d" % base)
+                self.assertEqual(min(map(int, self.get("m.ele").split(b"\n")[1].split()[1:])), base)
+                self.mgdt("check", "-q", "m.ele")
+        # Of an .npy they have the default still.
+        self.mgdt("triangulate", "p.node", "-o", "m.npy", "--neighbors", "n.npy")
+        self.assertIn(b"m.npy", self.out)
+
     def test_check_finds_defects(self):
         self.mgdt("generate", "uniform", 50, "-o", "p.npy")
         self.mgdt("triangulate", "p.npy", "-o", "m.ele")

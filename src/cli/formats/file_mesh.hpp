@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Mesh {
     std::vector<double> points;            // x y z of each
     std::vector<std::int64_t> tetrahedra;  // 4 vertices each, points counted from 0
     std::vector<std::int64_t> neighbors;   // 4 each, opposite the vertices, -1 for none; or empty
+    std::optional<int> first_number;       // of the points, where the format has it open: 0 or 1
     bool has_tetrahedra = false;           // the file says so, even if there are none
     std::size_t other_cells = 0;           // cells of other shapes, left out
     // The nodes of tetrahedra of higher order but their corners, in any order and with repeats,

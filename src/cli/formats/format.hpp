@@ -25,8 +25,9 @@ struct ReadOptions {
 };
 
 struct WriteOptions {
-    int index_base = 0;     // of formats that leave it open
-    bool compress = false;  // .vtu
+    int index_base = 0;           // of formats that leave it open
+    bool is_base_chosen = false;  // or else it is the default
+    bool compress = false;        // .vtu
 };
 
 // Where a file has its points: rows of bytes of one length, with x, y and z at the beginning.

@@ -153,6 +153,7 @@ Mesh read_tetgen(const Source& source, const ReadOptions&) {
     if (!ends_with(source.path, ".ele")) {
         const std::int64_t base = read_nodes(source, mesh.points);
         mesh.detail = fmt::format("numbered from {}", base);
+        mesh.first_number = static_cast<int>(base);
         return mesh;
     }
     const auto add_input = [&mesh](const InputFile& file) {
@@ -162,6 +163,7 @@ Mesh read_tetgen(const Source& source, const ReadOptions&) {
     add_input(nodes);
     const std::int64_t base = read_nodes(nodes.source(), mesh.points);
     read_elements(source, base, mesh);
+    mesh.first_number = static_cast<int>(base);
     mesh.detail = fmt::format("with {}, numbered from {}", nodes.source().name, base);
     const std::string neigh = beside(source, ".neigh");
     if (system::status(neigh)) {
