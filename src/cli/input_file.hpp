@@ -33,8 +33,8 @@ class InputFile {
   public:
     // "-" is standard input.
     explicit InputFile(const std::string& path) : InputFile(path, 0, whole) {}
-    // At most so many bytes from a place, as they are in the file; of pipes and their like, from
-    // where they are.
+    // Reads at most `most` bytes from byte `begin` of the file on, as they are stored; of a pipe,
+    // the next bytes.
     InputFile(const std::string& path, std::size_t begin, std::size_t most);
     Source source() const {
         if (expanded_) return {name_, path_, *expanded_, 0};

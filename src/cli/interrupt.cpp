@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <string>
+#include <string_view>
 
 #include "cli/errors.hpp"
 #include "cli/system.hpp"
@@ -10,10 +11,7 @@
 namespace mgdt::cli {
 namespace {
 
-constexpr char message[] = "cancelled; nothing was written";
-// As main() writes it, over a line of progress that may be there.
-constexpr char last_words[] = "\r\x1b[Kmgdt: cancelled; nothing was written\n";
-constexpr std::size_t erasure = 4;
+constexpr std::string_view message = "cancelled; nothing was written";
 constexpr int patience = 100;  // milliseconds
 
 std::atomic<int> received{0};
@@ -38,10 +36,15 @@ void end_at_once() {
     for (const RegisteredName* n = names.load(); n != nullptr; n = n->next) {
         if (n->is_used.load()) system::remove(n->path.c_str());
     }
-    const std::size_t skipped = has_terminal ? 0 : erasure;
     if (!is_patient) {
-        static_cast<void>(system::write(system::standard_error, last_words + skipped,
-                                        sizeof last_words - 1 - skipped));
+        // As main() says it, over a line of progress that may be there.
+        const auto say = [](std::string_view text) {
+            static_cast<void>(system::write(system::standard_error, text.data(), text.size()));
+        };
+        if (has_terminal) say("\r\x1b[K");
+        say("mgdt: ");
+        say(message);
+        say("\n");
     }
     system::leave(exit_signal + received.load());
 }
@@ -72,7 +75,7 @@ int interrupt_signal() noexcept {
 
 void check_interrupt() {
     if (const int signal = interrupt_signal()) {
-        throw Error(exit_signal + signal, message);
+        throw Error(exit_signal + signal, std::string(message));
     }
 }
 

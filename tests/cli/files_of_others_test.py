@@ -15,19 +15,12 @@ sys.dont_write_bytecode = True  # the source tree stays as it is
 import cli_test
 import meshio
 import numpy as np
-from cli_test import CliTest
+from solver_files_test import MeshTest
 
 EDGES = [(0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)]
 
 
-class FilesOfOthers(CliTest):
-    def setUp(self):
-        super().setUp()
-        self.mgdt("generate", "-q", "galaxy", "300", "-o", "points.npy")
-        self.points = np.load(self.path("points.npy"))
-        self.mgdt("triangulate", "-q", "points.npy", "-o", "mesh.npy")
-        self.tetrahedra = np.load(self.path("mesh.npy"))
-
+class FilesOfOthers(MeshTest):
     def quadratic(self):
         """The same mesh with a node in the middle of each edge. The corners do not come first."""
         numbers = {}

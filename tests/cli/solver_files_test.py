@@ -17,8 +17,8 @@ import numpy as np
 from cli_test import CliTest
 
 
-class SolverFiles(CliTest):
-    ENDINGS = {"mesh": "medit", "meshb": "meshb", "inp": "abaqus", "vtk": "vtk"}
+class MeshTest(CliTest):
+    """Has 300 points and their tetrahedra, as files and as arrays."""
 
     def setUp(self):
         super().setUp()
@@ -26,6 +26,10 @@ class SolverFiles(CliTest):
         self.points = np.load(self.path("points.npy"))
         self.mgdt("triangulate", "-q", "points.npy", "-o", "mesh.npy")
         self.tetrahedra = np.load(self.path("mesh.npy"))
+
+
+class SolverFiles(MeshTest):
+    ENDINGS = {"mesh": "medit", "meshb": "meshb", "inp": "abaqus", "vtk": "vtk"}
 
     def test_written_files_are_read(self):
         for ending in self.ENDINGS:

@@ -283,28 +283,17 @@ class Handle:
 
     # Queries
 
-    def locate(
-        self,
-        places: FloatArray,
-        weights: Optional[FloatArray],
-        name: str,
-        is_left: Callable[[], bool] = lambda: False,
+    def _locate(
+        self, places: FloatArray, weights: Optional[FloatArray], is_left: Callable[[], bool]
     ) -> IndexArray:
-        """The tetrahedra of contiguous rows; -1 outside. Fills weights (m, 4) where given."""
+        """The tetrahedra of contiguous, finite rows; -1 outside. Fills weights (m, 4) where given."""
         out = np.empty(len(places), dtype=np.int32)
-        function = self._library.mgdt_locate_points_i32
         for begin in range(0, len(places), _LOCATION_BLOCK):
             if is_left():
                 break
             block = places[begin : begin + _LOCATION_BLOCK]
-            status = function(
-                self._pointer,
-                len(block),
-                address(block),
-                address(out[begin:]),
-                None if weights is None else address(weights[begin:]),
-            )
-            self._ensure_located(status, places, name)
+            to = None if weights is None else address(weights[begin:])
+            self._call("mgdt_locate_points_i32", len(block), address(block), address(out[begin:]), to)
         return out
 
     def locate_finite(
@@ -313,14 +302,15 @@ class Handle:
         weights: Optional[FloatArray] = None,
         is_left: Callable[[], bool] = lambda: False,
     ) -> IndexArray:
-        """As `locate`, but rows that are not finite are outside."""
+        """The tetrahedra of contiguous rows; -1 outside and for rows that are not finite. Fills weights
+        (m, 4) where given."""
         try:
-            return self.locate(places, weights, "", is_left)
+            return self._locate(places, weights, is_left)
         except _errors.ArgumentError:
             finite = finite_rows(places)
             out = np.full(len(places), -1, dtype=np.int32)
             some = None if weights is None else np.empty((int(finite.sum()), 4))
-            out[finite] = self.locate(places[finite], some, "", is_left)
+            out[finite] = self._locate(places[finite], some, is_left)
             if weights is not None:
                 weights[...] = 0
                 weights[finite] = some
@@ -341,7 +331,6 @@ class Handle:
 
     def _nearest_to_finite(self, places: FloatArray, is_left: Callable[[], bool]) -> IndexArray:
         out = np.empty(len(places), dtype=np.int32)
-        function = self._library.mgdt_nearest_vertices_i32
         size = _LOCATION_BLOCK
         if self.tetrahedron_count == 0:
             size = 1 + 64 * size // (1 + self.vertex_count)
@@ -349,15 +338,9 @@ class Handle:
             if is_left():
                 break
             block = places[begin : begin + size]
-            status = function(self._pointer, len(block), address(block), address(out[begin:]))
-            self._ensure_located(status, places, "")
+            name = "mgdt_nearest_vertices_i32"
+            self._call(name, len(block), address(block), address(out[begin:]))
         return out
-
-    def _ensure_located(self, status: int, places: FloatArray, name: str) -> None:
-        if status == _errors.NOT_FINITE:
-            raise _errors.make(status, describe_not_finite(places, name))
-        if status != _errors.OK:
-            raise _errors.make(status, self._message(status))
 
     # Values between points. Values are contiguous rows of doubles, one for each point; places are
     # contiguous and finite.

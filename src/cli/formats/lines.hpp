@@ -18,6 +18,9 @@ inline bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\f' || c == '\v';
 }
 
+// Whether two texts are equal but for the case of ASCII letters.
+bool is_same_but_for_case(std::string_view a, std::string_view b);
+
 // Lines end with \n, \r\n or \r.
 class LineReader {
   public:

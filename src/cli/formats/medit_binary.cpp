@@ -130,7 +130,7 @@ class Reader {
     ByteReader bytes_;
     Mesh mesh_;
     std::int32_t version_ = 0;
-    std::array<bool, 11> nodes_read_ = {};  // whether tetrahedra of so many nodes were there
+    std::array<bool, 11> nodes_read_ = {};  // by nodes of a tetrahedron: whether it has been read
 };
 
 Mesh read_medit_binary(const Source& source, const ReadOptions&) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The vertices of surfaces: Wavefront's .obj (its lines v), Geomview's .off, and .stl of either
-// kind, where each triangle has its corners, so that equal ones become one point, the first of
-// them.
+// kind, with keywords in any case, where each triangle has its corners, so that equal ones become
+// one point, the first of them.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <cstring>
 #include <unordered_set>
@@ -103,14 +102,6 @@ class Corners {
     std::unordered_set<Corner, HashOfCorner> seen_;
 };
 
-// Programs write STL's keywords in small letters or in capitals.
-bool is_keyword(std::string_view word, std::string_view keyword) {
-    const auto is_same = [](char c, char small) {
-        return c == small || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == small);
-    };
-    return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), is_same);
-}
-
 constexpr std::size_t head_bytes = 84, triangle_bytes = 50;
 
 Mesh read_stl(const Source& source, const ReadOptions&) {
@@ -121,7 +112,7 @@ Mesh read_stl(const Source& source, const ReadOptions&) {
         ByteReader bytes(source, head_bytes - 4, false);
         const std::uint64_t n = bytes.value<std::uint32_t>("the number of triangles");
         const bool is_whole = source.bytes.size() == head_bytes + n * triangle_bytes;
-        if (is_whole || !is_keyword(source.bytes.substr(0, 5), "solid")) {
+        if (is_whole || !is_same_but_for_case(source.bytes.substr(0, 5), "solid")) {
             mesh.detail = "binary";
             mesh.other_cells = static_cast<std::size_t>(n);
             bytes.need(n, triangle_bytes, "triangles");
@@ -139,15 +130,16 @@ Mesh read_stl(const Source& source, const ReadOptions&) {
     }
     mesh.detail = "text";
     LineReader lines(source);
-    if (!lines.next_with_text(no_comment) || !is_keyword(Fields(lines).word("solid"), "solid"))
+    if (!lines.next_with_text(no_comment) ||
+        !is_same_but_for_case(Fields(lines).word("solid"), "solid"))
         source.fail_at_line(1, "not an STL file: neither solid nor a whole binary one");
     bool has_ended = false;
     while (lines.next_with_text(no_comment)) {
         Fields fields(lines);
         const std::string_view keyword = fields.word("a keyword");
-        has_ended = is_keyword(keyword, "endsolid");
-        if (is_keyword(keyword, "facet")) ++mesh.other_cells;
-        if (!is_keyword(keyword, "vertex")) continue;
+        has_ended = is_same_but_for_case(keyword, "endsolid");
+        if (is_same_but_for_case(keyword, "facet")) ++mesh.other_cells;
+        if (!is_same_but_for_case(keyword, "vertex")) continue;
         Corner c;
         for (double& x : c) x = fields.number("coordinate");
         corners.add(c);

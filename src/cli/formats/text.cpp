@@ -17,12 +17,6 @@
 namespace mgdt::cli {
 namespace {
 
-bool is_name(std::string_view field, std::string_view name) {
-    return std::equal(field.begin(), field.end(), name.begin(), name.end(), [](char a, char b) {
-        return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
-    });
-}
-
 // The columns that a line of names calls x, y and z, or as ParaView and surveyors do; where there
 // are three in all, these.
 std::optional<Columns> named_columns(std::string_view line) {
@@ -39,7 +33,7 @@ std::optional<Columns> named_columns(std::string_view line) {
         int found = 0;
         for (std::size_t i = 0; i < names.size(); ++i) {
             for (std::size_t k = 0; k < 3; ++k) {
-                if (!is_name(names[i], wanted[k])) continue;
+                if (!is_same_but_for_case(names[i], wanted[k])) continue;
                 columns[k] = static_cast<int>(i + 1);
                 ++found;
             }
@@ -83,7 +77,7 @@ class RowReader {
         fields_.resize(static_cast<std::size_t>(std::max(last, 2)));
     }
 
-    // Counts up to so many fields.
+    // From here on, read() counts the fields of a row up to this number.
     void look_at(std::size_t fields) { fields_.resize(std::max(fields_.size(), fields)); }
 
     Row read(std::string_view line, char separator) {
@@ -139,6 +133,15 @@ class RowReader {
     std::vector<std::string_view> fields_;
 };
 
+// Goes to the next line with text that is no comment; false at the end of the file.
+bool next_row(LineReader& lines, std::string_view& row) {
+    while (lines.next()) {
+        row = without_comment(lines.text());
+        if (row.find_first_not_of(" \t\f\v") != std::string_view::npos) return true;
+    }
+    return false;
+}
+
 // Whether a row ends with a separator, after which there is one more column, which is empty.
 bool ends_empty(std::string_view line, char separator) {
     if (separator == ' ') return false;
@@ -161,12 +164,8 @@ bool first_column_counts(LineReader lines, std::string_view row, char separator)
         if (rows == 0 ? number != 0 && number != 1 : number != before + 1) return false;
         before = number;
         ++rows;
-        do {
-            if (!lines.next()) return rows > 1;
-            row = without_comment(lines.text());
-        } while (row.find_first_not_of(" \t\f\v") == std::string_view::npos);
-    } while (rows < 100);
-    return true;
+    } while (rows < 100 && next_row(lines, row));
+    return rows > 1;
 }
 
 // Whether a file is of the kind that chemists call .xyz: the number of atoms, a line of any text,
@@ -194,7 +193,7 @@ bool is_of_chemists(LineReader lines) {
         if (!atom.next(field) || parse_number(field, x) == NumberStatus::not_a_number) return false;
     }
     if (is_symbol) return true;
-    // Numbers of elements: the line of text is no row.
+    // Where elements are numbers, the second line must not be a row of numbers.
     std::string_view word;
     if (split(title, ' ', &word, 1) == 0) return true;
     return parse_number(word, x) == NumberStatus::not_a_number;
@@ -249,13 +248,7 @@ class TextReader {
     bool is_complete(const Mesh& mesh) const {
         return mesh.point_count() == static_cast<std::uint64_t>(announced_);
     }
-    // Goes to the next line with text that is no comment.
-    void next() {
-        do {
-            has_row_ = lines_.next();
-            text_ = has_row_ ? without_comment(lines_.text()) : "";
-        } while (has_row_ && text_.find_first_not_of(" \t\f\v") == std::string_view::npos);
-    }
+    void next() { has_row_ = next_row(lines_, text_); }
     void begin_atoms() {
         are_atoms_ = true;
         lines_.next();

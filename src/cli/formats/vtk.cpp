@@ -4,8 +4,6 @@
 // File Formats"; what version 5 changed, VTK's vtkDataReader. Written as version 3.0, text.
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "cli/errors.hpp"
 #include "cli/formats/bytes.hpp"
 #include "cli/formats/format.hpp"
@@ -19,11 +17,8 @@ namespace {
 constexpr std::string_view magic = "# vtk DataFile Version ";
 
 // VTK reads keywords in any case.
-bool same(std::string_view word, std::string_view capitals) {
-    const auto is_same = [](char c, char capital) {
-        return c == capital || (c >= 'a' && c <= 'z' && c - 'a' + 'A' == capital);
-    };
-    return std::equal(word.begin(), word.end(), capitals.begin(), capitals.end(), is_same);
+bool same(std::string_view word, std::string_view keyword) {
+    return is_same_but_for_case(word, keyword);
 }
 
 bool sniff(std::string_view bytes) {

@@ -17,8 +17,8 @@ inline bool is_vtk_tetrahedron(std::int64_t type) {
            type == vtk_bezier_tetra;
 }
 
-// Whether a cell of a type may have so many nodes. Of types that are not linear, only tetrahedra
-// are looked at.
+// Whether a cell of this type may have this number of nodes. Of types that are not linear, only
+// tetrahedra are looked at.
 inline bool may_have_nodes(std::int64_t type, std::size_t nodes) {
     // 0: any number, or not known.
     constexpr std::size_t linear[] = {0, 1, 0, 2, 0, 3, 0, 0, 4, 4, 4, 8, 8, 6, 5};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // VTK's XML unstructured grid (.vtu), as ParaView reads it, and the points of its surfaces (.vtp).
-// Written with appended raw arrays, each
-// compressed or with a 64-bit length before it; read in every form but compression by other
-// libraries than zlib. The fields are the arrays of numbers in PointData.
+// Written with appended raw arrays, each compressed or with a 64-bit length before it; read in
+// every form but compression by other libraries than zlib. The fields are the arrays of numbers in
+// PointData.
 #include <fmt/core.h>
 
 #include <algorithm>
