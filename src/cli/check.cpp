@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cstdio>
+#include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
@@ -19,16 +20,9 @@ Mesh read_pair(const CheckOptions& options) {
     points.from = "";
     Mesh mesh = read_input(points);
     const InputFile file(options.input.path);
-    mesh.tetrahedra = read_npy_rows_of_4(file.source(), options.index_base);
+    mesh.tetrahedra =
+        read_npy_tetrahedra(file.source(), options.index_base, mesh.point_count(), options.points);
     mesh.has_tetrahedra = true;
-    const auto n = static_cast<std::int64_t>(mesh.point_count());
-    for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
-        const std::int64_t v = mesh.tetrahedra[i];
-        if (v < 0 || v >= n) {
-            file.source().fail(fmt::format("row {}: vertex {}, but {} has {} points", i / 4,
-                                           v + options.index_base, printable(options.points), n));
-        }
-    }
     return mesh;
 }
 
@@ -63,15 +57,15 @@ int check(const CheckOptions& options) {
                                 name, counted(mesh.other_cells, "other cell", "other cells")));
     }
 
-    Triangulation t(options.triangulation);
-    t.insert(mesh.points, name);
-    const std::string defect = t.check(MGDT_CHECK_CANONICAL);
+    std::optional<Triangulation> t(std::in_place, options.triangulation);
+    t->insert(mesh.points, name);
+    const std::string defect = t->check(MGDT_CHECK_CANONICAL);
     if (!quiet) {
         print("library", defect.empty(),
               defect.empty()
                   ? fmt::format("mgdt's own triangulation of the points, {}, passes the "
                                 "library's check at level 3",
-                                counted(static_cast<std::size_t>(mgdt_tetrahedron_count(t.get())),
+                                counted(static_cast<std::size_t>(mgdt_tetrahedron_count(t->get())),
                                         "tetrahedron", "tetrahedra"))
                   : defect);
     }
@@ -86,7 +80,8 @@ int check(const CheckOptions& options) {
         return exit_ok;
     }
 
-    const Reference reference{t.tetrahedra(), t.point_map()};
+    const Reference reference{t->tetrahedra(), t->point_map()};
+    t.reset();  // its memory is wanted for the tests
     const MeshReport report = check_mesh(mesh, reference);
     const std::size_t canonical = reference.tetrahedra.size() / 4;
     if (!quiet) {

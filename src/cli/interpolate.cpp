@@ -156,7 +156,7 @@ int interpolate(const InterpolateOptions& options) {
         t.interpolate(method, value_of(outsides, options.outside), n_fields,
                       interleaved(samples, n_fields), places.points, values);
         places.fields = separated(values, samples.fields, n_fields);
-        const std::vector<std::int64_t> found = t.locate(places.points);
+        const std::vector<MeshIndex> found = t.locate(places.points);
         outside = static_cast<std::size_t>(std::count(found.begin(), found.end(), -1));
     }
 

@@ -68,7 +68,7 @@ class MeshChecker {
     const double* point(Index v) const { return mesh_.points.data() + 3 * std::size_t{v}; }
 
     // Vertices with equal coordinates count as one.
-    Quad load_quad(const std::int64_t* v) const {
+    Quad load_quad(const MeshIndex* v) const {
         Quad q;
         for (std::size_t k = 0; k < 4; ++k) {
             q[k] = static_cast<Index>(reference_.point_map[static_cast<std::size_t>(v[k])]);

@@ -30,8 +30,8 @@ struct Finding {
 
 // The canonical triangulation of the same points, from the library.
 struct Reference {
-    std::vector<std::int64_t> tetrahedra;
-    std::vector<std::int64_t> point_map;  // equal points to one vertex
+    std::vector<MeshIndex> tetrahedra;
+    std::vector<MeshIndex> point_map;  // equal points to one vertex
 };
 
 struct MeshReport {

@@ -52,9 +52,14 @@ std::int64_t ProgramParts::number(std::int32_t part, std::int32_t key) const {
 
 void write_part(const mgdt_parts* parts, std::int32_t part, bool compress, OutputFile& out) {
     Piece piece;
-    get_array(parts, part, MGDT_PARTS_LOCAL_CORNERS, piece.corners);
-    piece.corners.resize(
-        4 * static_cast<std::size_t>(number_of(parts, part, MGDT_PARTS_OWN_TETRAHEDRA)));
+    {
+        std::vector<std::int64_t> corners;
+        get_array(parts, part, MGDT_PARTS_LOCAL_CORNERS, corners);
+        const std::int64_t own = number_of(parts, part, MGDT_PARTS_OWN_TETRAHEDRA);
+        piece.corners.reserve(4 * static_cast<std::size_t>(own));
+        for (std::int64_t i = 0; i < 4 * own; ++i)
+            piece.corners.push_back(static_cast<MeshIndex>(corners[static_cast<std::size_t>(i)]));
+    }
     get_array(parts, part, MGDT_PARTS_VERTEX_IDS, piece.ids);
     piece.points.resize(3 * piece.ids.size());
     mgdt_parts_get_coordinates(parts, part, static_cast<std::int64_t>(piece.points.size()),

@@ -124,29 +124,29 @@ const char* Triangulation::shape() const {
 
 namespace {
 
-std::vector<std::int64_t> array(std::int64_t size) {
-    return std::vector<std::int64_t>(static_cast<std::size_t>(size));
+std::vector<MeshIndex> array(std::int64_t size) {
+    return std::vector<MeshIndex>(static_cast<std::size_t>(size));
 }
 
 }  // namespace
 
-std::vector<std::int64_t> Triangulation::tetrahedra() const {
+std::vector<MeshIndex> Triangulation::tetrahedra() const {
     auto v = array(4 * mgdt_tetrahedron_count(handle_));
-    require(mgdt_get_tetrahedra(handle_, static_cast<std::int64_t>(v.size()), v.data()),
+    require(mgdt_get_tetrahedra_i32(handle_, static_cast<std::int64_t>(v.size()), v.data()),
             "tetrahedra");
     return v;
 }
 
-std::vector<std::int64_t> Triangulation::neighbors() const {
+std::vector<MeshIndex> Triangulation::neighbors() const {
     auto v = array(4 * mgdt_tetrahedron_count(handle_));
-    require(mgdt_get_neighbors(handle_, static_cast<std::int64_t>(v.size()), v.data()),
+    require(mgdt_get_neighbors_i32(handle_, static_cast<std::int64_t>(v.size()), v.data()),
             "neighbours");
     return v;
 }
 
-std::vector<std::int64_t> Triangulation::point_map() const {
+std::vector<MeshIndex> Triangulation::point_map() const {
     auto v = array(mgdt_point_count(handle_));
-    require(mgdt_get_point_map(handle_, static_cast<std::int64_t>(v.size()), v.data()),
+    require(mgdt_get_point_map_i32(handle_, static_cast<std::int64_t>(v.size()), v.data()),
             "point map");
     return v;
 }
@@ -160,10 +160,11 @@ std::string Triangulation::check(int level) const {
     return message(status);
 }
 
-std::vector<std::int64_t> Triangulation::locate(const std::vector<double>& places) const {
+std::vector<MeshIndex> Triangulation::locate(const std::vector<double>& places) const {
     const auto n = static_cast<std::int64_t>(places.size() / 3);
     auto tetrahedra = array(n);
-    require(mgdt_locate_points(handle_, n, places.data(), tetrahedra.data(), nullptr), "location");
+    require(mgdt_locate_points_i32(handle_, n, places.data(), tetrahedra.data(), nullptr),
+            "location");
     return tetrahedra;
 }
 

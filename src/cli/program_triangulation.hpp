@@ -47,13 +47,13 @@ class Triangulation {
     // Why there are no tetrahedra, where there are none.
     const char* shape() const;
 
-    std::vector<std::int64_t> tetrahedra() const;
-    std::vector<std::int64_t> neighbors() const;
-    std::vector<std::int64_t> point_map() const;
+    std::vector<MeshIndex> tetrahedra() const;
+    std::vector<MeshIndex> neighbors() const;
+    std::vector<MeshIndex> point_map() const;
     // Empty if the check passes, else what is wrong.
     std::string check(int level) const;
     // The tetrahedron of each place, -1 outside the hull.
-    std::vector<std::int64_t> locate(const std::vector<double>& places) const;
+    std::vector<MeshIndex> locate(const std::vector<double>& places) const;
     // Values at places, from n_fields at each point; see mgdt_interpolate().
     void interpolate(std::int32_t method, std::int32_t outside, std::size_t n_fields,
                      const std::vector<double>& values, const std::vector<double>& places,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
@@ -50,17 +51,17 @@ void print_statistics(std::FILE* out, const Triangulation& t, const TriangulateO
 
 // Takes the points out that are in no tetrahedron, such as repeats: solvers stop at nodes without
 // elements. Where there are no tetrahedra, all stay. Returns the new number of each point.
-std::vector<std::int64_t> take_out_unused_points(Mesh& mesh) {
-    std::vector<std::int64_t> numbers(mesh.point_count(), mesh.tetrahedra.empty() ? 0 : -1);
-    for (const std::int64_t v : mesh.tetrahedra) numbers[static_cast<std::size_t>(v)] = 0;
+std::vector<MeshIndex> take_out_unused_points(Mesh& mesh) {
+    std::vector<MeshIndex> numbers(mesh.point_count(), mesh.tetrahedra.empty() ? 0 : -1);
+    for (const MeshIndex v : mesh.tetrahedra) numbers[static_cast<std::size_t>(v)] = 0;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (numbers[i] < 0) continue;
         std::copy_n(mesh.points.data() + 3 * i, 3, mesh.points.data() + 3 * kept);
-        numbers[i] = static_cast<std::int64_t>(kept++);
+        numbers[i] = static_cast<MeshIndex>(kept++);
     }
     mesh.points.resize(3 * kept);
-    for (std::int64_t& v : mesh.tetrahedra) v = numbers[static_cast<std::size_t>(v)];
+    for (MeshIndex& v : mesh.tetrahedra) v = numbers[static_cast<std::size_t>(v)];
     return numbers;
 }
 
@@ -111,40 +112,42 @@ int triangulate(const TriangulateOptions& options) {
     const std::string name = input_name(options.input.path);
     if (!options.triangulation.quiet) print_left_out(mesh.mid_side_nodes, name);
     const auto begin = std::chrono::steady_clock::now();
-    double seconds = 0;
-    std::vector<std::int64_t> point_map;  // the vertex that stands for each point
-    {
-        Triangulation t(options.triangulation);
-        t.insert(mesh.points, name);
-        seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        if (mgdt_dimension(t.get()) < 3 && !options.triangulation.quiet) {
-            fmt::print(stderr, "mgdt: {}: {}, so there are no tetrahedra\n", name, t.shape());
+    // The handle takes three times the memory of an array: it goes as soon as nothing is left to
+    // ask.
+    std::optional<Triangulation> t(std::in_place, options.triangulation);
+    t->insert(mesh.points, name);
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (mgdt_dimension(t->get()) < 3 && !options.triangulation.quiet) {
+        fmt::print(stderr, "mgdt: {}: {}, so there are no tetrahedra\n", name, t->shape());
+    }
+    if (options.statistics) print_statistics(text, *t, options);
+    if (options.check_level > 0) {
+        const std::string defect = t->check(options.check_level);
+        if (!defect.empty()) {
+            throw Error(exit_check_failed,
+                        fmt::format("{}: check at level {} failed: {}; nothing was written", name,
+                                    options.check_level, defect));
         }
-        if (options.statistics) print_statistics(text, t, options);
-        if (options.check_level > 0) {
-            const std::string defect = t.check(options.check_level);
-            if (!defect.empty()) {
-                throw Error(exit_check_failed,
-                            fmt::format("{}: check at level {} failed: {}; nothing was written",
-                                        name, options.check_level, defect));
-            }
-            if (!options.triangulation.quiet) {
-                fmt::print(text, "check at level {} passed\n", options.check_level);
-            }
+        if (!options.triangulation.quiet) {
+            fmt::print(text, "check at level {} passed\n", options.check_level);
         }
-        mesh.tetrahedra = t.tetrahedra();
-        mesh.neighbors.clear();
-        if (!options.neighbors.empty() || format == &tetgen_format()) {
-            mesh.neighbors = t.neighbors();
-        }
-        if (!options.point_map.empty()) point_map = t.point_map();
-    }  // the handle's memory is not needed while the files are written
-
+    }
     const std::size_t points = mesh.point_count();
+    const auto tetrahedra = static_cast<std::size_t>(mgdt_tetrahedron_count(t->get()));
+    const bool wants_neighbors =
+        !options.neighbors.empty() || (format && format->write_neighbors != nullptr);
+    std::vector<MeshIndex> point_map;  // the vertex that stands for each point
+    if (!options.point_map.empty()) point_map = t->point_map();
+    mesh.neighbors = {};
+    mgdt_set_compact(t->get(), 1);
+    if (format) mesh.tetrahedra = t->tetrahedra();
+    if (!wants_neighbors) t.reset();
+
     // An .npy of tetrahedra has no points of its own.
     if (format && format != &npy_format() && !options.all_points) {
-        const std::vector<std::int64_t> numbers = take_out_unused_points(mesh);
-        for (std::int64_t& v : point_map)
+        const std::vector<MeshIndex> numbers = take_out_unused_points(mesh);
+        for (MeshIndex& v : point_map)
             if (v >= 0) v = numbers[static_cast<std::size_t>(v)];
     }
     OutputSet outputs;
@@ -155,15 +158,21 @@ int triangulate(const TriangulateOptions& options) {
     if (format == &tetgen_format() && !write.is_base_chosen)
         write.index_base = mesh.first_number.value_or(0);
     if (format) format->write_mesh(mesh, output.path, outputs, write);
-    if (!options.neighbors.empty()) {
-        write_npy_rows_of_4(mesh.neighbors, output.write.index_base,
-                            outputs.open(options.neighbors));
+    mesh = {};
+    if (wants_neighbors) {
+        const std::vector<MeshIndex> neighbors = t->neighbors();
+        t.reset();
+        if (format && format->write_neighbors)
+            format->write_neighbors(neighbors, output.path, outputs, write);
+        if (!options.neighbors.empty())
+            write_npy_rows_of_4(neighbors, output.write.index_base,
+                                outputs.open(options.neighbors));
     }
     outputs.commit();
     if (!options.triangulation.quiet && text == stdout) {
         fmt::print("{}, {}, {:.2f} s{}{}\n", counted(points, "point", "points"),
-                   counted(mesh.tetrahedron_count(), "tetrahedron", "tetrahedra"), seconds,
-                   format ? ": " : "", printable(output.path));
+                   counted(tetrahedra, "tetrahedron", "tetrahedra"), seconds, format ? ": " : "",
+                   printable(output.path));
     }
     return exit_ok;
 }

@@ -370,9 +370,10 @@ class BadOutput(CliTest):
 
     def test_compact(self):
         self.mgdt("generate", "uniform", 20000, "-o", "many.npy")
-        limit = ["--canonical", "--memory-limit", "8MB"]
+        limit = ["--memory-limit", "7MB"]
         self.fails(5, "triangulate", "many.npy", "-o", "m.npy", *limit, says="memory")
         self.mgdt("triangulate", "many.npy", "-o", "m.npy", "--compact", *limit)
+        self.mgdt("triangulate", "many.npy", "-o", "m.npy", "--compact", "--canonical")
         self.mgdt("triangulate", "many.npy", "-o", "n.npy", "--canonical")
         self.assertEqual(self.get("m.npy"), self.get("n.npy"))
         self.mgdt("check", "--compact", "many.npy")
@@ -381,6 +382,34 @@ class BadOutput(CliTest):
         self.fails(5, "triangulate", "p.npy", "-o", "m.vtu", "--memory-limit", "100KB",
                    says=["p.npy", "memory"])
         self.fails(5, "generate", "uniform", "1e15", "-o", "q.npy", says="memory")
+
+
+class Memory(CliTest):
+    def peak(self, *arguments):
+        """The most memory that the program holds, in bytes."""
+        child = subprocess.Popen([MGDT, *map(str, arguments)], cwd=self.directory,
+                                 stdout=subprocess.DEVNULL)
+        _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(child.returncode, 0)
+        return 1024 * usage.ru_maxrss
+
+    def test_writing_needs_no_more_than_the_triangulation(self):
+        for n in 20000, 320000:
+            self.mgdt("generate", "uniform", n, "-o", f"{n}.npy")
+            self.mgdt("generate", "uniform", n, "-o", f"{n}.xyz")
+
+        def bytes_a_point(source, *arguments):
+            few, many = (self.peak("triangulate", "-q", f"{n}.{source}", *arguments)
+                         for n in (20000, 320000))
+            return (many - few) / 300000
+
+        alone = bytes_a_point("npy", "--stats")
+        self.assertLess(alone, 430)
+        for source, output in (("xyz", ["m.ele"]), ("npy", ["m.vtu"]), ("npy", ["m.msh"]),
+                               ("npy", ["m.npy", "--neighbors", "n.npy"])):
+            with self.subTest(output=output):
+                self.assertLess(bytes_a_point(source, "-o", *output), alone + 50)
 
 
 class Interrupts(CliTest):

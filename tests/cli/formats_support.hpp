@@ -18,7 +18,7 @@
 namespace mgdt::cli {
 
 using Points = std::vector<double>;
-using Indices = std::vector<std::int64_t>;
+using Indices = std::vector<MeshIndex>;
 
 class Directory {
   public:

@@ -111,6 +111,7 @@ TEST(RoundTrip, TetgenFiles) {
         WriteOptions options;
         options.index_base = base;
         tetgen_format().write_mesh(mesh, ele, outputs, options);
+        tetgen_format().write_neighbors(mesh.neighbors, ele, outputs, options);
         outputs.commit();
         const InputFile file(ele);
         const Mesh back = tetgen_format().read(file.source(), {});
@@ -124,7 +125,7 @@ TEST(RoundTrip, TetgenFiles) {
 }
 
 TEST(RoundTrip, NumPyRows) {
-    const Indices rows = {0, 1, 2, 3, 3, 2, 1, -1};
+    const Indices rows = {0, 1, 2, 3, 3, 2, 1, 4};
     for (const int base : {0, 1}) {
         Directory directory;
         const std::string path = directory.file("t.npy");
@@ -132,7 +133,9 @@ TEST(RoundTrip, NumPyRows) {
         write_npy_rows_of_4(rows, base, outputs.open(path));
         outputs.commit();
         const InputFile file(path);
-        EXPECT_EQ(read_npy_rows_of_4(file.source(), base), rows);
+        EXPECT_EQ(read_npy_tetrahedra(file.source(), base, 5, "points"), rows);
+        EXPECT_THROW(read_npy_tetrahedra(file.source(), base, 4, "points"), Error);
+        EXPECT_THROW(read_npy_tetrahedra(file.source(), base + 1, 5, "points"), Error);
         EXPECT_EQ(bytes_of(path).size() % 64, 0u);  // 64 bytes of data, so the header is aligned
     }
 }

@@ -34,7 +34,7 @@ struct Case {
         mesh.has_tetrahedra = true;
     }
     MeshReport report() const { return check_mesh(mesh, reference); }
-    std::int64_t* tetrahedron(std::size_t i) { return &mesh.tetrahedra[4 * i]; }
+    MeshIndex* tetrahedron(std::size_t i) { return &mesh.tetrahedra[4 * i]; }
 };
 
 // The names of what was found wrong.
@@ -82,7 +82,7 @@ TEST(MeshCheck, AcceptsDuplicatesUnderAnyNumber) {
     Points points = random_points(50);
     points.insert(points.end(), points.begin(), points.begin() + 3);
     Case c(points);
-    for (std::int64_t& v : c.mesh.tetrahedra) {
+    for (MeshIndex& v : c.mesh.tetrahedra) {
         if (v == 0) v = 50;
     }
     EXPECT_EQ(defects(c), Names{});
@@ -141,7 +141,7 @@ TEST(MeshCheck, DoubleCover) {
 TEST(MeshCheck, SpaceCoveredTwice) {
     for (const double outer : {1.0, 1.001}) {
         Points points = {0, 0, 0.25, 0, 0, -0.25};
-        std::vector<std::int64_t> tetrahedra;
+        std::vector<MeshIndex> tetrahedra;
         for (int i = 0; i < 10; ++i) {
             const double angle = 4 * 3.14159265358979 * (i % 5) / 10, radius = i < 5 ? 1 : outer;
             points.insert(points.end(), {radius * std::cos(angle), radius * std::sin(angle), 0});

@@ -42,7 +42,7 @@ struct Judge {
 
     // Tetrahedra that may be in a Delaunay triangulation and do not overlap, as many as fit, in an
     // order of the input's choice. Mostly they fill the hull, and not always facet to facet.
-    std::vector<std::int64_t> pack(Input& in) const {
+    std::vector<mgdt::cli::MeshIndex> pack(Input& in) const {
         std::vector<oracle::Quadruple> candidates, chosen;
         const std::size_t n = points.size();
         for (std::size_t i = 0; i < n; ++i)
@@ -62,8 +62,9 @@ struct Judge {
                 chosen.push_back(*next);
             candidates.erase(next);
         }
-        std::vector<std::int64_t> out;
-        for (const auto& v : chosen) out.insert(out.end(), v.begin(), v.end());
+        std::vector<mgdt::cli::MeshIndex> out;
+        for (const auto& v : chosen)
+            for (const std::size_t p : v) out.push_back(static_cast<mgdt::cli::MeshIndex>(p));
         return out;
     }
 
@@ -207,7 +208,7 @@ struct Judge {
 void damage(Input& in, Mesh& mesh) {
     auto& t = mesh.tetrahedra;
     const auto points = static_cast<unsigned>(mesh.point_count());
-    const auto vertex = [&] { return static_cast<std::int64_t>(in.below(points)); };
+    const auto vertex = [&] { return static_cast<mgdt::cli::MeshIndex>(in.below(points)); };
     const std::size_t count = t.size() / 4;
     const std::size_t at = count == 0 ? 0 : 4 * (in.byte() % count);
     const auto begin = t.begin() + static_cast<std::ptrdiff_t>(at);
@@ -248,7 +249,8 @@ void damage(Input& in, Mesh& mesh) {
         default:
             if (!mesh.neighbors.empty())
                 mesh.neighbors[at + in.below(4)] =
-                    static_cast<std::int64_t>(in.below(static_cast<unsigned>(count) + 1)) - 1;
+                    static_cast<mgdt::cli::MeshIndex>(in.below(static_cast<unsigned>(count) + 1)) -
+                    1;
             break;
     }
 }

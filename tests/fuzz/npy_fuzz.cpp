@@ -18,8 +18,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto rows_of = [](std::string_view file, int base) {
         const std::vector<char> exact(file.begin(), file.end());
         const fuzz::Source source{"file", "", {exact.data(), exact.size()}};
-        return fuzz::attempt(file.size(),
-                             [&] { return mgdt::cli::read_npy_rows_of_4(source, base); });
+        return fuzz::attempt(file.size(), [&] {
+            return mgdt::cli::read_npy_tetrahedra(source, base, 20, "points");
+        });
     };
     for (int base = 0; base < 2; ++base) {
         const auto rows = rows_of(bytes, base);

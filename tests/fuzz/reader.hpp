@@ -100,9 +100,9 @@ inline std::optional<Mesh> read(const Format& format, std::string_view bytes,
     FUZZ_REQUIRE(mesh->tetrahedra.size() % 4 == 0, "tetrahedra");
     FUZZ_REQUIRE(mesh->has_tetrahedra || mesh->tetrahedra.empty(), "has_tetrahedra");
     for (const double x : mesh->points) FUZZ_REQUIRE(std::isfinite(x), "a coordinate");
-    const auto within = [](const std::vector<std::int64_t>& values, std::int64_t low,
+    const auto within = [](const std::vector<mgdt::cli::MeshIndex>& values, std::int64_t low,
                            std::size_t end) {
-        for (const std::int64_t v : values)
+        for (const mgdt::cli::MeshIndex v : values)
             if (v < low || v >= static_cast<std::int64_t>(end)) return false;
         return true;
     };

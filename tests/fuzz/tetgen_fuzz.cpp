@@ -11,6 +11,7 @@ void write_three(const std::string& path, const mgdt::cli::Mesh& mesh, int base)
     mgdt::cli::WriteOptions options;
     options.index_base = base;
     mgdt::cli::tetgen_format().write_mesh(mesh, path, outputs, options);
+    mgdt::cli::tetgen_format().write_neighbors(mesh.neighbors, path, outputs, options);
     outputs.commit();
 }
 

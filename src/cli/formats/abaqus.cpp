@@ -185,8 +185,7 @@ class Reader {
         integer("the element's number");
         for (int k = 0; k < nodes_; ++k) {
             const std::int64_t tag = integer("node");
-            const std::int64_t node = numbers_.find(tag, fail());
-            (k < 4 ? mesh_.tetrahedra : mesh_.mid_side).push_back(node);
+            mesh_.add_node(static_cast<std::size_t>(k), numbers_.find(tag, fail()));
         }
     }
 

@@ -88,6 +88,11 @@ const Format& input_format(const Source& source, const std::string& name) {
 
 Mesh read_mesh(const Format& format, const Source& source, const ReadOptions& options) {
     Mesh mesh = format.read(source, options);
+    if (mesh.has_tetrahedra &&
+        std::max(mesh.point_count(), mesh.tetrahedron_count()) > most_in_mesh) {
+        source.fail(fmt::format("{} points and {} tetrahedra; at most {} of each are possible",
+                                mesh.point_count(), mesh.tetrahedron_count(), most_in_mesh));
+    }
     leave_out_mid_side_nodes(mesh);
     return mesh;
 }

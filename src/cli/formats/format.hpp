@@ -61,6 +61,10 @@ struct Format {
     // Where the points are, by the beginning of a file of so many bytes, for those who read a share
     // of them; nothing where read() has to see the whole file. nullptr where it always has to.
     std::optional<RowLayout> (*rows)(const Source& beginning, std::size_t file_size) = nullptr;
+    // The neighbours in their own file among mesh_files(), after write_mesh(): both arrays need not
+    // be in memory at one time. nullptr where the format has no neighbours.
+    void (*write_neighbors)(const std::vector<MeshIndex>& neighbors, const std::string& path,
+                            OutputSet& outputs, const WriteOptions& options) = nullptr;
 };
 
 const Format& text_format();
@@ -112,12 +116,13 @@ void require_fields(const Source& source, const ReadOptions& options,
 std::string without_extension(const std::string& path, const Format& format);
 
 // Arrays of integers as .npy, n rows of 4: how tetrahedra and neighbours leave for NumPy.
-void write_npy_rows_of_4(const std::vector<std::int64_t>& values, std::int64_t add,
-                         OutputFile& out);
+void write_npy_rows_of_4(const std::vector<MeshIndex>& values, std::int64_t add, OutputFile& out);
 // The same, one a row.
-void write_npy_integers(const std::vector<std::int64_t>& values, std::int64_t add, OutputFile& out);
-// The rows of 4 read back, less `base`.
-std::vector<std::int64_t> read_npy_rows_of_4(const Source& source, int base);
+void write_npy_integers(const std::vector<MeshIndex>& values, std::int64_t add, OutputFile& out);
+// The rows of 4 read back, as vertices of tetrahedra: less `base`, numbers of the points in the
+// file of that name.
+std::vector<MeshIndex> read_npy_tetrahedra(const Source& source, int base, std::size_t points,
+                                           const std::string& points_name);
 // Values, a row to a point, from an array of one or two dimensions.
 Field read_npy_values(const Source& source);
 

@@ -250,10 +250,8 @@ void read_element(Reader& reader, std::int64_t type, int nodes, const Tags& tags
         reader.skip_words(nodes, reader.version() == 4 ? 8 : 4, "nodes");
         return;
     }
-    for (int k = 0; k < nodes; ++k) {
-        const std::int64_t node = tags.find(reader.size("node tag"));
-        (k < 4 ? mesh.tetrahedra : mesh.mid_side).push_back(node);
-    }
+    for (int k = 0; k < nodes; ++k)
+        mesh.add_node(static_cast<std::size_t>(k), tags.find(reader.size("node tag")));
 }
 
 int known_nodes(Reader& reader, std::int64_t type) {

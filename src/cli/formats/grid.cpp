@@ -88,13 +88,16 @@ class Places {
 }  // namespace
 
 void write_grid(const Grid& grid, OutputFile& out) {
-    const std::uint64_t points = grid.points.size() / 3, corners = grid.vertices.size(),
+    const std::uint64_t points = grid.points.size() / 3,
+                        corners = grid.vertices ? grid.vertices->size() : points,
                         cells = corners / grid.size;
     const bool short_numbers = fits_32_bits(points), short_offsets = fits_32_bits(corners);
     std::vector<Array> arrays = {
         doubles("Points", 3, grid.points),
         integers(short_numbers, "connectivity", corners,
-                 [&](std::uint64_t i) { return grid.vertices[i]; }),
+                 [&](std::uint64_t i) {
+                     return grid.vertices ? (*grid.vertices)[i] : static_cast<std::int64_t>(i);
+                 }),
         integers(short_offsets, "offsets", cells,
                  [&](std::uint64_t i) { return static_cast<std::int64_t>(grid.size * (i + 1)); }),
         array_of<std::uint8_t>("UInt8", "Name=\"types\"", cells,

@@ -13,8 +13,8 @@
 namespace mgdt::cli {
 
 struct Grid {
-    const std::vector<double>& points;          // x y z of each
-    const std::vector<std::int64_t>& vertices;  // of each cell, `size` of them
+    const std::vector<double>& points;       // x y z of each
+    const std::vector<MeshIndex>* vertices;  // of each cell, `size` of them; nullptr: each point
     std::size_t size;
     std::uint8_t type;
     const std::vector<Field>& fields;      // of the points

@@ -53,15 +53,12 @@ Mesh read_medit(const Source& source, const ReadOptions&) {
         } else if (word == "Tetrahedra" || word == "TetrahedraP2") {
             if (!has_vertices) words.fail(fmt::format("{} before the Vertices", word));
             mesh.has_tetrahedra = true;
-            const int nodes = word == "Tetrahedra" ? 4 : 10;
-            const std::size_t n =
-                words.count("the number of tetrahedra", static_cast<std::size_t>(nodes) + 1);
+            const std::size_t nodes = word == "Tetrahedra" ? 4 : 10;
+            const std::size_t n = words.count("the number of tetrahedra", nodes + 1);
             const auto last = static_cast<std::int64_t>(mesh.point_count());
             for (std::size_t i = 0; i < n; ++i) {
-                for (int k = 0; k < nodes; ++k) {
-                    const std::int64_t v = words.integer("vertex", 1, last) - 1;
-                    (k < 4 ? mesh.tetrahedra : mesh.mid_side).push_back(v);
-                }
+                for (std::size_t k = 0; k < nodes; ++k)
+                    mesh.add_node(k, words.integer("vertex", 1, last) - 1);
                 words.number("the tetrahedron's reference");
             }
         } else if (is_cell(word)) {

@@ -120,7 +120,7 @@ class Reader {
                 const std::int64_t v = integer("a vertex");
                 if (v < 1 || v > last)
                     bytes_.fail(fmt::format("vertex {}, but there are {} vertices", v, last));
-                (k < 4 ? mesh_.tetrahedra : mesh_.mid_side).push_back(v - 1);
+                mesh_.add_node(k, v - 1);
             }
             integer("a tetrahedron's reference");
         }
@@ -158,7 +158,7 @@ class Writer {
             integer(0);
         }
     }
-    void write_tetrahedra(const std::vector<std::int64_t>& vertices) {
+    void write_tetrahedra(const std::vector<MeshIndex>& vertices) {
         begin(tetrahedra_keyword, 4 + (vertices.size() / 4) * 20);
         integer(static_cast<std::int64_t>(vertices.size() / 4));
         for (std::size_t i = 0; i < vertices.size(); ++i) {

@@ -9,10 +9,10 @@ namespace mgdt::cli {
 
 void leave_out_mid_side_nodes(Mesh& mesh) {
     if (mesh.mid_side.empty()) return;
-    constexpr std::int64_t left_out = -1;
-    std::vector<std::int64_t> number(mesh.point_count(), 0);
-    for (const std::int64_t v : mesh.mid_side) number[static_cast<std::size_t>(v)] = left_out;
-    for (const std::int64_t v : mesh.tetrahedra) number[static_cast<std::size_t>(v)] = 0;
+    constexpr MeshIndex left_out = -1;
+    std::vector<MeshIndex> number(mesh.point_count(), 0);
+    for (const MeshIndex v : mesh.mid_side) number[static_cast<std::size_t>(v)] = left_out;
+    for (const MeshIndex v : mesh.tetrahedra) number[static_cast<std::size_t>(v)] = 0;
     mesh.mid_side = {};
 
     std::size_t kept = 0;
@@ -23,12 +23,12 @@ void leave_out_mid_side_nodes(Mesh& mesh) {
             std::copy_n(f.values.data() + f.components * i, f.components,
                         f.values.data() + f.components * kept);
         }
-        number[i] = static_cast<std::int64_t>(kept++);
+        number[i] = static_cast<MeshIndex>(kept++);
     }
     mesh.mid_side_nodes = number.size() - kept;
     mesh.points.resize(3 * kept);
     for (Field& f : mesh.fields) f.values.resize(f.components * kept);
-    for (std::int64_t& v : mesh.tetrahedra) v = number[static_cast<std::size_t>(v)];
+    for (MeshIndex& v : mesh.tetrahedra) v = number[static_cast<std::size_t>(v)];
 }
 
 std::string describe_mid_side_nodes(std::size_t n) {

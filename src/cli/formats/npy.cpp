@@ -323,19 +323,18 @@ void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
 
 }  // namespace
 
-void write_npy_rows_of_4(const std::vector<std::int64_t>& values, std::int64_t add,
-                         OutputFile& out) {
+void write_npy_rows_of_4(const std::vector<MeshIndex>& values, std::int64_t add, OutputFile& out) {
     write_header("<i8", values.size() / 4, 4, out);
-    for (const std::int64_t v : values) out.write_value(v + add);
+    for (const MeshIndex v : values) out.write_value(v + add);
 }
 
-void write_npy_integers(const std::vector<std::int64_t>& values, std::int64_t add,
-                        OutputFile& out) {
+void write_npy_integers(const std::vector<MeshIndex>& values, std::int64_t add, OutputFile& out) {
     write_header("<i8", fmt::format("{},", values.size()), out);
-    for (const std::int64_t v : values) out.write_value(v < 0 ? -1 : v + add);
+    for (const MeshIndex v : values) out.write_value(v < 0 ? std::int64_t{-1} : v + add);
 }
 
-std::vector<std::int64_t> read_npy_rows_of_4(const Source& source, int base) {
+std::vector<MeshIndex> read_npy_tetrahedra(const Source& source, int base, std::size_t points,
+                                           const std::string& points_name) {
     const Header header = read_header(source);
     const std::string kind = header.kind();
     if (!known_order(header) || (kind != "i8" && kind != "i4")) {
@@ -347,12 +346,15 @@ std::vector<std::int64_t> read_npy_rows_of_4(const Source& source, int base) {
     const bool wide = kind == "i8";
     require_columns(source, header, 4);
     const std::size_t n = rows(source, header, 4, wide ? 8 : 4, source.bytes.size());
-    std::vector<std::int64_t> values(4 * n);
+    const auto last = static_cast<std::int64_t>(std::min(points, most_in_mesh)) + base - 1;
+    std::vector<MeshIndex> values(4 * n);
     each_item(source, header, n, 4, [&](std::size_t row, std::size_t c, ByteReader& bytes) {
         const std::int64_t v =
             wide ? bytes.value<std::int64_t>("index") : bytes.value<std::int32_t>("index");
-        // The least int64 less 1 would overflow; it is out of every range anyway.
-        values[4 * row + c] = v < 0 ? -1 : v - base;
+        if (v < base || v > last)
+            source.fail(fmt::format("row {}: vertex {}, but {} has {} points", row, v,
+                                    printable(points_name), points));
+        values[4 * row + c] = static_cast<MeshIndex>(v - base);
     });
     return values;
 }

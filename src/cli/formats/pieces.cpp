@@ -64,7 +64,7 @@ void remove_pieces(const std::vector<std::string>& pieces) noexcept {
 }
 
 void write_piece(const Piece& piece, bool compress, OutputFile& out) {
-    write_grid({piece.points, piece.corners, 4, vtk_tetra, {}, &piece.ids, compress}, out);
+    write_grid({piece.points, &piece.corners, 4, vtk_tetra, {}, &piece.ids, compress}, out);
 }
 
 void write_index_of_pieces(const std::vector<std::string>& files, OutputFile& out) {

@@ -6,14 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "cli/formats/file_mesh.hpp"
 #include "cli/output_file.hpp"
 
 namespace mgdt::cli {
 
 struct Piece {
-    std::vector<double> points;         // x y z of each
-    std::vector<std::int64_t> ids;      // of each, its place among the points that were read
-    std::vector<std::int64_t> corners;  // 4 places in `points` for each tetrahedron
+    std::vector<double> points;      // x y z of each
+    std::vector<std::int64_t> ids;   // of each, its place among the points that were read
+    std::vector<MeshIndex> corners;  // 4 places in `points` for each tetrahedron
 };
 
 bool is_pieces_path(const std::string& path);

@@ -107,10 +107,8 @@ void read_elements(const Source& source, std::int64_t base, Mesh& mesh) {
         next_line(lines, i, count);
         Fields fields(lines);
         fields.integer("the tetrahedron's number");
-        for (std::int64_t k = 0; k < nodes; ++k) {
-            const std::int64_t v = fields.integer("vertex", base, last) - base;
-            (k < 4 ? mesh.tetrahedra : mesh.mid_side).push_back(v);
-        }
+        for (std::int64_t k = 0; k < nodes; ++k)
+            mesh.add_node(static_cast<std::size_t>(k), fields.integer("vertex", base, last) - base);
     }
     expect_end(lines, count);
     mesh.has_tetrahedra = true;
@@ -132,7 +130,7 @@ void read_neighbors(const Source& source, std::int64_t base, Mesh& mesh) {
         fields.integer("the tetrahedron's number");
         for (int k = 0; k < 4; ++k) {
             const std::int64_t n = fields.integer("neighbour", -1, count + base - 1);
-            mesh.neighbors.push_back(n < base ? -1 : n - base);
+            mesh.neighbors.push_back(n < base ? -1 : static_cast<MeshIndex>(n - base));
         }
     }
     expect_end(lines, count);
@@ -189,14 +187,13 @@ void write_nodes(const std::vector<double>& points, OutputFile& out, const Write
 }
 
 // Rows of 4, less those that are -1: TetGen writes -1 for no neighbour in either numbering.
-void write_rows(const std::vector<std::int64_t>& values, const char* head, int base,
-                OutputFile& out) {
+void write_rows(const std::vector<MeshIndex>& values, const char* head, int base, OutputFile& out) {
     const auto count = static_cast<std::int64_t>(values.size() / 4);
     out.write(fmt::format("{} {}\n", count, head));
     for (std::int64_t i = 0; i < count; ++i) {
         out.write_integer(i + base);
         for (std::size_t k = 0; k < 4; ++k) {
-            const std::int64_t v = values[4 * static_cast<std::size_t>(i) + k];
+            const MeshIndex v = values[4 * static_cast<std::size_t>(i) + k];
             out.write(" ");
             out.write_integer(v < 0 ? -1 : v + base);
         }
@@ -217,7 +214,11 @@ void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
     const std::vector<std::string> files = mesh_files(path);
     write_nodes(mesh.points, outputs.open(files[0]), options);
     write_rows(mesh.tetrahedra, "4 0", options.index_base, outputs.open(files[1]));
-    write_rows(mesh.neighbors, "4", options.index_base, outputs.open(files[2]));
+}
+
+void write_neighbors(const std::vector<MeshIndex>& neighbors, const std::string& path,
+                     OutputSet& outputs, const WriteOptions& options) {
+    write_rows(neighbors, "4", options.index_base, outputs.open(mesh_files(path)[2]));
 }
 
 }  // namespace
@@ -231,7 +232,10 @@ const Format& tetgen_format() {
                                   read_tetgen,
                                   write_nodes,
                                   write_mesh,
-                                  mesh_files};
+                                  mesh_files,
+                                  nullptr,
+                                  nullptr,
+                                  write_neighbors};
     return format;
 }
 

@@ -29,8 +29,7 @@ inline bool may_have_nodes(std::int64_t type, std::size_t nodes) {
 
 // Takes the nodes of a tetrahedron, whose corners come first. They are points of the mesh.
 inline void add_vtk_tetrahedron(const std::int64_t* nodes, std::size_t count, Mesh& mesh) {
-    mesh.tetrahedra.insert(mesh.tetrahedra.end(), nodes, nodes + 4);
-    mesh.mid_side.insert(mesh.mid_side.end(), nodes + 4, nodes + count);
+    for (std::size_t k = 0; k < count; ++k) mesh.add_node(k, nodes[k]);
 }
 
 }  // namespace mgdt::cli

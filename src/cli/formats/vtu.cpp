@@ -9,7 +9,6 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -436,20 +435,19 @@ Mesh read_vtu(const Source& source, const ReadOptions& options) {
 
 void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
                 const WriteOptions& options) {
-    write_grid({mesh.points, mesh.tetrahedra, 4, vtk_tetra, mesh.fields, nullptr, options.compress},
-               outputs.open(path));
+    write_grid(
+        {mesh.points, &mesh.tetrahedra, 4, vtk_tetra, mesh.fields, nullptr, options.compress},
+        outputs.open(path));
 }
 
 // Points without tetrahedra would not be shown: each is a cell then.
 void write_fields(const Mesh& mesh, OutputFile& out, const WriteOptions& options) {
     if (mesh.tetrahedron_count() > 0) {
         write_grid(
-            {mesh.points, mesh.tetrahedra, 4, vtk_tetra, mesh.fields, nullptr, options.compress},
+            {mesh.points, &mesh.tetrahedra, 4, vtk_tetra, mesh.fields, nullptr, options.compress},
             out);
     } else {
-        std::vector<std::int64_t> vertices(mesh.point_count());
-        std::iota(vertices.begin(), vertices.end(), std::int64_t{0});
-        write_grid({mesh.points, vertices, 1, vtk_vertex, mesh.fields, nullptr, options.compress},
+        write_grid({mesh.points, nullptr, 1, vtk_vertex, mesh.fields, nullptr, options.compress},
                    out);
     }
 }
