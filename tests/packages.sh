@@ -11,8 +11,8 @@ Makes packages in build-tests/packages from the files that git knows, and uses e
 Debian system of its own, which it makes there with debootstrap; ends with a line "N passed, N
 failed". Installs the Debian packages that are missing here, as root or through sudo.
 
-  debian   libmgdt1, libmgdt-dev and mgdt from docs/packaging/debian, seen by lintian; a C and a
-           Fortran program compiled and run, and the program
+  debian   libmgdt1, libmgdt-dev, mgdt and those for MPI from docs/packaging/debian, seen by lintian;
+           C and Fortran programs compiled and run, and the programs
   python   a wheel with the library inside, used where there is no compiler; the source
            distribution, installed where there is one
   source   mgdt.cpp, the library in one file: compiled by g++ and clang++, and its canonical output
@@ -59,7 +59,7 @@ finish() {
 packages='debootstrap git'
 for name; do
     case $name in
-    debian) packages="$packages devscripts debhelper lintian meson ninja-build pkg-config g++ libcli11-dev libfmt-dev zlib1g-dev python3" ;;
+    debian) packages="$packages devscripts debhelper lintian meson ninja-build pkg-config g++ libcli11-dev libfmt-dev mpi-default-dev zlib1g-dev python3" ;;
     python) packages="$packages meson ninja-build g++ binutils python3 python3-build python3-setuptools python3-wheel python3-venv" ;;
     source) packages="$packages g++ clang python3" ;;
     recipes) packages="$packages meson ninja-build pkg-config gcc g++ gfortran cmake ruby libcli11-dev libfmt-dev libopenmpi-dev libmpich-dev python3 python3-jinja2 python3-yaml python3-numpy python3-setuptools python3-wheel python3-venv" ;;
@@ -127,7 +127,37 @@ END
         ./poisson
         mgdt generate uniform 1000 -o points.npy
         mgdt triangulate points.npy -o mesh.vtu --check 3
-        apt-get remove -y libmgdt1 mgdt libmgdt-dev
+
+        apt-get install -y --no-install-recommends ./mgdt-mpi_*.deb
+        mgdt generate uniform 20000 -o many.npy
+        export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+        on_ranks() { mpirun --oversubscribe -n 2 "$@"; }
+        on_ranks mgdt-mpi many.npy -o pieces.pvtu
+        [ -s pieces.pvtu ]
+        apt-get install -y --no-install-recommends ./libmgdt-mpi1_*.deb ./libmgdt-mpi-dev_*.deb
+        cat >ranks.c <<"END"
+#include <mgdt/mgdt_mpi.h>
+#include <stdio.h>
+int main(int argc, char** argv) {
+    static const double xyz[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
+    mgdt_mpi* m = NULL;
+    int64_t tetrahedra = 0;
+    int rank = 0;
+    MPI_Init(&argc, &argv);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    if (mgdt_mpi_create(MPI_COMM_WORLD, &m) != MGDT_OK) return 1;
+    if (rank == 0 && mgdt_mpi_insert_points(m, 5, xyz, NULL) != MGDT_OK) return 1;
+    if (mgdt_mpi_build(m) != MGDT_OK) return 1;
+    mgdt_mpi_get_stat(m, MGDT_PARTS_ALL_TETRAHEDRA, &tetrahedra);
+    if (rank == 0) printf("%d\n", (int)tetrahedra);
+    mgdt_mpi_destroy(m);
+    MPI_Finalize();
+    return 0;
+}
+END
+        mpicc ranks.c $(pkg-config --cflags --libs mgdt_mpi) -o ranks
+        [ "$(on_ranks ./ranks)" = 2 ]
+        apt-get remove -y libmgdt1 libmgdt-mpi1 mgdt mgdt-mpi libmgdt-dev libmgdt-mpi-dev
         for left in /usr/lib/*/libmgdt* /usr/share/mgdt /usr/include/mgdt; do
             if [ -e "$left" ]; then exit 1; fi
         done
