@@ -426,9 +426,9 @@ print("valid")
 """
         )
 
-    READING = "tri.add_points(many[:400_000])\n"
+    READING = "tri.add_points(many[:200_000])\n"
     AFTERWARDS = """
-assert len(tri.point_map) == tri.npoints == 401_000
+assert len(tri.point_map) == tri.npoints == 201_000
 # Who changes the triangulation waits for the call.
 tri.add_points(rng.random((1000, 3)))
 assert (tri.point_map >= 0).all()

@@ -194,7 +194,7 @@ TEST(Cells, HaveTheSameBitsInWhateverOrder) {
     const Points xyz = uniform(9000);
     for (const Measure m : {Measure::volume, Measure::area, Measure::centroid, Measure::faces})
         for (const Points& planes : {Points{}, unit_box}) {
-            if (is_small() && (m == Measure::area || m == Measure::centroid)) continue;
+            if (is_small() && (m != Measure::volume || planes.empty())) continue;
             const Points expected = measures_of_cells(xyz, m, planes);
             for (const std::int32_t scheme : {MGDT_ORDER_REGULAR_GRID, MGDT_ORDER_MULTI_GRID})
                 EXPECT_EQ(measures_of_cells(xyz, m, planes, scheme, 2), expected);

@@ -32,7 +32,7 @@ TEST_P(Removal, OneByOneDownToNothing) {
             std::shuffle(order.begin(), order.end(), random);
             for (std::size_t i = 0; i < order.size(); ++i) {
                 remove(*t, {order[i]});
-                if (order.size() - i < 12 || i % 10 == 0) {
+                if (order.size() - i < 12 || i % (is_small() ? 40 : 10) == 0) {
                     expect_as_fresh(*t, xyz);
                 } else {
                     ASSERT_EQ(complaint(*t), "") << i;
