@@ -52,7 +52,7 @@ Triangulation::ConcurrentInsertion::ConcurrentInsertion(Triangulation& t, Team& 
       schedule_(schedule),
       base_(base),
       may_stop_(may_stop),
-      owners_(t.allocator_, base + batch.points.size, t.settings_.pause),
+      owners_(t.allocator_, base + batch.points.size, t.hooks_.pause),
       supply_(t.mesh_, static_cast<std::uint32_t>(std::min<std::size_t>(
                            most_slots_at_once, 64 + batch.points.size / (4 * team.size())))),
       queue_(t.allocator_, team.size()),
@@ -104,10 +104,10 @@ void Triangulation::ConcurrentInsertion::insert_round(const Zones::Round& round)
 // most points want some that belong to others: one thread takes less time. So it does where there
 // are few, because most points are where others are.
 unsigned Triangulation::ConcurrentInsertion::members_for_round(const Zones::Round& round) const {
-    const Settings& settings = t_.settings_;
+    const TestHooks& hooks = t_.hooks_;
     const std::size_t tetrahedra = t_.mesh_.tetrahedra.size();
-    if (tetrahedra / settings.most_a_vertex > base_ + round.begin) return 1;
-    const std::size_t usual = settings.points_a_thread;
+    if (tetrahedra / hooks.max_tetrahedra_per_vertex > base_ + round.begin) return 1;
+    const std::size_t usual = hooks.min_points_per_thread;
     unsigned members = team_.members_for(round.size(), usual);
     // For an early round all others wait: it has two threads if it is large enough for that.
     if (early_share * round.size() < batch_.points.size)
@@ -127,7 +127,7 @@ std::uint64_t Triangulation::ConcurrentInsertion::times_deferred() const {
 void Triangulation::ConcurrentInsertion::insert_anywhere(Items items, unsigned members) {
     Buffer<std::uint32_t> list(t_.allocator_);
     was_faster_alone_ = false;
-    doubt_after_ = t_.settings_.doubt_after;
+    doubt_after_ = t_.hooks_.attempts_before_doubt;
     while (members > 1) {
         const std::size_t before = done_;
         double seconds = 0;
@@ -180,14 +180,14 @@ bool Triangulation::ConcurrentInsertion::grow_storage(unsigned members) {
 
 // How many for a few points, which all others would wait for one to insert.
 unsigned Triangulation::ConcurrentInsertion::members_for_few(std::size_t count) const {
-    const std::size_t usual = t_.settings_.points_a_thread;
+    const std::size_t usual = t_.hooks_.min_points_per_thread;
     return team_.members_for(count, std::max<std::size_t>(usual / 8, 1));
 }
 
 // How many for what is left of `count` points. If it is much, threads meet there.
 unsigned Triangulation::ConcurrentInsertion::members_for_left(std::size_t left,
                                                               std::size_t count) const {
-    return is_many(left, count) ? team_.members_for(left, t_.settings_.points_a_thread)
+    return is_many(left, count) ? team_.members_for(left, t_.hooks_.min_points_per_thread)
                                 : members_for_few(left);
 }
 

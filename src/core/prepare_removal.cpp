@@ -60,7 +60,7 @@ std::size_t Triangulation::fill_from_link() {
     Triangulation& link = *owned;
     link.set_kernel(*kernel_);
     link.settings_.threads = settings_.threads;
-    link.settings_.points_a_thread = settings_.points_a_thread;
+    link.hooks_.min_points_per_thread = hooks_.min_points_per_thread;
     link.settings_.progress = [](double, void* request) -> std::int32_t {
         return static_cast<Atomic<bool>*>(request)->load(std::memory_order_relaxed);
     };

@@ -9,7 +9,7 @@ namespace mgdt {
 
 bool Triangulation::is_rebuild_faster(std::size_t points) const noexcept {
     constexpr std::size_t few = 16;
-    const std::size_t share = settings_.vertices_a_rebuild;
+    const std::size_t share = hooks_.vertices_per_rebuild;
     return share != 0 && points > few && points > vertex_count() / share;
 }
 
@@ -18,7 +18,7 @@ RemovalBudget Triangulation::removal_budget() const noexcept {
 }
 
 void Triangulation::rebuild(const Batch& all) {
-    Team team(threads_for(all.points.size, settings_.points_a_thread));
+    Team team(threads_for(all.points.size, hooks_.min_points_per_thread));
     AffineBasis basis, basis_before = basis_;
     points_to_span_space(all, basis);
     Mesh mesh(allocator_);

@@ -86,7 +86,7 @@ void Triangulation::insert(std::size_t n, const double* const axis[3], std::ptrd
     if (n > 1 && step > PTRDIFF_MAX / sizeof(double) / (n - 1))
         fail(MGDT_ERR_INVALID_ARGUMENT, "a stride of %lld takes %zu points beyond all memory",
              static_cast<long long>(stride), n);
-    Team team(threads_for(n, settings_.points_a_thread));
+    Team team(threads_for(n, hooks_.min_points_per_thread));
     const PointScan scan(team, n, axis, stride,
                          static_cast<long long>(first) + settings_.index_base);
     if (n == 0) return;

@@ -10,6 +10,8 @@
 #include "core/degenerate_points.hpp"
 #include "core/point_scan.hpp"
 #include "core/removal_budget.hpp"
+#include "core/settings.hpp"
+#include "core/statistics.hpp"
 #include "kernel/circumsphere.hpp"
 #include "kernel/kernel.hpp"
 #include "kernel/location_tree.hpp"
@@ -23,51 +25,6 @@
 #include "query/numbering.hpp"
 
 namespace mgdt {
-
-// Whether threads insert in zones without a look at each other; changed by tests.
-enum class ZoneUse : std::uint8_t { never, where_few_meet, always };
-
-struct Settings {
-    std::int32_t scheme = MGDT_ORDER_AUTO;
-    OrderParameters order;
-    std::int32_t threads = 1;            // 0: all cores
-    std::size_t points_a_thread = 8192;  // with fewer a thread does not pay; lowered by tests
-    ZoneUse zones = ZoneUse::where_few_meet;
-    // With more tetrahedra a vertex, threads would wait for each other; raised by tests.
-    std::size_t most_a_vertex = 16;
-    // Tries of a thread before it may doubt that several are faster than one.
-    std::size_t doubt_after = 2048;
-    // A call that removes or moves more than one in this many vertices triangulates the others, or
-    // all, anew; changed by tests.
-    std::size_t vertices_a_rebuild = 14;
-    // A vertex with so many around it is removed by way of a triangulation of these; lowered by
-    // tests.
-    std::size_t large_link = 128;
-    void (*pause)() = nullptr;  // for tests: called where threads take and give back blocks
-    std::int32_t index_base = 0;
-    bool canonical_output = false;
-    mgdt_progress_fn progress = nullptr;
-    void* progress_user = nullptr;
-};
-
-struct Statistics {
-    std::uint64_t points_inserted = 0;
-    std::uint64_t duplicates = 0;
-    std::uint64_t deferred = 0;        // insertions given up at another thread's, and tried again
-    std::uint64_t inserted_alone = 0;  // while the other threads had nothing to do
-    std::uint64_t removed = 0;         // points
-    std::uint64_t moved = 0;           // points, to other coordinates
-    std::uint64_t put_back = 0;        // moves that were a removal and an insertion
-    std::uint64_t link_vertices = 0;   // around the vertices whose stars were filled
-    std::uint64_t rebuilds = 0;
-    double order_seconds = 0;
-    double insert_seconds = 0;
-    double remove_seconds = 0;
-    double move_seconds = 0;
-    double levels = 0;
-    double rounds = 0;
-    double threads = 0;
-};
 
 class Triangulation {
   public:
@@ -98,6 +55,7 @@ class Triangulation {
     unsigned threads_for(std::size_t work, std::size_t min_items_per_thread) const noexcept;
 
     Settings& settings() noexcept { return settings_; }
+    TestHooks& hooks() noexcept { return hooks_; }
     const Settings& settings() const noexcept { return settings_; }
     Allocator& allocator() const noexcept { return allocator_; }
     const Mesh& mesh() const noexcept { return mesh_; }
@@ -166,7 +124,7 @@ class Triangulation {
     // tetrahedra a triangulation of the link had, 0 without one.
     void find_link(VertexId v);
     bool has_large_link() const noexcept {
-        return vertex_removal_.link_size() >= settings_.large_link;
+        return vertex_removal_.link_size() >= hooks_.large_link;
     }
     std::size_t fill_hole();
     std::size_t fill_from_link();
@@ -174,7 +132,7 @@ class Triangulation {
     // Whether the hole of the vertex whose link was found is better left, as the others, of which
     // `left` are to go, are better triangulated anew.
     bool is_rebuild_better(const RemovalBudget& budget, std::size_t left) const noexcept {
-        return settings_.vertices_a_rebuild != 0 &&
+        return hooks_.vertices_per_rebuild != 0 &&
                budget.is_exceeded_by(vertex_removal_.link_size(), has_large_link(), left);
     }
     // Without `count` points, of which `total` were to be removed at first.
@@ -201,6 +159,7 @@ class Triangulation {
 
     mutable Allocator allocator_;
     Settings settings_;
+    TestHooks hooks_;
     const Kernel* kernel_;
     Mesh mesh_;
     Workspace workspace_;

@@ -14,7 +14,7 @@ namespace mgdt {
 
 bool Triangulation::ConcurrentInsertion::may_use_zones(const Zones::Round& round,
                                                        unsigned members) const {
-    const ZoneUse use = t_.settings_.zones;
+    const ZoneUse use = t_.hooks_.zones;
     if (use == ZoneUse::never || (use == ZoneUse::where_few_meet && is_crowded_)) return false;
     // A round finds the border by the one before it, and a closed tetrahedron has a sphere.
     return members > 1 && base_ == first_vertex && round.before < round.begin &&
@@ -56,7 +56,7 @@ bool Triangulation::ConcurrentInsertion::list_border(const Zones::Round& round, 
     });
     for (unsigned m = 0; m < members; ++m) ends[m + 1] += ends[m];
     constexpr std::size_t enough = 8;  // points inside for one at the border
-    if (t_.settings_.zones == ZoneUse::where_few_meet && enough * ends[members] > round.size())
+    if (t_.hooks_.zones == ZoneUse::where_few_meet && enough * ends[members] > round.size())
         return false;
     border.resize(ends[members]);
     team_.run(members, [&](unsigned m) {

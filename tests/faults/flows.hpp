@@ -80,8 +80,8 @@ class Story {
         EXPECT_EQ(mgdt_set_threads(t, threads), MGDT_OK);
         EXPECT_EQ(mgdt_set_order_scheme(t, scheme), MGDT_OK);
         if (share == 0) return;
-        t->core.settings().points_a_thread = share;
-        t->core.settings().zones = mgdt::ZoneUse::always;
+        t->core.hooks().min_points_per_thread = share;
+        t->core.hooks().zones = mgdt::ZoneUse::always;
     }
     mgdt_triangulation* handle() const { return handle_.get(); }
 

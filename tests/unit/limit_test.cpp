@@ -71,7 +71,7 @@ TEST(Limit, MorePointsThanVertices) {
         Triangulation t(nullptr, nullptr, nullptr);
         const_cast<Mesh&>(t.mesh()).vertex_limit = 800;  // 9^3 places
         t.settings().threads = threads;
-        t.settings().points_a_thread = 100;
+        t.hooks().min_points_per_thread = 100;
         insert(t, first);
         insert(t, rest);
         EXPECT_EQ(t.vertex_count(), expected.vertex_count());

@@ -35,8 +35,8 @@ TEST_P(Motion, AnyHistory) {
             const auto t = empty();
             t->set_kernel(*find_kernel(GetParam()));
             t->set_compact(share == 0);
-            t->settings().vertices_a_rebuild = share;
-            if (share == 0) t->settings().large_link = 16;
+            t->hooks().vertices_per_rebuild = share;
+            if (share == 0) t->hooks().large_link = 16;
             insert(*t, xyz);
             const std::size_t n = xyz.size() / 3;
             for (std::size_t round = 0; round < 12; ++round) {
@@ -95,7 +95,7 @@ TEST(MotionOfEqualPoints, JoinAndPart) {
     const Points from = uniform_points(200, random);
     Points xyz = from;
     const auto t = empty();
-    t->settings().vertices_a_rebuild = 0;
+    t->hooks().vertices_per_rebuild = 0;
     insert(*t, xyz);
     for (const bool back : {false, true})
         for (std::uint32_t first = 0; first < 150; first += 30) {
@@ -126,7 +126,7 @@ TEST(MotionWithoutMemory, LeavesEachPointInOnePlace) {
     for (std::size_t allowed = 0; !is_done; ++allowed) {
         left = 1000000;
         Triangulation t(LimitedBlocks::alloc, LimitedBlocks::release, nullptr);
-        t.settings().vertices_a_rebuild = 0;
+        t.hooks().vertices_per_rebuild = 0;
         Points xyz = given, places = far;
         insert(t, xyz);
         Buffer<std::uint32_t> points(t.allocator());
@@ -219,7 +219,7 @@ TEST(MotionAndProgress, WhatWasDoneBeforeACancellationStays) {
         Points xyz = uniform_points(400, random);
         const Points places = uniform_points(200, random);
         const auto t = empty();
-        t->settings().vertices_a_rebuild = share;
+        t->hooks().vertices_per_rebuild = share;
         insert(*t, xyz);
         t->settings().progress = [](double fraction, void*) -> std::int32_t {
             return fraction >= 0.5;

@@ -25,7 +25,7 @@ TEST_P(Removal, OneByOneDownToNothing) {
             const auto t = empty();
             t->set_kernel(*find_kernel(GetParam()));
             t->set_compact(compact);
-            if (compact) t->settings().large_link = 4;
+            if (compact) t->hooks().large_link = 4;
             insert(*t, xyz);
             std::vector<std::uint32_t> order(xyz.size() / 3);
             for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -49,8 +49,8 @@ TEST_P(Removal, BatchesAndInsertionsInTurns) {
     for (const std::size_t share : {0u, 16u})
         for (const Points& set : sets(random)) {
             const auto t = empty();
-            t->settings().vertices_a_rebuild = share;
-            if (share != 0) t->settings().large_link = 5;
+            t->hooks().vertices_per_rebuild = share;
+            if (share != 0) t->hooks().large_link = 5;
             t->set_kernel(*find_kernel(GetParam()));
             Points xyz;
             for (std::size_t round = 0; round < 6; ++round) {
@@ -129,8 +129,8 @@ TEST(RemovalAndThreads, InsertAfterRemoval) {
     Random random(3);
     const Points first = uniform_points(3000, random), second = uniform_points(6000, random);
     const auto t = empty(4);
-    t->settings().points_a_thread = 64;
-    t->settings().vertices_a_rebuild = 0;
+    t->hooks().min_points_per_thread = 64;
+    t->hooks().vertices_per_rebuild = 0;
     insert(*t, first);
     std::vector<std::uint32_t> some;
     for (std::uint32_t i = 0; i < 3000; i += 3) some.push_back(i);
@@ -152,7 +152,7 @@ TEST(RemovalOfHub, CentreOfASphere) {
         if (!is_closed)
             for (std::size_t i = 0; i < n; ++i) xyz[3 * i + 2] = std::abs(xyz[3 * i + 2]);
         const auto t = empty();
-        t->settings().vertices_a_rebuild = 0;
+        t->hooks().vertices_per_rebuild = 0;
         insert(*t, xyz);
         const auto centre = static_cast<std::uint32_t>(n);
         remove(*t, {centre});
@@ -227,7 +227,7 @@ TEST(RemovalOfHubs, IsPossibleInLittleMemory) {
     const Points xyz = moment_curve(150);
     Triangulation t(LimitedBlocks::alloc, LimitedBlocks::release, nullptr);
     insert(t, xyz);
-    t.settings().large_link = 1000;
+    t.hooks().large_link = 1000;
     Buffer<std::uint32_t> points(t.allocator());
     points.reserve(8);
     for (std::uint32_t i = 0; i < 8; ++i) points.push_back(10 * i);
@@ -290,7 +290,7 @@ TEST(RemovalAndProgress, WhatWasDoneBeforeACancellationStays) {
     Random random(6);
     const Points xyz = uniform_points(400, random);
     const auto t = empty();
-    t->settings().vertices_a_rebuild = 0;
+    t->hooks().vertices_per_rebuild = 0;
     insert(*t, xyz);
     t->settings().progress = [](double fraction, void*) -> std::int32_t { return fraction >= 0.5; };
     std::vector<std::uint32_t> points;
@@ -317,7 +317,7 @@ TEST(RemovalWithoutMemory, LeavesATriangulation) {
     for (std::size_t allowed = 0; !is_done; ++allowed) {
         left = 1000000;
         Triangulation t(LimitedBlocks::alloc, LimitedBlocks::release, nullptr);
-        t.settings().large_link = 20;
+        t.hooks().large_link = 20;
         insert(t, xyz);
         Buffer<std::uint32_t> points(t.allocator());
         points.reserve(40);

@@ -288,7 +288,7 @@ inline const std::vector<Family>& families() {
          [](Random& r) {
              auto t = std::make_unique<Triangulation>(nullptr, nullptr, nullptr);
              t->settings().threads = 3;
-             t->settings().points_a_thread = 40;
+             t->hooks().min_points_per_thread = 40;
              insert(*t, uniform_points(is_small() ? 120 : 400, r));
              return Patient(std::move(t));
          }},

@@ -85,10 +85,11 @@ TEST(Zones, SameAsOneThread) {
         Settings& settings = together.settings();
         settings.scheme = scheme;
         settings.threads = static_cast<std::int32_t>(2 + random() % (round % 64 == 0 ? 30 : 7));
-        settings.points_a_thread = 1 + random() % 20;
-        settings.doubt_after = 1 + random() % 100;
-        settings.zones = zone_uses[random() % 3];
-        settings.pause = pause;
+        TestHooks& hooks = together.hooks();
+        hooks.min_points_per_thread = 1 + random() % 20;
+        hooks.attempts_before_doubt = 1 + random() % 100;
+        hooks.zones = zone_uses[random() % 3];
+        hooks.pause = pause;
         yield_one_in = random() % 3 == 0 ? 0 : 1 + static_cast<unsigned>(random() % 9);
         // In one batch, or in two.
         const std::size_t split = round % 3 == 0 ? 3 * (random() % n) : 0;
@@ -126,8 +127,8 @@ TEST(Zones, ShareTheWorkAroundAHub) {
         Triangulation serial(nullptr, nullptr, nullptr), concurrent(nullptr, nullptr, nullptr);
         insert(serial, xyz);
         concurrent.settings().threads = 4;
-        concurrent.settings().points_a_thread = 16;
-        concurrent.settings().doubt_after = n;
+        concurrent.hooks().min_points_per_thread = 16;
+        concurrent.hooks().attempts_before_doubt = n;
         insert(concurrent, xyz);
         ASSERT_EQ(outcome(concurrent), outcome(serial));
         // Neither do the threads leave the points to one of them, nor does the hub come so late
@@ -171,8 +172,8 @@ TEST(Zones, RepeatsLeaveNoGaps) {
                 Triangulation t(nullptr, nullptr, nullptr);
                 t.set_compact(is_compact);
                 t.settings().threads = threads;
-                t.settings().points_a_thread = 100;
-                t.settings().zones = is_compact ? ZoneUse::where_few_meet : ZoneUse::always;
+                t.hooks().min_points_per_thread = 100;
+                t.hooks().zones = is_compact ? ZoneUse::where_few_meet : ZoneUse::always;
                 insert(t, Points(xyz.begin(), middle));
                 insert(t, Points(middle, xyz.end()));
                 ASSERT_GT(t.statistics().duplicates, 0u);
@@ -204,9 +205,9 @@ TEST(Zones, LargeCavities) {
         }
         Triangulation alone(nullptr, nullptr, nullptr), together(nullptr, nullptr, nullptr);
         together.settings().threads = 2 + static_cast<std::int32_t>(round % 3);
-        together.settings().points_a_thread = 10;
-        together.settings().most_a_vertex = 1000000;
-        together.settings().zones = zone_uses[round % 3];
+        together.hooks().min_points_per_thread = 10;
+        together.hooks().max_tetrahedra_per_vertex = 1000000;
+        together.hooks().zones = zone_uses[round % 3];
         for (Triangulation* t : {&alone, &together}) {
             insert(*t, lines);
             insert(*t, between);
@@ -230,10 +231,10 @@ TEST(Zones, ThreadsInEachOthersWay) {
         for (const std::size_t share : {1u, 8u, 64u}) {
             Triangulation together(nullptr, nullptr, nullptr);
             together.settings().threads = 4;
-            together.settings().points_a_thread = share;
-            together.settings().doubt_after = share;
-            together.settings().most_a_vertex = 1000000;
-            together.settings().zones = use;
+            together.hooks().min_points_per_thread = share;
+            together.hooks().attempts_before_doubt = share;
+            together.hooks().max_tetrahedra_per_vertex = 1000000;
+            together.hooks().zones = use;
             insert(together, xyz);
             ASSERT_EQ(outcome(together), outcome(alone)) << share;
             expect_valid(together);
@@ -255,9 +256,9 @@ TEST(Zones, StorageGrows) {
     for (const ZoneUse use : zone_uses) {
         Triangulation together(nullptr, nullptr, nullptr);
         together.settings().threads = 4;
-        together.settings().points_a_thread = 8;
-        together.settings().most_a_vertex = 1000000;
-        together.settings().zones = use;
+        together.hooks().min_points_per_thread = 8;
+        together.hooks().max_tetrahedra_per_vertex = 1000000;
+        together.hooks().zones = use;
         insert(together, xyz);
         EXPECT_EQ(outcome(together), outcome(alone));
         expect_valid(together);
@@ -271,7 +272,7 @@ TEST(Zones, LongTetrahedraAreLeftToOneThread) {
         for (const int c : {i, i * i, i * i * i}) xyz.push_back(c);
     Triangulation t(nullptr, nullptr, nullptr);
     t.settings().threads = 4;
-    t.settings().points_a_thread = 8;
+    t.hooks().min_points_per_thread = 8;
     insert(t, xyz);
     EXPECT_GE(t.statistics().inserted_alone, 300u);  // the last round
     expect_valid(t);
@@ -284,7 +285,7 @@ TEST(Zones, FewPlacesAreLeftToOneThread) {
     for (int i = 0; i < 3 * 20000; ++i) xyz.push_back(static_cast<double>(random() % 3));
     Triangulation t(nullptr, nullptr, nullptr);
     t.settings().threads = 4;
-    t.settings().points_a_thread = 1000;
+    t.hooks().min_points_per_thread = 1000;
     insert(t, xyz);
     EXPECT_EQ(t.statistics().deferred, 0u);
     EXPECT_GE(t.statistics().inserted_alone, 19000u);
@@ -309,7 +310,7 @@ void expect_rest_can_follow(Triangulation& t, const Points& xyz) {
 
 void settle_for_threads(Triangulation& t, std::int32_t threads) {
     t.settings().threads = threads;
-    t.settings().points_a_thread = 16;
+    t.hooks().min_points_per_thread = 16;
 }
 
 TEST(Zones, Cancelled) {
@@ -320,7 +321,7 @@ TEST(Zones, Cancelled) {
         SCOPED_TRACE(stop);
         Triangulation t(nullptr, nullptr, nullptr);
         settle_for_threads(t, 4);
-        t.settings().zones = stop % 8 == 1 ? ZoneUse::always : ZoneUse::never;
+        t.hooks().zones = stop % 8 == 1 ? ZoneUse::always : ZoneUse::never;
         struct Count {
             int left;
             std::thread::id caller;
@@ -367,7 +368,7 @@ void expect_to_survive_scarcity(const Points& there, const Points& xyz, ZoneUse 
         allocations_left = 1000000;
         Triangulation t(scarce, give_back, nullptr);
         settle_for_threads(t, 3);
-        t.settings().zones = zones;
+        t.hooks().zones = zones;
         insert(t, there);
         allocations_left = k;
         try {
@@ -417,7 +418,7 @@ TEST(Zones, TiesAndExtremes) {
                 Triangulation t(nullptr, nullptr, nullptr);
                 t.set_kernel(*kernel);
                 settle_for_threads(t, threads);
-                t.settings().zones = ZoneUse::always;
+                t.hooks().zones = ZoneUse::always;
                 insert(t, xyz);
                 EXPECT_EQ(outcome(t), outcome(alone)) << isa;
                 expect_valid(t);
@@ -436,7 +437,7 @@ TEST(Zones, ManyThreads) {
         if (is_small() && threads > 16 && threads < 1000) continue;
         Triangulation t(nullptr, nullptr, nullptr);
         t.settings().threads = threads;
-        t.settings().points_a_thread = 1;
+        t.hooks().min_points_per_thread = 1;
         insert(t, xyz);
         EXPECT_EQ(outcome(t), outcome(alone));
         EXPECT_LE(t.statistics().threads, 254);

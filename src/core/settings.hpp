@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What the caller of a triangulation has chosen, and what tests change.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "mgdt/mgdt.h"
+#include "order/schedule.hpp"
+
+namespace mgdt {
+
+struct Settings {
+    std::int32_t scheme = MGDT_ORDER_AUTO;
+    OrderParameters order;
+    std::int32_t threads = 1;  // 0: all cores
+    std::int32_t index_base = 0;
+    bool canonical_output = false;
+    mgdt_progress_fn progress = nullptr;
+    void* progress_user = nullptr;
+};
+
+// Whether threads insert in zones (core/zones.hpp).
+enum class ZoneUse : std::uint8_t { never, where_few_meet, always };
+
+// Thresholds that decide which of several ways an operation takes. The values are measured ones.
+// Only tests change them, to take every way with few points.
+struct TestHooks {
+    // A thread with fewer points costs more than it gains.
+    std::size_t min_points_per_thread = 8192;
+    ZoneUse zones = ZoneUse::where_few_meet;
+    // With more tetrahedra per vertex, one thread inserts: several would wait for each other.
+    std::size_t max_tetrahedra_per_vertex = 16;
+    // The number of attempts after which a thread may doubt that several are faster than one.
+    std::size_t attempts_before_doubt = 2048;
+    // A call that removes or moves more than one in this many vertices triangulates anew; 0: never.
+    std::size_t vertices_per_rebuild = 14;
+    // A vertex with at least this many vertices around it is removed by a triangulation of these.
+    std::size_t large_link = 128;
+    // Called where threads take and give back blocks of vertices, to provoke races.
+    void (*pause)() = nullptr;
+};
+
+}  // namespace mgdt
