@@ -3,10 +3,12 @@
 
 #include <algorithm>
 
+#include "kernel/circumsphere.hpp"
+
 namespace mgdt {
 
-void Triangulation::Batch::use(const PointScan& scan, std::size_t n, const double* const axis[3],
-                               std::ptrdiff_t stride, int scale_exponent, std::size_t first) {
+void Batch::use(const PointScan& scan, std::size_t n, const double* const axis[3],
+                std::ptrdiff_t stride, int scale_exponent, std::size_t first) {
     exponent = scale_exponent;
     is_normal = scan.greatest == 0 || (in_normal_range(scaled(scan.least, exponent)) &&
                                        in_normal_range(scaled(scan.greatest, exponent)));
@@ -16,14 +18,14 @@ void Triangulation::Batch::use(const PointScan& scan, std::size_t n, const doubl
                             scaled(1.0, std::min(std::max(scale_exponent, -1022), 1023)));
 }
 
-void Triangulation::Batch::begin_gathering(std::size_t most) {
+void Batch::begin_gathering(std::size_t most) {
     gathered.reserve(3 * std::max<std::size_t>(most, 1));  // no points have an address too
     indices.reserve(most);
     gathered.clear();
     indices.clear();
 }
 
-void Triangulation::Batch::gather(const double* p, std::uint32_t index) noexcept {
+void Batch::gather(const double* p, std::uint32_t index) noexcept {
     const std::size_t size = indices.size();
     gathered.resize_within_capacity(3 * (size + 1));
     std::copy_n(p, 3, &gathered[3 * size]);
@@ -31,15 +33,15 @@ void Triangulation::Batch::gather(const double* p, std::uint32_t index) noexcept
     indices[size] = index;
 }
 
-void Triangulation::Batch::end_gathering() {
+void Batch::end_gathering() {
     const double* const axis[3] = {gathered.data(), gathered.data() + 1, gathered.data() + 2};
     Team alone;
     const PointScan scan(alone, indices.size(), axis, 3, 0);
     use(scan, indices.size(), axis, 3, 0, 0);
 }
 
-void Triangulation::Batch::gather(const Mesh& mesh, const Buffer<VertexId>& point_map,
-                                  const Batch& added, std::size_t count) {
+void Batch::gather(const Mesh& mesh, const Buffer<VertexId>& point_map, const Batch& added,
+                   std::size_t count) {
     const std::size_t before = added.first_index;
     begin_gathering(before + count);
     // A point that a cancelled call left out stays out.
@@ -54,7 +56,7 @@ void Triangulation::Batch::gather(const Mesh& mesh, const Buffer<VertexId>& poin
     end_gathering();
 }
 
-void Triangulation::Batch::drop_front(std::size_t count) {
+void Batch::drop_front(std::size_t count) {
     for (const double*& axis : points.axis)
         axis += static_cast<std::ptrdiff_t>(count) * points.stride;
     points.size -= count;

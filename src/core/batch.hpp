@@ -3,21 +3,11 @@
 #pragma once
 
 #include "core/point_scan.hpp"
-#include "core/triangulation.hpp"
+#include "mesh/mesh.hpp"
 
 namespace mgdt {
 
-// Indices are 32 bits inside; the last two values mean none.
-inline constexpr std::size_t max_points = 0xFFFFFFFEu;
-
-// Slots to reserve for a number of points: a Poisson set has 6.77 tetrahedra a point, and ghosts
-// and the slots in passing need a little. Sets that need more grow.
-inline std::size_t expected_tetrahedra(std::size_t points, std::size_t limit) {
-    const std::size_t expected = points * 7 - points / 8 + 128;
-    return expected < limit ? expected : limit;
-}
-
-struct Triangulation::Batch {
+struct Batch {
     explicit Batch(Allocator& allocator) : gathered(allocator), indices(allocator) {}
     // The caller's points; `first` is the index of the first, counted from 0.
     Batch(Allocator& allocator, const PointScan& scan, std::size_t n, const double* const axis[3],

@@ -15,7 +15,7 @@ constexpr std::size_t sample_size = 1024;
 }  // namespace
 
 // Inserts those that threads have put off, before others make more tetrahedra in their place.
-void Triangulation::ConcurrentInsertion::insert_put_off() {
+void ConcurrentInsertion::insert_put_off() {
     const std::size_t count = std::min(put_off_, left_.size());
     std::sort(left_.begin(), left_.begin() + count);
     insert_alone({0, count, left_.data()});
@@ -25,7 +25,7 @@ void Triangulation::ConcurrentInsertion::insert_put_off() {
 
 // Whether threads are so much in each other's way that one alone may be faster: where a few
 // vertices have edges to all others, all want the same tetrahedra.
-bool Triangulation::ConcurrentInsertion::has_doubts(Member& member) const {
+bool ConcurrentInsertion::has_doubts(Member& member) const {
     if (member.doubts.tries < doubt_after_) return false;
     // A large cavity that is given up takes the time of many points.
     member.doubts.failures += std::exchange(member.members_given_up, 0) / 256;
@@ -34,8 +34,8 @@ bool Triangulation::ConcurrentInsertion::has_doubts(Member& member) const {
 
 // Inserts some of the list, the last ones, and takes them out. Whether that was faster a point than
 // the seconds that all have taken together.
-bool Triangulation::ConcurrentInsertion::is_faster_alone(Buffer<std::uint32_t>& list,
-                                                         double together, std::size_t inserted) {
+bool ConcurrentInsertion::is_faster_alone(Buffer<std::uint32_t>& list, double together,
+                                          std::size_t inserted) {
     const std::size_t n = std::min(list.size(), sample_size);
     if (n == 0) return false;
     double alone = 0;

@@ -42,44 +42,42 @@ bool is_many(std::uint64_t put_off, std::size_t count) {
 
 }  // namespace
 
-Triangulation::ConcurrentInsertion::ConcurrentInsertion(Triangulation& t, Team& team,
-                                                        const Batch& batch,
-                                                        const Schedule& schedule, std::size_t base,
-                                                        bool may_stop)
-    : t_(t),
+ConcurrentInsertion::ConcurrentInsertion(State& state, Team& team, const Batch& batch,
+                                         const Schedule& schedule, std::size_t base, bool may_stop)
+    : state_(state),
       team_(team),
       batch_(batch),
       schedule_(schedule),
       base_(base),
       may_stop_(may_stop),
-      owners_(t.allocator_, base + batch.points.size, t.hooks_.pause),
-      supply_(t.mesh_, static_cast<std::uint32_t>(std::min<std::size_t>(
-                           most_slots_at_once, 64 + batch.points.size / (4 * team.size())))),
-      queue_(t.allocator_, team.size()),
-      left_(t.allocator_),
-      zones_(team, t.allocator_, schedule, batch.points.size) {
+      owners_(state.allocator, base + batch.points.size, state.hooks.pause),
+      supply_(state.mesh, static_cast<std::uint32_t>(std::min<std::size_t>(
+                              most_slots_at_once, 64 + batch.points.size / (4 * team.size())))),
+      queue_(state.allocator, team.size()),
+      left_(state.allocator),
+      zones_(team, state.allocator, schedule, batch.points.size) {
     const std::size_t bytes = team.size() * sizeof(Member);
-    members_ = static_cast<Member*>(t.allocator_.allocate(bytes, alignof(Member)));
+    members_ = static_cast<Member*>(state.allocator.allocate(bytes, alignof(Member)));
     for (; member_count_ < team.size(); ++member_count_)
         new (members_ + member_count_)
-            Member(t.mesh_, owners_, static_cast<std::uint8_t>(member_count_ + 1), supply_,
-                   member_count_ == 0 ? &t.workspace_ : nullptr);
+            Member(state.mesh, owners_, static_cast<std::uint8_t>(member_count_ + 1), supply_,
+                   member_count_ == 0 ? &state.workspace : nullptr);
 }
 
-Triangulation::ConcurrentInsertion::~ConcurrentInsertion() {
+ConcurrentInsertion::~ConcurrentInsertion() {
     // What threads left behind may be gone.
-    t_.last_ = t_.mesh_.live_from(t_.last_);
-    t_.workspace_.slot_count = 0;
+    state_.walk_starts.last = state_.mesh.live_from(state_.walk_starts.last);
+    state_.workspace.slot_count = 0;
     for (unsigned m = 0; m < member_count_; ++m) {
-        if (m > 0) t_.workspace_.counters += members_[m].own.counters;
-        t_.statistics_.points_inserted += members_[m].inserted;
-        t_.statistics_.deferred += members_[m].times_deferred;
+        if (m > 0) state_.workspace.counters += members_[m].own.counters;
+        state_.statistics.points_inserted += members_[m].inserted;
+        state_.statistics.deferred += members_[m].times_deferred;
         members_[m].~Member();
     }
-    t_.allocator_.release(members_, team_.size() * sizeof(Member), alignof(Member));
+    state_.allocator.release(members_, team_.size() * sizeof(Member), alignof(Member));
 }
 
-void Triangulation::ConcurrentInsertion::run(std::size_t done) {
+void ConcurrentInsertion::run(std::size_t done) {
     done_ = done;
     const std::size_t n = batch_.points.size;
     const Buffer<std::uint32_t>& rounds = schedule_.rounds;
@@ -91,7 +89,7 @@ void Triangulation::ConcurrentInsertion::run(std::size_t done) {
     }
 }
 
-void Triangulation::ConcurrentInsertion::insert_round(const Zones::Round& round) {
+void ConcurrentInsertion::insert_round(const Zones::Round& round) {
     const unsigned members = members_for_round(round);
     stops_ = 0;
     const std::uint64_t before = times_deferred();
@@ -103,9 +101,9 @@ void Triangulation::ConcurrentInsertion::insert_round(const Zones::Round& round)
 // Where there are many tetrahedra a vertex, as between the arms of a spiral, most are long, and
 // most points want some that belong to others: one thread takes less time. So it does where there
 // are few, because most points are where others are.
-unsigned Triangulation::ConcurrentInsertion::members_for_round(const Zones::Round& round) const {
-    const TestHooks& hooks = t_.hooks_;
-    const std::size_t tetrahedra = t_.mesh_.tetrahedra.size();
+unsigned ConcurrentInsertion::members_for_round(const Zones::Round& round) const {
+    const TestHooks& hooks = state_.hooks;
+    const std::size_t tetrahedra = state_.mesh.tetrahedra.size();
     if (tetrahedra / hooks.max_tetrahedra_per_vertex > base_ + round.begin) return 1;
     const std::size_t usual = hooks.min_points_per_thread;
     unsigned members = team_.members_for(round.size(), usual);
@@ -117,17 +115,17 @@ unsigned Triangulation::ConcurrentInsertion::members_for_round(const Zones::Roun
     return std::min(members, members_for_few(tetrahedra));
 }
 
-std::uint64_t Triangulation::ConcurrentInsertion::times_deferred() const {
+std::uint64_t ConcurrentInsertion::times_deferred() const {
     std::uint64_t sum = 0;
     for (unsigned m = 0; m < member_count_; ++m) sum += members_[m].times_deferred;
     return sum;
 }
 
 // Inserts items on `members` threads, and what is left on fewer, in the end on one.
-void Triangulation::ConcurrentInsertion::insert_anywhere(Items items, unsigned members) {
-    Buffer<std::uint32_t> list(t_.allocator_);
+void ConcurrentInsertion::insert_anywhere(Items items, unsigned members) {
+    Buffer<std::uint32_t> list(state_.allocator);
     was_faster_alone_ = false;
-    doubt_after_ = t_.hooks_.attempts_before_doubt;
+    doubt_after_ = state_.hooks.attempts_before_doubt;
     while (members > 1) {
         const std::size_t before = done_;
         double seconds = 0;
@@ -159,7 +157,7 @@ void Triangulation::ConcurrentInsertion::insert_anywhere(Items items, unsigned m
     insert_alone(items);
 }
 
-void Triangulation::ConcurrentInsertion::insert_alone(const Items& items) {
+void ConcurrentInsertion::insert_alone(const Items& items) {
     begin_stage(items, 1);
     for (std::size_t i = 0; i < items.size; ++i) {
         if (i % 1024 == 0) poll(done_);
@@ -168,10 +166,10 @@ void Triangulation::ConcurrentInsertion::insert_alone(const Items& items) {
 }
 
 // Room for more tetrahedra. Whether there is any.
-bool Triangulation::ConcurrentInsertion::grow_storage(unsigned members) {
+bool ConcurrentInsertion::grow_storage(unsigned members) {
     const std::size_t more = members * std::size_t{2} * most_slots_at_once;
     try {
-        t_.mesh_.reserve_tetrahedra(t_.mesh_.tetrahedra.capacity() + more);
+        state_.mesh.reserve_tetrahedra(state_.mesh.tetrahedra.capacity() + more);
         return true;
     } catch (...) {
         return false;
@@ -179,32 +177,31 @@ bool Triangulation::ConcurrentInsertion::grow_storage(unsigned members) {
 }
 
 // How many for a few points, which all others would wait for one to insert.
-unsigned Triangulation::ConcurrentInsertion::members_for_few(std::size_t count) const {
-    const std::size_t usual = t_.hooks_.min_points_per_thread;
+unsigned ConcurrentInsertion::members_for_few(std::size_t count) const {
+    const std::size_t usual = state_.hooks.min_points_per_thread;
     return team_.members_for(count, std::max<std::size_t>(usual / 8, 1));
 }
 
 // How many for what is left of `count` points. If it is much, threads meet there.
-unsigned Triangulation::ConcurrentInsertion::members_for_left(std::size_t left,
-                                                              std::size_t count) const {
-    return is_many(left, count) ? team_.members_for(left, t_.hooks_.min_points_per_thread)
+unsigned ConcurrentInsertion::members_for_left(std::size_t left, std::size_t count) const {
+    return is_many(left, count) ? team_.members_for(left, state_.hooks.min_points_per_thread)
                                 : members_for_few(left);
 }
 
 // In the order of the schedule.
-Buffer<std::uint32_t> Triangulation::ConcurrentInsertion::take_left() {
+Buffer<std::uint32_t> ConcurrentInsertion::take_left() {
     std::sort(left_.begin(), left_.end());
-    return std::exchange(left_, Buffer<std::uint32_t>(t_.allocator_));
+    return std::exchange(left_, Buffer<std::uint32_t>(state_.allocator));
 }
 
-void Triangulation::ConcurrentInsertion::begin_stage(const Items& items, unsigned members) {
+void ConcurrentInsertion::begin_stage(const Items& items, unsigned members) {
     far_away_ = items.list ? far_away_in_list : far_away_in_round;
     may_stop_for_hubs_ = stops_ < most_stops;
     stop_ = no_slots_ = doubts_ = false;
     for (unsigned m = 0; m < members; ++m) members_[m].hub = no_index;
 }
 
-void Triangulation::ConcurrentInsertion::insert_concurrently(const Items& items, unsigned members) {
+void ConcurrentInsertion::insert_concurrently(const Items& items, unsigned members) {
     const std::size_t piece =
         std::min(piece_size, std::max<std::size_t>(1, items.size / (members * 4)));
     queue_.deal(items.size, piece, members);
@@ -224,7 +221,7 @@ void Triangulation::ConcurrentInsertion::insert_concurrently(const Items& items,
 }
 
 // Inserts those that all have stopped for, and takes them from the list of what is left.
-std::size_t Triangulation::ConcurrentInsertion::insert_hubs() {
+std::size_t ConcurrentInsertion::insert_hubs() {
     std::size_t hubs = 0;
     for (unsigned m = 0; m < member_count_; ++m) {
         const std::uint32_t k = std::exchange(members_[m].hub, no_index);
@@ -239,9 +236,9 @@ std::size_t Triangulation::ConcurrentInsertion::insert_hubs() {
 }
 
 // When the threads are done: hands to the mesh what was theirs, and lists the points that are left.
-void Triangulation::ConcurrentInsertion::gather_results(unsigned members, const Items& items) {
+void ConcurrentInsertion::gather_results(unsigned members, const Items& items) {
     supply_.close();
-    Mesh& mesh = t_.mesh_;
+    Mesh& mesh = state_.mesh;
     for (unsigned m = 0; m < members; ++m) {
         ThreadState& thread_state = members_[m].thread_state;
         thread_state.return_slots();
@@ -255,7 +252,7 @@ void Triangulation::ConcurrentInsertion::gather_results(unsigned members, const 
     }
     for (unsigned m = 0; m < members; ++m) {
         for (const Member::Repeat& repeat : members_[m].repeats)
-            t_.note_repeat(repeat.q, repeat.vertex);
+            state_.note_repeat(repeat.q, repeat.vertex);
         members_[m].repeats.clear();
         for (const std::uint32_t k : members_[m].left) left_.push_back(k);
         members_[m].left.clear();
@@ -267,7 +264,7 @@ void Triangulation::ConcurrentInsertion::gather_results(unsigned members, const 
             left_.push_back(static_cast<std::uint32_t>(items[i]));
 }
 
-void Triangulation::ConcurrentInsertion::work(Member& member, const Items& items) {
+void ConcurrentInsertion::work(Member& member, const Items& items) {
     const unsigned number = static_cast<unsigned>(&member - members_);
     struct ReleaseBlocks {
         ConcurrentInsertion& z;
@@ -317,7 +314,7 @@ void Triangulation::ConcurrentInsertion::work(Member& member, const Items& items
     }
 }
 
-bool Triangulation::ConcurrentInsertion::is_too_crowded(Member& member) {
+bool ConcurrentInsertion::is_too_crowded(Member& member) {
     if (member.crowd.tries < trial_) return false;
     if (!member.crowd.ends_crowded()) {
         member.waits = 0;
@@ -334,25 +331,24 @@ bool Triangulation::ConcurrentInsertion::is_too_crowded(Member& member) {
     return false;
 }
 
-bool Triangulation::ConcurrentInsertion::try_insert(Member& member, std::size_t k) {
+bool ConcurrentInsertion::try_insert(Member& member, std::size_t k) {
     if (stop_.load(std::memory_order_relaxed)) return false;
     if (!member.thread_state.try_own(vertex(k))) return false;
     const std::size_t distance = k > member.last ? k - member.last : member.last - k;
     if ((member.here == no_tetrahedron || distance > far_away_) && !arrive(member, k)) return false;
-    if (insert(member, k, t_.calls().insert_concurrent)) return true;
+    if (insert(member, k, state_.calls().insert_concurrent)) return true;
     member.members_given_up += member.workspace.given_up;
     if (member.members_given_up > most_given_up * doubt_after_) doubts_ = stop_ = true;
     return false;
 }
 
 // Inserts point k in one of the kernel's ways, from where the thread is.
-bool Triangulation::ConcurrentInsertion::insert(Member& member, std::size_t k,
-                                                ConcurrentCall call) {
+bool ConcurrentInsertion::insert(Member& member, std::size_t k, ConcurrentCall call) {
     const VertexId q = vertex(k);
     Insertion result;
     member.workspace.given_up = 0;
     try {
-        result = call(t_.mesh_, member.workspace, member.thread_state, q, member.here);
+        result = call(state_.mesh, member.workspace, member.thread_state, q, member.here);
     } catch (const SlotSupply::NoSlots&) {
         no_slots_ = true;
         stop_ = true;
@@ -375,8 +371,8 @@ bool Triangulation::ConcurrentInsertion::insert(Member& member, std::size_t k,
 }
 
 // Makes a tetrahedron near point k this thread's, to walk from. Whether that could be.
-bool Triangulation::ConcurrentInsertion::arrive(Member& member, std::size_t k) {
-    const Mesh& mesh = t_.mesh_;
+bool ConcurrentInsertion::arrive(Member& member, std::size_t k) {
+    const Mesh& mesh = state_.mesh;
     ThreadState& thread_state = member.thread_state;
     return for_nearby_positions(k, [&](std::size_t position) {
         const VertexId near = vertex(position);
@@ -398,11 +394,11 @@ bool Triangulation::ConcurrentInsertion::arrive(Member& member, std::size_t k) {
 }
 
 // Gives all blocks back but those of the place where the thread is.
-void Triangulation::ConcurrentInsertion::release_blocks(Member& member) {
+void ConcurrentInsertion::release_blocks(Member& member) {
     member.workspace.slot_count = 0;  // the last star is not wholly mine any more
     OwnedBlocks& blocks = member.thread_state.blocks;
     const Tetrahedron* const here =
-        member.here == no_tetrahedron ? nullptr : &t_.mesh_.tetrahedra[member.here];
+        member.here == no_tetrahedron ? nullptr : &state_.mesh.tetrahedra[member.here];
     if (here && member.thread_state.try_own(*here)) {
         blocks.release(here->v, 2);
     } else {
@@ -412,9 +408,9 @@ void Triangulation::ConcurrentInsertion::release_blocks(Member& member) {
 }
 
 // With no other thread at work. `is_next`: the point inserted last is near.
-void Triangulation::ConcurrentInsertion::insert_serially(std::size_t k, bool is_next) {
-    const Mesh& mesh = t_.mesh_;
-    TetId start = t_.last_;
+void ConcurrentInsertion::insert_serially(std::size_t k, bool is_next) {
+    const Mesh& mesh = state_.mesh;
+    TetId start = state_.walk_starts.last;
     if (!is_next || k == 0) {
         const bool is_found = for_nearby_positions(k, [&](std::size_t position) {
             const TetId near = mesh.vertex_hint[vertex(position)];
@@ -425,28 +421,28 @@ void Triangulation::ConcurrentInsertion::insert_serially(std::size_t k, bool is_
         if (!is_found) {
             start = start == no_tetrahedron ? mesh.a_ghost : mesh.live_from(start);
             if (k == 0)
-                start =
-                    start_of_walk(mesh, t_.tree_for_insertion(base_), start, mesh.point(vertex(k)));
+                start = start_of_walk(mesh, state_.walk_starts.tree_for_insertion(mesh, base_),
+                                      start, mesh.point(vertex(k)));
         }
-        t_.workspace_.slot_count = 0;
+        state_.workspace.slot_count = 0;
     }
     const VertexId q = vertex(k);
-    const Insertion result = t_.calls().insert(t_.mesh_, t_.workspace_, q, start);
-    t_.last_ = result.tetrahedron;
-    t_.note(q, result);
-    ++t_.statistics_.inserted_alone;
+    const Insertion result = state_.calls().insert(state_.mesh, state_.workspace, q, start);
+    state_.walk_starts.last = result.tetrahedron;
+    state_.note(q, result);
+    ++state_.statistics.inserted_alone;
     ++done_;
 }
 
 // On the calling thread alone.
-void Triangulation::ConcurrentInsertion::poll(std::size_t done) {
+void ConcurrentInsertion::poll(std::size_t done) {
     if (!may_stop_) return;
     const std::size_t n = batch_.points.size;
     if (done >= next_report_) {
         next_report_ = done + std::max<std::size_t>(n / 100, 1);
-        t_.report(done, n);
+        state_.progress.report(done, n);
     }
-    t_.stop_if_cancelled(done, n);
+    state_.progress.stop_if_cancelled(done, n);
 }
 
 }  // namespace mgdt

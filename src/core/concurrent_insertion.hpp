@@ -15,6 +15,7 @@
 #pragma once
 
 #include "core/batch.hpp"
+#include "core/state.hpp"
 #include "core/zones.hpp"
 #include "kernel/kernel.hpp"
 #include "kernel/thread_state.hpp"
@@ -22,10 +23,10 @@
 
 namespace mgdt {
 
-class Triangulation::ConcurrentInsertion {
+class ConcurrentInsertion {
   public:
     // Vertices of the batch are in the mesh from `base` on, in the order of the schedule.
-    ConcurrentInsertion(Triangulation& t, Team& team, const Batch& batch, const Schedule& schedule,
+    ConcurrentInsertion(State& state, Team& team, const Batch& batch, const Schedule& schedule,
                         std::size_t base, bool may_stop);
     ~ConcurrentInsertion();
 
@@ -86,7 +87,7 @@ class Triangulation::ConcurrentInsertion {
     VertexId vertex(std::size_t k) const { return static_cast<VertexId>(base_ + k); }
     void poll(std::size_t done);
 
-    Triangulation& t_;
+    State& state_;
     Team& team_;
     const Batch& batch_;
     const Schedule& schedule_;

@@ -8,7 +8,7 @@
 
 namespace mgdt {
 
-struct Triangulation::ConcurrentInsertion::Member {
+struct ConcurrentInsertion::Member {
     Member(Mesh& mesh, BlockOwners& owners, std::uint8_t who, SlotSupply& supply,
            Workspace* of_handle)
         : thread_state(mesh, owners, who, supply),
@@ -57,7 +57,7 @@ struct Triangulation::ConcurrentInsertion::Member {
 // Calls f with positions that are probably near that of k, until it returns true: those next to it,
 // if points of its round are in, and earlier ones.
 template <class F>
-bool Triangulation::ConcurrentInsertion::for_nearby_positions(std::size_t k, F f) const {
+bool ConcurrentInsertion::for_nearby_positions(std::size_t k, F f) const {
     constexpr std::size_t tries = 16;
     const Buffer<std::uint32_t>& rounds = schedule_.rounds;
     const std::size_t r = static_cast<std::size_t>(

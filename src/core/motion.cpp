@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Points move: one by one, each by a removal and an insertion, or all at once by a rebuild.
+#include "core/motion.hpp"
+
 #include <algorithm>
 
-#include "core/batch.hpp"
 #include "core/equal_points.hpp"
+#include "core/hole_filling.hpp"
+#include "core/insertion.hpp"
+#include "core/rebuild.hpp"
+#include "core/removal.hpp"
 #include "core/stopwatch.hpp"
-#include "core/triangulation.hpp"
-#include "platform/error.hpp"
+#include "core/vertex_compaction.hpp"
+#include "kernel/circumsphere.hpp"
 #include "query/locate.hpp"
 
 namespace mgdt {
+namespace {
 
 // Those whose coordinates change, with the new ones as the caller gave them.
-struct Triangulation::MovedPoints {
+struct MovedPoints {
     MovedPoints(Allocator& allocator, std::size_t listed)
         : points(allocator), xyz(allocator), places_in_list(allocator), list_size(listed) {
         points.reserve(listed);
@@ -33,15 +38,38 @@ struct Triangulation::MovedPoints {
     std::size_t list_size;
 };
 
-class Triangulation::Motion {
+// All points, where they are now; those from `first` on among the moved ones where they go.
+void rebuild_moved(State& state, const MovedPoints& moved, std::size_t first) {
+    const std::size_t n = moved.size();
+    Batch all(state.allocator);
+    {
+        Buffer<std::uint32_t> order(state.allocator);
+        order.resize(state.points.map.size(), no_index);
+        for (std::size_t k = first; k < n; ++k)
+            order[moved.points[k]] = static_cast<std::uint32_t>(k);
+        all.begin_gathering(state.points.map.size());
+        for (std::uint32_t i = 0; i < state.points.map.size(); ++i) {
+            if (state.points.map[i] == infinite_vertex) continue;
+            double p[3];
+            std::copy_n(state.mesh.point(state.points.map[i]), 3, p);
+            if (order[i] != no_index) moved.place(order[i], state.mesh.scale, p);
+            all.gather(p, i);
+        }
+    }
+    all.end_gathering();
+    rebuild(state, all, moved.places_in_list[first], moved.list_size);
+    state.statistics.moved += n - first;
+}
+
+class Motion {
   public:
-    Motion(Triangulation& triangulation, const MovedPoints& moved)
-        : t_(triangulation),
+    Motion(State& state, const MovedPoints& moved)
+        : state_(state),
           moved_(moved),
-          equal_points_(triangulation.allocator_, triangulation.mesh_.vertices.size()),
-          gaps_(triangulation.allocator_),
-          budget_(triangulation.removal_budget()) {}
-    ~Motion() { t_.close_gaps(gaps_); }
+          equal_points_(state.allocator, state.mesh.vertices.size()),
+          gaps_(state.allocator),
+          budget_(removal_budget(state)) {}
+    ~Motion() { close_gaps(state_, gaps_); }
     Motion(const Motion&) = delete;
     Motion& operator=(const Motion&) = delete;
 
@@ -56,7 +84,7 @@ class Triangulation::Motion {
     void split_off(VertexId v, std::uint32_t point, const double (&p)[3], std::uint32_t other);
     Insertion insert(VertexId q, TetId start);
 
-    Triangulation& t_;
+    State& state_;
     const MovedPoints& moved_;
     EqualPoints equal_points_;
     Buffer<VertexId> gaps_;  // vertices that are gone
@@ -64,20 +92,21 @@ class Triangulation::Motion {
     bool has_budget_ = true, is_too_slow_ = false;
 };
 
-void Triangulation::Motion::one_by_one() {
+void Motion::one_by_one() {
     const std::size_t n = moved_.size();
     gaps_.reserve(n);
-    if (t_.are_equals_among(moved_.points)) equal_points_.find(t_.point_map_, moved_.points);
-    t_.change_one_by_one(
+    if (are_equals_among(state_, moved_.points))
+        equal_points_.find(state_.points.map, moved_.points);
+    state_.progress.change_one_by_one(
         0, n, moved_.list_size,
         [this](std::size_t k) { return std::size_t{moved_.places_in_list[k]}; },
         [this](std::size_t k) {
             if (try_to_move(k)) return true;
-            const auto rebuild = [&] { t_.rebuild_moved(moved_, k); };
+            const auto rebuild = [&] { rebuild_moved(state_, moved_, k); };
             if (!is_too_slow_) {
                 // The others do not span space without this vertex.
                 rebuild();
-            } else if (!t_.try_to_rebuild(rebuild)) {
+            } else if (!try_to_rebuild(state_, rebuild)) {
                 // There is no memory for the faster way.
                 has_budget_ = is_too_slow_ = false;
                 if (try_to_move(k)) return true;
@@ -88,68 +117,67 @@ void Triangulation::Motion::one_by_one() {
         });
 }
 
-bool Triangulation::Motion::try_to_move(std::size_t k) {
+bool Motion::try_to_move(std::size_t k) {
     const std::uint32_t point = moved_.points[k];
     double p[3];
-    moved_.place(k, t_.mesh_.scale, p);
-    if (!in_normal_range(p)) t_.mesh_.has_extremes = true;
-    const VertexId v = t_.point_map_[point];
-    const std::uint32_t other = equal_points_.least_other(t_.point_map_, v, point);
+    moved_.place(k, state_.mesh.scale, p);
+    if (!in_normal_range(p)) state_.mesh.has_extremes = true;
+    const VertexId v = state_.points.map[point];
+    const std::uint32_t other = equal_points_.least_other(state_.points.map, v, point);
     if (other != no_index)
         split_off(v, point, p, other);
     else if (!try_to_move_vertex(v, point, p, moved_.size() - k))
         return false;
-    ++t_.statistics_.moved;
-    ++t_.statistics_.put_back;
+    ++state_.statistics.moved;
+    ++state_.statistics.put_back;
     return true;
 }
 
-Insertion Triangulation::Motion::insert(VertexId q, TetId start) {
-    t_.workspace_.may_jump = true;
-    return t_.calls().insert(t_.mesh_, t_.workspace_, q, start);
+Insertion Motion::insert(VertexId q, TetId start) {
+    state_.workspace.may_jump = true;
+    return state_.calls().insert(state_.mesh, state_.workspace, q, start);
 }
 
 // A vertex with one point keeps its number.
-bool Triangulation::Motion::try_to_move_vertex(VertexId v, std::uint32_t point,
-                                               const double (&p)[3], std::size_t left) {
-    Mesh& mesh = t_.mesh_;
-    VertexRemoval& removal = t_.vertex_removal_;
-    t_.find_link(v);
-    is_too_slow_ = has_budget_ && t_.is_rebuild_better(budget_, left);
+bool Motion::try_to_move_vertex(VertexId v, std::uint32_t point, const double (&p)[3],
+                                std::size_t left) {
+    Mesh& mesh = state_.mesh;
+    VertexRemoval& removal = state_.vertex_removal;
+    find_link(state_, v);
+    is_too_slow_ = has_budget_ && is_rebuild_better(state_, budget_, left);
     if (is_too_slow_) return false;
-    budget_.add(removal.link_size(), t_.fill_hole());
+    budget_.add(removal.link_size(), fill_hole(state_));
     if (!removal.leaves_space()) return false;
     removal.keep_star(mesh);
     double before[3];
     std::copy_n(mesh.vertices[v].x, 3, before);
-    t_.last_ = removal.replace(mesh);
+    state_.walk_starts.last = removal.replace(mesh);
     mesh.guards_agree = false;
     mesh.vertex_hint[v] = no_tetrahedron;
-    t_.workspace_.slot_count = 0;
+    state_.workspace.slot_count = 0;
     std::copy_n(p, 3, mesh.vertices[v].x);
     try {
-        const Insertion result = insert(v, t_.last_);
+        const Insertion result = insert(v, state_.walk_starts.last);
         if (result.duplicate != infinite_vertex) {
             equal_points_.join(result.duplicate, point);
             gaps_.push_back(v);
-            t_.note_repeat(v, result.duplicate);
-            --t_.statistics_.points_inserted;
+            state_.note_repeat(v, result.duplicate);
+            --state_.statistics.points_inserted;
         }
-        t_.last_ = result.tetrahedron;
+        state_.walk_starts.last = result.tetrahedron;
     } catch (...) {
         std::copy_n(before, 3, mesh.vertices[v].x);
-        t_.last_ = removal.undo(mesh);
-        t_.workspace_.slot_count = 0;
+        state_.walk_starts.last = removal.undo(mesh);
+        state_.workspace.slot_count = 0;
         throw;
     }
-    t_.statistics_.link_vertices += removal.link_size();
+    state_.statistics.link_vertices += removal.link_size();
     return true;
 }
 
 // One of several points at a vertex goes elsewhere; `other` is the least of those that stay.
-void Triangulation::Motion::split_off(VertexId v, std::uint32_t point, const double (&p)[3],
-                                      std::uint32_t other) {
-    Mesh& mesh = t_.mesh_;
+void Motion::split_off(VertexId v, std::uint32_t point, const double (&p)[3], std::uint32_t other) {
+    Mesh& mesh = state_.mesh;
     const auto q = static_cast<VertexId>(mesh.vertices.size());
     if (q >= mesh.vertex_limit)
         fail(MGDT_ERR_TOO_LARGE, "more than %u vertices", mesh.vertex_limit);
@@ -159,86 +187,66 @@ void Triangulation::Motion::split_off(VertexId v, std::uint32_t point, const dou
     mesh.vertex_hint.push_back(no_tetrahedron);
     Insertion result;
     try {
-        result = insert(q, Locator{mesh, t_.calls(), nullptr}.tetrahedron_of(v));
+        result = insert(q, Locator{mesh, state_.calls(), nullptr}.tetrahedron_of(v));
         if (result.duplicate != infinite_vertex) equal_points_.join(result.duplicate, point);
     } catch (...) {
         mesh.vertices.pop_back();
         mesh.vertex_hint.pop_back();
         throw;
     }
-    t_.last_ = result.tetrahedron;
-    t_.note(q, result);
-    --t_.statistics_.duplicates;
+    state_.walk_starts.last = result.tetrahedron;
+    state_.note(q, result);
+    --state_.statistics.duplicates;
     std::uint32_t& stand_in = mesh.vertices[v].index;
     if (stand_in == point) stand_in = other;
     if (result.duplicate == infinite_vertex) {
-        t_.point_map_[point] = q;
+        state_.points.map[point] = q;
     } else {
         mesh.vertices.pop_back();
         mesh.vertex_hint.pop_back();
     }
 }
 
-// All points, where they are now; those from `first` on among the moved ones where they go.
-void Triangulation::rebuild_moved(const MovedPoints& moved, std::size_t first) {
-    const std::size_t n = moved.size();
-    Batch all(allocator_);
-    {
-        Buffer<std::uint32_t> order(allocator_);
-        order.resize(point_map_.size(), no_index);
-        for (std::size_t k = first; k < n; ++k)
-            order[moved.points[k]] = static_cast<std::uint32_t>(k);
-        all.begin_gathering(point_map_.size());
-        for (std::uint32_t i = 0; i < point_map_.size(); ++i) {
-            if (point_map_[i] == infinite_vertex) continue;
-            double p[3];
-            std::copy_n(mesh_.point(point_map_[i]), 3, p);
-            if (order[i] != no_index) moved.place(order[i], mesh_.scale, p);
-            all.gather(p, i);
-        }
-    }
-    all.end_gathering();
-    rebuild(all, moved.places_in_list[first], moved.list_size);
-    statistics_.moved += n - first;
-}
+}  // namespace
 
-void Triangulation::move(const Buffer<std::uint32_t>& points, const double* xyz) {
+void move_points(State& state, const Buffer<std::uint32_t>& points, const double* xyz) {
     const std::size_t n = points.size();
-    require_in(points, "moved");
+    state.points.require_in(points, "moved", state.settings.index_base);
     if (n == 0) return;
     for (std::size_t i = 0; i < 3 * n; ++i)
-        require_finite(xyz[i], i % 3, static_cast<long long>(points[i / 3]) + settings_.index_base);
+        require_finite(xyz[i], i % 3,
+                       static_cast<long long>(points[i / 3]) + state.settings.index_base);
 
-    const ForgetRequest forget{cancelled_};
-    Stopwatch watch(statistics_.move_seconds);
-    MovedPoints moved(allocator_, n);
-    const Locator locator{mesh_, calls(), nullptr};
+    const Progress::Call call(state.progress);
+    Stopwatch watch(state.statistics.move_seconds);
+    MovedPoints moved(state.allocator, n);
+    const Locator locator{state.mesh, state.calls(), nullptr};
     for (std::size_t i = 0; i < n; ++i) {
         double now[3];
-        locator.unscaled(point_map_[points[i]], now);
+        locator.unscaled(state.points.map[points[i]], now);
         if (std::equal(now, now + 3, xyz + 3 * i)) continue;
         moved.points.push_back(points[i]);
         for (std::size_t k = 0; k < 3; ++k) moved.xyz.push_back(xyz[3 * i + k]);
         moved.places_in_list.push_back(static_cast<std::uint32_t>(i));
     }
     const std::size_t size = moved.size();
-    report(0, n);
-    stop_if_cancelled(0, n);
+    state.progress.report(0, n);
+    state.progress.stop_if_cancelled(0, n);
     if (size == 0) {
-        report(n, n);
+        state.progress.report(n, n);
         return;
     }
     const double* const axis[3] = {moved.xyz.data(), moved.xyz.data() + 1, moved.xyz.data() + 2};
     Team alone;
-    exponents_.add(PointScan(alone, size, axis, 3, 0).exponents);
-    exponents_are_wide_ = true;
-    forget_numbering();
-    change_location_tree(size);
-    set_scale(scale_for(size, axis, 3));
-    const bool is_one_by_one = mesh_.live_count() != 0 && !is_rebuild_faster(size);
-    if (is_one_by_one || !try_to_rebuild([&] { rebuild_moved(moved, 0); }))
-        Motion(*this, moved).one_by_one();
-    report(size, size);
+    state.points.exponents.add(PointScan(alone, size, axis, 3, 0).exponents);
+    state.points.exponents_are_wide = true;
+    state.numbering.forget();
+    state.walk_starts.expect_changes(size);
+    state.set_scale(scale_for(state, size, axis, 3));
+    const bool is_one_by_one = state.mesh.live_count() != 0 && !is_rebuild_faster(state, size);
+    if (is_one_by_one || !try_to_rebuild(state, [&] { rebuild_moved(state, moved, 0); }))
+        Motion(state, moved).one_by_one();
+    state.progress.report(size, size);
 }
 
 }  // namespace mgdt

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Points get the numbers of vertices before they are inserted. Repeats, and points that are not in
-// since a call was given up, leave gaps, which are closed at its end.
+#include "core/vertex_compaction.hpp"
+
+#include <algorithm>
 #include <new>
 
-#include "core/triangulation.hpp"
+#include "kernel/circumsphere.hpp"
 #include "mesh/star_traversal.hpp"
 #include "query/locate.hpp"
 
@@ -53,57 +54,116 @@ void renumber_all(Team& team, Mesh& mesh, std::size_t end) {
                });
 }
 
+// Vertices from `end` on, of which `moved` have tetrahedra, get the numbers in their records in
+// these.
+void renumber_moved(State& state, Team& team, std::size_t end, std::size_t moved) noexcept {
+    if (state.mesh.live_count() == 0) return;
+    bool is_done = moved <= state.mesh.tetrahedra.size() / passed;
+    try {
+        if (is_done) renumber_stars(state.mesh, state.calls(), end);
+    } catch (const std::bad_alloc&) {
+        is_done = false;
+    }
+    if (!is_done) renumber_all(team, state.mesh, end);
+}
+
+// The same for points from `first_point` on in the map.
+void renumber_points(State& state, Team& team, std::size_t end, std::size_t first_point) noexcept {
+    VertexId* const of_points = state.points.map.data() + first_point;
+    team.split(state.points.map.size() - first_point, items_of_a_part,
+               [&](std::size_t from, std::size_t to, unsigned) {
+                   for (std::size_t i = from; i < to; ++i) renumber(state.mesh, end, of_points[i]);
+               });
+}
+
 }  // namespace
 
-// A gap is a vertex from `begin` on with no tetrahedron near. The last vertices move there. Points
-// from `first_point` on may map to these.
-void Triangulation::compact_vertices(Team& team, std::size_t begin,
-                                     std::size_t first_point) noexcept {
-    Buffer<TetId>& hints = mesh_.vertex_hint;
+void compact_vertices(State& state, Team& team, std::size_t begin,
+                      std::size_t first_point) noexcept {
+    Buffer<TetId>& hints = state.mesh.vertex_hint;
     const auto forget = [&](std::size_t v) {
-        VertexId& of_point = point_map_[mesh_.vertices[v].index];
+        VertexId& of_point = state.points.map[state.mesh.vertices[v].index];
         if (of_point == v) of_point = infinite_vertex;
     };
-    std::size_t end = mesh_.vertices.size(), moved = 0;
+    std::size_t end = state.mesh.vertices.size(), moved = 0;
     for (std::size_t v = begin; v < end; ++v) {
         if (hints[v] != no_tetrahedron) continue;
         forget(v);
         while (end > v + 1 && hints[end - 1] == no_tetrahedron) forget(--end);
         if (--end == v) break;
         // Where a vertex goes lies in its old record.
-        mesh_.vertices[v] = mesh_.vertices[end];
+        state.mesh.vertices[v] = state.mesh.vertices[end];
         hints[v] = hints[end];
-        mesh_.vertices[end].moved_to = static_cast<VertexId>(v);
+        state.mesh.vertices[end].moved_to = static_cast<VertexId>(v);
         ++moved;
     }
     if (moved > 0) {
-        renumber_moved(team, end, moved);
-        renumber_points(team, end, first_point);
+        renumber_moved(state, team, end, moved);
+        renumber_points(state, team, end, first_point);
     }
-    mesh_.vertices.resize_within_capacity(end);
+    state.mesh.vertices.resize_within_capacity(end);
     hints.resize_within_capacity(end);
 }
 
-// Vertices from `end` on, of which `moved` have tetrahedra, get the numbers in their records in
-// these.
-void Triangulation::renumber_moved(Team& team, std::size_t end, std::size_t moved) noexcept {
-    if (mesh_.live_count() == 0) return;
-    bool is_done = moved <= mesh_.tetrahedra.size() / passed;
-    try {
-        if (is_done) renumber_stars(mesh_, calls(), end);
-    } catch (const std::bad_alloc&) {
-        is_done = false;
+void close_gaps(State& state, Buffer<VertexId>& gaps) noexcept {
+    if (gaps.empty()) return;
+    std::sort(gaps.begin(), gaps.end());
+    Buffer<TetId>& hints = state.mesh.vertex_hint;
+    std::size_t end = state.mesh.vertices.size(), moved = 0;
+    for (std::size_t i = 0, left = gaps.size(); i < left; ++i) {
+        // Gaps at the end are closed by leaving them out.
+        while (left > i && gaps[left - 1] == end - 1) --left, --end;
+        if (left == i) break;
+        const VertexId gap = gaps[i];
+        --end;
+        state.mesh.vertices[gap] = state.mesh.vertices[end];
+        if (!hints.empty()) hints[gap] = hints[end];
+        state.mesh.vertices[end].moved_to = gap;
+        ++moved;
     }
-    if (!is_done) renumber_all(team, mesh_, end);
+    Team team;
+    if (moved > 0) {
+        renumber_moved(state, team, end, moved);
+        if (state.statistics.duplicates == 0) {
+            for (const VertexId gap : gaps)
+                if (gap < end) state.points.map[state.mesh.vertices[gap].index] = gap;
+        } else {
+            renumber_points(state, team, end, 0);
+        }
+    }
+    state.mesh.vertices.resize_within_capacity(end);
+    if (!hints.empty()) hints.resize_within_capacity(end);
+    if (state.mesh.live_count() == 0) {
+        // The points that remain are held until others span space with them.
+        AffineBasis basis;
+        for (VertexId v = 1; v < state.mesh.vertices.size() && basis.dimension() < 3; ++v)
+            basis.add(state.mesh.point(v));
+        state.points.basis = basis;
+        state.points.held.clear();
+    }
 }
 
-// The same for points from `first_point` on in the map.
-void Triangulation::renumber_points(Team& team, std::size_t end, std::size_t first_point) noexcept {
-    VertexId* const of_points = point_map_.data() + first_point;
-    team.split(point_map_.size() - first_point, items_of_a_part,
-               [&](std::size_t from, std::size_t to, unsigned) {
-                   for (std::size_t i = from; i < to; ++i) renumber(mesh_, end, of_points[i]);
-               });
+// A hole is filled by vertices of any age, and a vertex that moved to a gap has the number of
+// another age. So the vertices of each record are sorted by number; vertices to come have larger
+// ones.
+void make_guards_agree(Mesh& mesh) noexcept {
+    if (mesh.guards_agree) return;
+    mesh.guards_agree = true;
+    for (TetId t = 0; t < mesh.tetrahedra.size(); ++t) {
+        Tetrahedron& record = mesh.tetrahedra[t];
+        if (record.is_dead()) continue;
+        const Tetrahedron before = record;
+        unsigned place[4];
+        if (!places_by_number(before.v, place)) continue;
+        for (unsigned i = 0; i < 4; ++i) {
+            record.v[place[i]] = before.v[i];
+            record.n[place[i]] = before.n[i];
+            mesh.tetrahedra[tetrahedron_of(before.n[i])].n[face_of(before.n[i])] =
+                facet_code(t, place[i]);
+        }
+        if (mesh.tetrahedra.has_spheres())
+            mesh.tetrahedra.sphere(t) = rounded(circumsphere(record, mesh.vertices.data()));
+    }
 }
 
 }  // namespace mgdt

@@ -12,22 +12,20 @@
 
 namespace mgdt {
 
-bool Triangulation::ConcurrentInsertion::may_use_zones(const Zones::Round& round,
-                                                       unsigned members) const {
-    const ZoneUse use = t_.hooks_.zones;
+bool ConcurrentInsertion::may_use_zones(const Zones::Round& round, unsigned members) const {
+    const ZoneUse use = state_.hooks.zones;
     if (use == ZoneUse::never || (use == ZoneUse::where_few_meet && is_crowded_)) return false;
     // A round finds the border by the one before it, and a closed tetrahedron has a sphere.
     return members > 1 && base_ == first_vertex && round.before < round.begin &&
-           t_.mesh_.tetrahedra.has_spheres();
+           state_.mesh.tetrahedra.has_spheres();
 }
 
 // Inserts a round, unless it is better inserted otherwise. Whether it did.
-bool Triangulation::ConcurrentInsertion::insert_in_zones(const Zones::Round& round,
-                                                         unsigned members) {
+bool ConcurrentInsertion::insert_in_zones(const Zones::Round& round, unsigned members) {
     if (!may_use_zones(round, members)) return false;
-    Buffer<std::uint32_t> border(t_.allocator_);
+    Buffer<std::uint32_t> border(state_.allocator);
     try {
-        zones_.divide(members, round, t_.mesh_);
+        zones_.divide(members, round, state_.mesh);
         if (!list_border(round, members, border)) return false;
     } catch (const std::bad_alloc&) {
         zones_.forget();
@@ -41,8 +39,8 @@ bool Triangulation::ConcurrentInsertion::insert_in_zones(const Zones::Round& rou
 }
 
 // Lists the positions near the border, ascending. False if they are too many.
-bool Triangulation::ConcurrentInsertion::list_border(const Zones::Round& round, unsigned members,
-                                                     Buffer<std::uint32_t>& border) {
+bool ConcurrentInsertion::list_border(const Zones::Round& round, unsigned members,
+                                      Buffer<std::uint32_t>& border) {
     std::size_t ends[Team::most + 1] = {};
     const auto for_each = [&](unsigned zone, auto f) {
         const std::size_t end = zones_.first(round, zone + 1);
@@ -56,7 +54,7 @@ bool Triangulation::ConcurrentInsertion::list_border(const Zones::Round& round, 
     });
     for (unsigned m = 0; m < members; ++m) ends[m + 1] += ends[m];
     constexpr std::size_t enough = 8;  // points inside for one at the border
-    if (t_.hooks_.zones == ZoneUse::where_few_meet && enough * ends[members] > round.size())
+    if (state_.hooks.zones == ZoneUse::where_few_meet && enough * ends[members] > round.size())
         return false;
     border.resize(ends[members]);
     team_.run(members, [&](unsigned m) {
@@ -67,8 +65,7 @@ bool Triangulation::ConcurrentInsertion::list_border(const Zones::Round& round, 
 }
 
 // Inserts what it can of the points inside zones. The others are left.
-void Triangulation::ConcurrentInsertion::insert_inside(const Zones::Round& round,
-                                                       unsigned members) {
+void ConcurrentInsertion::insert_inside(const Zones::Round& round, unsigned members) {
     for (unsigned m = 0; m < members; ++m) {
         members_[m].next = zones_.first(round, m);
         members_[m].end = zones_.first(round, m + 1);
@@ -76,7 +73,7 @@ void Triangulation::ConcurrentInsertion::insert_inside(const Zones::Round& round
     bool goes_on = true;
     while (goes_on) {
         try {
-            zones_.close(t_.mesh_);
+            zones_.close(state_.mesh);
         } catch (const std::bad_alloc&) {
             break;
         }
@@ -89,14 +86,13 @@ void Triangulation::ConcurrentInsertion::insert_inside(const Zones::Round& round
 }
 
 // The same while the tetrahedra between zones are closed, till a zone is done, or all stop.
-void Triangulation::ConcurrentInsertion::insert_closed(const Zones::Round& round,
-                                                       unsigned members) {
+void ConcurrentInsertion::insert_closed(const Zones::Round& round, unsigned members) {
     const Items none{round.begin, 0, nullptr};
     queue_.deal(0, 1, members);
     begin_stage(none, members);
     supply_.open();
     const auto finish = [&] {
-        zones_.open(t_.mesh_);
+        zones_.open(state_.mesh);
         for (unsigned m = 0; m < members; ++m) {
             // The others may change it from now on.
             members_[m].here = no_tetrahedron;
@@ -115,7 +111,7 @@ void Triangulation::ConcurrentInsertion::insert_closed(const Zones::Round& round
 }
 
 // The first one that is done stops all: what they have left is shared better anywhere.
-void Triangulation::ConcurrentInsertion::work_inside(Member& member, unsigned zone) {
+void ConcurrentInsertion::work_inside(Member& member, unsigned zone) {
     constexpr std::size_t piece_size = 256;
     std::size_t& k = member.next;
     member.misses = 0;
@@ -142,22 +138,20 @@ void Triangulation::ConcurrentInsertion::work_inside(Member& member, unsigned zo
     }
 }
 
-bool Triangulation::ConcurrentInsertion::try_insert_inside(Member& member, unsigned zone,
-                                                           std::size_t k) {
+bool ConcurrentInsertion::try_insert_inside(Member& member, unsigned zone, std::size_t k) {
     // After so many failures in a row the thread may be in a corner of its zone.
     constexpr std::size_t most_misses = 4;
     if ((member.here == no_tetrahedron || member.misses >= most_misses) &&
         !arrive_inside(member, zone, k))
         return false;
-    const bool is_in = insert(member, k, t_.calls().insert_in_zone);
+    const bool is_in = insert(member, k, state_.calls().insert_in_zone);
     member.misses = is_in ? 0 : member.misses + 1;
     return is_in;
 }
 
 // Finds a tetrahedron of a zone near point k, to walk from. Whether there is one.
-bool Triangulation::ConcurrentInsertion::arrive_inside(Member& member, unsigned zone,
-                                                       std::size_t k) {
-    const Mesh& mesh = t_.mesh_;
+bool ConcurrentInsertion::arrive_inside(Member& member, unsigned zone, std::size_t k) {
+    const Mesh& mesh = state_.mesh;
     return for_nearby_positions(k, [&](std::size_t position) {
         const VertexId near = vertex(position);
         if (zones_.of(near) != zone) return false;

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <new>
 
+#include "core/removal_budget.hpp"
 #include "histories.hpp"
 
 namespace mgdt {

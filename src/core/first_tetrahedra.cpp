@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "core/first_tetrahedra.hpp"
+
+#include <algorithm>
+
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+
+// Each of the five is the neighbour of all the others.
+void make_first_tetrahedra(State& state) {
+    Mesh& mesh = state.mesh;
+    // As if 4 had been inserted last, before it 3, then 2.
+    VertexId v[4] = {4, 3, 2, 1};
+    if (orientation(mesh.point(4), mesh.point(3), mesh.point(2), mesh.point(1)) < 0)
+        std::swap(v[2], v[3]);
+    mesh.tetrahedra.resize(5);
+    TetrahedronStore& all = mesh.tetrahedra;
+    std::copy(v, v + 4, all[0].v);
+    for (unsigned f = 0; f < 4; ++f) {
+        // Ghost f + 1 stands on face f. (q, a, b, c) is positive for q beyond it, so these are:
+        const unsigned char* face = outer_face[f];
+        const VertexId a = v[face[0]], b = v[face[1]], c = v[face[2]];
+        const VertexId ghost[4] = {a, b > c ? b : c, b > c ? infinite_vertex : b,
+                                   b > c ? c : infinite_vertex};
+        std::copy(ghost, ghost + 4, all[f + 1].v);
+    }
+    const auto slot = [&](TetId t, VertexId of) {
+        return static_cast<FacetCode>(std::find(all[t].v, all[t].v + 4, of) - all[t].v);
+    };
+    for (FacetCode f = 0; f < 4; ++f) {
+        Tetrahedron& ghost = all[f + 1];
+        for (unsigned i = 0; i < 4; ++i) {
+            if (ghost.v[i] == infinite_vertex) {
+                ghost.n[i] = f;
+                all[0].n[f] = facet_code(f + 1, i);
+            } else {
+                // Beyond the other two of the facet is the ghost that lacks this vertex and has
+                // the one that this ghost lacks.
+                const TetId other = slot(0, ghost.v[i]) + 1;
+                ghost.n[i] = facet_code(other, slot(other, v[f]));
+            }
+        }
+    }
+    if (mesh.tetrahedra.has_spheres()) state.set_spheres();
+    mesh.ghost_count = 4;
+    mesh.a_ghost = 4;
+    state.walk_starts.last = 0;
+    for (VertexId i = 1; i <= 4; ++i) mesh.vertex_hint[i] = 0;
+    state.statistics.points_inserted += 4;
+}
+
+}  // namespace mgdt

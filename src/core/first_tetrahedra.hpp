@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// How a mesh begins: the first tetrahedron, and the order of vertices that threads need later.
+#pragma once
+
+#include "core/state.hpp"
+
+namespace mgdt {
+
+// Makes the tetrahedron of vertices 1 to 4, which span space, and its four ghosts.
+void make_first_tetrahedra(State& state);
+
+}  // namespace mgdt

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What a long call exchanges with its caller: reports of progress, and requests to stop.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <new>
+
+#include "core/settings.hpp"
+#include "platform/atomic.hpp"
+#include "platform/error.hpp"
+
+namespace mgdt {
+
+class Progress {
+  public:
+    // Reports to the function that `settings` name at the time.
+    explicit Progress(const Settings& settings) noexcept : settings_(settings) {}
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    // The number of points between two looks at a request to stop.
+    static constexpr std::size_t poll_interval = 1024;
+
+    // Asks the call that runs to stop. Any thread may do so.
+    void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+    void forget_request() noexcept { cancelled_.store(false, std::memory_order_relaxed); }
+    bool is_cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+    // Tells the caller that `done` of `total` points are done. The caller may cancel.
+    void report(std::size_t done, std::size_t total);
+    // Throws MGDT_ERR_CANCELLED if the call was asked to stop; the request is answered then.
+    void stop_if_cancelled(std::size_t done, std::size_t total);
+
+    // A request concerns the call that it meets alone, however that call ends.
+    class Call {
+      public:
+        explicit Call(Progress& progress) noexcept : progress_(progress) {}
+        ~Call() { progress_.forget_request(); }
+        Call(const Call&) = delete;
+        Call& operator=(const Call&) = delete;
+
+      private:
+        Progress& progress_;
+    };
+
+    // Makes changes: calls step(k) for each k from `first` to before n, until one returns false,
+    // and reports. An error names done(k), the number of the caller's `total` points that are done.
+    template <class Done, class Step>
+    void change_one_by_one(std::size_t first, std::size_t n, std::size_t total, Done done,
+                           Step step);
+
+  private:
+    const Settings& settings_;
+    Atomic<bool> cancelled_{false};
+};
+
+template <class Done, class Step>
+void Progress::change_one_by_one(std::size_t first, std::size_t n, std::size_t total, Done done,
+                                 Step step) {
+    const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
+    std::size_t next_report = first + report_interval;
+    for (std::size_t k = first; k < n; ++k) {
+        const bool is_due = k >= next_report;
+        if (is_due) {
+            next_report += report_interval;
+            report(k, n);
+        }
+        if (is_due || k % poll_interval == 0) stop_if_cancelled(done(k), total);
+        try {
+            if (!step(k)) return;
+        } catch (const std::bad_alloc&) {
+            fail(MGDT_ERR_OUT_OF_MEMORY, "out of memory after %zu of %zu points", done(k), total);
+        } catch (const Error& error) {
+            if (error.status == MGDT_ERR_CANCELLED)
+                fail(MGDT_ERR_CANCELLED, "cancelled after %zu of %zu points", done(k), total);
+            if (error.status != MGDT_ERR_TOO_LARGE) throw;
+            fail(MGDT_ERR_TOO_LARGE, "%s after %zu of %zu points", error.message, done(k), total);
+        }
+    }
+}
+
+}  // namespace mgdt

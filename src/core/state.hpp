@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// What a triangulation consists of. Operations change it: insertion.hpp, removal.hpp, motion.hpp.
+#pragma once
+
+#include "core/point_table.hpp"
+#include "core/progress.hpp"
+#include "core/settings.hpp"
+#include "core/statistics.hpp"
+#include "core/walk_starts.hpp"
+#include "kernel/kernel.hpp"
+#include "kernel/vertex_removal.hpp"
+#include "platform/cached.hpp"
+#include "query/numbering.hpp"
+
+namespace mgdt {
+
+struct State {
+    State(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user);
+
+    const KernelCalls& calls() const noexcept { return kernel->on(mesh); }
+    std::size_t vertex_count() const noexcept { return mesh.vertices.size() - 1; }
+    // The number of threads for a call with this much work, if a thread with less than
+    // `min_per_thread` of it costs more than it gains.
+    unsigned threads_for(std::size_t work, std::size_t min_per_thread) const noexcept;
+
+    // Takes all points out. Settings stay.
+    void clear() noexcept;
+    // Gives back the memory that is kept for speed alone.
+    void shrink() noexcept;
+    // Multiplies all coordinates so that the mesh has this scale.
+    void set_scale(int scale);
+    // Computes the spheres of all tetrahedra. Their storage is there.
+    void set_spheres() noexcept;
+
+    // Enter the outcome of an insertion in the point table and in the statistics. Vertex q, which
+    // the table has for its point already, is in, or is a repeat of another vertex.
+    void note(VertexId q, const Insertion& result);
+    void note_repeat(VertexId q, VertexId vertex);
+
+    mutable Allocator allocator;
+    Settings settings;
+    TestHooks hooks;
+    const Kernel* kernel;
+    Mesh mesh;
+    PointTable points;
+    WalkStarts walk_starts;
+    mutable Cached<Numbering> numbering;  // of tetrahedra, as exports count them
+    Statistics statistics;
+    Progress progress;
+    // Working memory that is kept from one call to the next.
+    Workspace workspace;
+    VertexRemoval vertex_removal;
+    Schedule short_schedule;  // of batches that are too small for an order scheme
+};
+
+}  // namespace mgdt
