@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// How many threads insert, in which way, and when they give up. The policy decides by sizes, counts
+// and times that it is told; it starts no thread and changes no mesh.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/settings.hpp"
+
+namespace mgdt {
+
+class ConcurrentPolicy {
+  public:
+    // For a batch of `batch_size` points and at most `threads` threads.
+    ConcurrentPolicy(const TestHooks& hooks, unsigned threads, std::size_t batch_size) noexcept
+        : hooks_(hooks), most_threads_(threads), batch_size_(batch_size) {}
+
+    // The number of threads for a round of this size, which `vertices` vertices and `tetrahedra`
+    // tetrahedra precede.
+    unsigned threads_for_round(std::size_t size, std::size_t tetrahedra,
+                               std::size_t vertices) const noexcept;
+    // The number of threads for a few points that all other threads wait for.
+    unsigned threads_for_few(std::size_t points) const noexcept;
+    // The number of threads for the deferred ones of `points` points. If they are many, threads
+    // meet there.
+    unsigned threads_for_deferred(std::size_t deferred, std::size_t points) const noexcept;
+
+    // Whether the next round may be inserted in zones, as far as contention goes.
+    bool may_use_zones() const noexcept;
+    // Whether a round with so many points at the border of zones gains from them.
+    bool is_border_short(std::size_t border, std::size_t round_size) const noexcept;
+    void begin_round() noexcept { stops_for_hubs_ = 0; }
+    void end_round(std::uint64_t deferred, std::size_t size) noexcept;
+
+    // Whether all threads stop for the next hub. That is limited in each round.
+    bool may_stop_for_hubs() const noexcept { return stops_for_hubs_ < max_stops_for_hubs; }
+    void count_stop_for_hubs() noexcept { ++stops_for_hubs_; }
+
+    // Where most attempts fail, one thread may be faster than several: it inserts a sample, and the
+    // policy compares. A comparison belongs to the insertion of one list of points.
+    static constexpr std::size_t sample_size = 1024;
+    void begin_list() noexcept;
+    std::size_t attempts_before_doubt() const noexcept { return attempts_before_doubt_; }
+    // One thread took `alone_seconds` for a sample, all threads `seconds` for `inserted` points.
+    // Returns whether one thread goes on alone.
+    bool compare(double alone_seconds, std::size_t sample, double seconds,
+                 std::size_t inserted) noexcept;
+
+  private:
+    static constexpr std::size_t max_stops_for_hubs = 16;
+
+    unsigned threads_for(std::size_t points, std::size_t min_points_per_thread) const noexcept;
+
+    const TestHooks& hooks_;
+    const unsigned most_threads_;
+    const std::size_t batch_size_;
+    std::size_t stops_for_hubs_ = 0;
+    bool is_contended_ = false;  // many points of the previous round were deferred
+    std::size_t attempts_before_doubt_ = 0;
+    bool was_faster_alone_ = false;
+};
+
+// What one thread should do, by its failed attempts.
+class Contention {
+  public:
+    enum class Advice : std::uint8_t {
+        go_on,
+        wait,   // for wait(): the thread that is met may be about to go on, or be suspended
+        leave,  // the rest of the stage to other threads
+        doubt,  // whether several threads are faster than one
+    };
+
+    // A thread asks for advice after each piece of its part of `points` points.
+    void begin(std::size_t points, unsigned threads, std::size_t attempts_before_doubt) noexcept;
+    void count(std::size_t attempts, std::size_t failures) noexcept;
+    // An attempt failed after it had visited so many tetrahedra of the cavity.
+    void count_given_up(std::size_t tetrahedra) noexcept { given_up_ += tetrahedra; }
+    // Whether failed attempts have visited so many tetrahedra that advice cannot wait.
+    bool has_given_up_too_much() const noexcept {
+        return given_up_ > max_given_up_per_attempt * attempts_before_doubt_;
+    }
+    // Judges the attempts so far; what it has judged is not counted again.
+    Advice judge() noexcept;
+    std::chrono::microseconds wait() const noexcept { return first_wait * (1 << (waits_ - 1)); }
+
+  private:
+    // A thread judges this many times in its part, but not before so many attempts.
+    static constexpr std::size_t judgements = 64, min_attempts = 512;
+    // When a thread has waited so often in a row, each time twice as long, it leaves.
+    static constexpr unsigned max_waits = 4;
+    static constexpr std::chrono::microseconds first_wait{100};
+    // Threads doubt at once when failed attempts have visited so many tetrahedra for each attempt
+    // before a doubt.
+    static constexpr std::size_t max_given_up_per_attempt = 64;
+    // Visiting so many tetrahedra in vain takes as long as one more failed attempt.
+    static constexpr std::size_t given_up_per_failure = 256;
+
+    struct Sample {
+        std::size_t attempts = 0, failures = 0;
+        bool is_contended() const noexcept { return failures > attempts / 4; }
+    };
+
+    std::size_t attempts_per_judgement_ = 0, attempts_before_doubt_ = 0;
+    Sample own_;    // for the thread, which may wait and leave
+    Sample doubt_;  // for all threads
+    std::size_t given_up_ = 0;
+    unsigned waits_ = 0;  // in a row
+};
+
+}  // namespace mgdt
