@@ -4,6 +4,7 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
+#include "platform/number_table.hpp"
 
 namespace mgdt {
 
@@ -18,9 +19,10 @@ class DegeneratePoints {
     void clear() noexcept { table_.reset(); }
 
   private:
-    void put(const Mesh& mesh, VertexId v) noexcept;
+    // Of vertex v as item v - 1, if it is at p; else that of a new vertex.
+    std::uint32_t number(const Mesh& mesh, const double* p) noexcept;
 
-    Buffer<VertexId> table_;  // open-addressed; infinite_vertex where free
+    NumberTable table_;
 };
 
 }  // namespace mgdt

@@ -2,7 +2,6 @@
 #include "kernel/vertex_removal.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "kernel/circumsphere.hpp"
 #include "platform/error.hpp"
@@ -11,16 +10,21 @@
 namespace mgdt {
 namespace {
 
-std::size_t power_of_two_above(std::size_t n) noexcept {
-    std::size_t size = 64;
-    while (size < n) size *= 2;
-    return size;
-}
-
-std::size_t hash(std::uint64_t key) noexcept {
-    key *= 0x9E3779B97F4A7C15u;
-    return static_cast<std::size_t>(key >> 32);
-}
+// The vertices of a facet, whatever their order.
+struct FacetKey {
+    explicit FacetKey(const std::uint32_t (&v)[3])
+        : least(std::min({v[0], v[1], v[2]})),
+          most(std::max({v[0], v[1], v[2]})),
+          middle(v[0] ^ v[1] ^ v[2] ^ least ^ most) {}
+    std::uint32_t hash() const noexcept {
+        const std::uint64_t key = (std::uint64_t{least} * 0x10001u + middle) * 0x1000003u + most;
+        return static_cast<std::uint32_t>(key * 0x9E3779B97F4A7C15u >> 32);
+    }
+    bool operator==(const FacetKey& other) const noexcept {
+        return ((least ^ other.least) | (middle ^ other.middle) | (most ^ other.most)) == 0;
+    }
+    std::uint32_t least, most, middle;
+};
 
 }  // namespace
 
@@ -30,7 +34,7 @@ VertexRemoval::VertexRemoval(Allocator& allocator) noexcept
       columns_(allocator),
       numbers_(allocator),
       facets_(allocator),
-      places_(allocator),
+      numbers_of_facets_(allocator),
       filling_(allocator),
       slots_(allocator),
       kept_(allocator) {}
@@ -59,8 +63,7 @@ void VertexRemoval::fill(const Kernel& kernel, Mesh& mesh) {
 void VertexRemoval::begin_filling(const Mesh& mesh) {
     facets_.clear();
     filling_.clear();
-    places_.clear();
-    places_.resize(power_of_two_above(8 * star_.size()), no_index);
+    numbers_of_facets_.clear(4 * star_.size());
     ghosts_made_ = 0;
     add_boundary(mesh);
 }
@@ -139,9 +142,11 @@ Buffer<FacetCode> VertexRemoval::boundary_in(const Mesh& triangulated_link) {
             const Number v[3] = {number_in(link, record.v[corner[0]]),
                                  number_in(link, record.v[corner[2]]),
                                  number_in(link, record.v[corner[1]])};
-            const std::size_t place = place_of(v);
-            if (places_[place] == no_index) continue;
-            Facet& f = facets_[places_[place]];
+            const FacetKey key(v);
+            const std::uint32_t found = numbers_of_facets_.find(
+                key.hash(), [&](std::uint32_t i) { return FacetKey(facets_[i].v) == key; });
+            if (found == NumberTable::none) continue;
+            Facet& f = facets_[found];
             const std::size_t first = static_cast<std::size_t>(std::find(f.v, f.v + 3, v[0]) - f.v);
             if (f.v[(first + 1) % 3] != v[1]) continue;
             f.is_closed = true;
@@ -184,19 +189,16 @@ void VertexRemoval::find_star(Mesh& mesh, VertexId v, TetId first) {
 void VertexRemoval::number_link(const Mesh& mesh, VertexId v) {
     link_.clear();
     // By Euler, a link of F facets has F / 2 + 2 vertices.
-    const std::size_t most = star_.size() / 2 + 2, size = power_of_two_above(4 * most);
+    const std::size_t most = star_.size() / 2 + 2;
     link_.reserve(most);
-    numbers_.clear();
-    numbers_.resize(size, no_index);
+    numbers_.clear(2 * most);
     infinite_ = no_index;
     for (const TetId t : star_)
         for (const VertexId u : mesh.tetrahedra[t].v) {
             if (u == v) continue;
-            std::size_t h = hash(u) & (size - 1);
-            while (numbers_[h] != no_index && link_[numbers_[h]] != u) h = (h + 1) & (size - 1);
-            if (numbers_[h] != no_index) continue;
-            numbers_[h] = static_cast<Number>(link_.size());
-            if (u == infinite_vertex) infinite_ = numbers_[h];
+            const Number number = numbers_.number(u, [](Number) { return true; });
+            if (number < link_.size()) continue;
+            if (u == infinite_vertex) infinite_ = number;
             link_.push_back(u);
             prefetch(mesh.point(u));
         }
@@ -220,9 +222,7 @@ LinkColumns VertexRemoval::columns_of_link(const Mesh& mesh) {
 }
 
 VertexRemoval::Number VertexRemoval::number_of(VertexId v) const noexcept {
-    std::size_t h = hash(v) & (numbers_.size() - 1);
-    while (link_[numbers_[h]] != v) h = (h + 1) & (numbers_.size() - 1);
-    return numbers_[h];
+    return numbers_.lookup()(v);
 }
 
 void VertexRemoval::add_boundary(const Mesh& mesh) {
@@ -239,38 +239,16 @@ void VertexRemoval::add_boundary(const Mesh& mesh) {
     }
 }
 
-// The place of the facet with these vertices, in any order, among `places_`; or a free one.
-std::size_t VertexRemoval::place_of(const Number (&v)[3]) const noexcept {
-    const auto in_order = [](const Number(&u)[3]) -> std::array<Number, 3> {
-        const Number least = std::min({u[0], u[1], u[2]}), most = std::max({u[0], u[1], u[2]});
-        return {least, u[0] ^ u[1] ^ u[2] ^ least ^ most, most};
-    };
-    const auto [a, b, c] = in_order(v);
-    const std::size_t mask = places_.size() - 1;
-    std::size_t h = hash((std::uint64_t{a} * 0x10001u + b) * 0x1000003u + c) & mask;
-    for (; places_[h] != no_index; h = (h + 1) & mask) {
-        const auto [d, e, f] = in_order(facets_[places_[h]].v);
-        if (((a ^ d) | (b ^ e) | (c ^ f)) == 0) break;
-    }
-    return h;
-}
-
-void VertexRemoval::enlarge_places() {
-    Buffer<std::uint32_t> larger(places_.allocator());
-    larger.resize(2 * places_.size(), no_index);
-    places_ = std::move(larger);
-    for (std::uint32_t i = 0; i < facets_.size(); ++i) places_[place_of(facets_[i].v)] = i;
-}
-
 void VertexRemoval::join(const Number (&v)[3], FacetCode behind, bool is_outside) {
-    if (2 * (facets_.size() + 1) > places_.size()) enlarge_places();
-    const std::size_t place = place_of(v);
-    if (places_[place] == no_index) {
+    const FacetKey key(v);
+    numbers_of_facets_.reserve(facets_.size() + 1);
+    const std::uint32_t number = numbers_of_facets_.number(
+        key.hash(), [&](std::uint32_t i) { return FacetKey(facets_[i].v) == key; });
+    if (number == facets_.size()) {
         facets_.push_back({{v[0], v[1], v[2]}, behind, is_outside, false});
-        places_[place] = static_cast<std::uint32_t>(facets_.size() - 1);
         return;
     }
-    Facet& f = facets_[places_[place]];
+    Facet& f = facets_[number];
     if (f.is_closed) fail(MGDT_ERR_INTERNAL, "a facet is met three times; please report it");
     f.is_closed = true;
     const auto link = [&](FacetCode from, bool from_outside, FacetCode to, bool to_outside) {
@@ -416,7 +394,7 @@ void VertexRemoval::reset() noexcept {
     columns_.reset();
     numbers_.reset();
     facets_.reset();
-    places_.reset();
+    numbers_of_facets_.reset();
     filling_.reset();
     slots_.reset();
 }

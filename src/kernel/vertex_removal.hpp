@@ -15,6 +15,7 @@
 #pragma once
 
 #include "kernel/kernel.hpp"
+#include "platform/number_table.hpp"
 
 namespace mgdt {
 
@@ -81,8 +82,6 @@ class VertexRemoval {
     }
     // Adds a facet; links the tetrahedra on its two sides when it comes for the second time.
     void join(const Number (&v)[3], FacetCode behind, bool is_outside);
-    std::size_t place_of(const Number (&v)[3]) const noexcept;
-    void enlarge_places();
     ApexResult apex_of(const Mesh& mesh, const Facet& facet) const;
     Sphere ghost_sphere(const Mesh& mesh, const Facet& facet) const;
     void close(const Mesh& mesh, std::size_t facet, ApexResult apex);
@@ -91,9 +90,9 @@ class VertexRemoval {
     Buffer<TetId> star_;
     Buffer<VertexId> link_;   // by local number
     Buffer<double> columns_;  // x, y, z of the link, and what is skipped
-    Buffer<Number> numbers_;  // open-addressed by vertex
+    NumberTable numbers_;     // by vertex
     Buffer<Facet> facets_;
-    Buffer<std::uint32_t> places_;  // open-addressed by the facet's vertices
+    NumberTable numbers_of_facets_;  // by their vertices
     Buffer<Filling> filling_;
     Buffer<FacetCode> slots_;
     Buffer<Tetrahedron> kept_;

@@ -9,39 +9,10 @@
 
 #include "order/random.hpp"
 #include "parts/post.hpp"
+#include "platform/number_table.hpp"
 
 namespace mgdt {
 namespace {
-
-// Numbers of points by their coordinates: open-addressed, with twice as many places as points.
-class DistinctPoints {
-  public:
-    DistinctPoints(Allocator& allocator, std::size_t most) : places_(allocator) {
-        std::size_t size = 16;
-        while (size < 2 * most) size *= 2;
-        places_.resize(size, no_index);
-        mask_ = size - 1;
-    }
-    // The number of a point among `points` that has the coordinates, or else `next`.
-    std::uint32_t number(const double* x, const PartPoint* points, std::uint32_t next) {
-        std::uint64_t hash = 0;
-        for (int k = 0; k < 3; ++k) {
-            const double one_zero = x[k] + 0.0;  // no -0
-            std::uint64_t bits;
-            std::memcpy(&bits, &one_zero, sizeof bits);
-            hash = Random::at(hash ^ bits, 0);
-        }
-        for (std::size_t at = static_cast<std::size_t>(hash) & mask_;; at = (at + 1) & mask_) {
-            if (places_[at] == no_index) return places_[at] = next;
-            const double* const y = points[places_[at]].x;
-            if (y[0] == x[0] && y[1] == x[1] && y[2] == x[2]) return places_[at];
-        }
-    }
-
-  private:
-    Buffer<std::uint32_t> places_;
-    std::size_t mask_;
-};
 
 class Settlement {
   public:
@@ -165,11 +136,17 @@ class Settlement {
             // No triangulation holds as many; its own limit is lower.
             if (n >= in_cavity)
                 fail(MGDT_ERR_TOO_LARGE, "%zu points are at home here; take more parts", n);
-            DistinctPoints distinct(allocator_, n);
+            NumberTable distinct(allocator_);
+            distinct.reserve(n);
             vertices_[p].resize(n);
             std::uint32_t kept = 0;
             for (std::size_t i = 0; i < n; ++i) {
-                const std::uint32_t found = distinct.number(points[i].x, points, kept);
+                const double* const x = points[i].x;
+                const std::uint32_t found =
+                    distinct.number(hash_of_coordinates(x), [&](std::uint32_t k) {
+                        const double* const y = points[k].x;
+                        return y[0] == x[0] && y[1] == x[1] && y[2] == x[2];
+                    });
                 vertices_[p][i] = found;
                 if (found == kept)
                     points[kept++] = points[i];

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// The hash table of the library, but for the kernel's innermost loops.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include "platform/memory.hpp"
+
+namespace mgdt {
+
+// A hash of three coordinates, the same for 0 and -0.
+inline std::uint32_t hash_of_coordinates(const double* x) noexcept {
+    std::uint64_t h = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double one_zero = x[k] + 0.0;
+        std::uint64_t bits;
+        std::memcpy(&bits, &one_zero, sizeof bits);
+        h = (h ^ bits) * 0x9E3779B97F4A7C15u;
+        h ^= h >> 29;
+    }
+    return static_cast<std::uint32_t>(h ^ h >> 32);
+}
+
+// Gives items the numbers 0, 1, 2, ... in the order in which they come. The items are stored
+// elsewhere; the table knows the 32-bit hashes of their keys. It is open-addressed with linear
+// probing, so the lowest bits of a hash should differ. Entries have the numbers of a generation:
+// emptying the table writes nothing.
+class NumberTable {
+  public:
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+
+    explicit NumberTable(Allocator& allocator) : entries_(allocator) {}
+
+    // Empties the table and makes room for `count` items. Throws std::bad_alloc.
+    void clear(std::size_t count) {
+        if (first_ + size_ > most_numbers || capacity() < count) {
+            std::size_t entries = std::max<std::size_t>(entries_.size(), least_entries);
+            while (entries / 2 < count) entries *= 2;
+            entries_.set_capacity(entries);
+            entries_.resize(0);
+            entries_.resize(entries, Entry{0, 0});
+            first_ = 1;
+        } else {
+            first_ += size_;
+        }
+        size_ = 0;
+    }
+    // Gives the memory back.
+    void reset() noexcept {
+        entries_.reset();
+        first_ = 1;
+        size_ = 0;
+    }
+    // The number of items that there is room for, half of the entries. With room for more than
+    // come, probes are shorter.
+    std::size_t capacity() const noexcept { return entries_.size() / 2; }
+    std::uint32_t size() const noexcept { return size_; }
+    // Makes room for `count` items. Throws std::bad_alloc with nothing changed.
+    void reserve(std::size_t count) {
+        if (MGDT_UNLIKELY(count > capacity())) grow(count);
+    }
+
+    // The number of the item with a key. is_same(i) says whether item i has that key; it is asked
+    // about items with the same hash. A new item gets the number size(), and needs room for it.
+    template <class IsSame>
+    MGDT_ALWAYS_INLINE std::uint32_t number(std::uint32_t hash, IsSame is_same) noexcept {
+        const std::uint32_t mask = mask_of(entries_);
+        for (std::uint32_t at = hash & mask;; at = (at + 1) & mask) {
+            Entry& entry = entries_[at];
+            if (entry.number < first_) {
+                entry = {hash, first_ + size_};
+                return size_++;
+            }
+            if (entry.hash == hash && is_same(entry.number - first_)) return entry.number - first_;
+        }
+    }
+    // The number of the item with a key, or `none`.
+    template <class IsSame>
+    std::uint32_t find(std::uint32_t hash, IsSame is_same) const noexcept {
+        const std::uint32_t mask = mask_of(entries_);
+        for (std::uint32_t at = hash & mask;; at = (at + 1) & mask) {
+            const Entry& entry = entries_[at];
+            if (entry.number < first_) return none;
+            if (entry.hash == hash && is_same(entry.number - first_)) return entry.number - first_;
+        }
+    }
+    // A function that gives the number of a key, or `none`, if hashes are keys. It holds all that
+    // it looks at, so that a loop that writes need not read this object again.
+    MGDT_ALWAYS_INLINE auto lookup() const noexcept {
+        return [entries = entries_.data(), mask = mask_of(entries_),
+                first = first_](std::uint32_t key) {
+            for (std::uint32_t at = key & mask;; at = (at + 1) & mask) {
+                const Entry& entry = entries[at];
+                if (entry.number < first) return none;
+                if (entry.hash == key) return entry.number - first;
+            }
+        };
+    }
+
+  private:
+    struct Entry {
+        std::uint32_t hash, number;  // of this generation if it is at least `first_`, less that
+    };
+    static constexpr std::size_t least_entries = 16;
+    static constexpr std::uint32_t most_numbers = 0x80000000u;
+
+    static std::uint32_t mask_of(const Buffer<Entry>& entries) noexcept {
+        return static_cast<std::uint32_t>(entries.size() - 1);
+    }
+    MGDT_NOT_INLINE void grow(std::size_t count) {
+        std::size_t size = std::max<std::size_t>(entries_.size(), least_entries);
+        while (size / 2 < count) size *= 2;
+        Buffer<Entry> larger(entries_.allocator());
+        larger.resize(size, Entry{0, 0});
+        for (const Entry& entry : entries_) {
+            if (entry.number < first_) continue;
+            std::uint32_t at = entry.hash & mask_of(larger);
+            while (larger[at].number != 0) at = (at + 1) & mask_of(larger);
+            larger[at] = entry;
+        }
+        std::swap(entries_, larger);
+    }
+
+    Buffer<Entry> entries_;
+    std::uint32_t first_ = 1, size_ = 0;
+};
+
+}  // namespace mgdt
