@@ -7,7 +7,7 @@ and what is here must be in the source.
 """
 
 NOT_COVERED = [
-    ("src/kernel/location_tree.cpp", "!reach(root_)", "true",
+    ("src/query/location_tree.cpp", "!reach(root_)", "true",
      "The root is in the tree itself and private: the constructor makes it, and nothing is reached before it."),
     ("src/kernel/select.cpp", "cpu.avx512", "true false sometimes",
      "The other one is a processor's of another kind."),

@@ -404,8 +404,8 @@ module mgdt
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine
-        ! The instruction set of the kernel, for tests and measurements: 'baseline', on x86-64
-        ! 'avx2', 'avx512' or 'neon'; without a name the best.
+        ! The instruction set of the kernel, for tests and measurements: 'baseline'; on x86-64 'avx2'
+        ! or 'avx512', on AArch64 'neon'; without a name the best.
         module subroutine set_isa(self, name, stat, errmsg)
             class(mgdt_triangulation), intent(inout) :: self
             character(*), intent(in), optional :: name

@@ -61,18 +61,6 @@ MGDT_NOT_INLINE void destroy(mgdt_parts* p) noexcept {
     Allocator::give_back(release, user, p, parts_size, parts_align);
 }
 
-// The memory of triangulations where it is limited, or the host's: it passes through the handle's.
-void* take(std::size_t size, std::size_t align, void* user) {
-    try {
-        return static_cast<Allocator*>(user)->allocate(size, align);
-    } catch (const std::bad_alloc&) {
-        return nullptr;
-    }
-}
-void give_back(void* block, std::size_t size, std::size_t align, void* user) {
-    static_cast<Allocator*>(user)->release(block, size, align);
-}
-
 void insert(mgdt_parts& p, std::int32_t part, std::int64_t n, const double* xyz,
             const std::int64_t* ids) {
     mgdt_parts::Given& given = p.given[p.local(part)];
@@ -106,16 +94,16 @@ void require_agreement(mgdt_parts& p) {
                                            : without_ids) |
                        (p.index_base == 1 ? base_one : 0));
     p.collective.gather(mine, all);
-    PartId has_ids = 0;
-    while (has_ids < all.size() && (all[has_ids] & with_ids) == 0) ++has_ids;
+    PartId first_with_ids = 0;
+    while (first_with_ids < all.size() && (all[first_with_ids] & with_ids) == 0) ++first_with_ids;
+    p.has_ids = first_with_ids < all.size();
     p.collective.each_local([&](PartId i) {
-        if (has_ids < all.size() && (mine[i] & without_ids) != 0)
+        if (p.has_ids && (mine[i] & without_ids) != 0)
             fail(MGDT_ERR_INVALID_ARGUMENT, "its points have no ids, those of part %u have",
-                 has_ids);
+                 first_with_ids);
         if ((mine[i] & base_one) != (all[0] & base_one))
             fail(MGDT_ERR_INVALID_ARGUMENT, "its index base is not that of part 0");
     });
-    p.has_ids = has_ids < all.size();
 }
 
 // visit: for build_each().
@@ -135,8 +123,9 @@ void build(mgdt_parts& p, const Parts::Visit* visit) {
     const bool passes_through = p.allocator.limit() > 0 || p.has_callbacks();
     void* const memory = p.allocator.allocate(sizeof(Parts), alignof(Parts));
     try {
-        p.triangulation = new (memory) Parts(p.collective, passes_through ? take : nullptr,
-                                             passes_through ? give_back : nullptr, &p.allocator);
+        p.triangulation =
+            new (memory) Parts(p.collective, passes_through ? Allocator::allocate_from : nullptr,
+                               passes_through ? Allocator::release_to : nullptr, &p.allocator);
     } catch (...) {
         p.allocator.release(memory, sizeof(Parts), alignof(Parts));
         throw;

@@ -9,19 +9,6 @@
 namespace mgdt {
 namespace {
 
-// Memory for the triangulation of the link is counted, and limited, as that of the whole.
-void* allocate_from(std::size_t bytes, std::size_t align, void* allocator) {
-    try {
-        return static_cast<Allocator*>(allocator)->allocate(bytes, align);
-    } catch (const std::bad_alloc&) {
-        return nullptr;
-    }
-}
-
-void release_to(void* p, std::size_t bytes, std::size_t align, void* allocator) {
-    static_cast<Allocator*>(allocator)->release(p, bytes, align);
-}
-
 // Where the state of the link is: the stack that a call may take has no room for it.
 struct Room {
     alignas(State) unsigned char bytes[sizeof(State)];
@@ -41,7 +28,7 @@ std::size_t fill_from_link(State& state) {
 
     Buffer<Room> room(state.allocator, 1);
     const std::unique_ptr<State, Destroy> owned(
-        new (room.data()) State(allocate_from, release_to, &state.allocator));
+        new (room.data()) State(Allocator::allocate_from, Allocator::release_to, &state.allocator));
     State& link = *owned;
     link.kernel = state.kernel;
     link.settings.threads = state.settings.threads;

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "kernel/location_tree.hpp"
 #include "platform/cached.hpp"
+#include "query/location_tree.hpp"
 
 namespace mgdt {
 

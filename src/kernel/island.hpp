@@ -4,7 +4,7 @@
 //
 // All that is written for one instruction set alone stands in its island, the folder of its name. A
 // kernel header that has a part in each island says what it gives and includes the part by
-// MGDT_IN_ISLAND. MGDT_ISLAND is defined by the kernel_*.cpp files; every other file gets the
+// MGDT_IN_ISLAND. Each island's kernel.cpp defines MGDT_ISLAND; every other file gets the
 // scalar island.
 #pragma once
 

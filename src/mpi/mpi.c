@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "mgdt/mgdt_mpi.h"
-#include "transport.h"
+#include "mpi/transport.h"
 
 struct mgdt_mpi {
     struct mgdt_mpi_transport transport;

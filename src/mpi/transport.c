@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #define _POSIX_C_SOURCE 200809L /* sched_yield() */
-#include "transport.h"
+#include "mpi/transport.h"
 
 #include <sched.h>
 #include <stdlib.h>

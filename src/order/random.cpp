@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "order/random.hpp"
+#include "platform/random.hpp"
 
 #include <utility>
 

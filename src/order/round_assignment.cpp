@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "order/random.hpp"
+#include "platform/random.hpp"
 
 namespace mgdt {
 namespace {

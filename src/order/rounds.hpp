@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "order/random.hpp"
+#include "platform/random.hpp"
 
 namespace mgdt {
 

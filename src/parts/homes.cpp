@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "order/random.hpp"
+#include "platform/random.hpp"
 
 namespace mgdt {
 namespace {

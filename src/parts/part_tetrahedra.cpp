@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "order/random.hpp"
 #include "parts/post.hpp"
+#include "platform/random.hpp"
 
 namespace mgdt {
 namespace {

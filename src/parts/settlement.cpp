@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <functional>
 
-#include "order/random.hpp"
 #include "parts/post.hpp"
 #include "platform/number_table.hpp"
+#include "platform/random.hpp"
 
 namespace mgdt {
 namespace {

@@ -219,4 +219,17 @@ void* Allocator::reallocate(void* p, std::size_t bytes, std::size_t used, std::s
     return fresh;
 }
 
+void* Allocator::allocate_from(std::size_t bytes, std::size_t align, void* allocator) noexcept {
+    try {
+        return static_cast<Allocator*>(allocator)->allocate(bytes, align);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
+
+void Allocator::release_to(void* p, std::size_t bytes, std::size_t align,
+                           void* allocator) noexcept {
+    static_cast<Allocator*>(allocator)->release(p, bytes, align);
+}
+
 }  // namespace mgdt

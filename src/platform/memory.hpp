@@ -66,6 +66,9 @@ class Allocator {
                         bool remaps = false) noexcept;
     static void give_back(mgdt_free_fn release, void* user, void* p, std::size_t bytes,
                           std::size_t align) noexcept;
+    // The source of another allocator that takes its memory from this one, which is its `user`.
+    static void* allocate_from(std::size_t bytes, std::size_t align, void* allocator) noexcept;
+    static void release_to(void* p, std::size_t bytes, std::size_t align, void* allocator) noexcept;
     mgdt_alloc_fn allocate_function() const noexcept { return alloc_; }
     mgdt_free_fn release_function() const noexcept { return release_; }
     void* user() const noexcept { return user_; }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "barycentric.hpp"
+#include "predicates/barycentric.hpp"
 
 #include <cmath>
 
-#include "determinants.hpp"
-#include "native_integer.hpp"
-#include "quotient.hpp"
+#include "predicates/determinants.hpp"
+#include "predicates/native_integer.hpp"
+#include "predicates/quotient.hpp"
 
 namespace mgdt {
 namespace exact {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bounded_float.hpp"
+#include "predicates/bounded_float.hpp"
 
 namespace mgdt {
 

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "platform/compiler.hpp"
-#include "vector.hpp"
-#include "wide_double.hpp"
+#include "predicates/vector.hpp"
+#include "predicates/wide_double.hpp"
 
 namespace mgdt {
 

@@ -3,7 +3,7 @@
 // as its own bound says. docs/theory.md, "Numbers with bounds".
 #pragma once
 
-#include "long_number.hpp"
+#include "predicates/long_number.hpp"
 
 namespace mgdt {
 

@@ -3,8 +3,8 @@
 // that stay while what is computed meanwhile is forgotten.
 #pragma once
 
-#include "bounded_float.hpp"
-#include "bounded_long.hpp"
+#include "predicates/bounded_float.hpp"
+#include "predicates/bounded_long.hpp"
 
 namespace mgdt {
 

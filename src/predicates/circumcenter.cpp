@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "circumcenter.hpp"
+#include "predicates/circumcenter.hpp"
 
 #include <cmath>
 #include <limits>
 
-#include "bounded_float.hpp"
-#include "determinants.hpp"
-#include "differences.hpp"
-#include "filter.hpp"
-#include "quotient.hpp"
-#include "twofold.hpp"
+#include "predicates/bounded_float.hpp"
+#include "predicates/determinants.hpp"
+#include "predicates/differences.hpp"
+#include "predicates/filter.hpp"
+#include "predicates/quotient.hpp"
+#include "predicates/twofold.hpp"
 
 namespace mgdt {
 namespace exact {

@@ -2,7 +2,7 @@
 // The determinants of orientation and of the sphere predicate, over any number type.
 #pragma once
 
-#include "integer.hpp"
+#include "predicates/integer.hpp"
 
 namespace mgdt::exact {
 

@@ -12,8 +12,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "integer.hpp"
 #include "platform/strict.hpp"
+#include "predicates/integer.hpp"
 
 namespace mgdt::exact {
 

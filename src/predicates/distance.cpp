@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The predicates of distances and of perpendicular planes.
-#include "determinants.hpp"
-#include "predicates.hpp"
-#include "stages.hpp"
+#include "predicates/determinants.hpp"
+#include "predicates/predicates.hpp"
+#include "predicates/stages.hpp"
 
 namespace mgdt {
 namespace {

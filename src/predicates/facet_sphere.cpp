@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "facet_sphere.hpp"
+#include "predicates/facet_sphere.hpp"
 
 #include <cmath>
 
-#include "bounded_float.hpp"
-#include "determinants.hpp"
-#include "differences.hpp"
-#include "filter.hpp"
-#include "quotient.hpp"
-#include "vector.hpp"
+#include "predicates/bounded_float.hpp"
+#include "predicates/determinants.hpp"
+#include "predicates/differences.hpp"
+#include "predicates/filter.hpp"
+#include "predicates/quotient.hpp"
+#include "predicates/vector.hpp"
 
 namespace mgdt {
 namespace exact {

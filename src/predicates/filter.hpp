@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "differences.hpp"
+#include "predicates/differences.hpp"
 
 namespace mgdt::exact {
 

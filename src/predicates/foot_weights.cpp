@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "foot_weights.hpp"
+#include "predicates/foot_weights.hpp"
 
 #include <cmath>
 
-#include "determinants.hpp"
-#include "differences.hpp"
-#include "quotient.hpp"
+#include "predicates/determinants.hpp"
+#include "predicates/differences.hpp"
+#include "predicates/quotient.hpp"
 
 namespace mgdt {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "integer.hpp"
+#include "predicates/integer.hpp"
 
 namespace mgdt::exact {
 namespace {

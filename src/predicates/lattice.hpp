@@ -3,7 +3,7 @@
 // are few of them, doubles compute determinants without rounding.
 #pragma once
 
-#include "differences.hpp"
+#include "predicates/differences.hpp"
 
 namespace mgdt::exact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "long_number.hpp"
+#include "predicates/long_number.hpp"
 
 #include <algorithm>
 

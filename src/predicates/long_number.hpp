@@ -4,10 +4,10 @@
 // where doubles and twofold numbers do not do.
 #pragma once
 
-#include "differences.hpp"
 #include "platform/memory.hpp"
-#include "twofold.hpp"
-#include "wide_double.hpp"
+#include "predicates/differences.hpp"
+#include "predicates/twofold.hpp"
+#include "predicates/wide_double.hpp"
 
 namespace mgdt {
 

@@ -7,7 +7,7 @@
 // complete. docs/theory.md has the sizes.
 #pragma once
 
-#include "differences.hpp"
+#include "predicates/differences.hpp"
 
 namespace mgdt::exact {
 

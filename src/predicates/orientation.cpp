@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "determinants.hpp"
-#include "lattice.hpp"
-#include "native_integer.hpp"
-#include "predicates.hpp"
-#include "stages.hpp"
+#include "predicates/determinants.hpp"
+#include "predicates/lattice.hpp"
+#include "predicates/native_integer.hpp"
+#include "predicates/predicates.hpp"
+#include "predicates/stages.hpp"
 
 namespace mgdt {
 namespace exact {

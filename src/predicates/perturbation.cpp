@@ -8,11 +8,11 @@
 // lift has a nonzero coefficient decides. That of q is -orientation(a, b, c, d) < 0, that of a
 // vertex is the orientation with q in the vertex's place: with its sign, the minor by which the
 // vertex's square is multiplied in the determinant. No vertex smaller than q is reached.
-#include "determinants.hpp"
-#include "lattice.hpp"
-#include "native_integer.hpp"
-#include "predicates.hpp"
-#include "stages.hpp"
+#include "predicates/determinants.hpp"
+#include "predicates/lattice.hpp"
+#include "predicates/native_integer.hpp"
+#include "predicates/predicates.hpp"
+#include "predicates/stages.hpp"
 
 namespace mgdt {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "quotient.hpp"
+#include "predicates/quotient.hpp"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "integer.hpp"
+#include "predicates/integer.hpp"
 
 namespace mgdt::exact {
 

@@ -4,7 +4,7 @@
 // two, where plain doubles leave their range. docs/theory.md, "The ranged filter".
 #pragma once
 
-#include "filter.hpp"
+#include "predicates/filter.hpp"
 
 namespace mgdt::exact {
 

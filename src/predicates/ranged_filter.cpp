@@ -6,9 +6,9 @@
 // A determinant of differences from one point is the same for differences along any tree over the
 // points. Those along the shortest tree keep what distinguishes the points of a cluster, however
 // far the other points are.
-#include "determinants.hpp"
-#include "ranged.hpp"
-#include "stages.hpp"
+#include "predicates/determinants.hpp"
+#include "predicates/ranged.hpp"
+#include "predicates/stages.hpp"
 
 namespace mgdt::exact {
 namespace {

@@ -4,7 +4,7 @@
 // would. docs/theory.md, "Sparse integers".
 #pragma once
 
-#include "differences.hpp"
+#include "predicates/differences.hpp"
 
 namespace mgdt::exact {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Orientation and the sphere predicate over sparse integers: exact where coordinates lie at a few
 // scales far apart, at a small part of the cost of integers that span the distance.
-#include "determinants.hpp"
-#include "sparse.hpp"
-#include "stages.hpp"
+#include "predicates/determinants.hpp"
+#include "predicates/sparse.hpp"
+#include "predicates/stages.hpp"
 
 namespace mgdt::exact {
 

@@ -4,8 +4,8 @@
 // `undecided`.
 #pragma once
 
-#include "filter.hpp"
-#include "ranged.hpp"
+#include "predicates/filter.hpp"
+#include "predicates/ranged.hpp"
 
 namespace mgdt::exact {
 

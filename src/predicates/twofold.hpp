@@ -2,7 +2,7 @@
 // A number as the sum of two doubles: about 100 bits.
 #pragma once
 
-#include "integer.hpp"
+#include "predicates/integer.hpp"
 
 namespace mgdt {
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "twofold.hpp"
+#include "predicates/twofold.hpp"
 
 namespace mgdt {
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Proof that a triangulation is what it input to be, by local tests in linear time. The proof is
-// in docs/theory.md, "What the check proves".
+// Checks that a triangulation is valid, by local tests in linear time: adjacency, orientation, the
+// Delaunay property, ties. That these tests suffice is proved in docs/theory.md, "What the check
+// proves".
 #pragma once
 
-#include "kernel/location_tree.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/scale.hpp"
 #include "parallel/team.hpp"
+#include "query/location_tree.hpp"
 
 namespace mgdt {
 

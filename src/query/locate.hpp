@@ -3,7 +3,7 @@
 #pragma once
 
 #include "kernel/kernel.hpp"
-#include "kernel/location_tree.hpp"
+#include "query/location_tree.hpp"
 
 namespace mgdt {
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "kernel/walk.hpp"
-#include "order/random.hpp"
+#include "platform/random.hpp"
 
 namespace bench {
 

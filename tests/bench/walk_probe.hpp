@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/location_tree.hpp"
+#include "query/location_tree.hpp"
 #include "walk_kinds.hpp"
 
 namespace bench {

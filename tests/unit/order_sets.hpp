@@ -26,11 +26,11 @@
 #include "order/hilbert_curve.hpp"
 #include "order/kd_partition.hpp"
 #include "order/radix.hpp"
-#include "order/random.hpp"
 #include "order/rounds.hpp"
 #include "order/schedule.hpp"
 #include "order/schemes.hpp"
 #include "platform/borrowed_arena.hpp"
+#include "platform/random.hpp"
 
 namespace order_test {
 

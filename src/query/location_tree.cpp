@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kernel/location_tree.hpp"
+#include "query/location_tree.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: MIT
+ * The constants of mgdt.h as enum classes, and their names. Part of mgdt/mgdt.hpp, which includes
+ * it. */
+#ifndef MGDT_CXX_CONSTANTS_HPP
+#define MGDT_CXX_CONSTANTS_HPP
+
+#include <cstdint>
+
+#include "../mgdt.h"
+
+namespace mgdt {
+inline namespace cxx1 {
+
+/** Order schemes; see MGDT_ORDER_AUTO and its neighbours. */
+enum class Order : std::int32_t {
+    automatic = MGDT_ORDER_AUTO,
+    input = MGDT_ORDER_INPUT,
+    random = MGDT_ORDER_RANDOM,
+    lexicographic = MGDT_ORDER_LEXICOGRAPHIC,
+    brio = MGDT_ORDER_BRIO,
+    hilbert = MGDT_ORDER_HILBERT,
+    regular_grid = MGDT_ORDER_REGULAR_GRID,
+    kd_tree = MGDT_ORDER_KD_TREE,
+    enhanced_kd_tree = MGDT_ORDER_ENHANCED_KD_TREE,
+    multi_grid = MGDT_ORDER_MULTI_GRID
+};
+
+/** Parameters of the order schemes; see MGDT_PARAMETER_POINTS_PER_CELL and its neighbours. */
+enum class Parameter : std::int32_t {
+    points_per_cell = MGDT_PARAMETER_POINTS_PER_CELL,
+    threshold = MGDT_PARAMETER_THRESHOLD,
+    separation = MGDT_PARAMETER_SEPARATION,
+    round_ratio = MGDT_PARAMETER_ROUND_RATIO
+};
+
+/** Values of Parameter::separation; see MGDT_SEPARATION_NONE and its neighbours. @since 1.2 */
+enum class Separation : std::int32_t {
+    none = MGDT_SEPARATION_NONE,
+    passes = MGDT_SEPARATION_PASSES,
+    rounds = MGDT_SEPARATION_ROUNDS
+};
+
+/** Statistics; see MGDT_STAT_POINTS_INSERTED and its neighbours. */
+enum class Statistic : std::int32_t {
+    points_inserted = MGDT_STAT_POINTS_INSERTED,
+    duplicates = MGDT_STAT_DUPLICATES,
+    points_removed = MGDT_STAT_POINTS_REMOVED,
+    points_moved = MGDT_STAT_POINTS_MOVED,
+    put_back = MGDT_STAT_PUT_BACK,
+    rebuilds = MGDT_STAT_REBUILDS,
+    walk_steps = MGDT_STAT_WALK_STEPS,
+    walk_tests = MGDT_STAT_WALK_TESTS,
+    conflict_tests = MGDT_STAT_CONFLICT_TESTS,
+    tetrahedra_removed = MGDT_STAT_TETRAHEDRA_REMOVED,
+    tetrahedra_created = MGDT_STAT_TETRAHEDRA_CREATED,
+    link_vertices = MGDT_STAT_LINK_VERTICES,
+    exact_calls = MGDT_STAT_EXACT_CALLS,
+    put_off = MGDT_STAT_PUT_OFF,
+    inserted_alone = MGDT_STAT_INSERTED_ALONE,
+    order_seconds = MGDT_STAT_ORDER_SECONDS,
+    insert_seconds = MGDT_STAT_INSERT_SECONDS,
+    remove_seconds = MGDT_STAT_REMOVE_SECONDS,
+    move_seconds = MGDT_STAT_MOVE_SECONDS,
+    grid_levels = MGDT_STAT_GRID_LEVELS,
+    rounds = MGDT_STAT_ROUNDS,
+    threads = MGDT_STAT_THREADS,
+    memory_bytes = MGDT_STAT_MEMORY_BYTES,
+    peak_memory_bytes = MGDT_STAT_PEAK_MEMORY_BYTES
+};
+
+/** Levels of check(); see MGDT_CHECK_COMBINATORIAL and its neighbours. */
+enum class Check : std::int32_t {
+    combinatorial = MGDT_CHECK_COMBINATORIAL,
+    geometric = MGDT_CHECK_GEOMETRIC,
+    canonical = MGDT_CHECK_CANONICAL
+};
+
+/** What is measured of a cell; see MGDT_MEASURE_VOLUME and its neighbours. @since 1.2 */
+enum class Measure : std::int32_t {
+    volume = MGDT_MEASURE_VOLUME,
+    area = MGDT_MEASURE_AREA,
+    centroid = MGDT_MEASURE_CENTROID,
+    faces = MGDT_MEASURE_FACES
+};
+
+/** How a value between points is made; see MGDT_INTERPOLATE_LINEAR and its neighbours. @since 1.2
+ */
+enum class Method : std::int32_t {
+    linear = MGDT_INTERPOLATE_LINEAR,
+    nearest = MGDT_INTERPOLATE_NEAREST,
+    sibson = MGDT_INTERPOLATE_SIBSON,
+    laplace = MGDT_INTERPOLATE_LAPLACE,
+    sibson_c1 = MGDT_INTERPOLATE_SIBSON_C1
+};
+
+/** What a value outside the hull is; see MGDT_OUTSIDE_NONE and its neighbours. @since 1.2 */
+enum class Outside : std::int32_t {
+    none = MGDT_OUTSIDE_NONE,
+    nearest = MGDT_OUTSIDE_NEAREST,
+    boundary = MGDT_OUTSIDE_BOUNDARY,
+    linear = MGDT_OUTSIDE_LINEAR
+};
+
+/** Name of an order scheme ("multi-grid"); NULL for an unknown one. */
+[[nodiscard]] inline const char* name(Order scheme) noexcept {
+    return mgdt_order_scheme_name(static_cast<std::int32_t>(scheme));
+}
+/** Name of a statistic ("walk steps"); NULL for an unknown one. */
+[[nodiscard]] inline const char* name(Statistic key) noexcept {
+    return mgdt_stat_name(static_cast<std::int32_t>(key));
+}
+
+}  // namespace cxx1
+}  // namespace mgdt
+
+#endif /* MGDT_CXX_CONSTANTS_HPP */
