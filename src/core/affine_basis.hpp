@@ -6,7 +6,7 @@ namespace mgdt {
 
 class AffineBasis {
   public:
-    // Takes the point in if it is off the affine hull of those taken so far.
+    // Adds the point if it is not in the affine hull of the points so far. Returns whether it did.
     bool add(const double* p);
     // -1 empty, 0 a point, 1 a line, 2 a plane, 3 space.
     int dimension() const { return size_ - 1; }

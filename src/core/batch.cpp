@@ -13,13 +13,13 @@ void Batch::use(const PointScan& scan, std::size_t n, const double* const axis[3
     is_normal = scan.greatest == 0 || (in_normal_range(scaled(scan.least, exponent)) &&
                                        in_normal_range(scaled(scan.greatest, exponent)));
     first_index = first;
-    // Schedules need no exactness: a scale that is no double itself is cut.
+    // Schedules need no exact coordinates: a scale beyond the range of doubles is clamped.
     points = scan.point_set(n, axis, stride,
                             scaled(1.0, std::min(std::max(scale_exponent, -1022), 1023)));
 }
 
 void Batch::begin_gathering(std::size_t most) {
-    gathered.reserve(3 * std::max<std::size_t>(most, 1));  // no points have an address too
+    gathered.reserve(3 * std::max<std::size_t>(most, 1));  // an empty batch needs an address, too
     indices.reserve(most);
     gathered.clear();
     indices.clear();
@@ -44,7 +44,7 @@ void Batch::gather(const Mesh& mesh, const Buffer<VertexId>& point_map, const Ba
                    std::size_t count) {
     const std::size_t before = added.first_index;
     begin_gathering(before + count);
-    // A point that a cancelled call left out stays out.
+    // Points that a cancelled call left out are not in the map and stay out.
     for (std::size_t i = 0; i < before; ++i)
         if (point_map[i] != infinite_vertex)
             gather(mesh.point(point_map[i]), static_cast<std::uint32_t>(i));

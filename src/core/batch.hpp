@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The points of one insertion.
+// A batch: the points of one insertion, in the caller's array or gathered in an array of its own.
 #pragma once
 
 #include "core/point_scan.hpp"
@@ -16,17 +16,18 @@ struct Batch {
         use(scan, n, axis, stride, scale_exponent, first);
     }
 
-    // Makes this a batch of scaled points that come one by one.
+    // Collect scaled points one by one. begin_gathering() makes room for `most`; the batch may be
+    // used after end_gathering().
     void begin_gathering(std::size_t most);
     void gather(const double* p, std::uint32_t index) noexcept;
     void end_gathering();
-    // Makes this the batch of all points that are in (all held) and the first `count` of `added`.
+    // Makes this the batch of all points that are held, and of the first `count` points of `added`.
     void gather(const Mesh& mesh, const Buffer<VertexId>& point_map, const Batch& added,
                 std::size_t count);
-    // Leaves out the first points.
+    // Removes the first `count` points from the batch.
     void drop_front(std::size_t count);
 
-    // Point i as the mesh stores it: scaled, -0 made 0.
+    // Point i as the mesh stores it: scaled, with -0 replaced by 0.
     void get(std::size_t i, double p[3]) const {
         for (int k = 0; k < 3; ++k) {
             const double x = points.axis[k][static_cast<std::ptrdiff_t>(i) * points.stride];
@@ -41,10 +42,10 @@ struct Batch {
 
     PointSet points;
     int exponent;
-    bool is_normal;                 // all coordinates are in the range in which filters are proved
-    std::size_t first_index;        // of point 0, where there are no indices
-    Buffer<double> gathered;        // coordinates
-    Buffer<std::uint32_t> indices;  // empty, or of each point
+    bool is_normal;                 // all coordinates are in the range where filters are proved
+    std::size_t first_index;        // the index of point 0, if `indices` is empty
+    Buffer<double> gathered;        // coordinates of gathered points
+    Buffer<std::uint32_t> indices;  // the index of each gathered point
 
   private:
     void use(const PointScan& scan, std::size_t n, const double* const axis[3],

@@ -14,12 +14,13 @@
 namespace mgdt {
 namespace {
 
-// Below this many points a schedule costs more than it gains.
+// With at most this many points a schedule costs more than it gains.
 constexpr std::size_t smallest_schedule = 16;
 
 // Moves four positions to the front of the schedule; the others keep their order.
 void bring_to_front(Schedule& schedule, const std::size_t positions[4]) {
-    // Positions before the last of the four move back by the number of the four behind them.
+    // A position before the last of the four moves back by the number of the four that come after
+    // it.
     const auto moved = [&](std::size_t k) {
         std::size_t behind = 0;
         for (std::size_t i = 0; i < 4; ++i) {
@@ -30,7 +31,7 @@ void bring_to_front(Schedule& schedule, const std::size_t positions[4]) {
     };
     const std::size_t last = positions[3];
     for (std::size_t i = 4; i-- > 0;) {
-        // The i-th of the four, counted from the back, is now 3 - i places further back.
+        // The rotations before this one have moved position i back by 3 - i.
         const std::size_t from = positions[i] + (3 - i);
         std::rotate(schedule.order.begin(), schedule.order.begin() + from,
                     schedule.order.begin() + from + 1);
@@ -48,9 +49,9 @@ void bring_to_front(Schedule& schedule, const std::size_t positions[4]) {
     }
 }
 
-// Assumes that every point becomes a vertex; compact_vertices() corrects that. Filling the point
-// map at each insertion would be a random-access store, for which the stores of its star would
-// wait.
+// Copies the points to vertices, in the order of the schedule, and fills the point map. Every point
+// gets a vertex; compact_vertices() closes the gaps of repeats. The map is written here and not at
+// each insertion, because stores at random addresses would delay the stores of the star.
 void copy_vertices(State& state, Team& team, const Batch& batch, const Schedule& schedule,
                    std::size_t base) {
     const std::size_t size = batch.points.size;
@@ -59,7 +60,7 @@ void copy_vertices(State& state, Team& team, const Batch& batch, const Schedule&
     team.split(size, 8192, [&](std::size_t begin, std::size_t end, unsigned) {
         state.mesh.vertex_hint.prefault(base + begin, base + end);
         constexpr std::size_t ahead = 24;
-        // Copies, which stores cannot change.
+        // Local copies, so that the compiler need not reload the pointers after each store.
         Vertex* const vertices = state.mesh.vertices.data() + base;
         TetId* const hints = state.mesh.vertex_hint.data() + base;
         VertexId* const of_points = state.points.map.data();
@@ -81,12 +82,12 @@ void copy_vertices(State& state, Team& team, const Batch& batch, const Schedule&
     if (!batch.is_normal) state.mesh.has_extremes = true;
 }
 
-// Fills the schedule of a batch, with rounds where several threads will insert it.
+// Makes the schedule of a batch, in rounds if several threads will insert it.
 void schedule_batch(State& state, Team& team, const Batch& batch, Schedule& schedule) {
     const std::int32_t scheme =
         batch.points.size <= smallest_schedule ? MGDT_ORDER_INPUT : state.settings.scheme;
     make_schedule(team, batch.points, scheme, state.settings.order, schedule);
-    // Several threads need rounds, so that the space is divided before they start.
+    // Several threads need rounds: the first ones make a mesh that the threads can share.
     if (team.size() > 1 && schedule.rounds.size() == 1 && scheme != MGDT_ORDER_RANDOM)
         assign_rounds(team, state.settings.order.seed, schedule);
     state.statistics.levels = schedule.levels;
@@ -94,8 +95,8 @@ void schedule_batch(State& state, Team& team, const Batch& batch, Schedule& sche
     state.statistics.threads = team.size();
 }
 
-// Puts four points of a batch that span space at the front of its schedule, and starts the mesh
-// with them; the others become vertices that are not inserted yet.
+// Moves four points that span space to the front of the schedule, and starts the mesh with their
+// tetrahedron. All other points become vertices that are not inserted yet.
 void begin_with(State& state, Team& team, const Batch& batch, Schedule& schedule) {
     std::size_t positions[4];
     AffineBasis basis;
@@ -122,8 +123,7 @@ void insert_scheduled(State& state, const Batch& batch, const Schedule& schedule
     const std::size_t n = batch.points.size;
     const LocationTree* const tree =
         done == 0 ? state.walk_starts.tree_for_insertion(state.mesh, base) : nullptr;
-    // If there are more points than numbers for vertices, a repeat leaves its number to later
-    // points.
+    // If there are more points than vertex numbers, the next point reuses the number of a repeat.
     const bool is_crowded = base + n > state.mesh.vertex_limit;
     std::size_t in = done;
     const std::size_t report_interval = std::max<std::size_t>(n / 100, 1);
@@ -164,7 +164,7 @@ void insert_scheduled(State& state, const Batch& batch, const Schedule& schedule
 }  // namespace
 
 void insert_batch(State& state, Team& team, const Batch& batch, bool fresh, bool may_stop) {
-    // All that can fail before the mesh changes.
+    // Everything that can fail comes before the mesh changes.
     const std::size_t n = batch.points.size;
     const std::size_t base = fresh ? 1 : state.mesh.vertices.size();
     Stopwatch watch(state.statistics.insert_seconds);
@@ -173,8 +173,8 @@ void insert_batch(State& state, Team& team, const Batch& batch, bool fresh, bool
     team.split(n, 8192, [&](std::size_t begin, std::size_t end, unsigned) {
         state.mesh.vertices.prefault(base + begin, base + end);
     });
-    // Until the vertices come, the schedule is made where they will be, but for those held till
-    // now.
+    // The schedule is made in the memory that the new vertices will take, behind those that are
+    // held.
     const std::size_t held = std::min(state.mesh.vertices.size(), base + n);
     BorrowedArena room(state.mesh.vertices.data() + held, (base + n - held) * sizeof(Vertex),
                        state.allocator);
@@ -188,7 +188,7 @@ void insert_batch(State& state, Team& team, const Batch& batch, bool fresh, bool
     try {
         state.mesh.reserve_tetrahedra(expected_tetrahedra(base + n, state.mesh.slot_limit));
     } catch (const std::bad_alloc&) {
-        // Growing as needed may still fit.
+        // Growing on demand may still succeed.
     }
 
     if (fresh)
@@ -205,7 +205,7 @@ void insert_batch(State& state, Team& team, const Batch& batch, bool fresh, bool
         }
     } close{state, team, base, batch.first_index};
     const std::size_t done = fresh ? 4 : 0;
-    // Several threads cannot do without numbers for repeats.
+    // Several threads need a vertex number for every point, repeats included.
     if (team.size() == 1 || schedule.rounds.size() == 1 || base + n > state.mesh.vertex_limit) {
         insert_scheduled(state, batch, schedule, base, done, may_stop);
     } else {

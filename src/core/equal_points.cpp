@@ -25,7 +25,7 @@ std::uint32_t EqualPoints::least_other(const Buffer<VertexId>& point_map, Vertex
     const PointOfVertex key = {v, 0};
     const PointOfVertex* const begin = std::lower_bound(points_.begin(), points_.end(), key);
     if (begin == points_.end() || begin->vertex != v) return least;
-    // Points that left do not come back, so each is passed once.
+    // Points that have left do not come back, so the scan passes each of them once.
     std::uint32_t& first = first_[static_cast<std::size_t>(begin - points_.begin())];
     const auto is_at_vertex = [&](std::size_t i) {
         return i < points_.size() && points_[i].vertex == v;
@@ -37,7 +37,7 @@ std::uint32_t EqualPoints::least_other(const Buffer<VertexId>& point_map, Vertex
 }
 
 void EqualPoints::join(VertexId v, std::uint32_t point) {
-    if (v >= vertices_) return;  // new in this call: nobody leaves it
+    if (v >= vertices_) return;  // a vertex of this call: no point leaves it
     if (joined_.empty()) joined_.resize(vertices_, no_index);
     joined_[v] = std::min(joined_[v], point);
 }

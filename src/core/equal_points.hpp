@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which points share a vertex, for a call that takes some of them away from it.
+// Finds which points share a vertex, for a call that removes or moves some of them.
 #pragma once
 
 #include "mesh/tetrahedron.hpp"
@@ -9,17 +9,18 @@ namespace mgdt {
 
 class EqualPoints {
   public:
-    // `vertices`: how many there are at the beginning of the call.
+    // `vertices`: the number of vertices at the beginning of the call.
     EqualPoints(Allocator& allocator, std::size_t vertices) noexcept
         : vertices_(vertices), points_(allocator), first_(allocator), joined_(allocator) {}
 
-    // Takes note of all points at the vertices of those that will leave. Not needed where no
-    // points are equal.
+    // Lists all points at the vertices of the points that will leave. Not needed if all points are
+    // distinct.
     void find(const Buffer<VertexId>& point_map, const Buffer<std::uint32_t>& leaving);
-    // The least other point at the vertex of a point that leaves it now; no_index if it is alone.
+    // The least point at vertex v other than `than`, which leaves it now; no_index if there is
+    // none.
     std::uint32_t least_other(const Buffer<VertexId>& point_map, VertexId v, std::uint32_t than);
-    // A point comes to a vertex, which it does not leave again in this call. Throws std::bad_alloc
-    // with nothing changed.
+    // Adds a point to a vertex. The point does not leave it again in this call. Throws
+    // std::bad_alloc with nothing changed.
     void join(VertexId v, std::uint32_t point);
 
   private:
@@ -32,9 +33,9 @@ class EqualPoints {
     };
 
     std::size_t vertices_;
-    Buffer<PointOfVertex> points_;  // sorted, those of vertices with several
-    Buffer<std::uint32_t> first_;   // where a vertex's points begin, those gone since left out
-    Buffer<std::uint32_t> joined_;  // by vertex, the least point that came; empty until one comes
+    Buffer<PointOfVertex> points_;  // the points that find() listed, sorted
+    Buffer<std::uint32_t> first_;   // for a vertex's first entry: its first point that has not left
+    Buffer<std::uint32_t> joined_;  // for each vertex the least point that join() added; or empty
 };
 
 }  // namespace mgdt

@@ -10,7 +10,7 @@ namespace mgdt {
 // Each of the five is the neighbour of all the others.
 void make_first_tetrahedra(State& state) {
     Mesh& mesh = state.mesh;
-    // As if 4 had been inserted last, before it 3, then 2.
+    // Newest vertex first, as if they had been inserted in the order 1, 2, 3, 4.
     VertexId v[4] = {4, 3, 2, 1};
     if (orientation(mesh.point(4), mesh.point(3), mesh.point(2), mesh.point(1)) < 0)
         std::swap(v[2], v[3]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a mesh begins: the first tetrahedron, and the order of vertices that threads need later.
+// How a mesh begins.
 #pragma once
 
 #include "core/state.hpp"

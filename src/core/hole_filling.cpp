@@ -9,7 +9,7 @@
 namespace mgdt {
 namespace {
 
-// Where the state of the link is: the stack that a call may take has no room for it.
+// Memory for the state of the link, which is too large for the stack.
 struct Room {
     alignas(State) unsigned char bytes[sizeof(State)];
 };

@@ -10,8 +10,8 @@
 namespace mgdt {
 namespace {
 
-// Inserts all that was held, with the new points that are needed to span space. These were
-// accepted before, so this part of the call does not stop for a request to cancel.
+// Inserts all held points and the new points that they need to span space. The held points belong
+// to earlier calls, so this part of the call cannot be cancelled.
 void insert_degenerate(State& state, Team& team, const Batch& batch, std::size_t spanning) {
     Batch all(state.allocator);
     all.gather(state.mesh, state.points.map, batch, spanning);
@@ -26,7 +26,7 @@ void insert_points(State& state, std::size_t n, const double* const axis[3],
     if (n > max_points - first)
         fail(MGDT_ERR_TOO_LARGE, "%zu points after %zu; at most %zu can be numbered", n, first,
              max_points);
-    // The last point must have an address.
+    // The address of the last point must not overflow.
     const std::size_t step = stride < 0 ? std::size_t{0} - static_cast<std::size_t>(stride)
                                         : static_cast<std::size_t>(stride);
     if (n > 1 && step > PTRDIFF_MAX / sizeof(double) / (n - 1))
@@ -67,21 +67,18 @@ void insert_points(State& state, std::size_t n, const double* const axis[3],
     state.progress.report(n, n);
 }
 
-// The scale for all points so far, which `state.points.exponents` knows, and the n that come in.
 int scale_for(const State& state, std::size_t n, const double* const axis[3],
               std::ptrdiff_t stride) {
     const int scale = choose_scale(state.points.exponents, state.mesh.scale);
     if (is_normal(state.points.exponents, scale) || state.points.exponents.empty()) return scale;
-    // Some will be outside the filters' range. A change is a pass over the mesh: only for batches
-    // that are as large.
+    // Some coordinates remain outside the range of the filters. Changing the scale takes a pass
+    // over the mesh, so small batches keep it.
     if (n < state.vertex_count() && is_exact(state.points.exponents, state.mesh.scale))
         return state.mesh.scale;
     return choose_scale_of_most(state.points.exponents,
                                 PointScan::typical_exponent(n, axis, stride));
 }
 
-// How many of the batch's first points it takes, with those held, to span space; all of them if
-// they do not.
 std::size_t points_to_span_space(const Batch& batch, AffineBasis& basis) {
     std::size_t i = 0;
     for (; i < batch.points.size && basis.dimension() < 3; ++i) {

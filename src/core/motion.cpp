@@ -16,7 +16,7 @@
 namespace mgdt {
 namespace {
 
-// Those whose coordinates change, with the new ones as the caller gave them.
+// The points whose coordinates change, with their new coordinates as the caller gave them.
 struct MovedPoints {
     MovedPoints(Allocator& allocator, std::size_t listed)
         : points(allocator), xyz(allocator), places_in_list(allocator), list_size(listed) {
@@ -26,19 +26,20 @@ struct MovedPoints {
     }
 
     std::size_t size() const noexcept { return points.size(); }
-    // Scaled, -0 made 0.
+    // The new coordinates of moved point k, scaled, with -0 replaced by 0.
     void place(std::size_t k, int scale, double (&p)[3]) const noexcept {
         for (std::size_t i = 0; i < 3; ++i) p[i] = scaled(xyz[3 * k + i], scale) + 0.0;
     }
 
     Buffer<std::uint32_t> points;
     Buffer<double> xyz;
-    // Where each is in the caller's list, which has those that stay as well.
+    // The position of each in the caller's list, which also has points that do not move.
     Buffer<std::uint32_t> places_in_list;
     std::size_t list_size;
 };
 
-// All points, where they are now; those from `first` on among the moved ones where they go.
+// Triangulates all points anew: the moved points from `first` on at their new coordinates, all
+// other points where they are now.
 void rebuild_moved(State& state, const MovedPoints& moved, std::size_t first) {
     const std::size_t n = moved.size();
     Batch all(state.allocator);
@@ -76,8 +77,8 @@ class Motion {
     void one_by_one();
 
   private:
-    // False, with the point where it was, where those from k on are to be moved by a new
-    // triangulation: they have to be, or it is faster.
+    // Moves point k. Returns false, with the point unmoved, if the points from k on have to be
+    // moved by a rebuild, or if that is faster.
     bool try_to_move(std::size_t k);
     bool try_to_move_vertex(VertexId v, std::uint32_t point, const double (&p)[3],
                             std::size_t left);
@@ -87,7 +88,7 @@ class Motion {
     State& state_;
     const MovedPoints& moved_;
     EqualPoints equal_points_;
-    Buffer<VertexId> gaps_;  // vertices that are gone
+    Buffer<VertexId> gaps_;  // numbers of vertices that were removed
     RemovalBudget budget_;
     bool has_budget_ = true, is_too_slow_ = false;
 };
@@ -104,10 +105,10 @@ void Motion::one_by_one() {
             if (try_to_move(k)) return true;
             const auto rebuild = [&] { rebuild_moved(state_, moved_, k); };
             if (!is_too_slow_) {
-                // The others do not span space without this vertex.
+                // Without this vertex, the remaining points do not span space.
                 rebuild();
             } else if (!try_to_rebuild(state_, rebuild)) {
-                // There is no memory for the faster way.
+                // There is not enough memory for a rebuild: go on one by one.
                 has_budget_ = is_too_slow_ = false;
                 if (try_to_move(k)) return true;
                 rebuild();
@@ -138,7 +139,7 @@ Insertion Motion::insert(VertexId q, TetId start) {
     return state_.calls().insert(state_.mesh, state_.workspace, q, start);
 }
 
-// A vertex with one point keeps its number.
+// Moves a vertex that stands for one point. The vertex keeps its number.
 bool Motion::try_to_move_vertex(VertexId v, std::uint32_t point, const double (&p)[3],
                                 std::size_t left) {
     Mesh& mesh = state_.mesh;
@@ -175,7 +176,8 @@ bool Motion::try_to_move_vertex(VertexId v, std::uint32_t point, const double (&
     return true;
 }
 
-// One of several points at a vertex goes elsewhere; `other` is the least of those that stay.
+// Moves one of several points at vertex v, as a new vertex. `other` is the least of the points that
+// stay at v.
 void Motion::split_off(VertexId v, std::uint32_t point, const double (&p)[3], std::uint32_t other) {
     Mesh& mesh = state_.mesh;
     const auto q = static_cast<VertexId>(mesh.vertices.size());

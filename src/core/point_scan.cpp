@@ -12,7 +12,7 @@
 namespace mgdt {
 namespace {
 
-// On the bits, so that no compiler flag of a caller's build can reason it away.
+// Tests the bits: under -ffast-math a compiler may assume that isfinite() is true.
 bool is_finite(double x) {
     std::uint64_t bits;
     std::memcpy(&bits, &x, sizeof bits);
@@ -21,13 +21,13 @@ bool is_finite(double x) {
 
 constexpr double largest = 1.7976931348623157e308;
 
-// Extremes of a stream of coordinates, of which every third belongs to one axis. No operation waits
-// for the one before it.
+// Minima and maxima of a stream of coordinates in which every third belongs to the same axis.
+// Several independent accumulators hide the latency of the operations.
 struct Extremes {
     static constexpr std::size_t width = 6;
     double low[width], high[width];
-    double least[width];   // magnitude that is not zero
-    double poison[width];  // NaN once something was not finite
+    double least[width];   // the least nonzero magnitude
+    double poison[width];  // NaN once a coordinate was not finite
 
     Extremes() {
         for (std::size_t j = 0; j < width; ++j) {
@@ -38,7 +38,7 @@ struct Extremes {
     }
     MGDT_ALWAYS_INLINE void add(const double* x) {
         for (std::size_t j = 0; j < width; ++j) {
-            // In this order each is one instruction.
+            // With the operands in this order, each compiles to one instruction.
             low[j] = low[j] < x[j] ? low[j] : x[j];
             high[j] = high[j] > x[j] ? high[j] : x[j];
             const double magnitude = std::fabs(x[j]);
@@ -73,7 +73,7 @@ PointScan::PointScan(Team& team, std::size_t n, const double* const axis[3], std
     Extremes extremes;
     std::mutex mutex;
     team.split(n, 65536, [&](std::size_t begin, std::size_t end, unsigned) {
-        // Two points at a time.
+        // Two points per iteration.
         Extremes part;
         for (std::size_t i = begin; i < end; i += 2) {
             double x[Extremes::width];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One pass over the caller's points before anything changes: refuses what is not finite and
-// takes their bounding box and range of exponents.
+// One pass over the caller's points before anything changes. It refuses coordinates that are not
+// finite, and finds the bounding box and the range of exponents.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace mgdt {
 
-// Throws MGDT_ERR_NOT_FINITE for a coordinate of the point that the message is to name.
+// Throws MGDT_ERR_NOT_FINITE if the coordinate is not finite. The message names the axis and the
+// point.
 void require_finite(double x, std::size_t axis, long long point);
 
 struct PointScan {
@@ -18,14 +19,14 @@ struct PointScan {
     PointScan(Team& team, std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
               long long first_index);
 
-    // The median exponent of a sample of the coordinates that are not 0; 0 where there are none.
+    // The median exponent of a sample of the nonzero coordinates; 0 if there are none.
     static int typical_exponent(std::size_t n, const double* const axis[3], std::ptrdiff_t stride);
-    // Those points, or some of them, for a schedule, multiplied by `scale`.
+    // The points, or a subset of them, as schedules take them: multiplied by `scale`.
     PointSet point_set(std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
                        double scale) const;
 
     double low[3], high[3];
-    // Magnitudes, of coordinates that are not 0.
+    // The least and the greatest magnitude of a nonzero coordinate.
     double least, greatest = 0;
     ExponentRange exponents;
 };

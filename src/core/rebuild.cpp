@@ -30,7 +30,8 @@ void rebuild(State& state, const Batch& all) {
         std::swap(state.statistics.points_inserted, points_inserted);
         std::swap(state.statistics.duplicates, duplicates);
         std::swap(state.walk_starts.last, last);
-        // Its vectors read past the end of a star, where it has vertices of the other mesh.
+        // The kernel's vectors read beyond the end of arrays in the workspace, where numbers of
+        // vertices of the other mesh may be left.
         state.workspace.reset();
         state.walk_starts.forget_tree();
     };

@@ -25,20 +25,20 @@ class Removal {
     Removal(const Removal&) = delete;
     Removal& operator=(const Removal&) = delete;
 
-    // Fetches what taking the point out will begin with.
+    // Prefetches the first tetrahedron that the removal of the point will read.
     void announce(std::uint32_t point) const noexcept {
         if (state_.mesh.vertex_hint.empty()) return;
         const TetId near = state_.mesh.vertex_hint[state_.points.map[point]];
         if (near != no_tetrahedron) state_.mesh.tetrahedra.prefetch(near);
     }
-    // Returns false, with the point still in, where the budget says that all `left` points that are
-    // to go are better left out of a new triangulation.
+    // Removes a point. Returns false, with the point still in, if a rebuild without the `left`
+    // points that are still to be removed is better; `budget` decides that, if there is one.
     bool try_to_take_out(std::uint32_t point, RemovalBudget* budget, std::size_t left);
 
   private:
     State& state_;
     EqualPoints equal_points_;
-    Buffer<VertexId> gaps_;  // vertices that are gone
+    Buffer<VertexId> gaps_;  // numbers of vertices that were removed
 };
 
 bool Removal::try_to_take_out(std::uint32_t point, RemovalBudget* budget, std::size_t left) {
@@ -141,8 +141,8 @@ void remove_points(State& state, const Buffer<std::uint32_t>& points) {
     state.points.exponents_are_wide = true;
     state.progress.report(0, n);
     state.progress.stop_if_cancelled(0, n);
-    // In the order of vertices, which mostly follow a curve: what one needs is near what the one
-    // before has used.
+    // In the order of vertex numbers, which mostly follow a curve: consecutive removals then touch
+    // nearby memory.
     Buffer<std::uint32_t> left(state.allocator);
     left.reserve(n);
     for (const std::uint32_t i : points) left.push_back(i);
@@ -154,7 +154,7 @@ void remove_points(State& state, const Buffer<std::uint32_t>& points) {
     const auto rebuild_without_those_left = [&] {
         rebuild_without(state, left.data(), left.size(), n);
     };
-    // Points that are held cost nothing to take out.
+    // Removing held points needs no geometry.
     const bool is_held = state.mesh.live_count() == 0;
     if (!is_held && is_rebuild_faster(state, n) &&
         try_to_rebuild(state, rebuild_without_those_left))

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// When a call that takes vertices out one by one had better triangulate the others anew: once its
-// work has come near to that of doing so, or will soon. So it takes little more than twice that
-// time, whatever the sizes of the links. Counts decide, not times, so that every run does the same.
+// Decides when a call that removes vertices one by one should triangulate the remaining ones anew
+// instead: when the work done, with that of the next removals, exceeds the work of a rebuild. The
+// call then takes at most about twice the time of a rebuild, whatever the sizes of the links. Work
+// is estimated from counts, not measured, so that every run decides alike.
 #pragma once
 
 #include <algorithm>
@@ -9,28 +10,29 @@
 
 namespace mgdt {
 
-// Work is in units of a tetrahedron that an insertion creates.
+// The unit of work is one tetrahedron created by an insertion.
 class RemovalBudget {
   public:
-    // Of a mesh with this number of tetrahedra and of vertices.
+    // For a mesh with this many tetrahedra and vertices.
     RemovalBudget(std::size_t tetrahedra, std::size_t vertices)
         : rebuild_(per_tetrahedron * static_cast<double>(tetrahedra) + least_rebuild),
           vertices_(static_cast<double>(vertices)) {}
 
-    // Whether to triangulate anew rather than to take out a vertex with `link` vertices around it,
-    // the first of `left` that are to go; with `is_large` its link is triangulated by itself.
+    // Whether a rebuild is better than removing the next vertex, which has `link` vertices around
+    // it. `left` vertices are still to be removed, this one included. `is_large`: the link would be
+    // triangulated by itself.
     bool is_exceeded_by(std::size_t link, bool is_large, std::size_t left) const noexcept {
-        // One alone takes little longer than a new triangulation, whatever its link.
+        // A single removal takes little longer than a rebuild, whatever its link.
         if (left == 1) return false;
-        // The next ones are expected to have links like it.
+        // Assume that the next few vertices have links of the same size.
         const auto some = static_cast<double>(std::min<std::size_t>(left, 4));
         const double share = static_cast<double>(link) / vertices_;
         const double work =
             is_large ? per_neighbor * static_cast<double>(link) + rebuild_ * share : work_of(link);
         return work_ + some * work > limit * rebuild_;
     }
-    // The hole of a vertex was filled facet by facet, or from a triangulation of its link with
-    // this number of tetrahedra, else 0.
+    // Adds the work of a removal. `tetrahedra` is the size of the triangulation of the link, or 0
+    // if the hole was filled facet by facet.
     void add(std::size_t link, std::size_t tetrahedra) noexcept {
         work_ += tetrahedra == 0 ? work_of(link)
                                  : per_neighbor * static_cast<double>(link) +
@@ -43,13 +45,13 @@ class RemovalBudget {
         return per_neighbor * n + per_pair * n * n;
     }
 
-    // Measured on the families of tests/bench/sweep_calls: an insertion creates 3.4 tetrahedra for
-    // each that stays, and a removal takes as long as 15 for each vertex of its link, and 1 for
-    // each 25 pairs of them that a pass compares.
+    // Measured on the point sets of tests/bench/sweep_calls. Inserting a set creates 3.4 tetrahedra
+    // for each that remains. A removal costs 15 units per vertex of the link, and 0.04 per pair of
+    // such vertices, which the search for an apex compares.
     static constexpr double per_tetrahedron = 3.4, per_neighbor = 15, per_pair = 0.04;
-    // That of some 64 ordinary removals, so that few points of a small mesh go one by one.
+    // The work of about 64 ordinary removals: fewer points of a small mesh are removed one by one.
     static constexpr double least_rebuild = 16000;
-    // A tenth of uniform points, taken out one by one, stays below.
+    // Removing a tenth of a uniform set one by one stays below this multiple of a rebuild.
     static constexpr double limit = 1.4;
 
     double rebuild_, vertices_, work_ = 0;

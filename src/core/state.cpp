@@ -46,7 +46,7 @@ void State::clear() noexcept {
 void State::shrink() noexcept {
     numbering.forget();
     walk_starts.forget_tree();
-    // What takes no block comes first: the others may need room to move.
+    // Memory that is only freed comes first, since shrinking a block may have to move it.
     workspace.reset();
     vertex_removal.reset();
     for (Buffer<std::uint32_t>* part :
@@ -69,7 +69,7 @@ void State::set_scale(int scale) {
         if (!in_normal_range(mesh.vertices[v].x)) mesh.has_extremes = true;
     }
     if (mesh.tetrahedra.has_spheres()) set_spheres();
-    // What is held is found by its bits, and a basis compares with points to come.
+    // The hash table of held points and the basis have scaled coordinates.
     points.held.clear();
     points.basis.scale(change);
 }

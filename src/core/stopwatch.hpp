@@ -5,8 +5,8 @@
 
 namespace mgdt {
 
-// Adds the time that passes to one of the statistics, and from count_for() on to another: to look
-// at the clock is a fiftieth of inserting a point.
+// Adds the time until its destruction to a statistic; count_for() ends one interval and begins the
+// next with a single reading of the clock, which takes as long as 1/50 of an insertion.
 class Stopwatch {
   public:
     explicit Stopwatch(double& seconds) : seconds_(&seconds), start_(clock::now()) {}

@@ -12,10 +12,12 @@ namespace mgdt {
 namespace {
 
 constexpr std::size_t items_of_a_part = 65536;
-// Tetrahedra that a turn through all of them passes while one vertex is looked for.
+// Renumbering one vertex by way of its star takes as long as passing this many tetrahedra in a loop
+// over all.
 constexpr std::size_t passed = 2048;
 
-// Gives a vertex another number in all its tetrahedra, of which one is given; star is for lists.
+// Replaces vertex `from` by `to` in all its tetrahedra. `first` is one of them; `star` is working
+// memory.
 void renumber_star(Mesh& mesh, TetId first, VertexId from, VertexId to, Buffer<TetId>& star) {
     star.clear();
     const auto renumber = [&](TetId t) {
@@ -29,7 +31,8 @@ void renumber_star(Mesh& mesh, TetId first, VertexId from, VertexId to, Buffer<T
     traverse_star(mesh, to, star, [&](FacetCode facet) { renumber(tetrahedron_of(facet)); });
 }
 
-// Gives vertices from `end` on that have tetrahedra the numbers in their records.
+// Gives each vertex from `end` on the number in its record (`moved_to`), star by star. Vertices
+// without tetrahedra are skipped.
 void renumber_stars(Mesh& mesh, const KernelCalls& calls, std::size_t end) {
     const Locator locator{mesh, calls, nullptr};
     Buffer<TetId> star(mesh.vertex_hint.allocator());
@@ -44,7 +47,7 @@ void renumber(const Mesh& mesh, std::size_t end, VertexId& v) noexcept {
     if (v >= end) v = mesh.vertices[v].moved_to;
 }
 
-// The same by a turn through all tetrahedra.
+// As renumber_stars(), by one loop over all tetrahedra.
 void renumber_all(Team& team, Mesh& mesh, std::size_t end) {
     team.split(mesh.tetrahedra.size(), items_of_a_part,
                [&](std::size_t from, std::size_t to, unsigned) {
@@ -54,8 +57,7 @@ void renumber_all(Team& team, Mesh& mesh, std::size_t end) {
                });
 }
 
-// Vertices from `end` on, of which `moved` have tetrahedra, get the numbers in their records in
-// these.
+// Gives vertices from `end` on the numbers in their records. `moved` of them have tetrahedra.
 void renumber_moved(State& state, Team& team, std::size_t end, std::size_t moved) noexcept {
     if (state.mesh.live_count() == 0) return;
     bool is_done = moved <= state.mesh.tetrahedra.size() / passed;
@@ -67,7 +69,7 @@ void renumber_moved(State& state, Team& team, std::size_t end, std::size_t moved
     if (!is_done) renumber_all(team, state.mesh, end);
 }
 
-// The same for points from `first_point` on in the map.
+// Gives points from `first_point` on, which may map to vertices from `end` on, their new vertices.
 void renumber_points(State& state, Team& team, std::size_t end, std::size_t first_point) noexcept {
     VertexId* const of_points = state.points.map.data() + first_point;
     team.split(state.points.map.size() - first_point, items_of_a_part,
@@ -91,7 +93,7 @@ void compact_vertices(State& state, Team& team, std::size_t begin,
         forget(v);
         while (end > v + 1 && hints[end - 1] == no_tetrahedron) forget(--end);
         if (--end == v) break;
-        // Where a vertex goes lies in its old record.
+        // The old record of a vertex keeps its new number.
         state.mesh.vertices[v] = state.mesh.vertices[end];
         hints[v] = hints[end];
         state.mesh.vertices[end].moved_to = static_cast<VertexId>(v);
@@ -111,7 +113,7 @@ void close_gaps(State& state, Buffer<VertexId>& gaps) noexcept {
     Buffer<TetId>& hints = state.mesh.vertex_hint;
     std::size_t end = state.mesh.vertices.size(), moved = 0;
     for (std::size_t i = 0, left = gaps.size(); i < left; ++i) {
-        // Gaps at the end are closed by leaving them out.
+        // Gaps at the end of the array are closed by making it shorter.
         while (left > i && gaps[left - 1] == end - 1) --left, --end;
         if (left == i) break;
         const VertexId gap = gaps[i];
@@ -134,7 +136,7 @@ void close_gaps(State& state, Buffer<VertexId>& gaps) noexcept {
     state.mesh.vertices.resize_within_capacity(end);
     if (!hints.empty()) hints.resize_within_capacity(end);
     if (state.mesh.live_count() == 0) {
-        // The points that remain are held until others span space with them.
+        // The remaining points do not span space: they are held until others come.
         AffineBasis basis;
         for (VertexId v = 1; v < state.mesh.vertices.size() && basis.dimension() < 3; ++v)
             basis.add(state.mesh.point(v));
@@ -143,9 +145,9 @@ void close_gaps(State& state, Buffer<VertexId>& gaps) noexcept {
     }
 }
 
-// A hole is filled by vertices of any age, and a vertex that moved to a gap has the number of
-// another age. So the vertices of each record are sorted by number; vertices to come have larger
-// ones.
+// Insertion stores the vertices of a record from the newest to the oldest, so that neighbours agree
+// on the newest vertex of their facet. Filling a hole and closing gaps break that order, so records
+// are sorted by vertex number here. Vertices that are inserted later have larger numbers.
 void make_guards_agree(Mesh& mesh) noexcept {
     if (mesh.guards_agree) return;
     mesh.guards_agree = true;

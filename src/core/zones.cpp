@@ -38,21 +38,22 @@ void Zones::divide(unsigned count, const Round& round, const Mesh& mesh) {
     begin_ = round.begin;
     const std::size_t near = round.begin - round.before;
     share_ = static_cast<double>(near) / static_cast<double>(round.size());
-    // Each of the round before, with a place for the neighbour of the first and of the last.
+    // One entry for each vertex of the previous round, and one more at either end, so that the loop
+    // below may write to both neighbours of every vertex.
     at_border_.clear();
     at_border_.resize(near + 2, 0);
     for (const Part& part : between_)
         for (const Closed& c : part.closed)
             for (const VertexId v : mesh.tetrahedra[c.tetrahedron].v) {
                 if (v < first_vertex + round.before) continue;
-                // Those beside it along the curve are near as well.
+                // Its neighbours along the curve are near as well.
                 std::uint8_t* const before = &at_border_[v - first_vertex - round.before];
                 before[0] = before[1] = before[2] = 1;
             }
 }
 
 bool Zones::is_between(const Tetrahedron& t) const noexcept {
-    // The first two are finite.
+    // The first two vertices of a record are finite.
     const std::uint8_t zone = zone_[t.v[0]];
     const auto is_other = [&](VertexId v) { return (zone_[v] != zone) & (v != infinite_vertex); };
     return (zone_[t.v[1]] != zone) | is_other(t.v[2]) | is_other(t.v[3]);

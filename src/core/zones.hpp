@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Zones in which threads insert without a look at each other.
+// Zones: regions in which threads insert without synchronisation.
 //
-// Each round of a schedule goes along one curve through all of the batch's space, so the same share
-// of every round lies in the same place: a vertex's zone is found from its number. A tetrahedron
-// with vertices of two zones is between them. While threads insert in zones it is closed: it stays,
-// and a point that would remove it is put off. All other tetrahedra are of one zone, and so are
-// those of their neighbours that are not closed, since two neighbours have three vertices in
-// common. The vertex at infinity is in every zone. So what a thread changes is its own, but for the
-// link of a closed tetrahedron through a facet of the zone, which is the zone's alone.
+// Every round of a schedule follows the same curve through space. The points at the same fraction
+// of each round lie in the same region, so the zone of a vertex follows from its number. A
+// tetrahedron with vertices of two zones is *between* zones. While threads insert in zones, such
+// tetrahedra are *closed*: they are not removed, and a point that would remove one is deferred.
+// Every other tetrahedron has the vertices of one zone. Two adjacent tetrahedra share three
+// vertices, so neighbours that are not closed belong to the same zone. The vertex at infinity
+// counts as a vertex of every zone. Hence a thread writes only to tetrahedra of its zone, and to
+// the neighbour entries of closed tetrahedra at facets of its zone, which no other thread touches.
 //
-// The sphere of a closed tetrahedron leaves every test open (KeptSphere::close). So threads have
-// nothing to ask about the tetrahedra that they come to: the filter that every insertion has tells
-// the closed ones from the others.
+// The sphere of a closed tetrahedron is changed so that the conflict filter leaves every test
+// undecided (KeptSphere::close). The kernel handles undecided tests anyway, so recognising closed
+// tetrahedra costs nothing.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -26,42 +27,43 @@ inline constexpr VertexId first_vertex = infinite_vertex + 1;
 
 class Zones {
   public:
-    // For a batch of `n` points that are the mesh's first.
+    // For a batch of `n` points, which are the first vertices of the mesh.
     Zones(Team& team, Allocator& allocator, const Schedule& schedule, std::size_t n);
     Zones(const Zones&) = delete;
     Zones& operator=(const Zones&) = delete;
 
-    // A round of the schedule by its positions, and where the round before begins; where there is
-    // none, or some of the round is in, that is `begin`.
+    // The positions of a round in the schedule. `before` is where the previous round begins; it
+    // equals `begin` if there is no previous round, or if a part of this round is inserted already.
     struct Round {
         std::size_t begin, end, before;
         std::size_t size() const noexcept { return end - begin; }
     };
-    // Divides space into `count` zones, at most 254, before the round is inserted. Throws
+    // Divides space into `count` zones, at most 254. Called before the round is inserted. Throws
     // std::bad_alloc.
     void divide(unsigned count, const Round& round, const Mesh& mesh);
     unsigned of(VertexId v) const noexcept { return zone_[v]; }
-    // The first position of the round in a zone; its end for the number of zones.
+    // The first position of the round in a zone. For `zone` == count, the end of the round.
     std::size_t first(const Round& round, unsigned zone) const noexcept {
         return round.begin + Team::part(round.size(), zone, count_);
     }
-    // Whether the point at a position of the round is likely to remove a tetrahedron between zones:
-    // whether there was one at a vertex of the round before that is near.
+    // Whether the point at position k is likely to remove a tetrahedron between zones. It is if a
+    // nearby vertex of the previous round had such a tetrahedron.
     bool is_at_border(std::size_t k) const noexcept {
         const auto offset = static_cast<std::size_t>(static_cast<double>(k - begin_) * share_);
         return at_border_[offset + 1] != 0;
     }
 
-    // Closes what is between zones now. Throws std::bad_alloc, with nothing closed.
+    // Closes the tetrahedra that are between zones now. Throws std::bad_alloc, with none closed.
     void close(Mesh& mesh);
+    // Opens them again.
     void open(Mesh& mesh) noexcept;
-    // Gives the memory back that all this takes.
+    // Gives the memory of the zones back.
     void forget() noexcept;
 
   private:
     struct Closed {
         TetId tetrahedron;
-        std::uint32_t bound;  // that of its sphere
+        std::uint32_t bound;  // the error bound of its sphere, which close() overwrites
     };
     struct Part {
         explicit Part(Allocator* allocator) : closed(*allocator) {}
@@ -73,12 +75,12 @@ class Zones {
     Team& team_;
     const Buffer<std::uint32_t>& rounds_;
     const std::size_t n_;
-    unsigned count_ = 0;              // of zones, if they are divided
-    Buffer<std::uint8_t> zone_;       // by vertex
-    Buffer<std::uint8_t> at_border_;  // by vertex of the round before
-    PerMember<Part> between_;         // zones, as each member of the team found it
-    std::size_t begin_ = 0;           // of the round
-    double share_ = 0;                // the round before, of the round
+    unsigned count_ = 0;              // the number of zones; 0 before divide()
+    Buffer<std::uint8_t> zone_;       // the zone of each vertex
+    Buffer<std::uint8_t> at_border_;  // for each vertex of the previous round, and one at each end
+    PerMember<Part> between_;         // the tetrahedra between zones, by the thread that found them
+    std::size_t begin_ = 0;           // the first position of the round
+    double share_ = 0;                // the size of the previous round over that of the round
 };
 
 }  // namespace mgdt
