@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Facets are cycles of three: which of them comes first is a choice.
+// A facet is a cycle of three vertices. These functions choose which vertex comes first.
 #pragma once
 
 namespace mgdt {
 
-// Turns v such that v[first] comes first.
+// Rotates v so that v[first] comes first.
 template <class T>
 inline void turn_to(T (&v)[3], int first) {
     const T a = v[0], b = v[1], c = v[2];
@@ -19,7 +19,7 @@ inline void turn_to(T (&v)[3], int first) {
     }
 }
 
-// Turns v such that its least comes first.
+// Rotates v so that its least element comes first.
 template <class T>
 inline void turn_to_least(T (&v)[3]) {
     const int of_two = v[1] < v[0] ? 1 : 0;

@@ -31,13 +31,13 @@ void Mesh::shrink() noexcept {
 }
 
 void Mesh::reserve_tetrahedra(std::size_t count) {
-    // The capacity never passes the limit, so that a slot within it can be numbered.
+    // The capacity never exceeds the limit, so every slot within it has a number.
     if (count > slot_limit)
         fail(MGDT_ERR_TOO_LARGE, "more than %u tetrahedra", static_cast<unsigned>(slot_limit));
     const std::size_t capacity = tetrahedra.capacity();
     if (count <= capacity) return;
-    // Where a memory limit refuses the generous growth, what is needed may still fit.
-    // A large store grows by remapping pages, which is no reason to take many at a time.
+    // If a memory limit refuses generous growth, the exact size may still fit. A large store grows
+    // by remapping pages, so growing often costs little.
     constexpr std::size_t large = std::size_t{1} << 18;
     const std::size_t step = capacity < large ? capacity / 4 : capacity / 16;
     const std::size_t generous =
@@ -54,7 +54,7 @@ void Mesh::grow_slots(std::size_t taken, std::size_t freed) {
     const std::size_t needed = tetrahedra.size() + taken - std::min(taken, free_slots.size());
     reserve_tetrahedra(needed);
     if (needed <= prefaulted_slots) return;
-    // A stretch of storage at a time: 3 MiB, or what there is.
+    // Prefault 3 MiB of storage at a time, or all that there is.
     constexpr std::size_t stretch = 65536;
     const std::size_t end = std::min(tetrahedra.capacity(), needed + stretch);
     tetrahedra.prefault(prefaulted_slots, end);

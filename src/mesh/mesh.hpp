@@ -9,8 +9,8 @@
 
 namespace mgdt {
 
-// Writes the first facets of consecutive slots, in blocks, so that the number of turns is
-// predictable: the array has room for 16 more.
+// Writes the first facet codes of consecutive slots, in blocks of 16, so that the branch at the end
+// of the loop is predictable. The array has room for 16 more elements.
 MGDT_ALWAYS_INLINE void write_run(FacetCode* slots, TetId first, std::size_t count) noexcept {
     constexpr std::size_t block = 16;
     for (std::size_t i = 0; i < count; i += block)
@@ -25,16 +25,18 @@ struct Mesh {
           tetrahedra(allocator),
           free_slots(allocator) {}
 
-    // Empties the mesh but for the vertex at infinity. The scale stays.
+    // Removes everything but the vertex at infinity. The scale stays.
     void clear();
-    // Makes it possible to take and free that number of slots. Throws std::bad_alloc, or
-    // MGDT_ERR_TOO_LARGE beyond max_tetrahedra, with nothing changed.
+    // Makes sure that the next `taken` slots can be taken and `freed` slots freed without
+    // allocation. Throws std::bad_alloc, or MGDT_ERR_TOO_LARGE beyond max_tetrahedra, with nothing
+    // changed.
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) {
         if (MGDT_UNLIKELY(tetrahedra.size() + taken > prefaulted_slots + free_slots.size() ||
                           free_slots.size() + freed > free_slots.capacity()))
             grow_slots(taken, freed);
     }
-    // A live slot soon after t, around the end: what a vertex was near may be gone.
+    // The next live slot from t on, where the first slot follows the last. A hint may name a slot
+    // that is dead by now.
     TetId live_from(TetId t) const noexcept {
         for (unsigned tries = 0; tries < 1000; ++tries) {
             if (!tetrahedra[t].is_dead()) return t;
@@ -42,13 +44,14 @@ struct Mesh {
         }
         return a_ghost;
     }
-    // Leaves the vertices without tetrahedra.
+    // Removes all tetrahedra; the vertices stay.
     void drop_tetrahedra() noexcept;
-    // Gives back storage that is not used, where that can be.
+    // Gives unused storage back, if the allocator can shrink blocks.
     void shrink() noexcept;
-    // Makes room for `count` tetrahedra; grows by more than asked for, never beyond the limit.
+    // Makes room for at least `count` tetrahedra, never for more than the limit.
     void reserve_tetrahedra(std::size_t count);
-    // Writes the first facet of each. The array has room for 16 more than count.
+    // Takes slots, and writes the first facet code of each. The array has room for 16 elements more
+    // than `count`.
     void take_slots(FacetCode* slots, std::size_t count) noexcept;
     void free_slot(TetId t) noexcept;
 
@@ -57,23 +60,24 @@ struct Mesh {
     MGDT_ALWAYS_INLINE const double* point(VertexId v) const noexcept { return vertices[v].x; }
 
     Buffer<Vertex> vertices;  // slot 0: the vertex at infinity
-    // By vertex, once there are tetrahedra: the slot of one that had it, and of one nearby since;
-    // no_tetrahedron until it is inserted.
-    // By themselves, since a thread may write this while others read the coordinates.
+    // For each vertex, once there are tetrahedra: a slot that held a tetrahedron of the vertex, and
+    // holds one near the vertex since; no_tetrahedron until the vertex is inserted. An array of its
+    // own, since a thread may write it while others read the coordinates.
     Buffer<TetId> vertex_hint;
     TetrahedronStore tetrahedra;
     Buffer<TetId> free_slots;  // slots of dead tetrahedra
     std::size_t ghost_count = 0;
-    TetId a_ghost = no_tetrahedron;  // the last one made; removing it always creates others
+    TetId a_ghost = no_tetrahedron;  // the newest ghost; removing it always creates others
     int scale = 0;                   // coordinates carry the factor 2^scale, see mesh/scale.hpp
-    // Slots that may be taken without another look; the pages of those beyond are not there yet.
+    // The number of slots whose pages are prefaulted. take_slots() beyond it goes through
+    // grow_slots().
     std::size_t prefaulted_slots = 0;
-    // Lowered by tests. A vertex has to leave the bit of a mark free.
+    // Tests lower these limits. The highest bit of a vertex number is the mark in_cavity.
     std::uint32_t slot_limit = max_tetrahedra, vertex_limit = in_cavity;
-    // Whether tetrahedra that share a facet have the same guard for it. Filling the hole of a
-    // vertex does not see to that.
+    // Whether any two tetrahedra that share a facet have the same guard for it. Removing a vertex
+    // makes this false.
     bool guards_agree = true;
-    bool has_extremes = false;  // some vertex is outside the range in which filters are proved
+    bool has_extremes = false;  // some vertex is outside the range where filters are proved
 
   private:
     void grow_slots(std::size_t taken, std::size_t freed);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Numbers of vertices or tetrahedra in a small part of a mesh.
+// Consecutive numbers for the vertices or tetrahedra of a small part of a mesh.
 #pragma once
 
 #include "platform/number_table.hpp"
 
 namespace mgdt {
 
-// Numbers 0, 1, ... for names in the order in which they come.
+// Gives names the numbers 0, 1, 2, ... in the order in which they come.
 class Numbers {
   public:
     explicit Numbers(Allocator& allocator) : names_(allocator), table_(allocator) {}
@@ -35,7 +35,7 @@ class Numbers {
         table_.reserve(2 * most);
     }
 
-    Buffer<std::uint32_t> names_;  // as many as there is room for
+    Buffer<std::uint32_t> names_;  // by number; its size is the number of names with room
     NumberTable table_;
 };
 

@@ -4,8 +4,8 @@
 namespace mgdt {
 namespace {
 
-// Coordinates up to 2^40 need no scaling: error bounds are floats, which reach 2^127 and hold
-// squares of such lengths; down to 2^-40 likewise.
+// Coordinates from 2^-40 to 2^40 need no scaling: error bounds are floats, whose range has the
+// squares of such lengths.
 constexpr int ordinary = 40;
 
 bool is_ordinary_exponent(int exponent) {
@@ -19,7 +19,7 @@ bool is_exact(const ExponentRange& range, int k) {
 }
 
 bool is_normal(const ExponentRange& range, int k) {
-    // The last bit of a double is 52 places below its first, or it is subnormal.
+    // The lowest bit of a normal double is 52 places below its highest.
     return is_exact(range, k) && range.highest + k < 150 && range.lowest_bit + 52 + k >= -150;
 }
 
@@ -46,7 +46,7 @@ int choose_scale_of_most(const ExponentRange& range, int typical) {
     return is_ordinary_exponent(typical) || !is_exact(range, -typical) ? 0 : -typical;
 }
 
-// 2^k itself may overflow.
+// Two factors, since 2^k itself may overflow.
 double scaled_by_two_factors(double x, int k) {
     const int half = k / 2;
     return std::ldexp(std::ldexp(x, half), k - half);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The star of a vertex, from one of its tetrahedra to the others.
+// Visits the star of a vertex, from one of its tetrahedra to the others.
 #pragma once
 
 #include "mesh/mesh.hpp"
 
 namespace mgdt {
 
-// Calls enter(facet) for each facet at vertex v of the tetrahedra in `star`, as seen from their
-// neighbour across it. What `enter` adds to `star`, a list of tetrahedra of v, is visited too: if
-// it adds those that are not in yet, all tetrahedra of v are.
+// For each tetrahedron in `star` and each of its facets at vertex v, calls enter() with the facet
+// code on the side of the neighbour. enter() may append the neighbour to `star`; it is visited
+// then. If enter() appends every tetrahedron that is not in `star` yet, all tetrahedra of v are
+// visited.
 template <class Star, class Enter>
 void traverse_star(const Mesh& mesh, VertexId v, const Star& star, Enter enter) {
     for (std::size_t i = 0; i < star.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The records that a triangulation is made of.
+// The records of vertices and tetrahedra.
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,8 @@ namespace mgdt {
 
 using VertexId = std::uint32_t;
 using TetId = std::uint32_t;
-// A facet of a tetrahedron seen from it, where face i is opposite vertex i. A neighbour is stored
-// as the facet code on the neighbour's side.
+// A facet of a tetrahedron: 4 times the tetrahedron plus the face, where face i is opposite vertex
+// i. A neighbour is stored as the code of the shared facet on the neighbour's side.
 using FacetCode = std::uint32_t;
 
 MGDT_ALWAYS_INLINE constexpr FacetCode facet_code(TetId t, unsigned face) noexcept {
@@ -26,7 +26,7 @@ MGDT_ALWAYS_INLINE constexpr TetId tetrahedron_of(FacetCode code) noexcept {
 MGDT_ALWAYS_INLINE constexpr unsigned face_of(FacetCode code) noexcept {
     return code & 3;
 }
-// The code of a tetrahedron's face 0, which names the tetrahedron as well as its number does.
+// The code of face 0. It identifies the tetrahedron as well as its number does.
 MGDT_ALWAYS_INLINE constexpr FacetCode first_facet(TetId t) noexcept {
     return 4 * t;
 }
@@ -40,7 +40,7 @@ inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
 // Facet codes have 32 bits.
 inline constexpr std::uint32_t max_tetrahedra = 1u << 30;
 
-// Marks a tetrahedron of the cavity that is being dug, in its second vertex.
+// While a cavity is dug, this bit of v[1] marks its tetrahedra.
 inline constexpr VertexId in_cavity = 0x80000000u;
 MGDT_ALWAYS_INLINE constexpr VertexId unmarked(VertexId v) noexcept {
     return v & ~in_cavity;
@@ -49,17 +49,17 @@ MGDT_ALWAYS_INLINE constexpr VertexId unmarked(VertexId v) noexcept {
 // Half a cache line. Vertex 0 is the vertex at infinity; its coordinates are never used.
 struct alignas(32) Vertex {
     double x[3];          // scaled, see mesh/scale.hpp
-    std::uint32_t index;  // least of the caller's points here, counted from 0
-    VertexId moved_to;    // its new number, while vertices are renumbered; else see below
+    std::uint32_t index;  // the least of the caller's points at this vertex, counted from 0
+    VertexId moved_to;    // the new number while vertices are renumbered; otherwise 0 or has_equals
 };
 static_assert(sizeof(Vertex) == 32);
-// In `moved_to`: other points are or were here too.
+// In `moved_to`: several points are, or were, at this vertex.
 inline constexpr VertexId has_equals = 1;
 
-// v[0], the base vertex, was inserted last of the four, and v[1] before it: so the newest vertex of
-// face 0 is v[1], that of any other face v[0]. (Not so in a hole that was filled, see
-// Mesh::guards_agree.) Finite: positively oriented. Ghost: v[2] or v[3] is
-// the vertex at infinity and stands beyond the hull facet of the other three.
+// v[0], the base vertex, is the newest of the four, v[1] the second newest. So the newest vertex of
+// face 0 is v[1], and that of any other face is v[0]. Removal of vertices breaks this order, see
+// Mesh::guards_agree. A finite tetrahedron is positively oriented. In a ghost, v[2] or v[3] is the
+// vertex at infinity, which stands for a point beyond the hull facet of the other three.
 struct alignas(16) Tetrahedron {
     VertexId v[4];
     FacetCode n[4];
@@ -70,7 +70,7 @@ struct alignas(16) Tetrahedron {
     // The base vertex of a live tetrahedron is finite.
     MGDT_ALWAYS_INLINE bool is_dead() const noexcept { return v[0] == infinite_vertex; }
     MGDT_ALWAYS_INLINE void kill() noexcept { v[0] = infinite_vertex; }
-    // Only while the cavity is being dug.
+    // Valid while a cavity is dug.
     MGDT_ALWAYS_INLINE bool is_in_cavity() const noexcept { return (v[1] & in_cavity) != 0; }
     MGDT_ALWAYS_INLINE int infinite_slot() const noexcept {
         return v[2] == infinite_vertex ? 2 : 3;
@@ -78,16 +78,17 @@ struct alignas(16) Tetrahedron {
 };
 static_assert(sizeof(Tetrahedron) == 32);
 
-// The circumsphere of a tetrahedron. The power of q with respect to it is |u|^2 - w.u with
-// u = q - v[0]; the "power" of a ghost is -w.u. See kernel/circumsphere.hpp.
+// The circumsphere of a tetrahedron. With u = q - v[0], the power of q is |u|^2 - w.u for a finite
+// tetrahedron, and -w.u for a ghost. See kernel/circumsphere.hpp.
 struct Sphere {
     double w[3];
-    double e;  // bound of the error of w; its sign bit is set in a ghost
+    double e;  // a bound on the error of w; the sign bit is set for a ghost
 
     MGDT_ALWAYS_INLINE bool is_ghost() const noexcept { return std::signbit(e); }
 };
 
-// The upper half of a double has its range, and 21 significant bits; the rest is cut off.
+// The upper half of a double: its full range, with 21 significant bits. The lower bits are
+// truncated.
 MGDT_ALWAYS_INLINE std::uint32_t upper_half(double x) noexcept {
     std::uint64_t bits;
     std::memcpy(&bits, &x, sizeof bits);
@@ -100,14 +101,15 @@ MGDT_ALWAYS_INLINE double from_upper_half(std::uint32_t half) noexcept {
     return x;
 }
 
-// A sphere as a mesh keeps it, in upper halves: half the memory, and few tests that it leaves open.
+// A sphere as the mesh stores it, in upper halves of doubles: half the memory, and few tests that
+// the larger error leaves undecided.
 struct alignas(16) KeptSphere {
     std::uint32_t w[3];
-    std::uint32_t e;  // bounds the rounding of w as well
+    std::uint32_t e;  // also bounds the error of truncating w
 
     MGDT_ALWAYS_INLINE bool is_ghost() const noexcept { return e >> 31 != 0; }
-    // While threads insert in zones, a bound that is not a number tells them that the tetrahedron
-    // is in none, and leaves every test open.
+    // While threads insert in zones, the bound of a tetrahedron between zones is NaN. That marks
+    // the tetrahedron, and leaves every test undecided.
     static constexpr std::uint32_t no_number = 0x7FF80000u, sign_of_ghost = 0x80000000u;
     MGDT_ALWAYS_INLINE bool is_closed() const noexcept { return (e & ~sign_of_ghost) == no_number; }
     MGDT_ALWAYS_INLINE void close() noexcept { e = (e & sign_of_ghost) | no_number; }
@@ -118,13 +120,13 @@ struct alignas(16) KeptSphere {
 };
 static_assert(sizeof(KeptSphere) == 16);
 
-// Face f of a positively oriented tetrahedron, its vertices in the order that makes
-// (q, a, b, c) positive for a point q beyond the face.
+// For each face of a positively oriented tetrahedron its vertices a, b, c, in the order that makes
+// (q, a, b, c) positively oriented for a point q beyond the face.
 inline constexpr unsigned char outer_face[4][3] = {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
 
-// The places that four vertices have in a record whose first two have the largest numbers, without
-// a change of orientation: vertex i goes to place[i]. Returns whether some vertex moves. The vertex
-// at infinity, whose number is the least, comes third or fourth.
+// Sorts the vertices of a record without changing its orientation: the two largest numbers come
+// first, and vertex i goes to place[i]. The vertex at infinity has the least number and comes third
+// or fourth. Returns whether some vertex moves.
 inline bool places_by_number(const VertexId (&v)[4], unsigned (&place)[4]) noexcept {
     unsigned order[4] = {0, 1, 2, 3};
     bool is_odd = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The array of tetrahedra: with the sphere of each beside it; or, for two thirds of the memory,
-// without.
+// The array of tetrahedra, with the sphere of each beside it. In compact storage the spheres are
+// left out, and records take two thirds of the memory.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace mgdt {
 
-// Three quarters of a cache line. What a test looks at, the sphere and the base vertex, are next to
-// each other: of four in a row one has them on two lines.
+// Three quarters of a cache line. A conflict test reads the sphere and the base vertex, which are
+// adjacent: in one of four consecutive records they are on two cache lines.
 struct TetrahedronAndSphere {
     KeptSphere sphere;
     Tetrahedron tetrahedron;
@@ -25,7 +25,7 @@ struct TetrahedronAlone {
 };
 static_assert(sizeof(TetrahedronAlone) == 32);
 
-// Four tetrahedra, looked up once. Record: one of the two above, maybe const.
+// Pointers to four tetrahedra. Record is one of the two types above, possibly const.
 template <class Record>
 struct FourTetrahedra {
     MGDT_ALWAYS_INLINE auto& operator[](unsigned k) const noexcept {
@@ -35,14 +35,15 @@ struct FourTetrahedra {
     Record* record[4];
 };
 
-// The array for code that is compiled for one of the two ways.
+// The array, for code that is compiled for one type of records.
 template <class Record>
 struct TetrahedronView {
     MGDT_ALWAYS_INLINE auto& operator[](std::size_t t) const noexcept {
         return records[t].tetrahedron;
     }
     MGDT_ALWAYS_INLINE auto& sphere(std::size_t t) const noexcept { return records[t].sphere; }
-    // Given by any of its facets, four likewise; by the first one in an instruction less.
+    // A tetrahedron by any of its facet codes. of_first() wants the code of face 0, and saves an
+    // instruction.
     MGDT_ALWAYS_INLINE auto& of(FacetCode code) const noexcept {
         return of_first(first_facet_of(code));
     }
@@ -53,7 +54,7 @@ struct TetrahedronView {
         return {{record(first_facet_of(codes[0])), record(first_facet_of(codes[1])),
                  record(first_facet_of(codes[2])), record(first_facet_of(codes[3]))}};
     }
-    // All of it, which may be on two lines.
+    // Prefetches the whole record, which may be on two cache lines.
     MGDT_ALWAYS_INLINE void prefetch_of(FacetCode code) const noexcept {
         const Record* const r = record(first_facet_of(code));
         mgdt::prefetch(r);
@@ -81,14 +82,14 @@ class TetrahedronStore {
         return *reinterpret_cast<const Tetrahedron*>(tetrahedron(t));
     }
     bool has_spheres() const noexcept { return sphere_ != 0; }
-    // Of a tetrahedron in a store with spheres.
+    // The sphere of a tetrahedron, in a store with spheres.
     MGDT_ALWAYS_INLINE static const KeptSphere& sphere_of(const Tetrahedron& t) noexcept {
         const char* const bytes = reinterpret_cast<const char*>(&t);
         return reinterpret_cast<const TetrahedronAndSphere*>(
                    bytes - offsetof(TetrahedronAndSphere, tetrahedron))
             ->sphere;
     }
-    // Of slot t, if there are spheres.
+    // The address of the sphere of slot t, in a store with spheres.
     MGDT_ALWAYS_INLINE KeptSphere& sphere(std::size_t t) noexcept { return view<true>().sphere(t); }
     MGDT_ALWAYS_INLINE const KeptSphere& sphere(std::size_t t) const noexcept {
         return view<true>().sphere(t);
@@ -102,14 +103,14 @@ class TetrahedronStore {
         return {reinterpret_cast<const Record<with_spheres>*>(pieces_.data())};
     }
 
-    // Of a slot that need not be there.
+    // Prefetches a slot. It need not exist.
     MGDT_ALWAYS_INLINE void prefetch(std::size_t t) const noexcept {
         mgdt::prefetch(tetrahedron(t));
     }
 
     MGDT_ALWAYS_INLINE std::size_t size() const noexcept { return size_; }
     MGDT_ALWAYS_INLINE std::size_t capacity() const noexcept { return capacity_; }
-    // As those of Buffer.
+    // As the functions of Buffer.
     void reserve(std::size_t capacity) {
         if (capacity <= capacity_) return;
         pieces_.reserve(capacity * stride());
@@ -128,15 +129,16 @@ class TetrahedronStore {
     }
     void clear() noexcept { resize_within_capacity(0); }
 
-    // Leaves the spheres out, and gives their memory back where that can be. The capacity stays.
+    // Removes the spheres, and gives their memory back if the allocator can shrink the block. The
+    // capacity stays.
     void drop_spheres() noexcept;
-    // Gives back what is not used, where that can be.
+    // Gives unused storage back, if the allocator can shrink the block.
     void shrink() noexcept {
         pieces_.shrink();
-        // The pieces are more where spheres were left out and a smaller block was refused.
+        // There may be more pieces than records need, if shrinking the block was refused.
         capacity_ = std::min(capacity_, pieces_.capacity() / stride());
     }
-    // Makes room for spheres, which are not set. Throws std::bad_alloc with nothing changed.
+    // Makes room for spheres and leaves them unset. Throws std::bad_alloc with nothing changed.
     void make_room_for_spheres();
 
   private:
@@ -153,7 +155,7 @@ class TetrahedronStore {
 
     Buffer<Piece> pieces_;
     std::size_t size_ = 0, capacity_ = 0;
-    std::size_t sphere_ = 1;  // pieces that one takes: 0 where there are none
+    std::size_t sphere_ = 1;  // the number of pieces per sphere: 1, or 0 in compact storage
 };
 
 }  // namespace mgdt
