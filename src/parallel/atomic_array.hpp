@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An array that several threads write at once.
+// An array of atomics, which several threads may write at the same time.
 #pragma once
 
 #include <memory>

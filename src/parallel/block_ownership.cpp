@@ -31,7 +31,7 @@ bool OwnedBlocks::try_own(std::uint32_t item) noexcept {
     try {
         blocks_.grow(blocks_.size() + 1);
     } catch (const std::bad_alloc&) {
-        return false;  // as if it were somebody else's
+        return false;  // as if another thread owned the block
     }
     if (!owners_[block].compare_exchange_strong(nobody, who_, std::memory_order_acquire,
                                                 std::memory_order_relaxed))

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Which thread may change what while several threads insert.
+// Ownership: which thread may change which tetrahedra while several threads insert.
 //
-// Every vertex is owned by one thread or by none, together with a block of vertices next to it in
-// the order of insertion, which lie near it. The guard of a facet is the newest of its vertices:
-// the thread that owns the guard owns the facet. The facets of a tetrahedron have two guards among
-// them, its newest vertex, v[0], and the newest of the other three, which is v[1]
-// (mesh/tetrahedron.hpp). The rule: a thread that changes a tetrahedron owns both guards, and with
-// them all its facets. It follows that plain loads and stores are enough:
+// A vertex is owned by one thread or by none. Ownership comes in blocks of vertices that are
+// consecutive in the order of insertion, and so near each other. The *guard* of a facet is its
+// newest vertex; the thread that owns the guard owns the facet. The four facets of a tetrahedron
+// have two guards: its newest vertex, v[0], and the second newest, v[1] (mesh/tetrahedron.hpp). A
+// thread may change a tetrahedron only if it owns both guards, and with them all four facets. Then
+// plain loads and stores suffice:
 //
-// - The neighbour of a tetrahedron that is mine has a facet of mine, hence one of its guards is
-//   mine, and no other thread can change it: it may be tested without owning both. Insertions test
-//   no others. Its link through our facet is mine to write.
-// - A new tetrahedron joins the new vertex, which is mine, to a facet of mine: it is mine.
-// - Giving a block back publishes what was written to the thread that takes it next, which must
-//   own the block before it reads or writes any of that.
+// - A neighbour of a tetrahedron that thread T owns shares a facet with it, so T owns one of the
+//   neighbour's guards, and no other thread can change the neighbour. T may test it without owning
+//   both guards, and may write its neighbour entry at the shared facet. Insertion tests no other
+//   tetrahedra.
+// - A new tetrahedron consists of the new vertex, which T owns, and a facet that T owns. So T owns
+// it.
+// - Releasing a block publishes what was written; the next owner acquires the block before it reads
+//   or writes any of that.
 //
-// The vertex at infinity is older than all others and guards nothing. A vertex of early rounds,
-// with tetrahedra far and wide, guards few of them. Blocks are kept for some insertions in one
-// place, so taking them costs little. Nobody waits for a block: a point that needs one of another
-// thread's is put off.
+// The vertex at infinity is older than all others and guards nothing. A vertex of an early round
+// has tetrahedra in many places, but guards few of them. A thread keeps its blocks for several
+// insertions in the same place, so acquiring them costs little. No thread waits for a block: a
+// point that needs a block of another thread is deferred.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +32,8 @@ namespace mgdt {
 
 class BlockOwners {
   public:
-    // Of items 0..n-1, all free. `pause`, if there is one, is called where threads may meet.
+    // For items 0..n-1, which no thread owns. `pause` is a hook for tests: if it is not null, it is
+    // called before a block is acquired and after blocks are released.
     BlockOwners(Allocator& allocator, std::size_t n, void (*pause)());
     BlockOwners(const BlockOwners&) = delete;
     BlockOwners& operator=(const BlockOwners&) = delete;
@@ -38,7 +41,7 @@ class BlockOwners {
   private:
     friend class OwnedBlocks;
     static constexpr std::uint8_t nobody = 0;
-    // Blocks of 8 items; larger ones where the table would not stay in the cache.
+    // Blocks have 8 items, or more if the table would not fit into the cache.
     static constexpr unsigned least_shift = 3, most_shift = 8;
     static constexpr std::size_t most_blocks = std::size_t{1} << 19;
 
@@ -46,19 +49,20 @@ class BlockOwners {
 
     void (*const pause_)();
     const unsigned shift_;
-    AtomicArray<std::uint8_t> owners_;  // by block
+    AtomicArray<std::uint8_t> owners_;  // of each block
 };
 
 // The blocks of one thread.
 class OwnedBlocks {
   public:
-    // `who`: 1 to 254, another one for each thread.
+    // `who`: 1 to 254, different for each thread.
     OwnedBlocks(Allocator& allocator, BlockOwners& owners, std::uint8_t who) noexcept;
     OwnedBlocks(const OwnedBlocks&) = delete;
     OwnedBlocks& operator=(const OwnedBlocks&) = delete;
     ~OwnedBlocks();
 
-    // To look up what is mine, by value: nothing that is written elsewhere can change it.
+    // Tells whether this thread owns an item. A copy, so that the compiler can keep it in registers
+    // while other memory is written.
     struct Mine {
         MGDT_ALWAYS_INLINE bool operator()(std::uint32_t item) const noexcept {
             return owners[item >> shift].load(std::memory_order_relaxed) == who;
@@ -68,9 +72,10 @@ class OwnedBlocks {
         std::uint8_t who;
     };
     MGDT_ALWAYS_INLINE Mine mine() const noexcept { return {owners_, shift_, who_}; }
-    // Takes the block of an item that is not mine, unless somebody has it.
+    // Acquires the block of an item that this thread does not own. Returns false if another thread
+    // owns it.
     bool try_own(std::uint32_t item) noexcept;
-    // Gives back all but the blocks of some items.
+    // Releases all blocks but those of the `kept` items.
     void release(const std::uint32_t* kept = nullptr, std::size_t count = 0) noexcept;
 
   private:

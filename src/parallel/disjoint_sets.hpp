@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sets of the numbers 0 to n - 1 that several threads join, none waiting for another.
+// Disjoint sets (union-find) of the numbers 0 to n - 1, lock-free: several threads may join them.
 #pragma once
 
 #include <cstdint>
@@ -10,30 +10,29 @@ namespace mgdt {
 
 class DisjointSets {
   public:
-    // Each number a set of its own.
+    // n sets of one number each.
     DisjointSets(Allocator& allocator, std::size_t n) : above_(allocator, n) {}
 
-    // False if the two are in one set already.
+    // Joins the sets of a and b. Returns false if they are the same set already.
     bool join(std::uint32_t a, std::uint32_t b) noexcept {
         for (;;) {
             a = least(a);
             b = least(b);
             if (a == b) return false;
             if (a < b) std::swap(a, b);
-            // Unless another thread has joined a's set to one meanwhile.
+            // This fails if another thread has joined a's set to another one meanwhile.
             std::uint32_t alone = 0;
             if (above_[a].compare_exchange_weak(alone, a - b, std::memory_order_relaxed))
                 return true;
         }
     }
-    // The least number of i's set; while others join, of a part of it.
+    // The least number in the set of i. While other threads join, it may be that of a subset.
     std::uint32_t least(std::uint32_t i) noexcept {
         for (;;) {
             const std::uint32_t step = above_[i].load(std::memory_order_relaxed);
             if (step == 0) return i;
             const std::uint32_t next = above_[i - step].load(std::memory_order_relaxed);
-            // Shortens the way for later calls. If another thread did so first, that serves as
-            // well.
+            // Path halving. If another thread has changed the entry, its value serves as well.
             std::uint32_t seen = step;
             if (next != 0)
                 above_[i].compare_exchange_weak(seen, step + next, std::memory_order_relaxed);
@@ -42,7 +41,7 @@ class DisjointSets {
     }
 
   private:
-    // How far each number lies above one of lower number in its set; 0 for the least.
+    // The difference of each number to its parent, a lower number in its set; 0 for the root.
     AtomicArray<std::uint32_t> above_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An object for each member of a team.
+// One object for each thread of a team.
 #pragma once
 
 #include "parallel/team.hpp"

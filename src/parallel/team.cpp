@@ -19,14 +19,15 @@
 namespace mgdt {
 namespace {
 
-// Threads inherit the mask: signals stay with the host's own threads.
+// Blocks signals while threads are created, which inherit the mask: signals go to the host's
+// threads.
 class SignalsBlocked {
   public:
 #if defined(__unix__)
     SignalsBlocked() noexcept {
         sigset_t all;
         sigfillset(&all);
-        // What the thread itself does wrong is its own affair.
+        // Signals that a faulty instruction raises stay with the thread.
         for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP}) sigdelset(&all, own);
         pthread_sigmask(SIG_SETMASK, &all, &before_);
     }
@@ -54,11 +55,11 @@ struct Team::Crew {
     std::condition_variable begin, end;
     const FunctionRef<void(unsigned)>* body = nullptr;
     unsigned long long turn = 0;  // counts the calls of start()
-    unsigned members = 0;         // of this turn
-    unsigned busy = 0;            // members that have not finished, but for the calling thread
+    unsigned members = 0;         // that take part in this turn
+    unsigned busy = 0;            // of these, those that have not finished; without member 0
     bool is_over = false;
     std::exception_ptr failure;
-    unsigned failed = most;  // member whose failure that is
+    unsigned failed = most;  // the member that threw `failure`
 };
 
 void Team::assemble(unsigned size) {
@@ -73,7 +74,7 @@ void Team::assemble(unsigned size) {
             ++size_;
         }
     } catch (const std::system_error&) {
-        // The system has no more: fewer will do.
+        // The system refuses more threads: go on with fewer.
     } catch (const std::bad_alloc&) {
     }
 }

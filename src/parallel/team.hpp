@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A team of threads that lives as long as one call of the library: the calling thread is its first
-// member, the others are joined before the call returns, so nothing is left running for a host
-// that forks, unloads the library or has its own threads.
+// A team of threads that lives as long as one call of the library. The calling thread is its first
+// member; the others are joined before the call returns. So no thread remains when the host forks
+// or unloads the library.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace mgdt {
 
-// Stands for callables of one kind without owning or allocating anything.
+// A non-owning reference to a callable.
 template <class Signature>
 class FunctionRef;
 template <class... Arguments>
@@ -30,10 +30,11 @@ class FunctionRef<void(Arguments...)> {
 
 class Team {
   public:
-    // The most members that a team has: owners of blocks are numbered in a byte.
+    // The largest team. Owners of blocks are numbered in a byte.
     static constexpr unsigned most = 254;
 
-    // Of `size` members, or fewer if the system refuses threads. A team of one costs nothing.
+    // A team of `size` members, or of fewer if the system refuses threads. A team of one has no
+    // overhead.
     explicit Team(unsigned size = 1) {
         if (size > 1) assemble(size);
     }
@@ -45,8 +46,8 @@ class Team {
 
     unsigned size() const noexcept { return size_; }
 
-    // Runs body(member) on the first `members` members, 0 on the calling thread, and waits for all
-    // of them. What the first of them threw, if any did, is thrown here.
+    // Runs body(member) on the first `members` members, member 0 on the calling thread, and waits
+    // for all. If members throw, the exception of the first one is thrown here.
     template <class Body>
     void run(unsigned members, Body&& body) {
         if (members <= 1 || size_ == 1)
@@ -55,15 +56,15 @@ class Team {
             start(members < size_ ? members : size_, FunctionRef<void(unsigned)>(body));
     }
 
-    // How many members it takes for `work` of which one should have `min_items_per_thread` at
-    // least.
+    // The number of members for `work` items, if each should have at least `min_items_per_thread`.
     unsigned members_for(std::size_t work, std::size_t min_items_per_thread) const noexcept {
         const std::size_t wanted = work / min_items_per_thread;
         return wanted >= size_ ? size_ : wanted > 1 ? static_cast<unsigned>(wanted) : 1;
     }
 
-    // Runs body(begin, end, member) on ranges that divide 0..n-1 evenly and ascend with the member;
-    // all of it on the calling thread if there is less than `min_items_per_thread` for each.
+    // Divides 0..n-1 into consecutive ranges of about equal size, and runs body(begin, end, member)
+    // on each. Each range has at least `min_items_per_thread` items, or the calling thread runs
+    // all.
     template <class Body>
     void split(std::size_t n, std::size_t min_items_per_thread, Body&& body) {
         const unsigned members = members_for(n, min_items_per_thread);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A counting sort by a team: the same result, whatever its size.
+// A stable counting sort by a team. The result does not depend on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -10,23 +10,25 @@
 
 namespace mgdt {
 
-// Puts what items give into lists by key, each list in the order of the items.
+// Each of `items` items yields values with keys. This sorts the values into one list per key, in
+// which they have the order of the items.
 //
-// each(begin, end, f) calls f(key, value...) for all that items begin..end-1 give, in order, fewer
-// than 2^32 times in all; it is called twice, the members of the team side by side for at least
-// `min_items_per_thread` items each. In between, make_room(size) hears how many there are.
-// put(position, value...) stores one. List k of `keys` comes to be at positions ends[k] to ends[k +
-// 1] - 1; ends has room for keys + 1 numbers.
+// each(begin, end, f) calls f(key, value...) for every value of items begin..end-1, in their order;
+// there are fewer than 2^32 values. It is called twice for each item: to count, and to store.
+// Members of the team call it at the same time, for at least `min_items_per_thread` items each. In
+// between, make_room(size) is told the number of values. put(position, value...) stores a value.
+// List k is at positions ends[k] to ends[k + 1] - 1; `ends` has keys + 1 elements.
 template <class Int, class Each, class MakeRoom, class Put>
 void make_lists(Team& team, Allocator& allocator, std::size_t items,
                 std::size_t min_items_per_thread, std::size_t keys, Int* ends, Each each,
                 MakeRoom make_room, Put put) {
     ends[0] = 0;
-    // A member has a count for each key: more members would take more memory than they save time.
+    // Each member has a counter per key: with more members, memory would grow more than time
+    // shrinks.
     constexpr unsigned most_members = 16;
     const unsigned members = std::min(most_members, team.members_for(items, min_items_per_thread));
     if (members == 1) {
-        // ends[k + 1] counts list k, then is its beginning, and moves to its end.
+        // ends[k + 1] is first the length of list k, then its beginning, which moves to its end.
         std::fill_n(ends + 1, keys, Int{0});
         each(std::size_t{0}, items, [&](std::size_t key, const auto&...) { ++ends[key + 1]; });
         Int sum = 0;
@@ -41,7 +43,7 @@ void make_lists(Team& team, Allocator& allocator, std::size_t items,
         });
         return;
     }
-    // Each member's counts on cache lines of their own.
+    // The counters of each member are on cache lines of their own.
     constexpr std::size_t line = 64 / sizeof(std::uint32_t);
     const std::size_t row = (keys + line - 1) / line * line;
     Buffer<std::uint32_t> next(allocator, members * row);
@@ -54,7 +56,8 @@ void make_lists(Team& team, Allocator& allocator, std::size_t items,
         std::fill_n(count, keys, 0u);
         each_of(m, [&](std::size_t key, const auto&...) { ++count[key]; });
     });
-    // The members share the keys for the sums: where each one's part of each list begins.
+    // Prefix sums, for which the members divide the keys: where the part of each member in each
+    // list begins.
     const auto first_key = [&](unsigned m) { return Team::part(keys, m, members); };
     std::uint32_t sums[most_members + 1] = {};
     team.run(members, [&](unsigned part) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Work in a row, dealt to the members of a team so that each goes along its own part, and takes
-// from the end of another's when its own is done.
+// A work-stealing queue over a range of items. Each member of a team goes through its own part from
+// the beginning; when it is done, it steals from the end of another member's part.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@ class WorkQueue {
   public:
     struct Piece {
         std::size_t begin, end;
-        bool is_stolen;  // from the end of another member's part, so the next one lies before it
+        bool is_stolen;  // from the end of another part, so the next piece comes before this one
     };
 
-    // Empty, for at most `most_members` members.
+    // An empty queue for at most `most_members` members.
     WorkQueue(Allocator& allocator, unsigned most_members)
         : ends_(allocator, std::size_t{stride} * most_members) {}
 
-    // Items 0..n-1 in pieces of `size`, while no member takes any.
+    // Fills the queue with items 0..n-1 in pieces of `size`. No member may take pieces meanwhile.
     void deal(std::size_t n, std::size_t size, unsigned members) noexcept {
         n_ = n;
         size_ = size;
@@ -32,8 +32,8 @@ class WorkQueue {
                           std::memory_order_relaxed);
     }
 
-    // The next piece for a member; false if there is none. `from` is the member that it took from
-    // last, itself at first.
+    // Takes the next piece for a member. Returns false if there is none. `from` is the member whose
+    // part the last piece was from; initially the member itself.
     bool next(unsigned member, unsigned& from, Piece& piece) noexcept {
         for (;;) {
             std::size_t k;
@@ -42,7 +42,7 @@ class WorkQueue {
                          from != member};
                 return true;
             }
-            // The member with the most left.
+            // Steal from the member with the most pieces left.
             std::size_t most = 0;
             for (unsigned m = 0; m < members_; ++m) {
                 const std::size_t left = size_of(ends(m).load(std::memory_order_relaxed));
@@ -56,7 +56,7 @@ class WorkQueue {
     }
 
   private:
-    // First and past the last, so that both change at once.
+    // The first piece and the end in one word, so that both change atomically.
     static std::uint64_t pack(std::size_t first, std::size_t end) noexcept {
         return static_cast<std::uint64_t>(first) << 32 | end;
     }
@@ -89,7 +89,7 @@ class WorkQueue {
         return true;
     }
 
-    // Of each member's part, on a cache line of its own.
+    // The word of each member is on a cache line of its own.
     static constexpr unsigned stride = 64 / sizeof(std::uint64_t);
     Atomic<std::uint64_t>& ends(unsigned member) noexcept {
         return ends_[std::size_t{stride} * member];
