@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sorts records of indices, the first of which differ: buckets by the first, which is linear, and
-// within a bucket there are few.
+// Sorts records of indices. Records are distributed into buckets by their first index in linear
+// time; few records share a bucket, so sorting the buckets is cheap.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 
 namespace mgdt {
 
-// each(begin, end, f) calls f(first, value) for the records that items begin..end-1 give, the
-// firsts below `firsts`; it is called twice. sorted(first, place, value) is called for all of them,
-// place counting from 0 in sorted order, by the members of the team side by side.
+// each(begin, end, f) calls f(first, value) for the records of items begin..end-1, where `first` is
+// less than `firsts`; it is called twice for each item. Then sorted(first, place, value) is called
+// for every record, with its position in sorted order, by several threads at the same time.
 template <class Value, class Each, class Sorted>
 void canonical_sort(Team& team, Allocator& allocator, std::size_t items,
                     std::size_t min_items_per_thread, std::size_t firsts, Each each,

@@ -32,8 +32,8 @@ void Checker::run(std::int32_t level) const {
     if (level >= MGDT_CHECK_CANONICAL) hull();
 }
 
-// Every point given is in the map, at a vertex whose index is the least of its points, or is not
-// in. As many are in as the statistics say.
+// Each point is mapped to a vertex whose index is the least of its points, or is not in. The
+// statistics have the right number of points.
 void Checker::points() const {
     const Buffer<VertexId>& map = input_.point_map;
     const std::size_t vertices = mesh_.vertices.size();
@@ -62,8 +62,8 @@ void Checker::points() const {
              static_cast<unsigned long long>(input_.duplicates));
 }
 
-// There are tetrahedra if the points span space, the free slots are the dead ones, and what is
-// stored fits the room.
+// There are tetrahedra if the points span space, the free slots are the dead tetrahedra, and sizes
+// do not exceed capacities.
 void Checker::stores() const {
     const std::size_t slots = mesh_.tetrahedra.size();
     if (slots > max_tetrahedra || mesh_.slot_limit > max_tetrahedra ||
@@ -73,7 +73,8 @@ void Checker::stores() const {
         (input_.dimension == 3) != (mesh_.live_count() != 0))
         fail(MGDT_ERR_CHECK_FAILED, "%zu tetrahedra in dimension %d", mesh_.live_count(),
              input_.dimension);
-    // As many free slots as dead tetrahedra, so it is enough that each is dead and there once.
+    // There are as many free slots as dead tetrahedra, so it suffices that each free slot is dead
+    // and listed once.
     Buffer<std::uint64_t> seen(allocator_);
     seen.resize(slots / 64 + 1, 0);
     for (const TetId t : mesh_.free_slots) {
@@ -98,7 +99,8 @@ void Checker::stores() const {
              live.load(), ghosts.load(), mesh_.live_count(), mesh_.ghost_count);
 }
 
-// Vertices exist, differ, and each is used; spheres of ghosts are marked as such.
+// The vertices of a tetrahedron exist and differ, each vertex is used, and the spheres of ghosts
+// are marked as such.
 void Checker::records() const {
     const std::size_t vertices = mesh_.vertices.size();
     AtomicArray<bool> is_used(allocator_, vertices);
@@ -125,7 +127,7 @@ void Checker::records() const {
     });
 }
 
-// Where walks and passes start.
+// The tetrahedra where walks and traversals start are valid.
 void Checker::hints() const {
     const std::size_t slots = mesh_.tetrahedra.size();
     const auto is_live = [&](TetId t) { return t < slots && !tet(t).is_dead(); };
@@ -138,7 +140,7 @@ void Checker::hints() const {
     if (mesh_.vertex_hint.size() != mesh_.vertices.size())
         fail(MGDT_ERR_CHECK_FAILED, "there are %zu slots near %zu vertices",
              mesh_.vertex_hint.size(), mesh_.vertices.size());
-    // Any slot is near enough: it may have been used anew since.
+    // Any slot will do: it may have been reused since.
     for_each_vertex([&](VertexId v) {
         if (mesh_.vertex_hint[v] >= slots)
             fail(MGDT_ERR_CHECK_FAILED, "the tetrahedron near point %lld does not exist", index(v));
@@ -147,7 +149,7 @@ void Checker::hints() const {
         fail(MGDT_ERR_CHECK_FAILED, "the location tree is broken");
 }
 
-// Neighbours point at each other and share the facet, with opposite orientation.
+// Neighbours refer to each other and share the facet, with opposite orientations.
 void Checker::adjacency() const {
     for_each_live([&](TetId id) {
         const Tetrahedron& t = tet(id);
@@ -160,7 +162,7 @@ void Checker::adjacency() const {
                 reject(id, "a neighbour does not return the adjacency");
             if (mesh_.guards_agree && t.v[f == 0] != tet(m).v[g == 0])
                 reject(id, "a shared facet has different newest vertices");
-            // Seen from m the facet turns the other way.
+            // Seen from m, the facet has the opposite orientation.
             VertexId mine[3], theirs[3];
             for (int i = 0; i < 3; ++i) {
                 mine[i] = t.v[outer_face[f][i]];
@@ -172,7 +174,7 @@ void Checker::adjacency() const {
     });
 }
 
-// From each tetrahedron there is a way to every other, through facets.
+// The tetrahedra are connected through facets.
 void Checker::connection() const {
     DisjointSets sets(allocator_, mesh_.tetrahedra.size());
     for_each_live([&](TetId id) {
@@ -185,14 +187,15 @@ void Checker::connection() const {
     });
 }
 
-// Around every edge tetrahedra follow one another in a ring. There are V + T rings, the Euler
-// characteristic of a closed manifold. An edge is counted at the ring's least tetrahedron.
+// The tetrahedra around an edge form a ring. There are V + T rings, as the Euler characteristic of
+// a closed manifold demands. A ring is counted at its least tetrahedron.
 void Checker::edges() const {
-    // Of the ring around the edge that facets c and d of it share.
+    // Whether `id` is the least tetrahedron of the ring around the edge that its facets c and d
+    // share.
     const auto is_least = [&](TetId id, int c, int d) {
         const Tetrahedron& first = tet(id);
         if (tetrahedron_of(first.n[c]) < id || tetrahedron_of(first.n[d]) < id) return false;
-        // Through facet c, and so on: adjacency leads on and at last back.
+        // Adjacency was checked before, so the way through facet c leads back in the end.
         VertexId behind = first.v[d];
         FacetCode code = first.n[c];
         while (tetrahedron_of(code) > id) {

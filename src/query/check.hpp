@@ -11,21 +11,21 @@
 
 namespace mgdt {
 
-// What a triangulation says of itself.
+// The state of a triangulation that the check verifies.
 struct CheckInput {
     const Mesh& mesh;
     const Buffer<VertexId>& point_map;
     int dimension;
     std::uint64_t points_inserted, duplicates;
     ExponentRange exponents;   // of the caller's coordinates
-    bool exponents_are_wide;   // they are of coordinates that are gone too
+    bool exponents_are_wide;   // `exponents` includes coordinates of points that are gone
     TetId last;                // where the next walk starts
     const LocationTree* tree;  // if there is one
 };
 
 // Throws MGDT_ERR_CHECK_FAILED with a message that says what is wrong and where. `level` is an
-// MGDT_CHECK_ value; `base` numbers points in messages. Nothing in the mesh is followed before it
-// is known to lead somewhere.
+// MGDT_CHECK_ value; `base` numbers points in messages. Every index in the mesh is checked before
+// it is used.
 void check_triangulation(Team& team, const CheckInput& input, Allocator& allocator,
                          std::int32_t level, std::int32_t base);
 

@@ -23,7 +23,7 @@ struct Corners {
 
 }  // namespace
 
-// Coordinates are finite, and without the scale they have the exponents of those given.
+// Coordinates are finite, and without the scale they have the exponents of the points given.
 void Checker::coordinates() const {
     const int scale = mesh_.scale;
     if (scale < -2200 || scale > 2200)
@@ -54,7 +54,7 @@ void Checker::coordinates() const {
     });
     if (has_extremes && !mesh_.has_extremes)
         fail(MGDT_ERR_CHECK_FAILED, "coordinates are outside the filters' range, unnoticed");
-    // Points that are not in count among those given.
+    // The exponents of points that are not in are included, too.
     const ExponentRange& given = input_.exponents;
     const bool all_in = !input_.exponents_are_wide &&
                         input_.points_inserted + input_.duplicates == input_.point_map.size();
@@ -67,7 +67,8 @@ void Checker::coordinates() const {
             scale, all.highest, all.lowest_bit, given.highest, given.lowest_bit);
 }
 
-// Points that are held because they do not span space: they differ, and span what they should.
+// Points that are held since they do not span space are distinct, and span the dimension that is
+// recorded.
 void Checker::degenerate() const {
     Buffer<VertexId> order(allocator_, mesh_.vertices.size() - 1);
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<VertexId>(i + 1);
@@ -90,9 +91,9 @@ void Checker::degenerate() const {
              input_.dimension);
 }
 
-// Exact positive orientation, and at every facet between two tetrahedra the vertex opposite is not
-// inside the circumsphere; if it is on it, the perturbation must not put it inside. That is the
-// same from both sides, so one is asked.
+// Tetrahedra are positively oriented. At each facet between two tetrahedra, the opposite vertex is
+// not inside the circumsphere; if it is on the sphere, the perturbation does not put it inside. The
+// test gives the same answer from both sides of a facet, so one side is tested.
 void Checker::delaunay(bool canonical) const {
     for_each_live([&](TetId id) {
         const Tetrahedron& t = tet(id);
@@ -112,7 +113,7 @@ void Checker::delaunay(bool canonical) const {
     });
 }
 
-// What decides most questions of insertions and locations is as near the truth as it says.
+// The error of each stored sphere is within its bound.
 void Checker::spheres() const {
     if (!mesh_.tetrahedra.has_spheres()) return;
     for_each_live([&](TetId id) {
@@ -123,8 +124,8 @@ void Checker::spheres() const {
     });
 }
 
-// A point inside a tetrahedron is in no other and sees all hull facets from within, and the hull is
-// nowhere concave.
+// The hull is convex at every edge, and a point inside one tetrahedron is on the inner side of all
+// hull facets and in no other tetrahedron.
 void Checker::hull() const {
     const TetId home = tetrahedron_of(tet(mesh_.a_ghost).n[tet(mesh_.a_ghost).infinite_slot()]);
     const InteriorPoint inside = Corners(mesh_, tet(home)).interior_point();
@@ -137,7 +138,7 @@ void Checker::hull() const {
         }
         const int slot = t.infinite_slot();
         const unsigned char* const face = outer_face[slot];
-        // (q, a, b, c) is positive for q inside, so (a, b, c, q) is not.
+        // (q, a, b, c) is positively oriented for q inside, so (a, b, c, q) is negatively oriented.
         if (inside.orientation_from(c.p[face[0]], c.p[face[1]], c.p[face[2]]) >= 0)
             reject(id, "the hull facet is seen from outside by a point inside");
         for (int i = 0; i < 4; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the parts of the check have in common.
+// The class of the check, whose functions are in check.cpp and check_geometry.cpp.
 #pragma once
 
 #include "platform/error.hpp"
@@ -15,7 +15,7 @@ class Checker {
     void run(std::int32_t level) const;
 
   private:
-    // check.cpp: indices and counts. Each relies on those before it.
+    // In check.cpp: indices and counts. Each function relies on those before it.
     void points() const;
     void stores() const;
     void records() const;
@@ -23,7 +23,7 @@ class Checker {
     void adjacency() const;
     void connection() const;
     void edges() const;
-    // check_geometry.cpp: places, by exact arithmetic.
+    // In check_geometry.cpp: coordinates, by exact arithmetic.
     void coordinates() const;
     void degenerate() const;
     void delaunay(bool canonical) const;
@@ -35,7 +35,7 @@ class Checker {
         if (v == infinite_vertex || v >= mesh_.vertices.size()) return -1;
         return static_cast<long long>(mesh_.vertices[v].index) + base_;
     }
-    // On all threads side by side.
+    // Calls f(t) for each live tetrahedron, on all threads at the same time.
     template <class F>
     void for_each_live(F f) const {
         team_.split(mesh_.tetrahedra.size(), 16384,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The edges of the tetrahedra as lists by one of their ends.
+// The edges of the tetrahedra, as one list for each vertex.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace mgdt {
 // Edge e of a tetrahedron joins its vertices edge_ends[e][0] and [1].
 inline constexpr unsigned char edge_ends[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
-// For each set of faces, a bit each, the edges that lie in two of them, a bit each. An edge lies in
-// the two faces opposite the vertices that it does not join.
+// A table: for each set of faces, the set of edges that lie in two of them. Sets are bit masks. An
+// edge lies in the two faces that are opposite the vertices that it does not join.
 struct EdgesBetween {
     unsigned char of_faces[16] = {};
     constexpr EdgesBetween() {
@@ -29,7 +29,7 @@ struct EdgesBetween {
 };
 inline constexpr EdgesBetween edges_between;
 
-// The edges of the face opposite a vertex: those that lie in it and in another one.
+// The edges of a face: those that lie in it and in another face.
 constexpr unsigned edges_of_face(unsigned face) {
     unsigned edges = 0;
     for (unsigned other = 0; other < 4; ++other)
@@ -37,8 +37,8 @@ constexpr unsigned edges_of_face(unsigned face) {
     return edges;
 }
 
-// The edges that this tetrahedron lists, so that each is listed once: those where both of its
-// neighbours are in later slots. None that end at infinity.
+// The edges that a tetrahedron emits: those at which both adjacent tetrahedra are in later slots.
+// Edges to the vertex at infinity are left out.
 inline unsigned owned_edges(const Tetrahedron& t, TetId id) {
     if (t.is_dead()) return 0;
     unsigned later = 0;
@@ -47,10 +47,9 @@ inline unsigned owned_edges(const Tetrahedron& t, TetId id) {
     return t.is_ghost() ? edges & edges_of_face(static_cast<unsigned>(t.infinite_slot())) : edges;
 }
 
-// Calls f(a, b) for edges of the tetrahedra in slots begin..end-1, a and b being the names of their
-// ends. A tetrahedron emits those of its edges at which both neighbours are in later slots. The
-// tetrahedron in the first slot around an edge is always one, and few others are: each edge is
-// emitted, hardly ever more than once. No tetrahedron needs another record than its own.
+// Calls f(a, b) for edges of the tetrahedra in slots begin..end-1, where a and b are the names of
+// the ends. The tetrahedron in the first slot around an edge always emits it, and others rarely do:
+// so every edge is emitted, and few edges twice. Only the record of the tetrahedron itself is read.
 template <class Name, class F>
 void for_each_edge(const Mesh& mesh, std::size_t begin, std::size_t end, Name name, F f) {
     constexpr std::size_t ahead = 32;
@@ -64,7 +63,7 @@ void for_each_edge(const Mesh& mesh, std::size_t begin, std::size_t end, Name na
     }
 }
 
-// As `each` of an EdgeLists: each edge from the lesser name of its two ends.
+// An `each` for EdgeLists that emits each edge from the lesser of the names of its ends.
 template <class Name>
 auto edges_from_lesser(const Mesh& mesh, Name name) {
     return [&mesh, name](std::size_t begin, std::size_t end, auto f) {
@@ -73,10 +72,10 @@ auto edges_from_lesser(const Mesh& mesh, Name name) {
     };
 }
 
-// For each of `keys` names those that edges join it to, ascending, each once.
+// For each of `keys` names the sorted list of the names that edges join it to, without repeats.
 class EdgeLists {
   public:
-    // each(begin, end, f) calls f(key, other) for what the slots begin..end-1 give.
+    // each(begin, end, f) calls f(key, other) for the edges that slots begin..end-1 emit.
     template <class Each>
     EdgeLists(const ExportView& view, std::size_t keys, Each each)
         : team_(view.team),
@@ -98,7 +97,7 @@ class EdgeLists {
         });
     }
 
-    // Takes out what is in the lists of the same names.
+    // Removes from each list the members of the other's list of the same name.
     void subtract(const EdgeLists& other) {
         set_sizes([&](std::size_t k) {
             std::uint32_t* const first = others_.begin() + ends_[k];
@@ -113,11 +112,11 @@ class EdgeLists {
         });
     }
 
-    // Members of all lists.
+    // The number of members of all lists.
     std::size_t size() const noexcept { return place_of_[Team::most]; }
 
-    // Calls write(key, place, others, size) for the list of each key, which is written from `place`
-    // on among all members, the threads side by side.
+    // Calls write(key, place, others, size) for the list of each key, on several threads at the
+    // same time. The list begins at position `place` of the concatenation of all lists.
     template <class Write>
     void write(Write write) const {
         team_.split(keys_, keys_a_thread, [&](std::size_t begin, std::size_t end, unsigned m) {
@@ -130,8 +129,8 @@ class EdgeLists {
     }
 
   private:
-    // Positions in the lists have 32 bits. The records that emit an edge are at most half of those
-    // around it, so that slots emit fewer than six edges each, from both ends, on the average.
+    // Positions in the lists have 32 bits. At most half of the tetrahedra around an edge emit it,
+    // so a slot emits fewer than six entries, counted at both ends, on the average.
     template <class Each>
     static void require_few(std::size_t slots, Each each) {
         constexpr std::uint64_t most = 0xFFFFFFFFu;
@@ -161,7 +160,7 @@ class EdgeLists {
     Team& team_;
     std::size_t keys_;
     Buffer<std::uint32_t> ends_, others_, sizes_;
-    std::size_t place_of_[Team::most + 1] = {};  // where the first list of each thread is written
+    std::size_t place_of_[Team::most + 1] = {};  // the position of the first list of each thread
 };
 
 }  // namespace mgdt

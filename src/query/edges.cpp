@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The edges, and the neighbours that they join each vertex to.
+// Exports the edges, and the neighbours of each vertex.
 #include <algorithm>
 #include <cstdint>
 
@@ -9,7 +9,7 @@
 
 namespace mgdt {
 
-// Sorted by their ends, by the caller's indices or else by vertices.
+// Edges are sorted by their ends: by the caller's indices, or by vertex numbers.
 template <class Int>
 void export_edges(const ExportView& view, Int* out) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);

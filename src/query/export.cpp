@@ -12,7 +12,7 @@
 namespace mgdt {
 namespace {
 
-// The indices where a few are wanted.
+// Looks up the index of a vertex in its record, for exports of few indices.
 struct IndicesInPlace {
     const Mesh& mesh;
     std::uint32_t operator[](VertexId v) const { return mesh.vertices[v].index; }
@@ -30,15 +30,16 @@ void export_places(const ExportView& view, const Tetrahedron& t, unsigned places
 
 namespace {
 
-// Four values at a time. Those of large arrays go past the cache where that can be: they are not
-// read here, and fetching the lines first would cost as much again.
+// Writes rows of four values. Rows of large arrays are written by non-temporal stores where the
+// processor has them: the rows are not read again here, and fetching their cache lines first would
+// double the traffic.
 template <class Int>
 class Rows {
   public:
     Rows(Int* out, bool is_large)
         : out_(out),
           streams_(is_large && reinterpret_cast<std::uintptr_t>(out) % streaming_alignment == 0) {}
-    // Once a thread, after its last row.
+    // Each thread calls this once, after its last row.
     static void finish() { finish_streaming(); }
 
     void add(Int a, Int b, Int c, Int d) {
@@ -58,22 +59,22 @@ class Rows {
     const bool streams_;
 };
 
-// Stretches of the numbering that a thread should have at least.
+// The least number of stretches per thread.
 constexpr std::size_t stretches_a_thread = 1024;
-// Bytes of an array that a cache will not hold beside what it is written from.
+// From this size on, an array does not fit into the cache beside its source.
 constexpr std::size_t large_array = std::size_t{1} << 20;
-// Records between one that is read and one that is asked for.
+// The prefetch distance, in records.
 constexpr std::size_t ahead = 32;
 
-// Writes row(t, place) of each finite tetrahedron at its number, the threads side by side. They are
-// read in the order of storage; canonical rows may be written anywhere.
+// Writes row(t, place) of each finite tetrahedron at the position of its number, on all threads.
+// Tetrahedra are read in the order of storage; canonical rows are written in another order.
 template <bool with_spheres, class Int, class Indices, class Row>
 void export_rows(const ExportView& view, const Indices& indices, Int* out, const Row& shared) {
     const Numbering& numbering = *view.numbering;
     const bool is_large = view.mesh.finite_count() >= large_array / (4 * sizeof(Int));
     const auto write = [&](std::size_t begin, std::size_t end, unsigned) {
         if (begin == end) return;
-        // Copies, which a loop that writes past the type system may keep in registers.
+        // Local copies stay in registers, although the loop writes memory of any type.
         const auto tetrahedra = view.mesh.tetrahedra.view<with_spheres>();
         const Row row = shared;
         if (view.canonical) {
@@ -85,8 +86,8 @@ void export_rows(const ExportView& view, const Indices& indices, Int* out, const
                 for (unsigned i = 0; i < 4; ++i) out[4 * number + i] = row(t, places[i]);
             });
         } else {
-            // A loop of its own for each run: with the end of `out` anywhere but in a register, or
-            // a call for each row, half of the time would go there.
+            // One loop per run: if the end of `out` were not in a register, or a function were
+            // called per row, the export would take twice as long.
             numbering.for_each_run(begin, end, [&](TetId first, TetId last, std::size_t number) {
                 Rows<Int> rows(out + 4 * number, is_large);
                 for (TetId id = first; id < last; ++id) {
@@ -108,7 +109,7 @@ void export_rows(const ExportView& view, const Indices& indices, Int* out, const
         export_rows<false>(view, indices, out, row);
 }
 
-// The ghosts, ascending: sorted by way of a bit for each slot.
+// The ghosts in ascending order, sorted by means of a bitmap of the slots.
 Buffer<TetId> ghosts_by_slot(const ExportView& view) {
     const std::size_t words = view.mesh.tetrahedra.size() / 64 + 1;
     Buffer<std::uint64_t> bits(view.allocator);
@@ -126,7 +127,7 @@ Buffer<TetId> ghosts_by_slot(const ExportView& view) {
     return ghosts;
 }
 
-// In line wherever they stand: a call costs a quarter of the export.
+// Inlined everywhere: a call would take a quarter of the export's time.
 template <class Int>
 struct VertexIndex {
     MGDT_ALWAYS_INLINE Int operator()(const Tetrahedron& t, unsigned i) const {
@@ -151,8 +152,8 @@ struct HullFacet {
     }
 };
 
-// From the least index on, counter-clockwise seen from outside: (q, a, b, c) is positive for q
-// inside the hull.
+// The vertices of a hull facet, counter-clockwise as seen from outside, the least index first:
+// (q, a, b, c) is positively oriented for q inside the hull.
 HullFacet hull_facet(const Mesh& mesh, TetId ghost) {
     const Tetrahedron& t = mesh.tetrahedra[ghost];
     const unsigned char* const face = outer_face[t.infinite_slot()];
@@ -253,7 +254,7 @@ void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* o
     make_lists(
         view.team, view.allocator, numbering.stretches(), stretches_a_thread, points, offsets, each,
         [](std::size_t) {}, [&](std::size_t place, Int number) { list[place] = number; });
-    // Canonical numbers do not ascend along the storage.
+    // In the order of storage, canonical numbers do not ascend.
     constexpr std::size_t min_items_per_thread = 16384;
     if (numbering.is_canonical())
         view.team.split(points, min_items_per_thread,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arrays of indices for the caller. Int is std::int64_t or std::int32_t; capacities have been
-// checked and indices fit.
+// Writes arrays of indices for the caller. Int is std::int64_t or std::int32_t. The caller has
+// checked capacities, and that indices fit.
 #pragma once
 
 #include "parallel/team.hpp"
@@ -11,7 +11,7 @@ namespace mgdt {
 struct ExportView {
     Team& team;
     const Mesh& mesh;
-    const Numbering* numbering;  // may be missing where no tetrahedra are numbered
+    const Numbering* numbering;  // nullptr if the export needs no numbers of tetrahedra
     Allocator& allocator;
     std::int32_t base;
     bool canonical;
@@ -32,11 +32,11 @@ void export_point_map(const ExportView& view, const Buffer<VertexId>& point_map,
 template <class Int>
 void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* offsets, Int* list);
 
-// Of each tetrahedron the centre of its circumsphere, and the square of the radius unless that is
-// NULL.
+// The centre of the circumsphere of each tetrahedron, and the square of its radius unless `radius2`
+// is null.
 void export_circumcenters(const ExportView& view, double* xyz, double* radius2);
 
-// Places of a tetrahedron's vertices in its exported record: as stored, or canonical.
+// The positions of a tetrahedron's vertices in its exported record: as stored, or canonical.
 void export_places(const ExportView& view, const Tetrahedron& t, unsigned places[4]);
 
 }  // namespace mgdt

@@ -40,7 +40,7 @@ int FlatHull::turn(const double* p, const double* q, const double* r) {
 }
 
 bool FlatHull::is_between(const double* p, const double* q, const double* r) const {
-    // Along a line, the order of coordinates is that of places.
+    // Along a line, points are in lexicographic order.
     return compare_lexicographic(p, q) * compare_lexicographic(q, r) >= 0;
 }
 
@@ -50,8 +50,8 @@ bool FlatHull::contains(const double* q) {
     if (dimension_ == 1)
         return collinear(span_[0], span_[1], q) && is_between(ends_[0], q, ends_[1]);
     if (orientation(span_[0], span_[1], span_[2], q) != 0) return false;
-    // The vertices seen so far lie, as seen from q, between the directions of `right` and `left`,
-    // which are less than half a turn apart. q is in the hull once that fails.
+    // As seen from q, all vertices so far lie in the angle from `right` to `left`, which is less
+    // than 180 degrees. When a vertex makes that impossible, q is in the hull.
     const double *right = nullptr, *left = nullptr;
     for (VertexId v = 1; v < mesh_.vertices.size(); ++v) {
         const double* const p = mesh_.point(v);
@@ -65,7 +65,7 @@ bool FlatHull::contains(const double* q) {
             (to_left == 0 && is_between(left, q, p)))
             return true;
         if (from_right >= 0 && to_left >= 0) continue;
-        // Beyond both ends: what is between them and p goes all around.
+        // p is beyond both ends of the angle, so the three surround q.
         if (from_right < 0 && to_left < 0) return true;
         (from_right < 0 ? right : left) = p;
     }

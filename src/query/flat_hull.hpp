@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The convex hull of vertices that are all at one place, on one line or in one plane.
+// The convex hull of vertices that are all at one point, on one line or in one plane.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -9,16 +9,16 @@ namespace mgdt {
 
 class FlatHull {
   public:
-    // Of a mesh without tetrahedra, which stays as it is. Takes time in proportion to its vertices.
+    // The hull of the vertices of a mesh without tetrahedra. The mesh must outlive the hull. Linear
+    // in the number of vertices.
     FlatHull(const Mesh& mesh, Allocator& allocator);
 
-    // Whether the closed hull contains q, a place in the mesh's scale, exactly. In a plane it takes
-    // time in proportion to the vertices.
+    // Whether the closed hull contains q, which is in the mesh's scale. The answer is exact. In a
+    // plane, the test is linear in the number of vertices.
     bool contains(const double* q);
 
   private:
-    // Sign of the area of p, q, r in the direction of an axis along which the plane's normal has an
-    // extent.
+    // The orientation of p, q, r, projected along an axis that is not parallel to their plane.
     int turn(const double* p, const double* q, const double* r);
     // Whether q, on the line through p and r, is between them.
     bool is_between(const double* p, const double* q, const double* r) const;
@@ -27,7 +27,7 @@ class FlatHull {
     LongMemory memory_;
     int dimension_ = -1;
     const double* span_[3] = {};  // vertices that span the hull's line or plane
-    const double* ends_[2] = {};  // the first and last vertex in the order of coordinates
+    const double* ends_[2] = {};  // the lexicographically first and last vertex
     int axis_ = 0;
 };
 

@@ -15,7 +15,8 @@ EdgeLists all_edges(const ExportView& view, std::size_t points, const VertexIndi
                      edges_from_lesser(view.mesh, [&](VertexId v) { return indices[v]; }));
 }
 
-// Squared lengths are rounded five times, so sums of three of them have an error below 8 units.
+// A squared length is rounded five times, so a sum of three of them has an error below 8 units in
+// the last place.
 constexpr double least_length = 0x1p-900, most_length = 0x1p900, length_error = 16 * 0x1p-53;
 
 double rough_length(const double* a, const double* b) {
@@ -39,8 +40,8 @@ unsigned obtuse_corner(const double* const (&p)[3]) {
     return 3;
 }
 
-// The middle of an edge is nearest to its ends if it is in the face that is dual to the edge. Only
-// the other vertices of facets at the edge bound that: docs/theory.md, "Graphs of neighbours".
+// An edge is a Gabriel edge if its midpoint is in its dual Voronoi face. That face is bounded by
+// the other vertices of the facets at the edge: docs/theory.md, "Graphs of neighbours".
 EdgeLists gabriel_edges(const ExportView& view, std::size_t points) {
     const Mesh& mesh = view.mesh;
     const VertexIndices indices(view.team, mesh, view.allocator);
@@ -50,7 +51,7 @@ EdgeLists gabriel_edges(const ExportView& view, std::size_t points) {
             const Tetrahedron& t = mesh.tetrahedra[id];
             if (t.is_dead()) continue;
             for (unsigned face = 0; face < 4; ++face) {
-                // Each facet from the first of its two records.
+                // Visit each facet once, from the first of its two tetrahedra.
                 if (tetrahedron_of(t.n[face]) < id) continue;
                 if (t.is_ghost() && t.v[face] != infinite_vertex) continue;
                 const unsigned char* const corner = outer_face[face];
@@ -75,8 +76,8 @@ struct Length {
 
 }  // namespace
 
-// Kruskal's: the shortest edges first, unless their ends are joined already. All trees of least
-// length are among the edges of the tetrahedra.
+// Kruskal's algorithm: takes the edges by length, and skips those whose ends are connected already.
+// The edges of the tetrahedra contain every minimum spanning tree.
 Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexId>& point_map) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);
     Buffer<std::uint32_t> ends(view.allocator), tree(view.allocator);
@@ -97,7 +98,7 @@ Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexI
             }
         });
     }
-    // Edges are taken in the order of their ends where they are equally long.
+    // Edges of the same length are taken in the order of their ends.
     std::sort(lengths.begin(), lengths.end(), [&](const Length& a, const Length& b) {
         const double larger = std::fmax(a.square, b.square), difference = a.square - b.square;
         if (larger > least_length && larger < most_length &&

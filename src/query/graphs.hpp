@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Graphs of neighbours that the edges of the tetrahedra contain. Each is a set of edges, in the
-// order of the caller's indices, the lesser first; the same for the same points.
+// Proximity graphs, which are subsets of the edges of the tetrahedra. The result is the same for
+// the same points: edges are sorted by the caller's indices, and each has its lesser index first.
 #pragma once
 
 #include "query/edge_lists.hpp"
@@ -10,13 +10,12 @@ namespace mgdt {
 // The edges whose diametral sphere has no vertex inside.
 EdgeLists gabriel_edges(const ExportView& view, std::size_t points);
 
-// The corner of a triangle with an obtuse angle, which is inside the diametral sphere of the edge
-// opposite; 3 if there is none.
+// The corner of a triangle with an obtuse angle, or 3 if there is none. Such a corner is inside the
+// diametral sphere of the opposite edge.
 unsigned obtuse_corner(const double* const (&p)[3]);
 
-// A tree of least length that joins all vertices: of trees that are equally long the one whose
-// edges come first. point_map has the vertex of each point. The ends of each edge, one after the
-// other.
+// The Euclidean minimum spanning tree of all vertices, as two ends per edge. Among trees of the
+// same length it is the one whose edges come first. point_map has the vertex of each point.
 Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexId>& point_map);
 
 }  // namespace mgdt

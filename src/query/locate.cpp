@@ -65,7 +65,7 @@ TetId Locator::end(const double* q, const LocationWalk& walk, TetId& hint) const
     if (is_exact)
         hint = walk_exact(mesh, hint, p, unused, anywhere,
                           [&](VertexId v, double*) { return mesh.point(v); });
-    else  // it has no exact scaled place: walk on the caller's coordinates
+    else  // q has no exact coordinates in the mesh's scale: walk on the caller's coordinates
         hint = walk_exact(mesh, hint, q, unused, anywhere, [&](VertexId v, double* room) {
             unscaled(v, room);
             return static_cast<const double*>(room);

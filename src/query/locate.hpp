@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Point location and nearest vertices on a triangulation that is not changed meanwhile.
+// Point location and nearest vertices. The triangulation must not change meanwhile.
 #pragma once
 
 #include "kernel/kernel.hpp"
@@ -12,33 +12,35 @@ struct Locator {
     const KernelCalls& kernel;
     const LocationTree* tree;  // nullptr for a small mesh
 
-    // The finite tetrahedron whose closure contains q (unscaled), or no_tetrahedron outside the
-    // hull. The walk starts at `hint`, or where the tree says if there is none; `hint` becomes a
-    // tetrahedron near q, or for q outside a ghost that q is beyond: any such, if it
-    // `may_end_outside`.
+    // The finite tetrahedron whose closure contains q (in the caller's scale), or no_tetrahedron if
+    // q is outside the hull. The walk starts at `hint`, or where the tree says if the hint is
+    // no_tetrahedron. Then `hint` becomes a tetrahedron near q; if q is outside the hull, a ghost
+    // whose facet q sees. With `may_end_outside`, any such ghost ends the walk.
     TetId locate(const double* q, TetId& hint, bool may_end_outside = true) const;
-    // Locates n points, the k-th of them point_of(k), and calls found(k, tetrahedron, near) for
-    // each, in any order; `near` is what locate() makes of its hint. Several are on their way at a
-    // time, each stretch of the sequence from its own last place.
+    // Locates the points point_of(0) to point_of(n - 1), and calls found(k, tetrahedron, near) for
+    // each, in any order; `near` is the hint that locate() returns. Several walks are interleaved
+    // to hide memory latency: the sequence is divided into stretches, and each walk starts at the
+    // last point of its stretch.
     template <class PointOf, class Found>
     void locate_sequence(std::size_t n, bool may_end_outside, PointOf point_of, Found found) const;
     // Barycentric coordinates of q in the order of the tetrahedron's stored vertices.
     void weights(TetId t, const double* q, double (&w)[4]) const;
-    // The vertex nearest to q, the lowest index of several; infinite_vertex if there is none.
+    // The vertex nearest to q; of several, the one with the least index. infinite_vertex if there
+    // is none.
     VertexId nearest_vertex(const double* q, Allocator& allocator) const;
-    // The same from a tetrahedron near q, which only a mesh that has none does without.
+    // The same, starting at a tetrahedron near q; no_tetrahedron if the mesh has none.
     VertexId nearest_vertex(const double* q, TetId near, Allocator& allocator) const;
-    // A tetrahedron of vertex v, near whose hint there is one.
+    // A tetrahedron of vertex v, found from its hint.
     TetId tetrahedron_of(VertexId v) const;
-    // A vertex as the caller gave it.
+    // The coordinates of a vertex in the caller's scale.
     void unscaled(VertexId v, double* to) const;
-    // q in the mesh's scale; false if it has no exact place there, and `to` is rounded.
+    // Writes q in the mesh's scale. Returns false if the result is rounded.
     bool scale_exactly(const double* q, double* to) const;
 
   private:
-    // False if there are no steps to take.
+    // Begins a walk. Returns false if it has no steps.
     bool begin(const double* q, TetId hint, LocationWalk& walk) const;
-    // False if that was the last step.
+    // Takes a step. Returns false if it was the last.
     bool step(LocationWalk& walk) const {
         if (!kernel.locate_step(mesh, walk)) return false;
         constexpr std::size_t long_walk = 64;

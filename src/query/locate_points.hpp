@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Location and nearest vertices of many places, in threads. Int is std::int64_t or std::int32_t;
-// places are finite, and indices fit.
+// Location and nearest vertices of many query points, by several threads. Int is std::int64_t or
+// std::int32_t. The caller has checked that coordinates are finite and that indices fit.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 
 namespace mgdt {
 
-// With fewer places a thread does not pay.
+// A thread with fewer query points costs more than it gains.
 inline constexpr std::size_t places_per_thread = 4096;
 
-// Calls found(i, tetrahedron, near) for each place i, see Locator::locate_sequence(). Each
-// member of the team has its own `found`, which make_found(member) gives it.
+// Calls found(i, tetrahedron, near) for each query point i, see Locator::locate_sequence(). Each
+// thread has its own `found`, which make_found(member) returns.
 template <class MakeFound>
 void locate_each(const ExportView& view, const Locator& where, const PointSet& places,
                  bool may_end_outside, MakeFound make_found) {
@@ -26,7 +26,8 @@ void locate_each(const ExportView& view, const Locator& where, const PointSet& p
         make_found(0u)(0, found_in, near);
         return;
     }
-    // Along a curve each is near the one before. Blocks bound the memory that sorting takes.
+    // Sorted along a curve, each query point is near the previous one. Sorting in blocks limits the
+    // memory.
     constexpr std::size_t most = std::size_t{1} << 20;
     for (std::size_t begin = 0; begin < places.size; begin += most) {
         PointSet block = places;
@@ -45,7 +46,7 @@ void locate_each(const ExportView& view, const Locator& where, const PointSet& p
     }
 }
 
-// `places` lie one behind the other and have their own scale; `weights` may be nullptr.
+// `places` are contiguous, in the caller's scale. `weights` may be null.
 template <class Int>
 void locate_points(const ExportView& view, const Locator& where, const PointSet& places,
                    Int* tetrahedra, double* weights);

@@ -7,7 +7,7 @@
 namespace mgdt {
 namespace {
 
-// Where unused places of a leaf are.
+// The coordinate of unused entries of a leaf.
 constexpr float unused = std::numeric_limits<float>::infinity();
 
 double square_distance(const double* a, const double* b) {
@@ -15,9 +15,9 @@ double square_distance(const double* a, const double* b) {
     return x * x + y * y + z * z;
 }
 
-// Divides a range of two vertices or more along its longest extent, in the middle as far as that
-// keeps equal coordinates together: the other half of them would never be found. Neither part is
-// empty; the first coordinate of the second part is the least of it.
+// Splits a range of at least two vertices along its longest extent, near the median. Vertices with
+// the same coordinate go to the same part, since a descent could not find them otherwise. Neither
+// part is empty. The first vertex of the second part has its least coordinate.
 template <class Sample>
 Sample* divide(Sample* begin, Sample* end, std::uint32_t& axis) {
     double low[3], high[3];
@@ -40,10 +40,10 @@ Sample* divide(Sample* begin, Sample* end, std::uint32_t& axis) {
     if (split > low[axis])
         return std::partition(begin, middle,
                               [=, k = axis](const Sample& s) { return s.x[k] < split; });
-    // All before the middle are equal to it.
+    // All vertices before the median have its coordinate.
     Sample* const above =
         std::partition(middle, end, [=, k = axis](const Sample& s) { return s.x[k] == split; });
-    if (above == end) return middle;  // no two vertices are at one place
+    if (above == end) return middle;  // cannot be: vertices are distinct
     std::iter_swap(above, std::min_element(above, end, is_less));
     return above;
 }
@@ -55,8 +55,8 @@ LocationTree::LocationTree(Allocator& allocator, const Mesh& mesh, std::size_t e
     Buffer<Sample> samples(allocator, (end - 2) / stride + 1);
     for (std::size_t i = 0; i < samples.size(); ++i)
         samples[i] = sample(mesh, static_cast<VertexId>(1 + i * stride));
-    // Each leaf but an only one has at least half of what a new one may have, unless coordinates
-    // are equal.
+    // A leaf has at least half of the vertices that a new leaf may have, unless it is the only one,
+    // or coordinates are equal.
     const std::size_t most_leaves = 2 * samples.size() / most_in_new_leaf + 1;
     nodes_.reserve(most_leaves);
     leaves_.reserve(most_leaves);
@@ -94,12 +94,12 @@ LocationTree::Child LocationTree::build(Sample* begin, Sample* end) {
     return node_child(node);
 }
 
-// The leaf keeps the lower half.
+// The old leaf keeps the lower half.
 LocationTree::Child LocationTree::split_leaf(const Mesh& mesh, std::size_t leaf,
                                              const Sample& another) {
     Sample samples[most_in_leaf + 1];
     for (std::ptrdiff_t i = 0; i < most_in_leaf; ++i) {
-        // One that is no longer there is taken for the new one.
+        // A vertex that no longer exists is replaced by the new one.
         const VertexId v = leaves_[leaf].vertices[i];
         samples[i] = v < mesh.vertices.size() ? sample(mesh, v) : another;
     }
@@ -144,13 +144,13 @@ void LocationTree::add(const Mesh& mesh, const Sample& s) noexcept {
         nodes_.grow(nodes_.size() + 1);
         leaves_.grow(leaves_.size() + 1);
     } catch (const std::bad_alloc&) {
-        return;  // it serves without this vertex
+        return;  // the tree serves without this vertex
     }
     const Child made = split_leaf(mesh, index(child), s);
     (parent == none ? root_ : nodes_[parent].child[side]) = made;
 }
 
-// Each node and leaf is reached once: it is a tree.
+// Checks that each node and leaf is reached exactly once.
 bool LocationTree::is_sound(std::size_t vertices) const {
     const std::size_t counts[2] = {nodes_.size(), leaves_.size()};
     Buffer<Child> reached(nodes_.allocator());
@@ -196,7 +196,7 @@ VertexId LocationTree::near(const double* q) const noexcept {
         const float a = leaf.x[0][i] - x, b = leaf.x[1][i] - y, c = leaf.x[2][i] - z;
         squares[i] = a * a + b * b + c * c;
     }
-    // The first of those that are equally near in floats.
+    // Of several that are equally near in float arithmetic, the first.
     std::ptrdiff_t nearest = 0;
     for (std::ptrdiff_t i = 1; i < most_in_leaf; ++i)
         nearest = squares[i] < squares[nearest] ? i : nearest;
@@ -207,7 +207,7 @@ TetId start_of_walk(const Mesh& mesh, const LocationTree* tree, TetId last, cons
     const TetId anywhere = last == no_tetrahedron ? mesh.live_from(0) : last;
     if (!tree) return anywhere;
     const VertexId near = tree->near(q);
-    // Since vertices have left, the number may be that of one that is not inserted yet.
+    // If vertices have left, the number may belong to a vertex that is not inserted yet.
     if (near >= mesh.vertex_hint.size() || mesh.vertex_hint[near] == no_tetrahedron)
         return anywhere;
     if (last != no_tetrahedron && square_distance(mesh.point(mesh.tetrahedra[last].v[0]), q) <=

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a walk to any place begins: a kd-tree over a sample of the vertices, a few of them in each
-// leaf. It follows the points wherever they crowd, and takes vertices in as they are inserted.
+// A kd-tree over a sample of the vertices, several in each leaf. It gives a vertex near a query
+// point, where a walk starts. It adapts to the density of the points, and vertices are added as
+// they are inserted.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -9,30 +10,30 @@ namespace mgdt {
 
 class LocationTree {
   public:
-    // Below this many vertices a walk is short from anywhere.
+    // With fewer vertices a walk is short from anywhere.
     static constexpr std::size_t smallest = 512;
-    // It takes in one of this many vertices that come in a batch, and of those that come alone.
+    // The sample has one in `stride` vertices of a batch, and one in `stride_of_lone` of those that
+    // are inserted one by one.
     static constexpr std::size_t stride = 16, stride_of_lone = 4;
 
-    // Over the vertices before `end`, which are in the mesh; at least one.
-    // O(n log n).
+    // A tree over the vertices before `end`, of which there is at least one. O(n log n).
     LocationTree(Allocator& allocator, const Mesh& mesh, std::size_t end);
 
-    // Takes in the vertices from `begin` to `end`, as far as memory and depth allow.
+    // Adds vertices `begin` to `end` - 1, as far as memory and the depth limit allow.
     void add(const Mesh& mesh, std::size_t begin, std::size_t end) noexcept;
-    // Whether it had to leave out too many vertices, as of points that advance along a line, so
-    // that another tree should be made.
+    // Whether the tree had to leave out so many vertices that it should be made anew, as when
+    // points advance along a line.
     bool is_outgrown() const noexcept { return missed_ > made_over_ / 2; }
-    // Some vertices leave, move or get other numbers. Those that the tree has stay in it, so that
-    // walks may begin elsewhere. Returns whether it is of use yet.
+    // Counts vertices that leave, move or are renumbered. The tree keeps their old positions, so
+    // walks may start far from the query point. Returns whether the tree is still useful.
     bool takes_changes(std::size_t vertices) noexcept {
         changed_ += vertices;
         return changed_ <= stride * made_over_ / 4;
     }
-    // A vertex near q, unless it has changed; then it may not be there at all.
+    // A vertex near q. If vertices have changed it may be far from q, or not exist.
     VertexId near(const double* q) const noexcept;
 
-    // Whether every descent ends, at a vertex before `vertices` where none have changed.
+    // Whether every descent ends, at a vertex before `vertices` unless vertices have changed.
     bool is_sound(std::size_t vertices) const;
 
   private:
@@ -45,7 +46,7 @@ class LocationTree {
     };
     static Sample sample(const Mesh& mesh, VertexId v);
 
-    // Twice the number of a node, or of a leaf and one more.
+    // 2 i for node i, 2 i + 1 for leaf i.
     using Child = std::uint32_t;
     static Child node_child(std::size_t i) { return static_cast<Child>(2 * i); }
     static Child leaf_child(std::size_t i) { return static_cast<Child>(2 * i + 1); }
@@ -55,11 +56,11 @@ class LocationTree {
     struct Node {
         double split;
         std::uint32_t axis;
-        Child child[2];  // below the split, and not
+        Child child[2];  // for coordinates below the split, and for the others
         unsigned side(const double* q) const { return q[axis] < split ? 0 : 1; }
     };
-    // The first places are used, the others are at infinity. Coordinates are to choose by, for
-    // which floats will do: so a leaf is on two lines.
+    // Unused entries come last and have infinite coordinates. Coordinates only serve to choose the
+    // nearest vertex, so floats suffice, and a leaf takes two cache lines.
     struct Leaf {
         Leaf(const Sample* begin, const Sample* end);
         void put(std::ptrdiff_t i, const Sample& s);
@@ -69,17 +70,17 @@ class LocationTree {
 
     Child build(Sample* begin, Sample* end);
     void add(const Mesh& mesh, const Sample& s) noexcept;
-    // Makes a node of a full leaf and another vertex. There is room.
+    // Replaces a full leaf by a node with two leaves, and adds a vertex. There is room for them.
     Child split_leaf(const Mesh& mesh, std::size_t leaf, const Sample& another);
 
     Buffer<Node> nodes_;
     Buffer<Leaf> leaves_;
     Child root_;
-    std::size_t made_over_ = 0, missed_ = 0, changed_ = 0;  // vertices
+    std::size_t made_over_ = 0, missed_ = 0, changed_ = 0;  // numbers of vertices
 };
 
-// The live tetrahedron to start a walk to q from: near the tree's vertex, or `last` where that is
-// nearer. Either may be missing, not both.
+// The live tetrahedron where a walk to q starts: near the vertex that the tree gives, or `last` if
+// that is nearer. Either may be missing, but not both.
 TetId start_of_walk(const Mesh& mesh, const LocationTree* tree, TetId last, const double* q);
 
 }  // namespace mgdt

@@ -9,8 +9,8 @@
 namespace mgdt {
 namespace {
 
-// A set of numbers that keeps the order in which they came: a queue of what is still to visit. A
-// few numbers take no memory but its own.
+// A set of numbers in the order of insertion, which serves as the queue of a traversal. Up to 64
+// numbers are stored in the object itself.
 class VisitQueue {
   public:
     explicit VisitQueue(Allocator& allocator) : more_items_(allocator), more_slots_(allocator) {}
@@ -23,7 +23,7 @@ class VisitQueue {
     }
     std::size_t size() const { return size_; }
     std::uint32_t operator[](std::size_t i) const { return items_[i]; }
-    // Returns whether it was not in.
+    // Adds a number. Returns false if it is in already.
     bool push(std::uint32_t item) {
         if (2 * size_ == slot_count()) grow();
         const std::size_t at = slot(item);
@@ -34,10 +34,10 @@ class VisitQueue {
     }
 
   private:
-    static constexpr unsigned few_bits = 7;  // a vertex has 27 tetrahedra in the mean
+    static constexpr unsigned few_bits = 7;  // a vertex has 27 tetrahedra on the average
 
     std::size_t slot_count() const { return std::size_t{1} << bits_; }
-    // The upper bits of a product depend on all bits of the item.
+    // Multiplicative hashing: the upper bits of the product depend on all bits of the item.
     std::size_t slot(std::uint32_t item) const {
         std::size_t h = (item * 0x9E3779B1u) >> (32 - bits_);
         while (slots_[h] != no_index && slots_[h] != item) h = (h + 1) & (slot_count() - 1);
@@ -61,11 +61,11 @@ class VisitQueue {
     unsigned bits_ = few_bits;
 };
 
-// Calls f(vertex, tetrahedron that has both) for the finite neighbours of v, for some more than
-// once; `near` is a tetrahedron of v.
+// Calls f(u, t) for each finite neighbour u of v, where t is a tetrahedron of both; for some
+// neighbours more than once. `near` is a tetrahedron of v.
 template <class F>
 void for_each_neighbor(const Mesh& mesh, VertexId v, TetId near, VisitQueue& star, F f) {
-    // The finite ones around v are connected, since the hull is convex.
+    // The finite tetrahedra around v are connected through facets, since the hull is convex.
     const Tetrahedron& given = mesh.tetrahedra[near];
     const TetId first = given.is_ghost() ? tetrahedron_of(given.n[given.infinite_slot()]) : near;
     for (const VertexId other : mesh.tetrahedra[first].v)
@@ -74,7 +74,7 @@ void for_each_neighbor(const Mesh& mesh, VertexId v, TetId near, VisitQueue& sta
     star.push(first);
     traverse_star(mesh, v, star, [&](FacetCode facet) {
         const Tetrahedron& next = mesh.tetrahedra[tetrahedron_of(facet)];
-        // Of its vertices one has not been met through this facet.
+        // One of its vertices is not in the facet, and so is new.
         if (!next.is_ghost() && star.push(tetrahedron_of(facet)))
             f(next.v[face_of(facet)], tetrahedron_of(facet));
     });
@@ -82,7 +82,7 @@ void for_each_neighbor(const Mesh& mesh, VertexId v, TetId near, VisitQueue& sta
 
 }  // namespace
 
-// Distances of vertices from a point, exactly compared.
+// Compares distances of vertices from a point, exactly.
 class NearestVertex {
   public:
     NearestVertex(const Locator& locator, const double* q)
@@ -90,22 +90,22 @@ class NearestVertex {
         has_place_ = locator.scale_exactly(q, p_);
     }
 
-    // The square of a vertex's distance in doubles, infinity if it is too large; 0, which
-    // decides nothing, if q has no place in the mesh's scale.
+    // An approximate squared distance of a vertex; infinity if it overflows. If q has no exact
+    // coordinates in the mesh's scale it is 0, which is_farther() never accepts.
     double estimate(VertexId v) const {
         if (!has_place_) return 0;
         const double* const x = mesh_.point(v);
         const double d[3] = {x[0] - p_[0], x[1] - p_[1], x[2] - p_[2]};
         return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     }
-    // Whether a vertex is certainly farther than another, by their estimates (docs/theory.md, "The
+    // Whether the estimates prove that a vertex is farther than another (docs/theory.md, "The
     // nearest vertex").
     static bool is_farther(double estimate, double than) {
         return than > 0x1p-900 && than < 0x1p900 && estimate > than * (1 + 0x1p-40);
     }
-    // The sign of a's distance less b's.
+    // The sign of the distance of a minus that of b.
     int compare(VertexId a, VertexId b) const {
-        // Scaling by a power of two changes no comparison, where it is exact.
+        // Exact scaling by a power of two changes no comparison.
         if (has_place_) {
             double squares[2];
             if (has_exact_square(a, squares[0]) && has_exact_square(b, squares[1]))
@@ -123,9 +123,10 @@ class NearestVertex {
                (comparison == 0 && mesh_.vertices[a].index < mesh_.vertices[b].index);
     }
 
-    // In a Delaunay triangulation some neighbour of a vertex is nearer to q unless no vertex is, so
-    // descending from neighbour to neighbour ends at a nearest vertex. `near` is a tetrahedron of
-    // v, then of the vertex returned. `is_only`: no neighbour of that is as near.
+    // Descends from neighbour to neighbour to a nearest vertex: in a Delaunay triangulation, a
+    // vertex that is not nearest to q has a neighbour that is nearer. `near` is a tetrahedron of v,
+    // and becomes one of the result. `is_only` becomes true if no neighbour of the result is as
+    // near.
     VertexId descend(VertexId v, TetId& near, VisitQueue& star, bool& is_only) const {
         for (;;) {
             VertexId better = v;
@@ -148,11 +149,12 @@ class NearestVertex {
         }
     }
 
-    // Several as near lie on an empty sphere about q; their hull is a face of the Delaunay
-    // complex, which the triangulation refines, so their edges connect them.
+    // Of several nearest vertices, the one with the least index. They lie on an empty sphere around
+    // q. Their convex hull is a cell of the Delaunay complex, which the triangulation subdivides,
+    // so edges connect them.
     VertexId first_of_equals(VertexId v, TetId near, VisitQueue& star, Allocator& allocator) const {
         VisitQueue equals(allocator);
-        Buffer<TetId> tetrahedra(allocator);  // one of each vertex in the queue
+        Buffer<TetId> tetrahedra(allocator);  // a tetrahedron of each vertex in the queue
         const auto push = [&](VertexId equal, TetId t) {
             equals.push(equal);
             if (equals.size() > tetrahedra.size()) tetrahedra.push_back(t);
@@ -171,14 +173,14 @@ class NearestVertex {
     }
 
   private:
-    // Whether the square of a vertex's distance is a double, which is then given. Of coordinates
-    // with few digits, such as a lattice's, where it decides the ties.
+    // Computes the squared distance of a vertex, if it is exact in doubles. That is so for
+    // coordinates with few digits, such as those of a lattice, and decides their ties.
     bool has_exact_square(VertexId v, double& square) const {
         const double* const x = mesh_.point(v);
         double squares[3];
         for (int k = 0; k < 3; ++k) {
             const double d = x[k] - p_[k];
-            // Of 24 digits, so that 48 are enough for its square; x - p itself is not rounded.
+            // The difference has 24 bits, so its square is exact, and the subtraction was exact.
             if (static_cast<double>(static_cast<float>(d)) != d || x[k] - d != p_[k] ||
                 p_[k] + d != x[k])
                 return false;
@@ -217,7 +219,7 @@ VertexId Locator::nearest_vertex(const double* q, TetId near, Allocator& allocat
         }
         return nearest;
     }
-    // Among the vertices of where q is first: that is often the nearest already.
+    // Start at the nearest vertex of the tetrahedron that contains q: often it is the result.
     VertexId nearest = infinite_vertex;
     for (const VertexId v : mesh.tetrahedra[near].v)
         if (v != infinite_vertex && (nearest == infinite_vertex || to.compare(v, nearest) < 0))

@@ -6,7 +6,8 @@
 
 namespace mgdt {
 
-// All slots but the free ones and the ghosts: no pass over the records.
+// The finite tetrahedra are all slots but the free ones and the ghosts, so the records need not be
+// read.
 Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team,
                      std::size_t few)
     : bits_(allocator),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers that finite tetrahedra have outside: 0, 1, ... in the order of storage, or in
+// The numbers of finite tetrahedra that callers see: 0, 1, ... in the order of storage, or in
 // canonical order, which depends on the points alone.
 #pragma once
 
@@ -16,13 +16,14 @@ inline unsigned popcount(std::uint64_t x) noexcept {
     return static_cast<unsigned>((x * 0x0101010101010101u) >> 56);
 }
 
-// The slots of all ghosts, which are reached from one another. is_new(t) is true when it is asked
-// for the first time.
+// The slots of all ghosts, found by traversal of their neighbours. is_new(t) returns true when it
+// is called with t for the first time.
 template <class IsNew>
 Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
     Buffer<TetId> ghosts(allocator);
     if (mesh.live_count() == 0) return ghosts;
-    // One place more, for a ghost that is not new. Newness is unpredictable, hence branchless.
+    // One more element, where a ghost that is not new is written. Whether a ghost is new cannot be
+    // predicted, so the loop is branchless.
     ghosts.resize(mesh.ghost_count + 1);
     std::size_t size = 0;
     const auto push = [&](TetId t) {
@@ -42,15 +43,16 @@ Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
 
 class Numbering {
   public:
-    // In a small set there are ghosts everywhere, and numbers by slot stay in the second cache. In
-    // larger ones they are slower than bits unless every eighth stretch has ghosts or free slots.
+    // Up to this many slots, numbers are stored by slot: the array fits into the second-level
+    // cache. For more slots a bitmap is faster, unless one in eight of its words has ghosts or free
+    // slots.
     static constexpr std::size_t few_slots = 131072;
     Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team,
               std::size_t few = few_slots);
 
     bool is_canonical() const noexcept { return is_canonical_; }
-    // The number of a finite tetrahedron, -1 of any other slot: two ways to look it up, for loops
-    // that do so by one of them.
+    // Two function objects that give the number of a finite tetrahedron, or -1 for any other slot.
+    // Loops choose one of them once.
     struct BySlot {
         MGDT_ALWAYS_INLINE std::int32_t operator()(TetId t) const noexcept { return numbers[t]; }
         const std::int32_t* numbers;
@@ -77,8 +79,8 @@ class Numbering {
     MGDT_ALWAYS_INLINE std::int32_t number(TetId t) const noexcept {
         return is_by_slot() ? by_slot()(t) : by_bits()(t);
     }
-    // Calls f(t, number) for the finite tetrahedra of some of the stretches of 64 slots that the
-    // storage is made of, in the order of storage.
+    // A stretch is 64 consecutive slots. for_each() calls f(t, number) for the finite tetrahedra of
+    // stretches begin..end-1, in the order of storage.
     std::size_t stretches() const noexcept { return bits_.size(); }
     template <class F>
     void for_each(std::size_t begin, std::size_t end, F f) const {
@@ -87,25 +89,28 @@ class Numbering {
                 f(t, is_canonical() ? static_cast<std::size_t>(by_slot_[t]) : number);
         });
     }
-    // Likewise f(first, last, number) for each run of slots, the last one excluded, that hold
-    // finite tetrahedra; `number` is that of the first one where they are not canonical.
+    // Calls f(first, end, number) for each run of slots first..end-1 with finite tetrahedra.
+    // `number` is the number of the first one, unless numbers are canonical.
     template <class F>
     void for_each_run(std::size_t begin, std::size_t end, F f) const;
-    // The places of a tetrahedron's vertices in its exported record, indices[vertex] deciding.
+    // The positions of a tetrahedron's vertices in its canonical record, which is sorted by
+    // indices[vertex].
     template <class Indices>
     static void canonical_places(const Tetrahedron& t, const Indices& indices, unsigned places[4]);
 
   private:
     void sort(const Mesh& mesh, Team& team);
 
-    // In a rank, that some slots of its word hold no finite tetrahedra. Few words have such, so
-    // that ranks alone are looked at, and fit the second cache.
+    // A flag in a rank: some slots of the word have no finite tetrahedra. Few words have this flag,
+    // so most look-ups read the rank alone, and the ranks fit into the second-level cache.
     static constexpr std::uint32_t gaps = 1u << 31;
     static_assert(max_tetrahedra <= gaps);
 
-    Buffer<std::uint64_t> bits_;    // which slots hold finite tetrahedra
-    Buffer<std::uint32_t> ranks_;   // number of the first of each word of bits_, and gaps
-    Buffer<std::int32_t> by_slot_;  // numbers: canonical ones, or where slots are few or gaps many
+    Buffer<std::uint64_t> bits_;  // which slots have finite tetrahedra
+    Buffer<std::uint32_t>
+        ranks_;  // for each word of bits_, the number of its first one, and `gaps`
+    Buffer<std::int32_t>
+        by_slot_;  // numbers, if they are canonical, or slots are few, or gaps many
     const bool is_canonical_;
 };
 
