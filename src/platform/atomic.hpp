@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Atomics, and annotations for tools that look for data races. Helgrind knows locks but not
-// atomics: a build with the option `helgrind` annotates atomics, and where one hands to another
-// thread what this thread wrote. In all other builds the annotations are empty. ThreadSanitizer
-// knows atomics.
+// Atomics, and annotations for tools that detect data races. ThreadSanitizer understands atomics;
+// Helgrind understands locks alone. A build with the option `helgrind` tells Helgrind which
+// variables are atomic, and where an atomic publishes data to another thread. In all other builds
+// the annotations are empty.
 #pragma once
 
 #include <atomic>
@@ -43,7 +43,8 @@ template <class T>
 using Atomic = std::atomic<T>;
 #endif
 
-// Before the store that hands over what this thread wrote, and after the load that received it.
+// annotate_release() comes before a store that publishes data, annotate_acquire() after the load
+// that receives it.
 inline void annotate_release([[maybe_unused]] const void* atomic) noexcept {
 #if MGDT_HELGRIND
     ANNOTATE_HAPPENS_BEFORE(atomic);
@@ -60,7 +61,7 @@ inline void annotate_acquire([[maybe_unused]] const void* atomic) noexcept {
 MGDT_NO_SANITIZE_THREAD inline void read_racing(const volatile std::uint32_t* from,
                                                 std::uint32_t to[2]) noexcept {
 #if MGDT_HELGRIND
-    // A call that Valgrind has the processor itself make, unseen.
+    // Valgrind runs this call natively, so that Helgrind does not see the loads.
     const auto read = [](unsigned, const volatile std::uint32_t* source,
                          std::uint32_t* target) -> long {
         target[0] = source[0];

@@ -30,7 +30,7 @@ void BorrowedArena::give_back(void* p, std::size_t bytes, std::size_t align, voi
         from.beyond_.release(p, bytes, align);
         return;
     }
-    // The last one serves again.
+    // Only the last block can be reused.
     std::size_t end = address - begin + bytes;
     annotate_release(&from.taken_);
     from.taken_.compare_exchange_strong(end, address - begin, std::memory_order_release,

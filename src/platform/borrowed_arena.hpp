@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scratch memory out of a block that is there already and idle for a while, so that no page is
-// asked of the system, and given back to it, for a moment's use.
+// An arena in a block of memory that exists already and is not used for a while. Temporary arrays
+// then need no new pages from the system.
 #pragma once
 
 #include "platform/memory.hpp"
@@ -9,11 +9,13 @@ namespace mgdt {
 
 class BorrowedArena {
   public:
-    // `bytes` at `block`, which is aligned as Buffers are; what does not fit comes from `beyond`.
+    // An arena of `bytes` at `block`, which has the alignment of a Buffer. Requests that do not fit
+    // go to `beyond`.
     BorrowedArena(void* block, std::size_t bytes, Allocator& beyond) noexcept
         : begin_(static_cast<unsigned char*>(block)), bytes_(bytes), beyond_(beyond) {}
 
-    // Serves several threads at once, as every Allocator. Its blocks end with the arena.
+    // Like every Allocator, it may be used by several threads. Its blocks must not outlive the
+    // arena.
     Allocator& allocator() noexcept { return allocator_; }
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Something that const calls make when it is first asked for, perhaps several at the same time.
+// An object that const calls make on demand. Several threads may ask for it at the same time.
 #pragma once
 
 #include "platform/atomic.hpp"
@@ -15,7 +15,8 @@ class Cached {
     Cached& operator=(const Cached&) = delete;
     ~Cached() { forget(); }
 
-    // T is made from (allocator, arguments...). The first to publish its own wins.
+    // Returns the object; makes a T from (allocator, arguments...) if there is none. If several
+    // threads make one, the first that publishes it wins, and the others discard theirs.
     template <class... Arguments>
     const T& get(const Arguments&... arguments) {
         T* made = peek();
@@ -24,7 +25,7 @@ class Cached {
         try {
             mine = make(arguments...);
         } catch (const std::bad_alloc&) {
-            // Two at the same time may be more than there is room for.
+            // Memory may not suffice for the copies of two threads: use the other thread's.
             made = peek();
             if (made) return *made;
             throw;
@@ -35,12 +36,12 @@ class Cached {
         destroy(mine);
         return *made;
     }
-    // Not while others use it.
+    // Destroys the object. No other thread may use it.
     void forget() noexcept {
         T* made = value_.exchange(nullptr, std::memory_order_acq_rel);
         if (made) destroy(made);
     }
-    // What there is, or nullptr.
+    // The object, or nullptr if there is none.
     T* peek() noexcept {
         T* made = value_.load(std::memory_order_acquire);
         annotate_acquire(&value_);

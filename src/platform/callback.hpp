@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the library calls a function of the host's. What the function changes of the floating-point
-// environment or of the cancellation state ends with it, and no exception of it passes.
+// Calls a function of the host. Changes that it makes to the floating-point environment or to the
+// cancellation state are undone afterwards, and its exceptions are caught.
 #pragma once
 
 #include "platform/cancellation.hpp"
@@ -8,7 +8,7 @@
 
 namespace mgdt {
 
-// What call() returns; `instead` where it throws.
+// Returns the result of call(), or `instead` if it throws.
 template <class Result, class Call>
 Result call_back(Result instead, Call call) noexcept {
     const FpEnvironment environment;

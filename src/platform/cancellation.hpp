@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// pthread_cancel() of the calling thread must not act inside a call: a thread that is unwound in
-// the middle leaves a mesh that is half changed, and a team whose frame is gone while it works. So
-// cancellation is disabled for the duration of each call, callbacks included. A pending request
-// acts at the first cancellation point after the call.
+// Disables pthread_cancel() during each call of the library, callbacks included. If a thread were
+// unwound inside a call, the mesh would be left half changed, and a team of threads would work on a
+// stack frame that is gone. A pending request takes effect at the first cancellation point after
+// the call.
 #pragma once
 
 #if (defined(__unix__) || defined(__APPLE__)) && !defined(__ANDROID__)
@@ -15,15 +15,16 @@ namespace mgdt {
 class CancellationDisabled {
   public:
 #if MGDT_HAVE_PTHREAD_CANCEL
-    // Neither is noexcept: a thread of the asynchronous type may be cancelled before the one and
-    // within the other, which unwinds the caller's frame. See run_inside() in capi/handle.hpp.
+    // Neither function is noexcept: a thread whose cancellation type is asynchronous may be
+    // cancelled before the first takes effect, or within the second. See run_inside() in
+    // capi/guard.hpp.
     CancellationDisabled() {
         pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &before_);
     }
     ~CancellationDisabled() noexcept(false) {
         pthread_setcancelstate(before_, nullptr);
     }
-    // For the rest of a thread's life.
+    // Disables cancellation for the rest of the thread's life.
     static void for_good() noexcept {
         pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, nullptr);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Attributes and hints for the compiler, and operations for which there are instructions.
+// Attributes and hints for the compiler, and operations that processors have instructions for.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ MGDT_ALWAYS_INLINE void prefetch(const void* p) {
 #endif
 }
 
-// The position of the lowest bit set in x, which is not 0.
+// The position of the lowest bit that is set in x. x is not 0.
 MGDT_ALWAYS_INLINE unsigned lowest_bit(std::uint64_t x) noexcept {
 #if defined(__GNUC__)
     return static_cast<unsigned>(__builtin_ctzll(x));
@@ -39,7 +39,7 @@ MGDT_ALWAYS_INLINE unsigned lowest_bit(std::uint64_t x) noexcept {
 #endif
 }
 
-// The number of bits from the lowest to the highest one set in x; 0 for 0.
+// The position of the highest bit that is set in x, plus 1; 0 for 0.
 MGDT_ALWAYS_INLINE unsigned bit_width(std::uint64_t x) noexcept {
 #if defined(__GNUC__)
     return x ? 64 - static_cast<unsigned>(__builtin_clzll(x)) : 0;
@@ -50,7 +50,7 @@ MGDT_ALWAYS_INLINE unsigned bit_width(std::uint64_t x) noexcept {
 #endif
 }
 
-// Keeps the compiler from turning arithmetic on a condition back into a branch on it.
+// Hides the value from the optimiser, which might turn branchless code back into a branch.
 MGDT_ALWAYS_INLINE std::uint32_t hide_from_optimizer(std::uint32_t x) {
 #if defined(__GNUC__)
     __asm__("" : "+r"(x));

@@ -18,7 +18,8 @@ static CpuFeatures ask() noexcept {
     const bool lzcnt = __get_cpuid(0x80000001, &eax, &ebx, &ecx, &edx) && (ecx & bit_LZCNT);
     if (!saves || !__get_cpuid_count(7, 0, &eax, &ebx, &ecx, &edx)) return features;
     const bool bits = popcnt && lzcnt && (ebx & bit_BMI) && (ebx & bit_BMI2);
-    // The system must save the registers too: bits 1, 2 for AVX, 5 to 7 for AVX-512.
+    // The operating system has to save the registers, too: bits 1 and 2 for AVX, 5 to 7 for
+    // AVX-512.
     unsigned low, high;
     __asm__ volatile("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
     features.avx2 = (low & 0x06) == 0x06 && fma && bits && (ebx & bit_AVX2);
@@ -29,7 +30,7 @@ static CpuFeatures ask() noexcept {
 }
 
 CpuFeatures cpu_features() noexcept {
-    // A virtual machine takes microseconds for each question.
+    // Cached, since CPUID takes microseconds in a virtual machine.
     static Atomic<unsigned> known{0};
     unsigned bits = known.load(std::memory_order_relaxed);
     if (bits == 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the processor can do.
+// The instruction sets of the processor.
 #pragma once
 
 namespace mgdt {
@@ -9,8 +9,8 @@ struct CpuFeatures {
     bool avx512 = false;  // F, VL, DQ, BW, and all of avx2
 };
 
-// Asked of the processor itself: Valgrind, which has no AVX-512, hides it there. The compiler's
-// own __builtin_cpu_supports would do the same, but runs code when the library is loaded.
+// Executes CPUID, which Valgrind intercepts to hide AVX-512. The compiler's __builtin_cpu_supports
+// would do the same, but runs code when the library is loaded.
 CpuFeatures cpu_features() noexcept;
 
 }  // namespace mgdt

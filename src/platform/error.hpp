@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the inside of the library reports what went wrong; the C interface turns it into a status
-// and a message (capi/handle.hpp).
+// The exception that the library throws inside. The C interface turns it into a status and a
+// message (capi/guard.hpp).
 #pragma once
 
 #include <cstdarg>

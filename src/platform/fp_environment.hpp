@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The floating-point environment that exact arithmetic needs: round to nearest, subnormals kept,
-// no traps. Callers may come with flush-to-zero on (gfortran -Ofast), with traps armed
-// (-ffpe-trap) or in another rounding mode, and get their environment back bit for bit.
+// Sets the floating-point environment that exact arithmetic needs: rounding to nearest, subnormal
+// numbers, no traps. Callers may have enabled flush-to-zero (gfortran -Ofast), traps (-ffpe-trap)
+// or another rounding mode. The destructor restores their environment bit for bit.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace mgdt {
 class FpEnvironment {
   public:
 #if MGDT_FP_MXCSR
-    // The x87 unit is not used on x86-64 (no long double in the library).
+    // On x86-64 the library does not use the x87 unit, as it has no long double.
     FpEnvironment() noexcept : saved_(_mm_getcsr()) {
         _mm_setcsr(0x1F80);
     }

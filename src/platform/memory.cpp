@@ -17,15 +17,15 @@ namespace mgdt {
 namespace {
 
 #if MGDT_HAVE_MREMAP
-// Three kinds of blocks. Small ones are the C library's. Large ones are mapped pages, so that
-// growth moves page tables instead of bytes and memory goes back to the system when it is freed.
-// In between, a block is the C library's too, which may keep as much for the next handle (glibc
-// does, on 64 bits), unless it took another's place or there is a limit: then it is mapped, so that
-// growing it takes no more than what it grows by.
+// There are three kinds of blocks. Small blocks come from malloc(). Large blocks are mapped pages:
+// to grow they are remapped without a copy, and freed memory returns to the system. Medium blocks
+// come from malloc() too, since glibc keeps freed memory for the next handle; but a medium block
+// that replaces another one, or is under a limit, is mapped, so that growing it takes no second
+// block.
 constexpr std::size_t page = 4096;
 constexpr std::size_t medium = std::size_t{1} << 20, large = std::size_t{1} << 25;
-// Medium blocks of the C library begin so far behind the beginning of a page, where no mapped
-// block does. Before them is the pointer that free() wants.
+// Medium blocks from malloc() begin at this offset from the beginning of a page, where no mapped
+// block begins. The pointer that free() needs is stored before the block.
 constexpr std::size_t heap_offset = 64;
 
 constexpr std::size_t page_round(std::size_t bytes) {
@@ -44,8 +44,8 @@ void* map(std::size_t bytes) noexcept {
     return p == MAP_FAILED ? nullptr : p;
 }
 
-// By malloc(): for aligned_alloc(), glibc asks itself for more than it learns to keep when such a
-// block is freed, and maps one anew each time.
+// Uses malloc(), not aligned_alloc(): glibc raises its threshold for mapping when a block is freed,
+// but aligned_alloc() asks for more than that, and would map new pages each time.
 void* obtain_medium(std::size_t bytes) noexcept {
     void* const whole = std::malloc(bytes + page + heap_offset);
     if (!whole) return nullptr;
@@ -55,16 +55,17 @@ void* obtain_medium(std::size_t bytes) noexcept {
     return p;
 }
 
-// Whether the C library mapped pages for the block alone, so that realloc() remaps them: glibc's
-// such blocks begin 16 bytes behind a page, or 8. A block that happens to begin there too is
-// copied.
+// Whether malloc() mapped pages for the block alone, so that realloc() remaps them. Such blocks of
+// glibc begin 16 or 8 bytes after the beginning of a page. If another block happens to begin there,
+// realloc() copies it.
 bool is_remapped_by_library(const void* p) {
     const void* const whole = static_cast<void* const*>(p)[-1];
     const std::uintptr_t behind = reinterpret_cast<std::uintptr_t>(whole) % page;
     return behind == 8 || behind == 16;
 }
 
-// Grows a medium block by realloc(); null where that refuses, and the block stays.
+// Grows a medium block by realloc(). Returns null if realloc() refuses; the block is unchanged
+// then.
 void* regrow_medium(void* p, std::size_t used, std::size_t new_bytes) noexcept {
     if (new_bytes > static_cast<std::size_t>(-1) - 2 * page) return nullptr;
     char* const whole = static_cast<char*>(static_cast<void**>(p)[-1]);
@@ -73,7 +74,7 @@ void* regrow_medium(void* p, std::size_t used, std::size_t new_bytes) noexcept {
     if (!moved) return nullptr;
     const std::uintptr_t at = page_round(reinterpret_cast<std::uintptr_t>(moved)) + heap_offset;
     void** const q = reinterpret_cast<void**>(at);
-    // Remapped pages leave it where it was behind the beginning of a page.
+    // Remapping keeps the offset from the beginning of a page.
     if (static_cast<void*>(q) != moved + offset) std::memmove(q, moved + offset, used);
     q[-1] = moved;
     return q;
@@ -92,7 +93,7 @@ void* default_obtain(std::size_t bytes, std::size_t align, bool remaps) noexcept
 #if defined(_WIN32)
     return _aligned_malloc(bytes, align);
 #else
-    // aligned_alloc wants a size that is a multiple of the alignment.
+    // aligned_alloc() requires a size that is a multiple of the alignment.
     return std::aligned_alloc(align, (bytes + align - 1) & ~(align - 1));
 #endif
 }
@@ -152,10 +153,10 @@ void Allocator::discount(std::size_t bytes) noexcept {
 void Allocator::prefault(void* part, std::size_t part_bytes, std::size_t block_bytes,
                          std::size_t align) const noexcept {
 #if MGDT_HAVE_MREMAP && defined(MADV_POPULATE_WRITE)
-    // For a few pages the call costs more than the faults.
+    // For a few pages, the call costs more than the page faults.
     constexpr std::size_t least = 65536;
     if (alloc_ || part_bytes < least || is_small(block_bytes, align)) return;
-    // Whole pages from the one that the part begins in; what is there already stays.
+    // Whole pages, from the page where the part begins. Pages that exist keep their contents.
     const std::size_t begin = reinterpret_cast<std::size_t>(part) & ~(page - 1);
     const std::size_t end = reinterpret_cast<std::size_t>(part) + part_bytes;
     madvise(reinterpret_cast<void*>(begin), page_round(end - begin), MADV_POPULATE_WRITE);

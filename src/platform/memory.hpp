@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory of one handle: an allocator that counts and limits, and a growable array on top of it.
+// The memory of a handle: an allocator that counts and limits, and a growable array that uses it.
 #pragma once
 
 #include <cstddef>
@@ -16,21 +16,21 @@
 
 namespace mgdt {
 
-// Bytes of so many objects; where they are more than can be addressed, there is no such memory.
+// The size of `count` objects. Throws std::bad_alloc if it overflows.
 inline std::size_t bytes_of(std::uint64_t count, std::size_t each) {
     if (count > static_cast<std::size_t>(-1) / each) throw std::bad_alloc();
     return static_cast<std::size_t>(count) * each;
 }
-// A limit of memory, as far as there is so much.
+// Converts a memory limit to std::size_t; larger values are clamped.
 inline std::size_t limit_of(std::int64_t bytes) noexcept {
     constexpr std::uint64_t most = static_cast<std::size_t>(-1);
     const auto wanted = static_cast<std::uint64_t>(bytes);
     return static_cast<std::size_t>(wanted < most ? wanted : most);
 }
 
-// All memory of a handle passes through its Allocator. Allocation throws std::bad_alloc when the
-// source refuses or the limit would be passed. Const calls allocate scratch memory from many
-// threads at once, hence the atomics.
+// All memory of a handle passes through its Allocator. An allocation throws std::bad_alloc if the
+// source refuses it, or if it would exceed the limit. Const calls allocate temporary memory on
+// several threads at the same time, so counters are atomic.
 class Allocator {
   public:
     Allocator() noexcept = default;
@@ -39,17 +39,17 @@ class Allocator {
     Allocator(const Allocator&) = delete;
     Allocator& operator=(const Allocator&) = delete;
 
-    // `remaps`: the block takes another's place, and may have to make room for a third.
+    // `remaps`: the block replaces another one, and will probably be replaced itself.
     void* allocate(std::size_t bytes, std::size_t align, bool remaps = false);
     void release(void* p, std::size_t bytes, std::size_t align) noexcept;
-    // Grows or shrinks a block; the first `used` bytes keep their values. Blocks of the
-    // default allocator of 1 MiB or more move by remapping pages, without a copy, unless the C
-    // library has them in its heap.
+    // Grows or shrinks a block. The first `used` bytes keep their values. Blocks of 1 MiB or more
+    // from the default allocator move by remapping pages, without a copy, unless they are in the
+    // heap of the C library.
     void* reallocate(void* p, std::size_t bytes, std::size_t used, std::size_t new_bytes,
                      std::size_t align);
 
-    // Has the system provide the pages of part of a block at once, which costs it a third less
-    // than one fault for each. Only a hint, and only for blocks of 1 MiB or more of the default
+    // Asks the system to provide the pages of a part of a block at once, which costs a third less
+    // than one page fault each. This is a hint, for blocks of 1 MiB or more from the default
     // allocator.
     void prefault(void* part, std::size_t part_bytes, std::size_t block_bytes,
                   std::size_t align) const noexcept;
@@ -58,10 +58,10 @@ class Allocator {
     std::size_t peak() const noexcept { return peak_.load(std::memory_order_relaxed); }
     std::size_t limit() const noexcept { return limit_; }
     void set_limit(std::size_t bytes) noexcept { limit_ = bytes; }
-    // Adds a block that was obtained elsewhere (the handle itself) to the account.
+    // Counts a block that was obtained elsewhere, such as the handle itself.
     void count(std::size_t bytes);
 
-    // The source itself, without counting: for the handle, which holds the allocator.
+    // Calls the source without counting. For the handle, which contains the allocator.
     static void* obtain(mgdt_alloc_fn alloc, void* user, std::size_t bytes, std::size_t align,
                         bool remaps = false) noexcept;
     static void give_back(mgdt_free_fn release, void* user, void* p, std::size_t bytes,
@@ -84,14 +84,14 @@ class Allocator {
     Atomic<std::size_t> peak_{0};
 };
 
-// A growable array of trivial elements. Growing leaves new elements uninitialised.
+// A growable array of trivially copyable elements. New elements are uninitialised.
 template <class T>
 class Buffer {
     static_assert(std::is_trivially_copyable_v<T>, "Buffer moves elements as bytes");
 
   public:
     explicit Buffer(Allocator& allocator) noexcept : allocator_(&allocator) {}
-    // An array that is about to be filled.
+    // An array of `size` elements that are about to be written. Its pages are prefaulted.
     Buffer(Allocator& allocator, std::size_t size) : allocator_(&allocator) {
         resize(size);
         prefault(0, size);
@@ -128,7 +128,7 @@ class Buffer {
     MGDT_ALWAYS_INLINE bool empty() const noexcept { return size_ == 0; }
     Allocator& allocator() const noexcept { return *allocator_; }
 
-    // Exactly this capacity, at least the size.
+    // Sets the capacity, which is at least the size.
     void set_capacity(std::size_t capacity) {
         if (capacity < size_) capacity = size_;
         if (capacity == capacity_) return;
@@ -140,8 +140,8 @@ class Buffer {
     void reserve(std::size_t capacity) {
         if (capacity > capacity_) set_capacity(capacity);
     }
-    // Room for `capacity` elements, growing by at least half so that repeated calls stay linear;
-    // by no more than that where a memory limit refuses it.
+    // Makes room for `capacity` elements. The capacity grows by at least half, so that repeated
+    // calls take linear time; if a memory limit refuses that, to exactly `capacity`.
     void grow(std::size_t capacity) {
         if (capacity <= capacity_) return;
         const std::size_t generous = capacity_ + capacity_ / 2;
@@ -154,7 +154,7 @@ class Buffer {
         }
         set_capacity(capacity);
     }
-    // Elements that are about to be written for the first time, within the capacity.
+    // Prefaults the pages of elements that are about to be written for the first time.
     void prefault(std::size_t begin, std::size_t end) noexcept {
         if (begin < end)
             allocator_->prefault(data_ + begin, (end - begin) * sizeof(T), capacity_ * sizeof(T),
@@ -174,17 +174,17 @@ class Buffer {
         grow(size_ + 1);
         data_[size_++] = copy;
     }
-    // For code that must not allocate, and is sure that it need not.
+    // Changes the size, which is at most the capacity. Never allocates.
     MGDT_ALWAYS_INLINE void resize_within_capacity(std::size_t size) noexcept { size_ = size; }
     MGDT_ALWAYS_INLINE void pop_back() noexcept { --size_; }
     void clear() noexcept { size_ = 0; }
-    // Gives back what is not used, where that can be.
+    // Gives unused capacity back, if the allocator can shrink the block.
     void shrink() noexcept {
         if (size_ == 0) return reset();
         try {
             set_capacity(size_);
         } catch (const std::bad_alloc&) {
-            // A smaller block was refused: keep the larger one.
+            // The allocator refused a smaller block: keep the larger one.
         }
     }
     void reset() noexcept {
@@ -194,7 +194,7 @@ class Buffer {
     }
 
   private:
-    // A cache line: records of 32 bytes stay on one, vectors load without crossing.
+    // The size of a cache line: records of 32 bytes and vectors do not cross lines.
     static constexpr std::size_t alignment = 64;
 
     Allocator* allocator_;

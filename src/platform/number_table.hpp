@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The hash table of the library, but for the kernel's innermost loops.
+// The hash table that all of the library uses, except for the innermost loops of the kernel.
 #pragma once
 
 #include <algorithm>
@@ -27,8 +27,8 @@ inline std::uint32_t hash_of_coordinates(const double* x) noexcept {
 
 // Gives items the numbers 0, 1, 2, ... in the order in which they come. The items are stored
 // elsewhere; the table knows the 32-bit hashes of their keys. It is open-addressed with linear
-// probing, so the lowest bits of a hash should differ. Entries have the numbers of a generation:
-// emptying the table writes nothing.
+// probing, so the lowest bits of a hash should differ. Emptying the table raises
+// `first_`, the least number that counts, and writes nothing else.
 class NumberTable {
   public:
     static constexpr std::uint32_t none = 0xFFFFFFFF;
@@ -103,7 +103,7 @@ class NumberTable {
 
   private:
     struct Entry {
-        std::uint32_t hash, number;  // of this generation if it is at least `first_`, less that
+        std::uint32_t hash, number;  // the number plus first_; less than first_ if it is free
     };
     static constexpr std::size_t least_entries = 16;
     static constexpr std::uint32_t most_numbers = 0x80000000u;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fixed number of objects that stay where they are.
+// An array of a fixed number of objects that cannot be moved.
 #pragma once
 
 #include <new>
@@ -11,7 +11,7 @@ namespace mgdt {
 template <class T>
 class Objects {
   public:
-    // Each is made from the same arguments.
+    // Constructs each object from the same arguments.
     template <class... Arguments>
     Objects(Allocator& allocator, std::size_t count, const Arguments&... arguments)
         : allocator_(allocator), capacity_(count) {

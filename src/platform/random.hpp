@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random numbers that are the same on every machine and with every compiler.
+// Pseudorandom numbers that are the same on every machine and with every compiler.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 namespace mgdt {
 
 // The generator splitmix64 of Steele, Lea and Flood, "Fast splittable pseudorandom number
-// generators" (OOPSLA 2014): a counter and a mixing function. Cheap, seeded by any number, and
-// its n-th value can be had without those before it.
+// generators" (OOPSLA 2014): a counter and a mixing function. It accepts any
+// seed, and its n-th value can be computed without the previous ones.
 class Random {
   public:
     explicit Random(std::uint64_t seed) noexcept : state_(seed) {}
@@ -20,8 +20,8 @@ class Random {
 
     std::uint64_t next() noexcept { return mix(state_ += increment); }
 
-    // Uniform in 0..bound-1, without bias; 1 <= bound. Lemire, "Fast random integer generation in
-    // an interval" (ACM TOMACS 2019).
+    // A uniform number in 0..bound-1, without bias; bound >= 1. Lemire, "Fast random integer
+    // generation in an interval" (ACM TOMACS 2019).
     std::uint32_t below(std::uint32_t bound) noexcept {
         std::uint64_t product = (next() >> 32) * bound;
         auto fraction = static_cast<std::uint32_t>(product);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stores that go past the caches, for large arrays that are written once. Where the processor has
-// none they are plain stores.
+// Non-temporal stores, which bypass the caches, for large arrays that are written once. On
+// processors without them they are plain stores.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace mgdt {
 
 #if defined(__SSE2__)
 
-// What an address that is streamed to is a multiple of.
+// The alignment of the addresses.
 inline constexpr std::size_t streaming_alignment = 16;
 
 MGDT_ALWAYS_INLINE void stream_four(std::int64_t* to, std::int64_t a, std::int64_t b,
@@ -28,7 +28,7 @@ MGDT_ALWAYS_INLINE void stream_four(std::int32_t* to, std::int32_t a, std::int32
                                     std::int32_t c, std::int32_t d) noexcept {
     _mm_stream_si128(reinterpret_cast<__m128i*>(to), _mm_set_epi32(d, c, b, a));
 }
-// Once a thread, after its last store.
+// Each thread calls this once, after its last store.
 MGDT_ALWAYS_INLINE void finish_streaming() noexcept {
     _mm_sfence();
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Refuses to be compiled with rules of arithmetic other than those of IEEE 754, with which
-// exactness would be lost silently. Compilers announce such rules by macros; meson.build refuses
-// the flags.
+// Stops the compilation if the compiler's arithmetic is not that of IEEE 754, since exactness would
+// be lost silently. Compilers announce such arithmetic by macros; meson.build refuses the flags.
 #pragma once
 
 #include <cfloat>
@@ -11,7 +10,7 @@
 #error "mgdt is exact and cannot be compiled with -ffast-math, -Ofast or a part of them"
 #endif
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
-// 32-bit x86 computes in the x87 unit by default.
+// On 32-bit x86, compilers use the x87 unit by default.
 #error \
     "mgdt is exact and needs doubles that are computed as doubles: on 32-bit x86 compile with -msse2 -mfpmath=sse, which are meson setup build -Dc_args='-msse2 -mfpmath=sse' -Dcpp_args='-msse2 -mfpmath=sse'"
 #endif
