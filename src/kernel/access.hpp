@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How an insertion has access to the mesh: alone, or as one of several threads, in a zone of its
-// own or among the others; with spheres that are kept, or computed whenever they are wanted. The
-// walk, the cavity and the star are compiled for each.
+// Policies of access to the mesh: by one thread alone, by one of several threads in its zone, or by
+// one of several threads anywhere; each with stored spheres or with spheres that are computed on
+// demand. The walk, the cavity and the star are templates, and compiled for each policy.
 #pragma once
 
 #include "kernel/island.hpp"
@@ -11,7 +11,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// The whole mesh is mine.
+// One thread has the whole mesh.
 template <class Spheres>
 struct SerialAccess {
     using SphereSource = Spheres;
@@ -35,7 +35,7 @@ struct SerialAccess {
     Mesh& mesh;
 };
 
-// What is the same in both ways to insert among other threads: slots and ghosts are the thread's.
+// What both policies for several threads share: slots and ghost counts are thread-local.
 class SharedAccess {
   public:
     static constexpr bool is_alone = false;
@@ -60,8 +60,9 @@ class SharedAccess {
     ThreadState& thread_state_;
 };
 
-// In a zone, while what is between zones is closed: all that is not closed is this thread's. A
-// closed tetrahedron may be read, and its link to one of this thread's written.
+// In a zone, while tetrahedra between zones are closed. Every tetrahedron that the thread reaches
+// is its own unless it is closed. A closed tetrahedron may be read, and its neighbour entry at a
+// facet of the zone may be written.
 class ZoneAccess : public SharedAccess {
   public:
     using SphereSource = KeptSpheres;
@@ -74,13 +75,13 @@ class ZoneAccess : public SharedAccess {
         return !TetrahedronStore::sphere_of(t).is_closed();
     }
     bool owns(const Tetrahedron& t) const noexcept { return try_own(t); }
-    // All vertices of a star are in one zone, but for the one at infinity, which is in each.
+    // All vertices of a star are in one zone, except for the vertex at infinity, which is in each.
     MGDT_ALWAYS_INLINE void set_vertex_hint(VertexId v, TetId t) const noexcept {
         if (v != infinite_vertex) mesh_.vertex_hint[v] = t;
     }
 };
 
-// Anywhere.
+// Anywhere: the thread may change a tetrahedron whose guards it owns.
 template <class Spheres>
 class ConcurrentAccess : public SharedAccess {
   public:
@@ -90,14 +91,14 @@ class ConcurrentAccess : public SharedAccess {
     MGDT_ALWAYS_INLINE ConcurrentAccess(Mesh& mesh, ThreadState& thread_state) noexcept
         : SharedAccess(mesh, thread_state), mine_(thread_state.blocks.mine()) {}
 
-    // Whether a vertex, or a tetrahedron, is mine, now if not before.
+    // Acquires a vertex, or the guards of a tetrahedron. Returns false if another thread owns one.
     MGDT_ALWAYS_INLINE bool try_own(VertexId v) const noexcept {
         return MGDT_LIKELY(mine_(v)) || thread_state_.blocks.try_own(v);
     }
     MGDT_ALWAYS_INLINE bool try_own(const Tetrahedron& t) const noexcept {
         return try_own(t.v[0]) && try_own(t.v[1]);
     }
-    // Without taking it.
+    // Whether this thread owns the tetrahedron already.
     bool owns(const Tetrahedron& t) const noexcept {
         return mine_(t.v[0]) && mine_(unmarked(t.v[1]));
     }
@@ -111,7 +112,8 @@ class ConcurrentAccess : public SharedAccess {
     const OwnedBlocks::Mine mine_;
 };
 
-// Nothing is changed: what an insertion would remove is found, as it is among other threads.
+// Read-only: finds the cavity that an insertion would have. Several threads may do that at the same
+// time.
 template <class Spheres>
 struct ReadingAccess {
     using SphereSource = Spheres;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which facets of a cavity's boundary share an edge. A facet (a, b, c), seen from the new point,
-// has the directed edges ab, bc and ca; its neighbour across one has it the other way round.
+// Finds which facets of a cavity's boundary share an edge. A facet (a, b, c), seen from the new
+// point, has the directed edges ab, bc and ca; the adjacent facet has the reversed edge.
 #pragma once
 
 #include "kernel/island.hpp"
@@ -26,11 +26,11 @@ class EdgeMatrix {
     FacetCode* const codes_;
 };
 
-// The same by hashing, for cavities of any size.
+// A hash table of the edges, for cavities of any size.
 class EdgeTable {
   public:
     explicit EdgeTable(Workspace& w) : keys_(w.edge_keys.data), codes_(w.edge_codes.data) {
-        // As large as this star wants, not as the largest so far had: it is cleared each time.
+        // The table is cleared for each star, so it is no larger than this star needs.
         const std::size_t size = Workspace::edge_table_size(w.boundary_size);
         for (std::size_t i = 0; i < size; ++i) keys_[i] = free;
         mask_ = size - 1;
@@ -41,7 +41,7 @@ class EdgeTable {
         codes_[h] = code;
     }
     FacetCode get(std::uint32_t a, std::uint32_t b) const { return codes_[slot(a, b)]; }
-    // From the upper half of a product, where all bits of both ends meet.
+    // The upper half of the product depends on all bits of both ends.
     static std::size_t hash(std::uint32_t a, std::uint32_t b) {
         constexpr std::uint64_t golden = 0x9E3779B97F4A7C15u;
         return static_cast<std::size_t>(((a * golden + b) * golden) >> 32);

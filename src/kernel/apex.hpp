@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The apex of a facet in the hole of a vertex that is removed, where floating-point arithmetic
-// decides: see kernel/vertex_removal.hpp. Each island has a part, whose find_apex() looks at the
-// whole link with vectors.
+// find_apex(): the apex of a facet in the hole of a removed vertex, if floating-point arithmetic
+// decides (kernel/vertex_removal.hpp). Each island has an implementation, which tests the whole
+// link with vectors.
 #pragma once
 
 #include "kernel/circumsphere.hpp"

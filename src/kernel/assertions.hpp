@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What must hold around the replacement of a cavity by its star, for builds with assertions
-// (b_ndebug=false): others compile nothing of it.
+// Assertions about the replacement of a cavity by its star. Builds without assertions
+// (b_ndebug=true) compile none of this.
 #pragma once
 
 #include <cassert>
@@ -12,7 +12,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Before the mesh changes: each member of the cavity is alive, and the thread's own.
+// Before the mesh changes: each member of the cavity is alive, and the thread owns it.
 template <class Access>
 void assert_cavity_is_sound(Access access, const Mesh& mesh, const Workspace& w) {
     static_cast<void>(access);
@@ -24,9 +24,9 @@ void assert_cavity_is_sound(Access access, const Mesh& mesh, const Workspace& w)
     }
 }
 
-// Afterwards: the newest vertex is the first of each new tetrahedron; each is the neighbour of its
-// neighbours; the finite ones are positively oriented, and a ghost's vertex at infinity is the
-// third or the fourth.
+// After the mesh has changed: the first vertex of each new tetrahedron is the newest; neighbours
+// refer to each other; finite tetrahedra are positively oriented; and the vertex at infinity is the
+// third or the fourth of a ghost.
 inline void assert_star_is_sound(const Mesh& mesh, const Workspace& w, VertexId q) {
     for (std::size_t i = 0; i < w.slot_count; ++i) {
         const TetId id = tetrahedron_of(w.slots.data[i]);

@@ -25,11 +25,11 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Where a cavity begins: at a tetrahedron in conflict if `faces` is 0; otherwise at the neighbours
-// beyond these faces of a tetrahedron that is not in conflict.
+// Where a cavity begins. If `faces` is 0, at a tetrahedron in conflict. Otherwise at the neighbours
+// of a tetrahedron that is not in conflict, across these faces.
 struct CavityStart {
     TetId tetrahedron;
-    std::uint32_t faces;  // as bits
+    std::uint32_t faces;  // a bit mask
 };
 
 // How far the arrays of the workspace are filled. grow() works on a local copy: its loop makes no
@@ -56,7 +56,7 @@ struct CavityFront {
     MGDT_ALWAYS_INLINE void begin(Workspace& w, CavityStart start) {
         const Tetrahedron& t = tetrahedra[start.tetrahedron];
         if (start.faces == 0) {
-            // It is entered through no face; face 0 stands in.
+            // The first member is entered through no face; face 0 is recorded instead.
             for (unsigned i = 1; i < 4; ++i) w.first_corners[i] = t.v[i];
             w.first_corners[0] = t.v[1];
             *end++ = first_facet(start.tetrahedron);
@@ -100,7 +100,7 @@ struct CavityFront {
             fresh = mark_four(four, conflict);
         end += append(end, codes, fresh);
     }
-    // The same where some of the others may be closed: nothing is stored there.
+    // The same if some of the other neighbours may be closed: nothing is written to those.
     void sort_out_apart(const FacetCode* codes, std::uint32_t active, std::uint32_t conflict) {
         boundary_end += append(boundary_end, codes, active & ~conflict);
         take_apart(codes, conflict);
@@ -215,7 +215,7 @@ MGDT_ALWAYS_INLINE Pause grow(Access access, const Mesh& mesh, const Query& q,
     // wait for all of them, and the turns would not overlap.
     FacetCode member = *front.next;
     while (front.end <= front.limit) {
-        // In a zone a member is this thread's: decide() lets no other one in.
+        // In a zone every member belongs to this thread: decide() admits no other.
         if constexpr (Access::has_mark_table) {
             if (MGDT_UNLIKELY(!access.try_own(front.tetrahedra.of(member)))) {
                 pause = Pause::not_entered;
@@ -259,7 +259,7 @@ MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityS
     if constexpr (Access::has_mark_table) access.marks().begin(MarkTable::least_capacity);
     CavityFront<Access> cavity(access, mesh, w);
     cavity.begin(w, start);
-    // Of the start itself all neighbours are tested.
+    // At the start, the neighbours across all four faces are tested.
     Tests tests = {start.faces == 0 ? 0xFu : other_faces(*cavity.next), 0, 0};
     for (;;) {
         const Pause pause = grow(access, mesh, q, cavity, tests);
@@ -283,7 +283,7 @@ MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityS
     }
     w.cavity_size = cavity.members(w);
     w.boundary_size = static_cast<std::size_t>(cavity.boundary_end - w.boundary.data);
-    // Of the start all four neighbours were tested, if it is in, and three of each other member.
+    // Four neighbours of the first member were tested, and three of each other member.
     w.counters.conflict_tests += 3 * w.cavity_size + (start.faces == 0 ? 1 : 0);
     return true;
 }

@@ -34,11 +34,10 @@ struct FilterBounds {
 };
 inline constexpr FilterBounds proved_bounds{};
 inline constexpr double unit_roundoff = 0x1p-53;
-// What the rounding of a sphere that is kept adds to its bound, as a part of its largest
-// coefficient: 2^-21, and what is cut off the bound itself. In docs/theory.md, "Spheres that are
-// kept".
+// Rounding a sphere for storage adds this part of its largest coefficient to the bound: 2^-21, and
+// the truncation of the bound itself. See docs/theory.md, "Spheres that are kept".
 inline constexpr double kept_roundoff = 0x1.00004p-21;
-// As the bound of a sphere: leaves every test to the exact predicates.
+// As the bound of a sphere, infinity leaves every test to the exact predicates.
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Whether a coordinate is in the range in which the filters are proved.
@@ -50,7 +49,7 @@ inline bool in_normal_range(const double* x) {
     return in_normal_range(x[0]) && in_normal_range(x[1]) && in_normal_range(x[2]);
 }
 
-// A point that powers are taken of. `quadratic` is infinite for a point outside the normal range.
+// A query point of powers. `quadratic` is infinite for a point outside the normal range.
 struct Query {
     explicit Query(const double* point) : Query(point, in_normal_range(point)) {}
     Query(const double* point, bool is_normal)
@@ -72,7 +71,7 @@ struct Power {
     bool is_decided() const { return std::fabs(value) > error; }
 };
 
-// Of q with respect to the sphere of a tetrahedron with this base vertex.
+// The power of q with respect to the sphere of a tetrahedron with this base vertex.
 inline Power power(const Sphere& s, const double* p, const Query& q) {
     const double ux = q.x - p[0], uy = q.y - p[1], uz = q.z - p[2];
     double square = ux * ux + uy * uy + uz * uz;
@@ -83,7 +82,7 @@ inline Power power(const Sphere& s, const double* p, const Query& q) {
     return {value, error};
 }
 
-// A vertex relative to the base vertex, with what every sphere through it needs.
+// A vertex relative to the base vertex, with two terms that every sphere through it needs.
 struct LocalVertex {
     double x, y, z;
     double square;   // |.|^2
@@ -106,13 +105,13 @@ MGDT_ALWAYS_INLINE LocalVertex relative_to(const double* a, const double* base) 
     return local_vertex(a[0] - base[0], a[1] - base[1], a[2] - base[2]);
 }
 
-// Infinite for 0, which is meant.
+// For 0 the result is infinite, as callers expect.
 MGDT_MAY_DIVIDE_BY_ZERO MGDT_ALWAYS_INLINE double reciprocal(double x) {
     return 1.0 / x;
 }
 
-// w and e of the finite tetrahedron (base, a, b, c). A determinant that is not sound, 0 among them,
-// leaves w as it comes and e infinite.
+// w and e of the finite tetrahedron (base, a, b, c). If the determinant is too small to be trusted,
+// or 0, e is infinite and w arbitrary.
 inline void set_sphere(const LocalVertex& a, const LocalVertex& b, const LocalVertex& c, Sphere& s,
                        const FilterBounds& bounds = proved_bounds) {
     const double bcx = b.y * c.z - b.z * c.y, bcy = b.z * c.x - b.x * c.z,
@@ -140,7 +139,7 @@ inline void set_sphere(const LocalVertex& a, const LocalVertex& b, const LocalVe
     s.e = sound ? bound : infinity;
 }
 
-// w and e of the ghost whose hull facet is (base, a, b), the vertex at infinity following b.
+// w and e of the ghost whose hull facet is (base, a, b) and whose last vertex is at infinity.
 inline void set_normal(const LocalVertex& a, const LocalVertex& b, Sphere& s,
                        const FilterBounds& bounds = proved_bounds) {
     s.w[0] = a.y * b.z - a.z * b.y;
@@ -158,10 +157,10 @@ MGDT_ALWAYS_INLINE double to_upper_half(double x) {
     return x;
 }
 
-// To be kept.
+// A sphere rounded for storage.
 inline KeptSphere rounded(const Sphere& s, double roundoff = kept_roundoff) {
     const double e = std::fabs(s.e) + max_magnitude(s.w[0], s.w[1], s.w[2]) * roundoff;
-    // Where nothing is trusted w may be no number.
+    // If the bound is infinite, w may be NaN.
     const double sound = std::fabs(s.e) < infinity ? e : infinity;
     return {{upper_half(to_upper_half(s.w[0])), upper_half(to_upper_half(s.w[1])),
              upper_half(to_upper_half(s.w[2]))},
@@ -170,12 +169,12 @@ inline KeptSphere rounded(const Sphere& s, double roundoff = kept_roundoff) {
 
 }  // namespace MGDT_ISLAND
 
-// The sphere of any tetrahedron, marked or not, from its vertices. Where a vertex is outside the
-// normal range the bound is infinite.
+// The sphere of any tetrahedron, computed from its vertices, whether it is marked or not. If a
+// vertex is outside the normal range, the bound is infinite.
 Sphere circumsphere(const Tetrahedron& t, const Vertex* vertices);
 
-// Whether q is in conflict with t, decided exactly, ties by perturbation. q is none of its
-// vertices.
+// Whether q is in conflict with t: exact, with ties decided by perturbation. q is not a vertex of
+// t.
 bool is_conflict_exact(const Mesh& mesh, const Tetrahedron& t, const double* q);
 
 // The vertex of t that has the coordinates of q, or infinite_vertex.

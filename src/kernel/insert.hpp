@@ -15,7 +15,7 @@ inline namespace MGDT_ISLAND {
 template <class Access>
 MGDT_ALWAYS_INLINE Insertion insert_with(Access access, Mesh& mesh, Workspace& w, VertexId q,
                                          TetId start) {
-    // A mesh without extreme vertices has none at q either: the second test is skipped.
+    // If the mesh has no extreme vertices, q is not extreme, and the second test is skipped.
     const double* const point = mesh.point(q);
     const Query query(point, MGDT_LIKELY(!mesh.has_extremes) || in_normal_range(point));
     const typename Access::SphereSource spheres(mesh);
@@ -52,7 +52,7 @@ inline Insertion insert_in_zone(Mesh& mesh, Workspace& w, ThreadState& thread_st
 
 template <class Spheres>
 void find_cavity(const Mesh& mesh, Workspace& w, MarkTable& marks, const double* q, TetId start) {
-    // The mesh is written to by those alone that have it to themselves.
+    // Only a thread that has the mesh to itself writes to it here.
     dig_cavity(ReadingAccess<Spheres>{marks}, const_cast<Mesh&>(mesh), w, {start, 0}, Query(q));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kernel: insertion of one point, in a table so that the same code is compiled for
-// several instruction sets, of which a handle has one, and for meshes with spheres and without.
+// The kernel's interface: tables of functions. The same code is compiled for several instruction
+// sets, and for meshes with and without stored spheres; each handle uses one table.
 #pragma once
 
 #include "kernel/workspace.hpp"
@@ -11,36 +11,37 @@ class MarkTable;
 class ThreadState;
 
 struct Insertion {
-    // Of the new star, or one that has the duplicate; no_tetrahedron where an insertion among
-    // others came to what is another thread's, and changed nothing.
+    // A tetrahedron of the new star, or one that has the duplicate vertex. no_tetrahedron if the
+    // insertion met a tetrahedron that another thread owns; nothing has changed then.
     TetId tetrahedron;
-    VertexId duplicate;  // the vertex that was there before, or infinite_vertex
+    VertexId duplicate;  // the vertex with the same coordinates, or infinite_vertex
 };
 
-// A walk to the finite tetrahedron that contains q, which can be taken step by step together with
-// others, so that they wait for memory together.
+// A walk to the finite tetrahedron that contains q. Its steps can be interleaved with those of
+// other walks, so that their cache misses overlap.
 struct LocationWalk {
     double q[3];
-    TetId tetrahedron;  // before the first step: any
+    TetId tetrahedron;  // where the walk is; any tetrahedron may be the first
     double value, error;
-    // After the last step: whether it is certain that this one contains q, or is a ghost beyond
-    // whose facet q is.
+    // After the last step: whether it is certain that the tetrahedron contains q, or that it is a
+    // ghost whose facet q is beyond.
     bool is_certain;
-    bool may_end_outside;     // whether such a ghost will do, however far away it is
+    bool may_end_outside;     // whether any such ghost may end the walk, even a distant one
     std::size_t steps_taken;  // counted by the caller of locate_step()
 };
 
-// The link of a vertex that is removed, in columns by local number, padded to fours.
+// The coordinates of the link of a removed vertex, as columns by local number. Their length is a
+// multiple of four.
 struct LinkColumns {
     const double *x, *y, *z;
-    double* skipped;  // -0.0 for the vertex at infinity and what is padding, else 0.0
+    double* skipped;  // -0.0 for the vertex at infinity and for padding, otherwise 0.0
     std::size_t size;
 };
 
-// What makes a tetrahedron with a facet of the hole, and its sphere relative to the facet's first
-// vertex.
+// The vertex that makes a tetrahedron with a facet of the hole, and the sphere of that tetrahedron
+// relative to the first vertex of the facet.
 struct ApexResult {
-    std::uint32_t number;  // in the link, or one of these
+    std::uint32_t number;  // the local number in the link, or one of the two constants below
     Sphere sphere;
 };
 inline constexpr std::uint32_t infinite_apex = no_index - 1;  // the facet is on the hull
@@ -50,32 +51,33 @@ struct KernelCalls {
     // Inserts vertex q, whose record is in the mesh, walking from `start`. Strong guarantee: when
     // it throws (std::bad_alloc, Error with MGDT_ERR_TOO_LARGE) the triangulation is unchanged.
     Insertion (*insert)(Mesh& mesh, Workspace& workspace, VertexId q, TetId start);
-    // The same while other threads insert in zones of their own, where q and `start` are in this
-    // thread's and the tetrahedra between zones are closed; null without spheres. May throw
-    // SlotSupply::NoSlots too.
+    // The same while other threads insert in their zones. q and `start` are in the zone of this
+    // thread, and tetrahedra between zones are closed. Null for meshes without spheres. Also throws
+    // SlotSupply::NoSlots.
     Insertion (*insert_in_zone)(Mesh& mesh, Workspace& workspace, ThreadState& thread_state,
                                 VertexId q, TetId start);
-    // The same while other threads insert anywhere: q and the vertices of `start` are the
-    // thread_state's.
-    // May throw SlotSupply::NoSlots too.
+    // The same while other threads insert anywhere. This thread owns q and the guards of `start`.
+    // Also throws SlotSupply::NoSlots.
     Insertion (*insert_concurrent)(Mesh& mesh, Workspace& workspace, ThreadState& thread_state,
                                    VertexId q, TetId start);
-    // A location's first power, and its next step; false where it ends. See walk.hpp.
+    // Computes the first power of a location, and takes its next step. locate_step() returns false
+    // when the walk has ended. See walk.hpp.
     void (*locate_begin)(const Mesh& mesh, LocationWalk& walk);
     bool (*locate_step)(const Mesh& mesh, LocationWalk& walk);
-    // Continues a long walk from the best of `tries` tetrahedra all over the mesh.
+    // Continues a long walk at the best of `tries` tetrahedra that are spread over the mesh.
     void (*locate_jump)(const Mesh& mesh, LocationWalk& walk, std::size_t tries);
-    // The cavity that q would have, of which `start` is a member. It is left in the workspace, and
-    // its tetrahedra in `marks`; many threads may do this to one mesh. Throws std::bad_alloc.
+    // Finds the cavity that q would have; `start` is one of its members. The cavity is left in the
+    // workspace, and its members in `marks`. Several threads may do this on one mesh at the same
+    // time. Throws std::bad_alloc.
     void (*find_cavity)(const Mesh& mesh, Workspace& workspace, MarkTable& marks, const double* q,
                         TetId start);
 };
 
 struct Kernel {
     const char* isa;
-    KernelCalls with_spheres;     // for a mesh that keeps them
-    KernelCalls without_spheres;  // for one that does not
-    // All of the link has to be in the range in which filters are proved.
+    KernelCalls with_spheres;     // for a mesh that stores spheres
+    KernelCalls without_spheres;  // for a mesh in compact storage
+    // All vertices of the link have to be in the range where filters are proved.
     ApexResult (*find_apex)(const LinkColumns& link, const std::uint32_t (&facet)[3]);
 
     const KernelCalls& on(const Mesh& mesh) const noexcept {
@@ -83,10 +85,12 @@ struct Kernel {
     }
 };
 
-// The kernel of that name, or the best for NULL; nullptr if this processor does not run it.
+// The kernel with this name, or the best one for a null pointer; nullptr if the processor cannot
+// run it.
 const Kernel* find_kernel(const char* name) noexcept;
 
-// The kernel that MGDT_ISA in the environment names if the processor runs it, else the best.
+// The kernel that the environment variable MGDT_ISA names, if the processor can run it; otherwise
+// the best one.
 const Kernel& default_kernel() noexcept;
 
 }  // namespace mgdt

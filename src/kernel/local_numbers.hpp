@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Local numbers for the vertices of a cavity. The tables are the thread's own, not marks in
-// vertex records, so that two threads may have one vertex in their cavities.
+// Local numbers for the vertices of a cavity. They are in thread-local tables and not in the vertex
+// records, because a vertex may be in the cavities of two threads.
 #pragma once
 
 #include "kernel/island.hpp"
@@ -79,7 +79,7 @@ class DirectNumbers {
     std::uint32_t count_ = 0;
 };
 
-// Open-addressed, for any cavity.
+// An open-addressed hash table, for cavities of any size.
 class ProbedNumbers {
   public:
     explicit ProbedNumbers(Workspace& w)
@@ -108,7 +108,7 @@ class ProbedNumbers {
         for (std::size_t i = 0; i < w.cavity_size; ++i) add(corner(tetrahedra, w.cavity.data[i]));
     }
     std::uint32_t count() const { return count_; }
-    // Likewise.
+    // As lookup() above.
     MGDT_ALWAYS_INLINE auto lookup() const {
         return [table = table_, ids = ids_, mask = mask_](VertexId v) {
             std::uint32_t h = v & mask;
@@ -119,7 +119,7 @@ class ProbedNumbers {
     std::uint32_t find(VertexId v) const { return table_[place(v)]; }
 
   private:
-    // Where v is, or would be.
+    // The position of v in the table, or where it would be.
     std::uint32_t place(VertexId v) const {
         std::uint32_t h = v & mask_;
         while (table_[h] != no_index && ids_[table_[h]] != v) h = (h + 1) & mask_;

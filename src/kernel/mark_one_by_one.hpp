@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Marks of the members of a cavity in a table of the thread's own, one after the other.
+// Marks members of a cavity in the thread-local table, one after the other.
 #pragma once
 
 #include "kernel/thread_state.hpp"
@@ -7,8 +7,8 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Puts those in whose bits are set; returns which of them were not in before. A view by value,
-// which stays in registers elsewhere.
+// Adds the tetrahedra whose bits are set, and returns which of them are new. The view is passed by
+// value, so that the caller can keep its own in registers.
 inline std::uint32_t put_one_by_one(MarkTable::View marks, const FacetCode* codes,
                                     std::uint32_t which) {
     std::uint32_t fresh = 0;

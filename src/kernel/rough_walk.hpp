@@ -11,8 +11,8 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// The signs of orientations do not change when each axis is divided by a number of its own. So
-// differences that could overflow in a product are divided by the largest of their axis.
+// Dividing each axis by a positive number does not change the sign of an orientation. So
+// differences whose products could overflow are divided by the largest of their axis.
 inline void divide_by_largest(double d[4][3]) {
     for (unsigned k = 0; k < 3; ++k) {
         double largest = 0;
@@ -25,7 +25,8 @@ inline void divide_by_largest(double d[4][3]) {
     }
 }
 
-// The faces of a finite tetrahedron that q is beyond, as bits; d are its vertices relative to q.
+// The faces of a finite tetrahedron that q is beyond, as a bit mask. d has its vertices relative to
+// q.
 inline std::uint32_t faces_between(const double d[4][3]) {
     const auto cross = [](const double* a, const double* b, double* c) {
         c[0] = a[1] * b[2] - a[2] * b[1];
@@ -44,16 +45,16 @@ inline std::uint32_t faces_between(const double d[4][3]) {
            static_cast<std::uint32_t>(dot(d[2], first) > 0) << 3;
 }
 
-// From a tetrahedron to one that seems to contain q, or to a ghost that q seems to be beyond; or as
-// far as tetrahedra may be entered. Rounding may lead it in circles, which an exact one never goes
-// in: it ends where it comes to a tetrahedron again.
+// Walks from a tetrahedron to one that seems to contain q, or to a ghost that q seems to be beyond,
+// or as far as tetrahedra may be entered. With rounding errors a walk may cycle; it ends when it
+// returns to a tetrahedron.
 template <class TryOwn>
 MGDT_NOT_INLINE TetId walk_roughly(const Mesh& mesh, TetId t, const double* q, Counters& counters,
                                    TryOwn try_own) {
-    // Halves keep differences of huge coordinates finite.
+    // Coordinates are halved, so that differences of huge ones do not overflow.
     const double factor = mesh.has_extremes ? 0.5 : 1;
-    unsigned from = 4;              // the face that it came through
-    TetId before = no_tetrahedron;  // where it was at the last power of two of steps
+    unsigned from = 4;              // the face that the walk came through
+    TetId before = no_tetrahedron;  // where it was after a number of steps that is a power of two
     for (std::uint64_t step = 0;; ++step) {
         if (t == before) return t;
         if ((step & (step - 1)) == 0) before = t;

@@ -77,8 +77,8 @@ struct GhostsOfStar {
     TetId last;
 };
 
-// The new tetrahedron of a facet is a ghost if vertex b or c is at infinity: unpredictable, hence
-// branchless.
+// The new tetrahedron of a facet is a ghost if vertex b or c is at infinity. That cannot be
+// predicted, so the code is branchless.
 template <class Number>
 MGDT_ALWAYS_INLINE GhostsOfStar ghosts_of_star(const Workspace& w, std::uint32_t infinite,
                                                const Number* const bs, const Number* const cs) {
@@ -107,12 +107,13 @@ inline void distrust_extremes(Mesh& mesh, const Workspace& w, VertexId q) {
     }
 }
 
-// The slots of the cavity are used again, because they are in the cache.
+// Reuses the slots of the cavity, which are in the cache.
 template <class Access>
 MGDT_ALWAYS_INLINE void choose_slots(Access access, Workspace& w) {
     const std::size_t removed = w.cavity_size, created = w.boundary_size;
     FacetCode* const slots = w.slots.data;
-    // In blocks, so that the number of turns is predictable; the array has room past its end.
+    // In blocks, so that the branch at the end of the loop is predictable; the array has room for
+    // them.
     constexpr std::size_t block = 32;
     const FacetCode* const cavity = w.cavity.data;
     for (std::size_t i = 0; i < removed; i += block)
@@ -125,7 +126,7 @@ MGDT_ALWAYS_INLINE void choose_slots(Access access, Workspace& w) {
     w.slot_count = created;
 }
 
-// Members of the cavity that are ghosts: unpredictable, hence branchless.
+// Counts the ghosts of the cavity, without branches that cannot be predicted.
 template <class Tetrahedra>
 MGDT_ALWAYS_INLINE std::size_t count_ghosts(const Tetrahedra tetrahedra, const Workspace& w) {
     std::size_t ghosts = 0;
@@ -165,7 +166,7 @@ MGDT_ALWAYS_INLINE void build_small(const Tetrahedra tetrahedra, const Mesh& mes
         link_each(tetrahedra, w, link);
 }
 
-// Any other: its edges in a matrix that has room for it, or in a table.
+// A star of any size: its edges are in a matrix if that is large enough, otherwise in a hash table.
 template <class Access, class Tetrahedra, class Numbers>
 MGDT_ALWAYS_INLINE void build_large(Access access, const Tetrahedra tetrahedra, const Mesh& mesh,
                                     Workspace& w, VertexId q, const Numbers& numbers,
@@ -215,7 +216,7 @@ template <class Access>
 TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
     const std::size_t removed = w.cavity_size, created = w.boundary_size;
 
-    // All that can fail.
+    // Everything that can fail comes first.
     w.slot_count = 0;
     try {
         if (MGDT_UNLIKELY(removed > w.star_removed || created > w.star_created))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The records of a star that is being built, and the places of its vertices.
+// The records of a star while it is built, and the coordinates of its vertices.
 #pragma once
 
 #include "kernel/workspace.hpp"
@@ -9,7 +9,7 @@ inline namespace MGDT_ISLAND {
 
 using SphereStore = TetrahedronView<TetrahedronAndSphere>;
 
-// Coordinates relative to q of the vertices of the cavity, by local number.
+// The vertices of the cavity relative to q, by local number.
 inline void set_coordinates(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count) {
     const double* const base = vertices[q].x;
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -20,7 +20,7 @@ inline void set_coordinates(Workspace& w, const Vertex* vertices, VertexId q, st
     }
 }
 
-// What else is to be done with each new tetrahedron, by its facet: link(i, t).
+// A function that set_spheres_small() calls for each new tetrahedron and its facet: link(i, t).
 template <class Tetrahedra, class Link>
 MGDT_ALWAYS_INLINE void link_each(const Tetrahedra tetrahedra, const Workspace& w, Link link) {
     for (std::size_t i = 0; i < w.boundary_size; ++i) link(i, tetrahedra.of_first(w.slots.data[i]));

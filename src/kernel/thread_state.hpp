@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a thread that inserts among others has of its own: blocks of vertices, slots that no other
-// thread takes, and the marks of its cavity.
+// The thread-local state of an insertion by several threads: blocks of vertices that the thread
+// owns, a supply of slots, and the marks of its cavity.
 #pragma once
 
 #include <mutex>
@@ -10,29 +10,29 @@
 
 namespace mgdt {
 
-// The mesh's storage while several threads insert: it stays where it is, and slots are taken from
-// it a stretch at a time.
+// The storage of the mesh while several threads insert. It is not moved, and each thread takes a
+// range of slots at a time.
 class SlotSupply {
   public:
     SlotSupply(Mesh& mesh, std::uint32_t slots_at_once)
         : mesh_(mesh), slots_at_once_(slots_at_once) {}
-    // Before the threads start, and when they are done.
+    // Called before the threads start, and after they have ended.
     void open() noexcept;
     void close() noexcept;
 
     struct SlotRange {
         TetId begin, end;
     };
-    // Of `least` slots or more; throws NoSlots if there are fewer.
+    // Takes a range of at least `least` slots. Throws NoSlots if there are fewer.
     struct NoSlots {};
     SlotRange take(std::size_t least);
-    // How many that may be.
+    // The largest range that take(least) may return.
     std::size_t most(std::size_t least) const noexcept {
         return least > slots_at_once_ ? least : slots_at_once_;
     }
-    // Makes sure that the mesh can list `more` further free slots at the end.
+    // Makes sure that the list of free slots of the mesh has room for `more` slots in the end.
     void promise(std::size_t more);
-    // Moves free slots of the mesh, at most `most`, to a list that has room for them.
+    // Moves at most `most` free slots of the mesh to a list, which has room for them.
     void take_free(Buffer<TetId>& list, std::size_t most) noexcept;
 
   private:
@@ -43,19 +43,19 @@ class SlotSupply {
     std::size_t promised_ = 0;
 };
 
-// The set of tetrahedra in the cavity that a thread digs. Marks in the tetrahedra themselves would
-// be seen by other threads, which may test them too.
+// The set of tetrahedra in the cavity of a thread. Marks in the tetrahedra themselves would be seen
+// by other threads, which may test the same tetrahedra.
 //
-// A hash table whose entries are of 32 bits: a tetrahedron's lowest bits are its place, the others
-// are in the entry, below the stamp of the insertion that made it. So no entry has to be taken out:
-// those with other stamps are free. A tetrahedron whose place another one of the same cavity holds
-// goes to a list.
+// A hash table with entries of 32 bits. The lowest bits of a tetrahedron's number are its position
+// in the table; the others are in the entry, below the stamp of the insertion. Entries with an
+// older stamp are free, so the table need not be cleared. There is no probing: if two tetrahedra of
+// a cavity have the same position, the second one goes to a list.
 class MarkTable {
   public:
     explicit MarkTable(Allocator& allocator) noexcept
         : entries_(allocator), displaced_(allocator) {}
-    // Empties the set and makes room for `members`. The table is no larger than they need, however
-    // large it has been: entries spread over a large one would not stay in the cache.
+    // Empties the set and makes room for `members`. The table shrinks, too, because entries that
+    // are spread over a large table would not stay in the cache.
     MGDT_ALWAYS_INLINE void begin(std::size_t members) {
         view_.stamp += one_stamp;
         view_.mask = least - 1;
@@ -64,19 +64,19 @@ class MarkTable {
         if (MGDT_UNLIKELY(4 * members > least || entries_.empty() || view_.stamp == 0))
             resize(members);
     }
-    // Room for more; the first `marked` members are in.
+    // Makes room for more members. The first `marked` of `codes` are in the set.
     void grow(std::size_t members, const FacetCode* codes, std::size_t marked);
-    // How many there is room for.
+    // The number of members that there is room for.
     MGDT_ALWAYS_INLINE std::size_t capacity() const noexcept {
         return (std::size_t{view_.mask} + 1) / 4;
     }
     static constexpr std::size_t least_capacity = 256;
     static constexpr unsigned stamp_shift = 20;
 
-    // The set, by value: a copy stays in registers while entries are written.
+    // A view of the set. A local copy stays in registers while entries are written.
     struct View {
         bool has(TetId t) const noexcept;
-        // Puts t in if `is_in` is 1. Returns 1 if it was not in before, whatever `is_in` says.
+        // Adds t if `is_in` is 1. Returns 1 if t was not in the set, also if `is_in` is 0.
         MGDT_ALWAYS_INLINE std::uint32_t put(TetId t, std::uint32_t is_in) const noexcept {
             std::uint32_t& entry = data[t & mask];
             const std::uint32_t key = key_of(t), there = entry;
@@ -87,7 +87,7 @@ class MarkTable {
         MGDT_ALWAYS_INLINE std::uint32_t key_of(TetId t) const noexcept {
             return stamp | t >> place_bits;
         }
-        // Whether an entry has the key's stamp, but another tetrahedron.
+        // Whether an entry of the current stamp has another tetrahedron.
         static bool is_collision(std::uint32_t entry, std::uint32_t key) noexcept {
             return entry != key && (entry ^ key) >> stamp_shift == 0;
         }
@@ -108,7 +108,7 @@ class MarkTable {
     MGDT_ALWAYS_INLINE View view() const noexcept { return view_; }
 
   private:
-    // Entries for `members`, none of them with the stamp.
+    // Makes a table for `members` without entries of the current stamp.
     void resize(std::size_t members);
 
     static constexpr unsigned least_bits = 10;
@@ -123,7 +123,7 @@ class MarkTable {
     View view_;
 };
 
-// What a thread among others needs of its own: blocks of vertices, and slots that no other takes.
+// The thread-local state itself.
 class ThreadState {
   public:
     ThreadState(Mesh& mesh, BlockOwners& owners, std::uint8_t who, SlotSupply& supply)
@@ -133,10 +133,10 @@ class ThreadState {
           supply_(supply),
           free_slots_(mesh.vertices.allocator()) {}
 
-    // Whether a vertex, or a tetrahedron, is mine, now if not before.
+    // Acquires a vertex, or both guards of a tetrahedron. Returns false if another thread owns one.
     bool try_own(VertexId v) noexcept { return blocks.mine()(v) || blocks.try_own(v); }
     bool try_own(const Tetrahedron& t) noexcept { return try_own(t.v[0]) && try_own(t.v[1]); }
-    // As those of Mesh; may throw SlotSupply::NoSlots.
+    // As the functions of Mesh. reserve_slots() also throws SlotSupply::NoSlots.
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) {
         if (MGDT_UNLIKELY(taken > slots_left() || slots_left() + freed > most_free_))
             grow_slots(taken, freed);
@@ -159,14 +159,13 @@ class ThreadState {
     MGDT_ALWAYS_INLINE void count_ghosts(std::size_t made, std::size_t gone) noexcept {
         ghosts += static_cast<std::int64_t>(made) - static_cast<std::int64_t>(gone);
     }
-    // Hands the slots that are left to the mesh, when the threads are done and the supply is
-    // closed.
+    // Gives the remaining slots to the mesh, after the threads have ended and the supply is closed.
     void return_slots() noexcept;
 
     OwnedBlocks blocks;
     MarkTable marks;
-    std::int64_t ghosts = 0;         // made, less those removed
-    TetId a_ghost = no_tetrahedron;  // the last one made
+    std::int64_t ghosts = 0;         // ghosts created minus ghosts removed
+    TetId a_ghost = no_tetrahedron;  // the newest ghost
 
   private:
     MGDT_ALWAYS_INLINE std::size_t slots_left() const noexcept {
@@ -177,8 +176,9 @@ class ThreadState {
     Mesh& mesh_;
     SlotSupply& supply_;
     Buffer<TetId> free_slots_;
-    TetId fresh_ = 0, end_ = 0;  // slots that were never used
-    std::size_t most_free_ = 0;  // slots left that there is room to list
+    TetId fresh_ = 0, end_ = 0;  // the range of slots that were never used
+    std::size_t most_free_ =
+        0;  // the number of remaining slots that can be listed without allocation
 };
 
 }  // namespace mgdt

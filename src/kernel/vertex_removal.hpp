@@ -23,46 +23,48 @@ class VertexRemoval {
   public:
     explicit VertexRemoval(Allocator& allocator) noexcept;
 
-    // Prepares the removal of vertex v, of which t is a tetrahedron: find() finds its star and its
-    // link, then a fill finds what fills the hole. They throw std::bad_alloc, and a fill
-    // MGDT_ERR_TOO_LARGE for too many tetrahedra; the mesh is unchanged in any case.
+    // Prepares the removal of vertex v, where t is a tetrahedron of v. find() finds the star and
+    // the link; then fill() or fill_from() finds the tetrahedra that fill the hole. They throw
+    // std::bad_alloc, and the latter MGDT_ERR_TOO_LARGE for too many tetrahedra. The mesh does not
+    // change.
     void find(Mesh& mesh, VertexId v, TetId t);
     void fill(const Kernel& kernel, Mesh& mesh);
-    // From a triangulation of the link, in which the points are in the order of link().
+    // Takes the tetrahedra from a triangulation of the link, whose points are in the order of
+    // link().
     void fill_from(const Mesh& triangulated_link, Mesh& mesh);
-    // The vertices around the one that goes; perhaps that at infinity too.
+    // The vertices of the link, possibly with the vertex at infinity.
     const Buffer<VertexId>& link() const noexcept { return link_; }
     // Whether the remaining points still span space. If not, there is nothing to replace.
     bool leaves_space() const noexcept { return leaves_space_; }
-    // Gives back the room that is kept from one removal to the next.
+    // Frees the memory that is kept from one removal to the next.
     void reset() noexcept;
-    // Vertices around the one that goes, without that at infinity.
+    // The number of finite vertices in the link.
     std::size_t link_size() const noexcept { return link_.size() - (infinite_ != no_index); }
-    // Replaces the star by what was prepared; returns a tetrahedron that is new.
+    // Replaces the star by the prepared tetrahedra. Returns one of them.
     TetId replace(Mesh& mesh) noexcept;
-    // Keeps the star, so that undo() can put it back while nothing else has changed. Throws
-    // std::bad_alloc; the mesh is unchanged in any case.
+    // Saves the star, so that undo() can restore it if nothing else has changed. Throws
+    // std::bad_alloc. The mesh does not change.
     void keep_star(const Mesh& mesh);
-    // Returns a tetrahedron of the star.
+    // Restores the star. Returns one of its tetrahedra.
     TetId undo(Mesh& mesh) noexcept;
 
   private:
-    // A local number of a vertex of the link.
+    // The local number of a vertex in the link.
     using Number = std::uint32_t;
-    // A tetrahedron as its record will be: the vertices of the facet from which it was found, and
-    // the apex. Opposite the i-th vertex is the facet with this code. `is_outside`: a neighbour
-    // that stays; else 4 * tetrahedron + face in the filling.
+    // A tetrahedron that fills the hole, as its record will be: the vertices of the facet from
+    // which it was found, and the apex. n[i] is the facet code opposite vertex i: of a neighbour
+    // outside the hole if is_outside[i], otherwise of a tetrahedron in `filling_`.
     struct Filling {
         Number v[4];
         FacetCode n[4];
         bool is_outside[4];
         Sphere sphere;
     };
-    // A facet of the hole or of the filling, as the tetrahedron sees it that comes on its inner
-    // side: (apex, v[0], v[1], v[2]) is positively oriented.
+    // A facet of the hole or of the filling, oriented for the tetrahedron on its inner side:
+    // (apex, v[0], v[1], v[2]) is positively oriented.
     struct Facet {
         Number v[3];
-        FacetCode behind;  // the tetrahedron on its other side, as in Filling
+        FacetCode behind;  // the facet code on the other side, as in Filling
         bool is_outside, is_closed;
     };
 
@@ -74,13 +76,13 @@ class VertexRemoval {
     void end_filling(Mesh& mesh);
     void add_boundary(const Mesh& mesh);
     Buffer<FacetCode> boundary_in(const Mesh& triangulated_link);
-    // The local number of a vertex of the link's triangulation.
+    // The local number of a vertex in the triangulation of the link.
     Number number_in(const Mesh& triangulated_link, VertexId u) const noexcept {
         if (u == infinite_vertex) return infinite_;
         const std::uint32_t i = triangulated_link.vertices[u].index;
         return i < infinite_ ? i : i + 1;
     }
-    // Adds a facet; links the tetrahedra on its two sides when it comes for the second time.
+    // Adds a facet. When it is added for the second time, links the tetrahedra on its two sides.
     void join(const Number (&v)[3], FacetCode behind, bool is_outside);
     ApexResult apex_of(const Mesh& mesh, const Facet& facet) const;
     Sphere ghost_sphere(const Mesh& mesh, const Facet& facet) const;
@@ -88,18 +90,19 @@ class VertexRemoval {
     const double* point(const Mesh& mesh, Number k) const noexcept { return mesh.point(link_[k]); }
 
     Buffer<TetId> star_;
-    Buffer<VertexId> link_;   // by local number
-    Buffer<double> columns_;  // x, y, z of the link, and what is skipped
-    NumberTable numbers_;     // by vertex
+    Buffer<VertexId> link_;   // the vertex of each local number
+    Buffer<double> columns_;  // the columns of LinkColumns
+    NumberTable numbers_;     // the local number of each vertex
     Buffer<Facet> facets_;
-    NumberTable numbers_of_facets_;  // by their vertices
+    NumberTable numbers_of_facets_;  // keyed by their vertices
     Buffer<Filling> filling_;
     Buffer<FacetCode> slots_;
     Buffer<Tetrahedron> kept_;
-    VertexId vertex_ = infinite_vertex;  // that goes
-    TetId a_ghost_ = no_tetrahedron;     // of the mesh, when the star was kept
+    VertexId vertex_ = infinite_vertex;  // the vertex to remove
+    TetId a_ghost_ = no_tetrahedron;     // Mesh::a_ghost when the star was saved
     std::size_t ghosts_gone_ = 0, ghosts_made_ = 0;
-    Number infinite_ = no_index;  // the number of the vertex at infinity
+    Number infinite_ =
+        no_index;  // the local number of the vertex at infinity, if it is in the link
     bool leaves_space_ = true;
 };
 

@@ -26,7 +26,7 @@ struct Counters {
     }
 };
 
-// An array with a known capacity; what its elements mean is its user's affair.
+// An array with a known capacity. Its owner decides what the elements mean.
 template <class T>
 struct Scratch {
     explicit Scratch(Allocator& allocator) : buffer(allocator) {}
@@ -52,12 +52,13 @@ struct Workspace {
     Workspace(const Workspace&) = delete;
     Workspace& operator=(const Workspace&) = delete;
 
-    // Room for cavities of `needed` members; keeps the first `members` and `facets` that are there.
+    // Makes room for cavities of `needed` members. The first `members` and `facets` keep their
+    // values.
     void grow_cavity(std::size_t members, std::size_t facets, std::size_t needed);
-    // Room for a star that replaces `removed` tetrahedra by `created` ones. The arrays have room
-    // for what a vector of 8 stores past their ends.
+    // Makes room for a star that replaces `removed` tetrahedra by `created` ones. The arrays are
+    // padded, so that stores of vectors of 8 may go past their ends.
     void grow_star(std::size_t removed, std::size_t created);
-    // Gives all room back.
+    // Frees all arrays.
     void reset() noexcept;
     // Undoes the marks on the first members of a cavity that is given up.
     void restore_cavity(TetrahedronStore& tetrahedra, std::size_t members) noexcept;
