@@ -3,7 +3,8 @@
 
 namespace mgdt {
 
-// Multi-grid as it is by default, whatever the parameters: what measures best (docs/paper.md).
+// The multi-grid scheme with its defaults, whatever the parameters are. It measures best
+// (docs/paper.md).
 void order_auto(Team& team, const PointSet& points, const OrderParameters& parameters,
                 Schedule& out) {
     OrderParameters by_default;

@@ -6,8 +6,8 @@
 
 namespace mgdt {
 
-// All points are sorted along one curve, then dealt into the rounds from there, so that each
-// round follows the curve too.
+// All points are sorted along a curve and then distributed to rounds in that order, so each round
+// follows the curve, too.
 void order_brio(Team& team, const PointSet& points, const OrderParameters& parameters,
                 Schedule& out) {
     const std::size_t n = points.size;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes, and the step from a coordinate to the number of a cell, for every finite double.
+// Bounding boxes, and the conversion of a coordinate to a cell number, for every finite double.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace mgdt {
 struct Box {
     double low[3], high[3];
 
-    // May be infinite.
+    // The result may be infinite.
     double extent(int k) const noexcept { return high[k] - low[k]; }
     double longest() const noexcept {
         double e = extent(0);
@@ -38,7 +38,7 @@ inline Box box_of(const PointSet& points) noexcept {
     return box;
 }
 
-// Of n >= 1 points chosen by `index(j)`, 0 <= j < n.
+// The bounding box of n >= 1 points; index(j) is the j-th of them.
 template <class Index>
 Box box_of(const PointSet& points, std::size_t n, Index index) noexcept {
     constexpr std::size_t ahead = 16;
@@ -54,7 +54,7 @@ Box box_of(const PointSet& points, std::size_t n, Index index) noexcept {
     return box;
 }
 
-// Divides a box into count[0] x count[1] x count[2] cells and says in which one a point is. Every
+// Divides a box into count[0] x count[1] x count[2] cells, and gives the cell of a point. Each
 // count is at most 2^31 - 1.
 class Lattice {
   public:
@@ -84,8 +84,8 @@ class Lattice {
         return lattice;
     }
 
-    // Number of the cell of point i along axis k, 0..count-1. The least and the largest coordinate
-    // of a box that is not flat get the first and the last one.
+    // The number of the cell of point i along axis k, 0..count-1. In a box that is not flat, the
+    // least coordinate is in the first cell, and the largest in the last.
     std::uint32_t step(const PointSet& points, std::size_t i, int k) const noexcept {
         const double x = points.axis[k][static_cast<std::ptrdiff_t>(i) * points.stride];
         double t = (x * unit_[k] - low_[k]) * factor_[k];
@@ -95,8 +95,8 @@ class Lattice {
     }
 
   private:
-    // A power of two that brings an extent to where it is finite and its reciprocal too. Small
-    // extents come with small coordinates (or the extent would be 0), so those do not overflow.
+    // A power of two that scales an extent so that it and its reciprocal are finite. If an extent
+    // is small, so are the coordinates, and scaling does not overflow them.
     static double working_unit(double extent) noexcept {
         if (extent > 0x1p1023) return 0.5;
         return extent < 0x1p-600 ? 0x1p500 : 1.0;

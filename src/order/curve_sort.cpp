@@ -11,7 +11,7 @@
 namespace mgdt {
 namespace {
 
-// Whether two words that are sorted have points in one cell.
+// Whether two sorted words have the same key, that is, points in one cell.
 struct InOneCell {
     const std::uint64_t* words;
     unsigned index_bits;
@@ -20,14 +20,14 @@ struct InOneCell {
     }
 };
 
-// A word is a key on top of an index: what is left of 64 bits when the index has its share takes 9
-// to 15 levels of the curve, of which up to 16,384 points get fewer than there is room for. Where
-// points crowd in one of the finest cells, the curve goes on inside it over the least cube that
-// holds them, so its resolution follows the points down to the last bit of their coordinates.
+// A word of 64 bits has a key in its upper bits and an index in its lower bits. The key has room
+// for 9 to 15 levels of the curve; sets of up to 16,384 points use fewer. If many points are in one
+// cell of the finest level, the curve is continued inside that cell, over the smallest cube that
+// contains them. So the resolution adapts to the points, down to the last bit of their coordinates.
 //
-// A curve inside a cell divides the extent by 2^9 at least, so they lie up to (1024 + 1074) / 9
-// deep in one another. Cells that wait are listed in the handle's memory: the stack does not depend
-// on the points.
+// A nested curve has at most 2^-9 of the extent, so nesting is at most (1024 + 1074) / 9 deep.
+// Cells that are still to be sorted are listed in memory of the handle, so the use of the stack
+// does not depend on the points.
 class CurveSorter {
   public:
     CurveSorter(const PointSet& points, std::size_t crowd, CurveOrder& order,
@@ -39,14 +39,15 @@ class CurveSorter {
           words_(order.words.data()),
           scratch_(scratch.data()) {
         const unsigned room = (64 - order.index_bits) / (3 * HilbertCurve::levels_per_step);
-        // Along an edge a cell for every four points at least, so that few of a line share one.
+        // At least one cell per four points along each axis, so that few points of a line share a
+        // cell.
         const unsigned wanted =
             std::max(least_steps, order.index_bits / HilbertCurve::levels_per_step);
         steps_ = std::min({room, wanted, most_steps});
     }
 
-    // Crowded cells with few points are taken from there by one thread each, side by side, those
-    // with many by the whole team, one after another.
+    // Threads sort crowded cells with few points at the same time, one thread per cell. All threads
+    // together sort crowded cells with many points, one cell after another.
     void sort(Team& team) {
         Buffer<Cell> large(allocator_);
         Buffer<Run> runs(allocator_);
@@ -82,11 +83,12 @@ class CurveSorter {
     static constexpr std::size_t min_items_per_thread = 32768;
 
     struct Cell {
-        std::size_t begin, end;  // places of its points
-        unsigned state;          // of the curve in it
-        unsigned depth;          // 1 for the whole
+        std::size_t begin, end;  // the range of its points
+        unsigned state;          // the state of the curve in the cell
+        unsigned depth;          // of nesting; 1 for the whole set
     };
-    // A cell that is sorted, but not what is before `begin` inside its own finest cells.
+    // A cell whose points are sorted by its curve. Up to `begin`, crowded cells inside it are
+    // sorted, too.
     struct Level {
         Cell cell;
         Lattice lattice;
@@ -103,7 +105,7 @@ class CurveSorter {
                       [&](std::size_t j) { return order_.index(cell.begin + j); });
     }
 
-    // One of the finest cells of a cell that is sorted.
+    // A cell of the finest level, inside a cell that is sorted.
     Cell inside(const Lattice& lattice, const Cell& cell, std::size_t begin,
                 std::size_t end) const noexcept {
         unsigned state = cell.state;
@@ -111,7 +113,7 @@ class CurveSorter {
         return {begin, end, state, cell.depth + 1};
     }
 
-    // Sorts the points of a cell by keys over its lattice, which is returned.
+    // Sorts the points of a cell by their keys on its lattice. Returns the lattice.
     Lattice sort_cell(Team& team, const Cell& cell, const Box& box) {
         unsigned deepest = levels_;
         while (cell.depth > deepest && !levels_.compare_exchange_weak(deepest, cell.depth)) {
@@ -133,8 +135,8 @@ class CurveSorter {
         return lattice;
     }
 
-    // Sorts what lies in one of the finest cells of a cell, down to the last curve inside it.
-    // `open` is empty before and after.
+    // Sorts a cell of the finest level and all curves nested inside it. `open` is working memory,
+    // empty before and after the call.
     void sort_inside(Buffer<Level>& open, const Lattice& lattice, const Cell& cell,
                      std::size_t begin, std::size_t end) {
         Team alone;

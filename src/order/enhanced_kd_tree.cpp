@@ -10,8 +10,8 @@ namespace {
 
 constexpr double grid_points_per_cell = 8;
 
-// Puts the points of each kd cell in the order of a regular grid over them, which begins at the
-// corner next to the pivot before.
+// Sorts the points of each kd cell along a regular grid, which begins at the corner next to the
+// previous pivot.
 class CellOrder {
   public:
     CellOrder(const PointSet& points, const Buffer<KdPoint>& sorted, Schedule& out)
@@ -19,7 +19,7 @@ class CellOrder {
 
     void operator()(std::size_t begin, std::size_t end) {
         const std::size_t n = end - begin;
-        if (begin > 0) out_.order[begin - 1] = sorted_[begin - 1].index;  // the pivot before
+        if (begin > 0) out_.order[begin - 1] = sorted_[begin - 1].index;  // the previous pivot
         if (n == 0) return;
         const auto index = [&](std::size_t j) { return sorted_[begin + j].index; };
         Box box;
@@ -30,7 +30,7 @@ class CellOrder {
         path_.resize(n);
         std::uint32_t* order = out_.order.data() + begin;
         sort_along_path(grid, points_, n, index, path_.data(), ends_, order);
-        // Inside a cell, the input's order.
+        // Within a grid cell, points keep the order of the input.
         std::uint32_t from = 0;
         for (std::size_t c = 0; c < grid.cells(); ++c) {
             std::sort(order + from, order + ends_[c]);

@@ -6,7 +6,7 @@
 
 namespace mgdt {
 
-// Where the run of items that begins at `begin` ends, before `end`.
+// The end of the run of equal items that begins at `begin`; at most `end`.
 template <class Equal>
 std::size_t end_of_run(std::size_t begin, std::size_t end, Equal equal) {
     std::size_t next = begin + 1;
@@ -14,7 +14,7 @@ std::size_t end_of_run(std::size_t begin, std::size_t end, Equal equal) {
     return next;
 }
 
-// Calls each(begin, end) for the runs of items begin..end-1 with equal(i, j).
+// Calls each(begin, end) for each run of equal items in begin..end-1; equal(i, j) compares items.
 template <class Equal, class Each>
 void for_each_run(std::size_t begin, std::size_t end, Equal equal, Each each) {
     for (std::size_t k = begin; k < end;) {

@@ -7,13 +7,13 @@
 namespace mgdt {
 namespace {
 
-// Extents that can be compared: all finite, each to the same unit.
+// Scales the extents so that all are finite and can be compared.
 void comparable_extents(const Box& box, double extent[3]) noexcept {
     const double unit = box.longest() > 0x1p1023 ? 0.5 : 1.0;
     for (int k = 0; k < 3; ++k) extent[k] = box.high[k] * unit - box.low[k] * unit;
 }
 
-// Libraries round cbrt differently in the last bit; a float hides that.
+// C libraries round cbrt differently in the last bit; rounding to float hides that.
 double cube_root(double x) noexcept {
     return static_cast<float>(std::cbrt(x));
 }
@@ -28,7 +28,7 @@ void divide(const Box& box, double cells, std::uint32_t count[3]) noexcept {
     const double a = extent[axis[0]], b = extent[axis[1]], c = extent[axis[2]];
 
     double divisions[3] = {1, 1, 1};
-    // Written with ratios, since the product of the extents may leave the range of doubles.
+    // Ratios, since the product of the extents may overflow.
     const double shortest = b > 0 ? cube_root(cells * (c / a) * (c / b)) : 0;
     const double middle = a > 0 ? std::sqrt(cells * (b / a)) : 0;
     if (shortest >= 0.5) {

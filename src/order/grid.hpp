@@ -15,8 +15,8 @@ namespace mgdt {
 // about N / n cells in flat and thin boxes too (at most 4 N / n, and 2^31).
 class Grid {
   public:
-    // `from`: a point next to which the path should begin, at one of the corner cells; without it
-    // the path begins at the low corner.
+    // The path begins at the corner cell nearest to the point `from`, or at the low corner if
+    // `from` is null.
     Grid(const PointSet& points, const Box& box, std::size_t n, double points_per_cell,
          const double* from = nullptr) noexcept;
 
@@ -30,9 +30,9 @@ class Grid {
         for (int k = 0; k < 3; ++k) cell[k] = lattice_.step(points, i, k);
     }
 
-    // Place of a point's cell on the path, 0..cells-1: along a row in x, back along the next row
-    // of the layer, and so on through the layer above from where the one below ended (Figure 13).
-    // Cells that follow each other share a face.
+    // The position of a point's cell on the path, 0..cells-1. The path follows a row in x and the
+    // next row backwards, and continues in the layer above where the layer below ended (Figure 13).
+    // Consecutive cells share a face.
     std::uint32_t path(const PointSet& points, std::size_t i) const noexcept {
         std::uint32_t c[3];
         locate(points, i, c);
@@ -51,9 +51,9 @@ class Grid {
     Lattice lattice_;
 };
 
-// Sorts n points, index(j) the j-th of them, by their places on a grid's path to `order`; those of
-// one cell keep their order. path[j] becomes the place of the j-th one's cell, ends[c] where the
-// points of place c end in `order`.
+// Sorts n points, of which index(j) is the j-th, along the path of a grid, into `order`. Points of
+// one cell keep their order. path[j] becomes the position of the cell of point j on the path, and
+// ends[c] the end of the points at position c in `order`.
 template <class Index>
 void sort_along_path(const Grid& grid, const PointSet& points, std::size_t n, Index index,
                      std::uint32_t* path, Buffer<std::uint32_t>& ends, std::uint32_t* order) {
@@ -64,7 +64,7 @@ void sort_along_path(const Grid& grid, const PointSet& points, std::size_t n, In
         ++ends[path[j] + std::size_t{1}];
     }
     for (std::size_t c = 1; c < ends.size(); ++c) ends[c] += ends[c - 1];
-    // Until here ends[c] is where those of place c begin; each moves on to their end.
+    // So far ends[c] is where the points at position c begin. Writing them moves it to their end.
     for (std::size_t j = 0; j < n; ++j) order[ends[path[j]]++] = index(j);
 }
 

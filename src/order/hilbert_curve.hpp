@@ -6,9 +6,9 @@
 
 namespace mgdt {
 
-// The curve in a cube is 8 copies of itself in the octants, each entered at the corner next to
-// where the one before was left. A state says how a copy lies in its cube: which corner it enters
-// at (e, 0..7) and along which axis it leaves (d, 0..2), state = 3 e + d. The rule for the
+// The curve in a cube consists of 8 copies of itself in the octants; each copy begins next to where
+// the previous one ends. The state of a copy is its orientation: the corner where it enters the
+// cube (e, 0..7) and the axis along which it leaves (d, 0..2); state = 3 e + d. The rule for the
 // children is Hamilton's, "Compact Hilbert indices" (Dalhousie CS-2006-07), sections 2.1-2.3:
 // octants in Gray-code order, entry points and directions by the lemmas 2.8 and 2.11.
 class HilbertCurve {
@@ -69,8 +69,9 @@ class HilbertCurve {
         for (; i & 1; i >>= 1) ++n;
         return n;
     }
-    // Place of an octant along the curve of a state: the inverse of Gray code, after the cube is
-    // turned so that the curve enters at 0 and leaves along the last axis.
+    // The position of an octant on the curve of a state: the cube is rotated so that the curve
+    // enters at corner 0 and leaves along the last axis; then the inverse Gray code gives the
+    // position.
     static constexpr unsigned position(unsigned state, unsigned octant) noexcept {
         const unsigned b = rotate_left(octant ^ (state / 3), 3 - (state % 3 + 1) % 3);
         return b ^ (b >> 1) ^ (b >> 2);

@@ -44,7 +44,7 @@ int longest_side(const Box& region) noexcept {
 }
 
 void place_median(KdPoint* first, KdPoint* median, KdPoint* last, int axis) noexcept {
-    // Indices break ties, so that the halves are the same whatever nth_element does inside.
+    // Ties are broken by index, so the halves do not depend on the implementation of nth_element.
     std::nth_element(first, median, last, [axis](const KdPoint& a, const KdPoint& b) {
         if (a.x[axis] != b.x[axis]) return a.x[axis] < b.x[axis];
         return a.index < b.index;

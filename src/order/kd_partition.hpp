@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A squarish kd-tree, laid out in an array of its points.
+// A squarish kd-tree, stored as an array of its points.
 #pragma once
 
 #include <cstddef>
@@ -19,16 +19,16 @@ struct KdPoint {
 
 Buffer<KdPoint> kd_points(Team& team, const PointSet& points, Allocator& allocator);
 
-// Levels of a tree over n points: log2(n / points_per_cell), S.H. Lo (2014), section 3.2, rounded
-// to the nearest integer, or down where cells are to hold points_per_cell at the least.
+// The number of levels of a tree over n points: log2(n / points_per_cell), S.H. Lo (2014),
+// section 3.2. Rounded to the nearest integer, or down if every cell shall have at least
+// points_per_cell points.
 unsigned kd_levels(std::size_t n, double points_per_cell, bool round_down) noexcept;
 
 // Divides points in place: each region is cut across the longest side of its box at the median
-// point, its pivot, which ends up between the two halves. So from left to right the array is the
-// sandwich of section 3.3: cell, pivot, cell, pivot, ..., cell. Each member of the team that takes
-// part makes itself a leaf = make_leaf(), of which leaf(begin, end) is called for the cells, empty
-// ones too, in any order. The order of points in a cell then depends on the C++ library, and leaf
-// must settle it.
+// point, the pivot, which is then between the two halves. So the array becomes the sandwich of
+// section 3.3: cell, pivot, cell, pivot, ..., cell. Each thread makes a function leaf =
+// make_leaf(), and leaf(begin, end) is called for each cell, also for empty ones, in any order. The
+// order of points within a cell depends on the C++ library, so leaf() has to sort them.
 template <class MakeLeaf>
 void kd_partition(Team& team, Buffer<KdPoint>& points, const Box& box, unsigned levels,
                   const MakeLeaf& make_leaf);
@@ -40,7 +40,7 @@ struct Region {
     Box box;
 };
 
-// Cuts a region that is not empty; what is left and what is right of the pivot.
+// Cuts a region that is not empty. Returns the parts on both sides of the pivot.
 struct Halves {
     Region left, right;
 };
@@ -65,7 +65,8 @@ void kd_partition(Team& team, Buffer<KdPoint>& points, const Box& box, unsigned 
     using kd_detail::Region;
     constexpr std::size_t min_items_per_thread = 32768;
     const unsigned members = team.members_for(points.size(), min_items_per_thread);
-    // Level by level to some regions a member, which it then divides alone. None is near empty.
+    // The team divides the first levels, until there are several regions per thread. Then each
+    // thread divides regions alone.
     Buffer<Region> regions(points.allocator(), 1), next(points.allocator());
     regions[0] = {0, points.size(), box};
     for (; levels > 0 && members > 1 && regions.size() < std::size_t{4} * members; --levels) {

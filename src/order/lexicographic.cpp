@@ -8,8 +8,8 @@
 namespace mgdt {
 namespace {
 
-// An integer that sorts as the double does: the sign bit flipped on positive numbers, all bits on
-// negative ones. Adding 0 turns -0 into 0.
+// An integer with the same order as the double: the sign bit of positive numbers is flipped, and
+// all bits of negative numbers. Adding 0 turns -0 into 0.
 std::uint64_t ordered_image(double x) noexcept {
     x += 0.0;
     std::uint64_t bits;
@@ -17,8 +17,8 @@ std::uint64_t ordered_image(double x) noexcept {
     return bits >> 63 ? ~bits : bits | std::uint64_t{1} << 63;
 }
 
-// Sorts records by the axis, and those whose coordinate is the same by the axes after it. Equal
-// points keep their order.
+// Sorts records by the coordinate of an axis, and records with the same coordinate by the following
+// axes. Equal points keep their order.
 void sort_by_axis(const PointSet& points, KeyedIndex* a, KeyedIndex* scratch, std::size_t n,
                   int axis) noexcept {
     for (std::size_t k = 0; k < n; ++k) {

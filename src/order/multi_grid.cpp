@@ -25,13 +25,13 @@ class MultiGrid {
           ends_(out.scratch),
           pending_(out.scratch) {}
 
-    // Puts out.order in the order of the path through the cells that were not divided further,
-    // and sets the rank of each position: how many points of the same cell come before it.
+    // Sorts out.order along the path through the cells that are not divided further, and sets the
+    // rank of each position: the number of points of the same cell before it.
     const Buffer<std::uint32_t>& sort() {
         const std::size_t n = points_.size;
         for (std::size_t i = 0; i < n; ++i) out_.order[i] = static_cast<std::uint32_t>(i);
         if (n > 0) pending_.push_back({0, static_cast<std::uint32_t>(n), 0});
-        // From left to right, so that the path before a grid is known when its turn comes.
+        // From left to right, so that the path up to a grid is known when the grid is made.
         while (!pending_.empty()) {
             const Cell cell = pending_.back();
             pending_.pop_back();
@@ -47,8 +47,8 @@ class MultiGrid {
         std::uint32_t begin, end, depth;  // positions in out.order
     };
 
-    // Points that crowd exponentially could ask for 2000 grids, one inside the other, each with
-    // all the points but a few. The paper seldom saw more than four.
+    // With exponentially clustered points there could be 2000 nested grids, each with nearly all of
+    // the points. The paper seldom saw more than four.
     static constexpr std::uint32_t most_levels = 64;
 
     void divide(const Cell& cell) {
@@ -61,8 +61,8 @@ class MultiGrid {
             for (int k = 0; k < 3; ++k) from[k] = points_.coordinate(order[begin - 1], k);
         }
         const Grid grid(points_, box, end - begin, per_cell_, begin > 0 ? from : nullptr);
-        // A grid with two cells or more separates points: they lie on both ends of its longest
-        // side. With one cell there are too few points, or one point repeated.
+        // A grid of two or more cells separates points, since there are points at both ends of its
+        // longest side. A grid of one cell has too few points, or copies of one point.
         if (grid.cells() == 1) {
             if (cell.depth == 0) out_.levels = 1;
             finish(begin, end);
@@ -93,16 +93,17 @@ class MultiGrid {
     const PointSet& points_;
     double per_cell_, threshold_;
     Schedule& out_;
-    Buffer<std::uint32_t> rank_;  // where a cell is still to be divided, room for its path
+    Buffer<std::uint32_t>
+        rank_;  // of each position; for cells that are still to be divided, working memory
     Buffer<std::uint32_t> moved_;
     Buffer<std::uint32_t> ends_;
     Buffer<Cell> pending_;
 };
 
-// Keeps what the paper's multi-grid is for, and goes about it another way: grids of cubes, as fine
-// as keys allow, and one more in each crowded cell; a path through all of them along a Hilbert
-// curve that enters a grid and leaves it where its cell is entered and left; and separation by
-// rounds (order/round_assignment.hpp), those points first that stand alone on the curve.
+// Serves the purpose of the paper's multi-grid by other means: grids of cubes, as fine as keys
+// allow, with another grid in each crowded cell; a Hilbert curve through all of them, which enters
+// and leaves a nested grid where it enters and leaves the cell; and separation by rounds
+// (order/round_assignment.hpp), in which isolated points come first.
 void order_in_rounds(Team& team, const PointSet& points, const OrderParameters& parameters,
                      Schedule& out) {
     constexpr double crowd = 8;

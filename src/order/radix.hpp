@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A radix sort by 64-bit keys that reads no more of the keys than it needs to distinguish them.
+// A radix sort by 64-bit keys, which looks only at as many bits as distinguish the keys.
 #pragma once
 
 #include <algorithm>
@@ -44,13 +44,13 @@ struct Counters {
     std::uint32_t of_digit[most_digits][1u << digit_bits];
 };
 
-// How many of the bits low..high-1 to sort n records by first: enough to distinguish nearly all of
-// them, in two passes.
+// The number of the bits low..high-1 by which n records are sorted first: enough to distinguish
+// most of them in two passes.
 inline unsigned first_width(std::size_t n, unsigned low, unsigned high) noexcept {
     return std::min({bit_width(n) + 2, high - low, most_digits * digit_bits});
 }
 
-// So many bits in digits of equal width.
+// Divides this many bits into digits of equal width.
 struct Digits {
     explicit Digits(unsigned width) noexcept
         : count((width + digit_bits - 1) / digit_bits), bits((width + count - 1) / count) {}
@@ -58,10 +58,9 @@ struct Digits {
     std::size_t values() const noexcept { return std::size_t{1} << bits; }
 };
 
-// Stable passes from the least digit of bits low..low+width-1 to the greatest, between a and b;
-// returns the array where the result is. Not in line: a few records, of which there may be
-// millions, are sorted without it, and a stack that is protected is touched all over a frame as
-// large as this.
+// Stable passes over the digits of bits low..low+width-1, from the least significant one, between
+// arrays a and b. Returns the array with the result. Not inlined: short arrays are sorted without
+// it, and stack protection would touch all of its large frame at each call.
 template <class Record>
 MGDT_NOT_INLINE Record* least_digit_first(Record* a, Record* b, std::size_t n, unsigned low,
                                           unsigned width) noexcept {
@@ -94,10 +93,10 @@ MGDT_NOT_INLINE Record* least_digit_first(Record* a, Record* b, std::size_t n, u
 
 }  // namespace radix_detail
 
-// Sorts n < 2^32 records by bits low..high-1 of their keys; higher bits are the same in all of
-// them. Takes the top bits first, see first_width(), then sorts the records that they leave
-// equal, so a set whose keys differ early costs two passes whatever the keys' length.
-// `scratch` has room for n records. With low = 0, records of equal keys keep their order.
+// Sorts n < 2^32 records by bits low..high-1 of their keys, whose higher bits are equal. Sorts by
+// the top bits first, see first_width(), and then the runs that are still equal: keys that differ
+// in their top bits take two passes, however long they are. `scratch` has room for n records. With
+// low = 0, records with equal keys keep their order.
 template <class Record>
 void radix_sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high) noexcept {
     constexpr std::size_t few = 24;

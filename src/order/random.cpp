@@ -7,7 +7,7 @@
 
 namespace mgdt {
 
-// Fisher and Yates' shuffle.
+// The shuffle of Fisher and Yates.
 void order_random(Team&, const PointSet& points, const OrderParameters& parameters, Schedule& out) {
     Random random(parameters.seed);
     for (std::size_t i = 0; i < points.size; ++i) out.order[i] = static_cast<std::uint32_t>(i);

@@ -8,23 +8,23 @@
 namespace mgdt {
 namespace {
 
-// From each block of consecutive places one place is chosen for the round before. It is one in the
+// From each block of consecutive positions, one is chosen for the previous round: a position in the
 // middle of the block, so that the points of a round keep their distance.
 template <std::size_t places, unsigned bits>
 struct Block {
     static constexpr std::size_t size = places;
     static constexpr unsigned middle_bits = bits;
     static constexpr std::size_t middle = std::size_t{1} << bits, margin = (size - middle) / 2;
-    static_assert(margin > 0);  // those in the middle have neighbours in their block
+    static_assert(margin > 0);  // positions in the middle have neighbours in their block
 };
 using BlockOfMany = Block<12, 3>;
 using BlockOfFew = Block<4, 1>;
 constexpr std::size_t few = 4096;
 constexpr std::size_t largest_first = 64;
 
-// Which of the middle ones is farthest from both of its neighbours along the curve, and by how many
-// levels; place(i) is that of the i-th of them, from -1 on. Of equal ones the first from `first`
-// on, cyclically.
+// Finds which of the positions in the middle is farthest from both its neighbours on the curve, and
+// by how many levels. place(i) is the i-th position, for i from -1 on. Of several, the first one
+// from `first` on, cyclically.
 struct MostIsolated {
     std::size_t i;
     unsigned levels;
@@ -47,13 +47,14 @@ MostIsolated most_isolated(const CurveOrder& curve, std::size_t first, Place pla
     return {best, most};
 }
 
-// A point beside the middle of its block is chosen where it lies this many levels farther from its
-// neighbours: the centre of a sphere, an apex above a plane. Such a point has an edge to most of
-// the others. The later it comes, the more tetrahedra are made in its place and removed again.
+// A point outside the middle of its block is chosen if it is this many levels farther from its
+// neighbours than the others: the centre of a sphere, or an apex above a plane. Such a point has an
+// edge to most other points. The later it is inserted, the more tetrahedra are built in its place
+// and removed again.
 constexpr unsigned levels_of_a_hub = 3;
 
-// The most_isolated from `begin` to `end` if it is one of these, else `otherwise`; of `count`
-// places.
+// The position of `count` that is most isolated, if it is in begin..end-1 and isolated enough;
+// otherwise `otherwise`.
 template <class Place>
 std::size_t isolated_hub_or(std::size_t otherwise, unsigned levels, const CurveOrder& curve,
                             std::size_t begin, std::size_t end, std::size_t count, Place place) {
@@ -73,8 +74,8 @@ std::size_t isolated_hub_or(std::size_t otherwise, unsigned levels, const CurveO
 
 }  // namespace
 
-// Chooses the points of the rounds, the last round first: each time one of every block of the
-// places that are left, which are left for the round before.
+// Chooses the points of the rounds, beginning with the last round: in each step, one position of
+// every block is chosen, and the chosen ones are left for the previous round.
 class RoundAssignment::Chooser {
   public:
     Chooser(RoundAssignment& rounds, Allocator& allocator, std::uint64_t seed,
@@ -94,7 +95,8 @@ class RoundAssignment::Chooser {
         const auto choose = [&](std::size_t begin, std::size_t end, unsigned) {
             for (std::size_t b = begin; b < end; ++b) choose_of_block<Block>(b, blocks);
         };
-        // Later ones read what was chosen before, in the array that they write.
+        // After the first round, choices are read from the array that they are written to, so one
+        // thread makes them in order.
         if (rounds_.rounds_ == 0)
             team.split(blocks, min_items_per_thread, choose);
         else
@@ -105,7 +107,7 @@ class RoundAssignment::Chooser {
     }
 
   private:
-    // The k-th of the places that are left.
+    // The k-th of the remaining positions.
     std::uint32_t place(std::size_t k) const {
         return rounds_.rounds_ == 0 ? static_cast<std::uint32_t>(k) : chosen_[k];
     }
@@ -113,7 +115,7 @@ class RoundAssignment::Chooser {
     template <class Block>
     void choose_of_block(std::size_t b, std::size_t blocks) {
         const std::size_t first = b * Block::size, from = first + Block::margin;
-        // What is left behind the last block is part of it.
+        // The rest after the last whole block belongs to it.
         const std::size_t last = b + 1 == blocks ? left_ : first + Block::size;
         const auto drawn =
             static_cast<std::size_t>(Random::at(seed_, drawn_ + b) >> (64 - Block::middle_bits));

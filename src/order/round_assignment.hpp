@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rounds dealt along an order whose consecutive points are near each other.
+// Assigns points to rounds, along an order in which consecutive points are near each other.
 #pragma once
 
 #include "order/curve_sort.hpp"
@@ -8,7 +8,7 @@
 
 namespace mgdt {
 
-// The round of each place of an order. A curve also says which points stand alone.
+// The round of each position in an order. If there is a curve, it tells which points are isolated.
 class RoundAssignment {
   public:
     RoundAssignment(Team& team, Allocator& allocator, std::size_t n, std::uint64_t seed,
@@ -23,24 +23,22 @@ class RoundAssignment {
   private:
     class Chooser;
 
-    Buffer<std::uint8_t> back_;  // rounds from the last
+    Buffer<std::uint8_t> back_;  // the round of each position, counted from the last round
     unsigned rounds_ = 0;
 };
 
-// Biased rounds as in BRIO, but spread evenly instead of drawn independently at random: along the
-// order, one point of every twelve goes in before the other eleven, of those again one of every
-// twelve before the rest, and so on. No round has the gaps and crowds of an independent choice, so
-// fewer tetrahedra are built to be removed again, and fewer rounds do. docs/experiments.md has the
-// figures for one of eight, twelve and sixteen. Of up to 4,096 points, which stay in the cache, it
-// is one of four.
+// Rounds of growing size as in BRIO, but evenly spread instead of random: along the order, one
+// point in twelve belongs to earlier rounds than the other eleven; of these earlier points, again
+// one in twelve belongs to still earlier rounds, and so on. Random rounds have gaps and clusters,
+// so more tetrahedra are built that are removed again. docs/experiments.md has figures for one in
+// eight, twelve and sixteen. For up to 4,096 points, which fit into the cache, it is one in four.
 //
-// Along a curve the one is not any of the twelve but, of those in the middle, the one that lies
-// farthest from the next along the curve; which of several that lie equally far, or of all where
-// there is no curve, is drawn. On thin sets these are the points that stick out, and what comes
-// later falls between them: 4 % fewer removals on a spiral, on diagonals and on a line, fewer than
-// in random order, and the same number on a uniform set.
+// If there is a curve, the point is chosen among those in the middle of the twelve: the one that is
+// farthest from its neighbours on the curve. Ties, and the choice without a curve, are random. On
+// thin sets the chosen points are on the outside, and later points are between them: 4 % fewer
+// removals on a spiral, on diagonals and on a line, and the same number on a uniform set.
 //
-// Fills order and rounds of a schedule; index(k) is the point at place k of the order.
+// Fills `order` and `rounds` of a schedule; index(k) is the point at position k of the order.
 template <class Index>
 void assign_rounds(Team& team, std::uint64_t seed, Index index, Schedule& out,
                    const CurveOrder* curve = nullptr) {
@@ -59,7 +57,7 @@ void assign_rounds(Team& team, std::uint64_t seed, Index index, Schedule& out,
     for (unsigned r = 0; r < rounds.rounds(); ++r) out.rounds.push_back(ends[r]);
 }
 
-// Deals the order that a schedule has.
+// Assigns the points of a schedule's order to rounds.
 void assign_rounds(Team& team, std::uint64_t seed, Schedule& schedule);
 
 }  // namespace mgdt

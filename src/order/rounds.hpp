@@ -9,8 +9,9 @@
 
 namespace mgdt {
 
-// Deals points into rounds, each about `ratio` times as large as all before it together: Amenta,
-// Choi and Rote, "Incremental constructions con BRIO" (SoCG 2003), with a ratio other than their
+// Assigns points to rounds, each about `ratio` times as large as all previous ones together:
+// Amenta, Choi and Rote, "Incremental constructions con BRIO" (SoCG 2003), with a ratio other than
+// their
 // 1. A point's round is a function of its index and the seed, so nothing need be stored.
 class RandomRounds {
   public:
@@ -24,7 +25,7 @@ class RandomRounds {
 
     unsigned count() const noexcept { return count_; }
 
-    // Round of a point, 0..count-1.
+    // The round of a point, 0..count-1.
     unsigned of(std::uint32_t index) const noexcept {
         const std::uint64_t draw = Random::at(seed_, index);
         unsigned back = 0;
@@ -34,11 +35,12 @@ class RandomRounds {
 
   private:
     static constexpr unsigned most = 64;
-    static constexpr double largest_first = 64;  // points that may go in without rounds
+    static constexpr double largest_first = 64;  // so many points need no rounds
 
     std::uint64_t seed_;
     unsigned count_ = 1;
-    // A point is in one of the first count - k rounds if its draw is below limit[k], k >= 1.
+    // A point is in one of the first count - k rounds if its random number is below limit[k], k
+    // >= 1.
     std::uint64_t limit_[most] = {};
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A schedule says in which order the points of one insertion go in. Order schemes turn points
-// into schedules and know nothing of tetrahedra.
+// A schedule: the order in which the points of a batch are inserted. Order schemes make schedules
+// from points, and know nothing of tetrahedra.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@ namespace mgdt {
 
 inline constexpr std::uint32_t no_hint = 0xFFFFFFFFu;
 
-// The caller's points, where they lie. Coordinates are finite; `scale` is a power of two that
-// multiplies them exactly (see mesh/scale.hpp), so that their extent does not overflow except
-// on sets that mix 1e300 with 1e-300: schemes must survive infinite extents too.
+// The caller's points, in the caller's array. Coordinates are finite. `scale` is a power of two by
+// which they are multiplied exactly (mesh/scale.hpp), so that their extent does not overflow,
+// except for sets that mix 1e300 with 1e-300: schemes have to handle infinite extents.
 struct PointSet {
     const double* axis[3];  // first point's x, y, z
     std::ptrdiff_t stride;  // in doubles
@@ -27,16 +27,17 @@ struct PointSet {
     double coordinate(std::size_t i, int k) const noexcept {
         return axis[k][static_cast<std::ptrdiff_t>(i) * stride] * scale;
     }
-    // Asks for the lines of a point.
+    // Prefetches a point.
     void prefetch(std::size_t i) const noexcept {
         for (const double* a : axis) mgdt::prefetch(a + static_cast<std::ptrdiff_t>(i) * stride);
     }
 };
 
-// How the points of a path through cells are kept apart: see mgdt.h, MGDT_PARAMETER_SEPARATION.
+// How consecutive points of a path through cells are kept apart: see MGDT_PARAMETER_SEPARATION in
+// mgdt.h.
 enum class Separation { none, passes, rounds };
 
-// Every field has its default where 0 is said in mgdt.h to give it.
+// The parameters of order schemes. A value of 0 stands for the default where mgdt.h says so.
 struct OrderParameters {
     double points_per_cell = 0, threshold = 0;  // 0: the scheme's own defaults
     Separation separation = Separation::rounds;
@@ -55,17 +56,18 @@ struct Schedule {
     Schedule(Allocator& allocator, Allocator& for_scratch) noexcept
         : order(allocator), rounds(allocator), hints(allocator), scratch(for_scratch) {}
 
-    Buffer<std::uint32_t> order;   // order[k]: the point that goes in k-th; a permutation
-    Buffer<std::uint32_t> rounds;  // position where each round begins, ascending; rounds[0] is 0
-    // Empty, or for each position an earlier position whose vertex is near and the walk may
-    // start from; no_hint starts from the last insertion.
+    Buffer<std::uint32_t> order;  // order[k] is the point that is inserted k-th; a permutation
+    Buffer<std::uint32_t>
+        rounds;  // the position where each round begins, ascending; rounds[0] is 0
+    // Empty, or for each position an earlier position whose vertex is near, where the walk may
+    // start. With no_hint the walk starts at the last insertion.
     Buffer<std::uint32_t> hints;
-    Allocator& scratch;   // for what is needed only until the schedule is made
-    unsigned levels = 0;  // deepest level of the grids or trees built
+    Allocator& scratch;   // for temporary arrays
+    unsigned levels = 0;  // the depth of the grids or trees
 };
 
-// Fills a schedule with one of the MGDT_ORDER_ schemes. At most 2^32 - 2 points. Deterministic:
-// a function of the points, the parameters and nothing else.
+// Fills a schedule by one of the MGDT_ORDER_ schemes, for at most 2^32 - 2 points. The result
+// depends on the points and the parameters alone.
 void make_schedule(Team& team, const PointSet& points, std::int32_t scheme,
                    const OrderParameters& parameters, Schedule& out);
 

@@ -8,7 +8,8 @@
 namespace mgdt {
 namespace {
 
-// Whether it takes: points per cell, threshold, separation, round ratio, seed.
+// The last five columns say whether the scheme depends on: points per cell, threshold, separation,
+// round ratio, seed.
 constexpr OrderScheme table[] = {
     {MGDT_ORDER_AUTO, "auto", order_auto, false, false, false, false, true},
     {MGDT_ORDER_INPUT, "input", order_input, false, false, false, false, false},

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The order schemes: a function each, in a file of its own, and the one table that lists them. From
-// the table the C interface takes numbers and names, and the program and the tests take theirs.
+// The order schemes. Each is a function in a file of its own, and one table lists them all. The C
+// interface takes numbers and names from the table, and the program and the tests ask the C
+// interface.
 #pragma once
 
 #include "order/schedule.hpp"
 
 namespace mgdt {
 
-// Fills a schedule. Its order has room for every point and its other fields are empty; a scheme
-// that leaves the rounds empty has a single one.
+// Fills a schedule, whose `order` has one element per point and whose other fields are empty. If a
+// scheme leaves `rounds` empty, there is a single round.
 using FillSchedule = void(Team& team, const PointSet& points, const OrderParameters& parameters,
                           Schedule& out);
 
@@ -27,11 +28,12 @@ struct OrderScheme {
     std::int32_t number;  // an MGDT_ORDER_ value
     const char* name;
     FillSchedule* fill;
-    // Which of the OrderParameters change what it does.
+    // The parameters that the scheme depends on.
     bool takes_points_per_cell, takes_threshold, takes_separation, takes_round_ratio, takes_seed;
 };
 
-// In the order in which they are best listed: ascending by number, the default first.
+// All schemes, by ascending number, which is the order in which they are listed. The default comes
+// first.
 struct OrderSchemes {
     const OrderScheme *first, *last;
     const OrderScheme* begin() const noexcept { return first; }
@@ -39,7 +41,7 @@ struct OrderSchemes {
 };
 OrderSchemes order_schemes() noexcept;
 
-// The scheme of this number, or null.
+// The scheme with this number, or null.
 const OrderScheme* find_order_scheme(std::int32_t number) noexcept;
 
 }  // namespace mgdt

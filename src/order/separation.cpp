@@ -55,7 +55,7 @@ class Passes {
         return std::size_t{rounds_.count()} - 1 + rank_[k];
     }
 
-    // The first position of each pass; those that have points are the schedule's rounds.
+    // The first position of each pass. The passes that have points are the rounds of the schedule.
     void count_passes(Buffer<std::uint32_t>& first) {
         std::uint32_t most = 0;
         for (const std::uint32_t r : rank_) {
@@ -72,7 +72,7 @@ class Passes {
         }
     }
 
-    // Called for the positions of the path in turn: remembers the last points of the cell.
+    // Called for each position of the path in turn. Remembers the last points of the cell.
     std::uint32_t hint(std::size_t k, std::uint32_t position) noexcept {
         const std::uint32_t rank = rank_[k];
         Earlier self;
@@ -81,7 +81,7 @@ class Passes {
         std::uint32_t best = no_hint;
         double least = 0;
         for (std::uint32_t c = 0; c < candidates && c < rank; ++c) {
-            // Sums of absolute differences: squares may leave the range of doubles.
+            // The sum of absolute differences, since squares may overflow.
             double d = 0;
             for (int a = 0; a < 3; ++a) d += std::fabs(self.x[a] - earlier_[c].x[a]);
             if (best == no_hint || d < least) {

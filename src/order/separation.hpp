@@ -7,9 +7,9 @@
 
 namespace mgdt {
 
-// One point of a cell at a time, along a path through the cells of a grid, which is in out.order.
-// rank[k]: how many points of the same cell come before the one at place k. (To deal the path into
-// rounds is the other way: order/round_assignment.hpp.)
+// Separates the points of a path through the cells of a grid, which is in out.order: takes one
+// point of each cell at a time. rank[k] is the number of points of the same cell before position k.
+// The alternative, rounds along the path, is in order/round_assignment.hpp.
 void take_in_passes(const PointSet& points, const OrderParameters& parameters,
                     const Buffer<std::uint32_t>& rank, Schedule& out);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs of consecutive items that are equal, shared among a team: as equal_runs.hpp, whatever its
-// size.
+// Runs of consecutive equal items, processed by a team. The result is that of equal_runs.hpp.
 #pragma once
 
 #include <mutex>
@@ -15,10 +14,10 @@ struct Run {
     std::size_t begin, end;
 };
 
-// Finds the runs of items begin..end-1 with equal(i, j) from `least` items on. Each member of the
-// team that takes part makes itself each = make_each() and calls each(begin, end) for small runs,
-// whose items that may change. The large ones are added to `large`, in any order, for all of the
-// team to take one after another; with one member all are small.
+// Finds the runs of at least `least` equal items in begin..end-1. Each thread makes a function each
+// = make_each(), and calls each(begin, end) for small runs, which may change the items of the run.
+// Large runs are appended to `large`, in any order; the whole team then processes them one after
+// another. With one thread all runs are small.
 template <class Equal, class MakeEach>
 void for_each_run(Team& team, Allocator& allocator, std::size_t begin, std::size_t end,
                   std::size_t least, Equal equal, const MakeEach& make_each, Buffer<Run>& large) {
@@ -32,9 +31,9 @@ void for_each_run(Team& team, Allocator& allocator, std::size_t begin, std::size
         });
         return;
     }
-    // Runs can take much longer than others of the same length: more pieces than members.
+    // Runs of the same length may take different times, so there are more pieces than threads.
     const std::size_t pieces = std::size_t{16} * members;
-    // Where each piece's runs begin, before any of them may be changed.
+    // Find where the runs of each piece begin before any items change.
     Buffer<std::size_t> first(allocator);
     first.resize(pieces + 1);
     first[pieces] = end;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The radix sort of radix.hpp by a team: the same result, whatever its size.
+// The radix sort of radix.hpp by a team. The result does not depend on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace mgdt {
 
-// As radix_sort() of single words, by way of buckets where they are many or the members several.
-// The arrays must not overlap.
+// Sorts words as radix_sort() does. Distributes them into buckets first if they are many, or if
+// there are several threads. The arrays must not overlap.
 inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::uint64_t* scratch,
                        std::size_t n, unsigned low, unsigned high) {
     constexpr std::size_t min_items_per_thread = 32768, many = std::size_t{1} << 19;
@@ -30,7 +30,7 @@ inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::
     high = std::min(high, bit_width(all_differ));
     if (high <= low) return;
 
-    // By their top bits.
+    // Distribute the words into buckets by their top bits.
     const unsigned shift = high - std::min(high - low, most_bits);
     const std::size_t values = std::size_t{1} << (high - shift);
     Buffer<std::uint32_t> ends(allocator, values + 1);
@@ -43,9 +43,8 @@ inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::
         [](std::size_t) {},
         [scratch](std::size_t place, std::uint64_t word) { scratch[place] = word; });
 
-    // Each bucket by one member, but for those that would keep it busy when all others are done:
-    // either half of the members find work in the least of these, or there are at most half as
-    // many.
+    // One thread sorts each bucket, except for buckets that are so large that the other threads
+    // would have to wait: these are sorted by the whole team.
     const std::size_t large =
         std::max({2 * min_items_per_thread, n / (4 * members),
                   std::min(members * min_items_per_thread / 2, 2 * n / members)});
