@@ -31,7 +31,7 @@ struct Boxes::Split {
     unsigned axis;
 };
 
-// The halves are those of a sample of the points, the boxes are around all points.
+// A sample of the points decides how they are halved; the boxes are around all points.
 void Boxes::divide(const PartPoint* points, std::size_t n, PointBox* nodes) const {
     constexpr std::size_t sample_of_leaf = 16;
     Allocator& allocator = nodes_.allocator();
@@ -86,10 +86,10 @@ void Boxes::gather(Collective& all, const Buffer<PointBox>& nodes) {
     });
 }
 
-// A place y, relative to the base, is in the closed ball where |y|^2 - w.y is at most 0: a sum of
-// parabolas, one an axis, whose least values in the box add up. The bound of w's error is per
-// coordinate; the rest is for rounding and underflow, generously, since being wrong this way costs
-// little.
+// A point y, relative to the base, is in the closed ball if |y|^2 - w.y <= 0. That is a sum of one
+// parabola per axis, so its minimum over a box is the sum of their minima. The bound on the error
+// of w is per coordinate; the other terms allow generously for rounding and underflow, since a box
+// too many costs little.
 bool Boxes::meets_ball(const PointBox& box, const Sphere& s, const double* base, int scale) {
     double least = 0, sizes = 0, reach = 0;
     for (int k = 0; k < 3; ++k) {
@@ -122,14 +122,14 @@ Boxes::Facet::Facet(const double* a_, const double* b_, const double* c_, const 
     }
 }
 
-// Most boxes are on the inner side by far more than rounding: the corner that is farthest along the
-// normal decides.
+// For most boxes, the corner that is farthest along the normal is on the inner side beyond rounding
+// error, and decides.
 bool Boxes::is_beyond(const PointBox& box, const Facet& f) {
     double farthest = 0, sizes = 0, reach = 1;
     for (int k = 0; k < 3; ++k) {
         const double y = (f.normal[k] > 0 ? box.high : box.low)[k] - f.a[k];
         farthest += f.normal[k] * y;
-        // The corners of a side are as far where the component has no certain sign.
+        // If the sign of a component is uncertain, both sides of the box have to be tested.
         const double size =
             std::max(std::fabs(box.high[k] - f.a[k]), std::fabs(box.low[k] - f.a[k]));
         sizes += f.products[k] * size;

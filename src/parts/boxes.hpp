@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where the points of the parts are: in boxes, a tree of them for each part. And which parts have
-// points that may be in a circumball, or beyond a hull facet: those with a box that it meets, also
-// where rounding leaves that open.
+// A tree of bounding boxes for the points of each part. It tells which parts may have points in a
+// circumball, or beyond a hull facet: those with a box that the ball or the half-space meets. Where
+// rounding leaves that open, the answer is yes.
 #pragma once
 
 #include "kernel/circumsphere.hpp"
@@ -17,31 +17,32 @@ struct PointBox {
 PointBox empty_box();
 void add(PointBox& box, const double* x);
 
-// The boxes of a part are around its points, around the halves of these, around their halves, and
-// so on: small ones hug curves and surfaces, which large ones do not.
+// The boxes of a part are around all its points, around each half of them, each quarter, and so on.
+// Small boxes fit curves and surfaces closely.
 class Boxes {
   public:
     Boxes(Allocator& allocator, PartId parts)
         : parts_(parts), leaves_(most_leaves), nodes_(allocator), of_division_(allocator) {
-        // A process has the boxes of all parts.
+        // Each process has the boxes of all parts.
         while (leaves_ > least_leaves && leaves_ * parts > most_boxes) leaves_ /= 2;
     }
 
-    // How many boxes a part has.
+    // The number of boxes of a part.
     std::size_t size() const { return 2 * leaves_; }
-    // Makes them: the whole one is the first, at 1; the halves of i are 2 i and 2 i + 1.
+    // Makes the boxes of a part. Box 1 is around all points; the halves of box i are 2 i and 2 i
+    // + 1.
     void divide(const PartPoint* points, std::size_t n, PointBox* nodes) const;
-    // Collective: those of the local parts in, those of all kept.
+    // Collective. Takes the boxes of the local parts, and distributes them to all processes.
     void gather(Collective& all, const Buffer<PointBox>& nodes);
 
-    // Calls visit(part) for each part with a box that, multiplied by 2^scale, meets the ball that
-    // has w and its error in `s`, its base at `base`.
+    // Calls visit(part) for each part with a box that meets a ball. The sphere `s` is relative to
+    // `base`; boxes are multiplied by 2^scale.
     template <class Visit>
     void each_in_ball(const Sphere& s, const double* base, int scale, const Visit& visit) const {
         each_that(visit, [&](const PointBox& box) { return meets_ball(box, s, base, scale); });
     }
-    // Of those with a place strictly beyond the plane of a, b and c, which `inner` is on the inner
-    // side of; not scaled.
+    // Calls visit(part) for each part with a box that reaches strictly beyond the plane of a, b and
+    // c. `inner` is a point on the inner side. Coordinates are not scaled.
     template <class Visit>
     void each_beyond(const double* a, const double* b, const double* c, const double* inner,
                      const Visit& visit) const {
@@ -50,12 +51,11 @@ class Boxes {
     }
 
     static bool meets_ball(const PointBox& box, const Sphere& s, const double* base, int scale);
-    // The plane of a hull facet and its outer side, with the facet's corners where rounding leaves
-    // a side open.
+    // The plane of a hull facet. Its corners decide exactly where rounding leaves the side open.
     struct Facet {
         Facet(const double* a, const double* b, const double* c, const double* inner);
         const double *a, *b, *c;
-        int inside;          // the orientation of a place on the inner side
+        int inside;          // the orientation of a point on the inner side
         double normal[3];    // pointing outwards, rounded
         double products[3];  // sums of magnitudes in each component
     };
@@ -94,8 +94,8 @@ class Boxes {
 
     PartId parts_;
     std::size_t leaves_;
-    Buffer<PointBox> nodes_;        // by part
-    Buffer<PointBox> of_division_;  // by the part in the middle
+    Buffer<PointBox> nodes_;        // the boxes of each part, one part after another
+    Buffer<PointBox> of_division_;  // of a set of parts that is divided, by the part in the middle
 };
 
 }  // namespace mgdt

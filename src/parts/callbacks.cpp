@@ -6,7 +6,7 @@
 namespace mgdt {
 namespace {
 
-// Whether the host's function says that it succeeded.
+// Whether the host's function returns 0, for success.
 template <class Call>
 bool succeeds(const Call& call) noexcept {
     return call_back<std::int32_t>(1, call) == 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One part in each of many processes, which exchange bytes by functions of the host's.
+// A transport by functions of the host: one part in each of several processes.
 #pragma once
 
 #include "mgdt/mgdt_parts.h"
@@ -31,7 +31,8 @@ class Callbacks final : public Transport {
     bool exchange_records(std::size_t record_size, const Mail* out, Mail* in) noexcept override;
 
   private:
-    // In bytes, of records of this size. Offsets are made here: a call must not need memory.
+    // Converts offsets from records of this size to bytes. The memory exists already, since a
+    // transport call must not allocate.
     void set_offsets(std::size_t record_size, const std::uint64_t* begin,
                      Buffer<std::int64_t>& offsets) noexcept;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// That each part's triangulation is one of Delaunay, that the parts agree on the tetrahedra that
-// they share, and that all together are a ball (docs/theory.md, "Parts").
+// Checks that the triangulation of each part is Delaunay, that parts agree on the tetrahedra that
+// they share, and that all tetrahedra together form a ball (docs/theory.md, "Parts").
 #include "query/check.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace mgdt {
 namespace {
 
-// Edges whose least end, by coordinates, is the part's own.
+// The edges whose lexicographically least end is the part's own.
 std::uint64_t count_edges(const Part& part, Allocator& allocator) {
     Buffer<std::uint64_t> edges(allocator);
     part.each_tetrahedron([&](TetId, const std::uint32_t(&v)[4], unsigned, bool) {
@@ -42,7 +42,7 @@ void Parts::check(std::int32_t level) {
         Team team(t.threads_for(t.mesh().tetrahedra.size(), 65536));
         check_triangulation(team, t.check_input(), t.allocator(), level, 0);
     });
-    // Fails where one of two parts has a tetrahedron that both must have.
+    // Fails if one part lacks a tetrahedron that two parts must have.
     Objects<PartTetrahedra> again(allocator_, parts_.size(), std::ref(allocator_));
     Buffer<std::int64_t> first(allocator_);
     find_tetrahedra(collective_, homes_, parts_, again, first, allocator_);
@@ -64,7 +64,8 @@ void Parts::check(std::int32_t level) {
     if (first.size() != first_tetrahedron_.size() ||
         !std::equal(first.begin(), first.end(), first_tetrahedron_.begin()))
         fail(MGDT_ERR_CHECK_FAILED, "the tetrahedra are not as many as were numbered");
-    // Each tetrahedron has four facets; two share each but those of the hull.
+    // Each tetrahedron has four facets, and two tetrahedra share each facet that is not on the
+    // hull.
     if ((4 * counts[3] + counts[2]) % 2 != 0) fail(MGDT_ERR_CHECK_FAILED, "a facet has one side");
     const std::uint64_t facets = (4 * counts[3] + counts[2]) / 2;
     if (counts[3] > 0 && counts[0] + facets != counts[1] + counts[3] + 1)

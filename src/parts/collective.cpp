@@ -16,7 +16,8 @@ void Collective::agree(const Error* mine) {
     require(transport_.least(&first, 1));
     if (first == nobody) return;
     has_failed_ = true;
-    // All but the first that has failed add nothing to what it says.
+    // The message is that of the first part that has failed; all others contribute zeros to its
+    // sum.
     constexpr std::size_t words = Error::message_size / sizeof(std::uint64_t);
     std::uint64_t said[1 + words] = {};
     if (mine && first == first_local()) {
@@ -33,7 +34,7 @@ void Collective::agree(const Error* mine) {
     Error agreed;
     agreed.status = static_cast<mgdt_status>(said[0]);
     std::memcpy(agreed.message, said + 1, sizeof agreed.message);
-    // As a transport that does not add up may leave it.
+    // A faulty transport may leave the text without an end.
     agreed.message[Error::message_size - 1] = '\0';
     if (agreed.status <= MGDT_OK) agreed.status = MGDT_ERR_TRANSPORT;
     throw agreed;
@@ -41,13 +42,13 @@ void Collective::agree(const Error* mine) {
 
 void Collective::require(bool succeeded) {
     if (succeeded) return;
-    // Nothing more can be said to the others.
+    // The transport has failed, so the other processes cannot be told.
     has_failed_ = true;
     fail(MGDT_ERR_TRANSPORT, "part %u: the transport failed", first_local());
 }
 
 void Collective::report(const Error& error) {
-    // What the others have told is known everywhere.
+    // If agree() has thrown already, all processes know the error.
     if (has_failed_) throw error;
     agree(&error);
     throw error;

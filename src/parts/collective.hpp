@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Collective calls that agree first whether some process has failed: then all throw the same Error,
-// and none waits for another that has left.
+// Collective calls with errors. Before each call, the processes agree whether one of them has
+// failed; then all throw the same Error, and no process waits for another that has left.
 //
-// What a process does between these calls may throw. It is caught by the outermost function, which
-// reports it: that meets the next call of the others.
+// Work between these calls may throw. The outermost function catches the exception and reports it,
+// which matches the next collective call of the other processes.
 #pragma once
 
 #include "parts/transport.hpp"
@@ -14,14 +14,14 @@ namespace mgdt {
 
 class Collective {
   public:
-    // Allocates nothing, here and where it reports a failure.
+    // Neither the constructor nor a report of a failure allocates memory.
     explicit Collective(Transport& transport) : transport_(transport) { leave_part(); }
 
     PartId parts() const { return transport_.parts(); }
     PartId first_local() const { return transport_.first_local(); }
     PartId local_parts() const { return transport_.local_parts(); }
 
-    // Of records, as many for each part.
+    // Gathers records, the same number for each part.
     template <class T>
     void gather(const Buffer<T>& mine, Buffer<T>& all) {
         const std::size_t each = mine.size() / local_parts();
@@ -31,7 +31,7 @@ class Collective {
         agree(nullptr);
         require(transport_.gather(mine.data(), begin.data(), all.data()));
     }
-    // Of records, as many as each process has.
+    // Gathers records, as many as each process has.
     template <class T>
     void gather_all(const Buffer<T>& mine, Buffer<T>& all) {
         Buffer<std::uint64_t> begin(all.allocator(), std::size_t{parts()} + 1),
@@ -63,7 +63,7 @@ class Collective {
         require(transport_.exchange_records(sizeof(Record), out.begin(), in.begin()));
     }
 
-    // body(i) for each local part; a failure in it is said to be that part's.
+    // Calls body(i) for each local part. An error in it is reported with the part's number.
     template <class Body>
     void each_local(const Body& body) {
         for (PartId i = 0; i < local_parts(); ++i) {
@@ -72,11 +72,11 @@ class Collective {
         }
         leave_part();
     }
-    // What fails now is no part's own fault.
+    // Later errors belong to no part.
     void name_no_part() { part_ = no_part; }
-    // Throws where a process has failed. The end of what all do together.
+    // Throws on all processes if one has failed. Ends the collective work.
     void finish() { agree(nullptr); }
-    // Calls body, and reports what it throws.
+    // Calls body(), and reports what it throws.
     template <class Body>
     void run(const Body& body) {
         has_failed_ = false;
@@ -99,11 +99,11 @@ class Collective {
     void leave_part() { part_ = local_parts() == 1 ? first_local() : no_part; }
     void agree(const Error* mine);
     void require(bool succeeded);
-    // Throws it, or that of the first part that has failed.
+    // Throws the error of the first part that has failed.
     [[noreturn]] void report(const Error& error);
 
     Transport& transport_;
-    PartId part_;  // that is being worked on
+    PartId part_;  // the part that is worked on
     bool has_failed_ = false;
 };
 

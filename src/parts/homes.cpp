@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Level by level: the parts look at where their points are, offer some of them as splitters, count
-// what is before each, and go on between the two that the place wanted is between, until one is
-// near enough.
+// Proceeds level by level. The parts offer some of their points as candidates for splitters, and
+// count the points before each candidate. The search continues between the two candidates that
+// enclose the wanted number of points, until a candidate is good enough.
 #include "parts/homes.hpp"
 
 #include <algorithm>
@@ -14,10 +14,11 @@
 namespace mgdt {
 namespace {
 
-// Of the points of one part, how many a division may be off.
+// The largest error of a split, as a fraction of the points of one part.
 constexpr double tolerance = 1.0 / 512;
 constexpr int most_rounds = 8;
-// Candidates for a division in one round, and in all where there are many.
+// The number of candidates per split in one round, and its minimum if there are many splits, since
+// all splits together have at most the third number.
 constexpr std::uint64_t candidates_wanted = 1024, candidates_least = 64,
                         candidates_in_all = std::uint64_t{1} << 18;
 
@@ -59,7 +60,7 @@ class Homes::Level {
         }
         for (const Node& n : nodes_) splitters[n.middle] = n.best;
     }
-    // Goes on to the sets that these are divided into.
+    // Continues with the subsets of the sets that were divided.
     void descend() {
         Buffer<Node> nodes(nodes_.allocator());
         Buffer<std::size_t> begin(nodes_.allocator());
@@ -108,7 +109,7 @@ class Homes::Level {
         return n.has_best && static_cast<double>(n.off) <= tolerance * each;
     }
 
-    // The longest side of the box around a node's points.
+    // The axis of the longest side of the box around a node's points.
     void choose_axes() {
         Buffer<double> box(nodes_.allocator());
         Buffer<std::uint64_t> points(nodes_.allocator());
@@ -130,7 +131,7 @@ class Homes::Level {
             n.points = points[i];
             n.wanted = static_cast<std::uint64_t>(static_cast<double>(n.points) *
                                                   (n.middle - n.first) / (n.last - n.first));
-            // Halves, since the difference of two doubles may overflow.
+            // Halved, since the difference of two doubles may overflow.
             const auto half_side = [&](unsigned k) {
                 return -(0.5 * box[6 * i + k] + 0.5 * box[6 * i + 3 + k]);
             };
@@ -139,8 +140,8 @@ class Homes::Level {
         }
     }
 
-    // Some points of each node that are still in question: each process offers as many as its share
-    // of them.
+    // Chooses candidates among the points of each node that are still between two candidates. Each
+    // process offers a number in proportion to its share of these points.
     void offer(std::uint64_t round) {
         const std::uint64_t wanted = std::min(
             candidates_wanted, std::max(candidates_least, candidates_in_all / nodes_.size()));
@@ -156,7 +157,7 @@ class Homes::Level {
             }
             Random random((std::uint64_t{collective_.first_local()} << 32 | i) ^ depth_ << 24 ^
                           round << 60);
-            // Rounded up as often as makes the mean right.
+            // Rounds up at random, so that the expected value is exact.
             const std::uint64_t count = (wanted * size + random.next() % of_all) / of_all;
             for (std::uint64_t k = 0; k < count; ++k) offer(i, from[random.next() % size]);
         }
@@ -172,8 +173,8 @@ class Homes::Level {
         for (std::size_t i = nodes_.size(); i-- > 0;)
             first_[i] = std::min(first_[i], first_[i + 1]);
     }
-    // The points between the candidates of each node that is not settled, and how many these are in
-    // all.
+    // Lists the points between the candidates of each node that is not settled. Returns their
+    // number on all processes.
     void look_between() {
         between_.clear();
         begin_between_.clear();
@@ -191,9 +192,9 @@ class Homes::Level {
         collective_.sum(count_between_);
     }
     void offer(std::size_t node, const double* x) { mine_.push_back({{x[0], x[1], x[2]}, node}); }
-    // Of candidates that are a sample of all points, those that the place wanted is likely to be
-    // among: then most points are compared with the first and the last alone. The sample may
-    // mislead; then the next round looks further.
+    // Keeps those candidates of a random sample that are likely to enclose the wanted splitter.
+    // Then most points are compared with the first and the last candidate alone. If the sample
+    // misleads, the next round searches further.
     void keep_likely() {
         Candidate* to = all_.begin();
         for (Candidate* from = all_.begin(); from != all_.end();) {
@@ -205,7 +206,7 @@ class Homes::Level {
                          spread = 4 * std::sqrt(size * share * (1 - share)) + 1;
             const auto low = static_cast<std::ptrdiff_t>(std::max(0.0, size * share - spread)),
                        high = static_cast<std::ptrdiff_t>(std::min(size, size * share + spread));
-            // Down, or onto itself.
+            // Moves an element to a lower position, or leaves it.
             for (std::ptrdiff_t k = low; k < high; ++k) *to++ = from[k];
             from = end;
         }
@@ -216,7 +217,8 @@ class Homes::Level {
         return {{c.x[0], c.x[1], c.x[2]}, nodes_[node_of(c)].axis};
     }
 
-    // Of the points of a node, those before its first candidate, from there to the second, ...
+    // Counts the points of a node before its first candidate, between the first and the second, and
+    // so on.
     void count() {
         counts_.clear();
         counts_.resize(all_.size() + nodes_.size(), 0);
@@ -243,7 +245,7 @@ class Homes::Level {
         collective_.sum(counts_);
     }
 
-    // Whether another round is of use.
+    // Chooses the best candidate so far. Returns whether another round is needed.
     bool narrow() {
         bool goes_on = false;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -276,14 +278,15 @@ class Homes::Level {
 
     Collective& collective_;
     Buffer<Node> nodes_;
-    Buffer<std::size_t> begin_;     // of each node's points in order_, and their end
-    Buffer<const double*> order_;   // the points of the local parts, by node
-    Buffer<Candidate> mine_, all_;  // all: by node, then in order
+    Buffer<std::size_t> begin_;    // where the points of each node begin in order_; and the end
+    Buffer<const double*> order_;  // the points of the local parts, sorted by node
+    Buffer<Candidate> mine_,
+        all_;  // candidates of this process; of all, sorted by node and position
     Buffer<const double*> between_;
-    Buffer<std::size_t> begin_between_;  // by node, in between_, and its end
+    Buffer<std::size_t> begin_between_;  // where each node's points begin in between_; and the end
     Buffer<std::uint64_t> count_between_;
-    Buffer<std::size_t> first_;     // by node, in all_
-    Buffer<std::uint64_t> counts_;  // for a node one more than it has candidates
+    Buffer<std::size_t> first_;     // where the candidates of each node begin in all_
+    Buffer<std::uint64_t> counts_;  // for each node one more than it has candidates
     std::uint64_t depth_ = 0;
 };
 

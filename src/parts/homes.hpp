@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Which part is home to a point: a k-d tree over the parts, which divides the points evenly. The
-// home depends on the coordinates alone, so equal points meet in one part.
+// Gives each point its home, the part that owns it: a k-d tree over the parts divides the points
+// evenly. The home depends on the coordinates alone, so equal points have the same home.
 #pragma once
 
 #include "parts/collective.hpp"
 
 namespace mgdt {
 
-// Calls visit(first, middle, last) for each set of parts that is divided, first to middle on one
-// side and middle to last on the other, before those that it is divided into. `middle` names it.
+// Calls visit(first, middle, last) for each set of parts that is divided: parts first..middle-1 are
+// on the lower side, middle..last-1 on the upper side. A set is visited before its subsets.
+// `middle` identifies it.
 template <class Visit>
 void each_division(PartId first, PartId last, const Visit& visit) {
     if (last - first < 2) return;
@@ -18,7 +19,7 @@ void each_division(PartId first, PartId last, const Visit& visit) {
     each_division(middle, last, visit);
 }
 
-// The points that a local part was given.
+// The points that were inserted into a local part.
 struct GivenPoints {
     const double* xyz;
     std::size_t n;
@@ -40,14 +41,14 @@ class Homes {
     }
 
   private:
-    // A point, and the axis that is compared first: what is before it goes to the lower side.
+    // A point, and the axis that is compared first. Points before it go to the lower side.
     struct Splitter {
         double x[3];
         unsigned axis;
 
         bool has_before(const double* p) const { return compare(p) < 0; }
         bool has_after(const double* p) const { return compare(p) > 0; }
-        // Where p is from here.
+        // Whether p is before the splitter.
         int compare(const double* p) const {
             for (unsigned k = 0; k < 3; ++k) {
                 const unsigned a = (axis + k) % 3;
@@ -60,16 +61,16 @@ class Homes {
     struct Node {
         PartId first, middle, last;
         unsigned axis;
-        std::uint64_t points, wanted;  // in all, and on the lower side
-        // Candidates around the place that is wanted, and the best so far.
+        std::uint64_t points, wanted;  // the number of all points, and of those for the lower side
+        // The candidates between which the right splitter is, and the best one so far.
         Splitter low, high, best;
         bool has_low, has_high, has_best;
-        std::uint64_t off;  // of the best
+        std::uint64_t off;  // the error of the best one, in points
     };
     class Level;
 
     PartId parts_;
-    Buffer<Splitter> splitters_;  // by the part in the middle
+    Buffer<Splitter> splitters_;  // of each set, by its `middle`
 };
 
 }  // namespace mgdt

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// All that is said of an id meets in one part.
+// All occurrences of an id are sent to one part, which compares them.
 #include "parts/ids.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 struct Claim {
     std::int64_t id, vertex;
     double x[3];
-    std::uint64_t part;  // that the point was given to
+    std::uint64_t part;  // the part that the point was inserted into
 };
 
 }  // namespace

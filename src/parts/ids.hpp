@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers that callers give to points.
+// The ids that callers give to points.
 #pragma once
 
 #include "parts/collective.hpp"
@@ -7,8 +7,8 @@
 
 namespace mgdt {
 
-// Collective. Throws where two different points have one id. By local part: the points, their ids,
-// and the numbers of their vertices.
+// Collective. Throws if two different points have the same id. For each local part: the points,
+// their ids, and the numbers of their vertices.
 void require_distinct_ids(Collective& all, const GivenPoints* given, const std::int64_t* const* ids,
                           const Objects<Buffer<std::int64_t>>& vertices, Allocator& allocator);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All parts in one process: what the others are tested against, and how one machine holds more
-// than one triangulation can number.
+// A transport for parts that are all in one process. With it, one machine triangulates more points
+// than one triangulation can number, and other transports are tested against it.
 #pragma once
 
 #include "parts/transport.hpp"

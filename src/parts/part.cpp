@@ -8,13 +8,13 @@
 namespace mgdt {
 namespace {
 
-// That a part needs a point: the part above, the point below, so that they are in the order of a
-// Mail once they are sorted.
+// A part and a point that it needs: the part is in the upper half of the word, the point in the
+// lower half. Sorted words are in the order of a Mail.
 constexpr std::uint64_t wants(PartId part, std::uint32_t point) {
     return std::uint64_t{part} << 32 | point;
 }
 
-// Once there are so many, repeats are taken out.
+// When there are this many words, repeats are removed.
 constexpr std::size_t many_wishes = std::size_t{1} << 16;
 
 template <class T>
@@ -24,7 +24,7 @@ void take_out_repeats(Buffer<T>& items, std::size_t first = 0) {
     items.resize(static_cast<std::size_t>(end - items.begin()));
 }
 
-// Whether the ball is within the box, so that it meets no other's.
+// Whether the ball is within the box of the part, so that it cannot contain points of other parts.
 bool is_within(const Sphere& s, const double* base, const double* low, const double* high) {
     double square = 0, to_side = infinity;
     for (int k = 0; k < 3; ++k) {
@@ -53,7 +53,7 @@ void Part::begin(PartId self, std::int64_t first, const PartPoint* own, std::siz
 
 void Part::insert(const PartPoint* points, std::size_t n, PartsProgress& progress, std::size_t i,
                   std::size_t shares) {
-    // Nobody asks a part without points of its own.
+    // No other part needs the tetrahedra of a part without own points.
     if (own_ == 0) return;
     const std::size_t first = points_.size(), known = known_.size();
     for (const PartPoint* p = points; p != points + n; ++p)
@@ -61,7 +61,8 @@ void Part::insert(const PartPoint* points, std::size_t n, PartsProgress& progres
             points_.push_back(*p);
     take_out_repeats(points_, first);
     for (std::size_t k = first; k < points_.size(); ++k) known_.push_back(points_[k].number);
-    std::sort(known_.begin(), known_.end());  // a merge would take memory elsewhere
+    std::sort(known_.begin(),
+              known_.end());  // std::inplace_merge would allocate outside the allocator
     const std::size_t begin = triangulation_->point_map().size();
     static_assert(sizeof(PartPoint) == 5 * sizeof(double));
     if (begin == points_.size()) return;

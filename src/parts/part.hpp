@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One part: its own points, some of others, and their triangulation. Once it has received what the
-// others owe it, the tetrahedra at its own points are those of the triangulation of all points
-// (docs/theory.md, "Parts").
+// One part: its own points, some points of other parts, and the triangulation of these. When it has
+// received the points that it needs, the tetrahedra at its own points are those of the
+// triangulation of all points (docs/theory.md, "Parts").
 #pragma once
 
 #include <optional>
@@ -25,25 +25,27 @@ class Part {
         forget_triangulation();
     }
 
-    // The points that are at home here; their vertices get numbers from `first` on. Then the others
-    // come.
+    // Takes the part's own points, whose vertices get the numbers from `first` on. Called before
+    // insert().
     void begin(PartId self, std::int64_t first, const PartPoint* own, std::size_t n);
-    // Points of others, some of which may be known already. This is share i of the progress.
+    // Inserts points of other parts; some may be known already. Reports progress as share i of
+    // `shares`.
     void insert(const PartPoint* points, std::size_t n, PartsProgress& progress, std::size_t i,
                 std::size_t shares);
-    // Gives its memory back. The next insertion triangulates all points.
+    // Frees the triangulation. The next insertion triangulates all points again.
     void forget_triangulation() {
         const std::int32_t threads = triangulation_ ? settings().threads : 1;
         triangulation_.emplace(allocator_.allocate_function(), allocator_.release_function(),
                                allocator_.user());
         settings().threads = threads;
     }
-    // Which own points each of the other parts needs.
+    // Finds which of its own points each other part needs, and writes them to the mail.
     void push(const Boxes& boxes, PartId parts, Mail& out);
 
-    // Visits the tetrahedra that have a vertex of this part's own: visit(t, indices of points(),
-    // how many of these are own, whether the part owns it). The part does that has the least
-    // vertex, by coordinates.
+    // Calls visit(t, v, own, is_owned) for each tetrahedron with a vertex of this part's own: v has
+    // the indices of its vertices in points(), `own` is the number of own vertices, and is_owned
+    // says whether this part owns the tetrahedron. Its owner is the home of its lexicographically
+    // least vertex.
     template <class Visit>
     void each_tetrahedron(const Visit& visit) const {
         const Mesh& mesh = triangulation().mesh();
@@ -54,7 +56,7 @@ class Part {
             if (own > 0) visit(t, v, own, owns(v, own));
         }
     }
-    // Whether it is a tetrahedron that the part owns.
+    // Whether slot t has a tetrahedron that the part owns.
     bool owns(TetId t) const {
         const Tetrahedron& tetrahedron = triangulation().mesh().tetrahedra[t];
         if (tetrahedron.is_dead() || tetrahedron.is_ghost()) return false;
@@ -63,13 +65,13 @@ class Part {
         return own > 0 && owns(v, own);
     }
     const PartPoint& point(std::uint32_t i) const { return points_[i]; }
-    // The own ones come first.
+    // The own points come first.
     const PartPoint* points() const { return points_.data(); }
     std::size_t own_count() const { return own_; }
     std::size_t point_count() const { return points_.size(); }
     const Triangulation& triangulation() const { return *triangulation_; }
     Settings& settings() { return triangulation_->settings(); }
-    // Memory held.
+    // The memory that the part holds.
     std::size_t bytes() const { return allocator_.bytes() + triangulation().allocator().bytes(); }
 
   private:
@@ -77,11 +79,11 @@ class Part {
         std::uint32_t index[4];
         unsigned count;
     };
-    // Visits, of the tetrahedra with own vertices, those whose balls are not within the box, and
-    // the ghosts: visit(t, own vertices, sphere), visit_ghost(t, own vertices).
+    // Visits the tetrahedra with own vertices whose balls are not within the box of the part, and
+    // the ghosts with own vertices: visit(t, own, sphere), visit_ghost(t, own).
     template <class Visit, class VisitGhost>
     void each_at_border(const Visit& visit, const VisitGhost& visit_ghost) const;
-    // Indices of points(); returns how many are own.
+    // Writes the indices of the corners in points(). Returns how many are own.
     unsigned corners(TetId t, std::uint32_t (&v)[4]) const {
         const Mesh& mesh = triangulation().mesh();
         unsigned own = 0;
@@ -99,8 +101,8 @@ class Part {
     Allocator allocator_;
     PartId self_ = 0;
     std::optional<Triangulation> triangulation_;
-    Buffer<PartPoint> points_;    // as the triangulation counts them: the own ones first
-    Buffer<std::int64_t> known_;  // numbers of the others, in ascending order
+    Buffer<PartPoint> points_;    // in the order of the triangulation's indices; own points first
+    Buffer<std::int64_t> known_;  // the numbers of the other points, sorted
     std::size_t own_ = 0;
     PointBox box_ = empty_box();
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A point on its way between parts.
+// A point that parts exchange.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@ namespace mgdt {
 
 struct PartPoint {
     double x[3];
-    std::int64_t id;      // the least that the caller gave to a point of these coordinates
-    std::int64_t number;  // of the vertex, among those of all parts
+    std::int64_t id;      // the least id that callers gave to a point with these coordinates
+    std::int64_t number;  // the number of the vertex among those of all parts
 
     friend bool operator<(const PartPoint& a, const PartPoint& b) { return a.number < b.number; }
     friend bool operator==(const PartPoint& a, const PartPoint& b) { return a.number == b.number; }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Who owns a tetrahedron tells its number to the other parts that have it. The owners of two that
-// share a facet need not know each other; both tell the part where its least vertex is at home.
+// The owner of a tetrahedron sends its number to the other parts that have it. The owners of two
+// adjacent tetrahedra need not know each other: both send their numbers to the home of the least
+// vertex of the shared facet.
 #include "parts/part_tetrahedra.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace mgdt {
 namespace {
 
-// Vertices of a tetrahedron, or of a facet, in ascending order, by which parts know it.
+// The sorted vertices of a tetrahedron or of a facet, by which parts identify it.
 template <int n>
 struct Key {
     std::int64_t v[n];
@@ -27,10 +28,10 @@ struct Key {
 struct Numbered {
     Key<4> key;
     std::int64_t number;
-    std::uint64_t coordinates;  // of the corners, mixed: that a number means the same point
+    std::uint64_t coordinates;  // a hash of the corners' coordinates, to verify that numbers agree
 };
 
-// A side of a facet: the tetrahedron, and who asks for the other side.
+// One side of a facet: the tetrahedron, and the part that asks for the other side.
 struct Side {
     Key<3> key;
     std::int64_t tetrahedron;
@@ -78,7 +79,7 @@ void PartTetrahedra::get_neighbors(const Part& part, std::int64_t* neighbors) co
     }
 }
 
-// Slots of owned ones are in ascending order.
+// The slots of owned tetrahedra are sorted.
 std::size_t PartTetrahedra::index_of_owned(TetId slot) const {
     return static_cast<std::size_t>(
         std::lower_bound(slots_.begin(), slots_.begin() + owned_, slot) - slots_.begin());
@@ -164,7 +165,7 @@ class TetrahedraFinder {
         for (PartId p = 0; p < parts_.size(); ++p)
             found_[p].first_ = first_[all_.first_local() + p];
     }
-    // Of tetrahedron i without the corner `left_out`, or with all.
+    // The key of tetrahedron i, or of its facet without the corner `left_out`.
     template <int n>
     Key<n> key(PartId p, std::size_t i, int left_out) const {
         std::uint32_t v[4];
@@ -176,7 +177,7 @@ class TetrahedraFinder {
         std::sort(key.v, key.v + n);
         return key;
     }
-    // Whatever the order of the corners.
+    // The hash does not depend on the order of the corners.
     std::uint64_t mixed_coordinates(PartId p, std::size_t i) const {
         std::uint32_t v[4];
         found_[p].corners(parts_[p], i, v);
@@ -192,7 +193,7 @@ class TetrahedraFinder {
         }
         return sum;
     }
-    // To the other parts that corners are at home in.
+    // Sends the numbers of owned tetrahedra at the border to the homes of their other corners.
     void tell_numbers() {
         for (PartId p = 0; p < parts_.size(); ++p) {
             const PartTetrahedra& t = found_[p];
@@ -248,8 +249,8 @@ class TetrahedraFinder {
             t.owners_[i - t.owned_] = found->owner;
         }
     }
-    // The facets of owned ones beyond which is none of these. One with own corners alone is not
-    // asked about where it is on the hull, since its corners know all their neighbours.
+    // Lists the facets of owned tetrahedra whose other side is not a tetrahedron of this part. A
+    // hull facet with own corners alone is left out: the part has all tetrahedra at these corners.
     void list_across(PartId p) {
         PartTetrahedra& t = found_[p];
         const Part& part = parts_[p];
@@ -295,7 +296,7 @@ class TetrahedraFinder {
             for (std::size_t k = 0; k < places[p].size(); ++k)
                 found_[p].across_[k].number = in_[p].records<std::int64_t>()[places[p][k]];
     }
-    // The other side of each, or -1.
+    // Returns the tetrahedron on the other side of each facet, or -1.
     void answer_sides(const Mail& asked, Mail& reply) {
         const Side* const sides = asked.records<Side>();
         const std::size_t n = asked.count();
@@ -313,7 +314,7 @@ class TetrahedraFinder {
             beyond[there] = sides[here].tetrahedron;
         }
     }
-    // The part where a facet's least vertex is at home.
+    // The home of a facet's least vertex.
     PartId meeting_place(PartId p, std::size_t i, int face) const {
         std::uint32_t v[4];
         found_[p].corners(parts_[p], i, v);
@@ -331,7 +332,7 @@ class TetrahedraFinder {
     Objects<PartTetrahedra>& found_;
     Buffer<std::int64_t>& first_;
     Allocator& allocator_;
-    Objects<Buffer<std::size_t>> at_border_;  // owned ones with corners of others
+    Objects<Buffer<std::size_t>> at_border_;  // owned tetrahedra with corners of other parts
     Objects<Mail> out_, in_;
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tetrahedra of a part as its program takes them: with the numbers that vertices and tetrahedra
-// have among those of all parts.
+// The tetrahedra of a part as callers see them, with global numbers of vertices and tetrahedra.
 #pragma once
 
 #include "parts/collective.hpp"
@@ -17,39 +16,41 @@ class PartTetrahedra {
           across_(allocator),
           ghosts_(allocator) {}
 
-    // Those with a corner that is the part's own. Returns how many it owns; of these `first` is the
-    // number of the first. at_border: those that it owns and that have corners of others.
+    // Finds the tetrahedra with a corner that is the part's own. Returns how many of them the part
+    // owns; `first` is the number of the first of these. `at_border` lists the owned tetrahedra
+    // that have corners of other parts.
     std::size_t list(const Part& part, PartId self, std::int64_t first,
                      Buffer<std::size_t>* at_border = nullptr);
     void forget();
-    // Those that the part owns come first, and their numbers follow one another.
+    // The tetrahedra that the part owns come first, and have consecutive numbers.
     std::size_t size() const { return slots_.size(); }
     std::size_t owned() const { return owned_; }
-    // The points of others that are corners of these, in ascending order of their numbers.
+    // The points of other parts that are corners of these tetrahedra, sorted by number.
     const Buffer<std::uint32_t>& ghosts() const { return ghosts_; }
     std::int64_t number(std::size_t i) const {
         return i < owned_ ? first_ + static_cast<std::int64_t>(i) : numbers_[i - owned_];
     }
     PartId owner(std::size_t i) const { return i < owned_ ? self_ : owners_[i - owned_]; }
-    // The corners of each in turn, positively oriented, as points of the part.
+    // The corners of each tetrahedron, positively oriented, as indices of the part's points.
     void corners(const Part& part, std::size_t i, std::uint32_t (&v)[4]) const {
         const Mesh& mesh = part.triangulation().mesh();
         for (int k = 0; k < 4; ++k) v[k] = mesh.vertices[mesh.tetrahedra[slots_[i]].v[k]].index;
     }
-    // 4 numbers of vertices for each.
+    // The global numbers of the 4 corners of each tetrahedron.
     void get_vertices(const Part& part, std::int64_t* vertices) const;
-    // 4 places for each: of the part's own points and its ghosts, in their order.
+    // The 4 corners of each tetrahedron as positions among the part's own vertices and its ghosts.
     void get_places(const Part& part, std::int64_t* places) const;
-    // 4 numbers of tetrahedra for each owned one, opposite the vertices, or -1.
+    // For each owned tetrahedron the numbers of the 4 tetrahedra opposite its vertices, or -1.
     void get_neighbors(const Part& part, std::int64_t* neighbors) const;
 
-    // Whether all that was found is the same.
+    // Whether both have the same tetrahedra and numbers. The check compares them.
     bool is_like(const PartTetrahedra& other) const;
 
   private:
     friend class TetrahedraFinder;
     std::size_t index_of_owned(TetId slot) const;
-    // A facet of an owned one that others had to be asked about: its place among the neighbours.
+    // A facet of an owned tetrahedron whose other side is known to another part: its position among
+    // the neighbours.
     struct Across {
         std::uint64_t side;
         std::int64_t number;
@@ -58,14 +59,14 @@ class PartTetrahedra {
     std::size_t owned_ = 0;
     std::int64_t first_ = 0;
     Buffer<TetId> slots_;
-    Buffer<std::int64_t> numbers_;  // of those that others own
+    Buffer<std::int64_t> numbers_;  // of the tetrahedra that other parts own
     Buffer<PartId> owners_;
-    Buffer<Across> across_;  // by side
+    Buffer<Across> across_;  // sorted by position
     Buffer<std::uint32_t> ghosts_;
 };
 
-// Collective. Those of the local parts, whose triangulations are finished; the tetrahedra that
-// part p owns have the numbers from first[p] to before first[p + 1].
+// Collective. Finds the tetrahedra of the local parts, whose triangulations are finished. The
+// tetrahedra that part p owns have the numbers first[p] to first[p + 1] - 1.
 void find_tetrahedra(Collective& all, const Homes& homes, const Objects<Part>& parts,
                      Objects<PartTetrahedra>& found, Buffer<std::int64_t>& first,
                      Allocator& allocator);

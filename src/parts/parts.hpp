@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The triangulation of points that are given in parts, each part's share of it in a triangulation
-// of its own. The tetrahedra are those of one triangulation of all points, for every number of
-// parts.
+// The triangulation of points that are spread over parts. Each part has a triangulation of its own.
+// The tetrahedra are those of one triangulation of all points, for every number of parts.
 #pragma once
 
 #include <functional>
@@ -16,38 +15,38 @@ namespace mgdt {
 class Parts {
   public:
     Parts(Collective& collective, mgdt_alloc_fn alloc, mgdt_free_fn release, void* user);
-    // Of each triangulation.
+    // Sets the number of threads of each triangulation.
     void set_threads(std::int32_t threads);
 
-    // Collective, and once, inside a run. The points that each local part is given, all finite, and
-    // numbers for them, different for different points; without these they count on through the
-    // parts.
+    // Collective; called once, inside a run of Collective. Takes the points of each local part,
+    // which are finite, and their ids, which are different for different points. Without ids,
+    // points are numbered consecutively through the parts.
     void build(const GivenPoints* given, const std::int64_t* const* ids, PartsProgress& progress);
-    // The same with one triangulation at a time, which visit(i) finds at local part i: its own
-    // tetrahedra with their numbers, and the others at its vertices without. Then it is gone. All
-    // parts are local.
+    // The same with one triangulation in memory at a time. visit(i) is called for each local part i
+    // while its triangulation exists: owned tetrahedra have their numbers, the others have none.
+    // All parts are local.
     using Visit = std::function<void(PartId)>;
     void build_each(const GivenPoints* given, const std::int64_t* const* ids,
                     PartsProgress& progress, const Visit& visit);
-    // Collective. Throws MGDT_ERR_CHECK_FAILED where something is wrong (parts/check.cpp).
+    // Collective. Throws MGDT_ERR_CHECK_FAILED if something is wrong (parts/check.cpp).
     void check(std::int32_t level);
 
     const Part& local(PartId i) const { return parts_[i]; }
     const Homes& homes() const { return homes_; }
     const PartTetrahedra& tetrahedra(PartId i) const { return tetrahedra_[i]; }
-    // The number of the vertex of each point that a local part was given.
+    // The number of the vertex of each point that was inserted into a local part.
     const Buffer<std::int64_t>& vertices_of_given(PartId i) const { return vertices_of_given_[i]; }
-    // The vertices of part p have the numbers from first_vertex(p) to before first_vertex(p + 1).
+    // The vertices of part p have the numbers first_vertex(p) to first_vertex(p + 1) - 1.
     std::int64_t first_vertex(PartId p) const { return first_vertex_[p]; }
     const Buffer<std::int64_t>& first_vertices() const { return first_vertex_; }
     // The same for the tetrahedra that parts own.
     const Buffer<std::int64_t>& first_tetrahedra() const { return first_tetrahedron_; }
-    // Memory held.
+    // The memory that all local parts hold.
     std::size_t bytes() const;
 
   private:
     void settle(const GivenPoints* given, const std::int64_t* const* ids, PartsProgress& progress);
-    // Triangulates what the local parts have, and has them exchange what they need.
+    // Triangulates the points of the local parts; parts exchange the points that they need.
     void exchange(PartsProgress& progress, bool one_at_a_time, Objects<Mail>& received);
     void gather_boxes();
 
@@ -55,7 +54,7 @@ class Parts {
     Collective& collective_;
     Homes homes_;
     Boxes boxes_;
-    Objects<Part> parts_;  // the local ones
+    Objects<Part> parts_;  // the local parts
     Objects<PartTetrahedra> tetrahedra_;
     Objects<Buffer<std::int64_t>> vertices_of_given_;
     Buffer<std::int64_t> first_vertex_, first_tetrahedron_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mail as it is written: records in whatever order they come, and replies.
+// Collects records for a Mail in any order, and replies to records that have arrived.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace mgdt {
 
-// Records for parts; sent by part, they keep their order.
+// Records addressed to parts. Records to the same part keep their order.
 template <class Record>
 class Post {
   public:
@@ -22,7 +22,7 @@ class Post {
         to_.push_back(to);
         records_.push_back(record);
     }
-    // Where the k-th record is in the mail, if `places` is given.
+    // The position of the k-th record in the mail, if `places` is given.
     void put(PartId parts, Mail& mail, Buffer<std::uint64_t>* places) const {
         mail.begin.clear();
         mail.begin.resize(std::size_t{parts} + 1, 0);
@@ -44,7 +44,7 @@ class Post {
     Buffer<PartId> to_;
 };
 
-// Room for a reply to each record that has come, in their order.
+// A mail with room for one reply to each record that has arrived, in the same order.
 template <class Reply>
 Reply* begin_replies(const Mail& in, Mail& out) {
     out.begin.resize(in.begin.size());

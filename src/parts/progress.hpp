@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a process has come with its parts, told to its program, which may stop all.
+// Reports the progress of a process to its caller, who may cancel all processes.
 #pragma once
 
 #include "core/triangulation.hpp"
@@ -12,22 +12,22 @@ class PartsProgress {
     PartsProgress(mgdt_progress_fn tell, void* user, Atomic<bool>& cancelled)
         : tell_(tell), user_(user), cancelled_(cancelled) {}
 
-    // What follows takes the progress from one fraction to the other.
+    // The next stage takes the progress from one fraction to another.
     void enter(double from, double to) {
         from_ = from;
         to_ = to;
         report(0);
     }
-    // The fraction of that. Throws where the program wants to stop.
+    // Reports a fraction of the stage. Throws if the caller cancels.
     void report(double fraction) {
         if (tell(fraction)) fail(MGDT_ERR_CANCELLED, "cancelled");
     }
-    // All is done, and it is too late to stop.
+    // Everything is done; it is too late to cancel.
     void finish() {
         from_ = to_ = 1;
         tell(1);
     }
-    // An insertion into t as share i of n.
+    // Runs an insertion into t, whose progress is share i of n of the stage.
     template <class Insert>
     void watch(Triangulation& t, std::size_t i, std::size_t n, const Insert& insert) {
         Share share{*this, static_cast<double>(i), static_cast<double>(n)};

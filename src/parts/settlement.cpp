@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Points are many, so they are counted and written where they go, not gathered first; who wants to
-// know later where one went counts again.
+// There are many points, so they are counted first and then written to their positions in the mail
+// directly. To find the position of a point again, it is counted again.
 #include "parts/settlement.hpp"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ class Settlement {
             id += static_cast<std::int64_t>(counts[p]);
         }
     }
-    // visit(i, its home) for the points that a local part is given.
+    // Calls visit(i, home) for each point i of a local part.
     template <class Visit>
     void each_given(PartId p, const Visit& visit) const {
         for (std::size_t i = 0; i < given_[p].n; ++i) visit(i, homes_.of(given_[p].xyz + 3 * i));
@@ -60,7 +60,8 @@ class Settlement {
             {x[0], x[1], x[2]}, ids_ ? ids_[p][i] : first_id_[p] + static_cast<std::int64_t>(i), 0};
     }
 
-    // Nothing is sent, so that points are held once on the way.
+    // In one process no mail is sent: points are written to their homes directly, so that they are
+    // in memory only once on the way.
     void in_one_process(Objects<Part>& parts, Buffer<std::int64_t>& first_vertex,
                         Objects<Buffer<std::int64_t>>& of_given) {
         Buffer<std::uint64_t> next(allocator_);
@@ -108,7 +109,7 @@ class Settlement {
         for (Mail& mail : out) mail.bytes.reset();
         make_vertices(parts, first_vertex);
         for (PartId p = 0; p < local; ++p) {
-            // What comes back has the order of what was sent.
+            // Replies have the order of the records that were sent.
             std::int64_t* const answers = begin_replies<std::int64_t>(arrived_[p], out[p]);
             for (std::size_t i = 0; i < vertices_[p].size(); ++i)
                 answers[i] = first_vertex[all_.first_local() + p] + vertices_[p][i];
@@ -126,14 +127,14 @@ class Settlement {
         std::copy(from.begin(), from.end(), to.data());
     }
 
-    // Equal points become one, with the least of their ids.
+    // Equal points become one vertex, with the least of their ids.
     void make_vertices(Objects<Part>& parts, Buffer<std::int64_t>& first_vertex) {
         Buffer<std::uint64_t> counts(allocator_), mine(allocator_, all_.local_parts());
         all_.each_local([&](PartId p) {
-            // Those that are kept move to the front.
+            // The distinct points move to the front.
             PartPoint* const points = arrived_[p].records<PartPoint>();
             const std::size_t n = arrived_[p].count();
-            // No triangulation holds as many; its own limit is lower.
+            // A triangulation cannot number more vertices.
             if (n >= in_cavity)
                 fail(MGDT_ERR_TOO_LARGE, "%zu points are at home here; take more parts", n);
             NumberTable distinct(allocator_);
@@ -173,9 +174,9 @@ class Settlement {
     const GivenPoints* given_;
     const std::int64_t* const* ids_;
     Allocator& allocator_;
-    Buffer<std::int64_t> first_id_;            // by local part, where there are no ids
-    Objects<Mail> arrived_;                    // at home
-    Objects<Buffer<std::uint32_t>> vertices_;  // of the points that arrived, by their order
+    Buffer<std::int64_t> first_id_;            // the first id of each local part, if none are given
+    Objects<Mail> arrived_;                    // the points that arrived at each local part
+    Objects<Buffer<std::uint32_t>> vertices_;  // the vertex of each point that arrived
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How points come home: each part gets its own, equal ones become one vertex, and the vertices of
-// all parts are numbered.
+// Sends points to their homes. Equal points become one vertex, and the vertices of all parts are
+// numbered.
 #pragma once
 
 #include "parts/homes.hpp"
@@ -9,9 +9,9 @@
 
 namespace mgdt {
 
-// Collective. What the local parts are given, with ids or without, goes to `parts`. The vertices of
-// part p get the numbers from first_vertex[p] to before first_vertex[p + 1], and `of_given` has the
-// number of the vertex of each point that a local part was given.
+// Collective. Distributes the points that were inserted into the local parts, with ids or without,
+// to `parts`. The vertices of part p get the numbers first_vertex[p] to first_vertex[p + 1] - 1.
+// `of_given` has the vertex number of each point that was inserted into a local part.
 void settle_points(Collective& all, const Homes& homes, const GivenPoints* given,
                    const std::int64_t* const* ids, Objects<Part>& parts,
                    Buffer<std::int64_t>& first_vertex, Objects<Buffer<std::int64_t>>& of_given,

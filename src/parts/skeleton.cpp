@@ -9,13 +9,13 @@
 namespace mgdt {
 namespace {
 
-// The directions to the neighbours of a cube among 27: to its sides, edges and corners.
+// The directions from the centre of a cube to its faces, edges and corners.
 void direction(std::size_t i, double* d) {
     std::size_t cell = i < 13 ? i : i + 1;
     for (int k = 0; k < 3; ++k, cell /= 3) d[k] = static_cast<double>(cell % 3) - 1;
 }
 
-// Halves, so that a sum of large coordinates does not overflow.
+// Halved, so that a sum of large coordinates does not overflow.
 double along(const double* d, const double* x) {
     return d[0] * (0.25 * x[0]) + d[1] * (0.25 * x[1]) + d[2] * (0.25 * x[2]);
 }
@@ -49,8 +49,8 @@ void Skeleton::gather(Collective& all, const Objects<Part>& parts) {
 }
 
 void Skeleton::find_basis(Collective& all, const Objects<Part>& parts) {
-    // The first and the last of all in lexicographic order, then the first found off their line,
-    // and off that plane.
+    // The lexicographically first and last point, then the first point off their line, and the
+    // first one off that plane.
     struct Found {
         std::uint64_t is_found;
         PartPoint point;
@@ -105,7 +105,7 @@ void Skeleton::points_for(PartId part, PartId parts, Buffer<PartPoint>& points) 
                 farthest = &o.farthest[k];
         if (farthest) points.push_back(*farthest);
     }
-    // Of each set of parts that the way to this one goes past.
+    // From each subtree of parts beside the path to this part.
     const auto sample = [&](PartId first, PartId last) {
         for (std::size_t k = 0; k < sample_size; ++k) {
             const Offer& o = offers_[first + k * (last - first) / sample_size];

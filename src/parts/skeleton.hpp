@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A few points of all parts that each part triangulates with its own, so that its triangulation
-// spans space and its balls and hull facets are not much larger than those of all points.
+// The skeleton: a few points of all parts, which each part triangulates with its own. With them,
+// each triangulation spans space, and its circumballs are not much larger than those of all points.
 #pragma once
 
 #include "parts/part.hpp"
@@ -12,22 +12,22 @@ class Skeleton {
   public:
     explicit Skeleton(Allocator& allocator) : offers_(allocator), basis_(allocator) {}
 
-    // Collective. parts: the local ones.
+    // Collective. `parts` are the local parts.
     void gather(Collective& all, const Objects<Part>& parts);
-    // Those for one part, with repeats, some of which may be its own.
+    // The points for one part. There may be repeats and the part's own points.
     void points_for(PartId part, PartId parts, Buffer<PartPoint>& points) const;
 
   private:
     static constexpr std::size_t sample_size = 64;
     static constexpr std::size_t directions = 26;
-    // What a part offers: some of its points, and the farthest in each direction; none where
+    // The points that a part offers: some of them, and the farthest in each direction. None if
     // `count` is 0.
     struct Offer {
         std::uint64_t count;
         PartPoint sample[sample_size];
         PartPoint farthest[directions];
     };
-    // Points of all parts that span what all points span, exactly.
+    // Points of all parts that span the affine hull of all points, exactly.
     void find_basis(Collective& all, const Objects<Part>& parts);
 
     Buffer<Offer> offers_;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How the parts of a triangulation exchange records. Parts are numbered from 0 on; a process holds
-// a run of them, at least one, and all of them where there is one process. Every call is
-// collective: all processes make the same calls in the same order. None throws; one that returns
-// false has failed, and none is called again.
+// The interface by which parts exchange records. Parts are numbered from 0; a process has a range
+// of at least one part. Every call is collective: all processes make the same calls in the same
+// order. Calls do not throw. A call that returns false has failed, and no other is made after it.
 #pragma once
 
 #include "platform/memory.hpp"
@@ -11,7 +10,8 @@ namespace mgdt {
 
 using PartId = std::uint32_t;
 
-// Records by the parts that they are for, or from: those of part p are begin[p] to begin[p + 1].
+// Records sorted by the parts that they go to, or come from: records begin[p] to begin[p + 1] - 1
+// are for part p.
 struct Mail {
     explicit Mail(Allocator& allocator) : bytes(allocator), begin(allocator) {}
 
@@ -40,14 +40,15 @@ class Transport {
     virtual PartId first_local() const noexcept = 0;
     virtual PartId local_parts() const noexcept = 0;
 
-    // Gives every process the bytes of all parts: those of part p are all + begin[p] to
-    // all + begin[p + 1]. `mine` has those of the local parts.
+    // Gives every process the bytes of all parts. Those of part p go from all + begin[p] to
+    // all + begin[p + 1]. `mine` has the bytes of the local parts.
     virtual bool gather(const void* mine, const std::uint64_t* begin, void* all) noexcept = 0;
-    // Adds the numbers of all processes, one by one; takes the least of each.
+    // Replace each number by the sum, or by the least, of the numbers of all processes at that
+    // position.
     virtual bool sum(std::uint64_t* numbers, std::size_t n) noexcept = 0;
     virtual bool least(double* numbers, std::size_t n) noexcept = 0;
-    // Delivers records of one size: out[i] is what local part i sends, in[i] what it receives.
-    // First sets in[i].begin, for which there is room, then fills in[i].bytes likewise.
+    // Deliver records of one size: local part i sends out[i] and receives in[i]. The first call
+    // sets in[i].begin, the second one fills in[i].bytes; there is room for both.
     virtual bool exchange_counts(const Mail* out, Mail* in) noexcept = 0;
     virtual bool exchange_records(std::size_t record_size, const Mail* out, Mail* in) noexcept = 0;
 };
