@@ -31,9 +31,10 @@ bool ConcurrentInsertion::insert_in_zones(const Zones::Round& round, unsigned th
     return true;
 }
 
-// Lists the positions near the border, ascending. Returns false if they are too many.
-bool ConcurrentInsertion::list_border(const Zones::Round& round, unsigned threads,
-                                      Buffer<std::uint32_t>& border) {
+// Lists the positions near the border, ascending. Returns false if they are too many. Not inlined,
+// so that its array takes no stack while threads insert.
+MGDT_NOT_INLINE bool ConcurrentInsertion::list_border(const Zones::Round& round, unsigned threads,
+                                                      Buffer<std::uint32_t>& border) {
     std::size_t ends[Team::most + 1] = {};
     const auto for_each = [&](unsigned zone, auto f) {
         const std::size_t end = zones_.first(round, zone + 1);
