@@ -19,6 +19,11 @@ with tempfile.TemporaryDirectory() as folder:
                           capture_output=True, text=True)
     check("it is written", made.stderr if made.returncode else "")
 
+    asked = subprocess.run([sys.executable, source / "docs" / "packaging" / "amalgamate.py", "--help"],
+                           capture_output=True, text=True, cwd=folder)
+    check("an option is no folder", "" if asked.returncode and "FOLDER" in asked.stderr and
+          not (Path(folder) / "--help").exists() else "it is taken for one")
+
     def problem_of(file):
         done = subprocess.run([compiler, "-std=c++17", "-fsyntax-only", "-ffp-contract=off", "-I", folder, file],
                               capture_output=True, text=True)

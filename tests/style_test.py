@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Layout of C and C++ by clang-format, scripts by shellcheck, Python by pyflakes.
+"""Layout of C and C++ by clang-format, scripts by shellcheck, Python by pyflakes; and no stray files beside the
+folders of the source.
 
   style_test.py SOURCE [FILE...]
 
@@ -14,6 +15,7 @@ sys.dont_write_bytecode = True  # the source tree stays as it is
 from checks import check, finish
 
 FOLDERS = ("bindings", "docs", "include", "src", "tests")
+TOP_LEVEL = {*FOLDERS, "LICENSE", "README.md", "meson.build", "meson_options.txt"}
 
 # What is never formatted: headers and clients as they were released.
 AS_THEY_ARE = ("tests/abi/mgdt-", "tests/abi/client-")
@@ -36,6 +38,13 @@ def all_files(source):
     return found
 
 
+def stray(source):
+    """What the top level has besides TOP_LEVEL and dot-files, of what git knows."""
+    files = subprocess.run(["git", "-C", source, "ls-files"], capture_output=True, text=True, check=False)
+    names = {line.split("/")[0].strip('"') for line in files.stdout.splitlines()}
+    return sorted(name for name in names - TOP_LEVEL if not name.startswith("."))
+
+
 def problem_of(command, files):
     try:
         run = subprocess.run([*command, *map(str, files)], capture_output=True, text=True)
@@ -56,6 +65,7 @@ def main():
         if files:
             what = f"{Path(command[0]).name} {' '.join(command[1:])}: {len(files)} files"
             check(what, problem_of(command, sorted(files)))
+    check("the top level", " ".join(stray(source)))
     check("files to look at", "" if count > 300 or named else f"only {count}")
     finish()
 
