@@ -100,7 +100,7 @@ void ConcurrentInsertion::insert_anywhere(Items items, unsigned threads) {
         } else {
             const std::size_t sample = std::min(list.size(), ConcurrentPolicy::sample_size);
             if (!met_hubs && sample > 0 &&
-                policy_.compare(insert_sample_alone(list), sample, seconds, inserted))
+                policy_.compare(insert_last_alone(list, sample), sample, seconds, inserted))
                 threads = 1;
             threads = std::min(threads, policy_.threads_for_few(list.size()));
         }
@@ -146,9 +146,8 @@ void ConcurrentInsertion::insert_deferred_first() {
     left_.resize(left_.size() - count);
 }
 
-// Inserts the last ones of the list and takes them out. Returns the seconds.
-double ConcurrentInsertion::insert_sample_alone(Buffer<std::uint32_t>& list) {
-    const std::size_t n = std::min(list.size(), ConcurrentPolicy::sample_size);
+// Inserts the last n points of the list and removes them from it. Returns the seconds that it took.
+double ConcurrentInsertion::insert_last_alone(Buffer<std::uint32_t>& list, std::size_t n) {
     double seconds = 0;
     {
         const Stopwatch watch(seconds);

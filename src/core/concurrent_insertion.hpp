@@ -48,7 +48,7 @@ class ConcurrentInsertion {
     void insert_by_threads(const Items& items, unsigned threads);
     void insert_alone(const Items& items);
     void insert_deferred_first();
-    double insert_sample_alone(Buffer<std::uint32_t>& list);
+    double insert_last_alone(Buffer<std::uint32_t>& list, std::size_t n);
     void insert_serially(std::size_t k, bool is_near_last);
 
     // In zones.

@@ -4,15 +4,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "parallel/team.hpp"
+
 namespace mgdt {
 namespace {
 
 // A round is early if it has less than 1/8 of the points of the batch.
 constexpr std::size_t early_share = 8;
-// A round with one point in zones for each 1/8 at their border gains from zones.
-constexpr std::size_t min_inside_per_border_point = 8;
+// A round gains from zones if it has at least 8 points for each point at the border of zones.
+constexpr std::size_t min_points_per_border_point = 8;
 
-// Whether so many of `points` points were deferred that threads are in each other's way.
+// Whether more than 1/50 of the points were deferred, which means contention between threads.
 bool is_many(std::uint64_t deferred, std::size_t points) noexcept {
     return deferred > points / 50;
 }
@@ -21,9 +23,8 @@ bool is_many(std::uint64_t deferred, std::size_t points) noexcept {
 
 unsigned ConcurrentPolicy::threads_for(std::size_t points,
                                        std::size_t min_points_per_thread) const noexcept {
-    const std::size_t wanted = points / std::max<std::size_t>(min_points_per_thread, 1);
-    return static_cast<unsigned>(
-        std::max<std::size_t>(1, std::min<std::size_t>(wanted, most_threads_)));
+    return Team::threads_for(points, std::max<std::size_t>(min_points_per_thread, 1),
+                             most_threads_);
 }
 
 unsigned ConcurrentPolicy::threads_for_round(std::size_t size, std::size_t tetrahedra,
@@ -56,7 +57,7 @@ bool ConcurrentPolicy::may_use_zones() const noexcept {
 }
 
 bool ConcurrentPolicy::is_border_short(std::size_t border, std::size_t round_size) const noexcept {
-    return hooks_.zones == ZoneUse::always || min_inside_per_border_point * border <= round_size;
+    return hooks_.zones == ZoneUse::always || min_points_per_border_point * border <= round_size;
 }
 
 void ConcurrentPolicy::end_round(std::uint64_t deferred, std::size_t size) noexcept {

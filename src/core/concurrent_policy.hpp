@@ -29,7 +29,7 @@ class ConcurrentPolicy {
 
     // Whether the next round may be inserted in zones, as far as contention goes.
     bool may_use_zones() const noexcept;
-    // Whether a round with so many points at the border of zones gains from them.
+    // Whether the border of the zones has few enough points for the round to gain from zones.
     bool is_border_short(std::size_t border, std::size_t round_size) const noexcept;
     void begin_round() noexcept { stops_for_hubs_ = 0; }
     void end_round(std::uint64_t deferred, std::size_t size) noexcept;
@@ -75,9 +75,10 @@ class Contention {
     // A thread asks for advice after each piece of its part of `points` points.
     void begin(std::size_t points, unsigned threads, std::size_t attempts_before_doubt) noexcept;
     void count(std::size_t attempts, std::size_t failures) noexcept;
-    // An attempt failed after it had visited so many tetrahedra of the cavity.
+    // Counts the tetrahedra of the cavity that an attempt visited before it failed.
     void count_given_up(std::size_t tetrahedra) noexcept { given_up_ += tetrahedra; }
-    // Whether failed attempts have visited so many tetrahedra that advice cannot wait.
+    // Whether failed attempts have cost so much that all threads should stop at once, without
+    // waiting for the next judgement.
     bool has_given_up_too_much() const noexcept {
         return given_up_ > max_given_up_per_attempt * attempts_before_doubt_;
     }
@@ -86,15 +87,16 @@ class Contention {
     std::chrono::microseconds wait() const noexcept { return first_wait * (1 << (waits_ - 1)); }
 
   private:
-    // A thread judges this many times in its part, but not before so many attempts.
+    // The attempts of a thread are judged about this many times per stage, after at least
+    // `min_attempts` attempts each time.
     static constexpr std::size_t judgements = 64, min_attempts = 512;
-    // When a thread has waited so often in a row, each time twice as long, it leaves.
+    // A thread waits at most this often in a row, each time twice as long, before it leaves.
     static constexpr unsigned max_waits = 4;
     static constexpr std::chrono::microseconds first_wait{100};
-    // Threads doubt at once when failed attempts have visited so many tetrahedra for each attempt
+    // has_given_up_too_much() allows this many visited tetrahedra, on the average, per attempt
     // before a doubt.
     static constexpr std::size_t max_given_up_per_attempt = 64;
-    // Visiting so many tetrahedra in vain takes as long as one more failed attempt.
+    // Visiting this many tetrahedra in vain counts as one more failed attempt.
     static constexpr std::size_t given_up_per_failure = 256;
 
     struct Sample {

@@ -95,7 +95,7 @@ bool Worker::try_insert(std::size_t k) {
 }
 
 bool Worker::try_insert_in_zone(std::size_t k) {
-    // After so many failures in a row the thread may be in a corner of its zone.
+    // After this many failures in a row, the thread may be in a corner of its zone.
     constexpr std::size_t max_failures = 4;
     if ((here_ == no_tetrahedron || failures_in_zone_ >= max_failures) && !arrive_in_zone(k))
         return false;

@@ -26,9 +26,8 @@ State::State(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
 unsigned State::threads_for(std::size_t work, std::size_t min_per_thread) const noexcept {
     std::size_t threads = static_cast<std::size_t>(settings.threads);
     if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
-    threads = std::min<std::size_t>(threads, Team::most);
-    return static_cast<unsigned>(
-        std::max<std::size_t>(1, std::min(threads, work / min_per_thread)));
+    return Team::threads_for(work, min_per_thread,
+                             static_cast<unsigned>(std::min<std::size_t>(threads, Team::most)));
 }
 
 void State::clear() noexcept {

@@ -56,10 +56,16 @@ class Team {
             start(members < size_ ? members : size_, FunctionRef<void(unsigned)>(body));
     }
 
-    // The number of members for `work` items, if each should have at least `min_items_per_thread`.
-    unsigned members_for(std::size_t work, std::size_t min_items_per_thread) const noexcept {
+    // The number of threads, 1 to `limit`, for `work` items, if each should have at least
+    // `min_items_per_thread`.
+    static unsigned threads_for(std::size_t work, std::size_t min_items_per_thread,
+                                unsigned limit) noexcept {
         const std::size_t wanted = work / min_items_per_thread;
-        return wanted >= size_ ? size_ : wanted > 1 ? static_cast<unsigned>(wanted) : 1;
+        return wanted >= limit ? limit : wanted > 1 ? static_cast<unsigned>(wanted) : 1;
+    }
+    // The number of members of this team for `work` items.
+    unsigned members_for(std::size_t work, std::size_t min_items_per_thread) const noexcept {
+        return threads_for(work, min_items_per_thread, size_);
     }
 
     // Divides 0..n-1 into consecutive ranges of about equal size, and runs body(begin, end, member)
