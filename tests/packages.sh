@@ -140,17 +140,17 @@ END
 #include <stdio.h>
 int main(int argc, char** argv) {
     static const double xyz[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
-    mgdt_mpi* m = NULL;
+    mgdt_parts* m = NULL;
     int64_t tetrahedra = 0;
     int rank = 0;
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     if (mgdt_mpi_create(MPI_COMM_WORLD, &m) != MGDT_OK) return 1;
-    if (rank == 0 && mgdt_mpi_insert_points(m, 5, xyz, NULL) != MGDT_OK) return 1;
-    if (mgdt_mpi_build(m) != MGDT_OK) return 1;
-    mgdt_mpi_get_stat(m, MGDT_PARTS_ALL_TETRAHEDRA, &tetrahedra);
+    if (rank == 0 && mgdt_parts_insert_points(m, MGDT_PARTS_THIS_PART, 5, xyz, NULL) != MGDT_OK) return 1;
+    if (mgdt_parts_build(m) != MGDT_OK) return 1;
+    mgdt_parts_get_stat(m, MGDT_PARTS_THIS_PART, MGDT_PARTS_ALL_TETRAHEDRA, &tetrahedra);
     if (rank == 0) printf("%d\n", (int)tetrahedra);
-    mgdt_mpi_destroy(m);
+    mgdt_parts_destroy(m);
     MPI_Finalize();
     return 0;
 }

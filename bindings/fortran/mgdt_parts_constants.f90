@@ -6,6 +6,11 @@ module mgdt_parts_constants
     implicit none
     public
 
+    ! The part of this process. A process with several parts has to say which:
+    ! MGDT_ERR_INVALID_ARGUMENT.
+    integer, parameter :: mgdt_parts_this_part = -1
+
+    ! Options.
     ! 0 (default) or 1; the same on all processes.
     integer, parameter :: mgdt_parts_index_base = 10
     ! Threads of each triangulation, see mgdt_set_threads(); default 1, 0 for all cores.
@@ -13,6 +18,8 @@ module mgdt_parts_constants
     ! Bytes that this process may hold for points, and for triangulations from the next build on; 0
     ! (default) for no limit.
     integer, parameter :: mgdt_parts_memory_limit = 30
+
+    ! Numbers.
     ! Parts in all.
     integer, parameter :: mgdt_parts_parts = 10
     ! The first part of this process.
@@ -37,6 +44,8 @@ module mgdt_parts_constants
     integer, parameter :: mgdt_parts_received = 50
     ! Memory held by all parts of this process.
     integer, parameter :: mgdt_parts_memory_bytes = 60
+
+    ! Arrays.
     ! For each point inserted into the part, in that order, the number of its vertex. Equal points
     ! have the same.
     integer, parameter :: mgdt_parts_point_map = 10

@@ -1,12 +1,44 @@
 # SPDX-License-Identifier: MIT
-"""What the C header cannot say of its functions, for the bindings that are generated from it."""
+"""What the C headers cannot say of their functions, for the bindings that are generated from them: of
+mgdt.h here, of the others in parts.py."""
 
+from __future__ import annotations
+
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
-# The length of each array that a function takes or fills, in elements: a number, or a product of
-# numbers, of the function's counts and of what functions count. "1" is a single value. A "?" in front means that NULL is
-# allowed; "stride" an address from which the library goes on by a stride; "text" a string that ends
-# with NUL. Twins, whose names end with _i32, have the arrays of the function that they twin.
+# The handles of the C interface. A function that has one takes it first.
+HANDLES = ("mgdt_triangulation", "mgdt_parts")
+
+
+class Group(NamedTuple):
+    """The constants of one enumeration."""
+
+    title: str  # what FORTRAN 77 calls them; none where it does not need them
+    table: str  # what the tables of the scripting languages are called
+    prefixes: tuple[str, ...]  # what these leave out of their names
+
+
+@dataclass
+class Description:
+    """What the generator has to be told of a header."""
+
+    header: str  # its name
+    # The length of each array that a function takes or fills, in elements: a number, or a product of
+    # numbers, of the function's counts and of what functions count. "1" is a single value. A "?" in
+    # front means that NULL is allowed; "stride" an address from which the library goes on by a stride;
+    # "text" a string that ends with NUL. Twins, whose names end with _i32, have the arrays of the
+    # function that they twin.
+    lengths: dict[str, dict[str, str]]
+    groups: tuple[Group, ...] = ()  # of the enumerations, in their order
+    # The six characters by which FORTRAN 77 knows the constants.
+    f77_names: dict[str, str] = field(default_factory=dict)
+    # Functions of a handle that may take long though they take no array, and those that never do
+    # though they fill one.
+    long: frozenset[str] = frozenset()
+    short: frozenset[str] = frozenset()
+
+
 LENGTHS = {
     "mgdt_get_order_scheme": {"scheme": "1"},
     "mgdt_get_order_parameter": {"value": "1"},
@@ -53,7 +85,6 @@ LENGTHS = {
 }
 
 
-
 class Rows(NamedTuple):
     """An export of rows of integers."""
 
@@ -84,13 +115,6 @@ COLUMNS = {**{name: rows.width for name, rows in ROWS.items()}, **dict.fromkeys(
 SETTINGS = ("order_scheme", "order_parameter", "seed", "threads", "index_base", "memory_limit",
             "compact", "canonical_output")
 
-# Functions of a handle that may take long though they take no array.
-LONG = {"mgdt_check", "mgdt_get_solid_alpha"}
-
-# Functions that never take long though they fill an array.
-SHORT = {"mgdt_get_error"}
-
-# The six characters by which FORTRAN 77 knows the constants.
 F77_NAMES = {
     "MGDT_OK": "MGOK",
     "MGDT_ERR_NULL_POINTER": "MGENUL",
@@ -166,24 +190,17 @@ F77_NAMES = {
     "MGDT_OUTSIDE_LINEAR": "MGXLIN",
 }
 
-
-
-class Group(NamedTuple):
-    """Constants that belong together."""
-
-    beginnings: tuple[str, ...]  # of their names
-    title: str  # what FORTRAN 77 calls them
-    table: str  # what the tables of the scripting languages are called
-
-
-GROUPS = (
-    Group(("MGDT_OK", "MGDT_ERR_"), "error codes", "status"),
-    Group(("MGDT_ORDER_",), "order schemes", "order"),
-    Group(("MGDT_PARAMETER_",), "parameters (MGPAR)", "parameter"),
-    Group(("MGDT_SEPARATION_",), "values of MGPSEP", "separation"),
-    Group(("MGDT_STAT_",), "figures (MGSTAT)", "statistic"),
-    Group(("MGDT_CHECK_",), "levels (MGCHK)", "check"),
-    Group(("MGDT_MEASURE_",), "measures (MGCELL)", "measure"),
-    Group(("MGDT_INTERPOLATE_",), "methods (MGINTP)", "method"),
-    Group(("MGDT_OUTSIDE_",), "what is outside (MGINTP)", "outside"),
-)
+TRIANGULATION = Description(
+    "mgdt.h", LENGTHS,
+    (Group("error codes", "status", ("MGDT_", "MGDT_ERR_")),
+     Group("order schemes", "order", ("MGDT_ORDER_",)),
+     Group("parameters (MGPAR)", "parameter", ("MGDT_PARAMETER_",)),
+     Group("values of MGPSEP", "separation", ("MGDT_SEPARATION_",)),
+     Group("figures (MGSTAT)", "statistic", ("MGDT_STAT_",)),
+     Group("levels (MGCHK)", "check", ("MGDT_CHECK_",)),
+     Group("measures (MGCELL)", "measure", ("MGDT_MEASURE_",)),
+     Group("methods (MGINTP)", "method", ("MGDT_INTERPOLATE_",)),
+     Group("what is outside (MGINTP)", "outside", ("MGDT_OUTSIDE_",))),
+    F77_NAMES,
+    long=frozenset({"mgdt_check", "mgdt_get_solid_alpha"}),
+    short=frozenset({"mgdt_get_error"}))

@@ -13,6 +13,13 @@ from header import DescriptionError, Function, Interface, Parameter
 # The kinds of integers that arrays and large numbers have, and what each is called.
 KINDS = (("i32", "int32"), ("i64", "int64"))
 
+# What a FORTRAN 77 subroutine for a handle uses, and how it finds the handle.
+F77_HANDLES = {
+    "mgdt_triangulation": (["use mgdt_f77_support"], "handle_of(h)"),
+    "mgdt_parts": (["use mgdt_f77_support", "use mgdt_parts_c", "use mgdt_parts_constants"],
+                   "handle_of(h, of_parts)"),
+}
+
 STATUS = ["integer, intent(out), optional :: stat",
           "character(*), intent(inout), optional :: errmsg"]
 
@@ -47,12 +54,13 @@ def is_large(p: Parameter) -> bool:
 
 
 class Calls:
-    """Writes procedures for the functions of an interface."""
+    """Writes procedures for the functions of several interfaces."""
 
-    def __init__(self, interface: Interface) -> None:
-        self._interface = interface
-        self._twins = {f.twin_of for f in interface.functions if f.twin_of}
-        self._functions = {f.short_name: f for f in interface.functions}
+    def __init__(self, interfaces: list[Interface]) -> None:
+        functions = [f for interface in interfaces for f in interface.functions]
+        self._constants = [constant for interface in interfaces for constant in interface.enumerations]
+        self._twins = {f.twin_of for f in functions if f.twin_of}
+        self._functions = {f.short_name: f for f in functions}
 
     def _function(self, name: str) -> Function:
         if name not in self._functions:
@@ -162,9 +170,11 @@ class Calls:
         return "\n".join(list_of_names(line, 8, 12)
                          for line in (f"procedure, private :: {names}", f"generic :: {name} => {names}"))
 
-    def public_constants(self) -> str:
+    def public_constants(self, are_of_parts: bool = False) -> str:
         lines = []
-        for _, group in self._interface.groups():
+        for group in self._constants:
+            if group[0].name.startswith("MGDT_PARTS_") != are_of_parts:
+                continue
             names = ", ".join(c.name.lower() for c in group)
             lines.append(list_of_names(f"public :: {names}", 4, 14))
         return "\n".join(lines)
@@ -173,18 +183,23 @@ class Calls:
 
     def f77(self, signature: str, name: str) -> str:
         """A subroutine for FORTRAN 77. The signature names its arguments, "mgthr(h, n)", in the order
-        of C's; "-" stands for a NULL that the caller does not see."""
+        of C's but a part, which is that of this process; "-" stands for a NULL that the caller does not
+        see."""
         function = self._function(name)
         title, _, rest = signature.partition("(")
         names = [n.strip() for n in rest.rstrip(")").split(",")][1:]
         if function.is_count:
             return self._f77_count(title, names[0], function)
-        if len(names) != len(function.parameters) - 1:
+        parameters = [p for p in function.parameters[1:] if p.name != "part"]
+        if len(names) != len(parameters):
             raise DescriptionError(f"{signature} has not the arguments of {function.name}")
         declared: list[str] = []
         after: list[str] = []
-        actual, found, counts = ["handle_of(h)"], [], []
-        for n, p in zip(names, function.parameters[1:]):
+        actual, found, counts = [F77_HANDLES[function.parameters[0].type][1]], [], []
+        handle = actual[0]
+        if len(parameters) < len(function.parameters) - 1:
+            actual.append("to_c(mgdt_parts_this_part)")
+        for n, p in zip(names, parameters):
             intent = "in" if p.is_const or p.is_scalar else "inout"
             shape = "" if p.is_scalar or p.length == "1" else \
                 f"({p.length})" if (p.length or "").isdigit() else "(*)"
@@ -211,14 +226,15 @@ class Calls:
                 declared.append(f"integer, intent(inout) :: {n}")
                 found.append(f"integer({'c_int64_t' if is_large(p) else 'c_int32_t'}) :: found")
                 actual.append("found")
-                after.append(f"call store_count(found, handle_of(h), {n}, ierr)" if is_large(p)
+                after.append(f"call store_count(found, {handle}, {n}, ierr)" if is_large(p)
                              else f"{n} = found")
         lines = [*declared, f"integer, intent({'inout' if counts else 'out'}) :: ierr", *found, ""]
         if counts:
             lines.append(f"if (integers_differ(h, ierr, {counts[0]})) return")
         lines.append(f"ierr = c_{name}({', '.join(actual)})")
         lines += [f"if (ierr == mgdt_ok) {line}" for line in after]
-        return self._f77_subroutine(title, [n for n in names if n != "-"], lines)
+        return self._f77_subroutine(title, [n for n in names if n != "-"], lines,
+                                    function.parameters[0].type)
 
     def f77_at(self, signature: str, name: str) -> str:
         """The same for an export of rows at any increments."""
@@ -239,8 +255,9 @@ class Calls:
             f"if (integers_differ(h, ierr, {n})) return",
             f"call store_count({count}, handle_of(h), {n}, ierr)"])
 
-    def _f77_subroutine(self, title: str, names: list[str], lines: list[str]) -> str:
-        lines = ["use mgdt_f77_support", "implicit none", "integer, intent(in) :: h(4)", *lines]
+    def _f77_subroutine(self, title: str, names: list[str], lines: list[str],
+                        handle: str = "mgdt_triangulation") -> str:
+        lines = [*F77_HANDLES[handle][0], "implicit none", "integer, intent(in) :: h(4)", *lines]
         lines = [part for line in lines for part in folded(line)]
         return indented([f"subroutine {title}({', '.join(['h', *names, 'ierr'])})",
                          *("    " + line if line else "" for line in lines), "end subroutine"], 0)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the raw layers of the bindings, from include/mgdt/mgdt.h and description.py.
+"""Writes the raw layers of the bindings, from the headers and their descriptions.
 
   generate.py
 
@@ -14,26 +14,33 @@ from pathlib import Path
 
 import fortran
 import header
-import parts
 import rust
 import scripting
+from description import TRIANGULATION
+from parts import MPI, PARTS
 
 BINDINGS = Path(__file__).resolve().parents[1]
+HEADERS = BINDINGS.parent / "include" / "mgdt"
 
 
-def all_files(interface: header.Interface) -> dict[str, str]:
-    """The files by their names below the folder of the bindings."""
-    found: dict[str, str] = {}
-    for writer in (fortran, rust, scripting):
-        found.update(writer.files(interface))
-    found.update(parts.files())
+def read_all(folder: Path = HEADERS) -> list[header.Interface]:
+    """The interfaces of mgdt.h, mgdt_parts.h and mgdt_mpi.h."""
+    found: list[header.Interface] = []
+    for description in (TRIANGULATION, PARTS, MPI):
+        found.append(header.read(folder / description.header, description, found))
     return found
+
+
+def all_files(interfaces: list[header.Interface]) -> dict[str, str]:
+    """The files by their names below the folder of the bindings."""
+    triangulation, parts, mpi = interfaces
+    return {**fortran.files(triangulation, parts, mpi), **rust.files(triangulation),
+            **scripting.files(triangulation, parts)}
 
 
 def main() -> None:
     try:
-        interface = header.read(BINDINGS.parent / "include" / "mgdt" / "mgdt.h")
-        texts = all_files(interface)
+        texts = all_files(read_all())
     except header.DescriptionError as error:
         sys.exit(f"generate.py: {error}")
     for name, text in texts.items():

@@ -1,19 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""The C interface as data: what mgdt.h declares, and what description.py adds."""
+"""The C interface as data: what a header declares, and what description.py or parts.py adds."""
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Optional
+from typing import Optional, Sequence
 
-import description
+from description import HANDLES, Description
 from pycparser import c_ast, c_parser
 
-TYPEDEFS = ("int32_t", "int64_t", "uint64_t", "size_t")
-HANDLE = "mgdt_triangulation"
-SCALARS = {"int32_t", "int64_t", "uint64_t", "double", "mgdt_status", "size_t"}
+SCALARS = {"int32_t", "int64_t", "uint64_t", "double", "mgdt_status", "size_t", "MPI_Comm", "MPI_Fint"}
 
 
 class DescriptionError(Exception):
@@ -23,7 +21,7 @@ class DescriptionError(Exception):
 @dataclass
 class Parameter:
     name: str
-    type: str  # without const and stars: "double", "mgdt_triangulation", "mgdt_progress_fn"
+    type: str  # without const and stars: "double", "mgdt_parts", "mgdt_progress_fn"
     stars: int
     is_const: bool
     length: Optional[str] = None  # of an array: as in description.py, without "?"
@@ -31,7 +29,7 @@ class Parameter:
 
     @property
     def is_handle(self) -> bool:
-        return self.type == HANDLE and self.stars == 1
+        return self.type in HANDLES and self.stars == 1
 
     @property
     def is_callback(self) -> bool:
@@ -56,6 +54,7 @@ class Function:
     result: Parameter
     parameters: list[Parameter]
     since: str = ""
+    may_take_long: Optional[bool] = None  # where the description says so
 
     @property
     def short_name(self) -> str:
@@ -78,9 +77,9 @@ class Function:
     @property
     def is_long(self) -> bool:
         """Whether other threads of a host should go on meanwhile."""
-        has_array = any(p.is_array and not re.fullmatch(r"\d+", p.length or "")
-                        for p in self.parameters)
-        return (has_array or self.name in description.LONG) and self.name not in description.SHORT
+        if self.may_take_long is not None:
+            return self.may_take_long
+        return any(p.is_array and not re.fullmatch(r"\d+", p.length or "") for p in self.parameters)
 
 
 @dataclass
@@ -98,23 +97,48 @@ class Callback:
 
 
 @dataclass
+class Record:
+    """A structure with all its members."""
+
+    name: str
+    members: list[Parameter]
+
+
+@dataclass
 class Interface:
+    """What a header declares."""
+
+    description: Description
     functions: list[Function] = field(default_factory=list)
-    constants: list[Constant] = field(default_factory=list)
+    enumerations: list[list[Constant]] = field(default_factory=list)
     callbacks: list[Callback] = field(default_factory=list)
+    records: list[Record] = field(default_factory=list)
+
+    @property
+    def header(self) -> str:
+        return self.description.header
+
+    @property
+    def constants(self) -> list[Constant]:
+        return [constant for enumeration in self.enumerations for constant in enumeration]
 
     def groups(self) -> list[tuple[str, list[Constant]]]:
-        """The constants of each group, in the order of description.py."""
-        return [(group.title, self._of(group)) for group in description.GROUPS]
+        """The constants of each group, and what FORTRAN 77 calls it."""
+        return [(group.title, constants)
+                for group, constants in zip(self.description.groups, self.enumerations)]
 
     def tables(self) -> dict[str, dict[str, int]]:
         """The constants by group and short name, for the scripting languages."""
-        return {group.table: {re.sub("^MGDT_(ERR_)?", "", c.name) if group.table == "status"
-                              else c.name[len(group.beginnings[0]):]: c.value
-                              for c in self._of(group)} for group in description.GROUPS}
+        return {group.table: {_without(group.prefixes, c.name): c.value for c in constants}
+                for group, constants in zip(self.description.groups, self.enumerations)}
 
-    def _of(self, group: description.Group) -> list[Constant]:
-        return [c for c in self.constants if c.name.startswith(group.beginnings)]
+    def f77_name(self, constant: Constant) -> str:
+        return self.description.f77_names[constant.name]
+
+
+def _without(prefixes: tuple[str, ...], name: str) -> str:
+    """The name without the longest prefix that it has."""
+    return name[max(len(prefix) for prefix in prefixes if name.startswith(prefix)):]
 
 
 def _parameter(name: str, node: c_ast.Node) -> Parameter:
@@ -141,7 +165,7 @@ def comments_of_constants(text: str) -> dict[str, str]:
     """The comment before a constant or behind it, as Doxygen has them."""
     found = {}
     for before, name, behind in re.findall(
-            r"(?:/\*\*(?!<)((?:(?!\*/).)*)\*/\s*)?^\s*(MGDT_[A-Z0-9_]+) = \d+,?[ \t]*"
+            r"(?:/\*\*(?!<)((?:(?!\*/).)*)\*/\s*)?^\s*(MGDT_[A-Z0-9_]+) = -?\d+,?[ \t]*"
             r"(?:/\*\*<((?:(?!\*/).)*)\*/)?", text, flags=re.S | re.M):
         found[name] = _comment_text(behind or before)
     return found
@@ -157,19 +181,22 @@ def _since(text: str) -> dict[str, str]:
     return found
 
 
-def _describe(function: Function, counted: set[str]) -> None:
-    """Adds what description.py says, and refuses what it leaves open."""
-    lengths = dict(description.LENGTHS.get(function.twin_of or function.name, {}))
+def _describe(function: Function, description: Description, counted: set[str],
+              records: set[str]) -> None:
+    """Adds what the description says, and refuses what it leaves open."""
+    lengths = dict(description.lengths.get(function.twin_of or function.name, {}))
+    if function.name in description.long | description.short:
+        function.may_take_long = function.name in description.long
     counts = {p.name for p in function.parameters if p.is_scalar and p.type == "int64_t"}
-    known = SCALARS | {HANDLE, "void", "char"}
+    known = SCALARS | records | {*HANDLES, "void", "char"}
     for p in function.parameters:
         if p.type not in known and not p.is_of_callback:
             raise DescriptionError(f"{function.name}: {p.name} has the unknown type {p.type}")
-        if p.is_scalar or p.is_callback or p.type in (HANDLE, "void"):
+        if p.is_scalar or p.is_callback or p.type in records | {*HANDLES, "void"}:
             continue
         length = lengths.pop(p.name, None)
         if length is None:
-            raise DescriptionError(f"{function.name}: description.py has no length of {p.name}")
+            raise DescriptionError(f"{function.name}: its description has no length of {p.name}")
         p.may_be_null = length.startswith("?")
         p.length = length.lstrip("?")
         factors = set(p.length.split("*")) - {"text", "stride"}
@@ -195,39 +222,62 @@ def _check_twins(functions: list[Function]) -> None:
                                    "the width of integers")
 
 
-def read(path: Path) -> Interface:
-    """The interface that a header declares."""
-    text = path.read_text(encoding="utf-8")
+def _value(node: c_ast.Node) -> int:
+    return -_value(node.expr) if isinstance(node, c_ast.UnaryOp) else int(node.value)
+
+
+def _code(text: str) -> str:
+    """The declarations alone, as C without a preprocessor."""
     code = re.sub(r"/\*.*?\*/", " ", text, flags=re.S)
     code = re.sub(r"\\\n", " ", code)
     code = re.sub(r"^[ \t]*#.*$", "", code, flags=re.M)
     code = re.sub(r'extern "C" \{', "", code)
     # The brace that closes it, which stands alone.
-    code = re.sub(r"^\}\s*$", "", code, flags=re.M).replace("MGDT_API", "")
-    types = "".join(f"typedef int {name};\n" for name in TYPEDEFS)
-    interface = Interface()
+    return re.sub(r"^\}\s*$", "", code, flags=re.M).replace("MGDT_API", "")
+
+
+def _declare(interface: Interface, text: str, types: set[str]) -> None:
+    """Adds what the text declares; the types are those that it does not declare itself."""
     comments, since = comments_of_constants(text), _since(text)
-    for node in c_parser.CParser().parse(types + code, path.name).ext:
+    code = "".join(f"typedef int {name};\n" for name in sorted(types)) + _code(text)
+    for node in c_parser.CParser().parse(code, interface.header).ext:
         kind = node.type
         if isinstance(kind, c_ast.Enum):
-            interface.constants += [Constant(e.name, int(e.value.value), comments.get(e.name, ""))
-                                    for e in kind.values.enumerators]
+            interface.enumerations.append(
+                [Constant(e.name, _value(e.value), comments.get(e.name, ""))
+                 for e in kind.values.enumerators])
         elif isinstance(node, c_ast.Typedef) and isinstance(kind, c_ast.PtrDecl):
             declaration = kind.type
             interface.callbacks.append(Callback(
                 node.name, _parameter("", declaration.type), _parameters(declaration)))
+        elif isinstance(node, c_ast.Typedef) and isinstance(kind.type, c_ast.Struct):
+            if kind.type.decls:
+                interface.records.append(Record(
+                    node.name, [_parameter(d.name, d.type) for d in kind.type.decls]))
         elif isinstance(kind, c_ast.FuncDecl):
             interface.functions.append(Function(
                 node.name, _parameter("", kind.type), _parameters(kind), since.get(node.name, "")))
+
+
+def read(path: Path, description: Description, included: Sequence[Interface] = ()) -> Interface:
+    """The interface that a header declares; it includes the headers of the others."""
+    interface = Interface(description)
+    types = SCALARS - {"double"} if included else SCALARS - {"double", "mgdt_status"}
+    types |= {c.name for other in included for c in other.callbacks}
+    _declare(interface, path.read_text(encoding="utf-8"), types | ({*HANDLES} if included else set()))
     names = {f.name for f in interface.functions}
-    for name in sorted((set(description.LENGTHS) | description.LONG | description.SHORT) - names):
-        raise DescriptionError(f"description.py has {name}, which {path.name} does not declare")
+    for name in sorted((set(description.lengths) | description.long | description.short) - names):
+        raise DescriptionError(f"{name} is described, but {path.name} does not declare it")
+    counted = {f.short_name for f in interface.functions if f.is_count}
     for function in interface.functions:
         if not function.since:
             raise DescriptionError(f"{function.name} has no @since")
-        _describe(function, {f.short_name for f in interface.functions if f.is_count})
+        _describe(function, description, counted, {r.name for r in interface.records})
     _check_twins(interface.functions)
-    constants = {c.name for c in interface.constants}
-    for name in sorted(constants ^ set(description.F77_NAMES)):
-        raise DescriptionError(f"{name} is not both in {path.name} and among F77_NAMES")
+    if len(description.groups) != len(interface.enumerations):
+        raise DescriptionError(f"{path.name} has {len(interface.enumerations)} enumerations, and "
+                               f"{len(description.groups)} are described")
+    constants = {c.name for title, group in interface.groups() if title for c in group}
+    for name in sorted(constants ^ set(description.f77_names)):
+        raise DescriptionError(f"{name} is not both in {path.name} and among its names in FORTRAN 77")
     return interface

@@ -1,96 +1,53 @@
 # SPDX-License-Identifier: MIT
-"""The constants of mgdt_parts.h, for the bindings of parts and of MPI, which are written by hand."""
+"""What the headers of parts and of MPI cannot say of their functions."""
 
-from __future__ import annotations
+from description import Description, Group
 
-import re
-import textwrap
-from pathlib import Path
+PARTS = Description(
+    "mgdt_parts.h",
+    {
+        "mgdt_parts_get_option": {"value": "1"},
+        "mgdt_parts_insert_points": {"xyz": "3*n", "ids": "?n"},
+        "mgdt_parts_get_stat": {"value": "1"},
+        "mgdt_parts_get_size": {"size": "1"},
+        "mgdt_parts_get_array": {"values": "capacity"},
+        "mgdt_parts_get_coordinates": {"xyz": "capacity"},
+        "mgdt_parts_get_error": {"buffer": "capacity"},
+    },
+    (Group("", "part", ("MGDT_PARTS_",)),
+     Group("options (MGMOPT)", "option", ("MGDT_PARTS_",)),
+     Group("numbers (MGMNUM)", "number", ("MGDT_PARTS_",)),
+     Group("arrays (MGMARR)", "array", ("MGDT_PARTS_",))),
+    {
+        "MGDT_PARTS_INDEX_BASE": "MGQBAS",
+        "MGDT_PARTS_THREADS": "MGQTHR",
+        "MGDT_PARTS_MEMORY_LIMIT": "MGQMEM",
+        "MGDT_PARTS_PARTS": "MGQPRT",
+        "MGDT_PARTS_FIRST_LOCAL": "MGQFLO",
+        "MGDT_PARTS_LOCAL_PARTS": "MGQNLO",
+        "MGDT_PARTS_POINTS": "MGQPTS",
+        "MGDT_PARTS_OWN_VERTICES": "MGQOVT",
+        "MGDT_PARTS_VERTICES": "MGQNVT",
+        "MGDT_PARTS_ALL_VERTICES": "MGQAVT",
+        "MGDT_PARTS_OWN_TETRAHEDRA": "MGQOTE",
+        "MGDT_PARTS_TETRAHEDRA": "MGQNTE",
+        "MGDT_PARTS_ALL_TETRAHEDRA": "MGQATE",
+        "MGDT_PARTS_RECEIVED": "MGQREC",
+        "MGDT_PARTS_MEMORY_BYTES": "MGQBYT",
+        "MGDT_PARTS_POINT_MAP": "MGQMAP",
+        "MGDT_PARTS_VERTEX_NUMBERS": "MGQVNU",
+        "MGDT_PARTS_VERTEX_IDS": "MGQVID",
+        "MGDT_PARTS_VERTEX_OWNERS": "MGQVOW",
+        "MGDT_PARTS_VERTEX_RANGES": "MGQVRA",
+        "MGDT_PARTS_CORNERS": "MGQCOR",
+        "MGDT_PARTS_LOCAL_CORNERS": "MGQLCO",
+        "MGDT_PARTS_TETRAHEDRON_NUMBERS": "MGQTNU",
+        "MGDT_PARTS_TETRAHEDRON_OWNERS": "MGQTOW",
+        "MGDT_PARTS_TETRAHEDRON_RANGES": "MGQTRA",
+        "MGDT_PARTS_NEIGHBORS": "MGQNBR",
+    },
+    long=frozenset({"mgdt_parts_build", "mgdt_parts_build_each", "mgdt_parts_check"}),
+    short=frozenset({"mgdt_parts_get_error"}))
 
-from header import Constant, DescriptionError, comments_of_constants
-
-HEADER = Path(__file__).resolve().parents[2] / "include" / "mgdt" / "mgdt_parts.h"
-
-# What FORTRAN 77 calls them, in the order of the header.
-F77_NAMES = {
-    "options (MGMOPT)": {
-        "INDEX_BASE": "MGQBAS", "THREADS": "MGQTHR", "MEMORY_LIMIT": "MGQMEM"},
-    "numbers (MGMNUM)": {
-        "PARTS": "MGQPRT", "FIRST_LOCAL": "MGQFLO", "LOCAL_PARTS": "MGQNLO", "POINTS": "MGQPTS",
-        "OWN_VERTICES": "MGQOVT", "VERTICES": "MGQNVT", "ALL_VERTICES": "MGQAVT",
-        "OWN_TETRAHEDRA": "MGQOTE", "TETRAHEDRA": "MGQNTE", "ALL_TETRAHEDRA": "MGQATE",
-        "RECEIVED": "MGQREC", "MEMORY_BYTES": "MGQBYT"},
-    "arrays (MGMARR)": {
-        "POINT_MAP": "MGQMAP", "VERTEX_NUMBERS": "MGQVNU", "VERTEX_IDS": "MGQVID",
-        "VERTEX_OWNERS": "MGQVOW", "VERTEX_RANGES": "MGQVRA", "CORNERS": "MGQCOR",
-        "LOCAL_CORNERS": "MGQLCO", "TETRAHEDRON_NUMBERS": "MGQTNU",
-        "TETRAHEDRON_OWNERS": "MGQTOW", "TETRAHEDRON_RANGES": "MGQTRA", "NEIGHBORS": "MGQNBR"},
-}
-
-ORIGIN = "Generated from mgdt/mgdt_parts.h by bindings/interface/generate.py."
-
-FORTRAN_HEAD = f"""\
-! SPDX-License-Identifier: MIT
-! {ORIGIN}
-!
-! The options, numbers and arrays of parts. Comments are those of the header.
-module mgdt_parts_constants
-    implicit none
-    public
-
-"""
-
-F77_HEAD = f"""\
-! SPDX-License-Identifier: MIT
-! {ORIGIN}
-!
-! INCLUDE this after IMPLICIT statements, beside mgdt_f77.inc. Each line says what mgdt_parts.h
-! calls the number; docs/mpi.md says what each means.
-"""
-
-
-def constants() -> list[Constant]:
-    text = HEADER.read_text(encoding="utf-8")
-    comments = comments_of_constants(text)
-    found = [Constant(name, int(value), comments.get(name, ""))
-             for name, value in re.findall(r"^\s*(MGDT_PARTS_\w+) = (\d+)", text, flags=re.M)]
-    named = ["MGDT_PARTS_" + name for group in F77_NAMES.values() for name in group]
-    if [c.name for c in found] != named:
-        raise DescriptionError("the constants of mgdt_parts.h are not those of parts.py, in their order")
-    return found
-
-
-def fortran() -> str:
-    text = FORTRAN_HEAD
-    for constant in constants():
-        text += "".join(f"    ! {line}\n" for line in textwrap.wrap(constant.comment, 94))
-        text += f"    integer, parameter :: {constant.name.lower()} = {constant.value}\n"
-    return text + "end module mgdt_parts_constants\n"
-
-
-def f77() -> str:
-    values = {c.name: c.value for c in constants()}
-    text = F77_HEAD
-    for title, group in F77_NAMES.items():
-        text += f"! {title}\n"
-        names = list(group.values())
-        for i in range(0, len(names), 6):
-            text += f"      INTEGER {', '.join(names[i:i + 6])}\n"
-        for name, short in group.items():
-            text += f"      PARAMETER ({short} = {values['MGDT_PARTS_' + name]}) ! MGDT_PARTS_{name}\n"
-    return text
-
-
-def python() -> str:
-    text = (f"# SPDX-License-Identifier: MIT\n# {ORIGIN}\n"
-            '"""The options, numbers and arrays of parts, by name."""\n\nfrom __future__ import annotations\n\n')
-    values = {c.name: c.value for c in constants()}
-    for (_, group), table in zip(F77_NAMES.items(), ("OPTIONS", "NUMBERS", "ARRAYS")):
-        entries = "".join(f'    "{name.lower()}": {values["MGDT_PARTS_" + name]},\n' for name in group)
-        text += f"{table} = {{\n{entries}}}\n"
-    return text
-
-
-def files() -> dict[str, str]:
-    return {"fortran/mgdt_parts_constants.f90": fortran(), "fortran/mgdt_mpi_f77.inc": f77(),
-            "python/mgdt/_parts_interface.py": python()}
+# Its types are MPI's: MPI_Comm, which is no integer for all of them, and MPI_Fint.
+MPI = Description("mgdt_mpi.h", {})

@@ -4,10 +4,14 @@ the constants."""
 
 from __future__ import annotations
 
-from header import Callback, Function, Interface, Parameter
+import re
+from typing import Optional
+
+from header import Callback, Function, Interface, Parameter, Record
 
 WIDTH = 100
 ORIGIN = "Generated from mgdt/mgdt.h by bindings/interface/generate.py."
+PARTS_ORIGIN = ORIGIN.replace("mgdt.h", "mgdt_parts.h")
 
 
 def wrapped(begin: str, items: list[str], end: str, indent: str) -> str:
@@ -101,31 +105,47 @@ def ctypes_type(p: Parameter) -> str:
     return {"size_t": "c_size_t", "mgdt_status": "c_int32"}.get(p.type, "c_" + p.type.replace("_t", ""))
 
 
-def python(interface: Interface) -> str:
-    text = (f"# SPDX-License-Identifier: MIT\n# {ORIGIN}\n"
-            '"""The functions of the C interface for ctypes. Arrays are passed as addresses."""\n\n'
-            "from __future__ import annotations\n\nimport ctypes\n"
-            "from ctypes import POINTER, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint64, c_void_p\n"
-            "from typing import Any\n\n")
-    for callback in interface.callbacks:
-        types = ", ".join(ctypes_type(p) for p in [callback.result, *callback.parameters])
-        text += (f"{ctypes_type(Parameter('', callback.name, 0, False))} = ctypes.CFUNCTYPE({types})\n"
-                 f'"""``{callback.name}``."""\n\n')
-    text += ("# The result of each function, and its parameters.\n"
-             "FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {\n")
-    for f in interface.functions:
-        parameters = ", ".join(map(ctypes_type, f.parameters))
-        line = f'    "{f.name}": ({ctypes_type(f.result)}, [{parameters}]),\n'
-        if len(line) > WIDTH:
-            line = (f'    "{f.name}": (\n        {ctypes_type(f.result)},\n'
-                    f"        [{parameters}],\n    ),\n")
-        text += line
-    text += ("}\n\n# The constants, by group and name.\n"
-             "CONSTANTS: dict[str, dict[str, int]] = {\n")
+def ctypes_callback(callback: Callback) -> str:
+    types = ", ".join(ctypes_type(p) for p in [callback.result, *callback.parameters])
+    name = ctypes_type(Parameter("", callback.name, 0, False))
+    return f'{name} = ctypes.CFUNCTYPE({types})\n"""``{callback.name}``."""\n\n'
+
+
+def ctypes_record(record: Record) -> str:
+    members = "".join(f'        ("{p.name}", {ctypes_type(p)}),\n' for p in record.members)
+    name = "".join(word.capitalize() for word in record.name.split("_")[1:])
+    return (f'\nclass {name}(ctypes.Structure):\n    """``{record.name}``."""\n\n'
+            f"    _fields_ = [\n{members}    ]\n\n\n")
+
+
+def ctypes_function(f: Function) -> str:
+    parameters = ", ".join(map(ctypes_type, f.parameters))
+    line = f'    "{f.name}": ({ctypes_type(f.result)}, [{parameters}]),\n'
+    if len(line) <= WIDTH:
+        return line
+    return f'    "{f.name}": (\n        {ctypes_type(f.result)},\n        [{parameters}],\n    ),\n'
+
+
+def python(interface: Interface, of_others: Optional[Interface] = None) -> str:
+    """The interface of a header, which uses callbacks of another one."""
+    code = ("".join(map(ctypes_callback, interface.callbacks))
+            + "".join(map(ctypes_record, interface.records))
+            + "# The result of each function, and its parameters.\n"
+            "FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {\n"
+            + "".join(map(ctypes_function, interface.functions))
+            + "}\n\n# The constants, by group and name.\nCONSTANTS: dict[str, dict[str, int]] = {\n")
     for name, constants in interface.tables().items():
         entries = "".join(f'        "{key.lower()}": {value},\n' for key, value in constants.items())
-        text += f'    "{name}": {{\n{entries}    }},\n'
-    return text + "}\n"
+        code += f'    "{name}": {{\n{entries}    }},\n'
+    names = [name for name in ("POINTER", "c_char_p", "c_double", "c_int32", "c_int64", "c_size_t",
+                               "c_uint64", "c_void_p") if re.search(rf"\b{name}\b", code)]
+    used = sorted({ctypes_type(p) for f in interface.functions for p in f.parameters if p.is_callback}
+                  - {ctypes_type(Parameter("", c.name, 0, False)) for c in interface.callbacks})
+    return (f"# SPDX-License-Identifier: MIT\n# {PARTS_ORIGIN if of_others else ORIGIN}\n"
+            f'"""The functions of {interface.header} for ctypes. Arrays are passed as addresses."""\n\n'
+            "from __future__ import annotations\n\nimport ctypes\n"
+            f"from ctypes import {', '.join(names)}\nfrom typing import Any\n\n"
+            + (f"from ._interface import {', '.join(used)}\n\n" if of_others else "") + code + "}\n")
 
 
 # Octave's gateway is C, which has the header and loads the library itself.
@@ -147,8 +167,9 @@ def octave(interface: Interface) -> str:
             + macro("MGDT_ERRORS(E)", errors) + "\n#endif /* MGDT_OCTAVE_INTERFACE_H */\n")
 
 
-def files(interface: Interface) -> dict[str, str]:
+def files(interface: Interface, parts: Interface) -> dict[str, str]:
     return {"lua/mgdt/interface.lua": lua(interface),
             "ruby/lib/mgdt/interface.rb": ruby(interface),
             "python/mgdt/_interface.py": python(interface),
+            "python/mgdt/_parts_interface.py": python(parts, interface),
             "octave/mgdt_interface.h": octave(interface)}

@@ -10,14 +10,16 @@
  * of its lexicographically least vertex.
  *
  * The parts are in one process (mgdt_parts_create()), which goes beyond the points that one handle
- * can number, or one in each of several processes that exchange bytes by functions of the caller's
- * (mgdt_parts_create_with_transport()). With MPI, mgdt_mpi.h has these functions.
+ * can number, or one in each of several processes. These exchange bytes by MPI (mgdt_mpi_create()
+ * in mgdt_mpi.h) or by functions of the caller's (mgdt_parts_create_with_transport()). The other
+ * functions are the same for all.
  *
  * The conventions are those of mgdt.h: status and message, capacities in elements, callbacks, the
  * thread rule. Beyond these:
  *
  * - Parts are numbered from 0, as the ranks of MPI are, whatever the index base. A call that is
- *   given a part wants one of this process.
+ *   given a part wants one of this process. MGDT_PARTS_THIS_PART stands for the part of a process
+ *   that has one only.
  * - Vertices and tetrahedra are numbered through all parts, from the index base on: those that
  *   part 0 owns, then those of part 1, and so on.
  * - A collective call is made by all processes, in the same order. If it fails on one, it
@@ -36,15 +38,23 @@
 extern "C" {
 #endif
 
-/** Points in parts and their triangulation. Opaque; made by mgdt_parts_create(). */
+/** Points in parts and their triangulation. Opaque; made by mgdt_parts_create(),
+ *  mgdt_parts_create_with_transport() and mgdt_mpi_create(). */
 typedef struct mgdt_parts mgdt_parts;
 
-/* How processes with one part each exchange bytes: five functions of the caller's, for
- * mgdt_parts_create_with_transport(), which has the `user` that they get. Each is collective, is
- * called on the thread that calls mgdt_parts_, returns 0 for success, and must not call the handle.
- * After one has failed none is called again in that call, which returns MGDT_ERR_TRANSPORT on this
- * process; what the others do is up to the transport. Offsets are in bytes, one for each process
- * and their end, the first of them 0. Arrays without elements may be NULL. */
+/** A part, for the calls that are given one. */
+enum {
+    /** The part of this process. A process with several parts has to say which:
+     *  MGDT_ERR_INVALID_ARGUMENT. */
+    MGDT_PARTS_THIS_PART = -1
+};
+
+/* How processes with one part each exchange bytes: the functions of an mgdt_transport. Each is
+ * collective, is called on the thread that calls mgdt_parts_, returns 0 for success, and must not
+ * call the handle. After one has failed none is called again in that call, which returns
+ * MGDT_ERR_TRANSPORT on this process; what the others do is up to the transport. Offsets are in
+ * bytes, one for each process and their end, the first of them 0. Arrays without elements may be
+ * NULL. */
 
 /** Gives all processes the bytes of all: what process p has at `mine` goes to all + begin[p], up to
  *  all + begin[p + 1]. `begin` is the same on all.
@@ -64,6 +74,27 @@ typedef int32_t (*mgdt_sum_fn)(uint64_t* numbers, int64_t n, void* user);
 /** Replaces each of n numbers by the least of all processes' numbers there; none is NaN.
  *  @since 1.2 */
 typedef int32_t (*mgdt_least_fn)(double* numbers, int64_t n, void* user);
+/** Frees what the transport holds. Not collective for mgdt: it is called once, at the end of the
+ *  mgdt_parts_destroy() that frees the handle.
+ *  @since 1.2 */
+typedef void (*mgdt_destroy_transport_fn)(void* user);
+
+/** How the processes exchange bytes, for mgdt_parts_create_with_transport(), which copies it. Later
+ *  versions may add members at its end. A caller sets all members that it does not use to 0, and
+ *  `size`.
+ *  @since 1.2 */
+typedef struct mgdt_transport {
+    size_t size;       /**< sizeof(mgdt_transport). */
+    int32_t processes; /**< How many there are, 1 to 2^20; the same on all. */
+    int32_t process;   /**< This one, from 0: the number of its part. */
+    mgdt_gather_fn gather;
+    mgdt_exchange_numbers_fn exchange_numbers;
+    mgdt_exchange_fn exchange;
+    mgdt_sum_fn sum;
+    mgdt_least_fn least;
+    mgdt_destroy_transport_fn destroy; /**< NULL if there is nothing to free. */
+    void* user;                        /**< Passed to these; it has to live until `destroy`. */
+} mgdt_transport;
 
 /** Options, for mgdt_parts_set_option(). Values are integers. */
 enum {
@@ -138,21 +169,19 @@ MGDT_API mgdt_status mgdt_parts_create_with_allocator(int32_t parts, mgdt_alloc_
                                                       mgdt_parts** out);
 
 /** Makes the part of this process, of as many as there are processes. Not collective.
- *  @param processes  how many there are, at least 1 and at most 2^20; the same on all
- *  @param process    this one, from 0: the number of its part
- *  @param gather, exchange_numbers, exchange, sum, least  how they exchange bytes
- *  @param user       passed to these; it has to live as long as the handle
+ *  @param transport  how they exchange bytes. If the call fails it is still the caller's, and its
+ *                    `destroy` is not called
  *  @param[out] out   the handle; NULL if the call fails
- *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_OUT_OF_MEMORY
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER (also a function that is missing),
+ *  MGDT_ERR_INVALID_ARGUMENT (the numbers of processes; a size that is too small, or larger than
+ *  this version's with members set that it does not know), MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.2 */
-MGDT_API mgdt_status mgdt_parts_create_with_transport(int32_t processes, int32_t process,
-                                                      mgdt_gather_fn gather,
-                                                      mgdt_exchange_numbers_fn exchange_numbers,
-                                                      mgdt_exchange_fn exchange, mgdt_sum_fn sum,
-                                                      mgdt_least_fn least, void* user,
+MGDT_API mgdt_status mgdt_parts_create_with_transport(const mgdt_transport* transport,
                                                       mgdt_parts** out);
 
-/** Frees the handle and all it holds. Not collective. As mgdt_destroy().
+/** Frees the handle and all it holds, with its transport. NULL is fine. In a callback of its own,
+ *  or while another thread is in a call, it frees nothing, as mgdt_destroy(). Not collective, but
+ *  for handles of mgdt_mpi_create().
  *  @since 1.2 */
 MGDT_API void mgdt_parts_destroy(mgdt_parts* p);
 
@@ -194,7 +223,7 @@ MGDT_API mgdt_status mgdt_parts_cancel(mgdt_parts* p);
 /** Inserts points into a part. They are copied. A call that fails inserts none of its points, and
  *  the next mgdt_parts_build() fails on all processes with its status and message, once: so
  *  every process may go on to that call. Not collective.
- *  @param part  a part of this process
+ *  @param part  a part of this process, or MGDT_PARTS_THIS_PART; so in all calls
  *  @param n     at least 0
  *  @param xyz   3 n coordinates; may be NULL if n is 0
  *  @param ids   n numbers for the points, or NULL. Different points have different ids; equal ones

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Life, options and points of parts, and what all processes do together.
+#include <algorithm>
 #include <functional>
 
 #include "capi/parts_handle.hpp"
@@ -8,15 +9,20 @@
 
 using namespace mgdt;
 
-mgdt_parts::mgdt_parts(const HostFunctions* functions, PartId parts, mgdt_alloc_fn alloc,
+mgdt_parts::mgdt_parts(const mgdt_transport* transport, PartId parts, mgdt_alloc_fn alloc,
                        mgdt_free_fn release, void* user)
     : allocator(alloc, release, user),
-      transport_(functions ? static_cast<Transport*>(&callbacks_.emplace(*functions, allocator))
+      transport_(transport ? static_cast<Transport*>(&callbacks_.emplace(*transport, allocator))
                            : &in_process_.emplace(parts)),
       collective(*transport_),
       given(allocator, transport_->local_parts(), std::ref(allocator)) {}
 
 PartId mgdt_parts::local(std::int32_t part) const {
+    if (part == MGDT_PARTS_THIS_PART) {
+        if (local_parts() == 1) return 0;
+        fail(MGDT_ERR_INVALID_ARGUMENT,
+             "MGDT_PARTS_THIS_PART is for a process with one part; this one has %u", local_parts());
+    }
     const std::int64_t place = std::int64_t{part} - first_local();
     if (place < 0 || place >= local_parts())
         fail(MGDT_ERR_INVALID_ARGUMENT, "part %d is not among those of this process, %u to %u",
@@ -37,14 +43,14 @@ constexpr std::size_t parts_size = sizeof(mgdt_parts), parts_align = alignof(mgd
 constexpr std::int32_t most_parts = 1 << 20;
 
 // As run_inside() of guard.hpp, for the calls that make a handle and free it.
-MGDT_NOT_INLINE mgdt_status create(const HostFunctions* functions, PartId parts,
+MGDT_NOT_INLINE mgdt_status create(const mgdt_transport* transport, PartId parts,
                                    mgdt_alloc_fn alloc, mgdt_free_fn release, void* user,
                                    mgdt_parts** out) noexcept {
     const FpEnvironment environment;
     void* const memory = Allocator::obtain(alloc, user, parts_size, parts_align);
     if (!memory) return MGDT_ERR_OUT_OF_MEMORY;
     try {
-        mgdt_parts* const p = new (memory) mgdt_parts(functions, parts, alloc, release, user);
+        mgdt_parts* const p = new (memory) mgdt_parts(transport, parts, alloc, release, user);
         p->allocator.count(parts_size);
         *out = p;
         return MGDT_OK;
@@ -57,8 +63,23 @@ MGDT_NOT_INLINE mgdt_status create(const HostFunctions* functions, PartId parts,
 MGDT_NOT_INLINE void destroy(mgdt_parts* p) noexcept {
     const mgdt_free_fn release = p->allocator.release_function();
     void* const user = p->allocator.user();
+    const mgdt_transport transport = p->host_transport();
     p->~mgdt_parts();
     Allocator::give_back(release, user, p, parts_size, parts_align);
+    if (transport.destroy)
+        call_back<std::int32_t>(0, [&] {
+            transport.destroy(transport.user);
+            return 0;
+        });
+}
+
+// Whether `size` bytes at `from` can be read as a transport of this version. A caller of a later
+// version has a larger one, whose further members are 0 unless it needs them.
+bool is_readable_transport(const mgdt_transport* from) noexcept {
+    if (from->size < sizeof *from) return false;
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(from);
+    return std::all_of(bytes + sizeof *from, bytes + from->size,
+                       [](unsigned char byte) { return byte == 0; });
 }
 
 void insert(mgdt_parts& p, std::int32_t part, std::int64_t n, const double* xyz,
@@ -170,21 +191,19 @@ extern "C" mgdt_status mgdt_parts_create_with_allocator(int32_t parts, mgdt_allo
     return create(nullptr, static_cast<PartId>(parts), alloc, release, user, out);
 }
 
-extern "C" mgdt_status mgdt_parts_create_with_transport(int32_t processes, int32_t process,
-                                                        mgdt_gather_fn gather,
-                                                        mgdt_exchange_numbers_fn exchange_numbers,
-                                                        mgdt_exchange_fn exchange, mgdt_sum_fn sum,
-                                                        mgdt_least_fn least, void* user,
+extern "C" mgdt_status mgdt_parts_create_with_transport(const mgdt_transport* transport,
                                                         mgdt_parts** out) {
     if (!out) return MGDT_ERR_NULL_POINTER;
     *out = nullptr;
-    if (!gather || !exchange_numbers || !exchange || !sum || !least) return MGDT_ERR_NULL_POINTER;
-    if (processes < 1 || processes > most_parts || process < 0 || process >= processes)
+    if (!transport) return MGDT_ERR_NULL_POINTER;
+    if (!is_readable_transport(transport)) return MGDT_ERR_INVALID_ARGUMENT;
+    const mgdt_transport& t = *transport;
+    if (!t.gather || !t.exchange_numbers || !t.exchange || !t.sum || !t.least)
+        return MGDT_ERR_NULL_POINTER;
+    if (t.processes < 1 || t.processes > most_parts || t.process < 0 || t.process >= t.processes)
         return MGDT_ERR_INVALID_ARGUMENT;
     const CancellationDisabled uninterrupted;
-    const HostFunctions functions = {processes, process, gather, exchange_numbers,
-                                     exchange,  sum,     least,  user};
-    return create(&functions, 1, nullptr, nullptr, nullptr, out);
+    return create(transport, 1, nullptr, nullptr, nullptr, out);
 }
 
 // A handle that a call is inside of stays, as with mgdt_destroy().

@@ -11,13 +11,18 @@
 #include "parts/parts.hpp"
 
 struct mgdt_parts : mgdt::HandleBase {
-    mgdt_parts(const mgdt::HostFunctions* functions, mgdt::PartId parts, mgdt_alloc_fn alloc,
+    // In this process where `transport` is null; with a transport there is one part here.
+    mgdt_parts(const mgdt_transport* transport, mgdt::PartId parts, mgdt_alloc_fn alloc,
                mgdt_free_fn release, void* user);
     ~mgdt_parts() { forget_triangulation(); }
 
     bool has_callbacks() const noexcept { return allocator.release_function() != nullptr; }
     mgdt::PartId first_local() const noexcept { return transport_->first_local(); }
     mgdt::PartId local_parts() const noexcept { return transport_->local_parts(); }
+    // The functions of the host's, all null where the parts are in this process.
+    mgdt_transport host_transport() const noexcept {
+        return callbacks_ ? callbacks_->functions() : mgdt_transport{};
+    }
     // The place of a part among those of this process; throws for others.
     mgdt::PartId local(std::int32_t part) const;
     void forget_triangulation() noexcept;

@@ -117,36 +117,45 @@ static int32_t least(double* numbers, int64_t n, void* user) {
     return reduce(numbers, n, MPI_DOUBLE, MPI_MIN, user);
 }
 
-int mgdt_mpi_transport_begin(struct mgdt_mpi_transport* t, MPI_Comm communicator) {
+struct mgdt_mpi_transport* mgdt_mpi_transport_new(MPI_Comm communicator) {
+    struct mgdt_mpi_transport* const t = calloc(1, sizeof *t);
     size_t ranks;
+    if (t == NULL) return NULL;
     t->communicator = MPI_COMM_NULL;
-    t->counts = t->places = NULL;
-    t->requests = NULL;
     if (failed(MPI_Comm_size(communicator, &t->ranks)) ||
-        failed(MPI_Comm_rank(communicator, &t->rank)))
-        return 1;
+        failed(MPI_Comm_rank(communicator, &t->rank))) {
+        free(t);
+        return NULL;
+    }
     ranks = (size_t)t->ranks;
     t->counts = malloc(ranks * sizeof *t->counts);
     t->places = malloc(ranks * sizeof *t->places);
     t->requests = malloc(2 * ranks * sizeof(MPI_Request));
     if (t->counts == NULL || t->places == NULL || t->requests == NULL) {
-        mgdt_mpi_transport_end(t);
-        return 1;
+        mgdt_mpi_transport_free(t);
+        return NULL;
     }
     t->communicator = communicator;
-    return 0;
+    return t;
 }
 
-void mgdt_mpi_transport_end(struct mgdt_mpi_transport* t) {
+void mgdt_mpi_transport_free(struct mgdt_mpi_transport* t) {
     int finalized = 0;
     free(t->counts);
     free(t->places);
     free(t->requests);
     MPI_Finalized(&finalized);
     if (!finalized && t->communicator != MPI_COMM_NULL) MPI_Comm_free(&t->communicator);
+    free(t);
 }
 
-mgdt_status mgdt_mpi_transport_parts(struct mgdt_mpi_transport* t, mgdt_parts** out) {
-    return mgdt_parts_create_with_transport(t->ranks, t->rank, gather, exchange_numbers, exchange,
-                                            sum, least, t, out);
+static void destroy(void* user) {
+    mgdt_mpi_transport_free(user);
+}
+
+mgdt_transport mgdt_mpi_transport_functions(struct mgdt_mpi_transport* t) {
+    const mgdt_transport functions = {sizeof functions, t->ranks, t->rank, gather,
+                                      exchange_numbers, exchange, sum,     least,
+                                      destroy,          t};
+    return functions;
 }

@@ -20,11 +20,11 @@ struct mgdt_mpi_transport {
     MPI_Request* requests; /* two for each rank */
 };
 
-/* Takes the communicator over if it succeeds. 0 for success. */
-int mgdt_mpi_transport_begin(struct mgdt_mpi_transport* t, MPI_Comm communicator);
-/* Frees the room, and the communicator unless MPI is finalised. */
-void mgdt_mpi_transport_end(struct mgdt_mpi_transport* t);
-/* mgdt_parts_create_with_transport() with its functions. */
-mgdt_status mgdt_mpi_transport_parts(struct mgdt_mpi_transport* t, mgdt_parts** out);
+/* Takes the communicator over if it succeeds. NULL if memory is refused. */
+struct mgdt_mpi_transport* mgdt_mpi_transport_new(MPI_Comm communicator);
+/* Frees it, and the communicator unless MPI is finalised. */
+void mgdt_mpi_transport_free(struct mgdt_mpi_transport* t);
+/* The functions for mgdt_parts_create_with_transport(), the last of which frees `t`. */
+mgdt_transport mgdt_mpi_transport_functions(struct mgdt_mpi_transport* t);
 
 #endif

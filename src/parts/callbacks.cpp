@@ -14,7 +14,7 @@ bool succeeds(const Call& call) noexcept {
 
 }  // namespace
 
-Callbacks::Callbacks(const HostFunctions& functions, Allocator& allocator)
+Callbacks::Callbacks(const mgdt_transport& functions, Allocator& allocator)
     : functions_(functions),
       out_begin_(allocator, std::size_t{parts()} + 1),
       in_begin_(allocator, std::size_t{parts()} + 1),

@@ -7,19 +7,11 @@
 
 namespace mgdt {
 
-struct HostFunctions {
-    std::int32_t processes, process;
-    mgdt_gather_fn gather;
-    mgdt_exchange_numbers_fn exchange_numbers;
-    mgdt_exchange_fn exchange;
-    mgdt_sum_fn sum;
-    mgdt_least_fn least;
-    void* user;
-};
-
 class Callbacks final : public Transport {
   public:
-    Callbacks(const HostFunctions& functions, Allocator& allocator);
+    Callbacks(const mgdt_transport& functions, Allocator& allocator);
+
+    const mgdt_transport& functions() const noexcept { return functions_; }
 
     PartId parts() const noexcept override { return static_cast<PartId>(functions_.processes); }
     PartId first_local() const noexcept override { return static_cast<PartId>(functions_.process); }
@@ -36,7 +28,7 @@ class Callbacks final : public Transport {
     void set_offsets(std::size_t record_size, const std::uint64_t* begin,
                      Buffer<std::int64_t>& offsets) noexcept;
 
-    HostFunctions functions_;
+    mgdt_transport functions_;
     Buffer<std::int64_t> out_begin_, in_begin_;
     Buffer<std::uint64_t> counts_out_, counts_in_;
 };

@@ -383,10 +383,6 @@ static void builds_each(void) {
     }
 }
 
-static int32_t no_gather(const void* mine, void* all, const int64_t* begin, void* user) {
-    return mine == all || begin == NULL || user == NULL;
-}
-
 static void refuses_arguments(void) {
     const double xyz[] = {0, 0, 0};
     int64_t value = 5, values[8];
@@ -397,8 +393,7 @@ static void refuses_arguments(void) {
     CHECK_EQUAL(mgdt_parts_create(0, &p), MGDT_ERR_INVALID_ARGUMENT);
     CHECK(p == NULL);
     CHECK_EQUAL(mgdt_parts_create((1 << 20) + 1, &p), MGDT_ERR_INVALID_ARGUMENT);
-    CHECK_EQUAL(mgdt_parts_create_with_transport(2, 0, no_gather, NULL, NULL, NULL, NULL, NULL, &p),
-                MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_parts_create_with_transport(NULL, &p), MGDT_ERR_NULL_POINTER);
     mgdt_parts_destroy(NULL);
     CHECK_EQUAL(mgdt_parts_build(NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_parts_cancel(NULL), MGDT_ERR_NULL_POINTER);
@@ -409,7 +404,11 @@ static void refuses_arguments(void) {
     CHECK_EQUAL(stat(p, 1, MGDT_PARTS_LOCAL_PARTS), 2);
     CHECK_EQUAL(mgdt_parts_insert_points(p, 2, 1, xyz, NULL), MGDT_ERR_INVALID_ARGUMENT);
     CHECK_MESSAGE(p, "part 2 is not among those of this process, 0 to 1");
-    CHECK_EQUAL(mgdt_parts_insert_points(p, -1, 1, xyz, NULL), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_parts_insert_points(p, MGDT_PARTS_THIS_PART, 1, xyz, NULL),
+                MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_MESSAGE(p, "MGDT_PARTS_THIS_PART is for a process with one part; this one has 2");
+    CHECK_EQUAL(mgdt_parts_insert_points(p, -2, 1, xyz, NULL), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_MESSAGE(p, "part -2 is not among those of this process, 0 to 1");
     CHECK_EQUAL(mgdt_parts_insert_points(p, 0, -1, xyz, NULL), MGDT_ERR_INVALID_ARGUMENT);
     CHECK_EQUAL(mgdt_parts_insert_points(p, 0, 1, NULL, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_parts_clear(p), MGDT_OK);

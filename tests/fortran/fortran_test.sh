@@ -121,8 +121,8 @@ done
 
 module_tests() { # set, flags
     check "the bindings with $2" bindings "$1" "$2" \
-        "$module_sources $folder/mgdt_f77_support.f90 $folder/mgdt_f77.f90"
-    for test in test_arrays test_layouts test_points test_queries test_errors \
+        "$parts_sources $folder/mgdt_f77_support.f90 $folder/mgdt_f77.f90"
+    for test in test_arrays test_parts test_layouts test_points test_queries test_errors \
         test_life:counting test_no_copies:spy test_overflow_module:overflow; do
         name=${test%:*}
         object=${test#"$name"}
@@ -162,6 +162,7 @@ memcheck() {
 }
 check 'no leak, nothing freed twice' memcheck test_life
 check 'no leak after errors' memcheck test_errors
+check 'no leak of parts' memcheck test_parts
 
 # -------------------------------------------------------------------- floating-point environment
 

@@ -24,6 +24,7 @@ export PKG_CONFIG_PATH LD_LIBRARY_PATH
 
 folder=$(pkg-config --variable=fortran_source_dir mgdt-fortran)
 module_sources=$(pkg-config --variable=fortran_sources mgdt-fortran)
+parts_sources=$(pkg-config --variable=fortran_parts_sources mgdt-fortran)
 f77_sources=$(pkg-config --variable=f77_sources mgdt-fortran)
 cflags=$(pkg-config --cflags mgdt-fortran)
 libs=$(pkg-config --libs mgdt-fortran)

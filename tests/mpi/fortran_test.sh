@@ -17,10 +17,10 @@ libs=$(pkg-config --libs mgdt_mpi-fortran)
 
 # Every function of the C interface is bound, and every bound name is one of them.
 same_names() {
-    sed -n 's/^MGDT_API.*[ *]\(mgdt_mpi_[a-z0-9_]*\)(.*/\1/p' "$source/include/mgdt/mgdt_mpi.h" |
-        grep -v '^mgdt_mpi_create$' | sort -u >"$scratch/header"
-    sed -n "s/.*bind(c, name='\(mgdt_[a-z0-9_]*\)').*/\1/p" "$folder/mgdt_mpi_c.f90" | sort -u \
-        >"$scratch/bound"
+    sed -n 's/^MGDT_API.*[ *]\(mgdt_[a-z0-9_]*\)(.*/\1/p' "$source/include/mgdt/mgdt_parts.h" \
+        "$source/include/mgdt/mgdt_mpi.h" | grep -v '^mgdt_mpi_create$' | sort -u >"$scratch/header"
+    sed -n "s/.*bind(c, name='\(mgdt_[a-z0-9_]*\)').*/\1/p" "$folder/mgdt_parts_c.f90" \
+        "$folder/mgdt_mpi_c.f90" | sort -u >"$scratch/bound"
     test "$(wc -l <"$scratch/header")" -gt 10 && diff "$scratch/header" "$scratch/bound"
 }
 compile() { # name, flags, sources...

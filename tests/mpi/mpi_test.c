@@ -127,22 +127,22 @@ static uint64_t hash_of_one(int64_t n, const double* xyz) {
     return hash;
 }
 
-static int64_t stat(const mgdt_mpi* m, int32_t key) {
+static int64_t stat(const mgdt_parts* m, int32_t key) {
     int64_t value = -1;
-    CHECK(mgdt_mpi_get_stat(m, key, &value) == MGDT_OK);
+    CHECK(mgdt_parts_get_stat(m, MGDT_PARTS_THIS_PART, key, &value) == MGDT_OK);
     return value;
 }
 
-static int64_t* array(const mgdt_mpi* m, int32_t which) {
+static int64_t* array(const mgdt_parts* m, int32_t which) {
     int64_t n = 0, *v;
-    CHECK(mgdt_mpi_get_size(m, which, &n) == MGDT_OK);
+    CHECK(mgdt_parts_get_size(m, MGDT_PARTS_THIS_PART, which, &n) == MGDT_OK);
     v = room(n, sizeof *v);
-    CHECK(mgdt_mpi_get_array(m, which, n, v) == MGDT_OK);
+    CHECK(mgdt_parts_get_array(m, MGDT_PARTS_THIS_PART, which, n, v) == MGDT_OK);
     return v;
 }
 
 /* Of the tetrahedra that all ranks own, by the ids of their corners. */
-static uint64_t hash_of_all(const mgdt_mpi* m) {
+static uint64_t hash_of_all(const mgdt_parts* m) {
     const int64_t owned = stat(m, MGDT_PARTS_OWN_TETRAHEDRA);
     int64_t *corners = array(m, MGDT_PARTS_LOCAL_CORNERS), *ids = array(m, MGDT_PARTS_VERTEX_IDS),
             i;
@@ -162,8 +162,8 @@ static int64_t share(int64_t n, int way, int r) {
     return n * r / ranks;
 }
 
-static mgdt_mpi* make(void) {
-    mgdt_mpi* m = NULL;
+static mgdt_parts* make(void) {
+    mgdt_parts* m = NULL;
     if (!CHECK(mgdt_mpi_create(MPI_COMM_WORLD, &m) == MGDT_OK)) MPI_Abort(MPI_COMM_WORLD, 1);
     return m;
 }
@@ -179,20 +179,20 @@ static void has_the_tetrahedra_of_one(void) {
         /* With more ranks than processors a build takes its time: one way for each set. */
         for (way = is_small() ? set % 3 : 0; way < (is_small() ? set % 3 + 1 : 3); ++way) {
             const int64_t first = share(n, way, rank), last = share(n, way, rank + 1);
-            mgdt_mpi* m = make();
+            mgdt_parts* m = make();
             int64_t most, sum;
-            CHECK(mgdt_mpi_insert_points(m, last - first, xyz + 3 * first,
-                                         way == 0 ? NULL : ids + first) == MGDT_OK);
-            CHECK(mgdt_mpi_build(m) == MGDT_OK);
+            CHECK(mgdt_parts_insert_points(m, MGDT_PARTS_THIS_PART, last - first, xyz + 3 * first,
+                                           way == 0 ? NULL : ids + first) == MGDT_OK);
+            CHECK(mgdt_parts_build(m) == MGDT_OK);
             CHECK(hash_of_all(m) == expected);
-            CHECK(mgdt_mpi_check(m, MGDT_CHECK_CANONICAL) == MGDT_OK);
+            CHECK(mgdt_parts_check(m, MGDT_CHECK_CANONICAL) == MGDT_OK);
             /* Each has its share. */
             most = sum = stat(m, MGDT_PARTS_OWN_VERTICES);
             MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_INT64_T, MPI_MAX, MPI_COMM_WORLD);
             MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
             CHECK(sum == stat(m, MGDT_PARTS_ALL_VERTICES));
             if (set == CUBE) CHECK((double)most <= 1.01 * (double)sum / ranks + 2);
-            mgdt_mpi_destroy(m);
+            mgdt_parts_destroy(m);
         }
         free(ids);
         free(xyz);
@@ -218,10 +218,11 @@ static void has_the_ghosts_of_others(void) {
     const int64_t n = size_of(CUBE);
     double *xyz = points_of(CUBE), *mine, *all;
     const int64_t first = share(n, 0, rank), last = share(n, 0, rank + 1);
-    mgdt_mpi* m = make();
+    mgdt_parts* m = make();
     int64_t own, vertices, i, *numbers, *owners, *ranges;
-    CHECK(mgdt_mpi_insert_points(m, last - first, xyz + 3 * first, NULL) == MGDT_OK);
-    CHECK(mgdt_mpi_build(m) == MGDT_OK);
+    CHECK(mgdt_parts_insert_points(m, MGDT_PARTS_THIS_PART, last - first, xyz + 3 * first, NULL) ==
+          MGDT_OK);
+    CHECK(mgdt_parts_build(m) == MGDT_OK);
     own = stat(m, MGDT_PARTS_OWN_VERTICES);
     vertices = stat(m, MGDT_PARTS_VERTICES);
     numbers = array(m, MGDT_PARTS_VERTEX_NUMBERS);
@@ -229,7 +230,7 @@ static void has_the_ghosts_of_others(void) {
     ranges = array(m, MGDT_PARTS_VERTEX_RANGES);
     mine = room(3 * vertices, sizeof *mine);
     all = room(3 * n, sizeof *all);
-    CHECK(mgdt_mpi_get_coordinates(m, 3 * vertices, mine) == MGDT_OK);
+    CHECK(mgdt_parts_get_coordinates(m, MGDT_PARTS_THIS_PART, 3 * vertices, mine) == MGDT_OK);
     CHECK(ranges[rank + 1] - ranges[rank] == own);
     gather(mine, all, 3, MPI_DOUBLE, ranges);
     for (i = 0; i < vertices; ++i) {
@@ -243,7 +244,7 @@ static void has_the_ghosts_of_others(void) {
     free(mine);
     free(all);
     free(xyz);
-    mgdt_mpi_destroy(m);
+    mgdt_parts_destroy(m);
 }
 
 /* Neighbours are mutual, across ranks too: each tells its own to all. */
@@ -251,10 +252,11 @@ static void has_neighbors_across_ranks(void) {
     const int64_t n = size_of(SPHERE);
     double* xyz = points_of(SPHERE);
     const int64_t first = share(n, 0, rank), last = share(n, 0, rank + 1);
-    mgdt_mpi* m = make();
+    mgdt_parts* m = make();
     int64_t owned, count, i, *mine, *all, *ranges;
-    CHECK(mgdt_mpi_insert_points(m, last - first, xyz + 3 * first, NULL) == MGDT_OK);
-    CHECK(mgdt_mpi_build(m) == MGDT_OK);
+    CHECK(mgdt_parts_insert_points(m, MGDT_PARTS_THIS_PART, last - first, xyz + 3 * first, NULL) ==
+          MGDT_OK);
+    CHECK(mgdt_parts_build(m) == MGDT_OK);
     owned = stat(m, MGDT_PARTS_OWN_TETRAHEDRA);
     count = stat(m, MGDT_PARTS_ALL_TETRAHEDRA);
     mine = array(m, MGDT_PARTS_NEIGHBORS);
@@ -272,7 +274,7 @@ static void has_neighbors_across_ranks(void) {
     free(all);
     free(ranges);
     free(xyz);
-    mgdt_mpi_destroy(m);
+    mgdt_parts_destroy(m);
 }
 
 static int32_t stop(double fraction, void* user) {
@@ -295,63 +297,68 @@ static void fails_together(void) {
         mgdt_status status = MGDT_OK;
         const mgdt_status wanted[] = {MGDT_ERR_NOT_FINITE, MGDT_ERR_CANCELLED,
                                       MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_INVALID_ARGUMENT};
-        mgdt_mpi* m = make();
+        mgdt_parts* m = make();
         char message[256];
-        CHECK(mgdt_mpi_set_option(m, MGDT_PARTS_INDEX_BASE, 1) == MGDT_OK);
+        CHECK(mgdt_parts_set_option(m, MGDT_PARTS_INDEX_BASE, 1) == MGDT_OK);
         if (way < 3)
-            CHECK(mgdt_mpi_insert_points(m, last - first, xyz + 3 * first, NULL) == MGDT_OK);
+            CHECK(mgdt_parts_insert_points(m, MGDT_PARTS_THIS_PART, last - first, xyz + 3 * first,
+                                           NULL) == MGDT_OK);
         else
-            CHECK(mgdt_mpi_insert_points(m, 1, xyz + 3 * rank, clash) == MGDT_OK);
+            CHECK(mgdt_parts_insert_points(m, MGDT_PARTS_THIS_PART, 1, xyz + 3 * rank, clash) ==
+                  MGDT_OK);
         if (is_last && way == 0)
-            CHECK(mgdt_mpi_insert_points(m, 2, bad, NULL) == MGDT_ERR_NOT_FINITE);
-        if (is_last && way == 1) CHECK(mgdt_mpi_set_progress(m, stop, NULL) == MGDT_OK);
+            CHECK(mgdt_parts_insert_points(m, MGDT_PARTS_THIS_PART, 2, bad, NULL) ==
+                  MGDT_ERR_NOT_FINITE);
+        if (is_last && way == 1) CHECK(mgdt_parts_set_progress(m, stop, NULL) == MGDT_OK);
         if (is_last && way == 2)
-            CHECK(mgdt_mpi_set_option(m, MGDT_PARTS_MEMORY_LIMIT, 100000) == MGDT_OK);
+            CHECK(mgdt_parts_set_option(m, MGDT_PARTS_MEMORY_LIMIT, 100000) == MGDT_OK);
         if (is_last && way == 3)
-            CHECK(mgdt_mpi_insert_points(m, 1, xyz + 3 * ranks, clash) == MGDT_OK);
-        status = mgdt_mpi_build(m);
+            CHECK(mgdt_parts_insert_points(m, MGDT_PARTS_THIS_PART, 1, xyz + 3 * ranks, clash) ==
+                  MGDT_OK);
+        status = mgdt_parts_build(m);
         CHECK(status == wanted[way]);
-        CHECK(mgdt_mpi_get_error(m, sizeof message, message) == MGDT_OK);
+        CHECK(mgdt_parts_get_error(m, sizeof message, message) == MGDT_OK);
         if (way < 3)
             CHECK(strncmp(message, expected, strlen(expected)) == 0);
         else
             CHECK(strstr(message, "id 7 is given to two points: (") != NULL);
         CHECK(stat(m, MGDT_PARTS_ALL_VERTICES) == 0);
-        if (way == 3) CHECK(mgdt_mpi_clear(m) == MGDT_OK);
-        CHECK(mgdt_mpi_set_progress(m, NULL, NULL) == MGDT_OK);
-        CHECK(mgdt_mpi_set_option(m, MGDT_PARTS_MEMORY_LIMIT, 0) == MGDT_OK);
-        CHECK(mgdt_mpi_build(m) == MGDT_OK);
+        if (way == 3) CHECK(mgdt_parts_clear(m) == MGDT_OK);
+        CHECK(mgdt_parts_set_progress(m, NULL, NULL) == MGDT_OK);
+        CHECK(mgdt_parts_set_option(m, MGDT_PARTS_MEMORY_LIMIT, 0) == MGDT_OK);
+        CHECK(mgdt_parts_build(m) == MGDT_OK);
         CHECK(stat(m, MGDT_PARTS_ALL_VERTICES) == (way == 3 ? 0 : n));
-        mgdt_mpi_destroy(m);
+        mgdt_parts_destroy(m);
     }
     free(xyz);
 }
 
 static void refuses_arguments(void) {
-    mgdt_mpi* m = (mgdt_mpi*)&rank;
+    mgdt_parts* m = (mgdt_parts*)&rank;
     int64_t value;
     CHECK(mgdt_mpi_create(MPI_COMM_WORLD, NULL) == MGDT_ERR_NULL_POINTER);
     CHECK(mgdt_mpi_create_f(MPI_Comm_c2f(MPI_COMM_WORLD), NULL) == MGDT_ERR_NULL_POINTER);
     CHECK(mgdt_mpi_create(MPI_COMM_NULL, &m) == MGDT_ERR_INVALID_ARGUMENT);
     CHECK(m == NULL);
     CHECK(mgdt_mpi_create_f(MPI_Comm_c2f(MPI_COMM_NULL), &m) == MGDT_ERR_INVALID_ARGUMENT);
-    mgdt_mpi_destroy(NULL);
-    CHECK(mgdt_mpi_build(NULL) == MGDT_ERR_NULL_POINTER);
-    CHECK(mgdt_mpi_get_stat(NULL, MGDT_PARTS_POINTS, &value) == MGDT_ERR_NULL_POINTER);
+    mgdt_parts_destroy(NULL);
+    CHECK(mgdt_parts_build(NULL) == MGDT_ERR_NULL_POINTER);
+    CHECK(mgdt_parts_get_stat(NULL, MGDT_PARTS_THIS_PART, MGDT_PARTS_POINTS, &value) ==
+          MGDT_ERR_NULL_POINTER);
     CHECK(mgdt_mpi_create_f(MPI_Comm_c2f(MPI_COMM_WORLD), &m) == MGDT_OK);
     CHECK(stat(m, MGDT_PARTS_PARTS) == ranks);
     CHECK(stat(m, MGDT_PARTS_FIRST_LOCAL) == rank);
     CHECK(stat(m, MGDT_PARTS_LOCAL_PARTS) == 1);
-    CHECK(mgdt_mpi_check(m, 7) == MGDT_ERR_INVALID_ARGUMENT);
-    CHECK(mgdt_mpi_cancel(m) == MGDT_OK);
-    CHECK(mgdt_mpi_build(m) == MGDT_ERR_CANCELLED);
-    CHECK(mgdt_mpi_set_option(m, MGDT_PARTS_THREADS, 2) == MGDT_OK);
-    CHECK(mgdt_mpi_get_option(m, MGDT_PARTS_THREADS, &value) == MGDT_OK && value == 2);
-    mgdt_mpi_destroy(m);
+    CHECK(mgdt_parts_check(m, 7) == MGDT_ERR_INVALID_ARGUMENT);
+    CHECK(mgdt_parts_cancel(m) == MGDT_OK);
+    CHECK(mgdt_parts_build(m) == MGDT_ERR_CANCELLED);
+    CHECK(mgdt_parts_set_option(m, MGDT_PARTS_THREADS, 2) == MGDT_OK);
+    CHECK(mgdt_parts_get_option(m, MGDT_PARTS_THREADS, &value) == MGDT_OK && value == 2);
+    mgdt_parts_destroy(m);
 }
 
 int main(int argc, char** argv) {
-    mgdt_mpi *early, *late;
+    mgdt_parts *early, *late;
     char version[MPI_MAX_LIBRARY_VERSION_STRING];
     int length;
     /* Before MPI is there and after it is gone. */
@@ -372,6 +379,6 @@ int main(int argc, char** argv) {
     MPI_Allreduce(MPI_IN_PLACE, &failures, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
     if (rank == 0) printf("%d ranks: %d failures\n", ranks, failures);
     MPI_Finalize();
-    mgdt_mpi_destroy(late);
+    mgdt_parts_destroy(late);
     return failures != 0;
 }

@@ -19,7 +19,7 @@ mapped = re.findall(r"^\s+(mgdt_mpi_\w+);", Path(script).read_text(encoding="utf
 exported = {line.split()[-1].partition("@")[0]
             for line in output_of("nm", "-D", "--defined-only", library).splitlines() if " T " in line}
 
-check("the header declares functions", "" if len(declared) > 10 else f"only {len(declared)} found")
+check("the header declares functions", "" if declared else "none found")
 check("the version script is in order", "" if mapped == sorted(set(mapped)) else " ".join(mapped))
 check("the version script names what the header declares", differences(declared, set(mapped)))
 check("the library exports what the header declares", differences(declared, exported))

@@ -9,7 +9,7 @@ program test_mpi
     implicit none
 
     integer, parameter :: n = 600
-    type(mgdt_mpi_triangulation) :: t, unmade
+    type(mgdt_parts_triangulation) :: t, unmade
     type(mgdt_triangulation) :: one
     real(real64) :: xyz(3, n)
     real(real64), allocatable :: at(:, :), mine(:, :)
@@ -28,7 +28,7 @@ program test_mpi
     mine = xyz(:, my_ids)
     call one%insert(xyz)
 
-    call t%create(MPI_COMM_WORLD)
+    call mgdt_mpi_create(t, MPI_COMM_WORLD)
     call t%insert(mine)
     call t%build()
     call t%check()
@@ -90,7 +90,7 @@ program test_mpi
     call expect(stat == mgdt_ok, 'goes on')
 
     ! Errors.
-    call t%create(MPI_COMM_WORLD, stat, message)
+    call mgdt_mpi_create(t, MPI_COMM_WORLD, stat, message)
     call expect_error(stat, mgdt_err_invalid_argument, message, 'made already')
     call t%insert(mine(:2, :), stat, message)
     call expect_error(stat, mgdt_err_invalid_argument, message, 'extents 2 and')
@@ -118,7 +118,7 @@ program test_mpi
     call expect(own == 0 .or. stat == mgdt_err_index_range, 'ids that do not fit')
 
     call t%destroy()
-    call t%create(MPI_COMM_WORLD)
+    call mgdt_mpi_create(t, MPI_COMM_WORLD)
     call expect(t%number(mgdt_parts_all_vertices) == 0, 'a new one is empty')
     call t%destroy()
     call MPI_Finalize(ierr)

@@ -26,6 +26,7 @@ struct End {
     MeetingPlace& place;
     std::int32_t process;
     std::int64_t fails_at = -1, calls = 0;
+    int times_destroyed = 0;
 
     bool fails() { return calls++ == fails_at; }
     template <class T, class Combine>
@@ -40,7 +41,7 @@ struct End {
         return 0;
     }
 
-    mgdt_status create(mgdt_parts** out) {
+    mgdt_transport functions() {
         const auto gather = [](const void* mine, void* all, const std::int64_t* begin, void* user) {
             auto& end = *static_cast<End*>(user);
             if (end.fails()) return 1;
@@ -82,9 +83,22 @@ struct End {
             return static_cast<End*>(user)->reduce(
                 numbers, n, [](double a, double b) { return std::min(a, b); });
         };
-        return mgdt_parts_create_with_transport(static_cast<std::int32_t>(place.size()), process,
-                                                gather, exchange_numbers, exchange, sum, least,
-                                                this, out);
+        const auto destroy = [](void* user) { ++static_cast<End*>(user)->times_destroyed; };
+        const mgdt_transport transport = {sizeof transport,
+                                          static_cast<std::int32_t>(place.size()),
+                                          process,
+                                          gather,
+                                          exchange_numbers,
+                                          exchange,
+                                          sum,
+                                          least,
+                                          destroy,
+                                          this};
+        return transport;
+    }
+    mgdt_status create(mgdt_parts** out) {
+        const mgdt_transport transport = functions();
+        return mgdt_parts_create_with_transport(&transport, out);
     }
 
   private:
@@ -126,7 +140,7 @@ std::vector<Outcome> in_processes(PartId processes,
             outcome.message = message;
             if (outcome.status == MGDT_OK) {
                 std::int64_t vertices, tetrahedra, owned;
-                mgdt_parts_get_stat(p, process, MGDT_PARTS_VERTICES, &vertices);
+                mgdt_parts_get_stat(p, MGDT_PARTS_THIS_PART, MGDT_PARTS_VERTICES, &vertices);
                 mgdt_parts_get_stat(p, process, MGDT_PARTS_TETRAHEDRA, &tetrahedra);
                 mgdt_parts_get_stat(p, process, MGDT_PARTS_OWN_TETRAHEDRA, &owned);
                 std::vector<std::int64_t> ids(static_cast<std::size_t>(vertices)),
@@ -145,7 +159,9 @@ std::vector<Outcome> in_processes(PartId processes,
                     outcome.owned.push_back(v);
                 }
             }
+            EXPECT_EQ(end.times_destroyed, 0);
             mgdt_parts_destroy(p);
+            EXPECT_EQ(end.times_destroyed, 1);
         });
     for (std::thread& t : threads) t.join();
     return all;
@@ -182,8 +198,8 @@ mgdt_status insert_share(mgdt_parts* p, std::int32_t process, std::int32_t proce
     const auto n = static_cast<std::int64_t>(xyz.size() / 3);
     const std::int64_t first = n * process / processes, last = n * (process + 1) / processes,
                        middle = process == 1 ? (first + last) / 2 : last;
-    const mgdt_status status =
-        mgdt_parts_insert_points(p, process, middle - first, xyz.data() + 3 * first, nullptr);
+    const mgdt_status status = mgdt_parts_insert_points(p, MGDT_PARTS_THIS_PART, middle - first,
+                                                        xyz.data() + 3 * first, nullptr);
     if (status != MGDT_OK) return status;
     return mgdt_parts_insert_points(p, process, last - middle, xyz.data() + 3 * middle, nullptr);
 }
@@ -304,6 +320,96 @@ TEST(PartsTransport, MayFail) {
         }
         mgdt_parts_destroy(p);
     }
+}
+
+// A callback of the handle's frees neither the handle nor the transport.
+TEST(PartsTransport, IsDestroyedWithItsHandle) {
+    MeetingPlace place(1);
+    End end{place, 0};
+    struct Heard {
+        mgdt_parts* p = nullptr;
+        int times = 0;
+    } heard;
+    ASSERT_EQ(end.create(&heard.p), MGDT_OK);
+    const auto destroy = [](double, void* user) -> std::int32_t {
+        auto& h = *static_cast<Heard*>(user);
+        ++h.times;
+        mgdt_parts_destroy(h.p);
+        return 0;
+    };
+    ASSERT_EQ(mgdt_parts_set_progress(heard.p, destroy, &heard), MGDT_OK);
+    EXPECT_EQ(insert_share(heard.p, 0, 1, uniform(30)), MGDT_OK);
+    EXPECT_EQ(mgdt_parts_build(heard.p), MGDT_OK);
+    EXPECT_GT(heard.times, 0);
+    EXPECT_EQ(end.times_destroyed, 0);
+    mgdt_parts_destroy(heard.p);
+    EXPECT_EQ(end.times_destroyed, 1);
+}
+
+// Nor does what `destroy` throws reach the caller.
+TEST(PartsTransport, MayThrowWhenItIsDestroyed) {
+    MeetingPlace place(1);
+    End end{place, 0};
+    mgdt_transport transport = end.functions();
+    transport.destroy = [](void*) { throw 1; };
+    mgdt_parts* p = nullptr;
+    ASSERT_EQ(mgdt_parts_create_with_transport(&transport, &p), MGDT_OK);
+    mgdt_parts_destroy(p);
+    transport.destroy = nullptr;
+    ASSERT_EQ(mgdt_parts_create_with_transport(&transport, &p), MGDT_OK);
+    mgdt_parts_destroy(p);
+}
+
+// A program that was compiled with a later header gives a larger structure.
+TEST(PartsTransport, MayBeOfALaterVersion) {
+    MeetingPlace place(1);
+    End end{place, 0};
+    struct {
+        mgdt_transport now;
+        unsigned char later[16];
+    } larger = {end.functions(), {}};
+    const auto create = [&] {
+        mgdt_parts* p = nullptr;
+        const mgdt_status status = mgdt_parts_create_with_transport(&larger.now, &p);
+        EXPECT_EQ(p != nullptr, status == MGDT_OK);
+        mgdt_parts_destroy(p);
+        return status;
+    };
+    larger.now.size = sizeof larger;
+    EXPECT_EQ(create(), MGDT_OK);
+    larger.later[15] = 1;
+    EXPECT_EQ(create(), MGDT_ERR_INVALID_ARGUMENT);
+    larger.now.size = sizeof larger - 1;
+    EXPECT_EQ(create(), MGDT_OK);
+    for (const std::size_t size : {std::size_t{0}, sizeof(mgdt_transport) - 1}) {
+        larger.now.size = size;
+        EXPECT_EQ(create(), MGDT_ERR_INVALID_ARGUMENT);
+    }
+    EXPECT_EQ(end.times_destroyed, 2);
+}
+
+TEST(PartsTransport, IsRefusedWhereItIsNotWhole) {
+    MeetingPlace place(1);
+    End end{place, 0};
+    mgdt_parts* p = nullptr;
+    const auto expect = [&](mgdt_status status, const std::function<void(mgdt_transport&)>& spoil) {
+        mgdt_transport transport = end.functions();
+        spoil(transport);
+        EXPECT_EQ(mgdt_parts_create_with_transport(&transport, &p), status);
+        EXPECT_EQ(p, nullptr);
+    };
+    expect(MGDT_ERR_NULL_POINTER, [](mgdt_transport& t) { t.gather = nullptr; });
+    expect(MGDT_ERR_NULL_POINTER, [](mgdt_transport& t) { t.exchange_numbers = nullptr; });
+    expect(MGDT_ERR_NULL_POINTER, [](mgdt_transport& t) { t.exchange = nullptr; });
+    expect(MGDT_ERR_NULL_POINTER, [](mgdt_transport& t) { t.sum = nullptr; });
+    expect(MGDT_ERR_NULL_POINTER, [](mgdt_transport& t) { t.least = nullptr; });
+    expect(MGDT_ERR_INVALID_ARGUMENT, [](mgdt_transport& t) { t.processes = 0; });
+    expect(MGDT_ERR_INVALID_ARGUMENT, [](mgdt_transport& t) { t.processes = (1 << 20) + 1; });
+    expect(MGDT_ERR_INVALID_ARGUMENT, [](mgdt_transport& t) { t.process = -1; });
+    expect(MGDT_ERR_INVALID_ARGUMENT, [](mgdt_transport& t) { t.process = 1; });
+    EXPECT_EQ(end.times_destroyed, 0);
+    const mgdt_transport whole = end.functions();
+    EXPECT_EQ(mgdt_parts_create_with_transport(&whole, nullptr), MGDT_ERR_NULL_POINTER);
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ program poisson_mpi
 
     integer, parameter :: n = 12000
     real(real64), parameter :: pi = acos(-1d0)
-    type(mgdt_mpi_triangulation) :: mesh
+    type(mgdt_parts_triangulation) :: mesh
     type(halo) :: h
     integer(int64), allocatable :: numbers(:), ranges(:)
     integer(int32), allocatable :: corners(:, :)
@@ -109,7 +109,7 @@ program poisson_mpi
         points(:, k) = x
     end do
 
-    call mesh%create(MPI_COMM_WORLD%MPI_VAL)
+    call mgdt_mpi_create(mesh, MPI_COMM_WORLD%MPI_VAL)
     call mesh%insert(points(:, :k))
     call mesh%build()
     call mesh%get(mgdt_parts_local_corners, corners)

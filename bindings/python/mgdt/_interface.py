@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Generated from mgdt/mgdt.h by bindings/interface/generate.py.
-"""The functions of the C interface for ctypes. Arrays are passed as addresses."""
+"""The functions of mgdt.h for ctypes. Arrays are passed as addresses."""
 
 from __future__ import annotations
 

@@ -8,7 +8,8 @@ import ctypes.util
 import os
 from typing import Iterator
 
-from ._interface import FUNCTIONS, PROGRESS
+from . import _interface, _parts_interface
+from ._interface import PROGRESS
 
 ABI_VERSION = 1
 """The version of the binary interface that this package is written for."""
@@ -21,6 +22,8 @@ BUNDLED_NAMES = ("libmgdt.so.1", "libmgdt.1.dylib")
 
 INSTALLED_NAME = "libmgdt.path"
 """The file in this package's folder in which ``meson install`` leaves the path of the library."""
+
+_FUNCTIONS = {**_interface.FUNCTIONS, **_parts_interface.FUNCTIONS}
 
 NO_PROGRESS = PROGRESS(0)
 """NULL."""
@@ -62,8 +65,8 @@ def _candidates() -> Iterator[tuple[str, str]]:
 
 def _declare(library: ctypes.CDLL) -> None:
     # The version first: a library of another one may lack or have changed anything else.
-    for name in sorted(FUNCTIONS, key="mgdt_abi_version".__ne__):
-        result, parameters = FUNCTIONS[name]
+    for name in sorted(_FUNCTIONS, key="mgdt_abi_version".__ne__):
+        result, parameters = _FUNCTIONS[name]
         try:
             function = getattr(library, name)
         except AttributeError:

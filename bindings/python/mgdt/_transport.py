@@ -5,23 +5,16 @@ from __future__ import annotations
 
 import ctypes
 import sys
-from ctypes import CFUNCTYPE, POINTER, c_double, c_int32, c_int64, c_uint64, c_void_p
+from ctypes import c_double, c_int64, c_uint64
 from typing import Any, Callable, Optional
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ._parts_interface import EXCHANGE, EXCHANGE_NUMBERS, GATHER, LEAST, SUM, Transport
+
 LARGEST_MESSAGE = 1 << 30
 """Bytes. The counts of MPI are int: what is longer goes in pieces."""
-
-_GATHER = CFUNCTYPE(c_int32, c_void_p, c_void_p, POINTER(c_int64), c_void_p)
-_NUMBERS = CFUNCTYPE(c_int32, c_void_p, c_void_p, c_void_p)
-_EXCHANGE = CFUNCTYPE(c_int32, c_void_p, POINTER(c_int64), c_void_p, POINTER(c_int64), c_void_p)
-_REDUCE = CFUNCTYPE(c_int32, c_void_p, c_int64, c_void_p)
-
-TYPES = [c_int32, c_int32, _GATHER, _NUMBERS, _EXCHANGE, _REDUCE, _REDUCE, c_void_p]
-"""Of the arguments of ``mgdt_parts_create_with_transport`` but the last."""
-
 
 def _array(address: Optional[int], count: int, of: Any) -> NDArray[Any]:
     """The numbers at an address, where they are."""
@@ -31,7 +24,7 @@ def _array(address: Optional[int], count: int, of: Any) -> NDArray[Any]:
     return np.ctypeslib.as_array((of * count).from_address(address))
 
 
-class Transport:
+class MpiTransport:
     """The functions for a communicator. It has to live as long as the handle that has them."""
 
     def __init__(self, communicator: Any) -> None:
@@ -43,16 +36,16 @@ class Transport:
         self._rank = communicator.Get_rank()
         self.failure: Optional[BaseException] = None
         """What was raised in a call of the library's, which had to end first."""
-        self.arguments: list[Any] = [
-            self._ranks,
-            self._rank,
-            _GATHER(self._guarded(self._gather)),
-            _NUMBERS(self._guarded(self._exchange_numbers)),
-            _EXCHANGE(self._guarded(self._exchange)),
-            _REDUCE(self._guarded(lambda at, n, _: self._reduce(at, n, c_uint64, MPI.SUM))),
-            _REDUCE(self._guarded(lambda at, n, _: self._reduce(at, n, c_double, MPI.MIN))),
-            None,
-        ]
+        self.functions = Transport(
+            size=ctypes.sizeof(Transport),
+            processes=self._ranks,
+            process=self._rank,
+            gather=GATHER(self._guarded(self._gather)),
+            exchange_numbers=EXCHANGE_NUMBERS(self._guarded(self._exchange_numbers)),
+            exchange=EXCHANGE(self._guarded(self._exchange)),
+            sum=SUM(self._guarded(lambda at, n, _: self._reduce(at, n, c_uint64, MPI.SUM))),
+            least=LEAST(self._guarded(lambda at, n, _: self._reduce(at, n, c_double, MPI.MIN))),
+        )
 
     def _guarded(self, body: Callable[..., None]) -> Callable[..., int]:
         def call(*arguments: Any) -> int:
@@ -65,8 +58,8 @@ class Transport:
 
         return call
 
-    def _gather(self, mine: Optional[int], all_: Optional[int], begin: Any, _: Any) -> None:
-        offsets = begin[: self._ranks + 1]
+    def _gather(self, mine: Optional[int], all_: Optional[int], begin: int, _: Any) -> None:
+        offsets = self._offsets(begin)
         whole = _array(all_, offsets[-1], ctypes.c_uint8)
         own = slice(offsets[self._rank], offsets[self._rank + 1])
         part = _array(mine, own.stop - own.start, ctypes.c_uint8)
@@ -88,15 +81,18 @@ class Transport:
             [_array(into, self._ranks, c_uint64), 1, number],
         )
 
-    def _exchange(self, out: Any, out_begin: Any, into: Any, in_begin: Any, _: Any) -> None:
-        sent = _array(out, out_begin[self._ranks], ctypes.c_uint8)
-        received = _array(into, in_begin[self._ranks], ctypes.c_uint8)
+    def _exchange(
+        self, out: Optional[int], out_begin: int, into: Optional[int], in_begin: int, _: Any
+    ) -> None:
+        of_sent, of_received = self._offsets(out_begin), self._offsets(in_begin)
+        sent = _array(out, of_sent[-1], ctypes.c_uint8)
+        received = _array(into, of_received[-1], ctypes.c_uint8)
         requests = []
         for rank in range(self._ranks):
-            for piece in self._pieces(received[in_begin[rank] : in_begin[rank + 1]]):
+            for piece in self._pieces(received[of_received[rank] : of_received[rank + 1]]):
                 requests.append(self._communicator.Irecv([piece, self._mpi.BYTE], rank))
         for rank in range(self._ranks):
-            for piece in self._pieces(sent[out_begin[rank] : out_begin[rank + 1]]):
+            for piece in self._pieces(sent[of_sent[rank] : of_sent[rank + 1]]):
                 requests.append(self._communicator.Isend([piece, self._mpi.BYTE], rank))
         self._mpi.Request.Waitall(requests)
 
@@ -104,6 +100,11 @@ class Transport:
         number = self._mpi.DOUBLE if of is c_double else self._mpi.UINT64_T
         for piece in self._pieces(_array(address, count, of)):
             self._communicator.Allreduce(self._mpi.IN_PLACE, [piece, number], operation)
+
+    def _offsets(self, address: int) -> list[int]:
+        """In bytes: one for each rank, and the end."""
+        values: list[int] = _array(address, self._ranks + 1, c_int64).tolist()
+        return values
 
     @staticmethod
     def _pieces(values: NDArray[Any]) -> list[NDArray[Any]]:

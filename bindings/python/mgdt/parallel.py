@@ -6,7 +6,7 @@ from __future__ import annotations
 import ctypes
 import signal
 import threading
-from ctypes import POINTER, c_char_p, c_int32, c_int64, c_void_p
+from ctypes import c_int64, c_void_p
 from functools import partial
 from typing import Any, Callable, Optional
 
@@ -17,32 +17,17 @@ from . import _errors, _library
 from ._arrays import FloatArray, address
 from ._insertion import CANCEL, ProgressFunction
 from ._interface import PROGRESS
-from ._parts_interface import ARRAYS, NUMBERS, OPTIONS
-from ._transport import TYPES, Transport
+from ._parts_interface import CONSTANTS
+from ._transport import MpiTransport
 
 Int64Array = NDArray[np.int64]
 
-_FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
-    "create_with_transport": (c_int32, [*TYPES, POINTER(c_void_p)]),
-    "destroy": (None, [c_void_p]),
-    "set_option": (c_int32, [c_void_p, c_int32, c_int64]),
-    "insert_points": (c_int32, [c_void_p, c_int32, c_int64, c_void_p, c_void_p]),
-    "set_progress": (c_int32, [c_void_p, PROGRESS, c_void_p]),
-    "build": (c_int32, [c_void_p]),
-    "check": (c_int32, [c_void_p, c_int32]),
-    "get_stat": (c_int32, [c_void_p, c_int32, c_int32, POINTER(c_int64)]),
-    "get_size": (c_int32, [c_void_p, c_int32, c_int32, POINTER(c_int64)]),
-    "get_array": (c_int32, [c_void_p, c_int32, c_int32, c_int64, c_void_p]),
-    "get_coordinates": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
-    "get_error": (c_int32, [c_void_p, c_int64, c_char_p]),
-}
+_THIS_PART = CONSTANTS["part"]["this_part"]
 _MESSAGE_BYTES = 256
 
 
 def _function(name: str) -> Any:
-    function = getattr(_library.library, f"mgdt_parts_{name}")
-    function.restype, function.argtypes = _FUNCTIONS[name]
-    return function
+    return getattr(_library.library, f"mgdt_parts_{name}")
 
 
 class _DeferredInterrupt:
@@ -123,15 +108,15 @@ class ParallelDelaunay:
 
             comm = MPI.COMM_WORLD
         self._communicator = comm.Dup()
-        self._transport = Transport(self._communicator)
+        self._transport = MpiTransport(self._communicator)
         self._rank = self._communicator.Get_rank()
         status = _function("create_with_transport")(
-            *self._transport.arguments, ctypes.byref(self._pointer)
+            ctypes.byref(self._transport.functions), ctypes.byref(self._pointer)
         )
         if status != _errors.OK:
             raise _errors.make(status, "the library gave no part: out of memory")
-        self._call("set_option", OPTIONS["threads"], threads)
-        self._call("set_option", OPTIONS["memory_limit"], memory_limit)
+        self._call("set_option", CONSTANTS["option"]["threads"], threads)
+        self._call("set_option", CONSTANTS["option"]["memory_limit"], memory_limit)
         problem: Optional[Exception] = None
         try:
             self._insert(points, ids)
@@ -139,7 +124,7 @@ class ParallelDelaunay:
             problem = error
         # What is wrong here is so on all ranks, which wait for this one.
         if problem is not None and not isinstance(problem, _errors.Error):
-            self._call_quietly("insert_points", self._rank, -1, None, None)
+            self._call_quietly("insert_points", _THIS_PART, -1, None, None)
         with _DeferredInterrupt() as interrupt:
             # Without a function to call, too, so that Ctrl-C is heard.
             report = PROGRESS(partial(self._report, progress, lambda: interrupt.has_come))
@@ -179,7 +164,7 @@ class ParallelDelaunay:
             if numbers.shape != (len(rows),):
                 raise ValueError(f"ids must have the shape ({len(rows)},), not {numbers.shape}")
         at_ids = address(numbers) if numbers is not None and len(rows) else None
-        self._call("insert_points", self._rank, len(rows), address(rows), at_ids)
+        self._call("insert_points", _THIS_PART, len(rows), address(rows), at_ids)
 
     def _call_quietly(self, name: str, *arguments: Any) -> int:
         return int(_function(name)(self._pointer, *arguments))
@@ -230,21 +215,21 @@ class ParallelDelaunay:
     def number(self, name: str) -> int:
         """A number of the part, such as "own_vertices", "tetrahedra", "all_tetrahedra", "received"."""
         value = c_int64()
-        self._call("get_stat", self._rank, NUMBERS[name], ctypes.byref(value))
+        self._call("get_stat", _THIS_PART, CONSTANTS["number"][name], ctypes.byref(value))
         return value.value
 
     def _array(self, name: str, columns: int = 1) -> Int64Array:
         size = c_int64()
-        self._call("get_size", self._rank, ARRAYS[name], ctypes.byref(size))
+        self._call("get_size", _THIS_PART, CONSTANTS["array"][name], ctypes.byref(size))
         values = np.empty(size.value, np.int64)
-        self._call("get_array", self._rank, ARRAYS[name], size.value, address(values))
+        self._call("get_array", _THIS_PART, CONSTANTS["array"][name], size.value, address(values))
         return values if columns == 1 else values.reshape(-1, columns)
 
     @property
     def points(self) -> FloatArray:
         """Coordinates of the part's vertices: its own, then its ghosts."""
         xyz = np.empty((self.number("vertices"), 3))
-        self._call("get_coordinates", self._rank, xyz.size, address(xyz))
+        self._call("get_coordinates", _THIS_PART, xyz.size, address(xyz))
         return xyz
 
     @property

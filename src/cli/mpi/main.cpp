@@ -17,10 +17,7 @@
 #include "cli/mpi/ranks.hpp"
 #include "cli/program_parts.hpp"
 #include "cli/progress.hpp"
-
-extern "C" {
-#include "mpi/transport.h"
-}
+#include "mgdt/mgdt_mpi.h"
 
 namespace mgdt::cli {
 namespace {
@@ -84,38 +81,22 @@ std::optional<Options> parse(int argc, char** argv, bool speaks) {
     return o;
 }
 
-// The exchange of the ranks, over a communicator of its own.
-class Exchange {
-  public:
-    explicit Exchange(Ranks& ranks) {
-        MPI_Comm own = MPI_COMM_NULL;
-        MPI_Comm_dup(MPI_COMM_WORLD, &own);
-        MPI_Comm_set_errhandler(own, MPI_ERRORS_RETURN);
-        ranks.together([&] {
-            if (mgdt_mpi_transport_begin(&transport_, own) != 0) throw std::bad_alloc();
-        });
-    }
-    ~Exchange() { mgdt_mpi_transport_end(&transport_); }
-    Exchange(const Exchange&) = delete;
-    Exchange& operator=(const Exchange&) = delete;
+// The part of this rank; it fails on all ranks alike.
+mgdt_parts* create_part() {
+    mgdt_parts* part = nullptr;
+    const mgdt_status status = mgdt_mpi_create(MPI_COMM_WORLD, &part);
+    if (status != MGDT_OK) throw_status(status, mgdt_status_string(status));
+    return part;
+}
 
-    mgdt_parts* new_parts() {
-        mgdt_parts* parts = nullptr;
-        if (mgdt_mpi_transport_parts(&transport_, &parts) != MGDT_OK) throw std::bad_alloc();
-        return parts;
-    }
-
-  private:
-    mgdt_mpi_transport transport_{};
-};
-
-void insert(const ProgramParts& parts, int rank, const Share& share) {
+void insert(const ProgramParts& parts, const Share& share) {
     const std::size_t n = share.points.size() / 3;
     std::vector<std::int64_t> places(n);
     std::iota(places.begin(), places.end(), share.first);
-    parts.require(mgdt_parts_insert_points(parts.get(), rank, static_cast<std::int64_t>(n),
-                                           share.points.data(), places.data()),
-                  "points");
+    parts.require(
+        mgdt_parts_insert_points(parts.get(), MGDT_PARTS_THIS_PART, static_cast<std::int64_t>(n),
+                                 share.points.data(), places.data()),
+        "points");
 }
 
 void check(const ProgramParts& parts, const std::string& name, int level) {
@@ -132,7 +113,7 @@ void write(const Options& o, Ranks& ranks, const ProgramParts& parts,
            const std::vector<std::string>& files) {
     OutputSet outputs;
     ranks.together([&] {
-        write_part(parts.get(), ranks.rank(), o.compress,
+        write_part(parts.get(), MGDT_PARTS_THIS_PART, o.compress,
                    outputs.open(files[static_cast<std::size_t>(ranks.rank())]));
         if (ranks.is_first()) write_index_of_pieces(files, outputs.open(o.output));
     });
@@ -168,8 +149,7 @@ void triangulate(const Options& o, Ranks& ranks) {
     const bool speaks = ranks.is_first() && !o.triangulation.quiet;
     const std::string name = input_name(o.input.path);
     std::vector<std::string> files;
-    Exchange exchange(ranks);
-    std::optional<ProgramParts> parts;
+    ProgramParts parts(create_part(), o.triangulation);
     const std::optional<RowLayout> layout = layout_for_all(o.input, ranks);
     ranks.together([&] {
         std::vector<std::string> written;  // by all ranks: one may have read the whole input
@@ -183,27 +163,27 @@ void triangulate(const Options& o, Ranks& ranks) {
         const Share share = read_share(o.input, layout, rank, ranks.count());
         if (!o.triangulation.quiet) print_left_out(share.mid_side_nodes, name);
         require_apart(share.inputs, written);
-        parts.emplace(exchange.new_parts(), o.triangulation);
-        insert(*parts, rank, share);
+        insert(parts, share);
     });
 
     const auto begin = std::chrono::steady_clock::now();
     ranks.together([&] {
         Progress progress("triangulating", !speaks);
-        mgdt_parts_set_progress(parts->get(), Progress::callback, &progress);
-        const mgdt_status status = mgdt_parts_build(parts->get());
-        mgdt_parts_set_progress(parts->get(), nullptr, nullptr);
-        parts->require(status, name);
+        mgdt_parts_set_progress(parts.get(), Progress::callback, &progress);
+        const mgdt_status status = mgdt_parts_build(parts.get());
+        mgdt_parts_set_progress(parts.get(), nullptr, nullptr);
+        parts.require(status, name);
     });
     const auto end = std::chrono::steady_clock::now();
     if (o.check_level > 0) {
-        ranks.together([&] { check(*parts, name, o.check_level); });
+        ranks.together([&] { check(parts, name, o.check_level); });
         if (speaks) fmt::print("check at level {} passed\n", o.check_level);
     }
-    if (!o.output.empty()) write(o, ranks, *parts, files);
+    if (!o.output.empty()) write(o, ranks, parts, files);
     if (!speaks) return;
     const auto counts = [&](std::int32_t key, const char* one, const char* many) {
-        return counted(static_cast<std::size_t>(parts->number(rank, key)), one, many);
+        return counted(static_cast<std::size_t>(parts.number(MGDT_PARTS_THIS_PART, key)), one,
+                       many);
     };
     fmt::print("{}, {}, {}, {:.2f} s{}{}\n", counts(MGDT_PARTS_ALL_VERTICES, "vertex", "vertices"),
                counts(MGDT_PARTS_ALL_TETRAHEDRA, "tetrahedron", "tetrahedra"),
