@@ -45,10 +45,40 @@ std::size_t exports(const mgdt::Triangulation& t, const std::vector<mgdt::Point>
            nearest.size();
 }
 
+// Whether parts do what they are asked.
+bool calls_parts(const std::vector<mgdt::Point>& points) {
+    Heap heap;
+    mgdt::Parts parts(2, heap), one(1);
+    parts.set_option(mgdt::PartsOption::index_base, 0);
+    parts.set_progress([](double fraction) { return fraction > 2; });
+    parts.insert(points, 0);
+    std::size_t shown = 0;
+    parts.build_each([&](const mgdt::Parts& p, std::int32_t part) {
+        shown += p.rows(mgdt::PartsArray::corners, part).size();
+    });
+    parts.build();
+    parts.check();
+    parts.clear_progress();
+    if (shown == 0 || parts.option(mgdt::PartsOption::index_base) != 0) return false;
+    if (parts.number(mgdt::PartsNumber::points, 0) != static_cast<std::int64_t>(points.size()))
+        return false;
+    if (parts.array(mgdt::PartsArray::point_map, 0).size() != points.size()) return false;
+    if (!parts || parts.coordinates(1).empty() || !parts.handle() || !parts.last_error().empty())
+        return false;
+    one.insert(points, std::vector<std::int64_t>(points.size(), 7));
+    one.cancel();
+    one.clear();
+    swap(one, parts);
+    mgdt::Parts again(one.release());
+    one = std::move(again);
+    return one.number(mgdt::PartsNumber::parts, 0) == 2;
+}
+
 }  // namespace
 
 int main() {
     try {
+        if (!calls_parts({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 2}})) return 30;
         Heap heap;
         mgdt::Triangulation t(heap), other;
         t.set_order_scheme(mgdt::order_from_name("brio"));

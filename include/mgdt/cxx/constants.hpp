@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT
- * The constants of mgdt.h as enum classes, and their names. Part of mgdt/mgdt.hpp, which includes
- * it. */
+ * The constants of mgdt.h and mgdt_parts.h as enum classes, and their names. Part of mgdt/mgdt.hpp,
+ * which includes it. */
 #ifndef MGDT_CXX_CONSTANTS_HPP
 #define MGDT_CXX_CONSTANTS_HPP
 
 #include <cstdint>
 
 #include "../mgdt.h"
+#include "../mgdt_parts.h"
 
 namespace mgdt {
 inline namespace cxx1 {
@@ -99,6 +100,44 @@ enum class Outside : std::int32_t {
     nearest = MGDT_OUTSIDE_NEAREST,
     boundary = MGDT_OUTSIDE_BOUNDARY,
     linear = MGDT_OUTSIDE_LINEAR
+};
+
+/** Options of parts; see MGDT_PARTS_INDEX_BASE and its neighbours. @since 1.2 */
+enum class PartsOption : std::int32_t {
+    index_base = MGDT_PARTS_INDEX_BASE,
+    threads = MGDT_PARTS_THREADS,
+    memory_limit = MGDT_PARTS_MEMORY_LIMIT
+};
+
+/** Numbers of parts; see MGDT_PARTS_PARTS and its neighbours. @since 1.2 */
+enum class PartsNumber : std::int32_t {
+    parts = MGDT_PARTS_PARTS,
+    first_local = MGDT_PARTS_FIRST_LOCAL,
+    local_parts = MGDT_PARTS_LOCAL_PARTS,
+    points = MGDT_PARTS_POINTS,
+    own_vertices = MGDT_PARTS_OWN_VERTICES,
+    vertices = MGDT_PARTS_VERTICES,
+    all_vertices = MGDT_PARTS_ALL_VERTICES,
+    own_tetrahedra = MGDT_PARTS_OWN_TETRAHEDRA,
+    tetrahedra = MGDT_PARTS_TETRAHEDRA,
+    all_tetrahedra = MGDT_PARTS_ALL_TETRAHEDRA,
+    received = MGDT_PARTS_RECEIVED,
+    memory_bytes = MGDT_PARTS_MEMORY_BYTES
+};
+
+/** Arrays of a part; see MGDT_PARTS_POINT_MAP and its neighbours. @since 1.2 */
+enum class PartsArray : std::int32_t {
+    point_map = MGDT_PARTS_POINT_MAP,
+    vertex_numbers = MGDT_PARTS_VERTEX_NUMBERS,
+    vertex_ids = MGDT_PARTS_VERTEX_IDS,
+    vertex_owners = MGDT_PARTS_VERTEX_OWNERS,
+    vertex_ranges = MGDT_PARTS_VERTEX_RANGES,
+    corners = MGDT_PARTS_CORNERS,
+    local_corners = MGDT_PARTS_LOCAL_CORNERS,
+    tetrahedron_numbers = MGDT_PARTS_TETRAHEDRON_NUMBERS,
+    tetrahedron_owners = MGDT_PARTS_TETRAHEDRON_OWNERS,
+    tetrahedron_ranges = MGDT_PARTS_TETRAHEDRON_RANGES,
+    neighbors = MGDT_PARTS_NEIGHBORS
 };
 
 /** Name of an order scheme ("multi-grid"); NULL for an unknown one. */

@@ -82,6 +82,36 @@ class Span {
     std::size_t size_ = 0;
 };
 
+namespace detail {
+
+// The first of the indices (or weights) in a container of them or of arrays of them.
+template <class T, class C>
+T* pointer(C& c) {
+    if constexpr (std::is_same_v<element_t<C>, T>)
+        return std::data(c);
+    else
+        return reinterpret_cast<T*>(std::data(c));
+}
+// A buffer, seen as a row of integers.
+template <std::size_t K, class C>
+auto flat(C& c) {
+    using Group = group<element_t<C>, K>;
+    using Int = typename Group::index;
+    static_assert(is_index_v<Int>,
+                  "indices are std::int64_t or std::int32_t, or std::arrays of as many of them as "
+                  "belong together");
+    return Span<Int>(pointer<Int>(c), static_cast<std::size_t>(std::size(c)) * Group::width);
+}
+// The same for indices that are only read.
+template <class C>
+auto row_of(const C& c) {
+    using Int = element_t<const C>;
+    static_assert(is_index_v<Int>, "indices are std::int64_t or std::int32_t");
+    return Span<const Int>(std::data(c), static_cast<std::size_t>(std::size(c)));
+}
+
+}  // namespace detail
+
 /** A point. */
 using Point = std::array<double, 3>;
 

@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: MIT
+ * One triangulation in parts. Part of mgdt/mgdt.hpp, which includes it and explains it. */
+#ifndef MGDT_CXX_PARTS_HPP
+#define MGDT_CXX_PARTS_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "../mgdt_parts.h"
+#include "constants.hpp"
+#include "error.hpp"
+#include "handle.hpp"
+#include "views.hpp"
+
+namespace mgdt {
+inline namespace cxx1 {
+
+/** Points in parts and their triangulation; see mgdt_parts.h. Moves, does not copy. A `part` that
+ * is left out is the one part of a process that has one. @since 1.2 */
+class Parts {
+  public:
+    /** Stands for the part of this process; MGDT_PARTS_THIS_PART. */
+    static constexpr std::int32_t this_part = MGDT_PARTS_THIS_PART;
+
+    /** Parts in this process; mgdt_parts_create(). @throw OutOfMemory, Error */
+    explicit Parts(std::int32_t parts) : Parts(parts, nullptr, nullptr, nullptr) {}
+    /** Parts in this process, all of whose memory comes from `alloc`;
+     *  mgdt_parts_create_with_allocator(). Neither function may throw. @throw OutOfMemory, Error */
+    Parts(std::int32_t parts, mgdt_alloc_fn alloc, mgdt_free_fn give_back, void* user) {
+        mgdt_parts* made = nullptr;
+        require(mgdt_parts_create_with_allocator(parts, alloc, give_back, user, &made), nullptr);
+        handle_.reset(made);
+    }
+    /** The same with the memory of a resource, as for Triangulation. @throw OutOfMemory, Error */
+    template <class Resource, class = detail::allocate_of<Resource>,
+              class = detail::deallocate_of<Resource>>
+    Parts(std::int32_t parts, Resource& resource)
+        : Parts(parts, &detail::take<Resource>, &detail::give<Resource>, std::addressof(resource)) {
+    }
+    /** The part of this process, which exchanges bytes with others by functions of yours;
+     *  mgdt_parts_create_with_transport(). @throw OutOfMemory, Error */
+    explicit Parts(const mgdt_transport& transport) {
+        mgdt_parts* made = nullptr;
+        require(mgdt_parts_create_with_transport(&transport, &made), nullptr);
+        handle_.reset(made);
+    }
+    /** Takes a handle of the C interface over, such as one of mgdt_mpi_create(). */
+    explicit Parts(mgdt_parts* owned) noexcept : handle_(owned) {}
+
+    Parts(Parts&&) noexcept = default;
+    Parts& operator=(Parts&&) noexcept = default;
+    Parts(const Parts&) = delete;
+    Parts& operator=(const Parts&) = delete;
+    /** mgdt_parts_destroy(): collective for a handle of mgdt_mpi_create(). */
+    ~Parts() = default;
+    friend void swap(Parts& a, Parts& b) noexcept {
+        a.progress_.swap(b.progress_);
+        a.handle_.swap(b.handle_);
+    }
+
+    /** Whether there is a handle: true until it is moved or released. */
+    [[nodiscard]] explicit operator bool() const noexcept { return handle_ != nullptr; }
+    /** The handle, for calls of the C interface; it stays this object's. */
+    [[nodiscard]] mgdt_parts* handle() noexcept { return handle_.get(); }
+    [[nodiscard]] const mgdt_parts* handle() const noexcept { return handle_.get(); }
+    /** Gives the handle up, to be freed by mgdt_parts_destroy(). A callback set here is taken off.
+     *  NULL, and nothing is given up, in a callback of the object's own. */
+    [[nodiscard]] mgdt_parts* release() noexcept {
+        if (progress_ && mgdt_parts_set_progress(handle_.get(), nullptr, nullptr) != MGDT_OK)
+            return nullptr;
+        progress_.reset();
+        return handle_.release();
+    }
+
+    /** mgdt_parts_clear(). @throw Error */
+    void clear() { require(mgdt_parts_clear(handle_.get())); }
+
+    /** mgdt_parts_set_option(). @throw Error */
+    void set_option(PartsOption option, std::int64_t value) {
+        require(mgdt_parts_set_option(handle_.get(), static_cast<std::int32_t>(option), value));
+    }
+    /** mgdt_parts_get_option(). @throw Error */
+    [[nodiscard]] std::int64_t option(PartsOption option) const {
+        std::int64_t value = 0;
+        require(mgdt_parts_get_option(handle_.get(), static_cast<std::int32_t>(option), &value));
+        return value;
+    }
+
+    /** Sets what hears of progress, as Triangulation::set_progress(). @throw Error, std::bad_alloc
+     */
+    template <class F, class = std::enable_if_t<std::is_invocable_v<std::decay_t<F>&, double>>>
+    void set_progress(F&& call) {
+        auto next = detail::Progress::make(std::forward<F>(call));
+        require(mgdt_parts_set_progress(handle_.get(), &detail::Progress::hear, next.get()));
+        progress_ = std::move(next);
+    }
+    /** Takes the callback off. @throw Error */
+    void clear_progress() {
+        require(mgdt_parts_set_progress(handle_.get(), nullptr, nullptr));
+        progress_.reset();
+    }
+    /** mgdt_parts_cancel(); from any thread and from signal handlers. */
+    void cancel() noexcept {
+        if (handle_) mgdt_parts_cancel(handle_.get());
+    }
+
+    /** mgdt_parts_insert_points(). @throw OutOfMemory, Error; on processes the next build() fails
+     *  too, so that one that catches this may go on to it */
+    void insert(Points points, std::int32_t part = this_part) {
+        require(mgdt_parts_insert_points(handle_.get(), part,
+                                         static_cast<std::int64_t>(points.count()), points.data(),
+                                         nullptr));
+    }
+    /** The same with an id for each point. */
+    void insert(Points points, Span<const std::int64_t> ids, std::int32_t part = this_part) {
+        if (ids.size() != points.count())
+            throw Error(MGDT_ERR_INVALID_ARGUMENT, "there are " + std::to_string(points.count()) +
+                                                       " points and " + std::to_string(ids.size()) +
+                                                       " ids");
+        require(mgdt_parts_insert_points(handle_.get(), part,
+                                         static_cast<std::int64_t>(points.count()), points.data(),
+                                         ids.data()));
+    }
+
+    /** mgdt_parts_build(). Collective. @throw Cancelled, OutOfMemory, Error, and what the progress
+     *  callback throws */
+    void build() { finish(mgdt_parts_build(handle_.get())); }
+    /** mgdt_parts_build_each().
+     *  @param look  called as look(const Parts&, std::int32_t part) for each part in its order. If
+     *  it gives a value, one that is true cancels; if it throws, this does
+     *  @throw as build() */
+    template <class F, class = std::enable_if_t<std::is_invocable_v<std::remove_reference_t<F>&,
+                                                                    const Parts&, std::int32_t>>>
+    void build_each(F&& look) {
+        using Look = std::remove_reference_t<F>;
+        struct Call {
+            const Parts& parts;
+            Look& look;
+            detail::Guarded guarded{};
+        } call{*this, look};
+        const auto relay = [](const mgdt_parts*, std::int32_t part, void* user) noexcept {
+            Call& c = *static_cast<Call*>(user);
+            return c.guarded.run(
+                1, [&] { return detail::asks_to_stop(c.look, c.parts, part) ? 1 : 0; });
+        };
+        const mgdt_status status = mgdt_parts_build_each(handle_.get(), relay, &call);
+        call.guarded.rethrow();
+        finish(status);
+    }
+
+    /** mgdt_parts_get_stat(). @throw Error */
+    [[nodiscard]] std::int64_t number(PartsNumber key, std::int32_t part = this_part) const {
+        std::int64_t value = 0;
+        require(mgdt_parts_get_stat(handle_.get(), part, static_cast<std::int32_t>(key), &value));
+        return value;
+    }
+    /** mgdt_parts_get_array(). @throw OutOfMemory, Error, std::bad_alloc (the vector's) */
+    [[nodiscard]] std::vector<std::int64_t> array(PartsArray key,
+                                                  std::int32_t part = this_part) const {
+        std::vector<std::int64_t> values(size(key, part));
+        write(key, part, values.size(), values.data());
+        return values;
+    }
+    /** An array of four numbers for each tetrahedron: corners, local_corners or neighbors.
+     *  @throw as array() */
+    [[nodiscard]] std::vector<std::array<std::int64_t, 4>> rows(
+        PartsArray key, std::int32_t part = this_part) const {
+        if (key != PartsArray::corners && key != PartsArray::local_corners &&
+            key != PartsArray::neighbors)
+            throw Error(MGDT_ERR_INVALID_ARGUMENT,
+                        "the array does not have four numbers for each tetrahedron");
+        std::vector<std::array<std::int64_t, 4>> values(size(key, part) / 4);
+        write(key, part, 4 * values.size(), values.empty() ? nullptr : values[0].data());
+        return values;
+    }
+    /** Coordinates of the part's vertices; mgdt_parts_get_coordinates(). @throw Error,
+     *  std::bad_alloc (the vector's) */
+    [[nodiscard]] std::vector<Point> coordinates(std::int32_t part = this_part) const {
+        std::vector<Point> xyz(static_cast<std::size_t>(number(PartsNumber::vertices, part)));
+        require(mgdt_parts_get_coordinates(handle_.get(), part,
+                                           static_cast<std::int64_t>(3 * xyz.size()),
+                                           xyz.empty() ? nullptr : xyz[0].data()));
+        return xyz;
+    }
+
+    /** Proves the triangulation; mgdt_parts_check(). Collective.
+     *  @throw Error MGDT_ERR_CHECK_FAILED says what is wrong and where; OutOfMemory */
+    void check(Check level = Check::canonical) {
+        require(mgdt_parts_check(handle_.get(), static_cast<std::int32_t>(level)));
+    }
+    /** Message of the last call that failed on the handle; mgdt_parts_get_error().
+     *  @throw std::bad_alloc */
+    [[nodiscard]] std::string last_error() const { return message_of(handle_.get()); }
+
+  private:
+    struct Destroy {
+        void operator()(mgdt_parts* p) const noexcept { mgdt_parts_destroy(p); }
+    };
+
+    static std::string message_of(const mgdt_parts* p) {
+        return detail::message_of(mgdt_parts_get_error, p);
+    }
+    static void require(mgdt_status status, const mgdt_parts* p) {
+        if (status != MGDT_OK) detail::throw_failure(status, p ? message_of(p) : std::string());
+    }
+    void require(mgdt_status status) const { require(status, handle_.get()); }
+    // The end of a call that may have called the progress callback.
+    void finish(mgdt_status status) {
+        if (progress_) progress_->rethrow();
+        require(status);
+    }
+    std::size_t size(PartsArray key, std::int32_t part) const {
+        std::int64_t size = 0;
+        require(mgdt_parts_get_size(handle_.get(), part, static_cast<std::int32_t>(key), &size));
+        return static_cast<std::size_t>(size);
+    }
+    void write(PartsArray key, std::int32_t part, std::size_t capacity,
+               std::int64_t* values) const {
+        require(mgdt_parts_get_array(handle_.get(), part, static_cast<std::int32_t>(key),
+                                     static_cast<std::int64_t>(capacity), values));
+    }
+
+    std::unique_ptr<detail::Progress> progress_{};  // outlives the handle, which may call it
+    std::unique_ptr<mgdt_parts, Destroy> handle_{};
+};
+
+}  // namespace cxx1
+}  // namespace mgdt
+
+#endif /* MGDT_CXX_PARTS_HPP */
