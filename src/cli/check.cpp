@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <cstdio>
-#include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
@@ -57,17 +56,16 @@ int check(const CheckOptions& options) {
                                 name, counted(mesh.other_cells, "other cell", "other cells")));
     }
 
-    std::optional<Triangulation> t(std::in_place, options.triangulation);
-    t->insert(mesh.points, name);
-    const std::string defect = t->check(MGDT_CHECK_CANONICAL);
+    Triangulation t = make_triangulation(options.triangulation);
+    insert(t, mesh.points, name, quiet);
+    const std::string defect = find_defect(t, MGDT_CHECK_CANONICAL);
     if (!quiet) {
         print("library", defect.empty(),
-              defect.empty()
-                  ? fmt::format("mgdt's own triangulation of the points, {}, passes the "
-                                "library's check at level 3",
-                                counted(static_cast<std::size_t>(mgdt_tetrahedron_count(t->get())),
-                                        "tetrahedron", "tetrahedra"))
-                  : defect);
+              defect.empty() ? fmt::format("mgdt's own triangulation of the points, {}, passes the "
+                                           "library's check at level 3",
+                                           counted(static_cast<std::size_t>(t.tetrahedron_count()),
+                                                   "tetrahedron", "tetrahedra"))
+                             : defect);
     }
     if (!defect.empty()) {
         throw Error(exit_check_failed,
@@ -80,8 +78,8 @@ int check(const CheckOptions& options) {
         return exit_ok;
     }
 
-    const Reference reference{t->tetrahedra(), t->point_map()};
-    t.reset();  // its memory is wanted for the tests
+    const Reference reference{tetrahedra(t), t.point_map<MeshIndex>()};
+    t = Triangulation();  // its memory is wanted for the tests
     const MeshReport report = check_mesh(mesh, reference);
     const std::size_t canonical = reference.tetrahedra.size() / 4;
     if (!quiet) {

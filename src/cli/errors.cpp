@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <mgdt/mgdt.hpp>
 #include <new>
 #include <system_error>
 
@@ -73,11 +74,27 @@ int report(std::FILE* out, int code, const char* message) noexcept {
 
 }  // namespace
 
+Error failure_of(mgdt_status status, const std::string& what) {
+    switch (status) {
+        case MGDT_ERR_NOT_FINITE:
+            return Error(exit_input, what + "; take the point out");
+        case MGDT_ERR_OUT_OF_MEMORY:
+            return Error(exit_memory, what + "; triangulate fewer points or give it more memory");
+        case MGDT_ERR_TOO_LARGE:
+        case MGDT_ERR_INDEX_RANGE:
+            return Error(exit_memory, what + "; triangulate fewer points");
+        default:
+            return Error(exit_internal, what);
+    }
+}
+
 int report_exception(std::FILE* out) noexcept {
     try {
         throw;
     } catch (const Error& e) {
         return report(out, e.code(), e.what());
+    } catch (const mgdt::Error& e) {
+        return report(out, failure_of(e.status(), "").code(), e.what());
     } catch (const std::bad_alloc&) {
         return report(out, exit_memory,
                       "out of memory; triangulate fewer points or free some memory");

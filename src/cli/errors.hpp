@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "mgdt/mgdt.h"
+
 namespace mgdt::cli {
 
 enum ExitCode : int {
@@ -30,6 +32,9 @@ class Error : public std::runtime_error {
   private:
     int code_;
 };
+
+// What a failed call of the library is to the user. `what` says where and why.
+Error failure_of(mgdt_status status, const std::string& what);
 
 // The exit code of the exception that is being handled. Its message goes to `out`, unless that is
 // null.

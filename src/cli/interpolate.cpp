@@ -12,31 +12,32 @@
 namespace mgdt::cli {
 namespace {
 
-using Choice = std::pair<const char*, std::int32_t>;
+template <class Value>
+using Choice = std::pair<const char*, Value>;
 
-constexpr Choice methods[] = {{"linear", MGDT_INTERPOLATE_LINEAR},
-                              {"nearest", MGDT_INTERPOLATE_NEAREST},
-                              {"sibson", MGDT_INTERPOLATE_SIBSON},
-                              {"laplace", MGDT_INTERPOLATE_LAPLACE},
-                              {"sibson-c1", MGDT_INTERPOLATE_SIBSON_C1}};
+constexpr Choice<Method> methods[] = {{"linear", Method::linear},
+                                      {"nearest", Method::nearest},
+                                      {"sibson", Method::sibson},
+                                      {"laplace", Method::laplace},
+                                      {"sibson-c1", Method::sibson_c1}};
 
-constexpr Choice outsides[] = {{"none", MGDT_OUTSIDE_NONE},
-                               {"nearest", MGDT_OUTSIDE_NEAREST},
-                               {"boundary", MGDT_OUTSIDE_BOUNDARY},
-                               {"linear", MGDT_OUTSIDE_LINEAR}};
+constexpr Choice<Outside> outsides[] = {{"none", Outside::none},
+                                        {"nearest", Outside::nearest},
+                                        {"boundary", Outside::boundary},
+                                        {"linear", Outside::linear}};
 
-template <std::size_t n>
-std::vector<std::string> names_of(const Choice (&choices)[n]) {
+template <class Value, std::size_t n>
+std::vector<std::string> names_of(const Choice<Value> (&choices)[n]) {
     std::vector<std::string> names;
-    for (const Choice& c : choices) names.emplace_back(c.first);
+    for (const auto& c : choices) names.emplace_back(c.first);
     return names;
 }
 
 // The command line has made sure that the name is one of them.
-template <std::size_t n>
-std::int32_t value_of(const Choice (&choices)[n], const std::string& name) {
-    const Choice* found = std::find_if(std::begin(choices), std::end(choices),
-                                       [&](const Choice& c) { return name == c.first; });
+template <class Value, std::size_t n>
+Value value_of(const Choice<Value> (&choices)[n], const std::string& name) {
+    const auto found = std::find_if(std::begin(choices), std::end(choices),
+                                    [&](const auto& c) { return name == c.first; });
     return found->second;
 }
 
@@ -140,23 +141,23 @@ int interpolate(const InterpolateOptions& options) {
 
     std::size_t n_fields = 0;
     for (const Field& f : samples.fields) n_fields += f.components;
-    const std::int32_t method = value_of(methods, options.method);
+    const Method method = value_of(methods, options.method);
     const std::string name = input_name(options.samples.path);
     std::size_t outside = 0;
     {
-        Triangulation t(options.triangulation);
-        t.insert(samples.points, name);
-        if (mgdt_dimension(t.get()) < 3 && method != MGDT_INTERPOLATE_NEAREST) {
+        Triangulation t = make_triangulation(options.triangulation);
+        insert(t, samples.points, name, options.triangulation.quiet);
+        if (t.dimension() < 3 && method != Method::nearest) {
             throw Error(exit_input, fmt::format("{}: {}, so there are no values between them; "
                                                 "--method nearest --outside nearest takes those of "
                                                 "the points",
-                                                name, t.shape()));
+                                                name, shape(t)));
         }
-        std::vector<double> values;
-        t.interpolate(method, value_of(outsides, options.outside), n_fields,
-                      interleaved(samples, n_fields), places.points, values);
+        const std::vector<double> values =
+            interpolate(t, method, value_of(outsides, options.outside), n_fields,
+                        interleaved(samples, n_fields), places.points, options.triangulation.quiet);
         places.fields = separated(values, samples.fields, n_fields);
-        const std::vector<MeshIndex> found = t.locate(places.points);
+        const auto found = t.locate_points<MeshIndex>(places.points);
         outside = static_cast<std::size_t>(std::count(found.begin(), found.end(), -1));
     }
 

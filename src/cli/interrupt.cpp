@@ -79,8 +79,12 @@ void check_interrupt() {
     }
 }
 
-void set_cancellable(mgdt_triangulation* t) noexcept {
+Cancellable::Cancellable(mgdt_triangulation* t) noexcept {
     cancellable.store(t);
+}
+
+Cancellable::~Cancellable() {
+    cancellable.store(nullptr);
 }
 
 TemporaryName::TemporaryName(const std::string& path) {

@@ -25,8 +25,14 @@ void check_interrupt();
 // From here on signals are too late: the output gets its names.
 void begin_commit() noexcept;
 
-// The handle that a signal cancels; nullptr for none.
-void set_cancellable(mgdt_triangulation* t) noexcept;
+// While it exists, signals cancel the handle.
+class Cancellable {
+  public:
+    explicit Cancellable(mgdt_triangulation* t) noexcept;
+    ~Cancellable();
+    Cancellable(const Cancellable&) = delete;
+    Cancellable& operator=(const Cancellable&) = delete;
+};
 
 struct RegisteredName;
 

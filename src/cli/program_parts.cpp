@@ -1,69 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "cli/program_parts.hpp"
 
-#include <fmt/core.h>
-
-#include <new>
 #include <vector>
 
+#include "cli/errors.hpp"
 #include "cli/formats/pieces.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/progress.hpp"
 
 namespace mgdt::cli {
-namespace {
 
-std::int64_t number_of(const mgdt_parts* parts, std::int32_t part, std::int32_t key) {
-    std::int64_t value = 0;
-    mgdt_parts_get_stat(parts, part, key, &value);
-    return value;
+void set_options(Parts& parts, const TriangulationOptions& options) {
+    parts.set_option(PartsOption::threads, options.threads);
+    parts.set_option(PartsOption::memory_limit, static_cast<std::int64_t>(options.memory_limit));
 }
 
-void get_array(const mgdt_parts* parts, std::int32_t part, std::int32_t array,
-               std::vector<std::int64_t>& values) {
-    std::int64_t size = 0;
-    mgdt_parts_get_size(parts, part, array, &size);
-    values.resize(static_cast<std::size_t>(size));
-    if (mgdt_parts_get_array(parts, part, array, size, values.data()) != MGDT_OK)
-        throw std::bad_alloc();
+void with_progress(Parts& parts, const std::string& name, bool quiet,
+                   const std::function<void()>& work) {
+    Progress progress("triangulating", quiet);
+    parts.set_progress([&](double fraction) { return progress.update_and_hear(fraction); });
+    try {
+        work();
+    } catch (...) {
+        rethrow_failure(name, parts.last_error());
+    }
+    parts.clear_progress();
 }
 
-}  // namespace
-
-ProgramParts::ProgramParts(mgdt_parts* handle, const TriangulationOptions& options)
-    : handle_(handle) {
-    mgdt_parts_set_option(handle_, MGDT_PARTS_THREADS, options.threads);
-    mgdt_parts_set_option(handle_, MGDT_PARTS_MEMORY_LIMIT,
-                          static_cast<std::int64_t>(options.memory_limit));
-}
-
-std::string ProgramParts::message(mgdt_status status) const {
-    char text[256] = "";
-    mgdt_parts_get_error(handle_, sizeof text, text);
-    return text[0] != '\0' ? text : mgdt_status_string(status);
-}
-
-void ProgramParts::require(mgdt_status status, const std::string& doing) const {
-    if (status != MGDT_OK) throw_status(status, fmt::format("{}: {}", doing, message(status)));
-}
-
-std::int64_t ProgramParts::number(std::int32_t part, std::int32_t key) const {
-    return number_of(handle_, part, key);
-}
-
-void write_part(const mgdt_parts* parts, std::int32_t part, bool compress, OutputFile& out) {
+void write_part(const Parts& parts, std::int32_t part, bool compress, OutputFile& out) {
     Piece piece;
     {
-        std::vector<std::int64_t> corners;
-        get_array(parts, part, MGDT_PARTS_LOCAL_CORNERS, corners);
-        const std::int64_t own = number_of(parts, part, MGDT_PARTS_OWN_TETRAHEDRA);
-        piece.corners.reserve(4 * static_cast<std::size_t>(own));
-        for (std::int64_t i = 0; i < 4 * own; ++i)
-            piece.corners.push_back(static_cast<MeshIndex>(corners[static_cast<std::size_t>(i)]));
+        const auto corners = parts.rows(PartsArray::local_corners, part);
+        const auto own = static_cast<std::size_t>(parts.number(PartsNumber::own_tetrahedra, part));
+        piece.corners.reserve(4 * own);
+        for (std::size_t i = 0; i < own; ++i)
+            for (const std::int64_t corner : corners[i])
+                piece.corners.push_back(static_cast<MeshIndex>(corner));
     }
-    get_array(parts, part, MGDT_PARTS_VERTEX_IDS, piece.ids);
-    piece.points.resize(3 * piece.ids.size());
-    mgdt_parts_get_coordinates(parts, part, static_cast<std::int64_t>(piece.points.size()),
-                               piece.points.data());
+    piece.ids = parts.array(PartsArray::vertex_ids, part);
+    piece.points.reserve(3 * piece.ids.size());
+    for (const Point& xyz : parts.coordinates(part))
+        piece.points.insert(piece.points.end(), xyz.begin(), xyz.end());
     check_interrupt();
     write_piece(piece, compress, out);
     out.close();

@@ -5,112 +5,94 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <new>
 
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
 
 namespace mgdt::cli {
+namespace {
+
+// Calls the library to set what an option says.
+template <class Set>
+void set_option(const Triangulation& t, const char* option, const Set& set) {
+    try {
+        set();
+    } catch (const mgdt::Error& e) {
+        if (e.status() == MGDT_ERR_INVALID_ARGUMENT)
+            throw Error(exit_usage, fmt::format("{}: {}", option, e.what()));
+        rethrow_failure(option, t.last_error());
+    }
+}
+
+Order scheme_of(const std::string& name) {
+    try {
+        return order_from_name(name);
+    } catch (const mgdt::Error&) {
+        throw Error(exit_usage, fmt::format("--scheme: unknown order scheme {}; it is one of {}",
+                                            quote(name), fmt::join(scheme_names(), ", ")));
+    }
+}
+
+}  // namespace
 
 std::vector<std::string> scheme_names() {
     std::vector<std::string> names;
-    // Enumerators have gaps, and a newer library may know more of them than this program.
-    std::int32_t scheme = 0;
-    for (std::int32_t i = 0; mgdt_order_scheme_at(i, &scheme) == MGDT_OK; ++i) {
-        names.emplace_back(mgdt_order_scheme_name(scheme));
-    }
+    for (const Order scheme : order_schemes()) names.emplace_back(name(scheme));
     return names;
 }
 
-void throw_status(mgdt_status status, const std::string& what) {
-    switch (status) {
-        case MGDT_ERR_CANCELLED:
-            check_interrupt();
-            break;
-        case MGDT_ERR_NOT_FINITE:
-            throw Error(exit_input, what + "; take the point out");
-        case MGDT_ERR_OUT_OF_MEMORY:
-            throw Error(exit_memory, what + "; triangulate fewer points or give it more memory");
-        case MGDT_ERR_TOO_LARGE:
-        case MGDT_ERR_INDEX_RANGE:
-            throw Error(exit_memory, what + "; triangulate fewer points");
-        default:
-            break;
-    }
-    throw Error(exit_internal, what);
-}
-
-Triangulation::Triangulation(const TriangulationOptions& options) : quiet_(options.quiet) {
-    std::int32_t scheme = MGDT_ORDER_AUTO;
-    if (mgdt_order_scheme_from_name(options.scheme.c_str(), &scheme) != MGDT_OK) {
-        throw Error(exit_usage,
-                    fmt::format("--scheme: unknown order scheme {}; it is one of {}",
-                                quote(options.scheme), fmt::join(scheme_names(), ", ")));
-    }
-    const mgdt_status status = mgdt_create(&handle_);
-    if (status != MGDT_OK) throw std::bad_alloc();
+void rethrow_failure(const std::string& doing, const std::string& last_error) {
     try {
-        const auto set = [this](mgdt_status s, const char* option) {
-            if (s == MGDT_ERR_INVALID_ARGUMENT) {
-                throw Error(exit_usage, fmt::format("{}: {}", option, message(s)));
-            }
-            require(s, option);
-        };
-        const auto parameter = [&](const std::optional<double>& value, std::int32_t key,
-                                   const char* option) {
-            if (value) set(mgdt_set_order_parameter(handle_, key, *value), option);
-        };
-        set(mgdt_set_order_scheme(handle_, scheme), "--scheme");
-        set(mgdt_set_threads(handle_, options.threads), "--threads");
-        set(mgdt_set_seed(handle_, options.seed), "--seed");
-        set(mgdt_set_canonical_output(handle_, options.canonical ? 1 : 0), "--canonical");
-        set(mgdt_set_memory_limit(handle_, static_cast<std::int64_t>(options.memory_limit)),
-            "--memory-limit");
-        set(mgdt_set_compact(handle_, options.compact ? 1 : 0), "--compact");
-        parameter(options.points_per_cell, MGDT_PARAMETER_POINTS_PER_CELL, "--points-per-cell");
-        parameter(options.threshold, MGDT_PARAMETER_THRESHOLD, "--threshold");
-        parameter(options.separation, MGDT_PARAMETER_SEPARATION, "--separation");
-        parameter(options.round_ratio, MGDT_PARAMETER_ROUND_RATIO, "--round-ratio");
-    } catch (...) {
-        mgdt_destroy(handle_);
         throw;
+    } catch (const Cancelled& e) {
+        check_interrupt();
+        throw failure_of(e.status(), fmt::format("{}: {}", doing, e.what()));
+    } catch (const mgdt::Error& e) {
+        throw failure_of(e.status(), fmt::format("{}: {}", doing, e.what()));
+    } catch (const OutOfMemory& e) {
+        throw failure_of(e.status(), fmt::format("{}: {}", doing, last_error));
     }
-    set_cancellable(handle_);
 }
 
-Triangulation::~Triangulation() {
-    set_cancellable(nullptr);
-    mgdt_destroy(handle_);
+Triangulation make_triangulation(const TriangulationOptions& options) {
+    const Order scheme = scheme_of(options.scheme);
+    Triangulation t;
+    const auto set = [&](const char* option, const auto& call) { set_option(t, option, call); };
+    const auto parameter = [&](const std::optional<double>& value, Parameter key,
+                               const char* option) {
+        if (value) set(option, [&] { t.set_order_parameter(key, *value); });
+    };
+    set("--scheme", [&] { t.set_order_scheme(scheme); });
+    set("--threads", [&] { t.set_threads(options.threads); });
+    set("--seed", [&] { t.set_seed(options.seed); });
+    set("--canonical", [&] { t.set_canonical_output(options.canonical); });
+    set("--memory-limit",
+        [&] { t.set_memory_limit(static_cast<std::int64_t>(options.memory_limit)); });
+    set("--compact", [&] { t.set_compact(options.compact); });
+    parameter(options.points_per_cell, Parameter::points_per_cell, "--points-per-cell");
+    parameter(options.threshold, Parameter::threshold, "--threshold");
+    parameter(options.separation, Parameter::separation, "--separation");
+    parameter(options.round_ratio, Parameter::round_ratio, "--round-ratio");
+    return t;
 }
 
-std::string Triangulation::message(mgdt_status status) const {
-    char text[256] = "";
-    mgdt_get_error(handle_, sizeof text, text);
-    return text[0] != '\0' ? text : mgdt_status_string(status);
-}
-
-void Triangulation::require(mgdt_status status, const std::string& doing) const {
-    if (status != MGDT_OK) throw_status(status, fmt::format("{}: {}", doing, message(status)));
-}
-
-void Triangulation::insert(const std::vector<double>& points, const std::string& name) {
-    Progress progress("triangulating", quiet_);
-    insert(points, name, Progress::callback, &progress);
-}
-
-void Triangulation::insert(const std::vector<double>& points, const std::string& name,
-                           mgdt_progress_fn progress, void* user) {
+void insert(Triangulation& t, const std::vector<double>& points, const std::string& name,
+            bool quiet) {
     check_interrupt();
-    mgdt_set_progress(handle_, progress, user);
-    const mgdt_status status =
-        mgdt_insert_points(handle_, static_cast<std::int64_t>(points.size() / 3), points.data());
-    mgdt_set_progress(handle_, nullptr, nullptr);
-    require(status, name);
+    Progress progress("triangulating", quiet);
+    t.set_progress([&](double fraction) { return progress.update_and_hear(fraction); });
+    const Cancellable cancelled_by_signals(t.handle());
+    try {
+        t.insert(points);
+    } catch (...) {
+        rethrow_failure(name, t.last_error());
+    }
+    t.clear_progress();
 }
 
-const char* Triangulation::shape() const {
-    switch (mgdt_dimension(handle_)) {
+const char* shape(const Triangulation& t) {
+    switch (t.dimension()) {
         case -1:
             return "there are no points";
         case 0:
@@ -122,70 +104,46 @@ const char* Triangulation::shape() const {
     }
 }
 
-namespace {
-
-std::vector<MeshIndex> array(std::int64_t size) {
-    return std::vector<MeshIndex>(static_cast<std::size_t>(size));
-}
-
-}  // namespace
-
-std::vector<MeshIndex> Triangulation::tetrahedra() const {
-    auto v = array(4 * mgdt_tetrahedron_count(handle_));
-    require(mgdt_get_tetrahedra_i32(handle_, static_cast<std::int64_t>(v.size()), v.data()),
-            "tetrahedra");
+std::vector<MeshIndex> tetrahedra(const Triangulation& t) {
+    std::vector<MeshIndex> v(4 * static_cast<std::size_t>(t.tetrahedron_count()));
+    t.tetrahedra(v);
     return v;
 }
 
-std::vector<MeshIndex> Triangulation::neighbors() const {
-    auto v = array(4 * mgdt_tetrahedron_count(handle_));
-    require(mgdt_get_neighbors_i32(handle_, static_cast<std::int64_t>(v.size()), v.data()),
-            "neighbours");
+std::vector<MeshIndex> neighbors(const Triangulation& t) {
+    std::vector<MeshIndex> v(4 * static_cast<std::size_t>(t.tetrahedron_count()));
+    t.neighbors(v);
     return v;
 }
 
-std::vector<MeshIndex> Triangulation::point_map() const {
-    auto v = array(mgdt_point_count(handle_));
-    require(mgdt_get_point_map_i32(handle_, static_cast<std::int64_t>(v.size()), v.data()),
-            "point map");
-    return v;
-}
-
-std::string Triangulation::check(int level) const {
-    const mgdt_status status = mgdt_check(handle_, level);
-    if (status != MGDT_ERR_CHECK_FAILED) {
-        require(status, "check");
+std::string find_defect(const Triangulation& t, int level) {
+    try {
+        t.check(static_cast<Check>(level));
         return "";
+    } catch (const mgdt::Error& e) {
+        if (e.status() == MGDT_ERR_CHECK_FAILED) return e.what();
+        rethrow_failure("check", t.last_error());
     }
-    return message(status);
 }
 
-std::vector<MeshIndex> Triangulation::locate(const std::vector<double>& places) const {
-    const auto n = static_cast<std::int64_t>(places.size() / 3);
-    auto tetrahedra = array(n);
-    require(mgdt_locate_points_i32(handle_, n, places.data(), tetrahedra.data(), nullptr),
-            "location");
-    return tetrahedra;
-}
-
-void Triangulation::interpolate(std::int32_t method, std::int32_t outside, std::size_t n_fields,
-                                const std::vector<double>& values,
-                                const std::vector<double>& places, std::vector<double>& out) const {
+std::vector<double> interpolate(const Triangulation& t, Method method, Outside outside,
+                                std::size_t n_fields, const std::vector<double>& values,
+                                const std::vector<double>& places, bool quiet) {
     const std::size_t n = places.size() / 3;
-    out.resize(n * n_fields);
+    std::vector<double> out;
+    out.reserve(n * n_fields);
     // A call cannot be cancelled. Some methods have work for each point before the first place.
     const std::size_t most =
-        std::max<std::size_t>(65536, static_cast<std::size_t>(mgdt_point_count(handle_)));
-    Progress progress("interpolating", quiet_);
+        std::max<std::size_t>(65536, static_cast<std::size_t>(t.point_count()));
+    Progress progress("interpolating", quiet);
     for (std::size_t begin = 0; begin < n; begin += most) {
         check_interrupt();
         progress.update(static_cast<double>(begin) / static_cast<double>(n));
-        const std::size_t count = std::min(most, n - begin);
-        require(mgdt_interpolate(handle_, method, outside, static_cast<std::int64_t>(n_fields),
-                                 values.data(), static_cast<std::int64_t>(count),
-                                 places.data() + 3 * begin, out.data() + n_fields * begin),
-                "interpolation");
+        const Points some(places.data() + 3 * begin, std::min(most, n - begin));
+        const std::vector<double> found = t.interpolate(method, outside, values, some, n_fields);
+        out.insert(out.end(), found.begin(), found.end());
     }
+    return out;
 }
 
 }  // namespace mgdt::cli

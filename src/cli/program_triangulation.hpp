@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// An mgdt handle as the program uses it: closed by its scope, its failures thrown as Error, and
-// cancelled by Ctrl-C.
+// Triangulations as the program makes and asks them: with the settings of its options, cancelled by
+// Ctrl-C, their failures thrown as Error.
 #pragma once
 
 #include <cstdint>
+#include <mgdt/mgdt.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/formats/file_mesh.hpp"
-#include "mgdt/mgdt.h"
 
 namespace mgdt::cli {
 
@@ -28,47 +28,30 @@ struct TriangulationOptions {
 // Names of the order schemes that the library knows.
 std::vector<std::string> scheme_names();
 
-// Throws the Error of a call that failed; `what` says where and why.
-[[noreturn]] void throw_status(mgdt_status status, const std::string& what);
+// Throws the failure of the library that is being handled as an Error. Its message says what was
+// done, and has the last one of the handle where memory was refused.
+[[noreturn]] void rethrow_failure(const std::string& doing, const std::string& last_error);
 
-class Triangulation {
-  public:
-    explicit Triangulation(const TriangulationOptions& options);
-    ~Triangulation();
-    Triangulation(const Triangulation&) = delete;
-    Triangulation& operator=(const Triangulation&) = delete;
+// An empty triangulation with these settings.
+Triangulation make_triangulation(const TriangulationOptions& options);
 
-    // Inserts the points, with a progress bar. `name` is the file's, for messages.
-    void insert(const std::vector<double>& points, const std::string& name);
-    // The same with progress reported to another callback.
-    void insert(const std::vector<double>& points, const std::string& name,
-                mgdt_progress_fn progress, void* user);
+// Inserts the points, with a progress bar unless it is quiet. `name` is the file's, for messages.
+void insert(Triangulation& t, const std::vector<double>& points, const std::string& name,
+            bool quiet);
 
-    // Why there are no tetrahedra, where there are none.
-    const char* shape() const;
+// Why there are no tetrahedra, where there are none.
+const char* shape(const Triangulation& t);
 
-    std::vector<MeshIndex> tetrahedra() const;
-    std::vector<MeshIndex> neighbors() const;
-    std::vector<MeshIndex> point_map() const;
-    // Empty if the check passes, else what is wrong.
-    std::string check(int level) const;
-    // The tetrahedron of each place, -1 outside the hull.
-    std::vector<MeshIndex> locate(const std::vector<double>& places) const;
-    // Values at places, from n_fields at each point; see mgdt_interpolate().
-    void interpolate(std::int32_t method, std::int32_t outside, std::size_t n_fields,
-                     const std::vector<double>& values, const std::vector<double>& places,
-                     std::vector<double>& out) const;
+// One behind the other, as the program's meshes have them.
+std::vector<MeshIndex> tetrahedra(const Triangulation& t);
+std::vector<MeshIndex> neighbors(const Triangulation& t);
 
-    const mgdt_triangulation* get() const { return handle_; }
-    mgdt_triangulation* get() { return handle_; }
+// What the check finds wrong; empty if it passes.
+std::string find_defect(const Triangulation& t, int level);
 
-  private:
-    // What the handle says of a call that failed, or else what the status means.
-    std::string message(mgdt_status status) const;
-    void require(mgdt_status status, const std::string& doing) const;
-
-    mgdt_triangulation* handle_ = nullptr;
-    bool quiet_;
-};
+// Values at places, from n_fields at each point; see mgdt_interpolate().
+std::vector<double> interpolate(const Triangulation& t, Method method, Outside outside,
+                                std::size_t n_fields, const std::vector<double>& values,
+                                const std::vector<double>& places, bool quiet);
 
 }  // namespace mgdt::cli

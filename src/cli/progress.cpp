@@ -44,9 +44,9 @@ void Progress::update(double fraction) {
     drawn_ = true;
 }
 
-std::int32_t Progress::callback(double fraction, void* user) {
-    static_cast<Progress*>(user)->update(fraction);
-    return interrupt_signal() != 0 ? 1 : 0;
+bool Progress::update_and_hear(double fraction) {
+    update(fraction);
+    return interrupt_signal() != 0;
 }
 
 }  // namespace mgdt::cli

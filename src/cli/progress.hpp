@@ -3,7 +3,6 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
 #include <string>
 
 namespace mgdt::cli {
@@ -17,8 +16,8 @@ class Progress {
 
     void update(double fraction);
 
-    // An mgdt_progress_fn; `user` is the Progress. Cancels once a signal has come.
-    static std::int32_t callback(double fraction, void* user);
+    // The same, for the library: whether a signal has come, which cancels.
+    bool update_and_hear(double fraction);
 
   private:
     std::string what_;

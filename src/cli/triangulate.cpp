@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
@@ -13,39 +12,30 @@
 namespace mgdt::cli {
 namespace {
 
-double statistic(const Triangulation& t, std::int32_t key) {
-    double value = 0;
-    mgdt_get_stat(t.get(), key, &value);
-    return value;
-}
-
 void print_statistics(std::FILE* out, const Triangulation& t, const TriangulateOptions& options) {
     const auto line = [out](const std::string& name, const std::string& value) {
         fmt::print(out, "{:<28} {}\n", name, value);
     };
     line("order scheme", options.triangulation.scheme);
-    line("instruction set", mgdt_isa_name(t.get()));
-    line("points", fmt::format("{}", mgdt_point_count(t.get())));
-    line("tetrahedra", fmt::format("{}", mgdt_tetrahedron_count(t.get())));
-    line("hull facets", fmt::format("{}", mgdt_hull_facet_count(t.get())));
+    line("instruction set", t.isa());
+    line("points", fmt::format("{}", t.point_count()));
+    line("tetrahedra", fmt::format("{}", t.tetrahedron_count()));
+    line("hull facets", fmt::format("{}", t.hull_facet_count()));
     for (std::int32_t key = 0; key < 1000; ++key) {
-        const char* name = mgdt_stat_name(key);
-        double value = 0;
-        if (name && mgdt_get_stat(t.get(), key, &value) == MGDT_OK) {
-            line(name, fmt::format("{}", value));
-        }
+        const auto statistic = static_cast<Statistic>(key);
+        if (name(statistic)) line(name(statistic), fmt::format("{}", t.statistic(statistic)));
     }
-    const double inserted = statistic(t, MGDT_STAT_POINTS_INSERTED);
+    const double inserted = t.statistic(Statistic::points_inserted);
     if (inserted <= 0) return;
-    const auto rate = [&](const char* name, std::int32_t key) {
-        line(name, fmt::format("{:.3f}", statistic(t, key) / inserted));
+    const auto rate = [&](const char* title, Statistic key) {
+        line(title, fmt::format("{:.3f}", t.statistic(key) / inserted));
     };
-    rate("walk steps per point", MGDT_STAT_WALK_STEPS);
-    rate("conflict tests per point", MGDT_STAT_CONFLICT_TESTS);
-    rate("removed per point", MGDT_STAT_TETRAHEDRA_REMOVED);
-    rate("created per point", MGDT_STAT_TETRAHEDRA_CREATED);
+    rate("walk steps per point", Statistic::walk_steps);
+    rate("conflict tests per point", Statistic::conflict_tests);
+    rate("removed per point", Statistic::tetrahedra_removed);
+    rate("created per point", Statistic::tetrahedra_created);
     const double seconds =
-        statistic(t, MGDT_STAT_ORDER_SECONDS) + statistic(t, MGDT_STAT_INSERT_SECONDS);
+        t.statistic(Statistic::order_seconds) + t.statistic(Statistic::insert_seconds);
     if (seconds > 0) line("points per second", fmt::format("{:.0f}", inserted / seconds));
 }
 
@@ -114,16 +104,16 @@ int triangulate(const TriangulateOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     // The handle takes three times the memory of an array: it goes as soon as nothing is left to
     // ask.
-    std::optional<Triangulation> t(std::in_place, options.triangulation);
-    t->insert(mesh.points, name);
+    Triangulation t = make_triangulation(options.triangulation);
+    insert(t, mesh.points, name, options.triangulation.quiet);
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    if (mgdt_dimension(t->get()) < 3 && !options.triangulation.quiet) {
-        fmt::print(stderr, "mgdt: {}: {}, so there are no tetrahedra\n", name, t->shape());
+    if (t.dimension() < 3 && !options.triangulation.quiet) {
+        fmt::print(stderr, "mgdt: {}: {}, so there are no tetrahedra\n", name, shape(t));
     }
-    if (options.statistics) print_statistics(text, *t, options);
+    if (options.statistics) print_statistics(text, t, options);
     if (options.check_level > 0) {
-        const std::string defect = t->check(options.check_level);
+        const std::string defect = find_defect(t, options.check_level);
         if (!defect.empty()) {
             throw Error(exit_check_failed,
                         fmt::format("{}: check at level {} failed: {}; nothing was written", name,
@@ -134,15 +124,15 @@ int triangulate(const TriangulateOptions& options) {
         }
     }
     const std::size_t points = mesh.point_count();
-    const auto tetrahedra = static_cast<std::size_t>(mgdt_tetrahedron_count(t->get()));
+    const auto count = static_cast<std::size_t>(t.tetrahedron_count());
     const bool wants_neighbors =
         !options.neighbors.empty() || (format && format->write_neighbors != nullptr);
     std::vector<MeshIndex> point_map;  // the vertex that stands for each point
-    if (!options.point_map.empty()) point_map = t->point_map();
+    if (!options.point_map.empty()) point_map = t.point_map<MeshIndex>();
     mesh.neighbors = {};
-    mgdt_set_compact(t->get(), 1);
-    if (format) mesh.tetrahedra = t->tetrahedra();
-    if (!wants_neighbors) t.reset();
+    t.set_compact(true);
+    if (format) mesh.tetrahedra = tetrahedra(t);
+    if (!wants_neighbors) t = Triangulation();
 
     // An .npy of tetrahedra has no points of its own.
     if (format && format != &npy_format() && !options.all_points) {
@@ -160,18 +150,17 @@ int triangulate(const TriangulateOptions& options) {
     if (format) format->write_mesh(mesh, output.path, outputs, write);
     mesh = {};
     if (wants_neighbors) {
-        const std::vector<MeshIndex> neighbors = t->neighbors();
-        t.reset();
+        const std::vector<MeshIndex> numbers = neighbors(t);
+        t = Triangulation();
         if (format && format->write_neighbors)
-            format->write_neighbors(neighbors, output.path, outputs, write);
+            format->write_neighbors(numbers, output.path, outputs, write);
         if (!options.neighbors.empty())
-            write_npy_rows_of_4(neighbors, output.write.index_base,
-                                outputs.open(options.neighbors));
+            write_npy_rows_of_4(numbers, output.write.index_base, outputs.open(options.neighbors));
     }
     outputs.commit();
     if (!options.triangulation.quiet && text == stdout) {
         fmt::print("{}, {}, {:.2f} s{}{}\n", counted(points, "point", "points"),
-                   counted(tetrahedra, "tetrahedron", "tetrahedra"), seconds, format ? ": " : "",
+                   counted(count, "tetrahedron", "tetrahedra"), seconds, format ? ": " : "",
                    printable(output.path));
     }
     return exit_ok;

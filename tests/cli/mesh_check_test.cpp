@@ -19,9 +19,9 @@ using Points = std::vector<double>;
 Reference reference_of(const Points& points) {
     TriangulationOptions options;
     options.quiet = true;
-    Triangulation t(options);
-    t.insert(points, "points");
-    return {t.tetrahedra(), t.point_map()};
+    Triangulation t = make_triangulation(options);
+    insert(t, points, "points", true);
+    return {tetrahedra(t), t.point_map<MeshIndex>()};
 }
 
 struct Case {
@@ -204,14 +204,14 @@ TEST(MeshCheck, WrongNeighbour) {
     Case c(random_points(30));
     TriangulationOptions options;
     options.quiet = true;
-    Triangulation t(options);
-    t.insert(c.mesh.points, "points");
-    c.mesh.neighbors = t.neighbors();
+    Triangulation t = make_triangulation(options);
+    insert(t, c.mesh.points, "points", true);
+    c.mesh.neighbors = neighbors(t);
     EXPECT_EQ(defects(c), Names{});
     std::swap(c.mesh.neighbors[4], c.mesh.neighbors[5]);
     EXPECT_EQ(defects(c), Names{"neighbours"});
     // Tetrahedra all turned round take their neighbours along.
-    c.mesh.neighbors = t.neighbors();
+    c.mesh.neighbors = neighbors(t);
     for (std::size_t i = 0; i < c.mesh.tetrahedra.size(); i += 4) {
         std::swap(c.mesh.tetrahedra[i], c.mesh.tetrahedra[i + 1]);
         std::swap(c.mesh.neighbors[i], c.mesh.neighbors[i + 1]);

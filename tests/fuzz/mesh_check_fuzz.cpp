@@ -271,20 +271,19 @@ void run(Input& in) {
     mesh.has_tetrahedra = true;
     for (const Point& p : places) mesh.points.insert(mesh.points.end(), p.begin(), p.end());
 
-    mgdt::cli::TriangulationOptions options;
-    options.quiet = true;
-    mgdt::cli::Triangulation triangulation(options);
-    triangulation.insert(mesh.points, "points");
-    const mgdt::cli::Reference reference{triangulation.tetrahedra(), triangulation.point_map()};
+    mgdt::Triangulation triangulation;
+    triangulation.insert(mesh.points);
+    const mgdt::cli::Reference reference{mgdt::cli::tetrahedra(triangulation),
+                                         triangulation.point_map<mgdt::cli::MeshIndex>()};
     // The ties of mirrored points are broken in another way: a mesh that is valid, and not the
     // library's.
-    mgdt::cli::Triangulation mirrored(options);
+    mgdt::Triangulation mirrored;
     std::vector<double> mirror = mesh.points;
     for (double& x : mirror) x = -x;
-    mirrored.insert(mirror, "points");
-    const bool from_mirror = (b & 4) != 0;
-    mesh.tetrahedra = (from_mirror ? mirrored : triangulation).tetrahedra();
-    if ((b & 8) != 0) mesh.neighbors = (from_mirror ? mirrored : triangulation).neighbors();
+    mirrored.insert(mirror);
+    const mgdt::Triangulation& from = (b & 4) != 0 ? mirrored : triangulation;
+    mesh.tetrahedra = mgdt::cli::tetrahedra(from);
+    if ((b & 8) != 0) mesh.neighbors = mgdt::cli::neighbors(from);
     const auto judgement = [&] {
         const mgdt::cli::MeshReport report = mgdt::cli::check_mesh(mesh, reference);
         bool good = true;

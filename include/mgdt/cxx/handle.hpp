@@ -99,8 +99,7 @@ class Progress {
 template <class F>
 class Callback final : public Progress {
   public:
-    template <class G>
-    explicit Callback(G&& g) : call_(std::forward<G>(g)) {}
+    explicit Callback(F call) : call_(std::move(call)) {}
 
   private:
     bool cancels(double fraction) override { return asks_to_stop(call_, fraction); }

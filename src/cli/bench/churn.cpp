@@ -31,12 +31,19 @@ struct ChurnFigures {
 class Run {
   public:
     Run(const ChurnOptions& options, const std::vector<double>& xyz, std::uint64_t seed)
-        : t_(settings(options)), xyz_(xyz), random_(seed) {}
+        : t_(make_triangulation(settings(options))), xyz_(xyz), random_(seed) {}
 
     void run(ChurnFigures& f) {
+        try {
+            measure(f);
+        } catch (...) {
+            rethrow_failure("--churn", t_.last_error());
+        }
+    }
+
+  private:
+    void measure(ChurnFigures& f) {
         const std::size_t n = xyz_.size() / 3, few = std::min(most_calls, n / 20 + 1);
-        mgdt_triangulation* const t = t_.get();
-        const auto count = [](std::size_t k) { return static_cast<std::int64_t>(k); };
         const auto timed = [&](std::size_t points, const auto& body) {
             check_interrupt();
             const auto start = std::chrono::steady_clock::now();
@@ -44,54 +51,55 @@ class Run {
             return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() *
                    1e6 / static_cast<double>(points);
         };
-        f.insert.push_back(
-            timed(n, [&] { require(mgdt_insert_points(t, count(n), xyz_.data())); }));
+        f.insert.push_back(timed(n, [&] { t_.insert(xyz_); }));
 
         // A hundredth of the spacing that a uniform set of this extent has.
         move_a_little(0.01);
-        f.move_all.push_back(
-            timed(n, [&] { require(mgdt_move_points(t, count(n), nullptr, places_.data())); }) /
-            f.insert.back());
+        f.move_all.push_back(timed(n, [&] { t_.move(places_); }) / f.insert.back());
 
         std::vector<std::int64_t> order(n);
-        for (std::size_t i = 0; i < n; ++i) order[i] = count(i);
+        for (std::size_t i = 0; i < n; ++i) order[i] = static_cast<std::int64_t>(i);
         std::shuffle(order.begin(), order.end(), random_);
         f.move_one.push_back(timed(few, [&] {
             for (std::size_t k = 0; k < few; ++k) {
                 const std::int64_t i = order[k];
-                require(mgdt_move_points(t, 1, &i, &xyz_[3 * static_cast<std::size_t>(i)]));
+                t_.move({i}, Points(&xyz_[3 * static_cast<std::size_t>(i)], 1));
             }
         }));
         const std::size_t tenth = n / 10 + 1;
         f.remove.push_back(
-            timed(tenth, [&] { require(mgdt_remove_points(t, count(tenth), order.data())); }));
+            timed(tenth, [&] { t_.remove(Span<const std::int64_t>(order.data(), tenth)); }));
         f.remove_one.push_back(timed(few, [&] {
-            for (std::size_t k = 0; k < few; ++k)
-                require(mgdt_remove_points(t, 1, &order[tenth + k]));
+            for (std::size_t k = 0; k < few; ++k) t_.remove({order[tenth + k]});
         }));
-        std::vector<std::int64_t> index(n);
-        require(mgdt_renumber_points(t, count(n), index.data()));
+        t_.renumber();
 
         // Rounds in which one point leaves and another comes.
         const double before = bytes();
         f.round.push_back(timed(few, [&] {
             for (std::size_t k = 0; k < few; ++k) {
-                mgdt_status status = MGDT_ERR_INVALID_ARGUMENT;
-                while (status == MGDT_ERR_INVALID_ARGUMENT) {  // it has left before
-                    const std::int64_t i = count(static_cast<std::size_t>(random_()) %
-                                                 static_cast<std::size_t>(mgdt_point_count(t)));
-                    status = mgdt_remove_points(t, 1, &i);
+                while (!remove_one()) {
                 }
-                require(status);
-                require(mgdt_insert_points(t, 1, &xyz_[3 * (k % n)]));
+                t_.insert(Points(&xyz_[3 * (k % n)], 1));
             }
         }));
-        require(mgdt_renumber_points(t, mgdt_point_count(t), room(index, t)));
+        t_.renumber();
         f.growth.push_back(bytes() / before - 1);
-        require(mgdt_check(t, n > 200000 ? MGDT_CHECK_COMBINATORIAL : MGDT_CHECK_CANONICAL));
+        t_.check(n > 200000 ? Check::combinatorial : Check::canonical);
+    }
+    // Removes one of all points, unless it has left before.
+    bool remove_one() {
+        const auto points = static_cast<std::size_t>(t_.point_count());
+        const auto i = static_cast<std::int64_t>(static_cast<std::size_t>(random_()) % points);
+        try {
+            t_.remove({i});
+            return true;
+        } catch (const mgdt::Error& e) {
+            if (e.status() != MGDT_ERR_INVALID_ARGUMENT) throw;
+            return false;
+        }
     }
 
-  private:
     static TriangulationOptions settings(const ChurnOptions& options) {
         TriangulationOptions settings;
         settings.threads = options.threads;
@@ -99,23 +107,7 @@ class Run {
         settings.quiet = true;
         return settings;
     }
-    static std::int64_t* room(std::vector<std::int64_t>& index, const mgdt_triangulation* t) {
-        index.resize(static_cast<std::size_t>(mgdt_point_count(t)));
-        return index.data();
-    }
-    void require(mgdt_status status) const {
-        if (status == MGDT_OK) return;
-        check_interrupt();
-        char text[256] = "";
-        mgdt_get_error(t_.get(), sizeof text, text);
-        throw Error(status == MGDT_ERR_OUT_OF_MEMORY ? exit_memory : exit_internal,
-                    fmt::format("--churn: {}", text));
-    }
-    double bytes() const {
-        double value = 0;
-        mgdt_get_stat(t_.get(), MGDT_STAT_MEMORY_BYTES, &value);
-        return value;
-    }
+    double bytes() const { return t_.statistic(Statistic::memory_bytes); }
     void move_a_little(double share) {
         const std::size_t n = xyz_.size() / 3;
         double spacing[3];

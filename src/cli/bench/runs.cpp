@@ -31,14 +31,12 @@ struct Reporter {
     int out;
     steady_clock::time_point last;
 
-    static std::int32_t report(double fraction, void* user) {
-        auto& self = *static_cast<Reporter*>(user);
+    void report(double fraction) {
         const auto now = steady_clock::now();
         // Small sets are not to be slowed down by it.
-        if (now - self.last < std::chrono::milliseconds(100)) return 0;
-        self.last = now;
-        send(self.out, fmt::format("{} {:.3f}", progress_word, fraction));
-        return 0;
+        if (now - last < std::chrono::milliseconds(100)) return;
+        last = now;
+        send(out, fmt::format("{} {:.3f}", progress_word, fraction));
     }
 };
 
@@ -57,34 +55,31 @@ struct ProcessorTime {
     double user, system;
 };
 
-Figures figures_of(const mgdt_triangulation* t, double seconds, double user, double system) {
-    const auto stat = [t](std::int32_t key) {
-        double value = 0;
-        mgdt_get_stat(t, key, &value);
-        return value;
-    };
+Figures figures_of(const Triangulation& t, double seconds, double user, double system) {
+    const auto stat = [&t](Statistic key) { return t.statistic(key); };
     Figures f{};
-    const double in = stat(MGDT_STAT_POINTS_INSERTED);
+    const double in = stat(Statistic::points_inserted);
     if (in > 0) {
-        f[walked] = stat(MGDT_STAT_WALK_STEPS) / in;
-        f[removed] = stat(MGDT_STAT_TETRAHEDRA_REMOVED) / in;
-        f[created] = stat(MGDT_STAT_TETRAHEDRA_CREATED) / in;
+        f[walked] = stat(Statistic::walk_steps) / in;
+        f[removed] = stat(Statistic::tetrahedra_removed) / in;
+        f[created] = stat(Statistic::tetrahedra_created) / in;
     }
-    f[order_seconds] = stat(MGDT_STAT_ORDER_SECONDS);
-    f[insert_seconds] = stat(MGDT_STAT_INSERT_SECONDS);
+    f[order_seconds] = stat(Statistic::order_seconds);
+    f[insert_seconds] = stat(Statistic::insert_seconds);
     f[total_seconds] = seconds;
     f[system_seconds] = system;
     f[user_seconds] = user;
-    if (const std::int64_t n = mgdt_point_count(t); n > 0) {
-        f[bytes_per_point] = stat(MGDT_STAT_PEAK_MEMORY_BYTES) / static_cast<double>(n);
+    if (const std::int64_t n = t.point_count(); n > 0) {
+        f[bytes_per_point] = stat(Statistic::peak_memory_bytes) / static_cast<double>(n);
     }
     f[inserted] = in;
-    f[duplicates] = stat(MGDT_STAT_DUPLICATES);
-    f[tetrahedra] = static_cast<double>(mgdt_tetrahedron_count(t));
-    f[levels] = stat(MGDT_STAT_GRID_LEVELS);
-    f[rounds] = stat(MGDT_STAT_ROUNDS);
-    if (const double points = in + f[duplicates].value(); points > 0 && stat(MGDT_STAT_THREADS) > 1)
-        f[alone_percent] = 100 * stat(MGDT_STAT_INSERTED_ALONE) / points;
+    f[duplicates] = stat(Statistic::duplicates);
+    f[tetrahedra] = static_cast<double>(t.tetrahedron_count());
+    f[levels] = stat(Statistic::grid_levels);
+    f[rounds] = stat(Statistic::rounds);
+    if (const double points = in + f[duplicates].value();
+        points > 0 && stat(Statistic::threads) > 1)
+        f[alone_percent] = 100 * stat(Statistic::inserted_alone) / points;
     return f;
 }
 
@@ -98,13 +93,18 @@ void triangulate_in_child(int out, const PointSet& set, const Row& row) {
     Reporter reporter{out, steady_clock::now()};
     const ProcessorTime before;
     const auto begin = steady_clock::now();
-    Triangulation t(options);
-    t.insert(points, row.distribution, Reporter::report, &reporter);
+    Triangulation t = make_triangulation(options);
+    t.set_progress([&](double fraction) { reporter.report(fraction); });
+    try {
+        t.insert(points);
+    } catch (...) {
+        rethrow_failure(row.distribution, t.last_error());
+    }
     const double seconds = duration<double>(steady_clock::now() - begin).count();
     const ProcessorTime after;
     std::string line = figures_word;
     for (const std::optional<double>& figure :
-         figures_of(t.get(), seconds, after.user - before.user, after.system - before.system)) {
+         figures_of(t, seconds, after.user - before.user, after.system - before.system)) {
         line += figure ? fmt::format(" {}", *figure) : std::string(" ") + no_figure;
     }
     send(out, line);

@@ -16,7 +16,6 @@
 #include "cli/interrupt.hpp"
 #include "cli/mpi/ranks.hpp"
 #include "cli/program_parts.hpp"
-#include "cli/progress.hpp"
 #include "mgdt/mgdt_mpi.h"
 
 namespace mgdt::cli {
@@ -82,38 +81,40 @@ std::optional<Options> parse(int argc, char** argv, bool speaks) {
 }
 
 // The part of this rank; it fails on all ranks alike.
-mgdt_parts* create_part() {
+Parts make_part() {
     mgdt_parts* part = nullptr;
     const mgdt_status status = mgdt_mpi_create(MPI_COMM_WORLD, &part);
-    if (status != MGDT_OK) throw_status(status, mgdt_status_string(status));
-    return part;
+    if (status != MGDT_OK) throw failure_of(status, mgdt_status_string(status));
+    return Parts(part);
 }
 
-void insert(const ProgramParts& parts, const Share& share) {
-    const std::size_t n = share.points.size() / 3;
-    std::vector<std::int64_t> places(n);
+void insert(Parts& parts, const Share& share) {
+    std::vector<std::int64_t> places(share.points.size() / 3);
     std::iota(places.begin(), places.end(), share.first);
-    parts.require(
-        mgdt_parts_insert_points(parts.get(), MGDT_PARTS_THIS_PART, static_cast<std::int64_t>(n),
-                                 share.points.data(), places.data()),
-        "points");
+    try {
+        parts.insert(share.points, places);
+    } catch (...) {
+        rethrow_failure("points", parts.last_error());
+    }
 }
 
-void check(const ProgramParts& parts, const std::string& name, int level) {
-    const mgdt_status status = mgdt_parts_check(parts.get(), level);
-    if (status == MGDT_ERR_CHECK_FAILED)
+void check(Parts& parts, const std::string& name, int level) {
+    try {
+        parts.check(static_cast<Check>(level));
+    } catch (const mgdt::Error& e) {
+        if (e.status() != MGDT_ERR_CHECK_FAILED) rethrow_failure(name, parts.last_error());
         throw Error(exit_check_failed,
                     fmt::format("{}: check at level {} failed: {}; nothing was written", name,
-                                level, parts.message(status)));
-    parts.require(status, name);
+                                level, e.what()));
+    }
 }
 
 // Each rank its piece; none gets its name before all are complete.
-void write(const Options& o, Ranks& ranks, const ProgramParts& parts,
+void write(const Options& o, Ranks& ranks, const Parts& parts,
            const std::vector<std::string>& files) {
     OutputSet outputs;
     ranks.together([&] {
-        write_part(parts.get(), MGDT_PARTS_THIS_PART, o.compress,
+        write_part(parts, Parts::this_part, o.compress,
                    outputs.open(files[static_cast<std::size_t>(ranks.rank())]));
         if (ranks.is_first()) write_index_of_pieces(files, outputs.open(o.output));
     });
@@ -149,7 +150,8 @@ void triangulate(const Options& o, Ranks& ranks) {
     const bool speaks = ranks.is_first() && !o.triangulation.quiet;
     const std::string name = input_name(o.input.path);
     std::vector<std::string> files;
-    ProgramParts parts(create_part(), o.triangulation);
+    Parts parts = make_part();
+    set_options(parts, o.triangulation);
     const std::optional<RowLayout> layout = layout_for_all(o.input, ranks);
     ranks.together([&] {
         std::vector<std::string> written;  // by all ranks: one may have read the whole input
@@ -167,13 +169,7 @@ void triangulate(const Options& o, Ranks& ranks) {
     });
 
     const auto begin = std::chrono::steady_clock::now();
-    ranks.together([&] {
-        Progress progress("triangulating", !speaks);
-        mgdt_parts_set_progress(parts.get(), Progress::callback, &progress);
-        const mgdt_status status = mgdt_parts_build(parts.get());
-        mgdt_parts_set_progress(parts.get(), nullptr, nullptr);
-        parts.require(status, name);
-    });
+    ranks.together([&] { with_progress(parts, name, !speaks, [&] { parts.build(); }); });
     const auto end = std::chrono::steady_clock::now();
     if (o.check_level > 0) {
         ranks.together([&] { check(parts, name, o.check_level); });
@@ -181,12 +177,12 @@ void triangulate(const Options& o, Ranks& ranks) {
     }
     if (!o.output.empty()) write(o, ranks, parts, files);
     if (!speaks) return;
-    const auto counts = [&](std::int32_t key, const char* one, const char* many) {
-        return counted(static_cast<std::size_t>(parts.number(MGDT_PARTS_THIS_PART, key)), one,
-                       many);
+    const auto counts = [&](PartsNumber key, const char* one, const char* many) {
+        return counted(static_cast<std::size_t>(parts.number(key)), one, many);
     };
-    fmt::print("{}, {}, {}, {:.2f} s{}{}\n", counts(MGDT_PARTS_ALL_VERTICES, "vertex", "vertices"),
-               counts(MGDT_PARTS_ALL_TETRAHEDRA, "tetrahedron", "tetrahedra"),
+    fmt::print("{}, {}, {}, {:.2f} s{}{}\n",
+               counts(PartsNumber::all_vertices, "vertex", "vertices"),
+               counts(PartsNumber::all_tetrahedra, "tetrahedron", "tetrahedra"),
                counted(static_cast<std::size_t>(ranks.count()), "rank", "ranks"),
                std::chrono::duration<double>(end - begin).count(), o.output.empty() ? "" : ": ",
                printable(o.output));
