@@ -71,7 +71,7 @@ step "Building the library and the program in $build"
 # Many files in one compilation, and without what this script does not need: half the time.
 [ -f "$build/build.ninja" ] ||
     quietly meson setup "$build" "$here" --buildtype release -Dunity=on -Dunity_size=16 \
-        -Dtests=disabled -Dprogram=enabled -Dbench=disabled -Dmpi=disabled
+        -Dtests=disabled -Dprogram=enabled -Dmpi=disabled
 quietly ninja -C "$build"
 mgdt=$build/src/cli/mgdt
 [ -x "$mgdt" ] || fail "the build gave no program at $mgdt"
@@ -107,7 +107,7 @@ Next, try
     src/cli/mgdt generate galaxy 1e6 -o galaxy.npy
     src/cli/mgdt triangulate galaxy.npy -o galaxy.vtu --stats
     src/cli/mgdt --help
-    meson install -C .      (the library, its header, mgdt.pc and the program, as root;
-                             without \`mgdt bench' and what is for MPI)
+    meson install -C .      (the library, its headers, mgdt.pc and the program, as root;
+                             without what is for MPI)
 and read README.md for the C interface.
 END

@@ -104,7 +104,7 @@ if [ $report = no ]; then
 fi
 
 set -- $folder/src/libmgdt.so
-for program in $(find $folder/tests $folder/src/cli -type f -perm -u+x ! -name '*.so*' ! -name '*.sh' | sort); do
+for program in $(find $folder/tests $folder/src/bench $folder/src/cli -type f -perm -u+x ! -name '*.so*' ! -name '*.sh' | sort); do
     set -- "$@" -object "$program"
 done
 "$cov" export -format=text -skip-expansions -instr-profile=$folder/all.profdata "$@" \

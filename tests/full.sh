@@ -20,7 +20,7 @@ build() { # name, compiler, suites or "all", meson options...
     case $compiler in g++) cc=gcc ;; clang++) cc=clang ;; esac
     rm -rf "$folder"
     if CC="$cache $cc" CXX="$cache $cxx" meson setup "$folder" "$root" -Dwerror=true -Dtests=enabled -Dcgal=enabled \
-        -Dpeers=enabled -Dprogram=enabled "$@" >"$builds/setup.log" 2>&1 &&
+        -Dpeers=enabled -Dprogram=enabled -Dbench=enabled "$@" >"$builds/setup.log" 2>&1 &&
         compile "$folder" "$needed"; then
         pass "the build with $compiler ($*)"
     else

@@ -23,7 +23,7 @@ changed_files() {
 # The suites, or "=" and the names of tests, that belong to a changed file.
 tests_for() {
     case $1 in
-    src/cli/*) echo cli ;;
+    src/bench/* | src/cli/*) echo cli ;;
     src/* | include/*) echo 'property fuzz faults cli cxx' ;;
     bindings/interface/*) echo 'languages fortran python' ;;
     bindings/python/*) echo python ;;
@@ -46,7 +46,7 @@ mkdir -p "$builds"
 say "building in ${folder#"$root"/}"
 if { [ -f "$folder/build.ninja" ] ||
     CC="$cache gcc" CXX="$cache g++" meson setup "$folder" "$root" -Dwerror=true -Dtests=enabled \
-        -Dcgal=disabled -Dpeers=disabled -Dprogram=enabled -Dbuildtype=debugoptimized \
+        -Dcgal=disabled -Dpeers=disabled -Dprogram=enabled -Dbench=enabled -Dbuildtype=debugoptimized \
         -Ddebug=false; } >"$builds/setup.log" 2>&1 &&
     compile "$folder" all; then
     pass "the build"

@@ -13,7 +13,7 @@ suites='unit api property faults cli'
 say "building in ${folder#"$root"/}"
 mkdir -p "$builds"
 rm -rf "$folder"
-if CC=gcc CXX=g++ meson setup "$folder" "$root" -Dtests=auto -Dprogram=enabled -Dcgal=disabled \
+if CC=gcc CXX=g++ meson setup "$folder" "$root" -Dtests=auto -Dprogram=enabled -Dbench=enabled -Dcgal=disabled \
     -Dpeers=disabled -Dmpi=disabled -Dbindings=none -Doptimization=1 -Ddebug=false \
     -Db_ndebug=true >"$builds/setup.log" 2>&1 &&
     compile "$folder" "$suites"; then

@@ -54,7 +54,7 @@ def main():
     entries = json.loads((Path(build) / "compile_commands.json").read_text(encoding="utf-8"))
     files = {(Path(e["directory"]) / e["file"]).resolve() for e in entries}
     files = sorted(f for f in files if f.suffix == ".cpp" and
-                   any(f.is_relative_to(source / "src" / part) for part in ("cli", "mpi")))
+                   any(f.is_relative_to(source / "src" / part) for part in ("bench", "cli", "mpi")))
     with ThreadPoolExecutor(os.cpu_count()) as pool, tempfile.TemporaryDirectory() as folder:
         library = pool.submit(findings_in_library, source, folder)
         for file, problem in zip(files, pool.map(lambda f: findings_in_file(build, str(f)), files)):

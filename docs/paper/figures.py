@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The figures that the report is made of: rows that `mgdt bench` wrote, and those of the paper."""
+"""The figures that the report is made of: rows that `mgdt-bench` wrote, and those of the paper."""
 import csv
 import hashlib
 import json
@@ -25,11 +25,11 @@ PEERS = ["cgal", "tetgen", "qhull"]
 
 
 def read_rows(path):
-    """The rows of a table that `mgdt bench` wrote, or of medians of such, as text."""
+    """The rows of a table that `mgdt-bench` wrote, or of medians of such, as text."""
     with open(path, newline="", encoding="utf-8") as file:
         reader = csv.DictReader(file)
         if (reader.fieldnames or [])[: len(COLUMNS)] != COLUMNS:
-            sys.exit(f"report.py: {path}: the heading is not that of `mgdt bench --csv`")
+            sys.exit(f"report.py: {path}: the heading is not that of `mgdt-bench --csv`")
         rows = list(reader)
     for number, row in enumerate(rows, 2):
         if None in row or None in row.values():

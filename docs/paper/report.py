@@ -4,7 +4,7 @@
 
 Without arguments: from figures.csv (medians), figures.json (what measured them) and lo-2014.csv
 (the paper's), all in this folder. With --csv, figures.csv is made first, of tables that
-`mgdt bench --csv` wrote, and with --json figures.json, of the header of what `mgdt bench --json`
+`mgdt-bench --csv` wrote, and with --json figures.json, of the header of what `mgdt-bench --json`
 wrote.
 
 Needs the Debian package python3-matplotlib.
@@ -284,8 +284,8 @@ def gather(args):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--csv", nargs="+", help="tables of mgdt bench to take the medians of")
-    parser.add_argument("--json", help="what mgdt bench --json wrote")
+    parser.add_argument("--csv", nargs="+", help="tables of mgdt-bench to take the medians of")
+    parser.add_argument("--json", help="what mgdt-bench --json wrote")
     parser.add_argument("--commit", help="commit that was measured, for figures.json")
     parser.add_argument("--note", help="what else to know of the measurement, for figures.json")
     parser.add_argument("--figures", default=HERE / "figures.csv", type=Path)

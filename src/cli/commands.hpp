@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/bench/plan.hpp"
 #include "cli/distributions.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/program_triangulation.hpp"
@@ -71,20 +70,6 @@ int interpolate(const InterpolateOptions& options);
 // Names of methods, and of what is done outside the hull.
 std::vector<std::string> interpolation_methods();
 std::vector<std::string> interpolation_outsides();
-
-struct BenchOptions {
-    bench::PlanOptions plan;
-    std::vector<std::string> sizes;  // of the plan, as they were typed
-    std::string largest;
-    double time_limit = 0;  // seconds a run; 0 for none
-    std::string csv, json;  // files, or empty
-    std::string data_directory;
-    std::string peer_directory;  // empty: beside the program
-    std::string command;         // as it was typed
-    bool churn = false;          // what `bench --churn` measures, instead
-    bool quiet = false;
-};
-int run_bench(const BenchOptions& options);
 
 // Reads an input; `format` receives the format it was read as.
 Mesh read_input(const InputOptions& options, const Format** format = nullptr);

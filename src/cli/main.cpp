@@ -6,11 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <new>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
+#include "cli/data_directory.hpp"
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/system.hpp"
@@ -52,18 +52,6 @@ std::string kinds_footer() {
 
 std::string schemes() {
     return fmt::format("{}", fmt::join(scheme_names(), ", "));
-}
-
-// Where the program's meshes are: by the program, which may have been moved with them, or else
-// where they were to be installed.
-std::string data_directory() {
-    if (const auto program = system::program_file()) {
-        const std::filesystem::path folder = std::filesystem::u8path(*program).parent_path();
-        std::string moved = (folder / MGDT_DATA_FROM_PROGRAM).lexically_normal().u8string();
-        const auto status = system::status(moved);
-        if (status && status->kind == system::FileKind::directory) return moved;
-    }
-    return MGDT_DATA_DIRECTORY;
 }
 
 void add_columns(CLI::App& app, const char* option, InputOptions& options, const char* whose) {
@@ -142,82 +130,6 @@ void add_scheme_parameters(CLI::App& app, TriangulationOptions& options) {
     app.add_option("--round-ratio", options.round_ratio, "Growth of the rounds")->type_name("X");
 }
 
-#if defined(MGDT_HAVE_BENCH)
-// What was typed, so that it can be typed again.
-std::string command_line(const std::vector<std::string>& words) {
-    std::string line = "mgdt";
-    for (std::size_t i = 1; i < words.size(); ++i) line += " " + words[i];
-    return line;
-}
-
-void add_bench(CLI::App& app, BenchOptions& options) {
-    using Names = std::vector<std::string>;
-    app.add_option("--distributions", options.plan.distributions,
-                   "Distributions (default: the seven of the paper), see below")
-        ->delimiter(',')
-        ->type_name("LIST");
-    CLI::Option* sizes =
-        app.add_option("--sizes", options.sizes, "Numbers of points, such as 1e5,1e6 (default 1e6)")
-            ->delimiter(',')
-            ->type_name("LIST");
-    app.add_option("--schemes", options.plan.schemes,
-                   "Orders of insertion (default auto): " + schemes())
-        ->delimiter(',')
-        ->type_name("LIST");
-    app.add_option("--threads", options.plan.threads,
-                   "Numbers of threads; 0 for all cores (default 1)")
-        ->delimiter(',')
-        ->check(CLI::Range(0, 1 << 20))
-        ->type_name("LIST");
-    app.add_flag("--compact", options.plan.compact, "Time compact storage too, in turns");
-    app.add_option("--runs", options.plan.runs, "Runs of each (default 3, with --paper 1)")
-        ->check(CLI::Range(1, 1000000))
-        ->type_name("N");
-    app.add_option("--seed", options.plan.seed,
-                   "Seed of the points and of the schemes that shuffle (default 1)")
-        ->type_name("N");
-    app.add_option("--time-limit", options.time_limit, "Most time of a run (default: none)")
-        ->check(CLI::PositiveNumber)
-        ->type_name("SECONDS");
-    CLI::Option* paper =
-        app.add_flag("--paper", options.plan.paper, "What the paper ran in its tables 1 to 9")
-            ->excludes(sizes);
-    app.add_flag("--churn", options.churn,
-                 "Time points that leave and move, not insertions; prints a table alone")
-        ->excludes(paper);
-    app.add_option("--largest", options.largest, "Largest of the paper's sets (default 2e6)")
-        ->needs(paper)
-        ->type_name("N");
-    app.add_option_function<Names>(
-           "--peers",
-           [&options](const Names& names) {
-               for (const std::string& name : names) {
-                   if (!name.empty()) options.plan.peers.push_back(name);
-               }
-               if (options.plan.peers.empty()) options.plan.peers = bench::peer_names;
-           },
-           "Time these too, in turns: cgal,tetgen,qhull (default: all)")
-        ->delimiter(',')
-        ->expected(0, 3)
-        ->type_name("LIST");
-    app.add_option("--peer-directory", options.peer_directory,
-                   "Where the peers' runners are (default: in the program's build folder)")
-        ->envname("MGDT_PEERS")
-        ->type_name("DIR");
-    app.add_option("--csv", options.csv,
-                   "Table to write a line a run to; started again, goes on from there")
-        ->type_name("FILE");
-    app.add_option("--json", options.json, "File to write at the end; - for standard output")
-        ->type_name("FILE");
-    app.add_option("--data", options.data_directory, "Where machine.msh and church.msh are")
-        ->envname("MGDT_DATA")
-        ->type_name("DIR");
-    app.add_flag("-q,--quiet", options.quiet, "Print nothing but errors and the medians");
-    app.footer(fmt::format("Distributions: {}\n\n{}", fmt::join(bench::distribution_names(), ", "),
-                           exit_codes));
-}
-#endif
-
 void add_interpolate(CLI::App& app, InterpolateOptions& options) {
     app.add_option("samples", options.samples.path, "Points with values; - for standard input")
         ->required()
@@ -257,6 +169,8 @@ void require_command(const CLI::App& app, const std::string& name) {
         if (command->get_name() == name) return;
         names.push_back(command->get_name());
     }
+    if (name == "bench")
+        throw Error(exit_usage, "there is no command bench; it is the program mgdt-bench");
     throw Error(exit_usage, fmt::format("unknown command {}; it is one of {}; see mgdt --help",
                                         quote(name), fmt::join(names, ", ")));
 }
@@ -306,7 +220,7 @@ int run(const std::vector<std::string>& words) {
     triangulate_app->footer(formats_footer() + "\n" + exit_codes);
 
     GenerateCommandOptions g;
-    g.generate.data_directory = data_directory();
+    g.generate.data_directory = default_data_directory();
     CLI::App* generate_app = app.add_subcommand("generate", "Write points of a distribution.");
     generate_app->add_option("kind", g.kind, "Kind of distribution, see below")
         ->required()
@@ -358,15 +272,6 @@ int run(const std::vector<std::string>& words) {
         app.add_subcommand("interpolate", "Read values at points, write values at other places.");
     add_interpolate(*interpolate_app, v);
 
-#if defined(MGDT_HAVE_BENCH)
-    BenchOptions b;
-    b.command = command_line(words);
-    b.data_directory = g.generate.data_directory;
-    CLI::App* bench_app = app.add_subcommand(
-        "bench", "Measure order schemes, and other libraries, on distributions of points.");
-    add_bench(*bench_app, b);
-#endif
-
     if (words.size() > 1 && words[1].substr(0, 1) != "-") require_command(app, words[1]);
     try {
         // From the last to the first, as CLI11 wants them.
@@ -382,9 +287,6 @@ int run(const std::vector<std::string>& words) {
     if (*generate_app) return generate_points(g);
     if (*check_app) return check(c);
     if (*interpolate_app) return interpolate(v);
-#if defined(MGDT_HAVE_BENCH)
-    if (*bench_app) return run_bench(b);
-#endif
     return info(i);
 }
 

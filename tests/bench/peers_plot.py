@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 r"""Draws how many times as long as mgdt other libraries take, for each set of points.
 
-  mgdt bench --peers --sizes 1e6 --runs 1 --time-limit 200 --csv BENCH.csv \
+  mgdt-bench --peers --sizes 1e6 --runs 1 --time-limit 200 --csv BENCH.csv \
       --distributions uniform,line,diagonal,ellipse,spiral,cluster,galaxy
   peers_plot.py BENCH.csv APART.csv PICTURE
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""mgdt bench from outside: its table, its files, being interrupted, children and peers that fail.
+"""mgdt-bench from outside: its table, its files, being interrupted, children and peers that fail.
 
-Usage: bench_program_test.py MGDT [unittest arguments]
+Usage: bench_program_test.py MGDT-BENCH MGDT [unittest arguments]
 """
 
 import csv
@@ -55,9 +55,12 @@ def lives(pid):
         return False
 
 
+MGDT = ""
+
+
 class BenchTest(cli_test.CliTest):
     def bench(self, *arguments, **options):
-        return self.mgdt("bench", *arguments, **options).decode()
+        return self.mgdt(*arguments, **options).decode()
 
     def rows(self, name="t.csv"):
         with open(self.path(name), encoding="ascii", newline="") as f:
@@ -66,7 +69,7 @@ class BenchTest(cli_test.CliTest):
             return list(csv.DictReader(f))
 
     def start(self, *arguments, **options):
-        process = subprocess.Popen([cli_test.MGDT, "bench", *map(str, arguments)],
+        process = subprocess.Popen([cli_test.MGDT, *map(str, arguments)],
                                    cwd=self.directory, stderr=subprocess.PIPE,
                                    stdout=subprocess.DEVNULL, **options)
         self.addCleanup(process.stderr.close)
@@ -156,8 +159,11 @@ class Tables(BenchTest):
         self.assertIn("4 of 4", self.bench(*plan, "--compact") + self.err)
 
     def test_same_run_as_triangulate(self):
-        self.mgdt("generate", "spiral", 2000, "--seed", 5, "-o", "p.npy")
-        text = self.mgdt("triangulate", "p.npy", "--stats", "--scheme", "random", "--seed", 5).decode()
+        def mgdt(*arguments):
+            return subprocess.run([MGDT, *arguments], cwd=self.directory, check=True, timeout=300,
+                                  stdout=subprocess.PIPE, text=True).stdout
+        mgdt("generate", "spiral", "2000", "--seed", "5", "-o", "p.npy")
+        text = mgdt("triangulate", "p.npy", "--stats", "--scheme", "random", "--seed", "5")
         stats = dict(line.rsplit(None, 1) for line in text.splitlines())
         self.bench("--distributions", "spiral", "--sizes", 2000, "--schemes", "random", "--seed", 5,
                    "--runs", 1, "--csv", "t.csv")
@@ -193,27 +199,27 @@ class Tables(BenchTest):
                           "auto", "--csv", "t.csv")
         self.assertEqual([r["points"] for r in self.rows()], ["400000"])
         self.assertIn("left out, larger than --largest: uniform 800000", text)
-        self.fails(2, "bench", "--paper", "--largest", 10, says=["nothing to run", "--largest"])
-        self.fails(2, "bench", "--paper", "--sizes", 10, says="--sizes")
-        self.fails(2, "bench", "--paper", "--distributions", "lattice", says=["'lattice'", "galaxy"])
+        self.fails(2, "--paper", "--largest", 10, says=["nothing to run", "--largest"])
+        self.fails(2, "--paper", "--sizes", 10, says="--sizes")
+        self.fails(2, "--paper", "--distributions", "lattice", says=["'lattice'", "galaxy"])
 
     def test_wrong_usage(self):
-        self.fails(2, "bench", "--distributions", "best", says=["'best'", "uniform", "mild-line"])
-        self.fails(2, "bench", "--schemes", "best", says=["'best'", "multi-grid"])
-        self.fails(2, "bench", "--sizes", "many", says=["--sizes", "'many'"])
-        self.fails(2, "bench", "--sizes", "0", says="--sizes")
-        self.fails(2, "bench", "--threads", "-1", says="--threads")
-        self.fails(2, "bench", "--runs", "0", says="--runs")
-        self.fails(2, "bench", "--time-limit", "0", says="--time-limit")
-        self.fails(2, "bench", "--largest", "5", says="--paper")
-        self.fails(2, "bench", "--peers", "best", says=["'best'", "cgal"])
-        self.fails(2, "bench", "--csv", "-", says="--csv")
-        self.fails(3, "bench", "--distributions", "church", "--data", "nowhere", "--csv", "t.csv",
+        self.fails(2, "--distributions", "best", says=["'best'", "uniform", "mild-line"])
+        self.fails(2, "--schemes", "best", says=["'best'", "multi-grid"])
+        self.fails(2, "--sizes", "many", says=["--sizes", "'many'"])
+        self.fails(2, "--sizes", "0", says="--sizes")
+        self.fails(2, "--threads", "-1", says="--threads")
+        self.fails(2, "--runs", "0", says="--runs")
+        self.fails(2, "--time-limit", "0", says="--time-limit")
+        self.fails(2, "--largest", "5", says="--paper")
+        self.fails(2, "--peers", "best", says=["'best'", "cgal"])
+        self.fails(2, "--csv", "-", says="--csv")
+        self.fails(3, "--distributions", "church", "--data", "nowhere", "--csv", "t.csv",
                    says=["nowhere", "--data"])
 
     def test_bar_on_a_terminal(self):
         master, slave = pty.openpty()
-        process = subprocess.Popen([cli_test.MGDT, "bench", *SLOW], cwd=self.directory,
+        process = subprocess.Popen([cli_test.MGDT, *SLOW], cwd=self.directory,
                                    stderr=slave, stdout=subprocess.DEVNULL)
         os.close(slave)
         seen = b""
@@ -240,10 +246,10 @@ class Churn(BenchTest):
     def test_what_it_does_not_take(self):
         for options in (["--csv", "t.csv"], ["--json", "t.json"], ["--peers", "cgal"],
                         ["--schemes", "auto"], ["--threads", "1,2"], ["--time-limit", "5"]):
-            self.fails(2, "bench", "--churn", *options, says="--churn takes")
-        self.fails(2, "bench", "--churn", "--paper", says="churn")
-        self.fails(2, "bench", "--churn", "--sizes", "0", says="at least 1")
-        self.fails(2, "bench", "--churn", "--sizes", "99", says="100 points are needed")
+            self.fails(2, "--churn", *options, says="--churn takes")
+        self.fails(2, "--churn", "--paper", says="churn")
+        self.fails(2, "--churn", "--sizes", "0", says="at least 1")
+        self.fails(2, "--churn", "--sizes", "99", says="100 points are needed")
 
 
 class GoingOn(BenchTest):
@@ -332,7 +338,7 @@ class GoingOn(BenchTest):
                 (good.replace(",2000,", ",many,", 1), "line 2")):
             self.assertNotEqual(content, good)
             self.put("t.csv", content)
-            self.fails(3, "bench", *self.PLAN, says=["t.csv", "name another file"])
+            self.fails(3, *self.PLAN, says=["t.csv", "name another file"])
             for part in [reason] if isinstance(reason, str) else reason:
                 self.assertIn(part, self.err)
             self.assertEqual(self.get("t.csv").decode(), content)
@@ -340,7 +346,7 @@ class GoingOn(BenchTest):
     def test_two_at_once(self):
         process = self.start(*SLOW, "--csv", "t.csv")
         self.long_child(process)
-        self.fails(4, "bench", *self.PLAN, says=["t.csv", "another mgdt bench"])
+        self.fails(4, *self.PLAN, says=["t.csv", "another mgdt-bench"])
 
     def test_tetrahedra_that_differ(self):
         plan = [*self.PLAN, "--schemes", "auto,hilbert"]
@@ -350,17 +356,17 @@ class GoingOn(BenchTest):
         lines = self.get("t.csv").decode().splitlines(keepends=True)
         lines[2] = lines[2].replace(f",{count},", f",{int(count) - 1},")
         self.put("t.csv", "".join(lines))
-        self.fails(6, "bench", *plan, says=["differ", "uniform 2000", count, "hilbert"])
+        self.fails(6, *plan, says=["differ", "uniform 2000", count, "hilbert"])
 
 
 class BadPlaces(BenchTest):
     def test_places_that_cannot_be_written(self):
         os.mkdir(self.path("d"))
         for option in "--csv", "--json":
-            self.fails(4, "bench", option, "no/t", says=["no/t", "directory"])
-            self.fails(4, "bench", option, "d", says="d: cannot write")
-        self.fails(4, "bench", "--csv", "/dev/full", says="/dev/full")
-        self.fails(4, "bench", "--sizes", 10, "--json", "/dev/full", says="/dev/full")
+            self.fails(4, option, "no/t", says=["no/t", "directory"])
+            self.fails(4, option, "d", says="d: cannot write")
+        self.fails(4, "--csv", "/dev/full", says="/dev/full")
+        self.fails(4, "--sizes", 10, "--json", "/dev/full", says="/dev/full")
 
     def test_full_file(self):
         self.bench("--sizes", 10, "--csv", "t.csv", "--runs", 1)
@@ -369,13 +375,13 @@ class BadPlaces(BenchTest):
         def limit():
             resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
 
-        self.fails(4, "bench", "--sizes", 10, "--csv", "t.csv", "--runs", 2, preexec_fn=limit,
+        self.fails(4, "--sizes", 10, "--csv", "t.csv", "--runs", 2, preexec_fn=limit,
                    says=["t.csv", "File too large"])
         self.bench("--sizes", 10, "--csv", "t.csv", "--runs", 2)
         self.assertEqual(len(self.rows()), 14)
 
     def test_no_place_for_points(self):
-        self.fails(4, "bench", "--sizes", 10, env={**os.environ, "TMPDIR": self.path("no")},
+        self.fails(4, "--sizes", 10, env={**os.environ, "TMPDIR": self.path("no")},
                    says="TMPDIR")
 
 
@@ -407,7 +413,7 @@ class Failures(BenchTest):
 
     def test_out_of_memory(self):
         limit = 130 << 20
-        self.mgdt("bench", "--distributions", "uniform", "--sizes", "400000,1000", "--runs", 1,
+        self.mgdt("--distributions", "uniform", "--sizes", "400000,1000", "--runs", 1,
                   "--csv", "t.csv", code=5,
                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
         self.assertEqual([r["status"] for r in self.rows()], ["out-of-memory", "ok"])
@@ -415,13 +421,13 @@ class Failures(BenchTest):
 
     def test_no_memory_for_points(self):
         limit = 100 << 20
-        self.mgdt("bench", "--distributions", "uniform", "--sizes", "1e7,1000", "--runs", 1, "--csv",
+        self.mgdt("--distributions", "uniform", "--sizes", "1e7,1000", "--runs", 1, "--csv",
                   "t.csv", code=5,
                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
         self.assertEqual([r["status"] for r in self.rows()], ["out-of-memory", "ok"])
 
     def test_points_that_are_refused(self):
-        self.mgdt("bench", "--distributions", "nan,coplanar,one-point", "--sizes", 100, "--runs", 1,
+        self.mgdt("--distributions", "nan,coplanar,one-point", "--sizes", 100, "--runs", 1,
                   "--csv", "t.csv", code=6)
         rows = self.rows()
         self.assertRegex(rows[0]["status"], "^error: .*point")
@@ -506,8 +512,40 @@ class Peers(BenchTest):
         self.assertEqual([r["user_seconds"] for r in self.rows()[1:]], ["", ""])
 
 
+class Names(BenchTest):
+    """Files that are named twice, and words that a terminal must not see."""
+
+    def test_data_of_generated_points(self):
+        data = pathlib.Path(__file__).parents[2] / "docs" / "data" / "machine.msh"
+        self.put("machine.msh", data.read_bytes())
+        os.symlink("machine.msh", self.path("points.xyz"))
+        self.refuses("--distributions", "machine", "--sizes", "1000", "--runs", "1", "--data", ".",
+                     "--json", "points.xyz", says="points.xyz: would overwrite the input")
+
+    def test_two_outputs(self):
+        self.refuses("--sizes", "10", "--csv", "a", "--json", "./a",
+                     says="./a: the same file as another output, a")
+
+    def test_words(self):
+        word, shown = b"\x1b[2J\xff", "\\x1b[2J\\xff"
+        for option in ("--distributions", "--sizes"):
+            self.assertIn(shown, self.run_mgdt(2, option, word))
+        plan = ["--distributions", "uniform", "--sizes", "10", "--runs", "1", "--csv"]
+        self.run_mgdt(0, *plan, word)
+        self.assertIn(shown, self.run_mgdt(0, *plan, word))
+        # A status that somebody has put into a table.
+        self.run_mgdt(0, *plan, "t.csv")
+        self.put("t.csv", self.get("t.csv").replace(b",ok,", b",\x1b[2J,"))
+        self.assertIn("\\x1b[2J", self.run_mgdt(6, *plan, "t.csv"))
+
+    def test_what_mgdt_says(self):
+        self.assertIn(b"--peers", self.mgdt("--help"))
+        self.assertIn(b"mgdt-bench 1.", self.mgdt("--version"))
+
+
 if __name__ == "__main__":
-    if len(sys.argv) < 2:
+    if len(sys.argv) < 3:
         sys.exit(__doc__)
-    cli_test.MGDT = os.path.abspath(sys.argv.pop(1))
+    cli_test.MGDT = os.path.abspath(sys.argv.pop(1))  # the program that is tested
+    MGDT = os.path.abspath(sys.argv.pop(1))
     unittest.main()

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// The parts of mgdt bench that run nothing: what is planned, lines of the table, medians.
+// The parts of mgdt-bench that run nothing: what is planned, lines of the table, medians.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 #include <string>
 
-#include "cli/bench/plan.hpp"
-#include "cli/bench/row.hpp"
-#include "cli/bench/summary.hpp"
+#include "bench/plan.hpp"
+#include "bench/row.hpp"
+#include "bench/summary.hpp"
 #include "cli/errors.hpp"
 
 namespace mgdt::cli::bench {

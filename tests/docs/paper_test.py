@@ -34,7 +34,7 @@ def run(script, *arguments):
 
 
 def line(distribution, points, scheme, total, **more):
-    """A row of `mgdt bench`: an order that takes a tenth of the time, NP 2 and NR 20, no time in the
+    """A row of `mgdt-bench`: an order that takes a tenth of the time, NP 2 and NR 20, no time in the
     system."""
     row = dict.fromkeys(HEADING.split(","), "")
     row.update(library="mgdt", version="1.2.3", distribution=distribution, points=points, seed=1)
@@ -94,7 +94,7 @@ class Document(unittest.TestCase):
         """The report of these rows: the document's blocks by their names."""
         (self.folder / "bench.csv").write_text("\n".join([HEADING, *lines]) + "\n")
         machine = {"cpu": "Abacus", "cores": 3, "memory_bytes": 2**33}
-        header = {"machine": machine, "command": "mgdt bench", "version": "1.2.3", "rows": []}
+        header = {"machine": machine, "command": "mgdt-bench", "version": "1.2.3", "rows": []}
         (self.folder / "bench.json").write_text(json.dumps(header))
         done = self.report(
             "--csv", self.folder / "bench.csv", "--json", self.folder / "bench.json",

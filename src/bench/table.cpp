@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/table.hpp"
+#include "bench/table.hpp"
 
 #include <fmt/core.h>
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "cli/bench/child.hpp"
+#include "bench/child.hpp"
 
 namespace mgdt::cli::bench {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/summary.hpp"
+#include "bench/summary.hpp"
 
 #include <fmt/core.h>
 

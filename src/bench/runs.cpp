@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/runs.hpp"
+#include "bench/runs.hpp"
 
 #include <fmt/core.h>
 #include <signal.h>
@@ -10,8 +10,8 @@
 #include <chrono>
 #include <sstream>
 
-#include "cli/bench/child.hpp"
-#include "cli/bench/status.hpp"
+#include "bench/child.hpp"
+#include "bench/status.hpp"
 #include "cli/errors.hpp"
 #include "cli/program_triangulation.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// mgdt bench --churn: points that leave, move, and come and go, beside their insertion.
+// mgdt-bench --churn: points that leave, move, and come and go, beside their insertion.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "cli/bench/point_set.hpp"
+#include "bench/point_set.hpp"
 
 namespace mgdt::cli::bench {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/churn.hpp"
+#include "bench/churn.hpp"
 
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "cli/bench/summary.hpp"
+#include "bench/summary.hpp"
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/program_triangulation.hpp"

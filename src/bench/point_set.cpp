@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/point_set.hpp"
+#include "bench/point_set.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -13,8 +13,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "cli/bench/child.hpp"
-#include "cli/bench/status.hpp"
+#include "bench/child.hpp"
+#include "bench/status.hpp"
 #include "cli/distributions.hpp"
 #include "cli/errors.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/peers.hpp"
+#include "bench/peers.hpp"
 
 #include <fmt/core.h>
 #include <unistd.h>

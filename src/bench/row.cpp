@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/row.hpp"
+#include "bench/row.hpp"
 
 #include <fmt/core.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/bench/row.hpp"
+#include "bench/row.hpp"
 
 namespace mgdt::cli::bench {
 

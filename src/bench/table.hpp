@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/bench/row.hpp"
-#include "cli/bench/summary.hpp"
+#include "bench/row.hpp"
+#include "bench/summary.hpp"
 
 namespace mgdt::cli::bench {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/paper.hpp"
+#include "bench/paper.hpp"
 
 #include <algorithm>
 #include <initializer_list>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/result_file.hpp"
+#include "bench/result_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -45,7 +45,7 @@ void ResultFile::lock() const {
     whole.l_type = F_WRLCK;
     whole.l_whence = SEEK_SET;
     if (fcntl(fd_, F_SETLK, &whole) != 0) {
-        throw Error(exit_output, fmt::format("{}: another mgdt bench is writing it; name another "
+        throw Error(exit_output, fmt::format("{}: another mgdt-bench is writing it; name another "
                                              "file or wait",
                                              path_));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/json.hpp"
+#include "bench/json.hpp"
 
 #include <fmt/core.h>
 #include <sys/utsname.h>

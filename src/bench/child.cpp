@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/child.hpp"
+#include "bench/child.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>

@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "cli/bench/point_set.hpp"
-#include "cli/bench/row.hpp"
+#include "bench/point_set.hpp"
+#include "bench/row.hpp"
 
 namespace mgdt::cli::bench {
 

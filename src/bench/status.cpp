@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/status.hpp"
+#include "bench/status.hpp"
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <exception>
 #include <new>
 
-#include "cli/bench/row.hpp"
+#include "bench/row.hpp"
 #include "cli/errors.hpp"
 
 namespace mgdt::cli::bench {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// mgdt bench: distributions, sizes, order schemes, threads and peers, each run in a process of its
-// own.
+// What mgdt-bench measures: distributions, sizes, order schemes, threads and peers, each run in a
+// process of its own.
+#include "bench/benchmark.hpp"
+
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -9,22 +11,19 @@
 #include <map>
 #include <optional>
 
-#include "cli/bench/churn.hpp"
-#include "cli/bench/json.hpp"
-#include "cli/bench/peers.hpp"
-#include "cli/bench/result_file.hpp"
-#include "cli/bench/runs.hpp"
-#include "cli/bench/summary.hpp"
-#include "cli/bench/table.hpp"
+#include "bench/churn.hpp"
+#include "bench/json.hpp"
+#include "bench/peers.hpp"
+#include "bench/result_file.hpp"
+#include "bench/runs.hpp"
+#include "bench/summary.hpp"
+#include "bench/table.hpp"
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
 
-namespace mgdt::cli {
-
-using namespace bench;
-
+namespace mgdt::cli::bench {
 namespace {
 
 PlanOptions plan_options(const BenchOptions& options) {
@@ -201,7 +200,7 @@ class Benchmark {
 
 }  // namespace
 
-int run_bench(const BenchOptions& options) {
+int run(const BenchOptions& options) {
     if (options.churn) {
         const bool has_others = !options.csv.empty() || !options.json.empty() ||
                                 !options.plan.peers.empty() || !options.plan.schemes.empty() ||
@@ -227,4 +226,4 @@ int run_bench(const BenchOptions& options) {
     return Benchmark(options).run();
 }
 
-}  // namespace mgdt::cli
+}  // namespace mgdt::cli::bench

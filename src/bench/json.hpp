@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/bench/row.hpp"
+#include "bench/row.hpp"
 #include "cli/output_file.hpp"
 
 namespace mgdt::cli::bench {

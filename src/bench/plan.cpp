@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/plan.hpp"
+#include "bench/plan.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "cli/bench/paper.hpp"
+#include "bench/paper.hpp"
 #include "cli/errors.hpp"
 #include "cli/program_triangulation.hpp"
 

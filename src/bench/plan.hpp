@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/bench/point_set.hpp"
-#include "cli/bench/row.hpp"
+#include "bench/point_set.hpp"
+#include "bench/row.hpp"
 
 namespace mgdt::cli::bench {
 
