@@ -7,6 +7,7 @@
 
 #include "cli/errors.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/letter_case.hpp"
 
 #if defined(MGDT_HAVE_ZLIB)
 #include <zlib.h>
@@ -15,11 +16,7 @@
 namespace mgdt::cli {
 
 bool is_gzip_name(std::string_view path) {
-    constexpr std::string_view ending = ".gz";
-    if (path.size() < ending.size()) return false;
-    return std::equal(ending.begin(), ending.end(), path.end() - 3, [](char small, char c) {
-        return c == small || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == small);
-    });
+    return has_ending(path, ".gz");
 }
 
 #if defined(MGDT_HAVE_ZLIB)

@@ -12,6 +12,7 @@
 #include "cli/formats/node_numbers.hpp"
 #include "cli/formats/number.hpp"
 #include "cli/formats/table.hpp"
+#include "cli/formats/text_rows.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -204,39 +205,27 @@ Mesh read_abaqus(const Source& source, const ReadOptions&) {
     return Reader(source).read();
 }
 
-void write_nodes(const std::vector<double>& points, OutputFile& out) {
-    out.write("*HEADING\nmgdt\n*NODE\n");
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (i % 3 == 0) out.write_integer(static_cast<std::int64_t>(i / 3 + 1));
-        out.write(", ");
-        out.write_number(points[i]);
-        if (i % 3 == 2) out.write("\n");
-    }
-}
+constexpr RowStyle numbered_from_one = {1, ", ", ", ", "\n"};
 
-void write_points(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
-    write_nodes(points, out);
+void write_nodes(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
+    out.write("*HEADING\nmgdt\n*NODE\n");
+    write_points(points, numbered_from_one, out);
 }
 
 void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
-                const WriteOptions&) {
+                const WriteOptions& options) {
     OutputFile& out = outputs.open(path);
-    write_nodes(mesh.points, out);
+    write_nodes(mesh.points, out, options);
     out.write("*ELEMENT, TYPE=C3D4, ELSET=ALL\n");
-    for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
-        if (i % 4 == 0) out.write_integer(static_cast<std::int64_t>(i / 4 + 1));
-        out.write(", ");
-        out.write_integer(mesh.tetrahedra[i] + 1);
-        if (i % 4 == 3) out.write("\n");
-    }
+    write_rows_of_4(mesh.tetrahedra, 1, numbered_from_one, out);
 }
 
 }  // namespace
 
 const Format& abaqus_format() {
-    static const Format format = {"abaqus",     {".inp"},  "input of Abaqus and CalculiX, C3D4",
-                                  false,        sniff,     read_abaqus,
-                                  write_points, write_mesh};
+    static const Format format = {"abaqus",    {".inp"},  "input of Abaqus and CalculiX, C3D4",
+                                  false,       sniff,     read_abaqus,
+                                  write_nodes, write_mesh};
     return format;
 }
 

@@ -12,6 +12,7 @@
 #include "cli/formats/format.hpp"
 #include "cli/formats/lines.hpp"
 #include "cli/formats/node_numbers.hpp"
+#include "cli/formats/text_rows.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -398,24 +399,9 @@ void write_mesh_2(const Mesh& mesh, const std::string& path, OutputSet& outputs,
     OutputFile& out = outputs.open(path);
     out.write(
         fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n", mesh.point_count()));
-    for (std::size_t i = 0; i < mesh.point_count(); ++i) {
-        out.write_integer(static_cast<std::int64_t>(i) + 1);
-        for (std::size_t k = 0; k < 3; ++k) {
-            out.write(" ");
-            out.write_number(mesh.points[3 * i + k]);
-        }
-        out.write("\n");
-    }
+    write_points(mesh.points, {1, " "}, out);
     out.write(fmt::format("$EndNodes\n$Elements\n{}\n", mesh.tetrahedron_count()));
-    for (std::size_t i = 0; i < mesh.tetrahedron_count(); ++i) {
-        out.write_integer(static_cast<std::int64_t>(i) + 1);
-        out.write(" 4 2 1 1");
-        for (std::size_t k = 0; k < 4; ++k) {
-            out.write(" ");
-            out.write_integer(mesh.tetrahedra[4 * i + k] + 1);
-        }
-        out.write("\n");
-    }
+    write_rows_of_4(mesh.tetrahedra, 1, {1, " 4 2 1 1 "}, out);
     out.write("$EndElements\n");
 }
 

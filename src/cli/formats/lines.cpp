@@ -12,14 +12,6 @@
 
 namespace mgdt::cli {
 
-bool is_same_but_for_case(std::string_view a, std::string_view b) {
-    const auto small = [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [&](char x, char y) { return small(x) == small(y); });
-}
-
 bool LineReader::next() {
     const std::string_view bytes = source_->bytes;
     if (next_ >= bytes.size()) return false;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "cli/input_file.hpp"
+#include "cli/letter_case.hpp"
 
 namespace mgdt::cli {
 
@@ -17,9 +18,6 @@ inline constexpr char no_comment = '\n';
 inline bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\f' || c == '\v';
 }
-
-// Whether two texts are equal but for the case of ASCII letters.
-bool is_same_but_for_case(std::string_view a, std::string_view b);
 
 // Lines end with \n, \r\n or \r.
 class LineReader {

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "cli/formats/format.hpp"
+#include "cli/formats/text_rows.hpp"
 #include "cli/formats/words.hpp"
 
 namespace mgdt::cli {
@@ -74,38 +75,40 @@ Mesh read_medit(const Source& source, const ReadOptions&) {
     return mesh;
 }
 
-void write_rows(const std::vector<double>& points, OutputFile& out) {
+// Each row ends with a reference.
+constexpr RowStyle with_reference = {{}, "", " ", " 0\n"};
+
+void write_vertices(const std::vector<double>& points, OutputFile& out) {
     out.write(
         fmt::format("MeshVersionFormatted 2\n\nDimension 3\n\nVertices\n{}\n", points.size() / 3));
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        out.write_number(points[i]);
-        out.write(i % 3 < 2 ? " " : " 0\n");
-    }
+    write_points(points, with_reference, out);
 }
 
-void write_points(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
-    write_rows(points, out);
+void write_points_alone(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
+    write_vertices(points, out);
     out.write("\nEnd\n");
 }
 
 void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
                 const WriteOptions&) {
     OutputFile& out = outputs.open(path);
-    write_rows(mesh.points, out);
+    write_vertices(mesh.points, out);
     out.write(fmt::format("\nTetrahedra\n{}\n", mesh.tetrahedron_count()));
-    for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
-        out.write_integer(mesh.tetrahedra[i] + 1);
-        out.write(i % 4 < 3 ? " " : " 0\n");
-    }
+    write_rows_of_4(mesh.tetrahedra, 1, with_reference, out);
     out.write("\nEnd\n");
 }
 
 }  // namespace
 
 const Format& medit_format() {
-    static const Format format = {"medit",      {".mesh"}, "INRIA's mesh, text, for Medit and Mmg",
-                                  false,        sniff,     read_medit,
-                                  write_points, write_mesh};
+    static const Format format = {"medit",
+                                  {".mesh"},
+                                  "INRIA's mesh, text, for Medit and Mmg",
+                                  false,
+                                  sniff,
+                                  read_medit,
+                                  write_points_alone,
+                                  write_mesh};
     return format;
 }
 

@@ -10,6 +10,7 @@
 #include "cli/errors.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/formats/lines.hpp"
+#include "cli/formats/text_rows.hpp"
 #include "cli/system.hpp"
 
 namespace mgdt::cli {
@@ -136,19 +137,12 @@ void read_neighbors(const Source& source, std::int64_t base, Mesh& mesh) {
     expect_end(lines, count);
 }
 
-bool ends_with(const std::string& path, std::string_view ending) {
-    return path.size() >= ending.size() &&
-           std::equal(ending.rbegin(), ending.rend(), path.rbegin(), [](char a, char b) {
-               return a == std::tolower(static_cast<unsigned char>(b));
-           });
-}
-
 // A .node file is its points alone; an .ele file brings the .node file beside it, and the .neigh
 // file if there is one.
 Mesh read_tetgen(const Source& source, const ReadOptions&) {
     Mesh mesh;
-    if (ends_with(source.path, ".neigh")) source.fail("has no points; name the .ele file");
-    if (!ends_with(source.path, ".ele")) {
+    if (has_ending(source.path, ".neigh")) source.fail("has no points; name the .ele file");
+    if (!has_ending(source.path, ".ele")) {
         const std::int64_t base = read_nodes(source, mesh.points);
         mesh.detail = fmt::format("numbered from {}", base);
         mesh.first_number = static_cast<int>(base);
@@ -174,31 +168,13 @@ Mesh read_tetgen(const Source& source, const ReadOptions&) {
 }
 
 void write_nodes(const std::vector<double>& points, OutputFile& out, const WriteOptions& options) {
-    const auto count = static_cast<std::int64_t>(points.size() / 3);
-    out.write(fmt::format("{} 3 0 0\n", count));
-    for (std::int64_t i = 0; i < count; ++i) {
-        out.write_integer(i + options.index_base);
-        for (std::size_t k = 0; k < 3; ++k) {
-            out.write(" ");
-            out.write_number(points[3 * static_cast<std::size_t>(i) + k]);
-        }
-        out.write("\n");
-    }
+    out.write(fmt::format("{} 3 0 0\n", points.size() / 3));
+    write_points(points, {options.index_base, " "}, out);
 }
 
-// Rows of 4, less those that are -1: TetGen writes -1 for no neighbour in either numbering.
 void write_rows(const std::vector<MeshIndex>& values, const char* head, int base, OutputFile& out) {
-    const auto count = static_cast<std::int64_t>(values.size() / 4);
-    out.write(fmt::format("{} {}\n", count, head));
-    for (std::int64_t i = 0; i < count; ++i) {
-        out.write_integer(i + base);
-        for (std::size_t k = 0; k < 4; ++k) {
-            const MeshIndex v = values[4 * static_cast<std::size_t>(i) + k];
-            out.write(" ");
-            out.write_integer(v < 0 ? -1 : v + base);
-        }
-        out.write("\n");
-    }
+    out.write(fmt::format("{} {}\n", values.size() / 4, head));
+    write_rows_of_4(values, base, {base, " "}, out);
 }
 
 std::vector<std::string> mesh_files(const std::string& path) {

@@ -13,6 +13,7 @@
 #include "cli/formats/lines.hpp"
 #include "cli/formats/number.hpp"
 #include "cli/formats/table.hpp"
+#include "cli/formats/text_rows.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -348,20 +349,13 @@ Mesh read_text(const Source& source, const ReadOptions& options) {
     return TextReader(source, options).read();
 }
 
-void write_rows(const std::vector<double>& points, const char* separator, OutputFile& out) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        out.write_number(points[i]);
-        out.write(i % 3 < 2 ? separator : "\n");
-    }
-}
-
 void write_text(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
-    write_rows(points, " ", out);
+    write_points(points, {}, out);
 }
 
 void write_csv(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
     out.write("x,y,z\n");
-    write_rows(points, ",", out);
+    write_points(points, {{}, "", ","}, out);
 }
 
 void write_text_fields(const Mesh& mesh, OutputFile& out, const WriteOptions&) {

@@ -7,7 +7,9 @@
 #include "cli/errors.hpp"
 #include "cli/formats/bytes.hpp"
 #include "cli/formats/format.hpp"
+#include "cli/formats/item_type.hpp"
 #include "cli/formats/number.hpp"
+#include "cli/formats/text_rows.hpp"
 #include "cli/formats/vtk_cells.hpp"
 #include "cli/formats/words.hpp"
 
@@ -25,40 +27,27 @@ bool sniff(std::string_view bytes) {
     return bytes.substr(0, magic.size()) == magic;
 }
 
-enum class Type { none, i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
-
-struct TypeName {
-    std::string_view name;
-    Type type;
-};
-
-// What VTK calls the types of arrays. It writes vtkIdType with 32 bits.
-Type type_of(std::string_view word) {
-    static constexpr TypeName names[] = {
-        {"CHAR", Type::i8},           {"SIGNED_CHAR", Type::i8},     {"UNSIGNED_CHAR", Type::u8},
-        {"SHORT", Type::i16},         {"UNSIGNED_SHORT", Type::u16}, {"INT", Type::i32},
-        {"UNSIGNED_INT", Type::u32},  {"VTKIDTYPE", Type::i32},      {"LONG", Type::i64},
-        {"UNSIGNED_LONG", Type::u64}, {"VTKTYPEINT64", Type::i64},   {"VTKTYPEUINT64", Type::u64},
-        {"FLOAT", Type::f32},         {"DOUBLE", Type::f64}};
-    for (const TypeName& n : names) {
-        if (same(word, n.name)) return n.type;
+// A type of numbers as VTK's XML files call it, by its name in these files. Empty for another.
+// vtkIdType is written with 32 bits.
+std::string_view type_of(std::string_view word) {
+    static constexpr std::string_view names[][2] = {{"CHAR", "Int8"},
+                                                    {"SIGNED_CHAR", "Int8"},
+                                                    {"UNSIGNED_CHAR", "UInt8"},
+                                                    {"SHORT", "Int16"},
+                                                    {"UNSIGNED_SHORT", "UInt16"},
+                                                    {"INT", "Int32"},
+                                                    {"UNSIGNED_INT", "UInt32"},
+                                                    {"VTKIDTYPE", "Int32"},
+                                                    {"LONG", "Int64"},
+                                                    {"UNSIGNED_LONG", "UInt64"},
+                                                    {"VTKTYPEINT64", "Int64"},
+                                                    {"VTKTYPEUINT64", "UInt64"},
+                                                    {"FLOAT", "Float32"},
+                                                    {"DOUBLE", "Float64"}};
+    for (const auto& [name, type] : names) {
+        if (same(word, name)) return type;
     }
-    return Type::none;
-}
-
-// Calls act with a value of the type.
-template <class Act>
-void with_type(Type type, const Act& act) {
-    if (type == Type::i8) act(std::int8_t());
-    if (type == Type::u8) act(std::uint8_t());
-    if (type == Type::i16) act(std::int16_t());
-    if (type == Type::u16) act(std::uint16_t());
-    if (type == Type::i32) act(std::int32_t());
-    if (type == Type::u32) act(std::uint32_t());
-    if (type == Type::i64) act(std::int64_t());
-    if (type == Type::u64) act(std::uint64_t());
-    if (type == Type::f32) act(float());
-    if (type == Type::f64) act(double());
+    return {};
 }
 
 // Keywords and their numbers are words of text; arrays are text too, or bytes in big-endian order
@@ -92,13 +81,13 @@ class Input {
     bool has_offsets() const { return version_ >= 5; }
     const std::string& detail() const { return detail_; }
 
-    std::vector<double> coordinates(std::uint64_t n, Type type) {
+    std::vector<double> coordinates(std::uint64_t n, std::string_view type) {
         return array<double>(
             n, type, "coordinates",
             [&](auto item, ByteReader& bytes) { return bytes.coordinate<decltype(item)>(); },
             [](Words& words) { return words.number("coordinate"); });
     }
-    std::vector<std::int64_t> integers(std::uint64_t n, Type type, const char* what) {
+    std::vector<std::int64_t> integers(std::uint64_t n, std::string_view type, const char* what) {
         return array<std::int64_t>(
             n, type, what,
             [&](auto item, ByteReader& bytes) {
@@ -107,7 +96,7 @@ class Input {
             [&](Words& words) { return words.integer(what, 0, most); });
     }
     // Goes past an array of bytes.
-    void skip(std::uint64_t n, Type type) {
+    void skip(std::uint64_t n, std::string_view type) {
         ByteReader bytes(source_, words_.lines().offset(), true);
         with_type(type, [&](auto item) { bytes.skip(n, sizeof item, "items of an array"); });
         go_on_at(bytes.offset());
@@ -117,7 +106,7 @@ class Input {
 
   private:
     template <class Item, class FromBytes, class FromText>
-    std::vector<Item> array(std::uint64_t n, Type type, const char* what,
+    std::vector<Item> array(std::uint64_t n, std::string_view type, const char* what,
                             const FromBytes& from_bytes, const FromText& from_text) {
         if (!is_binary_) {
             const LineReader& lines = words_.lines();
@@ -131,7 +120,7 @@ class Input {
             for (Item& item : items) item = from_text(words_);
             return items;
         }
-        if (type == Type::none) words_.fail("a type of numbers that is not known");
+        if (type.empty()) words_.fail("a type of numbers that is not known");
         ByteReader bytes(source_, words_.lines().offset(), true);
         std::vector<Item> items;
         with_type(type, [&](auto item) {
@@ -164,7 +153,7 @@ struct Cells {
 // number of nodes of each cell and then these.
 Cells read_list_of_cells(Input& input, std::int64_t count, std::int64_t size) {
     const std::vector<std::int64_t> list =
-        input.integers(static_cast<std::uint64_t>(size), Type::i32, "the list of cells");
+        input.integers(static_cast<std::uint64_t>(size), "Int32", "the list of cells");
     Cells cells;
     std::size_t at = 0;
     for (std::int64_t i = 0; i < count; ++i) {
@@ -181,7 +170,7 @@ Cells read_list_of_cells(Input& input, std::int64_t count, std::int64_t size) {
     return cells;
 }
 
-Type array_type(Input& input, std::string_view keyword) {
+std::string_view array_type(Input& input, std::string_view keyword) {
     std::string_view word;
     if (!input.words().next(word) || !same(word, keyword))
         input.words().fail(fmt::format("{} is to follow", keyword));
@@ -191,10 +180,10 @@ Type array_type(Input& input, std::string_view keyword) {
 
 // From version 5: the numbers are of offsets, one more than cells, and of nodes.
 Cells read_offsets_of_cells(Input& input, std::int64_t count, std::int64_t size) {
-    const Type offset_type = array_type(input, "OFFSETS");
+    const std::string_view offset_type = array_type(input, "OFFSETS");
     const std::vector<std::int64_t> offsets =
         input.integers(static_cast<std::uint64_t>(count), offset_type, "offsets");
-    const Type node_type = array_type(input, "CONNECTIVITY");
+    const std::string_view node_type = array_type(input, "CONNECTIVITY");
     Cells cells;
     cells.nodes = input.integers(static_cast<std::uint64_t>(size), node_type, "points of cells");
     std::int64_t least = 0;
@@ -222,7 +211,7 @@ void take_tetrahedra(const Cells& cells, Input& input, Mesh& mesh) {
     if (static_cast<std::uint64_t>(n) != cells.count())
         words.fail(fmt::format("{} types of {} cells", n, cells.count()));
     const std::vector<std::int64_t> types =
-        input.integers(static_cast<std::uint64_t>(n), Type::i32, "the cell's type");
+        input.integers(static_cast<std::uint64_t>(n), "Int32", "the cell's type");
     mesh.has_tetrahedra = true;
     const auto last = static_cast<std::int64_t>(mesh.point_count()) - 1;
     for (std::size_t i = 0; i < types.size(); ++i) {
@@ -257,8 +246,8 @@ void skip_fields(Input& input) {
         const auto components = words.integer("the number of components", 0, 1 << 20);
         const auto tuples = words.integer("the number of tuples", 0, std::int64_t{1} << 40);
         if (!words.next(word)) words.fail("the type is to follow");
-        const Type type = type_of(word);
-        if (type == Type::none)
+        const std::string_view type = type_of(word);
+        if (type.empty())
             words.fail(
                 fmt::format("a field of type {} in a binary file; take it out", quote(word)));
         input.skip(static_cast<std::uint64_t>(components * tuples), type);
@@ -284,7 +273,7 @@ Mesh read_vtk(const Source& source, const ReadOptions&) {
             if (has_points) words.fail("POINTS come twice");
             has_points = true;
             const std::int64_t n = words.integer("the number of points", 0, Input::most / 4);
-            const Type type = words.next(word) ? type_of(word) : Type::none;
+            const std::string_view type = words.next(word) ? type_of(word) : std::string_view();
             mesh.points = input.coordinates(3 * static_cast<std::uint64_t>(n), type);
         } else if (same(word, "CELLS")) {
             if (has_cells || has_types) words.fail("CELLS come twice, or after their types");
@@ -311,18 +300,10 @@ void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
     OutputFile& out = outputs.open(path);
     out.write(fmt::format("{}3.0\nmgdt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS {} double\n",
                           magic, mesh.point_count()));
-    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-        out.write_number(mesh.points[i]);
-        out.write(i % 3 < 2 ? " " : "\n");
-    }
+    write_points(mesh.points, {}, out);
     const std::size_t n = mesh.tetrahedron_count();
     out.write(fmt::format("CELLS {} {}\n", n, 5 * n));
-    for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
-        if (i % 4 == 0) out.write("4");
-        out.write(" ");
-        out.write_integer(mesh.tetrahedra[i]);
-        if (i % 4 == 3) out.write("\n");
-    }
+    write_rows_of_4(mesh.tetrahedra, 0, {{}, "4 "}, out);
     out.write(fmt::format("CELL_TYPES {}\n", n));
     for (std::size_t i = 0; i < n; ++i) out.write("10\n");
 }

@@ -16,6 +16,7 @@
 #include "cli/formats/bytes.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/formats/grid.hpp"
+#include "cli/formats/item_type.hpp"
 #include "cli/formats/lines.hpp"
 #include "cli/formats/number.hpp"
 #include "cli/formats/vtk_arrays.hpp"
@@ -173,22 +174,6 @@ Layout parse_layout(const Source& source) {
         source.fail_at_byte(0, "not a VTK XML grid, or cut short: no VTKFile with a Piece");
     }
     return layout;
-}
-
-// Calls act with a value of the type that VTK calls `type`; false where it is none of numbers.
-template <class Act>
-bool with_type(const std::string& type, const Act& act) {
-    if (type == "Float64") return act(double()), true;
-    if (type == "Float32") return act(float()), true;
-    if (type == "Int64") return act(std::int64_t()), true;
-    if (type == "UInt64") return act(std::uint64_t()), true;
-    if (type == "Int32") return act(std::int32_t()), true;
-    if (type == "UInt32") return act(std::uint32_t()), true;
-    if (type == "Int16") return act(std::int16_t()), true;
-    if (type == "UInt16") return act(std::uint16_t()), true;
-    if (type == "Int8") return act(std::int8_t()), true;
-    if (type == "UInt8") return act(std::uint8_t()), true;
-    return false;
 }
 
 // 0 for what is no number.
