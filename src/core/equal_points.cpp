@@ -2,6 +2,7 @@
 #include "core/equal_points.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace mgdt {
 
@@ -21,6 +22,8 @@ void EqualPoints::find(const Buffer<VertexId>& point_map, const Buffer<std::uint
 
 std::uint32_t EqualPoints::least_other(const Buffer<VertexId>& point_map, VertexId v,
                                        std::uint32_t than) {
+    assert(v != infinite_vertex && "a point that is not in has no vertex");
+    assert(point_map[than] == v && "the point is at another vertex");
     std::uint32_t least = v < joined_.size() ? joined_[v] : no_index;
     const PointOfVertex key = {v, 0};
     const PointOfVertex* const begin = std::lower_bound(points_.begin(), points_.end(), key);
@@ -37,6 +40,7 @@ std::uint32_t EqualPoints::least_other(const Buffer<VertexId>& point_map, Vertex
 }
 
 void EqualPoints::join(VertexId v, std::uint32_t point) {
+    assert(v != infinite_vertex && point != no_index && "no point at no vertex");
     if (v >= vertices_) return;  // a vertex of this call: no point leaves it
     if (joined_.empty()) joined_.resize(vertices_, no_index);
     joined_[v] = std::min(joined_[v], point);

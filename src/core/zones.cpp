@@ -2,6 +2,7 @@
 #include "core/zones.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace mgdt {
 namespace {
@@ -84,8 +85,11 @@ void Zones::close(Mesh& mesh) {
 
 void Zones::open(Mesh& mesh) noexcept {
     team_.run(team_.size(), [&](unsigned member) {
-        for (const Closed& c : between_[member].closed)
-            mesh.tetrahedra.sphere(c.tetrahedron).e = c.bound;
+        for (const Closed& c : between_[member].closed) {
+            KeptSphere& sphere = mesh.tetrahedra.sphere(c.tetrahedron);
+            assert(sphere.is_closed() && "the tetrahedron is open already");
+            sphere.e = c.bound;
+        }
     });
 }
 

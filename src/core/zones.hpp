@@ -15,6 +15,8 @@
 // tetrahedra costs nothing.
 #pragma once
 
+#include <cassert>
+
 #include "mesh/mesh.hpp"
 #include "order/schedule.hpp"
 #include "parallel/per_member.hpp"
@@ -41,14 +43,19 @@ class Zones {
     // Divides space into `count` zones, at most 254. Called before the round is inserted. Throws
     // std::bad_alloc.
     void divide(unsigned count, const Round& round, const Mesh& mesh);
-    unsigned of(VertexId v) const noexcept { return zone_[v]; }
+    unsigned of(VertexId v) const noexcept {
+        assert(count_ > 0 && "space is not divided");
+        return zone_[v];
+    }
     // The first position of the round in a zone. For `zone` == count, the end of the round.
     std::size_t first(const Round& round, unsigned zone) const noexcept {
+        assert(zone <= count_ && "there is no such zone");
         return round.begin + Team::part(round.size(), zone, count_);
     }
     // Whether the point at position k is likely to remove a tetrahedron between zones. It is if a
     // nearby vertex of the previous round had such a tetrahedron.
     bool is_at_border(std::size_t k) const noexcept {
+        assert(k >= begin_ && "a position of an earlier round");
         const auto offset = static_cast<std::size_t>(static_cast<double>(k - begin_) * share_);
         return at_border_[offset + 1] != 0;
     }

@@ -3,6 +3,8 @@
 // point, has the directed edges ab, bc and ca; the adjacent facet has the reversed edge.
 #pragma once
 
+#include <cassert>
+
 #include "kernel/island.hpp"
 #include "kernel/workspace.hpp"
 
@@ -16,9 +18,12 @@ class EdgeMatrix {
   public:
     MGDT_ALWAYS_INLINE explicit EdgeMatrix(FacetCode* codes) : codes_(codes) {}
     MGDT_ALWAYS_INLINE void put(std::uint32_t a, std::uint32_t b, FacetCode code) {
+        assert(a >> shift == 0 && b >> shift == 0 && "the matrix is too small");
+        assert(a != b && "an edge from a vertex to itself");
         codes_[(a << shift) + b] = code;
     }
     MGDT_ALWAYS_INLINE FacetCode get(std::uint32_t a, std::uint32_t b) const {
+        assert(a >> shift == 0 && b >> shift == 0 && "the matrix is too small");
         return codes_[(a << shift) + b];
     }
 
@@ -37,10 +42,14 @@ class EdgeTable {
     }
     void put(std::uint32_t a, std::uint32_t b, FacetCode code) {
         const std::size_t h = slot(a, b);
+        assert(keys_[h] == free && "two facets have an edge in the same direction");
         keys_[h] = key(a, b);
         codes_[h] = code;
     }
-    FacetCode get(std::uint32_t a, std::uint32_t b) const { return codes_[slot(a, b)]; }
+    FacetCode get(std::uint32_t a, std::uint32_t b) const {
+        assert(keys_[slot(a, b)] != free && "no facet has this edge");
+        return codes_[slot(a, b)];
+    }
     // The upper half of the product depends on all bits of both ends.
     static std::size_t hash(std::uint32_t a, std::uint32_t b) {
         constexpr std::uint64_t golden = 0x9E3779B97F4A7C15u;

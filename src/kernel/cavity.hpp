@@ -14,6 +14,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 
 #include "kernel/access.hpp"
 #include "kernel/cavity_marks.hpp"
@@ -55,6 +56,8 @@ struct CavityFront {
     // Where the cavity begins.
     MGDT_ALWAYS_INLINE void begin(Workspace& w, CavityStart start) {
         const Tetrahedron& t = tetrahedra[start.tetrahedron];
+        assert(!t.is_dead() && "the cavity begins at a dead tetrahedron");
+        assert(start.faces < 16 && "a tetrahedron has four faces");
         if (start.faces == 0) {
             // The first member is entered through no face; face 0 is recorded instead.
             for (unsigned i = 1; i < 4; ++i) w.first_corners[i] = t.v[i];
@@ -88,11 +91,13 @@ struct CavityFront {
     // the other active ones go to the boundary. `codes` are the facets on the neighbours' side.
     MGDT_ALWAYS_INLINE void sort_out(const Neighbors& four, const FacetCode* codes,
                                      std::uint32_t active, std::uint32_t conflict) {
+        assert((conflict & ~active) == 0 && "a neighbour that was not tested is in conflict");
         boundary_end += append(boundary_end, codes, active & ~conflict);
         take(four, codes, conflict);
     }
     MGDT_ALWAYS_INLINE void take(const Neighbors& four, const FacetCode* codes,
                                  std::uint32_t conflict) {
+        assert(end <= limit && "there is no room for four more members");
         std::uint32_t fresh;
         if constexpr (Access::has_mark_table)
             fresh = put_four(marks, codes, conflict);
@@ -102,6 +107,7 @@ struct CavityFront {
     }
     // The same if some of the other neighbours may be closed: nothing is written to those.
     void sort_out_apart(const FacetCode* codes, std::uint32_t active, std::uint32_t conflict) {
+        assert((conflict & ~active) == 0 && "a neighbour that was not tested is in conflict");
         boundary_end += append(boundary_end, codes, active & ~conflict);
         take_apart(codes, conflict);
     }
@@ -119,6 +125,7 @@ struct CavityFront {
         }
     }
     MGDT_ALWAYS_INLINE std::size_t members(const Workspace& w) const {
+        assert(next <= end && "more members were passed than there are");
         return static_cast<std::size_t>(end - w.cavity.data);
     }
     // Enlarges the arrays for the neighbours of one more member. Gives the cavity up and throws
@@ -142,6 +149,7 @@ struct CavityFront {
         boundary_end = w.boundary.data + facets;
     }
     static void give_up(Mesh& mesh, Workspace& w, std::size_t members) {
+        assert(members > 0 && "a cavity without members is given up");
         w.given_up = members;
         if constexpr (!Access::has_mark_table) w.restore_cavity(mesh.tetrahedra, members);
     }
@@ -283,6 +291,9 @@ MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityS
     }
     w.cavity_size = cavity.members(w);
     w.boundary_size = static_cast<std::size_t>(cavity.boundary_end - w.boundary.data);
+    assert(w.boundary_size >= 4 && w.boundary_size % 2 == 0 &&
+           "the boundary of the cavity is no sphere");
+    assert(w.boundary_size <= 2 * w.cavity_size + 2 && "more facets than the members have");
     // Four neighbours of the first member were tested, and three of each other member.
     w.counters.conflict_tests += 3 * w.cavity_size + (start.faces == 0 ? 1 : 0);
     return true;

@@ -3,6 +3,8 @@
 // records, because a vertex may be in the cavities of two threads.
 #pragma once
 
+#include <cassert>
+
 #include "kernel/island.hpp"
 #include "kernel/workspace.hpp"
 
@@ -12,6 +14,7 @@ inline namespace MGDT_ISLAND {
 // The vertex opposite the face that a member of the cavity is reached through.
 template <class Tetrahedra>
 MGDT_ALWAYS_INLINE VertexId corner(const Tetrahedra& tetrahedra, FacetCode code) {
+    assert(!tetrahedra.of(code).is_dead() && "a member of the cavity is dead");
     // A mark may be on the second.
     return unmarked(tetrahedra.of(code).v[face_of(code)]);
 }
@@ -54,6 +57,7 @@ class DirectNumbers {
         for (const VertexId v : w.first_corners) add(v);
         for (const FacetCode* code = w.cavity.data; code != end; ++code)
             add(corner(tetrahedra, *code));
+        assert(added < Workspace::direct_free && "numbers that a byte does not hold");
         count_ = added;
         // All of the cavity's vertices are on its boundary, a sphere: by Euler, one of F triangles
         // has F / 2 + 2 vertices. Fewer numbers: two have one hash.
@@ -63,7 +67,10 @@ class DirectNumbers {
     // A function that gives the number of a vertex that is there. It holds all that it looks at, so
     // that a loop that writes bytes need not read this object again.
     MGDT_ALWAYS_INLINE auto lookup() const {
-        return [table = table_](VertexId v) { return std::uint32_t{table[hash(v)]}; };
+        return [table = table_](VertexId v) {
+            assert(table[hash(v)] != Workspace::direct_free && "a vertex without a number");
+            return std::uint32_t{table[hash(v)]};
+        };
     }
     // The number of a vertex, or no_index.
     MGDT_ALWAYS_INLINE std::uint32_t find(VertexId v) const {
@@ -101,6 +108,7 @@ class ProbedNumbers {
         const auto add = [&](VertexId v) {
             const std::uint32_t h = place(v);
             if (table_[h] != no_index) return;
+            assert(2 * std::size_t{count_} < w.probed_size && "the table is more than half full");
             table_[h] = count_;
             ids_[count_++] = v;
         };
@@ -112,6 +120,7 @@ class ProbedNumbers {
     MGDT_ALWAYS_INLINE auto lookup() const {
         return [table = table_, ids = ids_, mask = mask_](VertexId v) {
             std::uint32_t h = v & mask;
+            assert(table[h] != no_index && "a vertex without a number");
             while (MGDT_UNLIKELY(ids[table[h]] != v)) h = (h + 1) & mask;
             return table[h];
         };

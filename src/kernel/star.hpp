@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 
 #include "kernel/adjacency.hpp"
 #include "kernel/assertions.hpp"
@@ -21,6 +22,7 @@ struct SmallCorners {
     Workspace::SmallStar* star;
     MGDT_ALWAYS_INLINE void put(std::size_t i, std::uint32_t a, std::uint32_t b,
                                 std::uint32_t c) const {
+        assert(i < sizeof star->a && "more facets than a small star has");
         star->a[i] = static_cast<std::uint8_t>(a);
         star->b[i] = static_cast<std::uint8_t>(b);
         star->c[i] = static_cast<std::uint8_t>(c);
@@ -52,6 +54,7 @@ MGDT_NOT_INLINE void link_outside(const Tetrahedra tetrahedra, const Workspace& 
         Tetrahedron& outside = tetrahedra.of(code);
         Tetrahedron& t = tetrahedra.of_first(mine);
         const VertexId* const v = write_vertices(outside, code, q, t);
+        assert(&outside != &t && "a facet of the boundary is inside the cavity");
         t.n[0] = code;
         outside.n[face_of(code)] = mine;
         const std::uint32_t a = number(v[0]), b = number(v[1]), c = number(v[2]);
@@ -67,6 +70,7 @@ MGDT_NOT_INLINE void link_outside(const Tetrahedra tetrahedra, const Workspace& 
 template <class Edges>
 MGDT_ALWAYS_INLINE void link_inside(const Edges& edges, std::uint32_t a, std::uint32_t b,
                                     std::uint32_t c, Tetrahedron& t) {
+    assert(a != b && b != c && c != a && "two vertices of a facet are the same");
     t.n[1] = edges.get(c, b);
     t.n[2] = edges.get(a, c);
     t.n[3] = edges.get(b, a);
@@ -82,6 +86,7 @@ struct GhostsOfStar {
 template <class Number>
 MGDT_ALWAYS_INLINE GhostsOfStar ghosts_of_star(const Workspace& w, std::uint32_t infinite,
                                                const Number* const bs, const Number* const cs) {
+    assert(w.boundary_size == w.slot_count && "a facet without a slot, or a slot without a facet");
     std::uint32_t count = 0, last = 0;
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
         const std::uint32_t is_ghost = static_cast<std::uint32_t>(bs[i] == infinite) |
@@ -111,6 +116,8 @@ inline void distrust_extremes(Mesh& mesh, const Workspace& w, VertexId q) {
 template <class Access>
 MGDT_ALWAYS_INLINE void choose_slots(Access access, Workspace& w) {
     const std::size_t removed = w.cavity_size, created = w.boundary_size;
+    assert(removed <= w.star_removed && created <= w.star_created &&
+           "there is no room for the star");
     FacetCode* const slots = w.slots.data;
     // In blocks, so that the branch at the end of the loop is predictable; the array has room for
     // them.
@@ -194,6 +201,7 @@ template <class Access, class Numbers>
 MGDT_ALWAYS_INLINE void replace_cavity(Access access, Mesh& mesh, Workspace& w, VertexId q,
                                        const Numbers& numbers) {
     const std::uint32_t infinite = numbers.find(infinite_vertex);
+    assert(numbers.count() >= 4 && "the vertices of a cavity span space");
     const bool at_hull = infinite != no_index;
     const auto tetrahedra = mesh.tetrahedra.view<Access::SphereSource::are_kept>();
     const std::size_t ghosts_gone = at_hull ? count_ghosts(tetrahedra, w) : 0;
@@ -228,9 +236,7 @@ TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
         throw;
     }
 
-#if !defined(NDEBUG)
     assert_cavity_is_sound(access, mesh, w);
-#endif
     const auto tetrahedra = mesh.tetrahedra.view<Access::SphereSource::are_kept>();
     bool is_direct;
     {
@@ -245,10 +251,7 @@ TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
     }
     if constexpr (Access::SphereSource::are_kept)
         if (MGDT_UNLIKELY(mesh.has_extremes)) distrust_extremes(mesh, w, q);
-
-#if !defined(NDEBUG)
     assert_star_is_sound(mesh, w, q);
-#endif
 
     // New hints for the new vertex and three of its neighbours. This is often enough for every
     // vertex to stay near its hint.

@@ -2,6 +2,8 @@
 // The records of a star while it is built, and the coordinates of its vertices.
 #pragma once
 
+#include <cassert>
+
 #include "kernel/workspace.hpp"
 
 namespace mgdt {
@@ -11,6 +13,7 @@ using SphereStore = TetrahedronView<TetrahedronAndSphere>;
 
 // The vertices of the cavity relative to q, by local number.
 inline void set_coordinates(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count) {
+    assert(count <= w.ids.buffer.capacity() && "more vertices than there is room for");
     const double* const base = vertices[q].x;
     for (std::uint32_t i = 0; i < count; ++i) {
         const double* const x = vertices[w.ids.data[i]].x;

@@ -2,6 +2,7 @@
 #include "kernel/workspace.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace mgdt {
 
@@ -26,6 +27,7 @@ Workspace::Workspace(Allocator& allocator)
 void Workspace::grow_cavity(std::size_t members, std::size_t facets, std::size_t needed) {
     // A vector writes past the end.
     constexpr std::size_t least = 256, past = 32;
+    assert(members <= needed && "fewer members are needed than there are");
     const std::size_t capacity = std::max(least, needed + needed / 2) + past;
     cavity_capacity = 0;
     cavity.reserve(capacity, members);
@@ -88,6 +90,7 @@ void Workspace::reset() noexcept {
 }
 
 void Workspace::restore_cavity(TetrahedronStore& tetrahedra, std::size_t members) noexcept {
+    assert(members <= cavity.buffer.capacity() && "more members than there is room for");
     for (std::size_t i = 0; i < members; ++i)
         tetrahedra[tetrahedron_of(cavity.data[i])].v[1] &= ~in_cavity;
 }

@@ -4,6 +4,8 @@
 // instruction sets, sees plain pointers; what allocates is compiled once (workspace.cpp).
 #pragma once
 
+#include <cassert>
+
 #include "mesh/mesh.hpp"
 
 namespace mgdt {
@@ -32,6 +34,7 @@ struct Scratch {
     explicit Scratch(Allocator& allocator) : buffer(allocator) {}
     // Keeps the first `used` elements.
     void reserve(std::size_t capacity, std::size_t used) {
+        assert(used <= buffer.capacity() && "more elements are kept than there are");
         buffer.clear();
         buffer.resize(used);
         buffer.grow(capacity);

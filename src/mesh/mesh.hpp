@@ -38,6 +38,7 @@ struct Mesh {
     // The next live slot from t on, where the first slot follows the last. A hint may name a slot
     // that is dead by now.
     TetId live_from(TetId t) const noexcept {
+        assert(live_count() > 0 && "all tetrahedra are dead");
         for (unsigned tries = 0; tries < 1000; ++tries) {
             if (!tetrahedra[t].is_dead()) return t;
             t = t + 1 < tetrahedra.size() ? t + 1 : 0;
@@ -55,8 +56,14 @@ struct Mesh {
     void take_slots(FacetCode* slots, std::size_t count) noexcept;
     void free_slot(TetId t) noexcept;
 
-    std::size_t live_count() const noexcept { return tetrahedra.size() - free_slots.size(); }
-    std::size_t finite_count() const noexcept { return live_count() - ghost_count; }
+    std::size_t live_count() const noexcept {
+        assert(free_slots.size() <= tetrahedra.size() && "more slots are free than there are");
+        return tetrahedra.size() - free_slots.size();
+    }
+    std::size_t finite_count() const noexcept {
+        assert(ghost_count <= live_count() && "more ghosts than tetrahedra");
+        return live_count() - ghost_count;
+    }
     MGDT_ALWAYS_INLINE const double* point(VertexId v) const noexcept { return vertices[v].x; }
 
     Buffer<Vertex> vertices;  // slot 0: the vertex at infinity

@@ -2,6 +2,8 @@
 // Consecutive numbers for the vertices or tetrahedra of a small part of a mesh.
 #pragma once
 
+#include <cassert>
+
 #include "platform/number_table.hpp"
 
 namespace mgdt {
@@ -14,6 +16,7 @@ class Numbers {
     static constexpr std::uint32_t none = NumberTable::none;
     // The number of a name. If the name is new, the number is the size before.
     MGDT_ALWAYS_INLINE std::uint32_t number(std::uint32_t name) {
+        assert(name != none && "a name that nothing has");
         if (MGDT_UNLIKELY(table_.size() == names_.size())) make_room();
         const std::uint32_t number = table_.number(name, [](std::uint32_t) { return true; });
         names_[number] = name;
@@ -24,6 +27,7 @@ class Numbers {
     void clear() { table_.clear(2 * names_.size()); }
     std::uint32_t size() const noexcept { return table_.size(); }
     MGDT_ALWAYS_INLINE std::uint32_t name(std::uint32_t number) const noexcept {
+        assert(number < size() && "no name has this number");
         return names_[number];
     }
 

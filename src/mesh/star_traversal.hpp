@@ -2,6 +2,8 @@
 // Visits the star of a vertex, from one of its tetrahedra to the others.
 #pragma once
 
+#include <cassert>
+
 #include "mesh/mesh.hpp"
 
 namespace mgdt {
@@ -14,6 +16,9 @@ template <class Star, class Enter>
 void traverse_star(const Mesh& mesh, VertexId v, const Star& star, Enter enter) {
     for (std::size_t i = 0; i < star.size(); ++i) {
         const Tetrahedron& t = mesh.tetrahedra[star[i]];
+        assert(!t.is_dead() && "a tetrahedron of the star is dead");
+        assert((t.v[0] == v || t.v[1] == v || t.v[2] == v || t.v[3] == v) &&
+               "a tetrahedron of the star lacks the vertex");
         for (unsigned face = 0; face < 4; ++face)
             if (t.v[face] != v) enter(t.n[face]);
     }

@@ -2,6 +2,7 @@
 // The records of vertices and tetrahedra.
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -17,7 +18,15 @@ using TetId = std::uint32_t;
 // i. A neighbour is stored as the code of the shared facet on the neighbour's side.
 using FacetCode = std::uint32_t;
 
+inline constexpr VertexId infinite_vertex = 0;
+inline constexpr TetId no_tetrahedron = 0xFFFFFFFFu;
+inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
+// Facet codes have 32 bits.
+inline constexpr std::uint32_t max_tetrahedra = 1u << 30;
+
 MGDT_ALWAYS_INLINE constexpr FacetCode facet_code(TetId t, unsigned face) noexcept {
+    assert(t < max_tetrahedra && "a tetrahedron without a facet code");
+    assert(face < 4 && "a tetrahedron has four faces");
     return 4 * t + face;
 }
 MGDT_ALWAYS_INLINE constexpr TetId tetrahedron_of(FacetCode code) noexcept {
@@ -28,17 +37,12 @@ MGDT_ALWAYS_INLINE constexpr unsigned face_of(FacetCode code) noexcept {
 }
 // The code of face 0. It identifies the tetrahedron as well as its number does.
 MGDT_ALWAYS_INLINE constexpr FacetCode first_facet(TetId t) noexcept {
+    assert(t < max_tetrahedra && "a tetrahedron without a facet code");
     return 4 * t;
 }
 MGDT_ALWAYS_INLINE constexpr FacetCode first_facet_of(FacetCode code) noexcept {
     return code & ~3u;
 }
-
-inline constexpr VertexId infinite_vertex = 0;
-inline constexpr TetId no_tetrahedron = 0xFFFFFFFFu;
-inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
-// Facet codes have 32 bits.
-inline constexpr std::uint32_t max_tetrahedra = 1u << 30;
 
 // While a cavity is dug, this bit of v[1] marks its tetrahedra.
 inline constexpr VertexId in_cavity = 0x80000000u;
@@ -73,6 +77,7 @@ struct alignas(16) Tetrahedron {
     // Valid while a cavity is dug.
     MGDT_ALWAYS_INLINE bool is_in_cavity() const noexcept { return (v[1] & in_cavity) != 0; }
     MGDT_ALWAYS_INLINE int infinite_slot() const noexcept {
+        assert(is_ghost() && "a finite tetrahedron has no vertex at infinity");
         return v[2] == infinite_vertex ? 2 : 3;
     }
 };
@@ -112,7 +117,10 @@ struct alignas(16) KeptSphere {
     // the tetrahedron, and leaves every test undecided.
     static constexpr std::uint32_t no_number = 0x7FF80000u, sign_of_ghost = 0x80000000u;
     MGDT_ALWAYS_INLINE bool is_closed() const noexcept { return (e & ~sign_of_ghost) == no_number; }
-    MGDT_ALWAYS_INLINE void close() noexcept { e = (e & sign_of_ghost) | no_number; }
+    MGDT_ALWAYS_INLINE void close() noexcept {
+        assert(!is_closed() && "the tetrahedron is closed already");
+        e = (e & sign_of_ghost) | no_number;
+    }
     MGDT_ALWAYS_INLINE Sphere in_doubles() const noexcept {
         return {{from_upper_half(w[0]), from_upper_half(w[1]), from_upper_half(w[2])},
                 from_upper_half(e)};
@@ -135,6 +143,8 @@ inline bool places_by_number(const VertexId (&v)[4], unsigned (&place)[4]) noexc
             std::swap(order[j], order[j - 1]);
             is_odd = !is_odd;
         }
+    for (unsigned i = 1; i < 4; ++i)
+        assert(v[order[i]] < v[order[i - 1]] && "two vertices of a tetrahedron are the same");
     for (unsigned i = 0; i < 4; ++i) place[order[i]] = is_odd && i >= 2 ? 5 - i : i;
     return place[0] != 0 || place[1] != 1 || place[2] != 2;
 }

@@ -7,10 +7,10 @@ namespace mgdt {
 
 void TetrahedronStore::drop_spheres() noexcept {
     if (!has_spheres()) return;
-    const auto from = view<true>();
-    const auto to = view<false>();
-    for (std::size_t t = 0; t < size_; ++t) std::memmove(&to[t], &from[t], sizeof(Tetrahedron));
+    const TetrahedronView<TetrahedronAndSphere> from = view<true>();
     sphere_ = 0;
+    const TetrahedronView<TetrahedronAlone> to = view<false>();
+    for (std::size_t t = 0; t < size_; ++t) std::memmove(&to[t], &from[t], sizeof(Tetrahedron));
     resize_within_capacity(size_);
     try {
         pieces_.set_capacity(capacity_ * stride());
@@ -22,10 +22,10 @@ void TetrahedronStore::drop_spheres() noexcept {
 void TetrahedronStore::make_room_for_spheres() {
     if (has_spheres()) return;
     pieces_.reserve(capacity_ * (stride() + 1));
+    const TetrahedronView<TetrahedronAlone> from = view<false>();
     sphere_ = 1;
     resize_within_capacity(size_);
-    const auto from = view<false>();
-    const auto to = view<true>();
+    const TetrahedronView<TetrahedronAndSphere> to = view<true>();
     for (std::size_t t = size_; t-- > 0;) std::memmove(&to[t], &from[t], sizeof(Tetrahedron));
 }
 

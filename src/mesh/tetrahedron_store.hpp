@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <type_traits>
 
@@ -61,6 +62,7 @@ struct TetrahedronView {
         if constexpr (sizeof(Record) > sizeof(Tetrahedron)) mgdt::prefetch(&r->tetrahedron.n);
     }
     MGDT_ALWAYS_INLINE Record* record(FacetCode first) const noexcept {
+        assert(face_of(first) == 0 && "not the code of face 0");
         using Byte = std::conditional_t<std::is_const_v<Record>, const char, char>;
         return reinterpret_cast<Record*>(reinterpret_cast<Byte*>(records) +
                                          std::size_t{first} * (sizeof(Record) / 4));
@@ -76,9 +78,11 @@ class TetrahedronStore {
     explicit TetrahedronStore(Allocator& allocator) noexcept : pieces_(allocator) {}
 
     MGDT_ALWAYS_INLINE Tetrahedron& operator[](std::size_t t) noexcept {
+        assert(t < capacity_ && "there is no such slot");
         return *reinterpret_cast<Tetrahedron*>(tetrahedron(t));
     }
     MGDT_ALWAYS_INLINE const Tetrahedron& operator[](std::size_t t) const noexcept {
+        assert(t < capacity_ && "there is no such slot");
         return *reinterpret_cast<const Tetrahedron*>(tetrahedron(t));
     }
     bool has_spheres() const noexcept { return sphere_ != 0; }
@@ -90,16 +94,22 @@ class TetrahedronStore {
             ->sphere;
     }
     // The address of the sphere of slot t, in a store with spheres.
-    MGDT_ALWAYS_INLINE KeptSphere& sphere(std::size_t t) noexcept { return view<true>().sphere(t); }
+    MGDT_ALWAYS_INLINE KeptSphere& sphere(std::size_t t) noexcept {
+        assert(t < capacity_ && "there is no such slot");
+        return view<true>().sphere(t);
+    }
     MGDT_ALWAYS_INLINE const KeptSphere& sphere(std::size_t t) const noexcept {
+        assert(t < capacity_ && "there is no such slot");
         return view<true>().sphere(t);
     }
     template <bool with_spheres>
     MGDT_ALWAYS_INLINE TetrahedronView<Record<with_spheres>> view() noexcept {
+        assert(with_spheres == has_spheres() && "records of the other kind");
         return {reinterpret_cast<Record<with_spheres>*>(pieces_.data())};
     }
     template <bool with_spheres>
     MGDT_ALWAYS_INLINE TetrahedronView<const Record<with_spheres>> view() const noexcept {
+        assert(with_spheres == has_spheres() && "records of the other kind");
         return {reinterpret_cast<const Record<with_spheres>*>(pieces_.data())};
     }
 
@@ -112,6 +122,7 @@ class TetrahedronStore {
     MGDT_ALWAYS_INLINE std::size_t capacity() const noexcept { return capacity_; }
     // As the functions of Buffer.
     void reserve(std::size_t capacity) {
+        assert(capacity <= max_tetrahedra && "more slots than have codes");
         if (capacity <= capacity_) return;
         pieces_.reserve(capacity * stride());
         capacity_ = capacity;
@@ -124,6 +135,7 @@ class TetrahedronStore {
         resize_within_capacity(size);
     }
     MGDT_ALWAYS_INLINE void resize_within_capacity(std::size_t size) noexcept {
+        assert(size <= capacity_ && "the size is beyond the capacity");
         size_ = size;
         pieces_.resize_within_capacity(size * stride());
     }

@@ -2,6 +2,7 @@
 // The memory of a handle: an allocator that counts and limits, and a growable array that uses it.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -115,14 +116,26 @@ class Buffer {
 
     MGDT_ALWAYS_INLINE T* data() noexcept { return data_; }
     MGDT_ALWAYS_INLINE const T* data() const noexcept { return data_; }
-    MGDT_ALWAYS_INLINE T& operator[](std::size_t i) noexcept { return data_[i]; }
-    MGDT_ALWAYS_INLINE const T& operator[](std::size_t i) const noexcept { return data_[i]; }
+    MGDT_ALWAYS_INLINE T& operator[](std::size_t i) noexcept {
+        assert(i < size_ && "the index is beyond the array");
+        return data_[i];
+    }
+    MGDT_ALWAYS_INLINE const T& operator[](std::size_t i) const noexcept {
+        assert(i < size_ && "the index is beyond the array");
+        return data_[i];
+    }
     MGDT_ALWAYS_INLINE T* begin() noexcept { return data_; }
     MGDT_ALWAYS_INLINE T* end() noexcept { return data_ + size_; }
     MGDT_ALWAYS_INLINE const T* begin() const noexcept { return data_; }
     MGDT_ALWAYS_INLINE const T* end() const noexcept { return data_ + size_; }
-    MGDT_ALWAYS_INLINE T& back() noexcept { return data_[size_ - 1]; }
-    MGDT_ALWAYS_INLINE const T& back() const noexcept { return data_[size_ - 1]; }
+    MGDT_ALWAYS_INLINE T& back() noexcept {
+        assert(size_ > 0 && "an empty array has no last element");
+        return data_[size_ - 1];
+    }
+    MGDT_ALWAYS_INLINE const T& back() const noexcept {
+        assert(size_ > 0 && "an empty array has no last element");
+        return data_[size_ - 1];
+    }
     MGDT_ALWAYS_INLINE std::size_t size() const noexcept { return size_; }
     MGDT_ALWAYS_INLINE std::size_t capacity() const noexcept { return capacity_; }
     MGDT_ALWAYS_INLINE bool empty() const noexcept { return size_ == 0; }
@@ -156,6 +169,7 @@ class Buffer {
     }
     // Prefaults the pages of elements that are about to be written for the first time.
     void prefault(std::size_t begin, std::size_t end) noexcept {
+        assert(end <= capacity_ && "pages beyond the array");
         if (begin < end)
             allocator_->prefault(data_ + begin, (end - begin) * sizeof(T), capacity_ * sizeof(T),
                                  alignment);
@@ -175,8 +189,14 @@ class Buffer {
         data_[size_++] = copy;
     }
     // Changes the size, which is at most the capacity. Never allocates.
-    MGDT_ALWAYS_INLINE void resize_within_capacity(std::size_t size) noexcept { size_ = size; }
-    MGDT_ALWAYS_INLINE void pop_back() noexcept { --size_; }
+    MGDT_ALWAYS_INLINE void resize_within_capacity(std::size_t size) noexcept {
+        assert(size <= capacity_ && "the size is beyond the capacity");
+        size_ = size;
+    }
+    MGDT_ALWAYS_INLINE void pop_back() noexcept {
+        assert(size_ > 0 && "an empty array has no last element");
+        --size_;
+    }
     void clear() noexcept { size_ = 0; }
     // Gives unused capacity back, if the allocator can shrink the block.
     void shrink() noexcept {

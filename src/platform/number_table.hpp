@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -68,6 +69,7 @@ class NumberTable {
     // about items with the same hash. A new item gets the number size(), and needs room for it.
     template <class IsSame>
     MGDT_ALWAYS_INLINE std::uint32_t number(std::uint32_t hash, IsSame is_same) noexcept {
+        assert(size_ < capacity() && "there is no room for one more item");
         const std::uint32_t mask = mask_of(entries_);
         for (std::uint32_t at = hash & mask;; at = (at + 1) & mask) {
             Entry& entry = entries_[at];
@@ -81,6 +83,7 @@ class NumberTable {
     // The number of the item with a key, or `none`.
     template <class IsSame>
     std::uint32_t find(std::uint32_t hash, IsSame is_same) const noexcept {
+        assert(!entries_.empty() && "a table without entries is asked");
         const std::uint32_t mask = mask_of(entries_);
         for (std::uint32_t at = hash & mask;; at = (at + 1) & mask) {
             const Entry& entry = entries_[at];
@@ -91,6 +94,7 @@ class NumberTable {
     // A function that gives the number of a key, or `none`, if hashes are keys. It holds all that
     // it looks at, so that a loop that writes need not read this object again.
     MGDT_ALWAYS_INLINE auto lookup() const noexcept {
+        assert(!entries_.empty() && "a table without entries is asked");
         return [entries = entries_.data(), mask = mask_of(entries_),
                 first = first_](std::uint32_t key) {
             for (std::uint32_t at = key & mask;; at = (at + 1) & mask) {

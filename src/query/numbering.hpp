@@ -3,6 +3,8 @@
 // canonical order, which depends on the points alone.
 #pragma once
 
+#include <cassert>
+
 #include "mesh/mesh.hpp"
 #include "parallel/team.hpp"
 #include "platform/compiler.hpp"
@@ -27,6 +29,7 @@ Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
     ghosts.resize(mesh.ghost_count + 1);
     std::size_t size = 0;
     const auto push = [&](TetId t) {
+        assert(size <= mesh.ghost_count && "more ghosts than were counted");
         ghosts[size] = t;
         size += is_new(t) ? 1 : 0;
     };
@@ -37,6 +40,7 @@ Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
         push(tetrahedron_of(t.n[1]));
         push(tetrahedron_of(t.n[t.infinite_slot() ^ 1]));  // the other of 2 and 3
     }
+    assert(size == mesh.ghost_count && "fewer ghosts than were counted");
     ghosts.resize(size);
     return ghosts;
 }
@@ -74,9 +78,13 @@ class Numbering {
         const std::uint32_t* ranks;
     };
     bool is_by_slot() const noexcept { return !by_slot_.empty(); }
-    BySlot by_slot() const noexcept { return {by_slot_.data()}; }
+    BySlot by_slot() const noexcept {
+        assert(is_by_slot() && "numbers are found by bits");
+        return {by_slot_.data()};
+    }
     ByBits by_bits() const noexcept { return {bits_.data(), ranks_.data()}; }
     MGDT_ALWAYS_INLINE std::int32_t number(TetId t) const noexcept {
+        assert((t >> 6) < bits_.size() && "there is no such slot");
         return is_by_slot() ? by_slot()(t) : by_bits()(t);
     }
     // A stretch is 64 consecutive slots. for_each() calls f(t, number) for the finite tetrahedra of
@@ -116,6 +124,7 @@ class Numbering {
 
 template <class F>
 void Numbering::for_each_run(std::size_t begin, std::size_t end, F f) const {
+    assert(begin <= end && end <= bits_.size() && "stretches beyond the last");
     if (begin == end) return;
     constexpr std::uint64_t all = ~std::uint64_t{0};
     std::size_t number = ranks_[begin] & ~gaps;
