@@ -27,7 +27,7 @@ double alpha_of(const Mesh& mesh, const Tetrahedron& t) {
         .radius2;
 }
 
-// By slot; infinite where there is no finite tetrahedron.
+// The alpha of the tetrahedron in each slot; infinite where the slot has no finite tetrahedron.
 Buffer<double> alphas_by_slot(const ExportView& view) {
     const Mesh& mesh = view.mesh;
     Buffer<double> alphas(view.allocator, mesh.tetrahedra.size());
@@ -41,8 +41,8 @@ Buffer<double> alphas_by_slot(const ExportView& view) {
     return alphas;
 }
 
-// Whether a vertex of one of the two tetrahedra at a facet is inside the least sphere around it. No
-// other one is then unless one of these is.
+// Whether a vertex opposite the facet, in one of its two tetrahedra, is inside the smallest sphere
+// through the facet's vertices. If neither is, no other vertex is.
 bool is_attached(const Mesh& mesh, const VertexId (&v)[3], const Tetrahedron& t, unsigned face,
                  const Tetrahedron& other) {
     const auto is_inside = [&](VertexId apex) {
@@ -56,8 +56,8 @@ bool is_attached(const Mesh& mesh, const VertexId (&v)[3], const Tetrahedron& t,
     return false;
 }
 
-// Calls f(id, face, v, alpha) for each facet from the first of its two records; its vertices are
-// sorted by index.
+// Calls f(id, face, v, alpha) once for each facet, at the first of its two records. The vertices v
+// are sorted by index.
 template <class F>
 void for_each_facet(const ExportView& view, const Buffer<double>& alphas, std::size_t begin,
                     std::size_t end, F f) {
@@ -137,7 +137,7 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
             std::lower_bound(list.others, list.others + list.size, std::max(a, b));
         return list.place + static_cast<std::size_t>(at - list.others);
     };
-    // Numbers that are not negative have the order of their bits.
+    // The bits of non-negative doubles, read as integers, have the same order as the doubles.
     const auto bits_of = [](double x) {
         std::uint64_t bits;
         std::memcpy(&bits, &x, sizeof bits);
@@ -216,7 +216,7 @@ Buffer<std::uint32_t> alpha_surface(const ExportView& view, double alpha2) {
         for (unsigned face = 0; face < 4; ++face) {
             const TetId beyond = tetrahedron_of(t.n[face]);
             if (!mesh.tetrahedra[beyond].is_ghost() && alphas[beyond] <= alpha2) continue;
-            // outer_face is negative as seen from inside.
+            // The vertices in the order of outer_face are clockwise as seen from inside.
             const unsigned char* const corner = outer_face[face];
             Facet f = {{mesh.vertices[t.v[corner[0]]].index, mesh.vertices[t.v[corner[2]]].index,
                         mesh.vertices[t.v[corner[1]]].index}};
@@ -258,7 +258,7 @@ double solid_alpha(const ExportView& view) {
             const TetId beyond = tetrahedron_of(t.n[i]);
             if (is_in[beyond] && parts.join(id, beyond)) --solids;
         }
-        // Tetrahedra of one alpha come together.
+        // Tetrahedra with the same alpha are added together.
         const bool is_last = k + 1 == order.size() || alphas[order[k + 1]] > alphas[id];
         if (is_last && solids == 1 && vertices_left == 0) return alphas[id];
     }

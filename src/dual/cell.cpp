@@ -49,7 +49,7 @@ void Cell::set_sides(const Mesh& mesh, VertexId v, const Link& link) {
     }
 }
 
-// From the neighbour with the least index on, so that the order of the records does not matter.
+// Begins at the neighbour with the least index, so that the order of the records does not matter.
 inline void turn(unsigned (&at)[3], const std::uint32_t (&index)[3]) {
     at[0] = index[1] < index[0] ? (index[2] < index[1] ? 2 : 1) : (index[2] < index[0] ? 2 : 0);
     at[1] = at[0] == 2 ? 0 : at[0] + 1;
@@ -77,7 +77,7 @@ void Cell::set_corner(const Mesh& mesh, VertexId v, const Link& link, std::size_
             if (vertex[k] == infinite_vertex) ghost = k;
     corner.is_ideal = ghost < 3;
     if (corner.is_ideal) {
-        // The way out, at right angles to the hull facet of the other two.
+        // The outward direction, normal to the hull facet of the other two.
         const Side &p = sides_[triangle.corner[ghost == 2 ? 0 : ghost + 1]],
                    &q = sides_[triangle.corner[ghost == 0 ? 2 : ghost - 1]];
         corner.x = cross(p.normal, q.normal);
@@ -98,7 +98,7 @@ void Cell::set_corner(const Mesh& mesh, VertexId v, const Link& link, std::size_
             corner.x.x[k] = std::fmax(-most, std::fmin(most, offset[k] * factor_));
         }
         corner.size = length(corner.x);
-        // Of one that is too far away for doubles nothing is known.
+        // The error is infinite if the corner is too far away for doubles.
         corner.error = corner.size < 0x1p299 ? 2 * center_offset_error * corner.size
                                              : std::numeric_limits<double>::infinity();
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The Voronoi cell of one vertex, which is at the origin: the half-spaces of its neighbours, and
-// the circumcentres of its tetrahedra as corners.
+// The Voronoi cell of one vertex, with the vertex at the origin. The cell is given by one
+// half-space per neighbour; its corners are the circumcentres of the tetrahedra at the vertex.
 #pragma once
 
 #include "dual/link.hpp"
@@ -8,8 +8,8 @@
 
 namespace mgdt {
 
-// How circumcentres are computed: from differences in doubles, or corrected once, which makes them
-// good to the last bits.
+// How circumcentres are computed: in doubles, or with one step of correction, after which only the
+// last bits are wrong.
 enum class Centers { plain, corrected };
 
 class Cell {
@@ -17,20 +17,21 @@ class Cell {
     explicit Cell(Allocator& allocator)
         : sides_(allocator), corners_(allocator), indices_(allocator) {}
 
-    // Of the vertex whose link is given. All lengths are multiplied by factor().
+    // Sets the cell of vertex v, whose link is given. All lengths are multiplied by factor().
     void make(const Mesh& mesh, VertexId v, const Link& link, Centers centers);
 
-    // By the numbers of the link's neighbours: the half of space that is nearer to the vertex. Not
-    // of the vertex at infinity.
+    // The half-space that is nearer to the vertex than to a neighbour, by the number of the
+    // neighbour in the link. Not for the vertex at infinity.
     const Side& side(std::size_t neighbor) const noexcept { return sides_[neighbor]; }
-    // By the numbers of the link's triangles: that of a ghost is the way of a ray.
+    // The circumcentre of a tetrahedron, by the number of its triangle in the link. For a ghost it
+    // is the direction of a ray.
     const Corner& corner(std::size_t triangle) const noexcept { return corners_[triangle]; }
     bool is_bounded() const noexcept { return is_bounded_; }
-    // False where the distances of neighbours differ by so much that doubles are of no use.
+    // False if the distances of the neighbours differ so much that doubles are of no use.
     bool is_ordinary() const noexcept { return is_ordinary_; }
-    // Bounds the distance of the corners that are points.
+    // An upper bound on the distance of the finite corners from the vertex.
     double radius() const noexcept { return radius_; }
-    // A power of two that brings lengths into the range of doubles.
+    // The power of two that brings lengths into the range of doubles.
     double factor() const noexcept { return factor_; }
     // The caller's index of a neighbour.
     std::uint32_t index(std::size_t neighbor) const noexcept { return indices_[neighbor]; }

@@ -7,7 +7,7 @@
 
 namespace mgdt {
 
-// The planes of the region that some corner of the cell may be beyond.
+// Finds the planes of the region that may have a corner of the cell on their outer side.
 void CellFaces::find_cutting(const Link& link, const Cell& cell, const Region& region) {
     cutting_.clear();
     for (std::size_t k = 0; k < region.size(); ++k) {
@@ -21,8 +21,9 @@ void CellFaces::find_cutting(const Link& link, const Cell& cell, const Region& r
     }
 }
 
-// What the neighbours leave of a neighbour's plane: from the circumcentres around it where these
-// are points that are surely apart.
+// Sets the polygon in the plane of a neighbour that the half-spaces of the other neighbours leave.
+// It is made from the circumcentres around the neighbour, if these are finite and certainly
+// distinct.
 void CellFaces::set_polygon(const Link& link, const Cell& cell, PlaneNumber plane) {
     const std::uint32_t b = order_[plane];
     bool are_apart = cell.is_ordinary();
@@ -46,7 +47,8 @@ void CellFaces::set_polygon(const Link& link, const Cell& cell, PlaneNumber plan
     link.for_ring(b, first_[b], [&](std::uint32_t, std::uint32_t next) {
         if (link.neighbor(next) != infinite_vertex) ring_.push_back(rank_[next]);
     });
-    // Which of two planes through one line is an edge must not depend on where the ring begins.
+    // If two planes pass through one line, which of them is the edge must not depend on where the
+    // ring begins.
     std::sort(ring_.begin(), ring_.end());
     polygon_.set_far(plane);
     for (const PlaneNumber other : ring_) polygon_.clip(other, true);
@@ -67,7 +69,7 @@ void CellFaces::add_polygon() {
     add_face(polygon_.plane());
 }
 
-// A face whose edges are in the ring, from the one of the least number on.
+// Adds the face whose edges are in the ring, beginning at the edge with the least number.
 void CellFaces::add_face(PlaneNumber plane) {
     const std::size_t begin = edges_.size();
     PlaneNumber* const least = std::min_element(ring_.begin(), ring_.end());
@@ -76,9 +78,9 @@ void CellFaces::add_face(PlaneNumber plane) {
     faces_.push_back({plane, begin, edges_.size()});
 }
 
-// The cell's face in a plane of the region, from the neighbours whose faces touch the plane:
-// docs/theory.md, "Cells", has why these are enough. Of a plane of the region and that of a
-// neighbour that are one, the neighbour has the face.
+// Adds the face of the cell in a plane of the region. It is found from those neighbours whose faces
+// touch the plane; docs/theory.md, "Cells", shows that these are enough. If a plane of the region
+// coincides with that of a neighbour, the face belongs to the neighbour.
 void CellFaces::add_region_face(std::size_t cut) {
     polygon_.set_far(cutting_[cut]);
     for (const PlaneNumber other : cutting_)
@@ -99,8 +101,9 @@ void CellFaces::add_region_face(std::size_t cut) {
     add_polygon();
 }
 
-// Of a polygon that is a face of the cell or has no area in common with it: told by a corner that
-// is outside, or inside but for the planes of its edges.
+// Whether the polygon overlaps with the cell. It is either a face of the cell or has no area in
+// common with the cell. A corner decides that is outside the cell, or inside all half-spaces but
+// those of its own edges.
 CellFaces::Overlap CellFaces::overlap_with_cell() {
     for (std::size_t i = 0; i < polygon_.size(); ++i) {
         bool is_inside = true;
@@ -161,7 +164,7 @@ void CellFaces::find(const Mesh& mesh, VertexId v, const Link& link, const Cell&
     number_corners();
 }
 
-// Three faces have a corner each, whose planes turn round it in one way.
+// A corner belongs to three faces, whose planes are in the same cyclic order around it in each.
 void CellFaces::number_corners() {
     std::size_t slots = 16;
     while (slots < edges_.size()) slots *= 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The faces of a cell within a region, each as the cycle of the planes that its edges lie in,
-// decided exactly.
+// The faces of a cell within a region. Each face is the cycle of the planes that contain its edges.
+// All decisions are exact.
 #pragma once
 
 #include "dual/cell.hpp"
@@ -28,22 +28,22 @@ class CellFaces {
 
     struct Face {
         PlaneNumber plane;
-        std::size_t begin, end;  // of its edges
+        std::size_t begin, end;  // the range of its edges
     };
-    // The point where three planes meet, whose normals are positively oriented in this order.
+    // The point where three planes meet. Their normals are positively oriented in this order.
     struct Corner {
         PlaneNumber plane[3];
     };
-    // Of vertex v, whose link is given, and whose cell is bounded or which the region bounds.
-    // Planes have the numbers of the neighbours in the order of their indices, and those of the
-    // region from there on, so that nothing here depends on how the triangulation came about. Faces
-    // of a cell without a region may have edges of no length; the others have none, and an area.
+    // Finds the faces of the cell of vertex v, whose link is given. The cell is bounded, or the
+    // region bounds it. Planes are numbered by the index of the neighbour; those of the region
+    // follow. So the result depends on the points alone. Without a region, faces may have edges of
+    // length 0. With one, all edges have a length and all faces an area.
     void find(const Mesh& mesh, VertexId v, const Link& link, const Cell& cell,
               const Region& region);
 
     std::size_t size() const noexcept { return faces_.size(); }
     const Face& face(std::size_t i) const noexcept { return faces_[i]; }
-    // The plane of edge i, counting from the face's begin.
+    // The plane of edge i; a face's edges are face.begin to face.end - 1.
     PlaneNumber edge(std::size_t i) const noexcept { return edges_[i]; }
     // The number of the corner before edge i.
     std::size_t corner_before(std::size_t i) const noexcept { return corner_of_edge_[i]; }
@@ -70,12 +70,15 @@ class CellFaces {
     Buffer<PlaneNumber> edges_;
     Buffer<std::uint32_t> corner_of_edge_;
     Buffer<Corner> corners_;
-    Buffer<std::uint32_t> slots_;         // by a hash of the planes: a corner's number, and 1
-    Buffer<std::uint32_t> first_;         // by neighbour: a triangle of the link that has it
-    Buffer<std::uint32_t> order_;         // by plane: the neighbour
-    Buffer<PlaneNumber> rank_;            // by neighbour: the plane
-    Buffer<PlaneNumber> ring_, cutting_;  // planes around a face; of the region, that may cut
-    // Faces to neighbours that reach to a cutting plane, which is given by its place in cutting_.
+    // A hash table of corners by their planes; an entry is the corner's number plus 1.
+    Buffer<std::uint32_t> slots_;
+    Buffer<std::uint32_t> first_;  // for each neighbour a triangle of the link that has it
+    Buffer<std::uint32_t> order_;  // the neighbour of each plane
+    Buffer<PlaneNumber> rank_;     // the plane of each neighbour
+    Buffer<PlaneNumber> ring_;     // the planes around a face
+    Buffer<PlaneNumber> cutting_;  // the planes of the region that may cut the cell
+    // The face of a neighbour that reaches a cutting plane; `cut` is the index of that plane in
+    // cutting_.
     struct Touch {
         std::size_t cut;
         PlaneNumber neighbor;

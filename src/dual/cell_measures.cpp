@@ -46,11 +46,11 @@ void CellMeasures::add_polygon(const Sums::Face& face) {
         is_known_ &= !a.is_ideal;
         sums_.reach(a.size);
     }
-    // The area by mistake, as add_edge() has it.
+    // The area that the polygon may have too much or too little, as add_edge() counts it.
     if (polygon_.slack() > 0) sums_.add_doubt<M>(face, polygon_.slack());
 }
 
-// The planes that some corner of the cell may be beyond.
+// Finds the planes that may have a corner of the cell on their outer side.
 void CellMeasures::find_cuts(const Link& link, const Region& region) {
     cutting_.clear();
     if (!region.is_bounded()) return;
@@ -66,8 +66,8 @@ void CellMeasures::find_cuts(const Link& link, const Region& region) {
     }
 }
 
-// The face to a neighbour, cut by the planes of the region. Where nothing has been left or taken by
-// mistake, it is known which of them it does not reach to.
+// Sets the face to a neighbour, clipped by the planes of the region. If the clipping was certain,
+// records which planes the face does not reach.
 void CellMeasures::set_face(const Link& link, std::size_t rank) {
     const std::uint32_t b = order_[rank];
     polygon_.clear();
@@ -94,8 +94,8 @@ void CellMeasures::settle(const Side& plane, const Link& link, const Region& reg
     });
 }
 
-// The face in a plane of the region: docs/theory.md, "Cells", has why those neighbours are enough
-// whose faces touch the plane.
+// Sets the face in a plane of the region. Only neighbours whose faces touch the plane are needed;
+// docs/theory.md, "Cells", shows why.
 void CellMeasures::set_region_face(const Cut& cut, const Link& link, const Region& region,
                                    const Touch* begin, const Touch* end) {
     const auto n = static_cast<std::uint32_t>(link.neighbor_count());
@@ -118,7 +118,8 @@ void CellMeasures::set_region_face(const Cut& cut, const Link& link, const Regio
     settle(cut.side, link, region);
 }
 
-// Of a polygon that is a face of the cell or has no area in common with it.
+// Whether the polygon overlaps with the cell. It is either a face of the cell or has no area in
+// common with the cell.
 CellMeasures::Overlap CellMeasures::overlap_with_cell() const {
     const Buffer<Corner>& corners = polygon_.corners();
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -126,7 +127,8 @@ CellMeasures::Overlap CellMeasures::overlap_with_cell() const {
         for (const std::uint32_t b : order_) {
             if (b == polygon_.label(i) || b == polygon_.label_before(i)) continue;
             const int sign = Polygon::sign_at(corners[i], cell_.side(b));
-            // A corner that is there by mistake may be outside anyway.
+            // If the clipping was uncertain, the corner may be wrong, and being outside proves
+            // nothing.
             if (sign > 0) return polygon_.slack() == 0 ? Overlap::none : Overlap::unknown;
             is_inside &= sign < 0;
             if (!is_inside) break;
@@ -136,8 +138,8 @@ CellMeasures::Overlap CellMeasures::overlap_with_cell() const {
     return corners.empty() ? Overlap::none : Overlap::unknown;
 }
 
-// The faces to neighbours are what the cutting planes leave of them; a face in such a plane is what
-// the neighbours leave of it.
+// Adds all faces. A face to a neighbour is what the cutting planes leave of it; a face in a cutting
+// plane is what the neighbours leave of it.
 template <Measure M>
 void CellMeasures::add_clipped(const Link& link, const Region& region) {
     link.find_rings([&](std::uint32_t b) { return cell_.index(b); }, first_);
@@ -163,14 +165,15 @@ void CellMeasures::add_clipped(const Link& link, const Region& region) {
     }
 }
 
-// Whether two neighbouring tetrahedra have one circumcentre, or two hull facets one plane.
+// Whether two adjacent tetrahedra have the same circumcentre, or two adjacent hull facets lie in
+// one plane.
 bool CellMeasures::is_one_corner(const Mesh& mesh, VertexId v, const Link& link,
                                  std::size_t triangle, unsigned beyond) const {
     const LinkTriangle& t = link.triangles()[triangle];
     const std::size_t other = t.beyond[beyond];
     const Corner &a = cell_.corner(triangle), &b = cell_.corner(other);
     if (a.is_ideal != b.is_ideal) return false;
-    // The vertex of the other triangle that is not in this one.
+    // The vertex of the other triangle that this one does not have.
     const LinkTriangle& of = link.triangles()[other];
     const std::uint32_t p = t.corner[after(beyond)], q = t.corner[before(beyond)];
     std::uint32_t apex = of.corner[0];
@@ -178,7 +181,7 @@ bool CellMeasures::is_one_corner(const Mesh& mesh, VertexId v, const Link& link,
         if (corner != p && corner != q) apex = corner;
     const auto point = [&](std::uint32_t number) { return mesh.point(link.neighbor(number)); };
     if (a.is_ideal)
-        // The vertex at infinity is on the edge, and the other two corners are hull vertices.
+        // The vertex at infinity is on the edge; the other two corners are on the hull.
         return orientation(mesh.point(v), point(link.neighbor(p) == infinite_vertex ? q : p),
                            point(t.corner[beyond]), point(apex)) == 0;
     if (length(a.x - b.x) > 2 * (a.error + b.error)) return false;
@@ -186,7 +189,7 @@ bool CellMeasures::is_one_corner(const Mesh& mesh, VertexId v, const Link& link,
                           point(apex)) == 0;
 }
 
-// How many faces have at least three edges of some length: others have no area.
+// The number of faces with at least three edges of positive length. Other faces have no area.
 std::size_t CellMeasures::count_faces(const Mesh& mesh, VertexId v, const Link& link) {
     edges_.resize(0);
     edges_.resize(link.neighbor_count(), 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Volume, area, centroid and number of faces of a cell in doubles, where they are good enough.
+// Volume, area, centroid and number of faces of a cell, computed in doubles where these are
+// accurate enough.
 #pragma once
 
 #include "dual/cell.hpp"
@@ -8,7 +9,7 @@
 
 namespace mgdt {
 
-// One cell after the other, in the same memory.
+// Measures one cell at a time and reuses its memory for the next.
 class CellMeasures {
   public:
     explicit CellMeasures(Allocator& allocator)
@@ -21,12 +22,12 @@ class CellMeasures {
           cutting_(allocator),
           touches_(allocator) {}
 
-    // Of vertex v, whose link is given, within the region: one double, or the three of a centroid.
-    // Returns false where the error may be above measure_error, and for the number of faces of a
-    // cell that the region may cut.
+    // Measures the cell of vertex v, whose link is given, within the region. The result is one
+    // double, or three for a centroid. Returns false if the error may exceed measure_error, or if
+    // faces are to be counted and the region may cut the cell.
     bool measure(const Mesh& mesh, VertexId v, const Link& link, const Region& region,
                  Measure measure, Centers centers, double* x);
-    // The cell that was measured last.
+    // The cell of the last call of measure().
     const Cell& cell() const noexcept { return cell_; }
 
   private:
@@ -36,8 +37,7 @@ class CellMeasures {
         std::size_t plane;
         Side side;
     };
-    // Faces to neighbours that may reach to a cutting plane, by their places in order_ and
-    // cutting_.
+    // The face of a neighbour that may reach a cutting plane, by indices into order_ and cutting_.
     struct Touch {
         std::size_t cut, neighbor;
     };
@@ -67,8 +67,8 @@ class CellMeasures {
     Buffer<std::uint32_t> order_, first_, edges_;
     Buffer<Cut> cutting_;
     Buffer<Touch> touches_;
-    bool is_known_ = true;           // all corners are points
-    const double* point_ = nullptr;  // of the vertex
+    bool is_known_ = true;           // all corners are finite
+    const double* point_ = nullptr;  // the coordinates of the vertex
 };
 
 }  // namespace mgdt

@@ -6,26 +6,29 @@
 
 namespace mgdt {
 
-// A corner of a face: a point, or the direction of a ray that ends nowhere.
+// A corner of a face: a point, or the direction of an unbounded ray.
 struct Corner {
     Vector<double> x;
-    double size, error;  // length of x; of the error of x, at most
+    double size, error;  // the length of x; an upper bound on that of its error
     bool is_ideal;
 };
 
-// A face lies in the plane normal . x = offset of its side; the cell is where normal . x is less.
+// A half-space. The face lies in the plane normal . x = offset; the cell is where normal . x is
+// less.
 struct Side {
     Vector<double> normal;
     double offset;
-    double size;   // length of the normal
-    double error;  // of the offset, at most; the normal's is that of one rounding of its numbers
+    double size;   // the length of the normal
+    double error;  // a bound on the error of the offset; the components of the normal are off by
+                   // one rounding
 
     double distance() const noexcept { return std::fabs(offset) / size; }
 };
 
-// The point where three planes meet, by Cramer's rule; of planes that turn round it so that their
-// normals are positively oriented. False where these are in one plane, nearly, or where numbers are
-// beyond the range of doubles. Bounds of the error: docs/theory.md, "Cells".
+// Computes the point where three planes meet by Cramer's rule. In the cyclic order of the planes
+// around the point, their normals are positively oriented. Returns false if the normals are nearly
+// in one plane, or if numbers leave the range of doubles. The error bound is derived in
+// docs/theory.md, "Cells".
 inline bool meet(const Side& p, const Side& q, const Side& r, Corner& corner) {
     constexpr double u = rounding_of<double>;
     const Vector<double> qr = cross(q.normal, r.normal), rp = cross(r.normal, p.normal),

@@ -6,14 +6,14 @@
 namespace mgdt {
 namespace {
 
-// x / sqrt(y), y being above 0; with a few roundings.
+// x / sqrt(y) for positive y, with the error of a few roundings.
 WideDouble over_root(const WideDouble& x, const WideDouble& y) {
     const bool is_odd = y.exponent % 2 != 0;
     const double root = std::sqrt(is_odd ? 2 * y.mantissa : y.mantissa);
     return WideDouble(x.mantissa / root, x.exponent - (y.exponent - is_odd) / 2);
 }
 
-// The sums over the faces in numbers that bound their own errors.
+// Sums over the faces, in numbers that carry bounds on their errors.
 template <class Numbers>
 class BoundedSums {
   public:
@@ -33,7 +33,8 @@ class BoundedSums {
 
     void set_corners();
     void add_face(const CellFaces::Face& face, Measure measure);
-    // Twice the multiple of the normal that lies in the face.
+    // The foot of the perpendicular from the vertex to the face is a multiple of the face's normal;
+    // twice that factor.
     B weight_of(PlaneNumber p, const Row& row) {
         if (faces_.half_spaces().is_bisector(p)) return numbers_.number(1);
         return (row.offset + row.offset) / dot(row.normal, row.normal);
@@ -47,12 +48,12 @@ class BoundedSums {
 
     Numbers& numbers_;
     CellFaces& faces_;
-    typename Numbers::Array sums_;  // twelve times the volume, 48 times the moment; or the area
+    typename Numbers::Array sums_;  // 12 times the volume and 48 times the moment, or the area
     typename Numbers::Array corners_;
     WideDouble extent_;
 };
 
-// By Cramer's rule.
+// Computes the corners by Cramer's rule.
 template <class Numbers>
 void BoundedSums<Numbers>::set_corners() {
     HalfSpaces& half_spaces = faces_.half_spaces();
@@ -94,7 +95,7 @@ void BoundedSums<Numbers>::add_face(const CellFaces::Face& face, Measure measure
     if (measure != Measure::area) {
         add_to_sum(0, weight * along);
     } else {
-        // Over twice the length of the normal.
+        // Divides by twice the length of the normal.
         const WideDouble length2 = dot(row.normal, row.normal).wide(),
                          area = over_root(along.wide(), length2),
                          error = over_root(along.wide_error(), length2);
@@ -111,7 +112,7 @@ void BoundedSums<Numbers>::add(Measure measure) {
 
 template <class Numbers>
 bool BoundedSums<Numbers>::give(const double* point, int scale, Measure measure, double* x) {
-    // Errors may be NaN.
+    // A comparison that is false if the error is NaN.
     const auto is_below = [](const WideDouble& a, const WideDouble& b, double factor) {
         return a < b * WideDouble(factor);
     };
@@ -162,7 +163,7 @@ bool ExactMeasures::measure_in(Stage stage, CellFaces& faces, const double* poin
 void ExactMeasures::measure(CellFaces& faces, const double* point, int scale, Measure measure,
                             double* x) {
     if (faces.size() == 0) {
-        // The region may leave nothing of a cell of a point that is outside by rounding.
+        // If the point is outside the region by rounding, the region may leave nothing of its cell.
         if (measure == Measure::centroid)
             for (int k = 0; k < 3; ++k) x[k] = scaled(point[k], -scale);
         else
@@ -171,7 +172,7 @@ void ExactMeasures::measure(CellFaces& faces, const double* point, int scale, Me
     }
     for (const Stage stage : {Stage::doubles, Stage::twofold})
         if (measure_in(stage, faces, point, scale, measure, x)) return;
-    // A cell has a volume, so that enough limbs tell it.
+    // The volume is not 0, so there is a number of limbs that gives it to the wanted accuracy.
     std::size_t limbs = 256 / exact::limb_bits;
     while (!measure_in(Stage::long_numbers, faces, point, scale, measure, x, limbs)) limbs *= 2;
 }

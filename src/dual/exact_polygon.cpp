@@ -15,15 +15,16 @@ void ExactPolygon::set_far(PlaneNumber plane) {
     int sign;
     const int axis = half_spaces_.main_axis(plane, sign);
     for (int k = 0; k < 3; ++k) {
-        // Edges -y, x + y, -x about a normal along z; the other way about one against it.
+        // The triangle has the normals -y, x + y, -x if the plane's normal is along +z, and the
+        // opposite cycle if it is along -z.
         constexpr int cycle[3] = {1, 2, 0};
         const PlaneNumber edge = far_plane(axis, cycle[sign > 0 ? k : 2 - k]);
         corners_.push_back({unknown, edge});
     }
 }
 
-// Of three planes that turn about the corner; or of an edge with a far end, the way there. All
-// other corners of far planes are unknown.
+// The corner where three planes meet, or the direction to it if the last plane is a far one. Other
+// corners with far planes have no coordinates.
 ExactPolygon::LabelledCorner ExactPolygon::corner(PlaneNumber before, PlaneNumber after) const {
     LabelledCorner c = {unknown, after};
     if (is_far(before) && is_far(after)) return c;
@@ -78,7 +79,7 @@ bool ExactPolygon::clip(PlaneNumber s, bool stays_if_equal) {
         return touches;
     }
     if (!has_inside) {
-        // A corner or an edge may be left, which has no area.
+        // What is left may be a single corner or an edge, which has no area.
         corners_.clear();
         return true;
     }

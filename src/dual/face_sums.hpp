@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the faces of a cell add up to, with a bound of the error: volume, area or moment, from the
-// corners of each face in turn. The sums are the same in whatever order the faces come.
+// Sums over the faces of a cell, with bounds on their errors: volume, area or moment, from the
+// corners of each face in cyclic order. The sums do not depend on the order of the faces.
 #pragma once
 
 #include "dual/corner.hpp"
@@ -11,11 +11,11 @@ namespace mgdt {
 
 enum class Measure { volume, area, centroid, faces };
 
-// Relative error of volumes and areas, and that of centroids in units of the distance of the
-// farthest corner.
+// The largest relative error of volumes and areas, and the largest error of centroids in units of
+// the distance of the farthest corner.
 constexpr double measure_error = 1e-12;
 
-// Terms, and a bound of the error of each.
+// A sum with a bound on the error of each term.
 class ErrorBoundSum {
   public:
     explicit ErrorBoundSum(Allocator& allocator) : terms_(allocator), errors_(allocator) {}
@@ -49,13 +49,13 @@ class FaceSums {
         : sums_{ErrorBoundSum(allocator), ErrorBoundSum(allocator), ErrorBoundSum(allocator),
                 ErrorBoundSum(allocator)} {}
 
-    // A face's side, and twice the multiple of its normal that lies in the face.
+    // A face: its half-space, and twice the factor by which its normal reaches its plane.
     struct Face {
         const Side& side;
         double weight;
-        double error;  // of the weight
+        double error;  // a bound on the error of the weight
     };
-    // The face in a plane that is no bisector.
+    // A face in a plane that is not the bisector between two vertices.
     static Face face_in_plane(const Side& side) {
         const double squared = dot(side.normal, side.normal), weight = 2 * side.offset / squared;
         return {side, weight,
@@ -66,23 +66,24 @@ class FaceSums {
         for (ErrorBoundSum& sum : sums_) sum.clear();
         extent_ = 0;
     }
-    // Bounds the distance of corners from the vertex.
+    // Notes the distance of a corner from the vertex.
     void reach(double distance) { extent_ = std::fmax(extent_, distance); }
-    // What the triangle of the vertex and an edge of the face adds, the face turning round its
-    // outward normal. Volumes are 12 times too large and areas twice; docs/theory.md, "Cells".
+    // Adds the contribution of the triangle between the vertex and an edge of the face; edges are
+    // counter-clockwise about the outward normal. Volumes are 12 times too large and areas twice;
+    // see docs/theory.md, "Cells".
     template <Measure M>
     void add_edge(const Face& face, const Corner& a, const Corner& b,
                   const Vector<double>& a_cross_b);
-    // An area of the face that may be there or not.
+    // Adds an area to the error bound: the face may have it or not.
     template <Measure M>
     void add_doubt(const Face& face, double area);
 
-    // Whether the error is below measure_error for sure.
+    // Whether the error is certainly below measure_error.
     template <Measure M>
     bool is_sure() const;
     double volume() const { return std::fmax(sums_[0].value() / 12, 0); }
     double area() const { return std::fmax(sums_[0].value() / 2, 0); }
-    // A coordinate of the centroid relative to the vertex.
+    // A coordinate of the centroid, relative to the vertex.
     double centroid(int axis) const { return sums_[1 + axis].value() / (4 * sums_[0].value()); }
 
   private:
@@ -128,7 +129,7 @@ void FaceSums::add_doubt(const Face& face, double area) {
 
 template <Measure M>
 bool FaceSums::is_sure() const {
-    // Terms of such a sum that are lost below the range of doubles do not count.
+    // Terms that underflow in a sum of this magnitude do not matter.
     constexpr double least = 0x1p-900, most = 0x1p900;
     const double value = sums_[0].value();
     if (!(value > least && value < most)) return false;

@@ -6,10 +6,11 @@
 namespace mgdt {
 namespace {
 
-// Products of three lengths within these stay in the range of doubles.
+// Products of three lengths in this range do not leave the range of doubles.
 constexpr double least_length = 0x1p-250, most_length = 0x1p250;
 
-// The height of the point where p, q and r meet over s, times the determinant of their normals.
+// The height over plane s of the point where p, q and r meet, times the determinant of the normals
+// of p, q and r.
 template <class Number>
 Number height_of(const PlaneRow<Number>& p, const PlaneRow<Number>& q, const PlaneRow<Number>& r,
                  const PlaneRow<Number>& s) {
@@ -47,7 +48,7 @@ void HalfSpaces::add_plane(const double* of, int scale) {
     sources_.push_back({of, true, scale});
     const double largest =
         std::fmax(std::fmax(std::fabs(of[0]), std::fabs(of[1])), std::fabs(of[2]));
-    // Lengths of normals between 1 and 4.
+    // Scales normals to lengths between 1 and 4.
     const int shift = -std::ilogb(largest);
     Side side;
     Twofold offset = {std::ldexp(of[3], shift + scale), 0};
@@ -63,7 +64,7 @@ void HalfSpaces::add_plane(const double* of, int scale) {
                   0x1p-1000) *
                  factor_;
     if (!(terms < 0x1p900 && terms * factor_ < 0x1p900)) {
-        side.offset = 0;  // it may be NaN
+        side.offset = 0;  // the computed one may be NaN
         side.error = std::numeric_limits<double>::infinity();
     }
     sides_.push_back(side);
@@ -108,8 +109,8 @@ void HalfSpaces::prepare<BoundedFloat<Twofold>>() {
     in_twofold_.clear();
     for (const Source& source : sources_) in_twofold_.push_back(row_of(numbers, source));
 }
-// Rounded from twofold numbers: where a plane of the region is much nearer than coordinates are
-// large, doubles would lose its offset.
+// Converts by way of twofold numbers: if a plane of the region is much closer to the origin than
+// coordinates are large, doubles would lose its offset.
 template <>
 void HalfSpaces::prepare<BoundedFloat<double>>() {
     if (in_doubles_.size() == sources_.size()) return;
@@ -125,7 +126,7 @@ void HalfSpaces::prepare<BoundedFloat<double>>() {
 template <>
 void HalfSpaces::prepare<LongNumber>() {
     if (exact_.size() == sources_.size()) return memory_.release(end_of_rows_);
-    // Without a limit of their length.
+    // Numbers of unlimited length.
     struct Exact {
         using B = LongNumber;
         LongMemory& memory;
@@ -146,7 +147,8 @@ Number HalfSpaces::number(double x) {
         return Number::number(x);
 }
 
-// As far as M, which is larger than every number, is what counts, its offset is 1; else 0.
+// A far plane has the offset M, larger than all numbers. Only multiples of M count, so the offset
+// is 1 for a far plane and 0 for any other.
 template <class Number>
 PlaneRow<Number> HalfSpaces::far_row(PlaneNumber p, bool is_offset_far) {
     const int axis = static_cast<int>(p - first_far_plane) / 3,
@@ -195,7 +197,7 @@ int HalfSpaces::sign_of_product(PlaneNumber p, PlaneNumber q) {
 
 int HalfSpaces::main_axis(PlaneNumber p, int& sign) {
     prepare<BoundedFloat<Twofold>>();
-    // Differences of doubles are exact.
+    // Differences of two doubles are exact in twofold numbers.
     const Vector<BoundedFloat<Twofold>>& normal = in_twofold_[p].normal;
     int axis = 0;
     for (int k = 1; k < 3; ++k)
@@ -210,7 +212,7 @@ bool HalfSpaces::round_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, Vecto
     const Vector<LongNumber> bc = cross(b.normal, c.normal), ca = cross(c.normal, a.normal),
                              ab = cross(a.normal, b.normal);
     const LongNumber determinant = dot(a.normal, bc);
-    // Three limbs, or a few more of 32 bits, leave out less than 2^-110 of a quotient.
+    // Three limbs of 64 bits, or more of 32, leave out less than 2^-110 of a quotient.
     LongMemory cut_off(exact_.allocator(), 192 / exact::limb_bits);
     const LongNumber weight = cut_off.copy(determinant);
     for (int k = 0; k < 3; ++k) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Half-spaces that bound a cell or a region, with numbers, and exact decisions about the points
-// where three of their planes meet. docs/theory.md, "Cells".
+// Numbered half-spaces that bound a cell or a region, with exact decisions about the points where
+// three of their planes meet. See docs/theory.md, "Cells".
 #pragma once
 
 #include "dual/corner.hpp"
@@ -10,9 +10,9 @@ namespace mgdt {
 
 using PlaneNumber = std::uint32_t;
 
-// Beyond the numbers of half-spaces: planes that are farther away than everything, three for each
-// axis. With an axis along which a plane's normal has an extent, they cut a triangle out of that
-// plane.
+// Far planes are farther away than everything else. There are three for each axis, with numbers
+// above those of half-spaces. If the normal of a plane has a component along an axis, the three far
+// planes of that axis cut a triangle out of the plane.
 constexpr PlaneNumber first_far_plane = 0xfffffff0;
 constexpr bool is_far(PlaneNumber p) {
     return p >= first_far_plane;
@@ -38,29 +38,31 @@ class HalfSpaces {
           exact_(allocator),
           memory_(allocator) {}
 
-    // Begins anew. The origin is a point that stays where it is. Approximate lengths are multiplied
-    // by `factor`, a power of two.
+    // Removes all half-spaces. The origin is a point whose coordinates stay where they are.
+    // Approximate lengths are multiplied by `factor`, a power of two.
     void clear(const double* origin, double factor);
-    // Each gets the next number. What is nearer to the origin than to this point, which stays.
+    // Adds the half-space that is nearer to the origin than to this point. Half-spaces are numbered
+    // as they come. The coordinates stay where they are.
     void add_nearer_side(const double* point);
-    // normal . x <= offset 2^scale, where x is not relative to the origin. The four numbers stay.
+    // Adds the half-space normal . x <= offset 2^scale, where x is not relative to the origin. The
+    // four numbers stay where they are.
     void add_plane(const double* normal_and_offset, int scale);
 
-    // Rounded. The error of the offset is infinite where doubles are of no use.
+    // The half-space in doubles. The error of its offset is infinite if doubles are of no use.
     const Side& side(PlaneNumber p) const noexcept { return sides_[p]; }
 
-    // +1 where the point in which the planes p, q and r meet is outside the half-space s, 0 on its
-    // plane, -1 inside. The normals of p, q and r are positively oriented. Planes q and r may be
-    // far.
+    // +1 if the point where the planes p, q and r meet is outside half-space s, 0 on its plane, -1
+    // inside. The normals of p, q and r are positively oriented. Planes q and r may be far planes.
     int side_of_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, PlaneNumber s);
-    // Sign of the scalar product of two normals.
+    // The sign of the scalar product of two normals.
     int sign_of_product(PlaneNumber p, PlaneNumber q);
-    // The axis along which a normal has its largest extent, and the sign of that.
+    // The axis of the largest component of a normal, and the sign of that component.
     int main_axis(PlaneNumber p, int& sign);
 
-    // Whether the plane is halfway between the origin and another point, which is its normal then.
+    // Whether the plane is the bisector between the origin and another point. The vector to that
+    // point is its normal then.
     bool is_bisector(PlaneNumber p) const noexcept { return !sources_[p].is_plane; }
-    // In numbers with bounds, relative to the origin.
+    // The planes in numbers that bound their errors, relative to the origin.
     template <class Real>
     PlaneRow<BoundedFloat<Real>> row(BoundedFloats<Real>&, PlaneNumber p) {
         prepare<BoundedFloat<Real>>();
@@ -70,23 +72,24 @@ class HalfSpaces {
         return row_of(numbers, sources_[p]);
     }
 
-    // The point where three planes meet, rounded, not relative to the origin. The error is relative
-    // to each coordinate, below corner_error; false where twofold numbers do not hold it.
+    // Computes the point where three planes meet, not relative to the origin. The relative error of
+    // each coordinate is below corner_error. Returns false if twofold numbers are not accurate
+    // enough.
     bool round_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, Vector<Twofold>& x);
     static constexpr double corner_error = 0x1p-100;
 
   private:
     struct Source {
-        const double* numbers;  // a point, or a normal and an offset
+        const double* numbers;  // the coordinates of a point, or a normal and an offset
         bool is_plane;
         int scale;
     };
     template <class Numbers>
     PlaneRow<typename Numbers::B> row_of(Numbers& numbers, const Source& source) const;
-    // Rows of all half-spaces in the order of their numbers.
+    // One row per half-space, by number.
     template <class Number>
     Buffer<PlaneRow<Number>>& rows();
-    // Finds the rows, if they are not there yet, and forgets other exact numbers.
+    // Computes the rows if they are not there yet, and frees the other exact numbers.
     template <class Number>
     void prepare();
     template <class Number>
@@ -95,7 +98,7 @@ class HalfSpaces {
     PlaneRow<Number> far_row(PlaneNumber p, bool is_offset_far);
     template <class Number>
     PlaneRow<Number> any_row(PlaneNumber p, bool is_far_part);
-    // 2 where the numbers do not tell it.
+    // The sign, or 2 if the numbers are not accurate enough.
     template <class Number>
     int side_in(PlaneNumber p, PlaneNumber q, PlaneNumber r, PlaneNumber s);
 
@@ -107,7 +110,7 @@ class HalfSpaces {
     Buffer<PlaneRow<BoundedFloat<Twofold>>> in_twofold_;
     Buffer<PlaneRow<LongNumber>> exact_;
     LongMemory memory_;
-    std::size_t end_of_rows_ = 0;  // in memory_
+    std::size_t end_of_rows_ = 0;  // where the rows end in memory_
 };
 
 }  // namespace mgdt

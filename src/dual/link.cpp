@@ -8,7 +8,7 @@ void Link::gather(const Mesh& mesh, VertexId v, TetId first) {
     tetrahedra_.clear();
     triangles_.clear();
     tetrahedra_.number(first);
-    // outer_face is negative as seen from inside.
+    // The vertices in the order of outer_face are clockwise as seen from inside.
     const auto slots = [](unsigned of_vertex) {
         const unsigned char* const face = outer_face[of_vertex];
         struct {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The link of a vertex: the faces opposite it of the tetrahedra at it, a sphere of triangles.
+// The link of a vertex: for each tetrahedron at the vertex the face opposite the vertex. These
+// triangles form a sphere.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -8,34 +9,34 @@
 namespace mgdt {
 
 struct LinkTriangle {
-    // Numbers of neighbours of the vertex, in the order that makes the vertex and these a
+    // The corners, as numbers of neighbours. The vertex and the three corners in this order are a
     // positively oriented tetrahedron.
     std::uint32_t corner[3];
-    std::uint32_t beyond[3];  // the triangle across the edge opposite corner k
+    std::uint32_t beyond[3];  // the adjacent triangle across the edge opposite corner k
 };
 
-// One link after the other, in the same memory.
+// Gathers one link at a time and reuses its memory for the next.
 class Link {
   public:
     explicit Link(Allocator& allocator)
         : triangles_(allocator), vertices_(allocator), tetrahedra_(allocator) {}
 
-    // Of v, a vertex of the tetrahedron `first`.
+    // Gathers the link of v, which is a vertex of the tetrahedron `first`.
     void gather(const Mesh& mesh, VertexId v, TetId first);
 
     std::size_t neighbor_count() const noexcept { return vertices_.size(); }
-    // By number. One may be the vertex at infinity.
+    // The neighbour with this number. One of them may be the vertex at infinity.
     VertexId neighbor(std::size_t number) const noexcept {
         return vertices_.name(static_cast<std::uint32_t>(number));
     }
     const Buffer<LinkTriangle>& triangles() const noexcept { return triangles_; }
-    // The tetrahedron of a triangle.
+    // The tetrahedron of a triangle of the link.
     TetId tetrahedron(std::size_t triangle) const noexcept {
         return tetrahedra_.name(static_cast<std::uint32_t>(triangle));
     }
 
-    // By neighbour: the triangle from which on for_ring() meets the neighbour of the least index
-    // first, so that nothing depends on the order of the records.
+    // For each neighbour, the triangle at which for_ring() should begin to reach the adjacent
+    // neighbour of least index first. Then the ring does not depend on the order of the records.
     template <class IndexOf>
     void find_rings(IndexOf index_of, Buffer<std::uint32_t>& first) const {
         constexpr std::uint32_t none = 0xffffffffu;
@@ -50,8 +51,8 @@ class Link {
                     of_corner = i;
             }
     }
-    // The triangles around neighbour b in turn, from `first` on, which has it: visit(triangle, the
-    // neighbour that it shares with the next).
+    // Visits the triangles around neighbour b in cyclic order, from `first` on, which has b as a
+    // corner. Calls visit(triangle, the neighbour that it shares with the next triangle).
     template <class Visit>
     void for_ring(std::uint32_t b, std::uint32_t first, Visit visit) const {
         std::uint32_t i = first;
@@ -64,12 +65,12 @@ class Link {
     }
 
   private:
-    // Where a triangle has a neighbour.
+    // The position of neighbour b among the corners of a triangle.
     unsigned place(std::uint32_t triangle, std::uint32_t b) const noexcept {
         const std::uint32_t(&corner)[3] = triangles_[triangle].corner;
         return corner[0] == b ? 0 : corner[1] == b ? 1 : 2;
     }
-    // What it shares with the next triangle around its corner k.
+    // The neighbour that the triangle shares with the next one around its corner k.
     std::uint32_t shared(std::uint32_t triangle, unsigned k) const noexcept {
         return triangles_[triangle].corner[k == 0 ? 2 : k - 1];
     }

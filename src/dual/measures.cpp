@@ -12,7 +12,7 @@
 namespace mgdt {
 namespace {
 
-// A tetrahedron of each vertex. Which one it is may depend on the threads.
+// Finds a tetrahedron for each vertex. Which one it is may depend on the threads.
 void find_tetrahedra(const ExportView& view, AtomicArray<TetId>& first) {
     const Mesh& mesh = view.mesh;
     constexpr std::size_t min_slots_per_thread = 262144;
@@ -29,7 +29,7 @@ void find_tetrahedra(const ExportView& view, AtomicArray<TetId>& first) {
 
 constexpr std::size_t min_vertices_per_thread = 4096;
 
-// Measures one cell: in doubles where they are good enough, else from its exact faces.
+// Measures single cells: in doubles if these are accurate enough, otherwise from the exact faces.
 class Measurer {
   public:
     explicit Measurer(Allocator& allocator)
@@ -55,7 +55,8 @@ class Measurer {
     CellFaces faces_;
 };
 
-// Cells that the region cuts, and those that the passes leave open, one by one.
+// Measures the cells one by one that the region cuts, or that the passes over tetrahedra leave
+// undecided.
 void export_volumes(const ExportView& view, const Region& region, AtomicArray<TetId>& first,
                     double* x) {
     const Mesh& mesh = view.mesh;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measures of all cells.
+// Measures of all Voronoi cells.
 #pragma once
 
 #include "dual/cell_measures.hpp"
@@ -7,7 +7,7 @@
 
 namespace mgdt {
 
-// One double a point, or three of a centroid; 0 where a point is no vertex.
+// Writes one double per point, or three for a centroid; 0 for a point that is no vertex.
 void export_measures(const ExportView& view, const Region& region, Measure measure,
                      std::size_t points, double* x);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sum that is the same in whatever order its terms come.
+// A sum that does not depend on the order of its terms.
 #pragma once
 
 #include <cmath>
@@ -8,15 +8,16 @@
 
 namespace mgdt {
 
-// Of n terms of at most `largest` in magnitude. They are rounded to multiples of one power of two,
-// so that their sum is exact, and what that leaves to multiples of a smaller one (Demmel and
-// Nguyen, Fast reproducible floating-point summation, ARITH 21, 2013). The error is at most n^3
-// 2^-102 largest, and that of one addition. Infinite where they may leave the range of doubles.
+// The sum of n terms whose magnitudes are at most `largest`. Terms are rounded to multiples of a
+// power of two, so that their sum is exact; the remainders are rounded to multiples of a smaller
+// one (Demmel and Nguyen, Fast reproducible floating-point summation, ARITH 21, 2013). The error is
+// at most n^3 2^-102 largest plus that of one addition. The result is infinite if sums may leave
+// the range of doubles.
 inline double order_free_sum(const double* terms, std::size_t n, double largest) {
     if (!(largest > 0)) return 0;
     const auto count = static_cast<double>(n);
     if (!(count * largest < 0x1p1000)) return std::numeric_limits<double>::infinity();
-    // What is added to 3 2^e has multiples of 2^(e - 51) alone.
+    // Adding a number to 3 2^e rounds it to a multiple of 2^(e - 51).
     const auto rounder = [](double bound) { return std::ldexp(3.0, std::ilogb(bound) + 1); };
     const double coarse = rounder(count * largest), fine = rounder(count * std::ldexp(coarse, -53));
     double high = 0, low = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Convex polygons in space, a face of a cell each, and what half-spaces leave of them.
+// Convex polygons in space, each a face of a cell, and how half-spaces clip them.
 #pragma once
 
 #include <limits>
@@ -9,7 +9,7 @@
 
 namespace mgdt {
 
-// Its edges are labelled with the numbers of the sides that they lie in.
+// A polygon whose edges are labelled with the numbers of the half-spaces whose planes contain them.
 class Polygon {
   public:
     explicit Polygon(Allocator& allocator)
@@ -24,38 +24,38 @@ class Polygon {
         labels_.clear();
         slack_ = 0;
     }
-    // Adds a corner, and the label of the edge that follows it.
+    // Adds a corner and the label of the edge that follows it.
     void push_back(const Corner& corner, std::uint32_t label) {
         corners_.push_back(corner);
         labels_.push_back(label);
     }
     const Buffer<Corner>& corners() const noexcept { return corners_; }
-    // Of an edge, and of the edge that ends in a corner.
+    // The label of an edge.
     std::uint32_t label(std::size_t edge) const noexcept { return labels_[edge]; }
     std::uint32_t label_before(std::size_t corner) const noexcept {
         return labels_[corner == 0 ? labels_.size() - 1 : corner - 1];
     }
-    // Bounds the area that was left or taken by mistake.
+    // An upper bound on the area that clipping has kept or removed wrongly.
     double slack() const noexcept { return slack_; }
 
-    // Leaves what is on the inner side (Sutherland and Hodgman, Reentrant polygon clipping,
-    // Communications of the ACM 17, 1974). Returns whether some corner is off the plane for sure.
+    // Clips the polygon by a half-space (Sutherland and Hodgman, Reentrant polygon clipping,
+    // Communications of the ACM 17, 1974). Returns whether some corner is certainly off the plane.
     bool clip(const Side& side, std::uint32_t label);
-    // Puts corners where the planes of their edges meet that of the polygon, side(label) being that
-    // of an edge, if that is more precise.
+    // Moves each corner to the point where the planes of its two edges meet that of the polygon, if
+    // this is more accurate. side(label) gives the half-space of an edge.
     template <class SideOf>
     void settle(const Side& plane, SideOf side);
-    // Where rays end at last: bounds the distance of what is looked at from the origin.
+    // Sets the length at which rays end, an upper bound on all distances from the origin that
+    // matter.
     void set_reach(double reach) noexcept { reach_ = reach; }
     double reach() const noexcept { return reach_; }
-    // +1 where a corner that is a point is outside for sure, -1 where it is inside for sure, else
-    // 0.
+    // +1 if a finite corner is certainly outside, -1 if it is certainly inside, otherwise 0.
     static int sign_at(const Corner& corner, const Side& side) {
         const Height h = height(corner, side);
         return h.value > h.error ? 1 : -h.value > h.error ? -1 : 0;
     }
-    // Whether all of these corners, each(f) calling f(corner), are on the inner side for sure, and
-    // rays do not leave it within the reach.
+    // Whether all corners are certainly inside, and no ray leaves the half-space within the reach.
+    // each(f) calls f for each corner.
     template <class Each>
     static bool are_inside(const Side& side, double reach, Each each) {
         double top = -std::numeric_limits<double>::infinity(), rise = 0;
@@ -69,20 +69,22 @@ class Polygon {
         double error;
     };
     static Height height(const Corner& corner, const Side& side);
-    // What bounds heights from above: those of points, and how fast rays may rise.
+    // Raises the upper bounds on the heights of finite corners and on the slopes of rays.
     static void look_up(const Corner& corner, const Height& h, double& top, double& rise) {
         const double value = h.value;
         if (!corner.is_ideal)
             top = std::fmax(top, value + h.error);
         else if (value > 0)
             top = std::numeric_limits<double>::infinity();
-        else if (value == 0)  // parallel, or nearly so; twice the reach to the other side
+        else if (value == 0)  // nearly parallel: the ray ends on the other side, at twice the reach
             rise = std::fmax(rise, 4 * h.error / corner.size);
     }
     static constexpr double lost_area = 0x1p200;
-    // Bounds the area that is taken or left by mistake, heights having errors up to `doubt`.
+    // An upper bound on the area that is kept or removed wrongly if heights have errors up to
+    // `doubt`.
     double doubt_area(double doubt) const;
-    // Where an edge meets a side: one end is inside, or on it, the other one is outside.
+    // The point where an edge crosses a plane. One end is inside or on the plane, the other one is
+    // outside.
     static Corner crossing(const Corner& in, const Height& of_in, const Corner& out,
                            const Height& of_out);
 
@@ -97,7 +99,7 @@ inline Polygon::Height Polygon::height(const Corner& corner, const Side& side) {
     const double along = dot(side.normal, corner.x);
     double error = side.size * (corner.error + 6 * u * corner.size);
     if (corner.is_ideal) {
-        // A ray that may be parallel does not come nearer.
+        // A ray that may be parallel to the plane does not come closer to it.
         const bool is_known = std::fabs(along) > error;
         return {is_known ? along : 0, error};
     }
@@ -105,8 +107,8 @@ inline Polygon::Height Polygon::height(const Corner& corner, const Side& side) {
     return {along - side.offset, error};
 }
 
-// The combination of the ends whose height is 0, by weights that are not negative; that of an ideal
-// end counts no point. Exchanging the ends gives the same.
+// The convex combination of the two ends whose height is 0. The direction of a ray has no weight of
+// its own. Exchanging the ends gives the same result.
 inline Corner Polygon::crossing(const Corner& in, const Height& of_in, const Corner& out,
                                 const Height& of_out) {
     constexpr double u = rounding_of<double>;
@@ -124,7 +126,7 @@ inline Corner Polygon::crossing(const Corner& in, const Height& of_in, const Cor
         divisor = w;
     }
     c.size = length(c.x);
-    // The weights have the errors of the heights, each of which moves the point along the edge.
+    // The weights have the errors of the heights. Each moves the point along the edge.
     const double move = c.is_ideal     ? in.size + out.size
                         : in.is_ideal  ? in.size
                         : out.is_ideal ? out.size
@@ -141,7 +143,7 @@ inline Corner Polygon::crossing(const Corner& in, const Height& of_in, const Cor
     double slack = w > error_of_weight
                        ? (of_in.error * e + of_out.error * d) / (w * (w - error_of_weight))
                        : lost;
-    // Between two points it stays between them.
+    // The crossing stays between two finite ends.
     if (!in.is_ideal && !out.is_ideal) slack = std::fmin(slack, 1);
     c.error += move * slack;
     return c;
@@ -186,8 +188,9 @@ inline bool Polygon::clip(const Side& side, std::uint32_t label) {
     return is_off;
 }
 
-// A strip where the height is at most `doubt` may be there by mistake, or not. The slope gives its
-// breadth, and the polygon is not longer than twice its farthest corner.
+// The part of the polygon where the height is at most `doubt` may be kept or removed wrongly. It is
+// a strip: the slope bounds its width, and twice the distance of the farthest corner bounds its
+// length.
 inline double Polygon::doubt_area(double doubt) const {
     double extent = 0;
     std::size_t lowest = 0, highest = 0;
@@ -209,7 +212,8 @@ void Polygon::settle(const Side& plane, SideOf side) {
     for (std::size_t i = 0; i < corners_.size(); ++i) {
         const std::uint32_t before = label_before(i);
         Corner corner;
-        // Edges turn round the plane's normal, and sides look outwards.
+        // Edges are counter-clockwise about the plane's normal, and the normals of the half-spaces
+        // point outwards.
         if (before != labels_[i] && meet(plane, side(before), side(labels_[i]), corner) &&
             corner.error < corners_[i].error)
             corners_[i] = corner;

@@ -11,7 +11,7 @@
 namespace mgdt {
 namespace {
 
-// Numbers below it in magnitude have products with others that are doubles.
+// Products of two numbers below this magnitude are in the range of doubles.
 constexpr double most_ordinary = 0x1p300;
 
 // normal . p - offset.
@@ -45,7 +45,7 @@ void Region::add_plane(std::size_t k, const double* of, const Mesh& mesh) {
             fail(MGDT_ERR_NOT_FINITE, "plane %lld has a number that is not finite", number(k));
     const double largest = std::max({std::fabs(of[0]), std::fabs(of[1]), std::fabs(of[2])});
     if (largest == 0) fail(MGDT_ERR_INVALID_ARGUMENT, "plane %lld has no normal", number(k));
-    // Lengths of normals between 1 and 4, by powers of two.
+    // Scales normals by powers of two to lengths between 1 and 4.
     const int shift = -std::ilogb(largest);
     Plane plane;
     plane.numbers = of;
@@ -58,7 +58,7 @@ void Region::add_plane(std::size_t k, const double* of, const Mesh& mesh) {
     planes_.push_back(plane);
 }
 
-// Whether a point is outside by more than rounding; exactly where doubles overflow.
+// Whether a point is outside by more than rounding. The decision is exact if doubles overflow.
 bool Region::is_beyond(const Plane& plane, const double* p, int scale, LongMemory& memory) const {
     const double height = plane.height(p), error = plane.error(p);
     if (std::isfinite(height) && std::isfinite(error)) return height > error;
@@ -69,7 +69,7 @@ bool Region::is_beyond(const Plane& plane, const double* p, int scale, LongMemor
     return exact.sign() > 0;
 }
 
-// Names the first point that is outside.
+// Throws an Error that names the first point outside.
 void Region::require_inside(const Mesh& mesh) const {
     LongMemory memory(planes_.allocator());
     constexpr std::uint32_t none = 0xffffffffu;
@@ -88,10 +88,10 @@ void Region::require_inside(const Mesh& mesh) const {
              number(plane));
 }
 
-// Finds the faces, and keeps the planes that have one.
+// Finds the faces of the region, and keeps only the planes that have one.
 void Region::set_faces(const Mesh& mesh) {
     Allocator& allocator = planes_.allocator();
-    // A point that does not depend on the order of insertion.
+    // A vertex that does not depend on the order of insertion.
     VertexId first = 1;
     for (VertexId v = 2; v < mesh.vertices.size(); ++v)
         if (mesh.vertices[v].index < mesh.vertices[first].index) first = v;
@@ -105,11 +105,11 @@ void Region::set_faces(const Mesh& mesh) {
     ExactPolygon polygon(allocator, half_spaces);
     const auto count = static_cast<PlaneNumber>(planes_.size());
     Buffer<Plane> with_faces(allocator);
-    Buffer<PlaneNumber> numbers(allocator);  // by what was a plane's number
+    Buffer<PlaneNumber> numbers(allocator);  // the new number of each plane
     numbers.resize(count, 0);
     for (PlaneNumber k = 0; k < count; ++k) {
         polygon.set_far(k);
-        // Of planes that coincide the first one has the face.
+        // If planes coincide, the first one has the face.
         for (PlaneNumber j = 0; j < count && !polygon.is_empty(); ++j)
             if (j != k) polygon.clip(j, k < j);
         if (polygon.is_empty()) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The region that cells are clipped to: a convex polyhedron as the planes that bound it.
+// The region that clips the cells: a convex polyhedron, given by the planes that bound it.
 #pragma once
 
 #include "dual/corner.hpp"
@@ -14,31 +14,31 @@ class ExactPolygon;
 
 class Region {
   public:
-    // Planes a b c d each: a x + b y + c z <= d. Everything if there are none. Throws Error where a
-    // number is not finite, a plane has no normal, a vertex is outside by more than rounding, or
-    // the planes do not bound a region. Messages count planes and points from `base`. The planes
-    // stay where they are.
+    // Each plane is four numbers a b c d, for a x + b y + c z <= d. Without planes the region is
+    // all of space. Throws an Error if a number is not finite, a plane has no normal, a vertex is
+    // outside by more than rounding, or the planes do not bound a region. Messages number planes
+    // and points from `base` on. The numbers stay where they are.
     Region(Allocator& allocator, std::size_t n, const double* planes, const Mesh& mesh,
            std::int32_t base);
 
     bool is_bounded() const noexcept { return !planes_.empty(); }
-    // Planes that have a face of the region each: one of those that are equal, and none of those
-    // that leave nothing out.
+    // The number of planes that have a face of the region. Redundant planes are left out, and all
+    // but one of several that coincide.
     std::size_t size() const noexcept { return planes_.size(); }
-    // a b c d of plane k, as the caller gave them.
+    // The numbers a b c d of plane k, as the caller gave them.
     const double* numbers(std::size_t k) const noexcept { return planes_[k].numbers; }
-    // Whether doubles and twofold numbers hold the planes and corners.
+    // Whether the planes and corners are in the range of doubles and twofold numbers.
     bool is_ordinary() const noexcept { return is_ordinary_; }
-    // Bounds the distance of its points from one another.
+    // An upper bound on the distance between two points of the region.
     double extent() const noexcept { return extent_; }
-    // The side of plane k relative to a point, which is at the origin then, all lengths times
-    // `factor`.
+    // The half-space of plane k with `point` as the origin, and all lengths multiplied by `factor`.
     Side side(std::size_t k, const double* point, double factor) const;
-    // A bound from below of the distance of a point from the nearest plane; negative for a point
-    // that is outside by more than rounding, NaN where it is not known.
+    // A lower bound on the distance of a point from the nearest plane. It is negative if the point
+    // is outside by more than rounding, and NaN if it is not known.
     double clearance(const double* point) const;
-    // The face in plane k, likewise, with the numbers of the other planes as labels, to which
-    // `first_label` is added. It turns round the normal.
+    // Sets `polygon` to the face in plane k, with `point` as the origin and all lengths multiplied
+    // by `factor`. The label of an edge is the number of its plane plus `first_label`. Edges are
+    // counter-clockwise about the normal.
     void set_face(std::size_t k, const double* point, double factor, std::uint32_t first_label,
                   Polygon& face) const;
 
@@ -46,9 +46,9 @@ class Region {
     struct Plane {
         const double* numbers;
         double normal[3], offset;
-        double size;          // length of the normal, at most
-        std::uint32_t index;  // the caller's
-        std::uint32_t first;  // of its corners
+        double size;          // an upper bound on the length of the normal
+        std::uint32_t index;  // the caller's number of the plane
+        std::uint32_t first;  // its first corner
         double height(const double* p) const {
             return ((normal[0] * p[0] + normal[1] * p[1]) + normal[2] * p[2]) - offset;
         }
@@ -57,14 +57,14 @@ class Region {
     struct RegionCorner {
         Twofold x[3];
         double error;
-        std::uint32_t label;  // the plane of the edge that follows
+        std::uint32_t label;  // the plane of the edge that follows the corner
     };
     void add_plane(std::size_t k, const double* of, const Mesh& mesh);
     bool is_beyond(const Plane& plane, const double* p, int scale, LongMemory& memory) const;
     void require_inside(const Mesh& mesh) const;
     void set_faces(const Mesh& mesh);
     void add_face(const ExactPolygon& polygon, HalfSpaces& half_spaces, const double* near);
-    // Of a plane or point, for messages.
+    // The number of a plane or point in messages.
     long long number(std::size_t k) const { return static_cast<long long>(k) + base_; }
 
     Buffer<Plane> planes_;

@@ -12,16 +12,17 @@ namespace mgdt {
 namespace {
 
 constexpr int least_exponent = -500;
-// Sums count units of 2^-60 of the cube of the longest edge, as long as no part has more than a
-// 32nd of that, and 255 have not more than 8; errors units of 2^-66.
+// Volumes are summed as integers, in units of 2^-60 of the cube of the longest edge at the vertex;
+// errors in units of 2^-66. This is possible as long as no part exceeds 1/32 of that cube and 255
+// parts do not exceed 8.
 constexpr int sum_bits = 60, error_bits = 66;
 constexpr std::uint32_t most_parts = 255;
 constexpr double most_units = 0x1p55, most_error = 0x1p50;
 
 using V = Vector<double>;
 
-// What many threads do to a number that several may have. One alone does without the lock, which
-// costs as much as all else.
+// Operations on a number that several threads may change. With one thread no atomic operation is
+// used; these would double the time.
 template <bool alone>
 struct Update {
     template <class T>
@@ -57,9 +58,10 @@ int exponent_of(double x) {
     return static_cast<int>(bits >> 52 & 0x7FF) - 1023;
 }
 
-// What a facet, with the squared lengths of its edges opposite its corners, its normal and the
-// height of the circumcentre over it (both times the length of the normal), gives its corners. The
-// normal is not longer than 0.29 times the sum of the squares.
+// The parts that a facet contributes to its three corners. The arguments are the squared lengths of
+// its edges, each opposite a corner, its normal, and the height of the circumcentre over it; both
+// are multiplied by the length of the normal. The normal is not longer than 0.29 times the sum of
+// the squares.
 struct FacetParts {
     double of[3], error;
 };
@@ -133,7 +135,7 @@ MGDT_ALWAYS_INLINE VolumePass::Parts VolumePass::parts_of(const Mesh& mesh, cons
     result.volume[2] = (of_c.of[2] + of_a.of[1]) + of_d.of[1];
     result.volume[3] = (of_b.of[2] + of_a.of[2]) + of_d.of[2];
     result.error = (of_a.error + of_b.error) + (of_c.error + of_d.error);
-    // Else numbers may have been lost at the ends of the range of doubles.
+    // Outside this range, numbers may have overflowed or underflowed.
     constexpr double least = 0x1p-100, most = 0x1p100;
     const auto is_long = [](double square) { return square > least * least; };
     result.is_known = is_long(aa) && is_long(bb) && is_long(cc) && is_long(abab) && is_long(acac) &&
@@ -167,7 +169,7 @@ void VolumePass::set_exponents(const Mesh& mesh, std::size_t begin, std::size_t 
     }
 }
 
-// Of the cube of the longest edge at v, at least.
+// A lower bound on the exponent of the cube of the longest edge at v.
 int VolumePass::exponent(VertexId v) {
     const int of_square = exponents_[v].load(std::memory_order_relaxed) + least_exponent + 1;
     return (3 * of_square + 1) >> 1;
@@ -187,7 +189,7 @@ void VolumePass::add(const Mesh& mesh, std::size_t begin, std::size_t end) {
         for (unsigned i = 0; i < 4; ++i) {
             const VertexId v = parts.v[i];
             Update<alone>::raise(radii_[v], bits);
-            // Only powers of two that are doubles.
+            // The power of two has to be in the range of doubles.
             const int least = exponent(v);
             const bool is_known = parts.is_known && least > -400 && least < 400;
             const double one = is_known ? power_of_two(sum_bits - least) : 1;
@@ -243,7 +245,7 @@ bool VolumePass::find(VertexId v, double& volume) {
         return static_cast<double>(of[v].load(std::memory_order_relaxed));
     };
     volume = load(sums_) * power_of_two(least - sum_bits);
-    // A unit for each part that was cut to an integer.
+    // Each part that was rounded to an integer has an error of one unit.
     const double error = (load(errors_) + count) * power_of_two(least - error_bits) +
                          count * power_of_two(least - sum_bits);
     return error <= 0.9 * measure_error * volume;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Volumes of cells by passes over the tetrahedra, with no cell ever built: each tetrahedron is cut
-// into the parts that are nearest to its vertices, pyramids over parts of its facets whose apex is
-// the circumcentre, with a sign (docs/theory.md, "Cells"). Sums of integers do not depend on an
-// order.
+// Volumes of cells by passes over the tetrahedra, without building any cell. Each tetrahedron is
+// divided into the parts that are nearest to each of its vertices. A part is a signed sum of
+// pyramids over parts of facets, with the circumcentre as the apex (docs/theory.md, "Cells"). The
+// volumes are sums of integers, which do not depend on the order of the terms.
 #pragma once
 
 #include "parallel/atomic_array.hpp"
@@ -14,19 +14,20 @@ class VolumePass {
   public:
     explicit VolumePass(const ExportView& view);
 
-    // Whether the cell of v has no end.
+    // Whether the cell of v is unbounded.
     bool is_infinite(VertexId v) { return flags(v) & on_hull; }
-    // Bounds the distance of the cell's corners from the vertex.
+    // An upper bound on the distance of the cell's corners from the vertex.
     double radius(VertexId v);
-    // Whether the volume, of coordinates as the mesh has them, is known to measure_error.
+    // Computes the volume, in the mesh's scale. Returns false if its error may exceed
+    // measure_error.
     bool find(VertexId v, double& volume);
 
   private:
-    // Of a tetrahedron whose vertices are sorted by index.
+    // The parts of a tetrahedron whose vertices are sorted by index.
     struct Parts {
         VertexId v[4];
         double volume[4];
-        double error;  // of each
+        double error;  // an upper bound on the error of each
         double radius;
         bool is_known;
     };
@@ -43,8 +44,9 @@ class VolumePass {
 
     int exponent(VertexId v);
 
-    AtomicArray<std::int32_t> exponents_;  // of the square of the longest edge, less the least one
-    AtomicArray<std::uint32_t> radii_;     // bits of floats
+    AtomicArray<std::int32_t> exponents_;  // for each vertex the exponent of the square of the
+                                           // longest edge, less the least such exponent
+    AtomicArray<std::uint32_t> radii_;     // for each vertex the bits of a float
     AtomicArray<std::uint32_t> flags_, counts_;
     AtomicArray<std::int64_t> sums_, errors_;
 };

@@ -10,8 +10,8 @@
 namespace mgdt {
 namespace {
 
-// Directions in which neighbours are no farther apart than this, of the largest extent, have no
-// slope.
+// A direction has no slope if the neighbours' extent along it is less than this fraction of the
+// largest extent.
 constexpr double least_extent = 0x1p-48;
 
 struct VisitedStar {
@@ -63,8 +63,8 @@ Twofold root(const Twofold& x) {
 
 }  // namespace
 
-// With A the rows of unit vectors to the neighbours, the pseudo-inverse of A. Rotations in the
-// plane of two axes make the columns of A V orthogonal (Hestenes, Inversion of matrices by
+// The pseudo-inverse of A, the matrix whose rows are unit vectors to the neighbours. Rotations in
+// the plane of two axes make the columns of A V orthogonal (Hestenes, Inversion of matrices by
 // biorthogonalization and related results, Journal of the SIAM 6, 1958): A V = U S, and the
 // pseudo-inverse is V S^-1 U^T.
 template <class Real>
@@ -88,7 +88,7 @@ double Gradient::set_directions(const Mesh& mesh, VertexId v, Buffer<Real>& colu
         double part = 1;
         set(part);
         if (!std::isfinite(largest)) set(part = 0.25);
-        // Near 1, by a power of two.
+        // Scales by a power of two, so that lengths are near 1.
         const int exponent = std::ilogb(largest);
         for (Real& x : d.x)
             x = scaled_by(scaled_by(x, std::ldexp(1.0, -exponent / 2)),
@@ -103,7 +103,7 @@ double Gradient::set_directions(const Mesh& mesh, VertexId v, Buffer<Real>& colu
         for (std::size_t j = 0; j < n; ++j) sum = sum + x[j] * y[j];
         return sum;
     };
-    constexpr int most_sweeps = 16;  // each squares what is left
+    constexpr int most_sweeps = 16;  // each sweep squares the remaining error
     constexpr double least_cosine = 2 * rounding_of<Real>;
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         bool is_orthogonal = true;
@@ -115,7 +115,7 @@ double Gradient::set_directions(const Mesh& mesh, VertexId v, Buffer<Real>& colu
                       least_cosine * std::sqrt(nearest_double(pp) * nearest_double(qq))))
                     continue;
                 is_orthogonal = false;
-                // Any rotation will do, if it is one to the last bits.
+                // Any rotation will do, as long as it is orthogonal to the last bits.
                 const double zeta = nearest_double(qq - pp) / (2 * nearest_double(pq));
                 const double t =
                     std::copysign(1 / (std::fabs(zeta) + std::sqrt(1 + zeta * zeta)), zeta);
@@ -151,8 +151,8 @@ double Gradient::set_directions(const Mesh& mesh, VertexId v, Buffer<Real>& colu
     return n == 0 ? 1 : std::sqrt(least / largest);
 }
 
-// The distance of the nearest neighbour over that of the farthest: the slope towards a near one is
-// steep, and counts in all directions by the rounding of its own.
+// The distance of the nearest neighbour divided by that of the farthest. The slope towards a very
+// close neighbour is steep, and its rounding affects all directions.
 double Gradient::nearness() const {
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const Row& row : rows_) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The gradient of values at a vertex: the linear function through its value that is nearest to
-// those of its neighbours, in the sense of least squares of differences over distances.
+// The gradient at a vertex: that of the linear function through the vertex's value that fits the
+// values of the neighbours best. The fit is by least squares of differences divided by distances.
 #pragma once
 
 #include "mesh/numbers.hpp"
@@ -9,7 +9,8 @@
 
 namespace mgdt {
 
-// One vertex after another, in the same memory. Lengths are those of the mesh's scale.
+// Computes one gradient at a time and reuses its memory for the next. Lengths are in the mesh's
+// scale.
 class Gradient {
   public:
     explicit Gradient(Allocator& allocator)
@@ -22,14 +23,15 @@ class Gradient {
 
     void find(const Locator& where, VertexId v);
 
-    // The gradient is the sum over neighbours of direction(j) times the difference of their value
-    // from the vertex's, divided by distance(j).
+    // The gradient is the sum over the neighbours j of direction(j) times the difference between
+    // the values of the neighbour and the vertex, divided by distance(j).
     std::size_t size() const noexcept { return neighbors_.size(); }
     VertexId neighbor(std::size_t j) const noexcept { return neighbors_[j]; }
     const Vector<Twofold>& direction(std::size_t j) const noexcept { return rows_[j].direction; }
     double distance(std::size_t j) const noexcept { return rows_[j].distance; }
-    // Whether neighbours are nearly in one plane or on one line, or one is far nearer than another:
-    // then directions or slopes are long, cancel, and have a lower part, which else is 0.
+    // Whether the neighbours are nearly in one plane or on one line, or one is much closer than
+    // another. Then directions or slopes are large and cancel, so they have a lower part, which is
+    // 0 otherwise.
     bool is_thin() const noexcept { return is_thin_; }
 
   private:
@@ -39,8 +41,8 @@ class Gradient {
     };
     void gather(const Locator& where, VertexId v);
     double nearness() const;
-    // Sets the directions and distances; returns the least extent of the neighbours over the
-    // largest.
+    // Sets the directions and distances. Returns the smallest extent of the neighbours divided by
+    // the largest.
     template <class Real>
     double set_directions(const Mesh& mesh, VertexId v, Buffer<Real>& columns);
 

@@ -26,11 +26,11 @@ class HullWalk {
     }
 
   private:
-    // Of the present ghost: a facet opposite the vertex at infinity, the edge of it that is
-    // opposite a corner, or a corner.
+    // A feature of the current ghost: the facet opposite the vertex at infinity, the edge of that
+    // facet opposite a corner, or a corner.
     enum class Feature { facet, edge, corner };
-    // The corner's places in the record, in the order that is positive with a point inside the
-    // hull.
+    // The positions of the corners in the record, in an order that is positively oriented together
+    // with a point inside the hull.
     const unsigned char* places(TetId ghost) const {
         return outer_face[mesh_.tetrahedra[ghost].infinite_slot()];
     }
@@ -42,12 +42,12 @@ class HullWalk {
         const unsigned char* const at = places(ghost);
         return orientation(q_, point(v[at[0]]), point(v[at[1]]), point(v[at[2]])) <= 0;
     }
-    // Whether the way from v to u begins towards q.
+    // Whether the edge from v to u begins in a direction that comes closer to q.
     bool is_towards(VertexId v, VertexId u) const {
         return side_of_diametral_sphere(q_, point(u), point(v)) < 0;
     }
-    // +1 where the place in the plane of the facet that is nearest to q is on the inner side of the
-    // edge opposite the corner at `slot`.
+    // +1 if the point of the facet's plane that is nearest to q is on the inner side of the edge
+    // opposite the corner at `slot`, 0 on the edge, -1 on the outer side.
     int side(TetId ghost, unsigned slot) const {
         const Tetrahedron& t = mesh_.tetrahedra[ghost];
         VertexId end[2], *to = end;
@@ -77,7 +77,7 @@ class HullWalk {
         feature_ = Feature::edge;
         slot_ = at[beyond[0]];
         if (count == 1) return true;
-        // Of two edges at most one goes on towards q from where they meet.
+        // At most one of two edges continues towards q from their common corner.
         const unsigned meet = 3 - beyond[0] - beyond[1];
         const VertexId* const v = present().v;
         if (is_towards(v[at[meet]], v[at[beyond[0]]])) {
@@ -109,15 +109,15 @@ class HullWalk {
             }
         return false;
     }
-    // Of the present edge, which has the corner at `slot`.
+    // The other end of the current edge, one end of which is the corner at `slot`.
     VertexId other_end(unsigned slot) const {
         const Tetrahedron& t = present();
         unsigned k = 0;
         while (k == slot || k == slot_ || t.v[k] == infinite_vertex) ++k;
         return t.v[k];
     }
-    // Around the corner, one facet after another, to an edge that goes towards q, of a facet that q
-    // is beyond.
+    // Goes around the corner from facet to facet, to an edge that goes towards q and belongs to a
+    // facet that q is beyond.
     bool leave_corner() {
         const VertexId v = present().v[slot_];
         VertexId left = infinite_vertex, ahead = infinite_vertex;
@@ -154,7 +154,7 @@ class HullWalk {
     TetId ghost_;
     Feature feature_ = Feature::facet;
     unsigned slot_ = 0;
-    int side_[3] = {};  // of the last facet
+    int side_[3] = {};  // the sides at the edges of the last facet
 };
 
 HullPlace HullWalk::place() const {
@@ -164,7 +164,7 @@ HullPlace HullWalk::place() const {
     const unsigned char* const at = places(ghost_);
     switch (feature_) {
         case Feature::facet:
-            // Without those that have no weight.
+            // Corners of weight 0 are left out.
             for (unsigned k = 0; k < 3; ++k)
                 if (side_[k] != 0) add(at[k]);
             break;

@@ -14,19 +14,19 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// The product of a way and a gradient or direction, of which only long ones have lower parts.
+// The product of a displacement and a gradient or direction. Only large gradients have lower parts.
 double product(const Vector<Twofold>& way, const Twofold* g) {
     if (g[0].low == 0 && g[1].low == 0 && g[2].low == 0)
         return (way.x[0].high * g[0].high + way.x[1].high * g[1].high) + way.x[2].high * g[2].high;
     return ((way.x[0] * g[0] + way.x[1] * g[1]) + way.x[2] * g[2]).high;
 }
 
-// Gradients at vertices, in the lengths of the mesh's scale.
+// Gradients at vertices, in units of the mesh's scale.
 class GradientsOf {
   public:
     GradientsOf(const Locator& where, const Values& values, Allocator& allocator)
         : where_(where), values_(values), stencil_(allocator) {}
-    // Three numbers for each field.
+    // Writes three numbers for each field.
     void write(VertexId v, Twofold* out) {
         const Mesh& mesh = where_.mesh;
         stencil_.find(where_, v);
@@ -56,7 +56,7 @@ class GradientsOf {
 
 constexpr std::size_t vertices_per_thread = 1024;
 
-// Calls write(vertex, worker) for each vertex, a worker writing its gradients.
+// Calls write(vertex, worker) for each vertex, where the worker writes the gradients of the vertex.
 template <class Write>
 void for_each_gradient(const ExportView& view, const Locator& where, const Values& values,
                        Write write) {
@@ -71,10 +71,10 @@ void for_each_gradient(const ExportView& view, const Locator& where, const Value
                     });
 }
 
-// Evaluates rows, one thread's.
+// Evaluates rows; each thread has its own.
 class Evaluator {
   public:
-    // `gradients` may be empty: then they are found where they are wanted.
+    // If `gradients` is empty, gradients are computed as they are needed.
     Evaluator(const Locator& where, Allocator& allocator, const Manner& manner,
               const Values& values, const Buffer<Twofold>& gradients)
         : mesh_(where.mesh),
@@ -116,7 +116,8 @@ class Evaluator {
     Buffer<Twofold> gradient_;
 };
 
-// Weights alone, of points by index: those of gradients are put with the others.
+// Writes rows of weights by the caller's index. The weights that gradients contribute are added to
+// the others.
 class RowWriter {
   public:
     struct Entry {
@@ -129,7 +130,7 @@ class RowWriter {
           interpolator_(where, allocator, manner.method, manner.outside),
           gradient_(allocator) {}
 
-    // Adds a row to `entries`.
+    // Adds the row of a place to `entries`.
     void add(const double* q, TetId t, TetId near) {
         const Buffer<Vertex>& vertices = where_.mesh.vertices;
         const PlaceRow& row = interpolator_.row(q, t, near);
@@ -155,7 +156,7 @@ class RowWriter {
     Buffer<Entry> entries;
 
   private:
-    // One entry for each point.
+    // Merges the entries of the row so that each point has one.
     void merge(std::size_t begin) {
         std::stable_sort(entries.begin() + begin, entries.end(),
                          [](const Entry& a, const Entry& b) { return a.point < b.point; });
@@ -178,7 +179,7 @@ class RowWriter {
 void interpolate(const ExportView& view, const Locator& where, Manner manner, const Values& values,
                  const PointSet& places, double* out) {
     Buffer<Twofold> gradients(view.allocator);
-    // A place wants some sixteen of them.
+    // A place needs about sixteen gradients.
     if (manner.method == Method::sibson_c1 && places.size >= view.mesh.vertices.size() / 8) {
         const std::size_t width = 3 * values.fields;
         gradients.resize(width * view.mesh.vertices.size());
@@ -203,7 +204,8 @@ std::size_t interpolation_weights(const ExportView& view, const Locator& where, 
         std::size_t begin;
         std::uint32_t size, member;
     };
-    // Rows are found along a curve and put into the order of the places, block by block.
+    // Rows are computed in the order of a space-filling curve and written in the order of the
+    // places, block by block.
     constexpr std::size_t most = std::size_t{1} << 17;
     PerMember<RowWriter> workers(view.team, view.allocator, where, std::ref(view.allocator),
                                  manner);

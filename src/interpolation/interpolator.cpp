@@ -60,7 +60,7 @@ void Interpolator::add_linear(const double* q, TetId t) {
     sort();
 }
 
-// False at a vertex and on a ridge of the hull.
+// Returns false at a vertex and on a ridge of the hull.
 bool Interpolator::add_natural(TetId t) {
     const Mesh& mesh = where_.mesh;
     for (const VertexId v : mesh.tetrahedra[t].v)
@@ -81,7 +81,7 @@ void Interpolator::add_inside(const double* q, TetId t) {
 }
 
 void Interpolator::add_outside(TetId near) {
-    // From as far away as that the direction is all that counts, and products might not be doubles.
+    // Beyond this distance only the direction counts, and products might overflow.
     constexpr double far = 0x1p400;
     const double most = max_magnitude(q_[0], q_[1], q_[2]);
     double from[3];
@@ -104,9 +104,9 @@ void Interpolator::add_outside(TetId near) {
     if (outside_ == Outside::linear) extrapolate(place);
 }
 
-// Sibson's second interpolation: the linear functions of the gradients, each with its weight over
-// its distance, mixed with the values so that a paraboloid of revolution is met too (Sibson, A
-// brief description of natural neighbour interpolation, 1981).
+// Sibson's C1 interpolation. The linear functions of the gradients, weighted by the natural weights
+// over the distances, are mixed with the interpolated value so that a paraboloid of revolution is
+// reproduced (Sibson, A brief description of natural neighbour interpolation, 1981).
 void Interpolator::smooth() {
     const Mesh& mesh = where_.mesh;
     Buffer<PlaceRow::Weight>& weights = row_.weights;
@@ -118,7 +118,7 @@ void Interpolator::smooth() {
             largest = std::max(largest, std::fabs(from(w.vertex, axis)));
     const auto distance = [&](VertexId v) {
         const double x = from(v, 0) / largest, y = from(v, 1) / largest, z = from(v, 2) / largest;
-        // Of a vertex at the place of the hull as it is rounded, any small number.
+        // If a vertex is at the rounded point of the hull, any small number will do.
         return std::max(std::sqrt((x * x + y * y) + z * z), 0x1p-300);
     };
     double over = 0, times = 0, square = 0;
@@ -128,7 +128,7 @@ void Interpolator::smooth() {
         times += w.weight * d;
         square += w.weight * d * d;
     }
-    // Of coordinates at both ends of the range of doubles.
+    // The coordinates may be at both ends of the range of doubles.
     if (!(largest < 0x1p1000)) return;
     const double alpha = times / over, of_values = alpha / (alpha + square),
                  of_planes = square / (alpha + square);
@@ -139,8 +139,8 @@ void Interpolator::smooth() {
     }
 }
 
-// By the mean of the gradients at the corners of the hull facet, on the way from the place that the
-// corners have with these very weights.
+// Continues the value linearly outside the hull, with the mean of the gradients at the corners of
+// the hull facet. The displacement begins at the point that the corners have with the same weights.
 void Interpolator::extrapolate(const HullPlace& from) {
     Vector<Twofold> way;
     for (int axis = 0; axis < 3; ++axis) {
@@ -148,7 +148,7 @@ void Interpolator::extrapolate(const HullPlace& from) {
         for (unsigned k = 0; k < from.size; ++k)
             way.x[axis] = way.x[axis] -
                           Twofold::product(from.weight[k], where_.mesh.point(from.corner[k])[axis]);
-        // Where the way is too long for doubles, what is at its beginning stays.
+        // If the displacement is too long for doubles, the value at its beginning remains.
         if (!std::isfinite(way.x[axis].high) || !std::isfinite(way.x[axis].low)) return;
     }
     for (unsigned k = 0; k < from.size; ++k)

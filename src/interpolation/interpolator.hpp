@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the value at a place is made of: weights of values at vertices, and of their gradients.
+// What contributes to the value at a place: weights of values at vertices, and of their gradients.
 #pragma once
 
 #include <optional>
@@ -14,9 +14,9 @@ namespace mgdt {
 enum class Method { linear, nearest, sibson, laplace, sibson_c1 };
 enum class Outside { none, nearest, boundary, linear };
 
-// The value is the sum of weights times the values at vertices, and for each slope the product of
-// its factor, its way and the gradient at its vertex, in the lengths of the mesh's scale. Empty
-// where there is no value.
+// The value at the place is the sum of the weights times the values at the vertices, plus, for each
+// slope, its factor times the product of its displacement and the gradient at its vertex, in units
+// of the mesh's scale. The row is empty if there is no value.
 struct PlaceRow {
     explicit PlaceRow(Allocator& allocator) : weights(allocator), slopes(allocator) {}
     struct Weight {
@@ -26,19 +26,20 @@ struct PlaceRow {
     struct Slope {
         VertexId vertex;
         double factor;
-        Vector<Twofold> way;  // as long gradients across thin neighbourhoods cancel along it
+        // Twofold, because large gradients across thin neighbourhoods cancel along it.
+        Vector<Twofold> way;
     };
     Buffer<Weight> weights;  // none is 0; in the order of the caller's indices
     Buffer<Slope> slopes;
 };
 
-// One place after another, in the same memory: each thread has its own.
+// Computes one row at a time and reuses its memory for the next. Each thread has its own.
 class Interpolator {
   public:
     Interpolator(const Locator& where, Allocator& allocator, Method method, Outside outside);
 
-    // Of q, found in tetrahedron t or, with no_tetrahedron, outside the hull and near `near`, as
-    // Locator::locate() says.
+    // The row of q, which Locator::locate() has found in tetrahedron t or, if t is no_tetrahedron,
+    // outside the hull and near `near`.
     const PlaceRow& row(const double* q, TetId t, TetId near);
     static bool has_slopes(Method method, Outside outside) {
         return method == Method::sibson_c1 || outside == Outside::linear;
@@ -59,12 +60,12 @@ class Interpolator {
     Allocator& allocator_;
     const Method method_;
     const Outside outside_;
-    double q_[3] = {};       // in the mesh's scale
-    bool is_exact_ = false;  // but for its rounding
+    double q_[3] = {};       // the place in the mesh's scale
+    bool is_exact_ = false;  // whether q_ is exact but for its rounding
     PlaceRow row_;
     std::optional<PlaceStar> star_;
     NaturalWeights natural_;
-    std::optional<FlatHull> flat_hull_;  // if there are no tetrahedra and nothing outside it
+    std::optional<FlatHull> flat_hull_;  // used for places outside if there are no tetrahedra
 };
 
 }  // namespace mgdt

@@ -10,7 +10,8 @@
 namespace mgdt {
 namespace {
 
-// Of each weight: so that its rounding is the larger part of what it is off.
+// The largest error of a weight, so small that the rounding of the weight is the larger part of its
+// error.
 constexpr double weight_error = 0x1p-52;
 
 template <class Numbers>
@@ -34,10 +35,10 @@ class BoundedStar {
         }
     }
 
-    // Leave what is proportional to the weights.
+    // These functions compute sums that are proportional to the weights.
     void measure_in_space(Natural natural);
     void measure_on_hull(Natural natural);
-    // The weights; false if they are not known well enough.
+    // Writes the weights. Returns false if they are not known well enough.
     bool give(Buffer<double>& weights);
 
   private:
@@ -54,8 +55,8 @@ class BoundedStar {
         return {{numbers_.difference(a[0], b[0]), numbers_.difference(a[1], b[1]),
                  numbers_.difference(a[2], b[2])}};
     }
-    // Calls f for each in the order of its corners, which does not depend on how the triangulation
-    // came about: nor do sums then.
+    // Calls f for each part in the order of its corners, which depends on the points alone. So do
+    // sums then.
     template <class Part, class F>
     void for_each(const Buffer<Part>& parts, F f) {
         order_.clear();
@@ -71,7 +72,7 @@ class BoundedStar {
         const B sum = sums_.get(numbers_, k);
         sums_.set(k, is_negative ? sum - term : sum + term);
     }
-    // Relative to the corner that all vectors are relative to.
+    // The circumcentre, relative to the corner that all vectors are relative to.
     MGDT_NOT_INLINE static V center(const V& a, const V& b, const V& c);
     MGDT_NOT_INLINE static V center(const V& a, const V& b);
     void divide_by_squares() {
@@ -89,7 +90,7 @@ class BoundedStar {
     Buffer<std::uint32_t> order_;
 };
 
-// Of a tetrahedron, however it is oriented.
+// The circumcentre of a tetrahedron of either orientation.
 template <class Numbers>
 auto BoundedStar<Numbers>::center(const V& a, const V& b, const V& c) -> V {
     const V bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
@@ -100,7 +101,7 @@ auto BoundedStar<Numbers>::center(const V& a, const V& b, const V& c) -> V {
     return sum;
 }
 
-// Of a triangle.
+// The circumcentre of a triangle.
 template <class Numbers>
 auto BoundedStar<Numbers>::center(const V& a, const V& b) -> V {
     const V normal = cross(a, b);
@@ -151,11 +152,11 @@ void BoundedStar<Numbers>::measure_on_hull(Natural natural) {
     int axis = 0;
     bool is_first = true;
     for_each(star_.removed_triangles(), [&](const auto& t) {
-        const PlaceStar::Number(&v)[4] = t.corner;
+        const PlaceStar::Number(&v)[3] = t.corner;
         const double* const base = point(v[0]);
         const V a = difference(point(v[1]), base), b = difference(point(v[2]), base);
         if (is_first) {
-            // Areas of the shadow along one axis are proportional to those in the plane.
+            // Areas of the projection along one axis are proportional to those in the plane.
             const V normal = cross(a, b);
             for (int k = 1; k < 3; ++k)
                 if (magnitude(normal.x[axis].wide()) < magnitude(normal.x[k].wide())) axis = k;
@@ -166,7 +167,7 @@ void BoundedStar<Numbers>::measure_on_hull(Natural natural) {
         numbers_.forget();
     });
     for (std::size_t i = 0; i < star_.created_triangles().size(); ++i) {
-        const PlaceStar::Number(&v)[3] = star_.created_triangles()[i].corner;
+        const PlaceStar::Number(&v)[2] = star_.created_triangles()[i].corner;
         set(centers_, removed + i, center(get(x_, v[0]), get(x_, v[1])));
         numbers_.forget();
     }

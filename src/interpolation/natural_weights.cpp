@@ -60,7 +60,8 @@ void NaturalWeights::normalize() {
     for (double& w : weights_) w /= sum;
 }
 
-// What the mean of the neighbours is off; whether that is little.
+// Computes the distance between the place and the weighted mean of its neighbours. Returns whether
+// it is below the bound.
 bool NaturalWeights::is_in_place(double (&off)[3]) const {
     double mean = 0;
     std::fill_n(off, 3, 0.0);
@@ -73,8 +74,8 @@ bool NaturalWeights::is_in_place(double (&off)[3]) const {
     return max_magnitude(off[0], off[1], off[2]) <= natural_place_error * mean;
 }
 
-// The roundings of far circumcentres may add up to more than is allowed. Weights times 1 + x . y
-// have their place at off + M y, M being the sum of weights times x x^T.
+// Rounding errors of far circumcentres may add up to more than is allowed. Multiplying the weights
+// by 1 + x . y moves their mean to off + M y, where M is the sum of the weights times x x^T.
 bool NaturalWeights::correct(const double (&off)[3]) {
     double m[6] = {};
     for (std::size_t k = 0; k < weights_.size(); ++k) {
@@ -87,7 +88,7 @@ bool NaturalWeights::correct(const double (&off)[3]) {
         m[4] += wy * v.z;
         m[5] += weights_[k] * v.z * v.z;
     }
-    // The adjugate, which is symmetric.
+    // The adjugate of M, which is symmetric.
     const double a = m[3] * m[5] - m[4] * m[4], b = m[2] * m[4] - m[1] * m[5],
                  c = m[1] * m[4] - m[2] * m[3], d = m[0] * m[5] - m[2] * m[2],
                  e = m[1] * m[2] - m[0] * m[4], f = m[0] * m[3] - m[1] * m[1];
@@ -104,9 +105,9 @@ bool NaturalWeights::correct(const double (&off)[3]) {
     return true;
 }
 
-// Centres relative to the place; false if one is not known at all.
+// Computes the circumcentres relative to the place. Returns false if one is not known at all.
 bool NaturalWeights::set_centers(const Mesh& mesh, const PlaceStar& star, Natural natural) {
-    // What is smaller may leave the range of doubles in a product of five.
+    // A product of five smaller numbers may leave the range of doubles.
     constexpr double least = 0x1p-190;
     const std::size_t removed = star.removed().size(), created = star.created().size();
     centers_.clear();
@@ -199,9 +200,9 @@ bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const d
     for (std::size_t i = first; i < centers_.size(); ++i)
         largest = std::max(largest, centers_[i].size + centers_[i].error);
     if (!(largest < 0x1p200)) return false;
-    // Coordinates are below 2, so a term is below 24 largest^2; the whole of a vertex is 12 times a
-    // part of the place's cell, which is in a cube, so that it is below 96 largest^3 too. On the
-    // way there integers may overflow.
+    // Coordinates are below 2, so a term is below 24 largest^2. The sum of a vertex is 12 times a
+    // part of the place's cell, which is in a cube, so it is below 96 largest^3 too. Intermediate
+    // integers may overflow; they wrap around.
     const std::size_t terms = star.old_facets().size() + star.new_facets().size();
     const int exponent = std::ilogb(largest) + 1, of_term = 5 + 2 * exponent,
               of_whole = std::min(of_term + static_cast<int>(bit_width(terms)), 7 + 3 * exponent);
@@ -210,8 +211,8 @@ bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const d
     sums_.clear();
     sums_.resize(n, 0);
     double error = 0;
-    // `span`: the sum of the coordinates' magnitudes in the differences that the cross product is
-    // multiplied by. `reach`: how far the corners are that they are of.
+    // `span` is the sum of the magnitudes of the differences that multiply the cross product.
+    // `reach` is the distance of the corners.
     const auto cross_of = [&](std::uint32_t near, std::uint32_t beyond, bool is_odd, double span,
                               double reach, double(&x)[3]) {
         const Center &a = centers_[near], &b = centers_[beyond];
@@ -253,7 +254,7 @@ bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const d
         give(f.corner[1], x, to_j);
     }
     double total = 0, error_of_all = 0;
-    // Of all sums together, in units.
+    // The error of all sums together, in units.
     const double error_of_sums = error * one + 3 * static_cast<double>(terms);
     for (PlaceStar::Number k = 0; k < n; ++k) {
         const double square = is_sibson ? 1 : x_[k].square;

@@ -10,7 +10,7 @@
 namespace mgdt {
 namespace {
 
-// Sorts the corners; returns whether that takes an odd number of exchanges.
+// Sorts the corners. Returns whether that takes an odd number of exchanges.
 template <int n>
 MGDT_ALWAYS_INLINE bool sort_corners(PlaceStar::Number (&corner)[n]) {
     bool is_odd = false;
@@ -31,7 +31,7 @@ MGDT_ALWAYS_INLINE bool sort_corners(PlaceStar::Number (&corner)[n]) {
     return is_odd;
 }
 
-// Tetrahedra by the codes of their facets.
+// The tetrahedra of a mesh, by the codes of their facets.
 struct Tetrahedra {
     const Tetrahedron& of(FacetCode code) const { return mesh.tetrahedra[tetrahedron_of(code)]; }
     const Mesh& mesh;
@@ -59,6 +59,9 @@ PlaceStar::PlaceStar(Allocator& allocator)
       created_(allocator),
       old_facets_(allocator),
       new_facets_(allocator),
+      removed_triangles_(allocator),
+      created_triangles_(allocator),
+      old_edges_(allocator),
       new_edges_(allocator),
       from_(allocator) {}
 
@@ -76,7 +79,7 @@ void PlaceStar::find(const Mesh& mesh, const KernelCalls& kernel, const double* 
     build(mesh, numbers);
 }
 
-// In the order of the caller's indices, the vertex at infinity last.
+// Numbers the vertices in the order of the caller's indices, with the vertex at infinity last.
 void PlaceStar::number_vertices(const Mesh& mesh, std::size_t count) {
     const VertexId* const ids = workspace_.ids.data;
     keys_.clear();
@@ -122,6 +125,9 @@ void PlaceStar::build(const Mesh& mesh, const Numbered& numbers) {
     created_.clear();
     old_facets_.clear();
     new_facets_.clear();
+    removed_triangles_.clear();
+    created_triangles_.clear();
+    old_edges_.clear();
     new_edges_.clear();
     is_on_hull_ = vertices_.back() == infinite_vertex;
     is_on_ridge_ = false;
@@ -149,7 +155,8 @@ void PlaceStar::build_in_space(const Mesh& mesh, Lookup number, Edges edges) {
     created_.resize_within_capacity(facets);
     cycles_.grow(facets);
     cycles_.resize_within_capacity(facets);
-    // Each facet of a removed one is in the boundary or between two; each of the place between two.
+    // Each facet of a removed tetrahedron is on the boundary or between two of them; each facet of
+    // the place is between two created ones.
     old_facets_.grow(2 * members + facets + 1);
     new_facets_.grow(3 * facets / 2 + 1);
     Removed* const removed = removed_.data();
@@ -163,7 +170,8 @@ void PlaceStar::build_in_space(const Mesh& mesh, Lookup number, Edges edges) {
         for (unsigned i = 0; i < 4; ++i) corner[i] = number(t.v[i]);
         for (unsigned face = 0; face < 4; ++face) {
             const std::uint32_t other = member(tetrahedron_of(t.n[face]));
-            // Each from one of its sides; what is written otherwise is written over.
+            // Each facet is written from one of its sides. What is written from the other side is
+            // overwritten.
             Meeting<3>& f = *old_facet;
             old_facet += static_cast<int>(other + 1 > m + 1);
             f.near = m;
@@ -180,7 +188,7 @@ void PlaceStar::build_in_space(const Mesh& mesh, Lookup number, Edges edges) {
         const Tetrahedron& t = mesh.tetrahedra[tetrahedron_of(outside)];
         const FacetCode inside = t.n[face_of(outside)];
         Created& c = created[i];
-        // In the order that makes the place and them positive.
+        // In the order that is positively oriented together with the place.
         Number* const cycle = cycles[i].corner;
         for (unsigned k = 0; k < 3; ++k)
             cycle[k] = c.corner[k] = number(t.v[outer_face[face_of(outside)][k]]);
@@ -198,7 +206,7 @@ void PlaceStar::build_in_space(const Mesh& mesh, Lookup number, Edges edges) {
         const Number* const cycle = cycles[i].corner;
         for (unsigned k = 0; k < 3; ++k) {
             const Number a = cycle[k], b = cycle[k == 2 ? 0 : k + 1];
-            // Each edge of the link in one of its directions.
+            // Each edge of the link is taken in one of its directions.
             *new_facet = {members + i, members + edges.get(b, a), {a, b}, false};
             new_facet += static_cast<int>(a < b);
         }
@@ -228,46 +236,40 @@ void PlaceStar::build_on_hull(const Mesh& mesh, Lookup number) {
             plane = t.v;
             of_plane = facet;
         }
-        Removed& r = add(removed_);
-        Number corner[3];
+        Simplex<3>& r = add(removed_triangles_);
         for (unsigned k = 0; k < 3; ++k) {
-            corner[k] = number(t.v[facet[k]]);
+            r.corner[k] = number(t.v[facet[k]]);
             if (orientation(mesh.point(plane[of_plane[0]]), mesh.point(plane[of_plane[1]]),
                             mesh.point(plane[of_plane[2]]), mesh.point(t.v[facet[k]])) != 0) {
                 is_on_ridge_ = true;
                 return;
             }
         }
-        r.is_odd = sort_corners(corner);
-        std::copy(corner, corner + 3, r.corner);
-        r.corner[3] = no_index;
+        r.is_odd = sort_corners(r.corner);
         for (unsigned k = 0; k < 3; ++k) {
             const TetId beyond = tetrahedron_of(t.n[facet[k]]);
             const Number from = number(t.v[facet[(k + 1) % 3]]),
                          to = number(t.v[facet[(k + 2) % 3]]);
             Meeting<2>* e = nullptr;
             if (!marks.has(beyond)) {
-                from_[from] = static_cast<std::uint32_t>(created_.size());
-                Created& c = add(created_);
-                c.corner[0] = from;
-                c.corner[1] = to;
-                c.corner[2] = no_index;
-                e = &add(new_facets_);
+                from_[from] = static_cast<std::uint32_t>(created_triangles_.size());
+                Simplex<2>& c = add(created_triangles_);
+                c = {{from, to}, false};
+                c.is_odd = sort_corners(c.corner);
+                e = &add(old_edges_);
                 *e = {m, members + from_[from], {from, to}, false};
-                c.is_odd = from > to;
-                if (c.is_odd) std::swap(c.corner[0], c.corner[1]);
             } else {
                 const std::uint32_t other = members_.number(beyond);
                 if (other < m) continue;
-                e = &add(new_facets_);
+                e = &add(old_edges_);
                 *e = {m, other, {from, to}, false};
             }
             e->is_odd = sort_corners(e->corner);
         }
     }
-    // A created triangle goes from one corner to the next, where the next one begins.
-    for (std::uint32_t i = 0; i < created_.size(); ++i) {
-        const Created& c = created_[i];
+    // A created triangle has two corners; the next triangle begins at the second of them.
+    for (std::uint32_t i = 0; i < created_triangles_.size(); ++i) {
+        const Simplex<2>& c = created_triangles_[i];
         const Number to = c.is_odd ? c.corner[0] : c.corner[1];
         new_edges_.push_back({members + i, members + from_[to], {to}});
     }

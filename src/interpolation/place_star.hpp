@@ -18,20 +18,17 @@ class PlaceStar {
     explicit PlaceStar(Allocator& allocator);
 
     using Number = std::uint32_t;
-    // Positively oriented with these corners, or negatively if their order `is_odd`.
-    struct Removed {
-        Number corner[4];
+    // Corners in ascending order. Their orientation is positive, or negative if `is_odd`.
+    template <int corners>
+    struct Simplex {
+        Number corner[corners];
         bool is_odd;
     };
-    // The place and these corners, likewise.
-    struct Created {
-        Number corner[3];
-        bool is_odd;
-    };
-    // Two tetrahedra, or triangles on the hull, that have a facet or an edge in common, by number;
-    // a number of one that is created counts from the number of those removed on. With a point on
-    // the side of `beyond` before the corners, they are positively oriented, or negatively if
-    // their order `is_odd`.
+    using Removed = Simplex<4>;  // a tetrahedron that the place would remove
+    using Created = Simplex<3>;  // a tetrahedron that it would create: the place and these corners
+    // Two tetrahedra with a common facet, or two triangles on the hull with a common edge, by
+    // number. Created ones are numbered after the removed ones. A point on the side of `beyond`,
+    // followed by the corners, is positively oriented, or negatively if `is_odd`.
     template <int corners>
     struct Meeting {
         std::uint32_t near, beyond;
@@ -39,28 +36,31 @@ class PlaceStar {
         bool is_odd;
     };
 
-    // q is a place in the mesh's scale, in tetrahedron t, and no vertex.
+    // Finds the star of q, a place in the mesh's scale that is in tetrahedron t and is no vertex.
     void find(const Mesh& mesh, const KernelCalls& kernel, const double* q, TetId t);
 
     Number size() const noexcept { return static_cast<Number>(vertices_.size()); }
     VertexId vertex(Number k) const noexcept { return vertices_[k]; }
-    // Whether it is on the hull. Then the rest is of no use if it is on a ridge; else it is a
-    // star of triangles in one plane.
+    // Whether the place is on the hull. Then the star is one of triangles in a plane, or is of no
+    // use if the place is on a ridge.
     bool is_on_hull() const noexcept { return is_on_hull_; }
     bool is_on_ridge() const noexcept { return is_on_ridge_; }
 
     const Buffer<Removed>& removed() const noexcept { return removed_; }
     const Buffer<Created>& created() const noexcept { return created_; }
-    // Facets of those removed, which the place does not have.
+    // The facets of the removed tetrahedra: each between two of them, or between one and a created
+    // one.
     const Buffer<Meeting<3>>& old_facets() const noexcept { return old_facets_; }
-    // Facets of the place, which is the first corner, with two more.
+    // The facets between two created tetrahedra. The place is their first corner; two others
+    // follow.
     const Buffer<Meeting<2>>& new_facets() const noexcept { return new_facets_; }
 
-    // In a plane of the hull: triangles, whose third corner counts in those removed, and whose
-    // second in those created. All are oriented alike.
-    const Buffer<Removed>& removed_triangles() const noexcept { return removed_; }
-    const Buffer<Created>& created_triangles() const noexcept { return created_; }
-    const Buffer<Meeting<2>>& old_edges() const noexcept { return new_facets_; }
+    // In a plane of the hull: the triangles that the place would remove, those that it would create
+    // (the place and these two corners), and the edges of the removed ones. All triangles have the
+    // same orientation.
+    const Buffer<Simplex<3>>& removed_triangles() const noexcept { return removed_triangles_; }
+    const Buffer<Simplex<2>>& created_triangles() const noexcept { return created_triangles_; }
+    const Buffer<Meeting<2>>& old_edges() const noexcept { return old_edges_; }
     struct NewEdge {
         std::uint32_t near, beyond;
         Number corner[1];
@@ -80,17 +80,21 @@ class PlaceStar {
     MarkTable marks_;
     Numbers members_;
     Buffer<VertexId> vertices_;
-    // The caller's index above the number that the kernel gives a vertex; by that number, ours.
+    // For each vertex the caller's index in the upper half and the kernel's number in the lower
+    // half; the position in this array is the local number.
     Buffer<std::uint64_t> keys_;
     Buffer<Number> ranks_;
     struct Cycle {
         Number corner[3];
     };
-    Buffer<Cycle> cycles_;  // corners of what is created, in a positive order
+    Buffer<Cycle> cycles_;  // the corners of created tetrahedra, in a positive order
     Buffer<Removed> removed_;
     Buffer<Created> created_;
     Buffer<Meeting<3>> old_facets_;
     Buffer<Meeting<2>> new_facets_;
+    Buffer<Simplex<3>> removed_triangles_;
+    Buffer<Simplex<2>> created_triangles_;
+    Buffer<Meeting<2>> old_edges_;
     Buffer<NewEdge> new_edges_;
     Buffer<std::uint32_t> from_;  // by vertex: the triangle whose edge begins there
     bool is_on_hull_ = false, is_on_ridge_ = false;
