@@ -26,7 +26,7 @@ class BoundedStar {
           star_(star),
           numbers_(numbers),
           x_(numbers.array(allocator, 3 * star.size())),
-          centers_(numbers.array(allocator, 3 * (star.removed().size() + star.created().size()))),
+          centers_(numbers.array(allocator, 3 * star.simplices())),
           sums_(numbers.array(allocator, star.size())),
           order_(allocator) {
         for (PlaceStar::Number k = 0; k < star.size(); ++k) {

@@ -61,6 +61,11 @@ class PlaceStar {
     const Buffer<Simplex<3>>& removed_triangles() const noexcept { return removed_triangles_; }
     const Buffer<Simplex<2>>& created_triangles() const noexcept { return created_triangles_; }
     const Buffer<Meeting<2>>& old_edges() const noexcept { return old_edges_; }
+    // The number of all tetrahedra, or of all triangles on the hull, removed and created.
+    std::size_t simplices() const noexcept {
+        return removed_.size() + created_.size() + removed_triangles_.size() +
+               created_triangles_.size();
+    }
     struct NewEdge {
         std::uint32_t near, beyond;
         Number corner[1];
