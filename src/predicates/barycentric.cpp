@@ -11,16 +11,18 @@ namespace mgdt {
 namespace exact {
 namespace {
 
-// A vertex's weight is the volume with q in its place over the whole one. With vertices a, b, c, d
-// relative to q these volumes are [bcd], -[acd], [abd], -[abc], and the whole one is their sum.
-// A common factor cancels, also one of a column of coordinates, so each axis has its own unit.
+// The weight of a vertex is the volume with q in the vertex's place divided by the volume of the
+// tetrahedron. With the vertices a, b, c, d relative to q, the four volumes are [bcd], -[acd],
+// [abd], -[abc], and the volume of the tetrahedron is their sum. A common factor of a column of
+// coordinates cancels, so each axis has its own unit.
 
 #ifdef __SIZEOF_INT128__
 
 // Coordinates along an axis are below 2^axis_bits units, so differences are below 2^native_bits.
 constexpr int axis_bits = native_bits - 1;
 
-// Differences along an axis as whole numbers: every third of n. False if there is no unit.
+// Writes the differences along an axis as integers, to every third element of n. Returns false if
+// there is no common unit.
 MGDT_PREDICATES_INLINE bool axis_to_native(const double* const (&p)[4], const double* q,
                                            std::size_t axis, std::int64_t* n) {
     const double x[5] = {p[0][axis], p[1][axis], p[2][axis], p[3][axis], q[axis]};
@@ -40,12 +42,12 @@ MGDT_PREDICATES_INLINE NativePlaces negative(const NativePlaces& v) {
 static_assert(native_bits + digit_bits + 4 < 127,
               "the places of four volumes hold twelve products of a difference and a digit");
 
-// To the nearest double.
+// Rounds to the nearest double.
 MGDT_PREDICATES_INLINE double rounded(Widest v) {
     const auto narrow = static_cast<std::int64_t>(v);
     if (v == narrow) return static_cast<double>(narrow);
-    // The leading 64 bits decide, but for whether any after them is set. That goes to the last of
-    // them, which is far below those that a double keeps.
+    // The leading 64 bits determine the result, except for whether a later bit is set. The last of
+    // the 64 bits stands for that; it is far below the bits that a double keeps.
     const int shift = __builtin_clrsbll(static_cast<std::int64_t>(v >> 64));
     const DoubleLimb aligned = static_cast<DoubleLimb>(v) << shift;
     const auto leading = static_cast<std::int64_t>(aligned >> 64);

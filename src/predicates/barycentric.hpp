@@ -5,16 +5,16 @@
 
 namespace mgdt {
 
-// The weights of the vertices p of a positively oriented tetrahedron at q. Each is the ratio of two
-// volumes with a relative error below 3.01 * 2^-53, plus 2^-1075 where it is subnormal
-// (docs/theory.md, "Barycentric weights"). So a weight is 0 where q is in the plane of the facet
-// opposite, and all are in [0, 1] where q is in the tetrahedron. The order of the vertices does not
-// change a weight.
+// The barycentric coordinates of q in the positively oriented tetrahedron with vertices p. Each is
+// the ratio of two volumes, with a relative error below 3.01 * 2^-53, plus 2^-1075 if it is
+// subnormal (docs/theory.md, "Barycentric weights"). So a weight is 0 if q is in the plane of the
+// facet opposite the vertex, and all weights are in [0, 1] if q is in the tetrahedron. The order of
+// the vertices does not change a weight.
 void barycentric_weights(const double* const (&p)[4], const double* q, double (&w)[4]);
 
 namespace exact {
 
-// The stages, one by one. Native integers do it if the coordinates along each axis fit; else
+// The stages, for tests. Native integers are used if the coordinates along each axis fit; otherwise
 // integers of the least of `widths` that fits and is at least least_width.
 bool barycentric_native(const double* const (&p)[4], const double* q, double (&w)[4]);
 void barycentric_integer(const double* const (&p)[4], const double* q, double (&w)[4],

@@ -20,7 +20,8 @@ bool round_to_nearest(const BoundedFloat<Twofold>& x, std::int64_t exponent, dou
         r = std::copysign(0.0, high);
         return true;
     }
-    // Halfway to the next double; towards 0 that is nearer below a power of two.
+    // Half the distance to the next double. Below a power of two, the next double towards 0 is
+    // closer.
     const double half = std::ldexp(1, of_high - (std::fabs(mantissa) == 0.5 ? 55 : 54));
     if (of_result < -1019 || of_result > 1023) return false;
     if (!(std::fabs(x.value.low) + x.error * (1 + 0x1p-40) < half)) return false;

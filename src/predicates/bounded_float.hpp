@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A double or twofold number with a bound of its error and an exponent that no product leaves: a
-// result is known as well as its own bound says, whatever the sizes of what it came from.
-// docs/theory.md, "Numbers with bounds".
+// A double or twofold number with a bound on its error, and an exponent that no product exceeds.
+// The bound of a result holds whatever the magnitudes of the operands. See docs/theory.md, "Numbers
+// with bounds".
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace mgdt {
 
-// (value +- error) 2^(256 block). The larger of |value| and error is from 2^-128 to below 2^128; in
-// an exact 0, all are 0. The error of what is not known at all is infinite or NaN.
+// The number (value +- error) 2^(256 block). The larger of |value| and error is in [2^-128, 2^128);
+// in an exact 0, all three are 0. If nothing is known, the error is infinite or NaN.
 template <class Real>
 struct BoundedFloat {
     Real value;
@@ -38,7 +38,7 @@ struct BoundedFloat {
                                                                        : number(a) - number(b);
     }
 
-    // +1, 0 or -1 where the bound tells it, else 2.
+    // The sign +1, 0 or -1 if the bound determines it, otherwise 2.
     int sign() const {
         const double x = nearest_double(value);
         return x > error ? 1 : -x > error ? -1 : error == 0 ? 0 : 2;
@@ -71,11 +71,11 @@ struct BoundedFloat {
     static constexpr double least = 0x1p-128, most = 0x1p128, one_block = 0x1p256;
 
     static double magnitude(const BoundedFloat& a) { return std::fabs(nearest_double(a.value)); }
-    // Greater than every exponent, so that it stays in sums.
+    // An unknown number. Its block exceeds all others, so that it remains in sums.
     static BoundedFloat unknown() {
         return {to_real<Real>(0), std::numeric_limits<double>::infinity(), std::int64_t{1} << 40};
     }
-    // Of an operation on numbers whose errors make `inherited` of it.
+    // The result of an operation; `inherited` is the error that the operands' errors cause.
     static BoundedFloat rounded(const Real& value, double inherited, std::int64_t block) {
         const double size = std::fabs(nearest_double(value));
         const double error = (inherited + rounding_of<Real> * size) * (1 + 0x1p-40);
@@ -87,7 +87,7 @@ struct BoundedFloat {
         if (nearest_double(value) == 0 && error == 0) return {to_real<Real>(0), 0, 0};
         if (!(error <= std::numeric_limits<double>::max())) return unknown();
         const auto larger = [&] { return std::fmax(std::fabs(nearest_double(value)), error); };
-        // Downwards one step is enough.
+        // One step down is always enough.
         if (larger() >= most) {
             value = scaled_by(value, 1 / one_block);
             error *= 1 / one_block;
@@ -105,7 +105,7 @@ struct BoundedFloat {
         if (a.is_zero()) return b;
         if (b.is_zero()) return a;
         if (a.block < b.block) return sum_of_unequal(b, a);
-        // What underflows here, and what is left out below, is less than 2^-900 and 2^-380.
+        // Here underflow loses less than 2^-900, and below less than 2^-380 is left out.
         if (a.block - b.block == 1)
             return rounded(a.value + scaled_by(b.value, 1 / one_block),
                            a.error + b.error * (1 / one_block) + 0x1p-900, a.block);
@@ -117,12 +117,12 @@ struct BoundedFloat {
         if (x.high == 0) return {to_real<Real>(0), 0, 0};
         int of_x;
         std::frexp(x.high, &of_x);
-        // Division that rounds downwards; magnitudes from 2^-128 to 2^128.
+        // A division that rounds down, so that magnitudes are from 2^-128 to 2^128.
         const std::int64_t block = (of_x + exponent + 127) >> 8;
         const auto shift = static_cast<int>(exponent - 256 * block);
         BoundedFloat r = {to_real<Real>(0), 0, block};
         r.set(std::ldexp(x.high, shift), std::ldexp(x.low, shift));
-        if (x.low != 0) r.error += 0x1p-900;  // where the low part underflows
+        if (x.low != 0) r.error += 0x1p-900;  // if the low part underflows
         return r;
     }
     void set(double high, double low);
@@ -139,8 +139,8 @@ inline BoundedFloat<double> narrowed(const BoundedFloat<Twofold>& x) {
     return {x.value.high, x.error + std::fabs(x.value.low) * (1 + 0x1p-40), x.block};
 }
 
-// x 2^exponent as the nearest double, 0 and infinity included; false where the bound leaves that
-// open, and for subnormal numbers.
+// Rounds x 2^exponent to the nearest double, 0 and infinity included. Returns false if the bound
+// does not determine it, and for subnormal numbers.
 bool round_to_nearest(const BoundedFloat<Twofold>& x, std::int64_t exponent, double& r);
 
 template <>

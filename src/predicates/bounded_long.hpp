@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A long number of limited precision together with a bound of its error: a result is known as well
-// as its own bound says. docs/theory.md, "Numbers with bounds".
+// A long number of limited precision, with a bound on its error. See docs/theory.md, "Numbers with
+// bounds".
 #pragma once
 
 #include "predicates/long_number.hpp"
@@ -9,13 +9,13 @@ namespace mgdt {
 
 struct BoundedLong {
     LongNumber value;
-    // Bounds are rounded themselves, which is allowed for.
+    // Bounds are rounded too; they have a margin for that.
     WideDouble error;
 
     WideDouble wide() const { return value.wide(); }
     WideDouble wide_error() const { return error; }
 
-    // The result of an operation, from operands' errors that add up to `inherited`.
+    // The result of an operation; `inherited` is the error that the operands' errors cause.
     static BoundedLong rounded(const LongNumber& value, const WideDouble& inherited) {
         return with_error(value, inherited + rounding_error(value));
     }

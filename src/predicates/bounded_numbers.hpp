@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What measures a shape in numbers with bounds, of either kind: where numbers come from, and arrays
-// that stay while what is computed meanwhile is forgotten.
+// Arithmetic with error bounds, in doubles and twofold numbers or in long numbers: how numbers are
+// made, and arrays that keep results while intermediate numbers are freed.
 #pragma once
 
 #include "predicates/bounded_float.hpp"
@@ -33,7 +33,7 @@ class BoundedFloats {
     Array array(Allocator& allocator, std::size_t size) const { return Array(allocator, size); }
 };
 
-// Each number is cut off to a number of limbs.
+// Long numbers, each cut off to a number of limbs.
 class BoundedLongs {
   public:
     using B = BoundedLong;

@@ -19,9 +19,9 @@ MGDT_PREDICATES_INLINE double largest_of_three(const double (&v)[3]) {
     return std::fmax(std::fmax(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
 }
 
-// A vertex relative to the first one.
+// The position of a vertex relative to the first one.
 struct Row {
-    double x[3], low[3];  // rounded, and what that has left
+    double x[3], low[3];  // the rounded difference, and the rounding error
     double largest;
 };
 
@@ -36,7 +36,7 @@ MGDT_PREDICATES_INLINE Row row(const double* p, const double* origin) {
     return r;
 }
 
-// |r|^2 - w.r as the sum of r (r - w) over the axes.
+// |r|^2 - w.r, computed as the sum of r (r - w) over the axes.
 MGDT_PREDICATES_INLINE double residual(const Row& r, const double (&w)[3]) {
     double product[3], rest = 0;
     each<3>([&](auto k) {
@@ -50,8 +50,8 @@ MGDT_PREDICATES_INLINE double residual(const Row& r, const double (&w)[3]) {
     return all.high + (rest + (first.low + all.low));
 }
 
-// The double nearest to high + low, an error of `low` up to `error` included; false where that
-// leaves it open.
+// Rounds high + low to the nearest double. Returns false if an error of `error` in low could change
+// the result.
 MGDT_PREDICATES_INLINE bool nearest(const Twofold& v, double error, double& x) {
     x = v.high + (v.low + error);
     return x == v.high + (v.low - error);
@@ -65,11 +65,11 @@ MGDT_PREDICATES_INLINE bool is_in_range(const double* p) {
     return fits(p[0]) && fits(p[1]) && fits(p[2]);
 }
 
-// x times 2^exponent; false where that is not exact.
+// Multiplies x by 2^exponent. Returns false if that is not exact.
 MGDT_PREDICATES_INLINE bool scale_exactly(double& x, int exponent) {
     if (exponent == 0 || x == 0) return true;
     x = std::ldexp(x, exponent);
-    // What is rounded to the least normal number may be a subnormal one.
+    // A number that rounds to the least normal one may itself be subnormal.
     return std::fabs(x) > std::numeric_limits<double>::min() &&
            std::fabs(x) <= std::numeric_limits<double>::max();
 }
@@ -82,13 +82,14 @@ double sphere_residual(const double* p, const double* origin, const double (&w)[
 
 namespace {
 
-// Twice the centre relative to the first vertex.
+// Twice the position of the centre relative to the first vertex.
 struct DoubledOffset {
-    double rough[3], correction[3];  // to be added
-    double error, size;              // of a coordinate, at most; the largest, nearly
+    double rough[3], correction[3];  // an approximation, and what has to be added to it
+    double error, size;  // a bound on the error of a coordinate; nearly the largest coordinate
 };
 
-// With w twice the centre relative to the first vertex, w.r = |r|^2 for the other three.
+// w is twice the position of the centre relative to the first vertex. It satisfies w.r = |r|^2 for
+// the positions r of the other three vertices.
 MGDT_PREDICATES_INLINE bool solve(const double* const (&p)[4], const CircumcenterBounds& bounds,
                                   DoubledOffset& result) {
     for (const double* const x : p)
@@ -168,7 +169,7 @@ namespace {
 
 using Number = BoundedFloat<Twofold>;
 
-// Relative to the first vertex.
+// The position of the centre relative to the first vertex.
 Vector<Number> bounded_offset(const double* const (&p)[4]) {
     const Vector<Number> a = bounded_difference<Twofold>(p[1], p[0]),
                          b = bounded_difference<Twofold>(p[2], p[0]),
@@ -209,7 +210,8 @@ bool center_offset_bounded(const double* const (&p)[4], double (&offset)[3]) {
 
 namespace {
 
-// The differences of three vertices and the first, and then that one itself.
+// The differences between three vertices and the first one, followed by the coordinates of the
+// first one.
 struct VertexAndDifferences : ExactPairs<12> {
     static constexpr int count = 12;
 };

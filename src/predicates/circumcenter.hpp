@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The centre of a tetrahedron's circumsphere and the square of its radius, as the doubles nearest
-// to the exact ones: for all finite doubles and every tetrahedron, however flat.
+// The centre of a tetrahedron's circumsphere and the square of its radius, correctly rounded, for
+// all finite doubles and every tetrahedron, however flat.
 #pragma once
 
 namespace mgdt {
@@ -10,33 +10,35 @@ struct Circumcenter {
     double radius2;
 };
 
-// Of a positively oriented tetrahedron with these vertices times 2^-scale. Infinite where the
-// largest double is exceeded. Neither the order of the vertices nor the scale changes the result.
+// The circumcentre of a positively oriented tetrahedron whose vertices are p times 2^-scale. A
+// result is infinite if it exceeds the largest double. Neither the order of the vertices nor the
+// scale changes the result.
 Circumcenter circumcenter(const double* const (&p)[4], int scale = 0);
 
-// The centre relative to the first vertex, with an error of at most center_offset_error times its
-// largest coordinate. The order of the vertices may change it within that.
+// Computes the position of the centre relative to the first vertex. The error is at most
+// center_offset_error times the largest coordinate. The order of the vertices may change the result
+// within this error.
 void center_offset(const double* const (&p)[4], double (&offset)[3]);
 constexpr double center_offset_error = 0x1p-50;
 
 namespace exact {
 
-// Coefficients of the error of the correction, in units of 2^-53 and of 2^-106: docs/theory.md,
-// "Circumcentres", proves 20, 75 and 225.
+// Coefficients of the error bound of the correction, in units of 2^-53 and of 2^-106.
+// docs/theory.md, "Circumcentres", proves 20, 75 and 225.
 struct CircumcenterBounds {
-    double solution = 128;  // of its numerators and of its determinant, which is above twice this
+    double solution = 128;  // of the numerators and the determinant, which is more than twice this
     double residual = 240;
 };
 inline constexpr CircumcenterBounds circumcenter_bounds{};
 
-// |r|^2 - w.r for r = p - origin, rounded once but for an error of at most sphere_residual_bound
-// 2^-106 l (l + m), where l is the largest coordinate of r and m that of w.
+// |r|^2 - w.r for r = p - origin. The result is rounded once, with an additional error of at most
+// sphere_residual_bound 2^-106 l (l + m), where l is the largest coordinate of r and m that of w.
 double sphere_residual(const double* p, const double* origin, const double (&w)[3]);
 constexpr double sphere_residual_bound = 90;
 
-// The stages, one by one. Doubles that are corrected once: false where that leaves the rounding
-// open. Twofold numbers with bounds, likewise, of coordinates of any size. Integers of the least of
-// `widths` that fits and is at least least_width.
+// The stages, for tests: doubles that are corrected once; twofold numbers with bounds, for
+// coordinates of any magnitude; integers of the least of `widths` that fits and is at least
+// least_width. The first two return false if they cannot round correctly.
 bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& c,
                           const CircumcenterBounds& bounds = circumcenter_bounds);
 bool circumcenter_bounded(const double* const (&p)[4], int scale, Circumcenter& c);

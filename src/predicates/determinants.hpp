@@ -6,8 +6,9 @@
 
 namespace mgdt::exact {
 
-// Sums of products, which the determinants are made of. Those of long integers are apart, so that
-// the stack holds what is between for one of them at a time: see docs/theory.md.
+// Sums of products, from which the determinants are built. Those of long integers are functions
+// that are not inlined, so that the stack holds the intermediate results of one of them at a time;
+// see docs/theory.md.
 template <class T>
 constexpr bool is_long = false;
 template <int Bits>

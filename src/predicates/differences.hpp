@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Differences of coordinates, as every predicate starts from them: rounded to doubles for the
-// filters, and exact as integers of a common unit for what the filters leave open.
+// Differences of coordinates, with which every predicate begins: rounded to doubles for the
+// filters, and exact integers of a common unit for what the filters do not decide.
 #pragma once
 
 #include <cfloat>
@@ -35,7 +35,7 @@ MGDT_PREDICATES_INLINE double double_of(std::uint64_t bits) {
 constexpr std::uint64_t exponent_mask = 0x7ff0000000000000;
 constexpr std::uint64_t fraction_mask = 0x000fffffffffffff;
 
-// A predicate's sign; `undecided` is the answer of a stage that passes the question on.
+// What a stage returns instead of a sign if it cannot decide.
 constexpr int undecided = 2;
 
 template <std::size_t I>
@@ -58,11 +58,11 @@ struct Differences {
     const double* point[N / 3];
     const double* origin;
     double rounded[N];
-    double largest;  // magnitude among `rounded`
+    double largest;  // the largest magnitude among `rounded`
 };
 
-// Largest magnitude of v[From] to v[To - 1], as a tree: maxima one after another would wait for
-// each other.
+// The largest magnitude of v[From] to v[To - 1], by a tree of maxima: a chain of them would have to
+// wait for each result.
 template <int From, int To>
 MGDT_PREDICATES_INLINE double largest_of(const double* v) {
     if constexpr (To - From == 1) {
@@ -105,8 +105,8 @@ inline int trailing_zeros(std::uint64_t v) {
 #endif
 }
 
-// N differences, each as an exact sum of two doubles, and the bits they span together: all are
-// multiples of 2^low and smaller than 2^high in magnitude.
+// N differences, each an exact sum of two doubles, and the range of their bits: all are multiples
+// of 2^low and smaller than 2^high in magnitude.
 template <int N>
 struct ExactPairs {
     double first[N];
@@ -114,7 +114,7 @@ struct ExactPairs {
     int low = 2000;
     int high = -2000;
 
-    // Bits of an Integer<Bits> that holds every difference in units of 2^low.
+    // The Bits of an Integer<Bits> that holds every difference in units of 2^low.
     int bits() const { return high - low + 2; }
 
     template <int Bits>
@@ -124,8 +124,8 @@ struct ExactPairs {
         return narrowed<Bits>(a + b);
     }
 
-    // Makes a - b the difference i: by Knuth's two-sum where nothing overflows; else the
-    // coordinates as they are.
+    // Sets difference i to a - b, by Knuth's two-sum. If that would overflow, the two parts are the
+    // coordinates themselves.
     void set(std::size_t i, double a, double b) {
         const double rounded = a - b;
         const double b_virtual = a - rounded;
@@ -161,7 +161,7 @@ struct ExactPairs {
     }
 };
 
-// The exact differences of points and an origin, x, y, z of the first point first.
+// The exact differences between points and an origin: x, y, z of the first point first.
 template <int N>
 struct ExactDifferences : ExactPairs<N> {
     static constexpr int count = N;
@@ -171,8 +171,8 @@ struct ExactDifferences : ExactPairs<N> {
     }
 };
 
-// The same where each axis has a unit of its own: for what depends on ratios of determinants alone,
-// since a factor common to a column is common to all of them.
+// The same with a unit for each axis, for results that are ratios of determinants: a common factor
+// of a column cancels.
 template <int N>
 struct ExactDifferencesByAxis {
     static constexpr int count = N;
@@ -193,15 +193,15 @@ struct ExactDifferencesByAxis {
     }
 };
 
-// Widths of the integers for the general case. One limb less a bit, then doubling: with
-// Bits = 64 k - 1 the products of a degree-5 determinant fill 5 k limbs to the last bits. The
-// last holds every difference of doubles: 1024 + 1074 + 2 = 2100 bits.
+// Widths of the integers for the general case. With Bits = 64 k - 1, the products of a determinant
+// of degree 5 fill 5 k limbs completely. The last width holds every difference of doubles: 1024 +
+// 1074 + 2 = 2100 bits.
 constexpr int widths[] = {63, 127, 255, 511, 1023, 2111};
-// Up to this width integers are faster than twofold numbers with bounds, and they always know.
+// Up to this width, integers are faster than twofold numbers with bounds, and they always decide.
 constexpr int short_width = 63;
 
-// Calls polynomial with the differences as integers of this width. Apart, so that of all widths
-// only the one that is used takes its room on the stack.
+// Calls polynomial with the differences as integers of this width. Not inlined, so that the stack
+// holds the integers of one width only.
 template <int Bits, class Exact, class Polynomial>
 MGDT_PREDICATES_APART int with_integers_of(const Exact& d, const Polynomial& polynomial) {
     Integer<Bits> v[Exact::count];
@@ -209,7 +209,7 @@ MGDT_PREDICATES_APART int with_integers_of(const Exact& d, const Polynomial& pol
     return polynomial(v);
 }
 
-// The same with the least width that holds them, at least `least`.
+// The same with the least width that holds the differences and is at least `least`.
 template <int Index = 0, class Exact, class Polynomial>
 inline int with_integers(const Exact& d, int least, const Polynomial& polynomial) {
     constexpr int bits = widths[Index];

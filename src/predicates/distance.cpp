@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The predicates of distances and of perpendicular planes.
+// Predicates that compare distances, and those about planes perpendicular to a triangle.
 #include "predicates/determinants.hpp"
 #include "predicates/predicates.hpp"
 #include "predicates/stages.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using exact::Differences;
 
-// Difference of the squared lengths of two vectors.
+// The difference of the squared lengths of two vectors.
 struct SquareDifference {
     template <class T>
     auto operator()(const T (&v)[6]) const {
@@ -37,8 +37,8 @@ struct Cross {
     }
 };
 
-// (e x f) . (e x w) of three vectors, e being the edge: its square times that of the part of f that
-// is perpendicular to it, in the direction of w's.
+// (e x f) . (e x w) for the edge e: |e|^2 times the product of the components of f and w that are
+// perpendicular to e.
 struct EdgePlane {
     template <class T>
     auto operator()(const T (&v)[9]) const {
@@ -73,7 +73,7 @@ bool collinear(const double* a, const double* b, const double* c) {
 }
 
 int compare_distance(const double* q, const double* a, const double* b) {
-    // Differences from q: their signs do not matter to the squares.
+    // Differences are taken from q; the squares do not depend on their signs.
     int s = square_filter(exact::differences({a, b}, q), exact::distance_bound);
     if (s == exact::undecided) s = exact::distance_ranged(q, a, b);
     return s != exact::undecided ? s : exact::distance_integer(q, a, b);
@@ -109,7 +109,7 @@ int edge_integer(const double* a, const double* b, const double* c, const double
 
 int lengths_filter(const double* a, const double* b, const double* c, const double* d,
                    const Bound& bound) {
-    // Of vectors that have no point in common.
+    // The two vectors have no common point.
     Differences<6> v = {{}, a, {}, 0};
     each<3>([&](auto k) {
         v.rounded[k] = a[k] - b[k];

@@ -14,7 +14,7 @@ namespace mgdt {
 namespace exact {
 namespace {
 
-// Lengths between these neither overflow nor lose anything that counts in products of eight.
+// Products of eight lengths in this range neither overflow nor underflow.
 constexpr double least_square = 0x1p-240, most_square = 0x1p240;
 
 bool is_in_range(double square) {
@@ -27,7 +27,7 @@ struct Edges : ExactPairs<9> {
     static constexpr int count = 9;
 };
 
-// The corner opposite the longest edge: the angle there tells a needle from others.
+// The corner opposite the longest edge. The angle there distinguishes needles from other triangles.
 unsigned widest_corner(const double* const (&p)[3]) {
     double opposite[3];
     for (unsigned i = 0; i < 3; ++i) {
@@ -38,8 +38,8 @@ unsigned widest_corner(const double* const (&p)[3]) {
     return opposite[1] >= opposite[2] ? 1 : 2;
 }
 
-// False for needles, whose squared edges at the widest corner have a product above `most` times the
-// square of the cross product.
+// Returns false for needles: triangles whose two squared edges at the widest corner have a product
+// above `most` times the square of the cross product.
 template <class Real>
 bool radius2_as(const double* const (&p)[3], double most, double& square) {
     const unsigned i = widest_corner(p);
@@ -57,9 +57,9 @@ bool radius2_as(const double* const (&p)[3], double most, double& square) {
 
 }  // namespace
 
-// The centre c of the sphere through all four has |c - a| = |c - q|. Spheres through a, b and c
-// whose centres are beyond their plane, as seen from q, have q outside if the least one has:
-// docs/theory.md.
+// The centre c of the sphere through all four points satisfies |c - a| = |c - q|. If the centre of
+// a sphere through a, b and c is on the far side of their plane from q, then q is outside that
+// sphere if it is outside the smallest one; see docs/theory.md.
 int facet_sphere_filter(const double* a, const double* b, const double* c, const double* q) {
     const Vector<double> r[3] = {difference<double>(b, a), difference<double>(c, a),
                                  difference<double>(q, a)};
@@ -161,11 +161,12 @@ double edge_radius2(const double* a, const double* b, int scale) {
     double half[3], largest = 0;
     for (int k = 0; k < 3; ++k) {
         half[k] = a[k] - b[k];
-        // Of halves where it overflows; a half that is rounded is too small to count.
+        // If the difference overflows, it is computed from halves. A half that has to be rounded is
+        // too small to matter.
         half[k] = std::isfinite(half[k]) ? 0.5 * half[k] : 0.5 * a[k] - 0.5 * b[k];
         largest = std::fmax(largest, std::fabs(half[k]));
     }
-    // Squares of numbers near 1 are in the range of doubles.
+    // The squares of numbers near 1 are in the range of doubles.
     const int exponent = largest > 0 ? std::ilogb(largest) : 0;
     double square = 0;
     for (const double x : half) {

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The least sphere through three points: its centre is in their plane.
+// The smallest sphere through three points. Its centre is in their plane.
 #pragma once
 
 namespace mgdt {
 
-// +1 if q is inside the least sphere through a, b and c, 0 on it, -1 outside. abcq is no plane.
+// +1 if q is inside the smallest sphere through a, b and c, 0 on it, -1 outside. The four points
+// are not in one plane.
 int side_of_facet_sphere(const double* a, const double* b, const double* c, const double* q);
 
-// The square of its radius, of points times 2^-scale that are not on one line. The relative error
-// is below facet_radius_error; the order of the points may change it within that.
+// The square of the radius of that sphere, for points times 2^-scale that are not on one line. The
+// relative error is below facet_radius_error; the order of the points may change the result within
+// that.
 double facet_radius2(const double* const (&p)[3], int scale = 0);
 constexpr double facet_radius_error = 0x1p-46;
 
-// The same of two points: a quarter of the square of their distance.
+// The same for two points: a quarter of the square of their distance.
 double edge_radius2(const double* a, const double* b, int scale = 0);
 
 namespace exact {
 
-// The stages of both, for tests. A filter that does not know gives `undecided`, and false.
+// The stages of both, for tests. A stage that cannot decide returns `undecided` or false.
 int facet_sphere_filter(const double* a, const double* b, const double* c, const double* q);
 int facet_sphere_bounded(const double* a, const double* b, const double* c, const double* q);
 int facet_sphere_integer(const double* a, const double* b, const double* c, const double* q,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The floating-point filter: a determinant evaluated in doubles, and a bound of its error from
-// the same formula with every term taken positive. docs/theory.md derives the constants.
+// The floating-point filter: a determinant evaluated in doubles, with an error bound from the same
+// formula with all terms positive. docs/theory.md derives the constants.
 #pragma once
 
 #include <cmath>
@@ -9,14 +9,14 @@
 
 namespace mgdt::exact {
 
-// The error of a determinant D is at most relative * P + underflow * (1 + m^3), where P is its
+// The error of a determinant D is at most relative * P + underflow * (1 + m^3), where P is the
 // value with all terms positive and m the largest difference.
 struct Bound {
     double relative;
     double underflow;
 };
 
-// Far more than underflow can do, but a normal number: arithmetic with subnormals is slow.
+// Far more than underflow can lose, but a normal number, since arithmetic with subnormals is slow.
 constexpr double underflow_bound = 0x1p-1000;
 
 constexpr double half_ulp = 0x1p-53;
@@ -26,10 +26,10 @@ constexpr Bound orientation_bound{9 * half_ulp, underflow_bound};
 constexpr Bound edge_bound{13 * half_ulp, underflow_bound};
 constexpr Bound sphere_bound{17 * half_ulp, underflow_bound};
 
-// Beyond it a determinant of degree 5 might overflow.
+// Above this, a determinant of degree 5 might overflow.
 constexpr double filter_limit = 0x1p200;
 
-// A double that only grows: the formula of a determinant over this type gives P.
+// A magnitude. Evaluating the formula of a determinant over this type gives P.
 struct Magnitude {
     double value;
 };
@@ -44,13 +44,13 @@ MGDT_PREDICATES_INLINE Magnitude operator*(Magnitude a, Magnitude b) {
     return {a.value * b.value};
 }
 
-// Sign of a determinant of computed value D and P, or `undecided`.
+// The sign of a determinant with the computed value D and P, or `undecided`.
 MGDT_PREDICATES_INLINE int filtered_value(double value, double size, double m, const Bound& bound) {
     const double error = bound.relative * size + bound.underflow * (1 + m * m * m);
     return std::fabs(value) > error ? 1 - 2 * std::signbit(value) : undecided;
 }
 
-// P of polynomial(d).
+// The value P of polynomial(d).
 template <int N, class Polynomial>
 MGDT_PREDICATES_INLINE double size_of(const Differences<N>& d, const Polynomial& polynomial) {
     Magnitude size[N];
@@ -58,7 +58,7 @@ MGDT_PREDICATES_INLINE double size_of(const Differences<N>& d, const Polynomial&
     return polynomial(size).value;
 }
 
-// Sign of polynomial(d), or `undecided`.
+// The sign of polynomial(d), or `undecided`.
 template <int N, class Polynomial>
 MGDT_PREDICATES_INLINE int filtered(const Differences<N>& d, const Bound& bound,
                                     const Polynomial& polynomial) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Signed integers whose type carries their bound: |v| < 2^(Bits - 1) for every Integer<Bits>.
-// The type of a sum or product follows from the types of its operands, so that a polynomial over
-// them cannot overflow once it compiles. Everything lies on the stack.
+// Signed integers with a bound in their type: |v| < 2^(Bits - 1) for every Integer<Bits>. The type
+// of a sum or product follows from the types of its operands, so a polynomial that compiles cannot
+// overflow. All integers are on the stack.
 #pragma once
 
 #include <cstdint>
 #include <type_traits>
 
-// The first stages of a predicate are a few hundred instructions that must share registers; what
-// follows them must not cost them any.
+// The first stages of a predicate are a few hundred instructions that share registers. The later
+// stages must not take registers from them, so they are not inlined.
 #if defined(__GNUC__)
 #define MGDT_PREDICATES_INLINE inline __attribute__((always_inline))
 #define MGDT_PREDICATES_APART __attribute__((noinline))
@@ -39,21 +39,21 @@ constexpr int limb_count(int bits) {
 template <int Bits, bool Native = (Bits <= widest_bits)>
 struct Integer;
 
-// Narrow ones are a native integer.
+// A narrow integer is a native one.
 template <int Bits>
 struct Integer<Bits, true> {
     using Value = std::conditional_t<Bits <= 64, std::int64_t, Widest>;
     Value value;
 };
 
-// Wide ones are limbs in two's complement, least significant first.
+// A wide integer is an array of limbs in two's complement, least significant first.
 template <int Bits>
 struct Integer<Bits, false> {
     static constexpr int size = limb_count(Bits);
     Limb limb[size];
 };
 
-// 0, or all ones under a negative number: the limb that extends it.
+// The limb that extends the integer: all ones if it is negative, otherwise 0.
 template <int Bits>
 inline Limb extension(const Integer<Bits>& a) {
     if constexpr (Bits <= widest_bits) {
@@ -76,34 +76,34 @@ inline void to_limbs(const Integer<Bits>& a, Limb (&out)[N]) {
     for (int i = own; i < N; ++i) out[i] = sign;
 }
 
-// a += b + carry, modulo 2^limb_bits; the new carry.
+// a += b + carry, modulo 2^limb_bits. Returns the new carry.
 inline Limb add_with_carry(Limb& a, Limb b, Limb carry) {
     const DoubleLimb sum = static_cast<DoubleLimb>(a) + b + carry;
     a = static_cast<Limb>(sum);
     return static_cast<Limb>(sum >> limb_bits);
 }
 
-// a -= b + borrow, modulo 2^limb_bits; the new borrow.
+// a -= b + borrow, modulo 2^limb_bits. Returns the new borrow.
 inline Limb subtract_with_borrow(Limb& a, Limb b, Limb borrow) {
     const DoubleLimb difference = static_cast<DoubleLimb>(a) - b - borrow;
     a = static_cast<Limb>(difference);
     return static_cast<Limb>(difference >> limb_bits) & 1U;
 }
 
-// r[0 .. n) -= b[0 .. n) where mask is all ones, modulo the size of r.
+// If mask is all ones: r[0 .. n) -= b[0 .. n), modulo the size of r.
 inline void subtract_masked(Limb* r, const Limb* b, int n, Limb mask) {
     Limb borrow = 0;
     for (int i = 0; i < n; ++i) borrow = subtract_with_borrow(r[i], b[i] & mask, borrow);
 }
 
-// Longer ones share these bodies, modulo the size of r: r[0 .. n) += b[0 .. m); r -= b;
-// r[0 .. size) = x[0 .. n) * y[0 .. m), where size is n + m or one less.
+// Integers of more limbs than this share these functions, which work modulo the size of r: r[0 ..
+// n) += b[0 .. m); r -= b; r[0 .. size) = x[0 .. n) * y[0 .. m), where size is n + m or one less.
 constexpr int inline_limbs = 10;
 void add(Limb* r, int n, const Limb* b, int m);
 void subtract(Limb* r, int n, const Limb* b, int m);
 void multiply(const Limb* x, int n, const Limb* y, int m, Limb* r, int size);
 
-// The limbs of an integer where they are; a native one has them made.
+// The limbs of an integer: its own, or a copy for a native integer.
 template <int Bits, bool Native = (Bits <= widest_bits)>
 struct Limbs {
     static constexpr int size = limb_count(Bits);
@@ -117,13 +117,13 @@ struct Limbs<Bits, true> {
     Limb data[size];
 };
 
-// Makes a its magnitude; returns whether it was negative.
+// Replaces a by its magnitude. Returns whether it was negative.
 bool take_sign(Limb* a, int n);
-// Bits of a magnitude from the leading one on; 0 for 0.
+// The number of bits of a magnitude; 0 for 0.
 int length_of(const Limb* a, int n);
 
-// A number rounded to nearest, as value * 2^exponent: the value is a whole number of magnitude at
-// most 2^64. The limbs are overwritten.
+// A rounded number, value * 2^exponent, where value is an integer of magnitude at most 2^64.
+// Computing it overwrites the limbs.
 struct Rounded {
     double value;
     int exponent;
@@ -176,7 +176,7 @@ inline Integer<sum_bits(A, B)> operator-(const Integer<A>& a, const Integer<B>& 
     return r;
 }
 
-// r[0 .. m) += x * y[0 .. m); the carry.
+// r[0 .. m) += x * y[0 .. m). Returns the carry.
 inline Limb add_row(Limb* r, Limb x, const Limb* y, int m) {
     Limb carry = 0;
     for (int j = 0; j < m; ++j) {
@@ -187,8 +187,8 @@ inline Limb add_row(Limb* r, Limb x, const Limb* y, int m) {
     return carry;
 }
 
-// Schoolbook product of the limbs as if unsigned; a negative a counts 2^n b too much, and so for
-// b, which is taken off again (Knuth, The Art of Computer Programming 2, 4.3.1).
+// The schoolbook product of the limbs as unsigned numbers. If a is negative, that is 2^n b too
+// much, and likewise for b; this is subtracted (Knuth, The Art of Computer Programming 2, 4.3.1).
 template <int A, int B>
 inline Integer<A + B - 1> operator*(const Integer<A>& a, const Integer<B>& b) {
     Integer<A + B - 1> r;
@@ -233,7 +233,7 @@ inline Rounded rounded(const Integer<Bits>& a) {
     return rounded(limb, limb_count(Bits));
 }
 
-// mantissa * 2^shift; a negative shift drops only zero bits.
+// mantissa * 2^shift. A negative shift drops zero bits only.
 template <int Bits>
 inline Integer<Bits> shifted(std::int64_t mantissa, int shift) {
     Integer<Bits> r;
@@ -250,7 +250,7 @@ inline Integer<Bits> shifted(std::int64_t mantissa, int shift) {
         }
         const auto bits = static_cast<std::uint64_t>(mantissa < 0 ? -mantissa : mantissa);
         for (int i = 0; i < r.size; ++i) r.limb[i] = 0;
-        // The limb that holds bit `shift` and those above it, as far as the 64 bits reach.
+        // The limb that holds bit `shift`, and those above it up to the end of the 64 bits.
         const int first = shift / limb_bits, offset = shift % limb_bits;
         r.limb[first] = static_cast<Limb>(bits << offset);
         for (int i = first + 1, from = limb_bits - offset; from < 64 && i < r.size; ++i) {
@@ -269,7 +269,7 @@ inline Integer<Bits> shifted(std::int64_t mantissa, int shift) {
     return r;
 }
 
-// The same value where the caller knows a better bound than the type of a.
+// The same value in a narrower type, if the caller knows a better bound than the type of a.
 template <int Bits, int A>
 inline Integer<Bits> narrowed(const Integer<A>& a) {
     Integer<Bits> r;
@@ -287,7 +287,7 @@ inline Integer<Bits> narrowed(const Integer<A>& a) {
     return r;
 }
 
-// a * 2^shift, which fits.
+// a * 2^shift, which has to fit.
 template <int Bits>
 inline Integer<Bits> shifted_left(const Integer<Bits>& a, int shift) {
     Integer<Bits> r;
@@ -307,7 +307,7 @@ inline Integer<Bits> shifted_left(const Integer<Bits>& a, int shift) {
     return r;
 }
 
-// How many bits the magnitude has, or one less: |a| <= 2^length(a).
+// The number of bits of the magnitude, or one less: |a| <= 2^length(a).
 template <int Bits>
 inline int length(const Integer<Bits>& a) {
     Limb limb[limb_count(Bits)];

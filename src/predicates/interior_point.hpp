@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A point inside a tetrahedron that lies on no plane through three given points: infinitely near
-// its first vertex, from there infinitely less far towards the second, and so on. It needs no
-// coordinates of its own, so there is one in every tetrahedron, however flat.
+// A point inside a tetrahedron that is on no plane through three given points. It is infinitely
+// close to the first vertex, displaced towards the second, infinitely less towards the third, and
+// so on. It needs no coordinates of its own, so there is one in every tetrahedron, however flat.
 #pragma once
 
 #include "predicates/predicates.hpp"
@@ -10,20 +10,20 @@ namespace mgdt {
 
 class InteriorPoint {
   public:
-    // Of the tetrahedron with these vertices, which must span space.
+    // The point of the tetrahedron with these vertices, which must span space.
     InteriorPoint(const double* a, const double* b, const double* c, const double* d)
         : v_{a, b, c, d} {}
 
-    // orientation(a, b, c, this point), which is never 0 if a, b and c span a plane: it is affine
-    // in its last argument, so the first vertex off the plane decides.
+    // orientation(a, b, c, this point). It is never 0 if a, b and c span a plane: orientation is
+    // affine in its last argument, so the first vertex off the plane decides.
     int orientation_from(const double* a, const double* b, const double* c) const {
         for (const double* v : v_)
             if (const int side = orientation(a, b, c, v)) return side;
         return 0;
     }
-    // Whether it is inside the positively oriented tetrahedron p.
+    // Whether the point is inside the positively oriented tetrahedron p.
     bool is_in(const double* const (&p)[4]) const {
-        // Most tetrahedra are nowhere near the first vertex.
+        // Most tetrahedra are far from the first vertex.
         for (int k = 0; k < 3; ++k) {
             const double x = v_[0][k];
             if (p[0][k] < x && p[1][k] < x && p[2][k] < x && p[3][k] < x) return false;

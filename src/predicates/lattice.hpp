@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Points of a lattice: where all coordinates are multiples of one power of two and the differences
-// are few of them, doubles compute determinants without rounding.
+// Points of a lattice: if all coordinates are multiples of a power of two, and the differences are
+// small multiples, doubles compute determinants without rounding.
 #pragma once
 
 #include "predicates/differences.hpp"
 
 namespace mgdt::exact {
 
-// Differences of fewer than 2^bits units in magnitude leave the determinant of degree 3 below
-// 6 * 2^(3 bits), that of degree 5 below 72 * 2^(5 bits), and all that leads to it: at most 2^53.
+// If differences are below 2^bits units, the determinant of degree 3 is below 6 * 2^(3 bits), that
+// of degree 5 below 72 * 2^(5 bits), and so are all intermediate results: at most 2^53.
 constexpr int orientation_lattice_bits = 16;
 constexpr int sphere_lattice_bits = 9;
 
-// Where products of five differences and the sums below are normal numbers.
+// In this range, products of five differences and the sums below are normal numbers.
 constexpr double lattice_least = 0x1p-180, lattice_most = 0x1p180;
 
 MGDT_PREDICATES_INLINE int sign_of(double v) {
     return (v > 0) - (v < 0);
 }
 
-// 1.5 * 2^52 g, where g is the least power of two of which differences up to `largest` are fewer
-// than 2^Bits. Added to a number that is not negative it rounds it to a multiple of g, if no more.
+// 1.5 * 2^52 g, where g is the least power of two for which differences up to `largest` are below
+// 2^Bits g. Adding this to a non-negative number rounds it to a multiple of g.
 template <int Bits>
 MGDT_PREDICATES_INLINE double lattice_shifter(double largest) {
     static_assert(Bits <= 51, "differences of multiples of g must be exact");
@@ -46,8 +46,8 @@ MGDT_PREDICATES_INLINE bool is_lattice(const Differences<N>& d) {
     return sum == 0;
 }
 
-// Turns points relative to one of them, whose coordinates are fewer than 2^sphere_lattice_bits
-// units, into numbers in the same order.
+// Maps points, relative to one of them and with coordinates below 2^sphere_lattice_bits units, to
+// numbers in the same lexicographic order.
 constexpr double sphere_lattice_base = 2 << sphere_lattice_bits;
 
 }  // namespace mgdt::exact

@@ -14,7 +14,7 @@ LongNumber LongMemory::number(double x, std::int64_t exponent) {
     int of_mantissa;
     exact::take_apart(x, mantissa, of_mantissa);
     exponent += of_mantissa;
-    // Division that rounds down.
+    // A division that rounds down.
     const std::int64_t unit = (exponent - (exponent < 0 ? limb_bits - 1 : 0)) / limb_bits;
     const auto shift = static_cast<int>(exponent - unit * limb_bits);
     constexpr int count = exact::limb_count(53 + limb_bits);
@@ -43,8 +43,8 @@ void LongNumber::trim() noexcept {
     unit_ += static_cast<std::int64_t>(zeros);
 }
 
-// Numbers whose exponents are far apart have sums and products most of whose limbs are 0: the one
-// that has fewer others goes first.
+// Numbers whose exponents are far apart have sums and products with many limbs that are 0. The
+// operand with fewer other limbs is the multiplier.
 LongNumber LongNumber::product(const LongNumber& a, const LongNumber& b) {
     if (a.size_ == 0 || b.size_ == 0) return {};
     const std::size_t begin = a.memory_->add(a.size_ + b.size_);
@@ -78,7 +78,7 @@ LongNumber LongNumber::sum(const LongNumber& a, const LongNumber& b, bool is_b_n
         return x.unit_ + static_cast<std::int64_t>(x.size_);
     };
     const std::int64_t unit = std::min(a.unit_, b.unit_);
-    // A limb more, for the carry.
+    // One limb more, for the carry.
     const auto size = static_cast<std::size_t>(std::max(top(a), top(b)) - unit + 1);
     const std::size_t begin = a.memory_->add(size);
     LongNumber r(*a.memory_, begin, size, unit, a.is_negative_);
@@ -114,7 +114,7 @@ std::int64_t LongNumber::top() const {
 
 std::uint64_t LongNumber::bits(int from) const {
     const Limb* const of = limbs();
-    // The position of the last of them.
+    // The position of the last of the 64 bits.
     const int last = exact::length_of(of, static_cast<int>(size_)) - from - 64;
     std::uint64_t bits = 0;
     for (int i = static_cast<int>(size_) - 1; i >= 0; --i) {
@@ -141,7 +141,7 @@ Twofold LongNumber::twofold(std::int64_t exponent) const {
     return Twofold::sum(high, is_negative_ ? -low : low);
 }
 
-// By Newton's method, each step of which doubles the number of digits.
+// By Newton's method. Each step doubles the number of digits.
 LongNumber LongNumber::inverse(const LongNumber& b) {
     LongMemory& memory = *b.memory_;
     const WideDouble start = WideDouble(1) / b.wide();

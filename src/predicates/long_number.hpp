@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sums and products of doubles whose exponents and lengths have no limit: exact, for predicates
-// whose operands have no common unit, or cut off to a number of limbs, for what has to be measured
-// where doubles and twofold numbers do not do.
+// Sums and products of doubles without limits on exponents and lengths. They are exact, for
+// predicates whose operands have no common unit, or cut off to a number of limbs, for measures that
+// doubles and twofold numbers cannot give accurately enough.
 #pragma once
 
 #include "platform/memory.hpp"
@@ -13,25 +13,27 @@ namespace mgdt {
 
 class LongNumber;
 
-// Holds the limbs of numbers. A number is valid until a mark that is older than it is released.
+// The memory for the limbs of numbers. Releasing a mark frees all numbers that are newer than the
+// mark.
 class LongMemory {
   public:
-    // Each result is cut off to this number of limbs; with 0 it is exact.
+    // Each result is cut off to this number of limbs; 0 means that results are exact.
     explicit LongMemory(Allocator& allocator, std::size_t most_limbs = 0)
         : limbs_(allocator), most_limbs_(most_limbs) {}
 
     std::size_t mark() const noexcept { return limbs_.size(); }
     void release(std::size_t mark) noexcept { limbs_.resize_within_capacity(mark); }
     std::size_t most_limbs() const noexcept { return most_limbs_; }
-    // Bounds the relative error of a sum, product, copy or, but for a factor of 4, quotient.
+    // An upper bound on the relative error of a sum, product or copy, and a quarter of that of a
+    // quotient.
     WideDouble rounding() const {
         if (most_limbs_ == 0) return {};
         return WideDouble(1, exact::limb_bits * (1 - static_cast<std::int64_t>(most_limbs_)));
     }
 
-    // x times 2^exponent.
+    // The number x times 2^exponent.
     LongNumber number(double x, std::int64_t exponent = 0);
-    // The same number here.
+    // A copy of the number in this memory.
     LongNumber copy(const LongNumber& x);
 
   private:
@@ -49,18 +51,18 @@ class LongMemory {
     std::size_t most_limbs_;
 };
 
-// +-sum of limb[i] 2^(limb_bits (unit + i)), where neither the first nor the last limb is 0. The
-// limbs of all numbers have the same positions, so that no sum has to shift them. A result is in
-// the memory of the operands, which is one.
+// The number +-sum of limb[i] 2^(limb_bits (unit + i)), where neither the first nor the last limb
+// is 0. The limbs of all numbers have the same positions, so that sums need no shifts. Both
+// operands are in the same memory, and so is the result.
 class LongNumber {
   public:
     LongNumber() = default;  // 0
 
-    // Bounds the relative error of the operation that gave it.
+    // An upper bound on the relative error of the operation that gave the number.
     WideDouble rounding() const { return size_ == 0 ? WideDouble() : memory_->rounding(); }
     int sign() const noexcept { return size_ == 0 ? 0 : is_negative_ ? -1 : 1; }
-    // Times 2^exponent. Cut off to 53 bits; to twice as many, with an error below 2^-104 of the
-    // number, where the exponents of both parts are those of doubles.
+    // The number times 2^exponent: cut off to 53 bits, or as a twofold number with an error below
+    // 2^-104 of the number, if both parts are in the range of doubles.
     WideDouble wide(std::int64_t exponent = 0) const;
     Twofold twofold(std::int64_t exponent = 0) const;
 
@@ -76,7 +78,7 @@ class LongNumber {
         return sum(a, b, !b.is_negative_);
     }
     friend LongNumber operator*(const LongNumber& a, const LongNumber& b) { return product(a, b); }
-    // Of numbers in a memory that cuts them off; b is not 0.
+    // Division of numbers in a memory that cuts them off; b is not 0.
     friend LongNumber operator/(const LongNumber& a, const LongNumber& b) { return a * inverse(b); }
 
   private:
@@ -90,11 +92,11 @@ class LongNumber {
     static LongNumber inverse(const LongNumber& b);
     const exact::Limb* limbs() const noexcept { return memory_->limbs_.data() + begin_; }
     exact::Limb* limbs() noexcept { return memory_->limbs_.data() + begin_; }
-    // The 64 bits from bit `from` below the leading one on.
+    // The 64 bits that begin `from` bits below the leading one.
     std::uint64_t bits(int from) const;
-    // Of the leading bit, so that the magnitude is below 2^top().
+    // The position above the leading bit: the magnitude is below 2^top().
     std::int64_t top() const;
-    // Leaves limbs out that are 0 at either end, and those beyond the memory's limit.
+    // Removes limbs that are 0 at either end, and those beyond the memory's limit.
     void trim() noexcept;
 
     LongMemory* memory_ = nullptr;
@@ -103,14 +105,14 @@ class LongNumber {
     bool is_negative_ = false;
 };
 
-// An array of numbers that are cut off, which stay there: for sums of many terms.
+// An array of numbers that are cut off, with memory of its own: for sums of many terms.
 class LongNumbers {
   public:
-    // All are 0.
+    // All numbers are 0.
     LongNumbers(Allocator& allocator, std::size_t size, std::size_t most_limbs);
 
     LongNumber operator[](std::size_t i) const noexcept { return numbers_[i]; }
-    // Its operand may be in another memory.
+    // Sets number i; x may be in another memory.
     void set(std::size_t i, const LongNumber& x);
 
   private:

@@ -12,7 +12,7 @@
 namespace mgdt::exact {
 
 constexpr int native_bits = 60;      // differences are below 2^native_bits in magnitude
-constexpr int coordinate_bits = 62;  // and coordinates below 2^coordinate_bits
+constexpr int coordinate_bits = 62;  // coordinates are below 2^coordinate_bits
 
 #ifdef __SIZEOF_INT128__
 constexpr bool have_native = true;
@@ -20,10 +20,10 @@ constexpr bool have_native = true;
 constexpr bool have_native = false;
 #endif
 
-// Where units and their reciprocals are normal numbers.
+// In this range, units and their reciprocals are normal numbers.
 constexpr double least_size = 0x1p-900, most_size = 0x1p900;
 
-// The power of two of which numbers up to `size` in magnitude are fewer than 2^Bits.
+// The power of two for which numbers up to `size` are below 2^Bits units.
 template <int Bits>
 struct NativeUnit {
     double unit, per_unit;
@@ -35,17 +35,18 @@ struct NativeUnit {
         per_unit = double_of((std::uint64_t{2 * 1023} << 52) - (power - shift));
     }
 
-    // x in units; `off` becomes other than 0 if that is no whole number.
+    // x in units. If that is no integer, `off` becomes nonzero.
     MGDT_PREDICATES_INLINE std::int64_t count(double x, std::uint64_t& off) const {
-        // Conversion is towards zero, and what is rounded does not come back. Signs are left out:
-        // x may be -0, and so may n as a double where the compiler rounds without an integer.
+        // The conversion rounds towards zero, so a number that is no integer does not convert back.
+        // The comparison ignores signs: x may be -0, and so may n as a double, where the compiler
+        // rounds without an integer.
         const auto n = static_cast<std::int64_t>(x * per_unit);
         off |= (bits_of(static_cast<double>(n) * unit) ^ bits_of(x)) << 1;
         return n;
     }
 };
 
-// The differences in units of a power of two, if coordinates are multiples of it and all fit.
+// The differences in units of a power of two, if all coordinates are multiples of it and fit.
 template <int N>
 MGDT_PREDICATES_INLINE bool to_native(const Differences<N>& d, std::int64_t (&out)[N]) {
     double size = 4 * d.largest;
@@ -82,7 +83,7 @@ MGDT_PREDICATES_INLINE Widest product(std::int64_t a, std::int64_t b) {
     return static_cast<Widest>(a) * b;
 }
 
-// Up to 122 bits.
+// Integers of up to 122 bits.
 struct TwoDigits {
     std::int64_t d0, d1;
 
@@ -90,11 +91,11 @@ struct TwoDigits {
         : d0(low_digit(v)), d1(static_cast<std::int64_t>(v >> digit_bits)) {}
 };
 
-// Up to 184 bits.
+// Integers of up to 184 bits.
 struct ThreeDigits {
     std::int64_t d0, d1, d2;
 
-    // From sums of products by place.
+    // From sums of products of digits, by the position of the digits.
     MGDT_PREDICATES_INLINE ThreeDigits(Widest c0, Widest c1) : d0(low_digit(c0)) {
         const Widest carried = c1 + (c0 >> digit_bits);
         d1 = low_digit(carried);
@@ -103,15 +104,15 @@ struct ThreeDigits {
     MGDT_PREDICATES_INLINE int sign() const { return d2 < 0 ? -1 : (d0 | d1 | d2) != 0; }
 };
 
-// The sizes in bits, and that every sum by places leaves room for its sign and a carry.
-constexpr int minor_bits = 2 * native_bits + 1;   // of two products
-constexpr int square_bits = 2 * native_bits + 2;  // of three
-constexpr int cubic_bits = 3 * native_bits + 3;   // of three products with a minor, 6 * 2^(3 * 60)
+// Sizes in bits. The assertions below show that every sum has room for its sign and a carry.
+constexpr int minor_bits = 2 * native_bits + 1;   // a minor: two products
+constexpr int square_bits = 2 * native_bits + 2;  // a square: three products
+constexpr int cubic_bits = 3 * native_bits + 3;   // a determinant: 6 * 2^(3 * 60)
 static_assert(square_bits <= 2 * digit_bits && cubic_bits <= 3 * digit_bits,
               "two digits hold a minor and a square, three a minor of three rows");
 static_assert(native_bits + digit_bits + 2 < 127, "three products of a difference and a digit");
-// A square's second digit is a quarter of a digit at most, so the largest sum of a sphere's has
-// four products of two digits, and four of a digit and a quarter of one: 5 * 2^(2 * 62).
+// The second digit of a square is at most a quarter of a digit. So the largest sum for a sphere is
+// four products of two digits and four of a digit and a quarter of one: 5 * 2^(2 * 62).
 static_assert(square_bits - digit_bits <= digit_bits - 2 && 2 * digit_bits + 3 <= 127,
               "eight products of digits");
 
@@ -123,8 +124,8 @@ MGDT_PREDICATES_INLINE TwoDigits native_square(const std::int64_t* p) {
     return TwoDigits(product(p[0], p[0]) + product(p[1], p[1]) + product(p[2], p[2]));
 }
 
-// z u - z' v + z" w, the third coordinates of three rows and the minors of the others' first two,
-// as sums of products by place.
+// The sum z u - z' v + z" w as sums of products by position: z, z', z" are the third coordinates of
+// three rows, and u, v, w the minors of the first two coordinates of the other rows.
 struct NativePlaces {
     Widest c0, c1;
 };
@@ -143,13 +144,13 @@ MGDT_PREDICATES_INLINE ThreeDigits native_cubic(const std::int64_t* p, const Two
     return {places.c0, places.c1};
 }
 
-// Sign of the determinant of three rows.
+// The sign of the determinant of three rows.
 MGDT_PREDICATES_INLINE int native_orientation(const std::int64_t (&v)[9]) {
     const std::int64_t *b = v, *c = v + 3, *d = v + 6;
     return native_cubic(b, native_minor(c, d), c, native_minor(b, d), d, native_minor(b, c)).sign();
 }
 
-// The determinant of SphereDeterminant and its minors.
+// The determinant of SphereDeterminant, and its minors.
 struct NativeSphere {
     ThreeDigits minor[4];
     int sign;
@@ -172,7 +173,7 @@ struct NativeSphere {
         each<4>([&](auto i) {
             const TwoDigits s = native_square(v + 3 * i);
             const ThreeDigits& m = minor[i];
-            // Of alternating sign, so that no sum grows by the way.
+            // The terms have alternating signs, so that no partial sum grows.
             const auto add = [&](auto at, std::int64_t x, std::int64_t y) {
                 place[at] += i % 2 == 0 ? product(x, y) : -product(x, y);
             };
@@ -193,7 +194,7 @@ struct NativeSphere {
 
 #else
 
-// For the compiler: these are not reached.
+// Without native integers of 128 bits, for the compiler only; these functions are never called.
 struct NativeSphere {
     struct Minor {
         int sign() const { return 0; }

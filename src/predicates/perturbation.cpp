@@ -31,9 +31,9 @@ MGDT_PREDICATES_INLINE double larger(double a, double b) {
     return a > b ? a : b;
 }
 
-// The determinant is exact on a lattice, and passes a filter elsewhere. On a lattice the place of a
-// point relative to q in the lexicographic order is one number, the key, that of q 0; and ties,
-// half of the answers there, are broken without a branch.
+// On a lattice the determinant is exact; elsewhere it has to pass a filter. On a lattice the
+// lexicographic order of the points, relative to q, is the order of one number per point, the key;
+// that of q is 0. Ties are half of the results there, and are broken without a branch.
 MGDT_PREDICATES_INLINE int doubles(const Differences<12>& v) {
     const auto minors = SphereDeterminant::minors(v.rounded);
     const double value = SphereDeterminant::value(v.rounded, minors);
@@ -42,7 +42,7 @@ MGDT_PREDICATES_INLINE int doubles(const Differences<12>& v) {
         return filtered_value(value, size_of(v, SphereDeterminant()), v.largest, sphere_bound);
     }
     if (value != 0) return value > 0 ? 1 : -1;
-    double inside = 0, outside = 0;  // the largest keys of those that raise q in or out; q itself
+    double inside = 0, outside = 0;  // the largest keys that put q inside, or outside
     bool is_vertex = false;
     each<4>([&](auto i) {
         const double* const p = v.rounded + 3 * i;
@@ -56,7 +56,7 @@ MGDT_PREDICATES_INLINE int doubles(const Differences<12>& v) {
     return inside > outside ? 1 : -1;
 }
 
-// For a tie in general; coefficient(i) gives the sign of the coefficient of vertex i.
+// Breaks a tie. coefficient(i) gives the sign of the coefficient of vertex i.
 template <class Coefficient>
 int broken_tie(const double* const (&vertex)[4], const double* q, const Coefficient& coefficient) {
     const double* largest = q;
@@ -132,7 +132,7 @@ int perturbed_integers(const double* a, const double* b, const double* c, const 
     if (s == undecided) s = sphere_scaled(a, b, c, d, q);
     if (s == undecided) s = perturbed_sparse(a, b, c, d, q, Terms::single);
     if (s == undecided) s = sphere_ranged(a, b, c, d, q);
-    // A filter that finds a tie leaves it open here.
+    // A tie found by a filter is not proved.
     if (s == undecided || s == 0) s = perturbed_sparse(a, b, c, d, q, Terms::any);
     return s != undecided ? s : perturbed_by_parts(a, b, c, d, q);
 }

@@ -9,10 +9,10 @@
 
 namespace mgdt {
 
-// Sign of (b - a) x (c - a) . (d - a): positive for a positively oriented tetrahedron.
+// The sign of (b - a) x (c - a) . (d - a), which is positive for a positively oriented tetrahedron.
 int orientation(const double* a, const double* b, const double* c, const double* d);
 
-// For a positively oriented tetrahedron abcd: +1 if q is inside its circumsphere, 0 on, -1
+// For a positively oriented tetrahedron abcd: +1 if q is inside its circumsphere, 0 on it, -1
 // outside.
 int side_of_sphere(const double* a, const double* b, const double* c, const double* d,
                    const double* q);
@@ -25,20 +25,20 @@ int side_of_sphere_perturbed(const double* a, const double* b, const double* c, 
 // Whether three points are on one line (equal points included).
 bool collinear(const double* a, const double* b, const double* c);
 
-// Order of the coordinates x, then y, then z: the key of the perturbation. 0 equals -0.
+// Compares the coordinates x, then y, then z: the order of the perturbation. 0 equals -0.
 int compare_lexicographic(const double* a, const double* b);
 
-// Sign of |q - a|^2 - |q - b|^2.
+// The sign of |q - a|^2 - |q - b|^2.
 int compare_distance(const double* q, const double* a, const double* b);
 
-// Sign of |a - b|^2 - |c - d|^2.
+// The sign of |a - b|^2 - |c - d|^2.
 int compare_lengths(const double* a, const double* b, const double* c, const double* d);
 
-// For the sphere whose diameter is ab: +1 if q is inside, 0 on, -1 outside.
+// For the sphere with the diameter ab: +1 if q is inside, 0 on it, -1 outside.
 int side_of_diametral_sphere(const double* a, const double* b, const double* q);
 
 // For the plane through the edge ab that is perpendicular to the triangle abc: +1 if q is on the
-// side of c, 0 on it, -1 on the other side.
+// side of c, 0 on the plane, -1 on the other side.
 int side_of_edge(const double* a, const double* b, const double* c, const double* q);
 
 }  // namespace mgdt

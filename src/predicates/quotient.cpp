@@ -6,12 +6,12 @@
 namespace mgdt::exact {
 namespace {
 
-// Bit i, 0 below the first.
+// Bit i; 0 if i is negative.
 Limb bit(const Limb* a, int i) {
     return i < 0 ? 0 : a[i / limb_bits] >> (i % limb_bits) & 1U;
 }
 
-// The bits from bit `first` on, which may lie below bit 0 or beyond the last: 0 there.
+// The bits from bit `first` on. Bits below bit 0 or beyond the last are 0.
 Limb bits_from(const Limb* a, int size, int first) {
     const int shift = ((first % limb_bits) + limb_bits) % limb_bits,
               k = (first - shift) / limb_bits;
@@ -19,9 +19,10 @@ Limb bits_from(const Limb* a, int size, int first) {
     return shift == 0 ? limb(k) : limb(k) >> shift | limb(k + 1) << (limb_bits - shift);
 }
 
-// m 2^exponent with the last bit of m standing for all after it; 2^54 <= m < 2^55.
+// m 2^exponent, rounded. The last bit of m stands for all later bits; 2^54 <= m < 2^55.
 double rounded_once(std::uint64_t m, int exponent) {
-    // Two bits more than the last that a subnormal has: what is shifted out goes to the last.
+    // Two bits below the last bit of a subnormal number. What is shifted out is recorded in the
+    // last bit.
     constexpr int least = -1076;
     if (exponent < least) {
         const int shift = least - exponent;
@@ -38,8 +39,8 @@ double rounded_once(std::uint64_t m, int exponent) {
 
 }  // namespace
 
-// Long division, until the quotient has two bits more than a double. It begins where the rest has
-// one bit less than d.
+// Long division, until the quotient has two bits more than a double. At the beginning the remainder
+// has one bit less than d.
 double rounded_quotient(Limb* n, int n_size, Limb* d, int d_size, Limb* rest, int exponent) {
     const bool is_negative = take_sign(n, n_size) != take_sign(d, d_size);
     const int n_length = length_of(n, n_size), d_length = length_of(d, d_size);
@@ -47,8 +48,8 @@ double rounded_quotient(Limb* n, int n_size, Limb* d, int d_size, Limb* rest, in
     const int size = limb_count(d_length);
     int at = n_length - d_length;
     for (int i = 0; i < size; ++i) rest[i] = bits_from(n, n_size, i * limb_bits + at + 1);
-    // Takes one more bit of n. The rest is below d: with that bit it may be one longer than its
-    // limbs, and what is returned is the last.
+    // Shifts one more bit of n into the remainder. The remainder is below d, so it may become one
+    // bit longer than its limbs; that bit is returned.
     const auto shift_in = [&](int at) {
         Limb carry = bit(n, at);
         for (int i = 0; i < size; ++i) {

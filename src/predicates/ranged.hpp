@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Doubles with an exponent of their own, which neither overflow nor underflow, and the filter that
-// they make of a determinant: it decides points whose coordinates differ in size by any power of
-// two, where plain doubles leave their range. docs/theory.md, "The ranged filter".
+// Doubles with a separate exponent, which neither overflow nor underflow, and a filter that uses
+// them. It decides points whose coordinates differ in magnitude by any power of two, where plain
+// doubles leave their range. See docs/theory.md, "The ranged filter".
 #pragma once
 
 #include "predicates/filter.hpp"
 
 namespace mgdt::exact {
 
-// mantissa * 2^exponent. The mantissa of a coordinate difference is in [1, 2) or 0; products
-// multiply mantissas and add exponents, so it stays near 1 and is not normalised again.
+// mantissa * 2^exponent. The mantissa of a coordinate difference is in [1, 2) or 0. Products
+// multiply mantissas and add exponents, so mantissas stay near 1 without being normalised.
 struct Ranged {
     double mantissa;
     int exponent;
 };
 
-// Below every exponent that a product of five differences can have.
+// Less than every exponent that a product of five differences can have.
 constexpr int exponent_of_zero = -100000;
 
-// 2^-shift, for a shift from 0 on; 0 where that is far below a unit in the last place.
+// 2^-shift for a non-negative shift; 0 if that is far below a unit in the last place.
 MGDT_PREDICATES_INLINE double shifted_one(int shift) {
     return shift < 1000 ? double_of(static_cast<std::uint64_t>(1023 - shift) << 52) : 0.0;
 }
@@ -54,12 +54,14 @@ MGDT_PREDICATES_INLINE Ranged operator-(Ranged a, Ranged b) {
 // The difference of two finite doubles, rounded once.
 MGDT_PREDICATES_INLINE Ranged ranged_difference(double a, double b) {
     const double d = a - b;
-    // Of halves where it overflows; a half that is rounded is too small to count.
+    // If the difference overflows, it is computed from halves. A half that has to be rounded is too
+    // small to matter.
     return std::fabs(d) <= std::numeric_limits<double>::max() ? ranged(d)
                                                               : ranged(a * 0.5 - b * 0.5, 1);
 }
 
-// A magnitude: the formula of a determinant over this type gives it with all terms positive.
+// A magnitude. Evaluating the formula of a determinant over this type gives the value with all
+// terms positive.
 struct RangedMagnitude {
     Ranged value;
 };
@@ -77,8 +79,8 @@ MGDT_PREDICATES_INLINE RangedMagnitude operator*(RangedMagnitude a, RangedMagnit
     return {a.value * b.value};
 }
 
-// The sign of a value whose error is at most `relative` times `size`, or `undecided`. With a size
-// of 0 all terms are 0, and the value is.
+// The sign of a value whose error is at most `relative` times `size`, or `undecided`. If the size
+// is 0, all terms are 0, and so is the value.
 MGDT_PREDICATES_INLINE int ranged_sign(Ranged value, RangedMagnitude size, double relative) {
     if (size.value.mantissa == 0) return 0;
     const Ranged error = size.value * Ranged{relative, 0};
@@ -86,7 +88,7 @@ MGDT_PREDICATES_INLINE int ranged_sign(Ranged value, RangedMagnitude size, doubl
     return margin.mantissa > 0 ? (value.mantissa < 0 ? -1 : 1) : undecided;
 }
 
-// The differences of N / 3 points and an origin.
+// The differences between N / 3 points and an origin.
 template <int N>
 struct RangedDifferences {
     Ranged value[N];
@@ -104,7 +106,7 @@ struct RangedDifferences {
     }
 };
 
-// As those of filter.hpp, for the same determinants over differences of neighbouring points.
+// The bounds of filter.hpp, for coordinates that are relative to a nearby point.
 constexpr double ranged_orientation_bound = 10 * half_ulp;
 constexpr double ranged_sphere_bound = 20 * half_ulp;
 

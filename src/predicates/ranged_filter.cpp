@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The filters of orientation and of the sphere predicate for coordinates outside the range of the
-// plain ones. The first is in doubles, each axis scaled to size 1: it decides where one axis is far
-// longer than another. The second is in doubles with an exponent.
+// Filters for orientation and the sphere predicate, for coordinates outside the range of the plain
+// filters. The first is in doubles, with each axis scaled to size 1; it decides if one axis is much
+// longer than another. The second is in doubles with a separate exponent.
 //
-// A determinant of differences from one point is the same for differences along any tree over the
-// points. Those along the shortest tree keep what distinguishes the points of a cluster, however
-// far the other points are.
+// Differences from one point and differences along a tree over the points have the same
+// determinant. The differences along the shortest tree preserve what distinguishes the points of a
+// cluster, however far away the other points are.
 #include "predicates/determinants.hpp"
 #include "predicates/ranged.hpp"
 #include "predicates/stages.hpp"
@@ -14,8 +14,8 @@ namespace mgdt::exact {
 namespace {
 
 // The shortest tree over N points and an origin, by Prim's algorithm: parent[i] is a point, or N
-// for the origin. Its lengths are largest differences of coordinates; any tree gives a right
-// answer.
+// for the origin. The length of an edge is the largest difference of coordinates. Every tree gives
+// a correct result.
 template <int N>
 struct ShortestTree {
     int parent[N];
@@ -49,7 +49,7 @@ struct ShortestTree {
     }
 };
 
-// The differences of N points from their parents in the tree.
+// The differences between N points and their parents in the tree.
 template <int N>
 struct TreeRows {
     Ranged of[3 * N];
@@ -72,7 +72,7 @@ T lift(const T* difference, const T* p, const T* r) {
            difference[2] * (p[2] + r[2]);
 }
 
-// SphereDeterminant with other lifts than the rows' squares.
+// SphereDeterminant with given lifts in place of the squares of the rows.
 template <class T>
 T sphere_value(const T (&rows)[12], const T (&lifts)[4]) {
     const auto minors = SphereDeterminant::minors(rows);
@@ -80,12 +80,12 @@ T sphere_value(const T (&rows)[12], const T (&lifts)[4]) {
            (lifts[2] * minors.of[2] - lifts[3] * minors.of[3]);
 }
 
-// Differences with each axis multiplied by a power of two that brings the largest one to [1, 2), or
-// near it. What underflows is far below the bound of a filter.
+// Differences, each axis multiplied by a power of two that brings the largest difference to [1, 2)
+// or near it. What underflows is far below the bound of a filter.
 template <int N>
 struct ScaledAxes {
     double value[N];
-    int highest = -limit;  // exponent of the longest axis
+    int highest = -limit;  // the exponent of the longest axis
 
     explicit ScaledAxes(const Differences<N>& d) {
         double factor[3];
@@ -103,7 +103,7 @@ struct ScaledAxes {
         });
         each<N>([&](auto i) { value[i] = d.rounded[i] * factor[i % 3]; });
     }
-    // What gives all axes one scale again, that of the longest.
+    // The factor that restores the common scale, that of the longest axis.
     double shrink(int axis) const {
         const int shift = highest - exponent_[axis];
         return shift > limit ? 0.0 : power_of_two(-shift);
@@ -117,7 +117,7 @@ struct ScaledAxes {
     int exponent_[3];
 };
 
-// No value is above 2^24 + 2^24, by far.
+// All values are far below 2^24 + 2^24.
 constexpr double scaled_largest = 0x1p24;
 
 }  // namespace

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: MIT
-// Exact numbers whose bits lie in a few clusters, however far apart: sums of integers times powers
-// of two. A determinant over them costs what the clusters cost, not what the distance between them
-// would. docs/theory.md, "Sparse integers".
+// Exact numbers whose bits are in a few clusters, however far apart: sums of integers times powers
+// of two. The cost of a determinant depends on the clusters and not on the distances between them.
+// See docs/theory.md, "Sparse integers".
 #pragma once
 
 #include "predicates/differences.hpp"
 
 namespace mgdt::exact {
 
-// A product of two sparse numbers adds up at most 2^merge_bits products of factors.
+// A product of two sparse numbers is a sum of at most 2^merge_bits products of factors.
 constexpr int merge_bits = 5;
 
-// The sum of factor[i] * 2^exponent[i], with descending exponents.
+// The sum of factor[i] * 2^exponent[i], in descending order of exponents.
 template <int Bits>
 struct Sparse {
     static constexpr int capacity = 24;
     static_assert(capacity <= 1 << merge_bits);
 
-    int count = 0;  // more than the capacity: terms were lost, and the number is meaningless
+    int count = 0;  // if it exceeds the capacity, terms were lost and the number is meaningless
     int exponent[capacity];
     Integer<Bits> factor[capacity];
 
     bool is_lost() const { return count > capacity; }
     void lose() { count = capacity + 1; }
-    // Adds or subtracts f * 2^e. The sum of factors with this exponent fits.
+    // Adds or subtracts f * 2^e. The sum of all factors with this exponent has to fit.
     template <bool Negative = false, int B>
     void add(int e, const Integer<B>& f) {
         int at = count;
@@ -78,8 +78,9 @@ Sparse<A + B - 1 + merge_bits> operator*(const Sparse<A>& a, const Sparse<B>& b)
     return r;
 }
 
-// The sign, or `undecided` if the number is lost. Terms are added up from the highest on, until
-// what is left cannot change the sign: less than 2^merge_bits factors in the next term's unit.
+// The sign, or `undecided` if terms were lost. Terms are added from the highest on, until the
+// remaining ones cannot change the sign: they are less than 2^merge_bits factors in the unit of the
+// next term.
 template <int Bits>
 int sign(const Sparse<Bits>& a) {
     if (a.is_lost()) return undecided;
@@ -96,8 +97,8 @@ int sign(const Sparse<Bits>& a) {
     return sign(sum);
 }
 
-// The differences of points as sparse numbers, if their bits lie in few clusters of at most
-// Bits - 2 bits.
+// The differences of points as sparse numbers, if their bits are in a few clusters of at most Bits
+// - 2 bits.
 template <int N, int Bits>
 class SparseDifferences {
   public:
@@ -107,7 +108,7 @@ class SparseDifferences {
         for (int i = 0; i < N; ++i)
             for (const double v : {d.first[i], d.second[i]})
                 if (v != 0) insert(parts, count++, Part(v, i));
-        // From the highest down.
+        // From the highest to the lowest.
         int clusters = 0, top = 0, begin = 0;
         for (int i = 0; i <= count; ++i) {
             if (i < count && i > begin && parts[i].bottom >= top - (Bits - 2)) continue;
@@ -133,7 +134,7 @@ class SparseDifferences {
   private:
     static constexpr int most_clusters = 6;
 
-    // One of the two doubles that a difference is the sum of: mantissa * 2^exponent.
+    // One of the two doubles whose sum a difference is: mantissa * 2^exponent.
     struct Part {
         Part() = default;
         Part(double v, int difference) : of(difference) {
@@ -145,7 +146,7 @@ class SparseDifferences {
         int exponent, top, bottom, of;
     };
 
-    // Keeps them in descending order of their tops.
+    // Inserts a part in descending order of the leading bits.
     static void insert(Part* parts, int count, const Part& part) {
         int at = count;
         for (; at > 0 && parts[at - 1].top < part.top; --at) parts[at] = parts[at - 1];

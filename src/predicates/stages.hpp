@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The stages that the predicates are made of, one by one: for tests and measurements. Each gives
-// the predicate's sign; filters, lattice stages and those of native integers may answer
-// `undecided`.
+// The stages of the predicates, for tests and measurements. Each returns the sign of the predicate;
+// filters, lattice stages and stages of native integers may return `undecided`.
 #pragma once
 
 #include "predicates/filter.hpp"
@@ -13,9 +12,9 @@ int orientation_filter(const double* a, const double* b, const double* c, const 
                        const Bound& bound = orientation_bound);
 int orientation_lattice(const double* a, const double* b, const double* c, const double* d);
 int orientation_native(const double* a, const double* b, const double* c, const double* d);
-// Of sparse integers, where the differences span at least `least` bits.
-enum class Terms { single, any };  // what each difference may be
-constexpr int sparse_least = 512;  // below it plain integers are as fast
+// The stages of sparse integers, which are used if the differences span at least `least` bits.
+enum class Terms { single, any };  // the number of terms of each difference
+constexpr int sparse_least = 512;  // below this, plain integers are as fast
 MGDT_PREDICATES_APART int orientation_sparse(const double* a, const double* b, const double* c,
                                              const double* d, Terms terms = Terms::any,
                                              int least = sparse_least);
@@ -25,7 +24,7 @@ MGDT_PREDICATES_APART int orientation_scaled(const double* a, const double* b, c
 MGDT_PREDICATES_APART int orientation_ranged(const double* a, const double* b, const double* c,
                                              const double* d,
                                              double bound = ranged_orientation_bound);
-// Integers of the least of `widths` that fits and is at least least_width.
+// Stages of integers, of the least of `widths` that fits and is at least least_width.
 MGDT_PREDICATES_APART int orientation_integer(const double* a, const double* b, const double* c,
                                               const double* d, int least_width = 0);
 
@@ -35,7 +34,8 @@ int sphere_lattice(const double* a, const double* b, const double* c, const doub
                    const double* q);
 int sphere_native(const double* a, const double* b, const double* c, const double* d,
                   const double* q);
-// For a tie also gives the signs of the 3 x 3 minors [bcd], [acd], [abd], [abc], if asked for.
+// In a tie, also gives the signs of the 3 x 3 minors [bcd], [acd], [abd], [abc] if they are asked
+// for.
 MGDT_PREDICATES_APART int sphere_sparse(const double* a, const double* b, const double* c,
                                         const double* d, const double* q, Terms terms = Terms::any,
                                         int minor_signs[4] = nullptr, int least = sparse_least);
@@ -48,10 +48,10 @@ MGDT_PREDICATES_APART int sphere_ranged(const double* a, const double* b, const 
 MGDT_PREDICATES_APART int sphere_integer(const double* a, const double* b, const double* c,
                                          const double* d, const double* q, int least_width = 0);
 
-// +1: surely not collinear.
+// +1 if the points are certainly not collinear, otherwise `undecided`.
 int collinear_filter(const double* a, const double* b, const double* c,
                      const Bound& bound = collinear_bound);
-// 1: surely not collinear, 0: surely collinear.
+// 1 if the points are certainly not collinear, 0 if they certainly are.
 MGDT_PREDICATES_APART int collinear_ranged(const double* a, const double* b, const double* c,
                                            double bound = collinear_bound.relative);
 MGDT_PREDICATES_APART bool collinear_integer(const double* a, const double* b, const double* c,
@@ -71,8 +71,8 @@ int edge_filter(const double* a, const double* b, const double* c, const double*
 MGDT_PREDICATES_APART int edge_integer(const double* a, const double* b, const double* c,
                                        const double* q, int least_width = 0);
 
-// The perturbed side of a sphere: by the determinant in doubles; by integers of 64 bits; by the
-// predicates that it is made of; by the first of the last two that can.
+// The perturbed sphere predicate: by the determinant in doubles; by integers of 64 bits; by the
+// predicates that it consists of; by the first of the last two that can decide.
 int perturbed_doubles(const double* a, const double* b, const double* c, const double* d,
                       const double* q);
 int perturbed_native(const double* a, const double* b, const double* c, const double* d,

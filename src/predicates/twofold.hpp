@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A number as the sum of two doubles: about 100 bits.
+// A number as the sum of two doubles, with about 100 bits.
 #pragma once
 
 #include "predicates/integer.hpp"
@@ -9,8 +9,8 @@ namespace mgdt {
 struct Twofold {
     double high, low;
 
-    // Both are exact. The product is Dekker's, A floating-point technique for extending the
-    // available precision, Numerische Mathematik 18 (1971).
+    // Exact sums and products. The product is Dekker's, A floating-point technique for extending
+    // the available precision, Numerische Mathematik 18 (1971).
     static MGDT_PREDICATES_INLINE Twofold sum(double a, double b) {
         const double s = a + b, part = s - a;
         return {s, (a - (s - part)) + (b - part)};
@@ -33,7 +33,7 @@ struct Twofold {
         const Twofold p = product(a.high, b.high);
         return sum(p.high, p.low + (a.high * b.low + a.low * b.high));
     }
-    // The quotient of the upper parts, and that of what it leaves, twice.
+    // The quotient of the upper parts, then twice the quotient of the remainder.
     friend Twofold operator/(Twofold a, Twofold b) {
         const double first = a.high / b.high;
         const Twofold rest = a - b * Twofold{first, 0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vectors of doubles or of twofold numbers: what is measured in doubles is measured again in
-// twofold numbers where these do not do.
+// Vectors of doubles or of twofold numbers. What is computed in doubles is computed again in
+// twofold numbers if doubles are not accurate enough.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace mgdt {
 
-// Bounds the relative error of one operation.
+// An upper bound on the relative error of one operation.
 template <class Real>
 constexpr double rounding_of = 0x1p-53;
 template <>
@@ -31,7 +31,7 @@ inline double nearest_double(double x) {
 inline double nearest_double(const Twofold& x) {
     return x.high;
 }
-// By a power of two.
+// Multiplies by a power of two.
 inline double scaled_by(double x, double factor) {
     return x * factor;
 }
@@ -67,14 +67,14 @@ Vector<Real> cross(const Vector<Real>& a, const Vector<Real>& b) {
     return {{a.x[1] * b.x[2] - a.x[2] * b.x[1], a.x[2] * b.x[0] - a.x[0] * b.x[2],
              a.x[0] * b.x[1] - a.x[1] * b.x[0]}};
 }
-// The length, rounded a few times.
+// The length, with the error of a few roundings.
 template <class Real>
 double length(const Vector<Real>& a) {
     const double x = nearest_double(a.x[0]), y = nearest_double(a.x[1]), z = nearest_double(a.x[2]);
     return std::sqrt((x * x + y * y) + z * z);
 }
 
-// The difference of two points, as exactly as Real is.
+// The difference of two points, as exact as Real allows.
 inline void set_difference(double& d, double a, double b) {
     d = a - b;
 }

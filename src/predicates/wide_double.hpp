@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A double with an exponent that no product leaves: for bounds of errors and for results of long
+// A double with an exponent that no product exceeds, for error bounds and for results of long
 // numbers.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace mgdt {
 
-// mantissa 2^exponent, where the mantissa is 0 or from 1/2 to 1 in magnitude.
+// mantissa 2^exponent, where the magnitude of the mantissa is 0 or in [1/2, 1].
 struct WideDouble {
     double mantissa = 0;
     std::int64_t exponent = 0;
@@ -20,7 +20,7 @@ struct WideDouble {
         exponent = x == 0 ? 0 : times_power + e;
     }
 
-    // 0 or infinite where no double is as small or as large.
+    // The number as a double; 0 or infinite if it is outside the range of doubles.
     double in_double() const {
         constexpr std::int64_t most = 4000;
         return std::ldexp(mantissa, static_cast<int>(exponent < -most  ? -most
