@@ -77,7 +77,7 @@ class Benchmark {
     }
 
   private:
-    // Rows of a peer without a runner are taken out of the plan, unless the file has them.
+    // Removes the rows of peers without a runner from the plan, unless the file has them.
     void look_for_runners() {
         for (const std::string& peer : options_.plan.peers) {
             const std::string runner = find_runner(peer, options_.peer_directory);
@@ -165,7 +165,7 @@ class Benchmark {
                           : "cancelled; nothing was written");
     }
 
-    // Failures of peers and times that ran out are results. Those of mgdt are not wanted.
+    // Failures of peers and exceeded time limits are results. Failures of mgdt are errors.
     void require_success() const {
         const Row* first = nullptr;
         std::size_t failed = 0;
@@ -174,7 +174,7 @@ class Benchmark {
             if (failed++ == 0) first = &row;
         }
         if (first != nullptr) {
-            // The system sends signal 9 when its memory runs out.
+            // The system sends signal 9 if its memory runs out.
             const bool memory = first->status == "out-of-memory" || first->status == "signal 9";
             throw Error(memory ? exit_memory : exit_internal,
                         fmt::format("{} of mgdt failed; the first on {} {} with {}: {}",
@@ -191,7 +191,7 @@ class Benchmark {
     Plan plan_;
     std::FILE* out_;
     std::optional<ResultFile> file_;
-    std::map<std::string, Row> known_;  // by their keys, from the file
+    std::map<std::string, Row> known_;  // the rows that the file has, by their keys
     std::map<std::string, std::string> runners_;
     std::vector<std::string> missing_;
     std::vector<Row> done_;

@@ -28,7 +28,8 @@ using std::chrono::steady_clock;
     throw Error(exit_memory, fmt::format("cannot {}: {}", what, system_message(error)));
 }
 
-// In the child: dies with its parent, and is what the system ends first when memory runs out.
+// Called in the child. Makes the child end with its parent, and makes it the first process that the
+// system ends when memory runs out.
 void prepare_child([[maybe_unused]] pid_t parent) {
     setpgid(0, 0);
 #ifdef __linux__
@@ -41,7 +42,7 @@ void prepare_child([[maybe_unused]] pid_t parent) {
 #endif
 }
 
-// The reading end of the pipe, and the lines that have come.
+// The reading end of the pipe, and the lines that have arrived.
 class Lines {
   public:
     explicit Lines(int fd) : fd_(fd) { fcntl(fd_, F_SETFL, O_NONBLOCK); }
@@ -49,14 +50,14 @@ class Lines {
     Lines(const Lines&) = delete;
     Lines& operator=(const Lines&) = delete;
 
-    // Waits until something comes, for a tenth of a second at most.
+    // Waits until something arrives, for at most a tenth of a second.
     void wait() const {
-        // After its end a pipe is always ready, which would make this a busy loop.
+        // A pipe that has ended is always ready, which would make this a busy loop.
         pollfd entry{fd_, POLLIN, 0};
         poll(&entry, ended_ ? 0 : 1, ended_ ? 5 : 100);
     }
 
-    // Takes what is there; false if there was nothing.
+    // Reads what has arrived. Returns false if nothing has.
     bool read(const std::function<void(const std::string&)>& on_line) {
         char buffer[4096];
         bool any = false;
@@ -76,7 +77,7 @@ class Lines {
         }
     }
 
-    // The last line that is not empty, whether its end came or not.
+    // The last line that is not empty, even if its end has not arrived.
     std::string last() {
         finish([](const std::string&) {});
         return last_;
@@ -123,9 +124,9 @@ ChildEnd run_in_child(const std::function<int(int out)>& body, double seconds,
     if (child == 0) {
         close(ends[0]);
         prepare_child(parent);
-        _exit(body(ends[1]));  // not exit(): buffers and destructors are the parent's
+        _exit(body(ends[1]));  // not exit(): buffers and destructors belong to the parent
     }
-    setpgid(child, child);  // by both, so that it is done whoever is first
+    setpgid(child, child);  // both processes do this, so that it is done whichever runs first
     close(ends[1]);
     Lines lines(ends[0]);
 
@@ -137,7 +138,7 @@ ChildEnd run_in_child(const std::function<int(int out)>& body, double seconds,
         const pid_t done = wait4(child, &status, WNOHANG, &usage);
         if (done == child) {
             lines.read(on_line);
-            kill(-child, SIGKILL);  // what it may have left behind
+            kill(-child, SIGKILL);  // processes that the child may have left behind
             end.last_line = lines.last();
             end.peak_rss_bytes = peak_memory(usage);
             if (end.how != ChildEnd::How::exited) return end;

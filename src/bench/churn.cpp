@@ -16,18 +16,18 @@
 namespace mgdt::cli::bench {
 namespace {
 
-// Single calls and rounds of a run, at most.
+// The largest number of single calls, and of rounds, in a run.
 constexpr std::size_t most_calls = 10000;
 constexpr std::size_t fewest_points = 100;
 
 struct ChurnFigures {
     // Microseconds per point that is inserted, removed or moved.
     std::vector<double> insert, remove, remove_one, move_one, round;
-    std::vector<double> move_all;  // all of them, in units of the insertion of all
-    std::vector<double> growth;    // of memory during the rounds, as a part of it
+    std::vector<double> move_all;  // moves of all points, as a multiple of the insertion of all
+    std::vector<double> growth;    // the relative growth of memory during the rounds
 };
 
-// One run on one handle, whose calls are timed.
+// One run on one handle. Its calls are timed.
 class Run {
   public:
     Run(const ChurnOptions& options, const std::vector<double>& xyz, std::uint64_t seed)
@@ -53,7 +53,7 @@ class Run {
         };
         f.insert.push_back(timed(n, [&] { t_.insert(xyz_); }));
 
-        // A hundredth of the spacing that a uniform set of this extent has.
+        // Moves by a hundredth of the mean spacing of a uniform set of this extent.
         move_a_little(0.01);
         f.move_all.push_back(timed(n, [&] { t_.move(places_); }) / f.insert.back());
 
@@ -74,7 +74,7 @@ class Run {
         }));
         t_.renumber();
 
-        // Rounds in which one point leaves and another comes.
+        // Rounds of one removal and one insertion each.
         const double before = bytes();
         f.round.push_back(timed(few, [&] {
             for (std::size_t k = 0; k < few; ++k) {
@@ -87,7 +87,7 @@ class Run {
         f.growth.push_back(bytes() / before - 1);
         t_.check(n > 200000 ? Check::combinatorial : Check::canonical);
     }
-    // Removes one of all points, unless it has left before.
+    // Removes a random point. Returns false if it has been removed before.
     bool remove_one() {
         const auto points = static_cast<std::size_t>(t_.point_count());
         const auto i = static_cast<std::int64_t>(static_cast<std::size_t>(random_()) % points);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// mgdt-bench --churn: points that leave, move, and come and go, beside their insertion.
+// mgdt-bench --churn: removals, moves, and rounds of removals and insertions, compared with plain
+// insertions.
 #pragma once
 
 #include <string>
@@ -16,8 +17,8 @@ struct ChurnOptions {
     std::string data_directory;
 };
 
-// Prints a table of medians. Each run proves what it ends with, and that memory stays. Throws
-// Error.
+// Prints a table of medians. Each run checks its final triangulation, and that memory does not
+// grow. Throws Error.
 void run_churn(const ChurnOptions& options);
 
 }  // namespace mgdt::cli::bench

@@ -20,7 +20,7 @@ std::string quoted(const std::string& text) {
             out += '\\';
             out += c;
         } else if (byte < 0x20 || byte >= 0x7f) {
-            // Byte by byte, since a command line need not be UTF-8 and JSON must be.
+            // Escapes byte by byte, since a command line need not be UTF-8 and JSON must be.
             out += fmt::format("\\u{:04x}", byte);
         } else {
             out += c;

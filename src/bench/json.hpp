@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The measurement as a JSON object, with the machine it is of.
+// Writes the measurements as a JSON object that describes the machine too.
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@
 namespace mgdt::cli::bench {
 namespace {
 
-// What was typed, so that it can be typed again.
+// The command line, so that it can be typed again.
 std::string command_line(const std::vector<std::string>& words) {
     std::string line = "mgdt-bench";
     for (std::size_t i = 1; i < words.size(); ++i) line += " " + words[i];
@@ -92,7 +92,7 @@ void add_options(CLI::App& app, BenchOptions& options) {
                            fmt::join(distribution_names(), ", ")));
 }
 
-// Nothing where there is nothing to do: --help, --version.
+// The options; nothing for --help and --version.
 std::optional<BenchOptions> parse(const std::vector<std::string>& words) {
     BenchOptions options;
     options.command = command_line(words);
@@ -102,7 +102,7 @@ std::optional<BenchOptions> parse(const std::vector<std::string>& words) {
     app.set_version_flag("--version", fmt::format("mgdt-bench {}", version()));
     add_options(app, options);
     try {
-        // From the last to the first, as CLI11 wants them.
+        // CLI11 takes arguments in reverse order.
         app.parse(std::vector<std::string>(words.rbegin(), words.rend() - (words.empty() ? 0 : 1)));
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() != 0)
@@ -122,7 +122,7 @@ int main(int argc, char** argv) {
         install_signal_handlers();
         const auto options = bench::parse(system::arguments(argc, argv));
         const int code = options ? bench::run(*options) : exit_ok;
-        // What went to standard output must have arrived, too.
+        // Reports what could not be written to standard output.
         if (std::fflush(stdout) != 0) throw Error(exit_output, "standard output: cannot write");
         return code;
     } catch (...) {

@@ -11,7 +11,7 @@ const std::vector<PaperTable>& paper_tables() {
         const std::vector<std::size_t> sizes{400000,  800000,  1200000,  1600000,  2000000,
                                              4000000, 8000000, 12000000, 16000000, 20000000};
         std::vector<PaperTable> all;
-        // Table 1; its uniform set is Table 2's kind.
+        // Table 1. Its uniform set is one of Table 2.
         for (const char* kind : {"line", "diagonal", "ellipse", "spiral", "cluster"}) {
             all.push_back({std::string("mild-") + kind, {1000000}});
         }
@@ -39,9 +39,9 @@ bool is_hopeless(const std::string& scheme_or_peer, const std::string& distribut
     const auto is_any_of = [&](std::initializer_list<const char*> kinds) {
         return std::find(kinds.begin(), kinds.end(), distribution) != kinds.end();
     };
-    // A minute per million points, and 1800 bytes per point.
+    // It takes a minute per million points, and 1800 bytes per point.
     if (scheme_or_peer == "qhull") return points > 1000000;
-    // Walks from end to end of the set: 3000 tetrahedra per point at 0.4M on the line.
+    // Each walk crosses the whole set: 3000 tetrahedra per point on a line of 400,000 points.
     if (scheme_or_peer == "random") return points > 400000 || is_any_of({"line", "diagonal"});
     if (scheme_or_peer == "regular-grid") {
         return points > 2000000 && is_any_of({"line", "diagonal", "ellipse", "spiral", "cluster"});

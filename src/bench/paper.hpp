@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What S.H. Lo ran in section 5 of "3D Delaunay triangulation of non-uniform point distributions",
-// Finite Elements in Analysis and Design 90 (2014) 113-130, and the schemes that the paper left
-// out.
+// The measurements of S.H. Lo in section 5 of "3D Delaunay triangulation of non-uniform point
+// distributions", Finite Elements in Analysis and Design 90 (2014) 113-130, and the combinations
+// that the paper left out.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@ const std::vector<PaperTable>& paper_tables();
 
 std::vector<std::string> paper_schemes();
 
-// Whether a scheme or a peer takes so long on a set that nobody would wait for it. The paper, too,
-// leaves the regular grid out beyond 2 million points of the sets that do not suit it.
+// Whether a scheme or a peer takes unreasonably long on a set. The paper, too, leaves out the
+// regular grid beyond 2 million points of the sets that do not suit it.
 bool is_hopeless(const std::string& scheme_or_peer, const std::string& distribution,
                  std::size_t points);
 

@@ -21,7 +21,7 @@ bool contains(const std::vector<T>& list, const T& value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-// Each once, in the order in which they come first.
+// Removes repeats and keeps the order of first occurrences.
 template <class T>
 std::vector<T> distinct(const std::vector<T>& list) {
     std::vector<T> result;
@@ -44,7 +44,7 @@ std::vector<T> or_default(const std::vector<T>& list, std::vector<T> other) {
     return list.empty() ? std::move(other) : distinct(list);
 }
 
-// As the library reads 0.
+// The number of threads that the library uses for 0.
 int all_cores() {
     return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }

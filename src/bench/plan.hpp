@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is to be run, and in which order.
+// The plan of a measurement: which runs there are, and in which order.
 #pragma once
 
 #include <cstddef>
@@ -14,21 +14,21 @@ namespace mgdt::cli::bench {
 
 struct PlanOptions {
     bool paper = false;
-    // Empty for the defaults. With `paper` the distributions choose among the paper's, and the
-    // sizes are the paper's.
+    // An empty list stands for the default. With `paper`, the distributions select among those of
+    // the paper, and the sizes are the paper's.
     std::vector<std::string> distributions;
     std::vector<std::size_t> sizes;
     std::vector<std::string> schemes;
     std::vector<int> threads;
     std::vector<std::string> peers;
-    std::size_t largest = 2000000;  // of the paper's sets
-    bool compact = false;           // each scheme in compact storage too
-    int runs = 0;                   // 0: 1 for the paper's sets, else 3
+    std::size_t largest = 2000000;  // the largest of the paper's sets to run
+    bool compact = false;           // also runs each scheme in compact storage
+    int runs = 0;                   // 0 stands for 1 with the paper's sets and 3 otherwise
     std::uint64_t seed = 1;
 };
 
-// One set of points and the rows that are to be filled in on it: in each run everyone has a turn,
-// so that all meet the same noise of the machine.
+// One set of points and its runs. In each round all contenders have one run, so that they meet the
+// same noise of the machine.
 struct PlannedSet {
     PointSetName name;
     std::vector<Row> rows;
@@ -36,7 +36,7 @@ struct PlannedSet {
 
 struct Plan {
     std::vector<PlannedSet> sets;
-    // What the paper ran and this plan leaves out for its size: "galaxy 3000000".
+    // The sets of the paper that this plan leaves out because of their size: "galaxy 3000000".
     std::vector<std::string> left_out;
 
     std::size_t row_count() const;
@@ -44,7 +44,7 @@ struct Plan {
 
 inline const std::vector<std::string> peer_names{"cgal", "tetgen", "qhull"};
 
-// Throws Error for a name that is unknown or a list that leaves nothing to run.
+// Makes the plan. Throws Error for an unknown name or a plan without runs.
 Plan make_plan(const PlanOptions& options);
 
 }  // namespace mgdt::cli::bench

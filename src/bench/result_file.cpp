@@ -40,7 +40,7 @@ void ResultFile::lock() const {
                                              "name a file",
                                              path_));
     }
-    // A lock of the process: a child that outlives it for a moment does not have it.
+    // The lock belongs to the process, so a child that outlives it for a moment does not hold it.
     struct flock whole = {};
     whole.l_type = F_WRLCK;
     whole.l_whence = SEEK_SET;
@@ -55,7 +55,7 @@ void ResultFile::load() {
     const std::string text = read();
     const std::string heading = csv_heading() + "\n";
     if (text.size() < heading.size() && heading.compare(0, text.size(), text) == 0) {
-        // New, or torn in the heading.
+        // The file is new, or was cut off within the heading.
         truncate(0);
         write_line(heading);
         return;

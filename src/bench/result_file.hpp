@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The CSV table of finished runs, which grows a line a run and from which an interrupted
-// measurement goes on.
+// The CSV table of finished runs. It gets one line per run, and an interrupted measurement
+// continues from it.
 #pragma once
 
 #include <string>
@@ -12,23 +12,23 @@ namespace mgdt::cli::bench {
 
 class ResultFile {
   public:
-    // Makes the file, or reads the rows of one that is there. A last line that is not whole is cut
-    // off. Throws Error for a file of something else, or one that another program is writing.
+    // Creates the file, or reads the rows of an existing one and cuts an incomplete last line off.
+    // Throws Error if the file is no such table, or if another program is writing it.
     explicit ResultFile(const std::string& path);
     ~ResultFile();
     ResultFile(const ResultFile&) = delete;
     ResultFile& operator=(const ResultFile&) = delete;
 
-    // The rows that were there.
+    // The rows that the file had.
     const std::vector<Row>& rows() const { return rows_; }
 
-    // The line is with the system when this returns.
+    // Appends a row. The system has the line when this returns.
     void append(const Row& row);
 
   private:
-    // Against other programs.
+    // Locks the file against other programs.
     void lock() const;
-    // The rows of what is there; a heading where there is nothing.
+    // Reads the rows, or writes the heading of an empty file.
     void load();
     std::string read() const;
     void truncate(std::size_t size);

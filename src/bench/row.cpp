@@ -101,7 +101,7 @@ std::string as_field(std::string_view text) {
         } else if (c == '"') {
             field += '\'';
         } else {
-            // The cut may split a character of several bytes, so these are not taken over.
+            // The cut may split a character of several bytes, so such characters are replaced.
             field += byte < 0x20 || byte >= 0x7f ? '?' : c;
         }
     }

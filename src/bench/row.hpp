@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One run of one library on one set of points: a line of the CSV table.
+// One run of one library on one set of points, which is one line of the CSV table.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 namespace mgdt::cli::bench {
 
 enum Figure : std::size_t {
-    walked,  // tetrahedra visited by walks, an insertion: the paper's NP
+    walked,  // tetrahedra visited by walks, per insertion: the paper's NP
     removed,
     created,
     order_seconds,
@@ -27,7 +27,7 @@ enum Figure : std::size_t {
     rounds,
     system_seconds,  // processor time in the system, of all threads: mostly fresh pages
     user_seconds,    // processor time in the program itself, of all threads
-    alone_percent,   // of the points, inserted by one thread while the others had no work
+    alone_percent,   // percentage of points inserted by one thread while others had no work
     figure_count
 };
 
@@ -51,28 +51,29 @@ inline constexpr std::array<const char*, figure_count> figure_names{"np",
 // A figure that a library does not report is empty.
 using Figures = std::array<std::optional<double>, figure_count>;
 
-// Behind the scheme of a run in compact storage.
+// Appended to the scheme of a run in compact storage.
 inline constexpr std::string_view compact_suffix = "+compact";
 
 struct Row {
-    std::string library = "mgdt";  // or a peer's name
+    std::string library = "mgdt";  // or the name of a peer
     std::string version;
     std::string distribution;
-    std::size_t points = 0;  // asked for; a distribution may have fewer
+    std::size_t points = 0;  // the number that is asked for; a distribution may have fewer
     std::uint64_t seed = 1;
     std::string scheme;  // empty for peers; may have compact_suffix
     int threads = 1;
     int run = 1;
-    std::string status = "ok";  // or a word for what failed
+    std::string status = "ok";  // or a word for what has failed
     Figures figures{};
 
-    // The scheme without the suffix, and whether it was there.
+    // The scheme without the suffix, and whether it had the suffix.
     std::string plain_scheme() const;
     bool compact() const;
     bool ok() const { return status == "ok"; }
-    // What was run on what, without its number: the rows that medians are of.
+    // Identifies the set and the contender, without the number of the run. Medians are over rows
+    // with the same subject.
     std::string subject() const;
-    // Which run of the table it is.
+    // Identifies the run within the table.
     std::string key() const;
     // The scheme, or the peer's name.
     const std::string& contender() const { return scheme.empty() ? library : scheme; }
@@ -83,10 +84,10 @@ std::string csv_heading();
 
 std::string to_csv(const Row& row);
 
-// Nothing if the line is not one of such a table.
+// Reads a line of the table. Returns nothing if it is no such line.
 std::optional<Row> from_csv(std::string_view line);
 
-// Text from elsewhere as a field: printable, without commas and quotation marks, and short.
+// Converts any text to a field: printable, without commas and quotation marks, and short.
 std::string as_field(std::string_view text);
 
 }  // namespace mgdt::cli::bench

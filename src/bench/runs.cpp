@@ -21,8 +21,8 @@ namespace {
 using std::chrono::duration;
 using std::chrono::steady_clock;
 
-// Lines of a child of mgdt: "progress FRACTION" and at the end "figures" and what a row has of
-// them, a word each.
+// A child writes lines "progress FRACTION" and, at the end, "figures" with the figures of the row,
+// one word each.
 constexpr const char* progress_word = "progress";
 constexpr const char* figures_word = "figures";
 constexpr const char* no_figure = "-";
@@ -33,7 +33,7 @@ struct Reporter {
 
     void report(double fraction) {
         const auto now = steady_clock::now();
-        // Small sets are not to be slowed down by it.
+        // Reports are rare, so that they do not slow small sets down.
         if (now - last < std::chrono::milliseconds(100)) return;
         last = now;
         send(out, fmt::format("{} {:.3f}", progress_word, fraction));
@@ -44,7 +44,7 @@ double seconds_of(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-// The processor time of this process so far, of all its threads.
+// The processor time that all threads of this process have used.
 struct ProcessorTime {
     ProcessorTime() {
         rusage usage = {};
@@ -108,7 +108,7 @@ void triangulate_in_child(int out, const PointSet& set, const Row& row) {
         line += figure ? fmt::format(" {}", *figure) : std::string(" ") + no_figure;
     }
     send(out, line);
-    // Taking it down would only take time.
+    // The process ends without destroying the triangulation.
     _exit(exit_ok);
 }
 
@@ -123,13 +123,13 @@ bool read_figures(const std::string& line, Figures& figures) {
     return true;
 }
 
-// In the child: becomes the runner.
+// Called in the child. Replaces the process by the runner.
 int execute(const std::string& runner, int input, int out) {
     dup2(input, STDIN_FILENO);
     dup2(out, STDOUT_FILENO);
     dup2(out, STDERR_FILENO);
     close(out);
-    // What is ignored stays ignored in a new program.
+    // Ignored signals stay ignored in a new program.
     signal(SIGPIPE, SIG_DFL);
     signal(SIGXFSZ, SIG_DFL);
     execl(runner.c_str(), runner.c_str(), static_cast<char*>(nullptr));

@@ -46,7 +46,7 @@ std::string status_of(const ChildEnd& end) {
 
 void send(int out, std::string line) {
     line += '\n';
-    // Short lines arrive whole; if nobody reads the pipe, nothing has to be reported.
+    // Short lines are written as a whole. If nobody reads the pipe, nothing needs to be reported.
     [[maybe_unused]] const ssize_t wrote = write(out, line.data(), line.size());
 }
 

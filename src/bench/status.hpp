@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a child says what became of its work, and the word for it in the table.
+// How a child reports the outcome of its work, and the word for the outcome in the table.
 #pragma once
 
 #include <functional>
@@ -9,11 +9,12 @@
 
 namespace mgdt::cli::bench {
 
-// In a child: does the work; the exit code, with a line about what went wrong written to `out`.
+// Called in a child. Does the work and returns the exit code. If the work fails, writes a line to
+// `out` that says why.
 int guarded(int out, const std::function<void()>& work);
 
-// "ok", "out-of-memory", "timeout", "signal 11", "error: what the last line says". Empty if this
-// program is to end.
+// The status for the table: "ok", "out-of-memory", "timeout", "signal 11", or "error:" and the last
+// line. Empty if this program has to end.
 std::string status_of(const ChildEnd& end);
 
 // Sends a line through the pipe.

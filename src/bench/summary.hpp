@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Medians over the runs of everyone on every set, and how peers compare.
+// Medians over the runs of each contender on each set, and comparisons with peers.
 #pragma once
 
 #include <map>
@@ -11,23 +11,23 @@
 
 namespace mgdt::cli::bench {
 
-// Of an even number the mean of the two in the middle. At least one value.
+// The median of at least one value. For an even number it is the mean of the two in the middle.
 double median(std::vector<double> values);
 
-// The runs of one subject as one row: medians of the figures of those that went well, or the
-// status of the first if none did. `run` is how many went well.
+// The runs of one subject as one row. It has the medians of the successful runs, or the status of
+// the first run if none was successful. `run` is the number of successful runs.
 struct Median {
     Row row;
-    int runs = 0;  // all of them
-    // Peers' seconds by ours, on the same set, of those that have both.
+    int runs = 0;  // the number of all runs
+    // By peer: its time divided by that of mgdt on the same set, if both are known.
     std::map<std::string, double> ratios;
-    // Of a peer: the number of tetrahedra that mgdt has on the same set, if it is another.
+    // For a peer whose number of tetrahedra differs from that of mgdt: the number of mgdt.
     std::optional<double> other_count;
 };
 
 std::vector<Median> medians(const std::vector<Row>& rows);
 
-// Over the sets, of one scheme and number of threads against one peer.
+// A comparison of one scheme and number of threads with one peer, over all sets.
 struct Comparison {
     std::string scheme;
     int threads;
@@ -38,8 +38,8 @@ struct Comparison {
 
 std::vector<Comparison> comparisons(const std::vector<Median>& medians);
 
-// The first two rows of mgdt on one set whose numbers of tetrahedra differ, which they may not;
-// empty if there are none.
+// Describes the first two rows of mgdt on the same set that differ in the number of tetrahedra,
+// which is an error. Empty if there are none.
 std::string disagreement(const std::vector<Row>& rows);
 
 }  // namespace mgdt::cli::bench

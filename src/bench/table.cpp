@@ -38,7 +38,7 @@ std::string heading() {
     return line;
 }
 
-// `run` is the run's number, or how many there were.
+// `run` is the number of the run, or the number of runs.
 std::string cells(const Row& row, const std::string& run) {
     std::string line = fmt::format("{:<15} {:>9} {:<24} {:>7} {:>4}", row.distribution, row.points,
                                    row.contender(), row.threads, run);

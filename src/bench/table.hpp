@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person sees of a measurement: a line a run, then medians and ratios.
+// The text that a measurement prints: one line per run, then medians and ratios.
 #pragma once
 
 #include <cstdio>
@@ -13,7 +13,7 @@ namespace mgdt::cli::bench {
 
 void print_heading(std::FILE* out);
 void print_row(std::FILE* out, const Row& row);
-// With a column of ratios for each of the peers.
+// Prints the medians, with a column of ratios for each of the peers.
 void print_summary(std::FILE* out, const std::vector<Median>& medians,
                    const std::vector<std::string>& peers);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which calls are inside a handle: a readers-writer lock that no call waits to enter. A call that
-// changes the handle enters alone, calls that only read it enter together, and one that cannot
+// Records which calls are inside a handle: a readers-writer lock that never waits. A call that
+// changes the handle enters alone, calls that only read it enter together, and a call that cannot
 // enter is refused. So a call from a callback, or from a second thread against the thread rule,
 // gets a status and does no harm.
 #pragma once
@@ -14,7 +14,8 @@ namespace mgdt {
 
 class CallLock {
   public:
-    // For a call that changes the handle; `name` is its function, a static string.
+    // Enters for a call that changes the handle. `name` is the name of its function, a static
+    // string.
     bool try_enter_alone(const char* name) noexcept {
         std::uint32_t expected = 0;
         if (!inside_.compare_exchange_strong(expected, alone, std::memory_order_acquire,
@@ -29,12 +30,12 @@ class CallLock {
         inside_.store(0, std::memory_order_release);
     }
 
-    // For a call that changes the handle and for a while lets others read what it has made.
+    // For a call that changes the handle and lets others read its result for a while.
     void let_read() noexcept {
         annotate_release(&inside_);
         inside_.store(1, std::memory_order_release);
     }
-    // The end of that: those that still read are waited for.
+    // Ends that while, and waits for the calls that are still reading.
     void be_alone_again() noexcept {
         std::uint32_t expected = 1;
         while (!inside_.compare_exchange_weak(expected, alone, std::memory_order_acquire,
@@ -45,7 +46,7 @@ class CallLock {
         annotate_acquire(&inside_);
     }
 
-    // For a call that only reads the handle.
+    // Enters for a call that only reads the handle.
     bool try_enter_together() noexcept {
         std::uint32_t inside = inside_.load(std::memory_order_relaxed);
         do {
@@ -60,14 +61,14 @@ class CallLock {
         inside_.fetch_sub(1, std::memory_order_release);
     }
 
-    // For a call that reads and is too short to be counted: whether it must not enter. Such calls
-    // from many threads share this word, which stays in all caches.
+    // Whether a call that changes the handle is inside. For calls that read and are too short to be
+    // counted: the threads that make such calls share this word, which stays in all their caches.
     bool is_held_alone() const noexcept {
         const bool is_held = inside_.load(std::memory_order_acquire) == alone;
         annotate_acquire(&inside_);
         return is_held;
     }
-    // Of the call that entered alone; nullptr where none did.
+    // The name of the call that entered alone; nullptr if there is none.
     const char* name() const noexcept {
         return is_held_alone() ? name_.load(std::memory_order_relaxed) : nullptr;
     }
@@ -75,7 +76,7 @@ class CallLock {
   private:
     static constexpr std::uint32_t alone = 0xFFFFFFFFu;
 
-    Atomic<std::uint32_t> inside_{0};  // how many read, or `alone`
+    Atomic<std::uint32_t> inside_{0};  // the number of calls that read, or `alone`
     Atomic<const char*> name_{nullptr};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points that leave, move and get other indices.
+// Removal, motion and renumbering of points.
 #include "capi/counts.hpp"
 #include "capi/handle.hpp"
 
@@ -7,7 +7,8 @@ using namespace mgdt;
 
 namespace {
 
-// The caller's indices, counted from 0. One of no point is refused while it has all its bits.
+// Converts the caller's indices to indices from 0. An index that no point has is refused before it
+// is narrowed.
 template <class Int>
 void read_points(const Triangulation& core, std::size_t n, const Int* points,
                  Buffer<std::uint32_t>& list) {
@@ -44,7 +45,7 @@ mgdt_status remove(mgdt_triangulation* t, int64_t n, const Int* points, const ch
         name);
 }
 
-// All points, where those that are not in are left out.
+// Moves all points that are in.
 void move_all(Triangulation& core, std::size_t count, const double* xyz) {
     const Buffer<VertexId>& map = core.point_map();
     if (count != map.size())

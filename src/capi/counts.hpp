@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The counts of the C interface, for calls that are inside the handle.
+// The counts of the C interface, for calls that have entered the handle.
 #pragma once
 
 #include <algorithm>
@@ -22,12 +22,12 @@ inline std::int64_t hull_facet_count(const Triangulation& t) {
     return static_cast<std::int64_t>(t.mesh().ghost_count);
 }
 inline std::int64_t edge_count(const Triangulation& t) {
-    // Euler: V - E + F - T = 1 for a ball, with 2 F = 4 T + H.
+    // Euler's formula: V - E + F - T = 1 for a ball, and 2 F = 4 T + H.
     if (tetrahedron_count(t) == 0) return 0;
     return vertex_count(t) + tetrahedron_count(t) + hull_facet_count(t) / 2 - 1;
 }
 
-// Checks the array of an export whose number of rows is known when it is made, and has write(base)
+// Checks the array of an export whose number of rows is known in advance, and calls write(base) to
 // fill it.
 template <class Int, class Write>
 void give_rows(const mgdt_triangulation* t, std::size_t width, std::size_t rows, int64_t capacity,

@@ -10,10 +10,10 @@ using namespace mgdt;
 
 namespace {
 
-// Elements that a thread pays for.
+// The least number of elements per thread.
 constexpr std::size_t min_items_per_thread = 262144;
 
-// How many elements an export writes, and the bound that their values, counted from 0, are below.
+// The number of elements that an export writes, and an upper bound on their values, counted from 0.
 struct Extent {
     std::int64_t count, end;
 };
@@ -86,11 +86,11 @@ mgdt_status point_map(const mgdt_triangulation* t, int64_t capacity, Int* v, con
         [&](const ExportView& view) { export_point_map(view, t->core.point_map(), v); }, name);
 }
 
-// What a compressed list by points has.
+// The shape of a compressed list by points.
 struct ListShape {
-    bool numbers;       // tetrahedra are to be numbered
-    std::size_t count;  // elements in the list
-    std::size_t end;    // its elements, counted from 0, are below
+    bool numbers;       // whether it needs numbers of tetrahedra
+    std::size_t count;  // the number of elements in the list
+    std::size_t end;    // an upper bound on its elements, counted from 0
 };
 
 template <class Int, class Measure, class Body>
@@ -106,7 +106,8 @@ mgdt_status run_list_export(const mgdt_triangulation* t, std::int64_t offset_cap
             if (count > 0) require_pointer(list, "list");
             require_capacity(offset_capacity, points + 1, "offsets");
             require_capacity(capacity, count, "list");
-            require_range<Int>(std::max<std::uint64_t>(count + 1, end), t);  // the last offset too
+            // The last offset has to fit too.
+            require_range<Int>(std::max<std::uint64_t>(count + 1, end), t);
             Team team(t->core.threads_for(count, min_items_per_thread));
             body(view_of(team, t, numbers), points);
         },

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The guards that the entry points of the C interface pass: they refuse a call that would meet
-// another one on its handle, disable cancellation, set up the floating-point environment, catch
-// everything, and turn it into a status and a message.
+// The guards of the entry points of the C interface. They refuse a call that would meet another one
+// on its handle, disable thread cancellation, set up the floating-point environment, and convert
+// every exception to a status and a message.
 #pragma once
 
 #include <cstdio>
@@ -19,8 +19,8 @@
 
 namespace mgdt {
 
-// What every handle has. It is there as long as a callback may call the handle, so to the end of
-// the destruction of what is derived from it.
+// The base of every handle. It exists as long as a callback may call the handle, so until the
+// destruction of the derived class has ended.
 class HandleBase {
   public:
     mutable CallLock calls;
@@ -105,7 +105,7 @@ mgdt_status guard(HandleBase* t, Body body, const char* name = __builtin_FUNCTIO
     return status;
 }
 
-// A call that reads the handle for long: others must not change it meanwhile.
+// A call that reads the handle for long. Calls that change it are refused meanwhile.
 template <class Body>
 mgdt_status guard(const HandleBase* t, Body body, const char* name = __builtin_FUNCTION()) {
     if (!t) return MGDT_ERR_NULL_POINTER;
@@ -116,8 +116,8 @@ mgdt_status guard(const HandleBase* t, Body body, const char* name = __builtin_F
     return status;
 }
 
-// A call that reads the handle for a microsecond. Counting it would take a good part of that where
-// many threads call. It is counted where it runs callbacks, which may call the handle.
+// A call that reads the handle for about a microsecond. Counting it would take a good part of that
+// time if many threads call. It is counted if it runs callbacks, which may call the handle.
 template <class Handle, class Body>
 mgdt_status guard_short(const Handle* t, Body body, const char* name = __builtin_FUNCTION()) {
     if (!t) return MGDT_ERR_NULL_POINTER;
@@ -131,7 +131,7 @@ inline void require_pointer(const void* p, const char* name) {
     if (!p) fail(MGDT_ERR_NULL_POINTER, "%s is NULL", name);
 }
 
-// A number of points, or of something else, that a call is given.
+// Checks a number of points, or of something else, that a call is given.
 inline std::size_t require_count(std::int64_t n, const char* of = "points") {
     if (n < 0)
         fail(MGDT_ERR_INVALID_ARGUMENT, "the number of %s is negative (%lld)", of,

@@ -12,7 +12,7 @@ struct mgdt_triangulation : mgdt::HandleBase {
     mgdt_triangulation(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
         : core(alloc, release, user) {}
 
-    // Whether calls that only read the handle run functions of the host's.
+    // Whether calls that only read the handle may run functions of the host.
     bool has_callbacks() const noexcept { return core.allocator().release_function() != nullptr; }
 
     mgdt::Triangulation core;
@@ -20,8 +20,8 @@ struct mgdt_triangulation : mgdt::HandleBase {
 
 namespace mgdt {
 
-// What the exports and queries of a handle read. Tetrahedra are numbered when that is asked for the
-// first time.
+// The view that exports and queries of a handle use. Tetrahedra are numbered when numbers are
+// needed for the first time.
 inline ExportView view_of(Team& team, const mgdt_triangulation* t, bool numbers) {
     const Triangulation& core = t->core;
     return {team,
@@ -32,7 +32,7 @@ inline ExportView view_of(Team& team, const mgdt_triangulation* t, bool numbers)
             core.settings().canonical_output};
 }
 
-// Refuses output whose values, counted from 0, are below `end` but do not fit Int.
+// Refuses an export if values up to `end`, counted from 0, do not fit Int.
 template <class Int>
 void require_range(std::uint64_t end, const mgdt_triangulation* t) {
     if (end == 0) return;
@@ -43,7 +43,7 @@ void require_range(std::uint64_t end, const mgdt_triangulation* t) {
              static_cast<unsigned long long>(largest));
 }
 
-// Refuses points that span no space; none at all are let pass.
+// Refuses points that do not span space, but not an empty triangulation.
 inline void require_space(const mgdt_triangulation* t, const char* what) {
     static constexpr const char* where[] = {"at one place", "on one line", "in one plane"};
     if (t->core.vertex_count() > 0 && t->core.dimension() < 3)

@@ -42,14 +42,14 @@ Outside outside_of(std::int32_t outside) {
     }
 }
 
-// Nearest points are found of any points.
+// Checks the method. Only Method::nearest works for points that do not span space.
 Manner require_manner(const mgdt_triangulation* t, std::int32_t method, std::int32_t outside) {
     const Manner manner = {method_of(method), outside_of(outside)};
     if (manner.method != Method::nearest) require_space(t, "values between points");
     return manner;
 }
 
-// Fields of numbers of which there are `rows`.
+// Checks the number of fields of `rows` numbers each.
 std::size_t require_fields(std::int64_t fields, std::size_t rows) {
     const std::size_t count = require_count(fields, "fields");
     if (count != 0 && rows > PTRDIFF_MAX / (3 * sizeof(double)) / count)

@@ -8,7 +8,7 @@ namespace {
 constexpr std::size_t handle_size = sizeof(mgdt_triangulation),
                       handle_align = alignof(mgdt_triangulation);
 
-// As run_inside() of handle.hpp, for the calls that make a handle and free it.
+// Like run_inside() of guard.hpp, for the calls that create and destroy a handle.
 MGDT_NOT_INLINE mgdt_status create(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user,
                                    mgdt_triangulation** out) noexcept {
     const FpEnvironment environment;
@@ -47,7 +47,7 @@ extern "C" mgdt_status mgdt_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free
     return create(alloc, release, user, out);
 }
 
-// A handle that a call is inside of stays: the call would go on in memory that is gone.
+// A handle that a call is inside of is not destroyed: the call would continue in freed memory.
 extern "C" void mgdt_destroy(mgdt_triangulation* t) {
     if (!t) return;
     const CancellationDisabled uninterrupted;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Life, options and points of parts, and what all processes do together.
+// Creation, options and points of parts, and collective calls.
 #include <algorithm>
 #include <functional>
 
@@ -42,7 +42,7 @@ namespace {
 constexpr std::size_t parts_size = sizeof(mgdt_parts), parts_align = alignof(mgdt_parts);
 constexpr std::int32_t most_parts = 1 << 20;
 
-// As run_inside() of guard.hpp, for the calls that make a handle and free it.
+// Like run_inside() of guard.hpp, for the calls that create and destroy a handle.
 MGDT_NOT_INLINE mgdt_status create(const mgdt_transport* transport, PartId parts,
                                    mgdt_alloc_fn alloc, mgdt_free_fn release, void* user,
                                    mgdt_parts** out) noexcept {
@@ -73,8 +73,8 @@ MGDT_NOT_INLINE void destroy(mgdt_parts* p) noexcept {
         });
 }
 
-// Whether `size` bytes at `from` can be read as a transport of this version. A caller of a later
-// version has a larger one, whose further members are 0 unless it needs them.
+// Whether this version can read the transport. A caller of a later version has a larger structure,
+// whose further members are 0 unless the caller needs them.
 bool is_readable_transport(const mgdt_transport* from) noexcept {
     if (from->size < sizeof *from) return false;
     const auto* const bytes = reinterpret_cast<const unsigned char*>(from);
@@ -105,7 +105,7 @@ void insert(mgdt_parts& p, std::int32_t part, std::int64_t n, const double* xyz,
     std::memcpy(given.ids.data() + before, ids, count * sizeof *ids);
 }
 
-// What all processes must have alike.
+// Checks what has to be the same on all processes.
 void require_agreement(mgdt_parts& p) {
     constexpr std::uint64_t with_ids = 1, without_ids = 2, base_one = 4;
     Buffer<std::uint64_t> mine(p.allocator), all(p.allocator);
@@ -127,7 +127,7 @@ void require_agreement(mgdt_parts& p) {
     });
 }
 
-// visit: for build_each().
+// Builds; `visit` is that of build_each(), or null.
 void build(mgdt_parts& p, const Parts::Visit* visit) {
     p.forget_triangulation();
     const Error failure = std::exchange(p.failure, Error{MGDT_OK, ""});
@@ -162,7 +162,7 @@ void build(mgdt_parts& p, const Parts::Visit* visit) {
         p.triangulation->build(given.data(), all_ids, progress);
 }
 
-// A build, after which nothing is left of one that failed.
+// Builds, and frees what a failed build leaves.
 void run_build(mgdt_parts& p, const Parts::Visit* visit) {
     try {
         p.collective.run([&] { build(p, visit); });
@@ -206,7 +206,7 @@ extern "C" mgdt_status mgdt_parts_create_with_transport(const mgdt_transport* tr
     return create(transport, 1, nullptr, nullptr, nullptr, out);
 }
 
-// A handle that a call is inside of stays, as with mgdt_destroy().
+// Like mgdt_destroy(), this does not destroy a handle that a call is inside of.
 extern "C" void mgdt_parts_destroy(mgdt_parts* p) {
     if (!p) return;
     const CancellationDisabled uninterrupted;
@@ -323,7 +323,7 @@ extern "C" mgdt_status mgdt_parts_build_each(mgdt_parts* p, mgdt_part_fn look, v
             p->calls.be_alone_again();
             if (answer != 0) fail(MGDT_ERR_CANCELLED, "cancelled by the look at the part");
         };
-        // One reference is small enough to take no memory.
+        // A function object with one reference allocates no memory.
         const Parts::Visit visit = [&show](PartId i) { show(i); };
         run_build(*p, &visit);
     });

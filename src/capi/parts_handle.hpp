@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The handle of points in parts behind the C interface.
+// The handle of parts behind the C interface.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 #include "parts/parts.hpp"
 
 struct mgdt_parts : mgdt::HandleBase {
-    // In this process where `transport` is null; with a transport there is one part here.
+    // Without a transport, all parts are in this process. With one, this process has one part.
     mgdt_parts(const mgdt_transport* transport, mgdt::PartId parts, mgdt_alloc_fn alloc,
                mgdt_free_fn release, void* user);
     ~mgdt_parts() { forget_triangulation(); }
@@ -19,20 +19,20 @@ struct mgdt_parts : mgdt::HandleBase {
     bool has_callbacks() const noexcept { return allocator.release_function() != nullptr; }
     mgdt::PartId first_local() const noexcept { return transport_->first_local(); }
     mgdt::PartId local_parts() const noexcept { return transport_->local_parts(); }
-    // The functions of the host's, all null where the parts are in this process.
+    // The host's transport; all members are null if the parts are in this process.
     mgdt_transport host_transport() const noexcept {
         return callbacks_ ? callbacks_->functions() : mgdt_transport{};
     }
-    // The place of a part among those of this process; throws for others.
+    // The position of a part among those of this process. Throws for other parts.
     mgdt::PartId local(std::int32_t part) const;
     void forget_triangulation() noexcept;
 
-    // What a local part was given.
+    // The points that were inserted into a part of this process.
     struct Given {
         explicit Given(mgdt::Allocator& a) : xyz(a), ids(a) {}
 
         mgdt::Buffer<double> xyz;
-        mgdt::Buffer<std::int64_t> ids;  // as many as points, or none
+        mgdt::Buffer<std::int64_t> ids;  // one per point, or none at all
 
         std::size_t count() const { return xyz.size() / 3; }
         bool has_ids() const { return !ids.empty(); }
@@ -49,11 +49,11 @@ struct mgdt_parts : mgdt::HandleBase {
     mgdt::Collective collective;
     mgdt::Objects<Given> given;
     mgdt::Parts* triangulation = nullptr;
-    // Whether the ids of the triangulation are the caller's, and whether its memory is counted
-    // here.
+    // Whether the ids of the triangulation are the caller's, and whether its memory is counted by
+    // this handle's allocator.
     bool has_ids = false, passes_through = false;
-    bool keeps_tetrahedra = true;  // of all parts, and knows of each across parts
-    // An insertion that failed, which the next build reports.
+    bool keeps_tetrahedra = true;  // whether all tetrahedra stay in memory, linked across parts
+    // The error of a failed insertion, which the next build reports.
     mgdt::Error failure{MGDT_OK, ""};
     mgdt::PartId failed_part = 0;
     mgdt::Atomic<bool> cancelled{false};

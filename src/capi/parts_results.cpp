@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a part tells of itself and of its triangulation.
+// The results of a part: numbers, arrays and coordinates.
 #include <algorithm>
 
 #include "capi/parts_handle.hpp"
@@ -8,10 +8,10 @@ using namespace mgdt;
 
 namespace {
 
-// A local part and its triangulation, with the index base on all numbers.
+// A part of this process and its triangulation. The index base is added to all numbers.
 class View {
   public:
-    // There is a triangulation.
+    // There has to be a triangulation.
     View(const mgdt_parts& p, PartId i)
         : p_(p),
           all_(*p.triangulation),
@@ -47,7 +47,7 @@ class View {
                 return 4 * tetrahedra_.owned();
             case MGDT_PARTS_TETRAHEDRON_RANGES:
                 return all_.first_tetrahedra().size();
-            default:  // of vertices
+            default:  // the ranges of vertices
                 return all_.first_vertices().size();
         }
     }
@@ -60,7 +60,7 @@ class View {
                 for (std::size_t k = 0; k < vertices(); ++k) values[k] = vertex(k).number + base_;
                 break;
             case MGDT_PARTS_VERTEX_IDS:
-                // Those of the caller are as they were given.
+                // Ids of the caller are returned as they were given.
                 for (std::size_t k = 0; k < vertices(); ++k)
                     values[k] = vertex(k).id + (p_.has_ids ? 0 : base_);
                 break;
@@ -118,7 +118,7 @@ class View {
     std::int64_t base_;
 };
 
-// Of an array that there is; 0 without a triangulation.
+// The number of elements of an array; 0 without a triangulation. Throws for an unknown array.
 std::size_t size_of(const mgdt_parts& p, std::int32_t part, std::int32_t array) {
     const PartId i = p.local(part);
     switch (array) {

@@ -32,7 +32,7 @@ extern "C" mgdt_status mgdt_insert_points_strided(mgdt_triangulation* t, int64_t
     });
 }
 
-// Counts of a handle that is being changed would be of no use: they are those of an empty one.
+// While a handle is being changed, its counts are those of an empty one.
 namespace {
 
 const Triangulation* unchanging(const mgdt_triangulation* t) {

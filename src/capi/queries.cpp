@@ -11,7 +11,7 @@ using namespace mgdt;
 
 namespace {
 
-// Checks what a query of many places is given, and has body(team, places) answer it.
+// Checks the arguments of a query with many places, and calls body(team, places) to answer it.
 template <class Int, class Body>
 void answer(const mgdt_triangulation* t, int64_t n, const double* xyz, const Int* out, Body body) {
     const std::size_t count = require_places(n);

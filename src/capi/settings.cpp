@@ -6,7 +6,8 @@ using namespace mgdt;
 
 namespace {
 
-// A parameter within (least, most], or [least, most]; 0 asks for the default.
+// Checks that a parameter is in (least, most], or in [least, most] if the interval is not open; 0
+// stands for the default.
 double parameter_or(double value, double by_default, double least, double most, bool open,
                     const char* name) {
     if (value == 0) return by_default;
@@ -23,7 +24,7 @@ bool flag(std::int32_t value, const char* name) {
     return value != 0;
 }
 
-// Gives one setting: what read(core) says.
+// Returns one setting, read(core).
 template <class T, class Read>
 mgdt_status get(const mgdt_triangulation* t, T* value, Read read,
                 const char* name = __builtin_FUNCTION()) {
@@ -112,7 +113,7 @@ extern "C" mgdt_status mgdt_set_progress(mgdt_triangulation* t, mgdt_progress_fn
     });
 }
 
-// Only stores a flag: callable from any thread and from signal handlers.
+// This only stores a flag, so it may be called from any thread and from signal handlers.
 extern "C" mgdt_status mgdt_cancel(mgdt_triangulation* t) {
     if (!t) return MGDT_ERR_NULL_POINTER;
     t->core.cancel();

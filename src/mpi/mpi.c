@@ -10,7 +10,7 @@ static int is_running(void) {
            MPI_Finalized(&finalized) == MPI_SUCCESS && !finalized;
 }
 
-/* The worst status of all ranks: the largest. */
+/* The largest status of all ranks. */
 static mgdt_status agree(mgdt_status mine, MPI_Comm communicator) {
     int32_t worst = mine;
     if (MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT32_T, MPI_MAX, communicator) != MPI_SUCCESS)

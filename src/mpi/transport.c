@@ -11,8 +11,8 @@ static int failed(int code) {
     return code != MPI_SUCCESS;
 }
 
-/* Waits for what was begun, successfully or not. Where there are more ranks than processors, MPI
- * itself would keep the processor from those that it waits for. */
+/* Waits for a request; `code` says whether it was begun successfully. MPI's own waiting would keep
+ * the processor from other ranks if there are more ranks than processors. */
 static int fails(int code, MPI_Request* request) {
     int is_done = 0;
     while (code == MPI_SUCCESS) {
@@ -23,13 +23,13 @@ static int fails(int code, MPI_Request* request) {
     return failed(code);
 }
 
-/* Of `bytes`, what goes in one message after `done`. */
+/* The size of the next message, after `done` of `bytes`. */
 static int piece(int64_t bytes, int64_t done) {
     const int64_t left = bytes - done;
     return (int)(left < MGDT_MPI_LARGEST_MESSAGE ? left : MGDT_MPI_LARGEST_MESSAGE);
 }
 
-/* All ranks know how many bytes each has, so all go the same way. */
+/* All ranks know the number of bytes of each, so all take the same branch. */
 static int32_t gather(const void* mine, void* all, const int64_t* begin, void* user) {
     struct mgdt_mpi_transport* const t = user;
     char* const to = all;
@@ -64,8 +64,8 @@ static int32_t exchange_numbers(const uint64_t* out, uint64_t* in, void* user) {
         t->requests);
 }
 
-/* A message for each two ranks that have something for each other, or several one after another.
- * A part has few neighbours: MPI_Alltoallv() would look at all ranks. */
+/* Sends a message, or several in sequence, between each two ranks that have something for each
+ * other. A part has few neighbours, while MPI_Alltoallv() would look at all ranks. */
 static int32_t exchange(const void* out, const int64_t* out_begin, void* in,
                         const int64_t* in_begin, void* user) {
     struct mgdt_mpi_transport* const t = user;
@@ -97,7 +97,7 @@ static int32_t exchange(const void* out, const int64_t* out_begin, void* in,
     return 0;
 }
 
-/* In place, by pieces of as many numbers as a message may have bytes. */
+/* Reduces in place, in pieces. */
 static int32_t reduce(void* numbers, int64_t n, MPI_Datatype type, MPI_Op operation,
                       struct mgdt_mpi_transport* t) {
     int64_t done;

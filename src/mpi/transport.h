@@ -7,12 +7,12 @@
 
 #include "mgdt/mgdt_parts.h"
 
-/* The counts of MPI are int: messages of more bytes go in pieces. Less in tests. */
+/* MPI counts in int, so longer messages are sent in pieces. Tests use a smaller limit. */
 #ifndef MGDT_MPI_LARGEST_MESSAGE
 #define MGDT_MPI_LARGEST_MESSAGE (1 << 30)
 #endif
 
-/* A communicator and room for what is under way. */
+/* A communicator, and memory for the operations in progress. */
 struct mgdt_mpi_transport {
     MPI_Comm communicator;
     int ranks, rank;
