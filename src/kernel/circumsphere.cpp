@@ -16,7 +16,8 @@ Sphere circumsphere(const Tetrahedron& t, const Vertex* vertices) {
     const auto corner = [&](int i) { return relative_to(vertices[v[i]].x, base); };
     Sphere s;
     if (ghost) {
-        // (base, ., ., .) with the vertex at infinity turned to the end keeps its orientation.
+        // The base vertex stays first, and the vertex at infinity is rotated to the end, which
+        // keeps the orientation.
         const int slot = t.infinite_slot();
         set_normal(corner(slot % 3 + 1), corner((slot + 1) % 3 + 1), s);
     } else {
@@ -31,8 +32,9 @@ bool is_conflict_exact(const Mesh& mesh, const Tetrahedron& t, const double* q) 
     for (int i = 0; i < 4; ++i) p[i] = mesh.point(t.v[i]);
     if (!t.is_ghost()) return side_of_sphere_perturbed(p[0], p[1], p[2], p[3], q) > 0;
 
-    // A ghost is in conflict with the points beyond its facet's plane. On the plane itself the
-    // circle counts, perturbed: that is the sphere of the finite tetrahedron behind the facet.
+    // A ghost is in conflict with the points beyond the plane of its facet. For a point in the
+    // plane, the circumcircle of the facet decides, with perturbation: it is the circumsphere of
+    // the finite tetrahedron behind the facet.
     const int slot = t.infinite_slot();
     p[slot] = q;
     const int side = orientation(p[0], p[1], p[2], p[3]);

@@ -40,7 +40,7 @@ void MarkTable::resize(std::size_t members) {
 
 void MarkTable::grow(std::size_t members, const FacetCode* codes, std::size_t marked) {
     if (members <= capacity()) return;
-    view_.stamp += one_stamp;  // what is in has other places now
+    view_.stamp += one_stamp;  // the old entries are at other positions now
     resize(members);
     displaced_count_ = 0;
     for (std::size_t i = 0; i < marked; ++i) view_.put(tetrahedron_of(codes[i]), 1);
@@ -100,7 +100,7 @@ void ThreadState::grow_slots(std::size_t taken, std::size_t freed) {
     if (taken <= slots_left()) return;
     const std::size_t needed = taken - slots_left();
     const SlotSupply::SlotRange range = supply_.take(needed);
-    // What is left of the last one is listed.
+    // The rest of the last range becomes free slots.
     while (fresh_ < end_) free_slot(fresh_++);
     fresh_ = range.begin;
     end_ = range.end;

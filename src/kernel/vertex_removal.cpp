@@ -10,7 +10,7 @@
 namespace mgdt {
 namespace {
 
-// The vertices of a facet, whatever their order.
+// The vertices of a facet, in any order.
 struct FacetKey {
     explicit FacetKey(const std::uint32_t (&v)[3])
         : least(std::min({v[0], v[1], v[2]})),
@@ -48,7 +48,7 @@ void VertexRemoval::find(Mesh& mesh, VertexId v, TetId t) {
 void VertexRemoval::fill(const Kernel& kernel, Mesh& mesh) {
     begin_filling(mesh);
     const LinkColumns columns = columns_of_link(mesh);
-    // Finite facets lead everywhere; those of ghosts are met from them.
+    // Starting at finite facets suffices: each ghost is reached through one.
     for (std::size_t i = 0; i < facets_.size(); ++i) {
         const Facet& f = facets_[i];
         if (f.is_closed || f.v[0] == infinite_ || f.v[1] == infinite_ || f.v[2] == infinite_)
@@ -78,12 +78,12 @@ void VertexRemoval::end_filling(Mesh& mesh) {
     slots_.clear();
     slots_.resize(std::max(removed, created) + 16);
     const std::size_t more = created > removed ? created - removed : 0;
-    // Those that are taken are freed if this is undone.
+    // The slots that are taken are freed if the removal is undone.
     mesh.reserve_slots(more, removed > created ? removed - created : more);
 }
 
-// The tetrahedra of the link's triangulation that are inside the hole: those at the inner side of
-// its boundary, and all that are met from them without passing it.
+// Adds the tetrahedra of the link's triangulation that are inside the hole: those at the inner side
+// of the boundary, and all that are reached from them without crossing it.
 void VertexRemoval::fill_from(const Mesh& triangulated_link, Mesh& mesh) {
     begin_filling(mesh);
     const Mesh& link = triangulated_link;
@@ -127,8 +127,8 @@ void VertexRemoval::fill_from(const Mesh& triangulated_link, Mesh& mesh) {
     end_filling(mesh);
 }
 
-// By facet of the link's triangulation: the tetrahedron beyond it that stays, where it is in the
-// hole's boundary and seen from inside.
+// For each facet of the link's triangulation that is on the boundary of the hole, seen from inside:
+// the facet code of the remaining tetrahedron behind it.
 Buffer<FacetCode> VertexRemoval::boundary_in(const Mesh& triangulated_link) {
     const Mesh& link = triangulated_link;
     Buffer<FacetCode> outside(star_.allocator());
@@ -138,7 +138,7 @@ Buffer<FacetCode> VertexRemoval::boundary_in(const Mesh& triangulated_link) {
         if (record.is_dead()) continue;
         for (unsigned face = 0; face < 4; ++face) {
             const unsigned char* const corner = outer_face[face];
-            // From inside the order of a facet's vertices is the reverse.
+            // Seen from inside, the vertices of a facet are in reverse order.
             const Number v[3] = {number_in(link, record.v[corner[0]]),
                                  number_in(link, record.v[corner[2]]),
                                  number_in(link, record.v[corner[1]])};
@@ -156,7 +156,7 @@ Buffer<FacetCode> VertexRemoval::boundary_in(const Mesh& triangulated_link) {
     return outside;
 }
 
-// Marks are on the star while it is looked for.
+// The tetrahedra of the star are marked while it is gathered.
 void VertexRemoval::find_star(Mesh& mesh, VertexId v, TetId first) {
     star_.clear();
     ghosts_gone_ = 0;
@@ -168,7 +168,7 @@ void VertexRemoval::find_star(Mesh& mesh, VertexId v, TetId first) {
         if (record.is_in_cavity()) return;
         star_.push_back(t);
         record.v[1] |= in_cavity;
-        // Its neighbours come soon, in the star or beyond its boundary.
+        // The neighbours are needed soon, in the star or beyond its boundary.
         for (const FacetCode n : record.n) mesh.tetrahedra.prefetch(tetrahedron_of(n));
         ghosts_gone_ += record.is_ghost();
     };
@@ -261,8 +261,8 @@ void VertexRemoval::join(const Number (&v)[3], FacetCode behind, bool is_outside
     link(f.behind, f.is_outside, behind, is_outside);
 }
 
-// The vertex of the link that makes the tetrahedron on the inner side of a finite facet: where
-// floating-point arithmetic leaves it open.
+// The apex of a finite facet: the vertex of the link that forms the tetrahedron on its inner side.
+// For facets that floating-point arithmetic does not decide.
 ApexResult VertexRemoval::apex_of(const Mesh& mesh, const Facet& facet) const {
     const double* const a = point(mesh, facet.v[0]);
     const double* const b = point(mesh, facet.v[1]);
@@ -283,7 +283,7 @@ ApexResult VertexRemoval::apex_of(const Mesh& mesh, const Facet& facet) const {
         const double* const e = point(mesh, k);
         const LocalVertex re = relative_to(e, a);
         const bool is_trusted = is_normal && (!has_extremes || in_normal_range(e));
-        // As set_sphere() takes a determinant for positive.
+        // The same condition for a positive determinant as in set_sphere().
         const double side = n[0] * re.x + n[1] * re.y + n[2] * re.z;
         const double least = side_bound * re.largest;
         if (is_trusted && side < -least) continue;
@@ -311,7 +311,7 @@ Sphere VertexRemoval::ghost_sphere(const Mesh& mesh, const Facet& facet) const {
     return sphere;
 }
 
-// Puts the tetrahedron of an open facet and this apex into the filling.
+// Adds the tetrahedron of an open facet and its apex to the filling.
 void VertexRemoval::close(const Mesh& mesh, std::size_t facet, ApexResult apex) {
     const Facet f = facets_[facet];
     const bool is_ghost = apex.number == infinite_apex;

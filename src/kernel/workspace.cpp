@@ -25,19 +25,20 @@ Workspace::Workspace(Allocator& allocator)
 }
 
 void Workspace::grow_cavity(std::size_t members, std::size_t facets, std::size_t needed) {
-    // A vector writes past the end.
+    // Stores of vectors may go past the end.
     constexpr std::size_t least = 256, past = 32;
     assert(members <= needed && "fewer members are needed than there are");
     const std::size_t capacity = std::max(least, needed + needed / 2) + past;
     cavity_capacity = 0;
     cavity.reserve(capacity, members);
-    boundary.reserve(2 * capacity, facets);  // each member but the first has 2 at most
+    boundary.reserve(2 * capacity, facets);  // each member but the first has at most 2
     cavity_capacity = capacity - past;
 }
 
 void Workspace::grow_star(std::size_t removed, std::size_t created) {
     constexpr std::size_t past = 64;
-    // Each tetrahedron of a cavity but the first adds at most one vertex: n have at most n + 3.
+    // Each tetrahedron of a cavity but the first adds at most one vertex, so n tetrahedra have at
+    // most n + 3 vertices.
     constexpr std::size_t least = medium_vertices - 3;
     const auto generous = [](std::size_t wanted, std::size_t had) {
         return wanted > had ? std::max(wanted, had + had / 2) : had;

@@ -12,24 +12,24 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Four places among four words.
+// The positions of four elements among four words.
 struct alignas(16) FourPlaces {
     std::int32_t places[4];
 };
 
 struct FourWords {
     MGDT_ALWAYS_INLINE explicit FourWords(__m128i words) : lanes(words) {}
-    // A word four times.
+    // Four copies of a word.
     MGDT_ALWAYS_INLINE explicit FourWords(std::uint32_t word)
         : lanes(_mm_set1_epi32(static_cast<int>(word))) {}
     MGDT_ALWAYS_INLINE FourWords(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
         : lanes(_mm_setr_epi32(static_cast<int>(a), static_cast<int>(b), static_cast<int>(c),
                                static_cast<int>(d))) {}
-    // A word whose k-th bit is the sign bit of the k-th word.
+    // Words whose sign bits are the bits of `bits`: bit k for word k.
     MGDT_ALWAYS_INLINE static FourWords with_sign_bits(std::uint32_t bits) {
         return FourWords(_mm_sllv_epi32(FourWords(bits).lanes, _mm_setr_epi32(31, 30, 29, 28)));
     }
-    template <class Word>  // of 32 bits
+    template <class Word>  // a word of 32 bits
     MGDT_ALWAYS_INLINE static FourWords load(const Word* aligned) {
         return FourWords(_mm_load_si128(reinterpret_cast<const __m128i*>(aligned)));
     }
@@ -45,16 +45,16 @@ struct FourWords {
     MGDT_ALWAYS_INLINE std::uint32_t element() const {
         return static_cast<std::uint32_t>(_mm_extract_epi32(lanes, k));
     }
-    // The sign bits, the first word's in the lowest bit.
+    // The sign bits, with that of the first word in the lowest bit.
     MGDT_ALWAYS_INLINE std::uint32_t sign_bits() const {
         return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(lanes)));
     }
-    // (w0, w1, w2, w3) turned by one place is (w1, w2, w3, w0).
+    // (w0, w1, w2, w3) rotated by one position is (w1, w2, w3, w0).
     template <int places>
     MGDT_ALWAYS_INLINE FourWords turned() const {
         return FourWords(_mm_shuffle_epi32(lanes, 0xE4E4 >> 2 * places & 0xFF));
     }
-    // The words at four places.
+    // The words at four positions.
     MGDT_ALWAYS_INLINE FourWords at(const FourPlaces& four) const {
         return FourWords(
             _mm_castps_si128(_mm_permutevar_ps(_mm_castsi128_ps(lanes), load(four.places).lanes)));
@@ -79,19 +79,19 @@ struct FourWords {
     MGDT_ALWAYS_INLINE friend FourWords operator^(FourWords a, FourWords b) {
         return FourWords(_mm_xor_si128(a.lanes, b.lanes));
     }
-    // All bits of a word, or none.
+    // Sets all bits of a word or none.
     MGDT_ALWAYS_INLINE friend FourWords operator==(FourWords a, FourWords b) {
         return FourWords(_mm_cmpeq_epi32(a.lanes, b.lanes));
     }
     __m128i lanes;
 };
 
-// How many of the lowest four bits are set.
+// The number of the lowest four bits that are set.
 MGDT_ALWAYS_INLINE unsigned number_of_four(std::uint32_t bits) {
     return static_cast<unsigned>(__builtin_popcount(bits));
 }
 
-// a where the sign bit says so, elsewhere b.
+// The word of a if the sign bit is set, otherwise that of b.
 MGDT_ALWAYS_INLINE FourWords where(FourWords signs, FourWords a, FourWords b) {
     return FourWords(_mm_castps_si128(_mm_blendv_ps(
         _mm_castsi128_ps(b.lanes), _mm_castsi128_ps(a.lanes), _mm_castsi128_ps(signs.lanes))));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Four doubles in a register, and what comparing them gives. Code with these types reads as the
-// formula for one double; all intrinsics for doubles are here and in transpose.hpp.
+// Four doubles in a register, and the results of comparing them. Code with these types reads like
+// the formula for one double. All intrinsics for doubles are here and in transpose.hpp.
 #pragma once
 
 #include <immintrin.h>
@@ -14,23 +14,24 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// For each of four elements yes or no, by the sign bit of a double; the rest of it does not count.
+// A truth value for each of four elements: the sign bit of a double. The other bits have no
+// meaning.
 struct FourSigns {
-    // The answers, the first in the lowest bit.
+    // The truth values as bits, the first in the lowest bit.
     MGDT_ALWAYS_INLINE std::uint32_t bits() const {
         return static_cast<std::uint32_t>(_mm256_movemask_pd(lanes));
     }
     __m256d lanes;
 };
 
-// The same, by all bits of an element or none.
+// The same, with all bits of an element set or none.
 struct FourMask : FourSigns {
     explicit FourMask(__m256d lanes) : FourSigns{lanes} {}
-    // By sign bits alone.
+    // Made from sign bits.
     MGDT_ALWAYS_INLINE explicit FourMask(FourSigns signs)
         : FourSigns{_mm256_castsi256_pd(
               _mm256_cmpgt_epi64(_mm256_setzero_si256(), _mm256_castpd_si256(signs.lanes)))} {}
-    // Which of four numbers equal one.
+    // Which of four numbers equal `number`.
     MGDT_ALWAYS_INLINE static FourMask equal(const std::uint8_t* numbers, std::uint32_t number) {
         std::int32_t four;
         std::memcpy(&four, numbers, sizeof four);
@@ -75,7 +76,7 @@ struct Four {
 
     Four() = default;
     MGDT_ALWAYS_INLINE explicit Four(__m256d v) : lanes(v) {}
-    // x four times.
+    // Four copies of x.
     MGDT_ALWAYS_INLINE Four(double x) : lanes(_mm256_set1_pd(x)) {}
     MGDT_ALWAYS_INLINE Four(double a, double b, double c, double d)
         : lanes(_mm256_setr_pd(a, b, c, d)) {}
@@ -128,32 +129,32 @@ MGDT_ALWAYS_INLINE Four larger(Four a, Four b) {
 MGDT_ALWAYS_INLINE Four smaller(Four a, Four b) {
     return Four(_mm256_min_pd(a.lanes, b.lanes));
 }
-// a with the sign changed where `minus` is -0.0, and not where it is 0.0.
+// a, with the sign changed if `minus` is -0.0 and unchanged if it is 0.0.
 MGDT_ALWAYS_INLINE Four with_sign_changed(Four a, Four minus) {
     return Four(_mm256_xor_pd(a.lanes, minus.lanes));
 }
-// -1 or 1, as the signs of a.
+// -1 or 1, with the sign of a.
 MGDT_ALWAYS_INLINE Four unit_with_sign_of(Four a) {
     return Four(_mm256_or_pd(_mm256_set1_pd(1.0), _mm256_and_pd(a.lanes, _mm256_set1_pd(-0.0))));
 }
-// x where the mask says so, elsewhere y.
+// x if the mask is set, otherwise y.
 MGDT_ALWAYS_INLINE Four where(FourSigns mask, Four x, Four y) {
     return Four(_mm256_blendv_pd(y.lanes, x.lanes, mask.lanes));
 }
-// x, with 0 where the mask says so, or where it does not.
+// x, replaced by 0 if the mask is set, or if it is not set.
 MGDT_ALWAYS_INLINE Four zero_where(FourMask mask, Four x) {
     return Four(_mm256_andnot_pd(mask.lanes, x.lanes));
 }
 MGDT_ALWAYS_INLINE Four zero_elsewhere(FourMask mask, Four x) {
     return Four(_mm256_and_pd(mask.lanes, x.lanes));
 }
-// Numbers whose upper halves are these rounded to nearest.
+// Rounds so that the upper half of the result is the nearest one.
 MGDT_ALWAYS_INLINE Four to_upper_half(Four a) {
     return Four(_mm256_castsi256_pd(
         _mm256_add_epi64(_mm256_castpd_si256(a.lanes), _mm256_set1_epi64x(0x80000000))));
 }
 
-// (v0, v1, v2, v3) turned by one place is (v1, v2, v3, v0).
+// (v0, v1, v2, v3) rotated by one position is (v1, v2, v3, v0).
 template <int places>
 MGDT_ALWAYS_INLINE Four turned(Four v) {
     constexpr int order = 0xE4E4 >> 2 * places & 0xFF;
@@ -173,7 +174,7 @@ MGDT_ALWAYS_INLINE double largest_element(Four v) {
         _mm_max_pd(_mm256_castpd256_pd128(v.lanes), _mm256_extractf128_pd(v.lanes, 1));
     return _mm_cvtsd_f64(_mm_max_sd(pair, _mm_unpackhi_pd(pair, pair)));
 }
-// The least of the four, four times.
+// Four copies of the least element.
 MGDT_ALWAYS_INLINE Four least_everywhere(Four v) {
     const Four pairs = smaller(v, Four(_mm256_permute_pd(v.lanes, 5)));
     return smaller(pairs, Four(_mm256_permute2f128_pd(pairs.lanes, pairs.lanes, 1)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// As in the island avx2: links are short.
+// The same as in the island avx2, since links are short.
 #pragma once
 
 #include "kernel/four/apex.hpp"

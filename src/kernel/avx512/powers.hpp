@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Powers with respect to four tetrahedra: see kernel/powers.hpp. Four are all that a step looks at.
+// Powers with respect to four tetrahedra, as many as a step visits: see kernel/powers.hpp.
 #pragma once
 
 #include "kernel/four/powers.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Conflicts near ties: see kernel/ties.hpp. A tetrahedron has four vertices.
+// Conflicts near ties, for the four vertices of a tetrahedron: see kernel/ties.hpp.
 #pragma once
 
 #include "kernel/four/ties.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Eight doubles in a register, with the functions of Four; all intrinsics of this set for doubles
-// are here and in transpose.hpp.
+// Eight doubles in a register, with the functions of Four. All AVX-512 intrinsics for doubles are
+// here and in transpose.hpp.
 #pragma once
 
 #include "kernel/avx2/four_words.hpp"
@@ -9,10 +9,10 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// For each of eight elements yes or no.
+// A truth value for each of eight elements.
 struct EightMask {
     explicit EightMask(__mmask8 lanes) : lanes(lanes) {}
-    // Which of eight numbers equal one.
+    // Which of eight numbers equal `number`.
     MGDT_ALWAYS_INLINE static EightMask equal(const std::uint8_t* numbers, std::uint32_t number) {
         return EightMask(static_cast<__mmask8>(
             _mm_cmpeq_epi8_mask(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(numbers)),
@@ -29,11 +29,11 @@ struct EightMask {
     __mmask8 lanes;
 };
 
-// Eight numbers of elements.
+// The numbers of eight elements.
 struct EightNumbers {
     MGDT_ALWAYS_INLINE explicit EightNumbers(const std::uint8_t* numbers)
         : lanes(_mm512_cvtepu8_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(numbers)))) {}
-    // Which of them have this bit.
+    // Which of the numbers have this bit.
     MGDT_ALWAYS_INLINE EightMask have(unsigned bit) const {
         return EightMask(_mm512_test_epi64_mask(lanes, _mm512_set1_epi64(bit)));
     }
@@ -45,7 +45,7 @@ struct Eight {
 
     Eight() = default;
     MGDT_ALWAYS_INLINE explicit Eight(__m512d v) : lanes(v) {}
-    // x eight times.
+    // Eight copies of x.
     MGDT_ALWAYS_INLINE Eight(double x) : lanes(_mm512_set1_pd(x)) {}
     // from[numbers[k]] for each k.
     MGDT_ALWAYS_INLINE static Eight gather(const double* from, const std::uint32_t* numbers) {
@@ -90,12 +90,12 @@ MGDT_ALWAYS_INLINE Eight to_upper_half(Eight a) {
     return Eight(_mm512_castsi512_pd(
         _mm512_add_epi64(_mm512_castpd_si512(a.lanes), _mm512_set1_epi64(0x80000000))));
 }
-// The elements of a and b, sixteen in order, with these numbers modulo 16.
+// Selects elements by number, modulo 16, from the eight of a followed by the eight of b.
 MGDT_ALWAYS_INLINE Eight elements(EightNumbers numbers, Eight a, Eight b) {
     return Eight(_mm512_permutex2var_pd(a.lanes, numbers.lanes, b.lanes));
 }
 
-// Those of four words whose bits are set, and zeros.
+// The words whose bits are set, moved to the front and followed by zeros.
 MGDT_ALWAYS_INLINE FourWords compressed(FourWords words, std::uint32_t bits) {
     return FourWords(_mm_maskz_compress_epi32(static_cast<__mmask8>(bits), words.lanes));
 }

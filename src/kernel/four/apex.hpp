@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The apex of a facet, four vertices of the link at a time: see kernel/apex.hpp.
+// Finds the apex of a facet, testing four vertices of the link at a time: see kernel/apex.hpp.
 #pragma once
 
 #include "kernel/four.hpp"
@@ -8,11 +8,11 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Spheres through a, b and c meet the half-space beyond the facet in nested caps, so each vertex e
-// beyond has a number that orders them: the power of e with respect to any one sphere through the
-// three, divided by the distance of e from their plane. The least of these numbers, as computed,
-// names a candidate. It is the apex if all powers with respect to its own sphere are positive by
-// more than their proved errors.
+// Spheres through a, b and c intersect the half-space beyond the facet in nested caps. So the
+// vertices e beyond the facet can be ordered by a number: the power of e with respect to any one of
+// these spheres, divided by the distance between e and the plane of the facet. The vertex with the
+// least computed number is a candidate. It is the apex if the powers of all others with respect to
+// its own sphere are positive by more than their error bounds.
 inline ApexResult find_apex(const LinkColumns& link, const std::uint32_t (&facet)[3]) {
     const auto corner = [&](std::uint32_t k) {
         return PointColumns<double>{link.x[k], link.y[k], link.z[k]};
@@ -24,8 +24,8 @@ inline ApexResult find_apex(const LinkColumns& link, const std::uint32_t (&facet
     const double nx = rc.y * rb.z - rc.z * rb.y, ny = rc.z * rb.x - rc.x * rb.z,
                  nz = rc.x * rb.y - rc.y * rb.x;
     const double side_bound = proved_bounds.sphere_det * unit_roundoff * (rb.largest * rc.largest);
-    // The sphere whose centre is in the plane: w = (|b|^2 c x n + |c|^2 n x b) / |n|^2, with the
-    // sign of this n.
+    // The sphere with its centre in the plane: w = (|b|^2 c x n + |c|^2 n x b) / |n|^2, for this
+    // sign of n.
     const double scale = reciprocal(nx * nx + ny * ny + nz * nz);
     const double px = rc.square * rb.x - rb.square * rc.x, py = rc.square * rb.y - rb.square * rc.y,
                  pz = rc.square * rb.z - rb.square * rc.z;

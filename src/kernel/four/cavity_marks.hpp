@@ -19,11 +19,11 @@ MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const Fa
 
     const FourWords zero(0u), difference = before ^ keys;
     const std::uint32_t is_in = (difference == zero).sign_bits();
-    // Two entries with one stamp differ below it alone.
+    // Two entries with the same stamp differ in lower bits only.
     const std::uint32_t has_stamp = ((difference >> MarkTable::stamp_shift) == zero).sign_bits();
     const FourWords place = t & FourWords(marks.mask);
-    // Whether two of the four have one place: (0 1 2 3) beside (1 2 3 0) and (2 3 0 1), which are
-    // all six pairs.
+    // Whether two of the four have the same position. Comparing (0 1 2 3) with (1 2 3 0) and (2 3 0
+    // 1) covers all six pairs.
     const std::uint32_t is_shared =
         ((place == place.turned<1>()) | (place == place.turned<2>())).sign_bits();
     if (MGDT_UNLIKELY(((has_stamp & ~is_in & which) | is_shared) != 0))

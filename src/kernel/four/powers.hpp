@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Powers with respect to four tetrahedra: see kernel/powers.hpp. Their records and base vertices
-// are transposed in registers, so that a test costs some fifteen instructions and the four lines
-// are waited for together. Spheres that are not kept are computed for the four together.
+// Powers with respect to four tetrahedra: see kernel/powers.hpp. The records and base vertices are
+// transposed in registers, so that a test takes about fifteen instructions and the four cache lines
+// are loaded in parallel. Spheres that are not stored are computed for the four together.
 #pragma once
 
 #include "kernel/four.hpp"
@@ -10,7 +10,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// A point four times.
+// Four copies of a point.
 struct QueryRows {
     MGDT_ALWAYS_INLINE explicit QueryRows(const Query& q)
         : x(q.x), y(q.y), z(q.z), quadratic(q.quadratic) {}
@@ -44,20 +44,21 @@ class FourPowers {
         set(spheres, bases, q);
     }
 
-    // As bits, the first tetrahedron in the lowest: where the power is negative, where it is
-    // certain whether it is, and which are ghosts.
+    // Three results as bits, with the first tetrahedron in the lowest bit: where the power is
+    // negative, where its sign is certain, and which are ghosts.
     MGDT_ALWAYS_INLINE std::uint32_t negative() const { return value_.signs().bits(); }
     MGDT_ALWAYS_INLINE std::uint32_t decided() const { return (magnitude(value_) > error_).bits(); }
     MGDT_ALWAYS_INLINE std::uint32_t ghosts() const { return ghosts_.bits(); }
     MGDT_ALWAYS_INLINE Power operator[](unsigned k) const {
         return {element(value_, k), element(error_, k)};
     }
-    // Where the power, or that of a ghost, is certainly above that of a tetrahedron, or of none.
+    // Where the power is certainly greater than that of another tetrahedron; a ghost counts as
+    // greater than all.
     MGDT_ALWAYS_INLINE std::uint32_t above(Power other) const {
         const Four floor = where(ghosts_, 0.0, other.value + other.error);
         return (value_ - floor > error_).bits();
     }
-    // The finite tetrahedron of least power, if it is below the bound; else 4.
+    // The finite tetrahedron of least power, if that is below the bound; otherwise 4.
     MGDT_ALWAYS_INLINE unsigned least_finite(double bound) const {
         const Four finite = where(ghosts_, infinity, value_);
         const Four least = least_everywhere(finite);
@@ -65,15 +66,16 @@ class FourPowers {
     }
 
   private:
-    // The i-th vertex of each. A mark may be on the second.
+    // The i-th vertex of each tetrahedron. The second one may have a mark.
     template <class Spheres, class Tetrahedra>
     MGDT_ALWAYS_INLINE static Transpose4 vertices(const Spheres& from, const Tetrahedra& four,
                                                   unsigned i) {
         const VertexId mask = i == 1 ? ~in_cavity : ~VertexId{0};
         return Transpose4([&](unsigned k) { return from.vertices[four[k].v[i] & mask].x; });
     }
-    // Ghosts, and all where some vertex is outside the normal range, are rare enough for one by
-    // one. The way depends on the tetrahedron alone, so that its power does.
+    // Ghosts, and all tetrahedra if some vertex is outside the normal range, are rare enough to be
+    // computed one by one. Which way is taken depends on the tetrahedron alone, and so does its
+    // power.
     template <class Tetrahedra>
     static void replace(Transpose4& spheres, std::uint32_t special, const ComputedSpheres& from,
                         const Tetrahedra& four) {

@@ -8,7 +8,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// For four facets at a time.
+// Computes the spheres of four facets at a time.
 template <bool at_hull, class Number, class Link>
 MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertex* vertices, VertexId q,
                                            std::uint32_t infinite, const Number* as,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Conflicts near ties, with the four vertices side by side: see kernel/ties.hpp. The formulas are
+// Conflicts near ties, with the four vertices in one vector: see kernel/ties.hpp. The formulas are
 // those of predicates/perturbation.cpp.
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// a b - c d, or plus where all terms are to be positive.
+// a b - c d, or a b + c d if all terms are to be positive.
 template <bool Positive>
 MGDT_ALWAYS_INLINE Four difference(Four a, Four b, Four cd) {
     return Positive ? multiply_add(a, b, cd) : multiply_subtract(a, b, cd);
@@ -30,15 +30,15 @@ MGDT_ALWAYS_INLINE Four minors(Four x, Four y, Four z) {
         difference<Positive>(turned<1>(z), turned<2>(next), turned<2>(z) * turned<1>(across)));
 }
 
-// Of a, b, c and d in the determinant, whose rows alternate in sign: minors with the second and the
-// fourth negated.
+// The coefficients of a, b, c and d in the determinant. Their signs alternate, so these are the
+// minors with the second and the fourth negated.
 MGDT_ALWAYS_INLINE Four coefficients(Four x, Four y, Four z) {
     return with_sign_changed(minors<false>(x, y, z), {0.0, -0.0, 0.0, -0.0});
 }
 
-// The side of q in a tie, from vertices relative to it in units of a lattice. Of q, whose key is 0,
-// and the vertices whose coefficient is not 0, the one of greatest key = (x base + y) base + z
-// decides: inside if it is a vertex with a positive coefficient.
+// Breaks a tie. The vertices are relative to q, in units of a lattice. The key of a point is (x
+// base + y) base + z, and that of q is 0. Among q and the vertices with a nonzero coefficient, the
+// one with the greatest key decides: q is inside if it is a vertex with a positive coefficient.
 MGDT_ALWAYS_INLINE int broken_tie(Four x, Four y, Four z, Four coefficients) {
     const Four base = exact::sphere_lattice_base, zero = 0.0;
     const Four key = multiply_add(multiply_add(x, base, y), base, z);
@@ -48,8 +48,9 @@ MGDT_ALWAYS_INLINE int broken_tie(Four x, Four y, Four z, Four coefficients) {
     return inside != 0 ? 1 : -1;
 }
 
-// One coordinate of four vertices and q: where a vertex differs from q, and where from q and from
-// another vertex that does, which makes three values.
+// One coordinate of four vertices and q. Records which vertices differ from q, and whether there
+// are three different values: a vertex that differs from q and from another vertex that differs
+// from q.
 struct Values {
     MGDT_ALWAYS_INLINE Values(Four v, Four q) : other(v != q), third(other) {
         third = other & (((v != turned<1>(v)) & turned<1>(other)) |
@@ -62,22 +63,22 @@ struct Values {
     FourMask other, third;
 };
 
-// Differences below 2^wide_lattice_bits units make 2 x 2 minors and squares of length doubles
-// without rounding, 3 x 3 minors fit 64 bits, and a determinant that no filter decides is below
-// 2^63.
+// If differences are below 2^wide_lattice_bits units, doubles compute 2 x 2 minors and squared
+// lengths without rounding, 3 x 3 minors fit 64 bits, and a determinant that no filter decides is
+// below 2^63.
 inline constexpr int wide_lattice_bits = 20;
 
-// Multiples of a unit below 2^51 of them as integers; shifter = 1.5 * 2^52 units.
+// Converts multiples of a unit, below 2^51 units, to integers; shifter = 1.5 * 2^52 units.
 MGDT_ALWAYS_INLINE FourIntegers whole_units(Four v, double shifter) {
     return (v + shifter).as_integers() - Four(shifter).as_integers();
 }
 
-// The same for points of a wide lattice whose determinant the filter left open: modulo 2^64, which
-// is exact then. shifter is that of the lattice.
+// The same for points of a wide lattice whose determinant the filter has not decided. The
+// determinant is computed modulo 2^64, which is exact in this case. shifter is that of the lattice.
 MGDT_PREDICATES_APART inline int decided_modulo(Four x, Four y, Four z, double shifter) {
     const double unit = exact::double_of(exact::bits_of(shifter) & exact::exponent_mask) * 0x1p-52,
                  square_shifter = shifter * unit, cube_shifter = square_shifter * unit;
-    // 2 x 2 minors in two parts, so that products with the third coordinate are exact.
+    // 2 x 2 minors are split into two parts, so that products with the third coordinate are exact.
     constexpr double part = 0x1p21;
     const Four cut = square_shifter * part;
     const Four next = multiply_subtract(x, turned<1>(y), turned<1>(x) * y);
@@ -106,7 +107,7 @@ MGDT_PREDICATES_APART inline int decided_modulo(Four x, Four y, Four z, double s
     for (unsigned i = 0; i < 4; ++i)
         value += static_cast<std::uint64_t>(minor[i]) * static_cast<std::uint64_t>(squares[i]);
     if (value != 0) return value >> 63 ? -1 : 1;
-    // About half of these decide, in no order: a branch would be mispredicted.
+    // About half of these decide, in random order, so a branch would be mispredicted.
     std::int64_t first = 0, side = -1;
     for (unsigned i = 0; i < 4; ++i) {
         const std::int64_t decides = -static_cast<std::int64_t>(
@@ -117,8 +118,9 @@ MGDT_PREDICATES_APART inline int decided_modulo(Four x, Four y, Four z, double s
     return static_cast<int>(side);
 }
 
-// exact::perturbed_doubles() for a finite tetrahedron that q is no vertex of. It also knows the
-// corners of a box, as there are in a lattice of any spacing, however its coordinates are rounded.
+// exact::perturbed_doubles() for a finite tetrahedron that does not have q as a vertex. It also
+// decides the corners of a box, which occur in a lattice of any spacing, however its coordinates
+// are rounded.
 inline int perturbed_doubles(const Tetrahedron& t, const Vertex* vertices, const Query& q) {
     const Transpose4 rows([&](unsigned k) { return vertices[t.v[k]].x; });
     const Four qx = q.x, qy = q.y, qz = q.z;

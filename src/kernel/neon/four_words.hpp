@@ -12,7 +12,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Four places among four words, as the places of their bytes.
+// The positions of four elements among four words, as positions of their bytes.
 struct alignas(16) FourPlaces {
     constexpr FourPlaces(unsigned a, unsigned b, unsigned c, unsigned d) : bytes() {
         const unsigned words[4] = {a, b, c, d};
@@ -24,15 +24,15 @@ struct alignas(16) FourPlaces {
 
 struct FourWords {
     MGDT_ALWAYS_INLINE explicit FourWords(uint32x4_t words) : lanes(words) {}
-    // A word four times.
+    // Four copies of a word.
     MGDT_ALWAYS_INLINE explicit FourWords(std::uint32_t word) : lanes(vdupq_n_u32(word)) {}
     MGDT_ALWAYS_INLINE FourWords(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
         : lanes(uint32x4_t{a, b, c, d}) {}
-    // A word whose k-th bit is the sign bit of the k-th word.
+    // Words whose sign bits are the bits of `bits`: bit k for word k.
     MGDT_ALWAYS_INLINE static FourWords with_sign_bits(std::uint32_t bits) {
         return FourWords(vshlq_u32(vdupq_n_u32(bits), int32x4_t{31, 30, 29, 28}));
     }
-    template <class Word>  // of 32 bits
+    template <class Word>  // a word of 32 bits
     MGDT_ALWAYS_INLINE static FourWords load(const Word* aligned) {
         return FourWords(vld1q_u32(reinterpret_cast<const std::uint32_t*>(aligned)));
     }
@@ -48,17 +48,17 @@ struct FourWords {
     MGDT_ALWAYS_INLINE std::uint32_t element() const {
         return vgetq_lane_u32(lanes, k);
     }
-    // The sign bits, the first word's in the lowest bit.
+    // The sign bits, with that of the first word in the lowest bit.
     MGDT_ALWAYS_INLINE std::uint32_t sign_bits() const {
         const uint32x4_t is_negative = vcltzq_s32(vreinterpretq_s32_u32(lanes));
         return vaddvq_u32(vandq_u32(is_negative, uint32x4_t{1, 2, 4, 8}));
     }
-    // (w0, w1, w2, w3) turned by one place is (w1, w2, w3, w0).
+    // (w0, w1, w2, w3) rotated by one position is (w1, w2, w3, w0).
     template <int places>
     MGDT_ALWAYS_INLINE FourWords turned() const {
         return FourWords(vextq_u32(lanes, lanes, places));
     }
-    // The words at four places.
+    // The words at four positions.
     MGDT_ALWAYS_INLINE FourWords at(const FourPlaces& four) const {
         return FourWords(
             vreinterpretq_u32_u8(vqtbl1q_u8(vreinterpretq_u8_u32(lanes), vld1q_u8(four.bytes))));
@@ -82,20 +82,20 @@ struct FourWords {
     MGDT_ALWAYS_INLINE friend FourWords operator^(FourWords a, FourWords b) {
         return FourWords(veorq_u32(a.lanes, b.lanes));
     }
-    // All bits of a word, or none.
+    // Sets all bits of a word or none.
     MGDT_ALWAYS_INLINE friend FourWords operator==(FourWords a, FourWords b) {
         return FourWords(vceqq_u32(a.lanes, b.lanes));
     }
     uint32x4_t lanes;
 };
 
-// How many of the lowest four bits are set: without a table in memory, and without the vector
-// registers that the processor would count bits in.
+// The number of the lowest four bits that are set, without a table in memory and without the vector
+// registers in which the processor counts bits.
 MGDT_ALWAYS_INLINE unsigned number_of_four(std::uint32_t bits) {
     return static_cast<unsigned>(0x4332322132212110u >> 4 * bits & 15);
 }
 
-// a where the sign bit says so, elsewhere b.
+// The word of a if the sign bit is set, otherwise that of b.
 MGDT_ALWAYS_INLINE FourWords where(FourWords signs, FourWords a, FourWords b) {
     return FourWords(vbslq_u32(vcltzq_s32(vreinterpretq_s32_u32(signs.lanes)), a.lanes, b.lanes));
 }

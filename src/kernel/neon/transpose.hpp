@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Four rows of four doubles, or of their upper halves, as columns, and the other way.
+// Transposes four rows of four doubles, or of their upper halves, and the reverse.
 #pragma once
 
 #include "kernel/neon/four_words.hpp"
@@ -21,7 +21,7 @@ struct Transpose4 {
         third = {vtrn1q_f64(r0.high, r1.high), vtrn1q_f64(r2.high, r3.high)};
         fourth = {vtrn2q_f64(r0.high, r1.high), vtrn2q_f64(r2.high, r3.high)};
     }
-    // The same from upper halves.
+    // The same for upper halves.
     template <class Row>
     MGDT_ALWAYS_INLINE static Transpose4 of_upper_halves(Row row) {
         const auto load = [&](unsigned k) { return FourWords::load(row(k)).lanes; };
@@ -40,8 +40,8 @@ struct Transpose4 {
         return {one(low_left, high_left), other(low_left, high_left), one(low_right, high_right),
                 other(low_right, high_right)};
     }
-    // Hands over the upper halves of the rows whose columns these are, one after the other, until
-    // store(k, row) is false.
+    // Calls store(k, row) with the upper halves of each row in sequence, until it returns false.
+    // The columns are given.
     template <class Store>
     MGDT_ALWAYS_INLINE void store_upper_halves(Store store) const {
         const auto pairs = [](float64x2_t left, float64x2_t right) {

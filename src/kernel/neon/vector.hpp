@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Four doubles in two registers, and what comparing them gives. Code with these types reads as the
-// formula for one double; all intrinsics for doubles are here and in transpose.hpp.
+// Four doubles in two registers, and the results of comparing them. Code with these types reads
+// like the formula for one double. All intrinsics for doubles are here and in transpose.hpp.
 #pragma once
 
 #include <arm_neon.h>
@@ -14,9 +14,10 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// For each of four elements yes or no, by the sign bit of a double; the rest of it does not count.
+// A truth value for each of four elements: the sign bit of a double. The other bits have no
+// meaning.
 struct FourSigns {
-    // The answers, the first in the lowest bit.
+    // The truth values as bits, the first in the lowest bit.
     MGDT_ALWAYS_INLINE std::uint32_t bits() const {
         const int32x4_t upper_halves =
             vuzp2q_s32(vreinterpretq_s32_f64(low), vreinterpretq_s32_f64(high));
@@ -25,15 +26,15 @@ struct FourSigns {
     float64x2_t low, high;
 };
 
-// The same, by all bits of an element or none.
+// The same, with all bits of an element set or none.
 struct FourMask : FourSigns {
     MGDT_ALWAYS_INLINE FourMask(uint64x2_t l, uint64x2_t h)
         : FourSigns{vreinterpretq_f64_u64(l), vreinterpretq_f64_u64(h)} {}
-    // By sign bits alone.
+    // Made from sign bits.
     MGDT_ALWAYS_INLINE explicit FourMask(FourSigns signs)
         : FourMask(vcltzq_s64(vreinterpretq_s64_f64(signs.low)),
                    vcltzq_s64(vreinterpretq_s64_f64(signs.high))) {}
-    // Which of four numbers equal one.
+    // Which of four numbers equal `number`.
     MGDT_ALWAYS_INLINE static FourMask equal(const std::uint8_t* numbers, std::uint32_t number) {
         std::uint32_t four;
         std::memcpy(&four, numbers, sizeof four);
@@ -84,7 +85,7 @@ struct Four {
 
     Four() = default;
     MGDT_ALWAYS_INLINE Four(float64x2_t l, float64x2_t h) : low(l), high(h) {}
-    // x four times.
+    // Four copies of x.
     MGDT_ALWAYS_INLINE Four(double x) : low(vdupq_n_f64(x)), high(low) {}
     MGDT_ALWAYS_INLINE Four(double a, double b, double c, double d)
         : low(float64x2_t{a, b}), high(float64x2_t{c, d}) {}
@@ -143,27 +144,27 @@ MGDT_ALWAYS_INLINE Four magnitude(Four a) {
 MGDT_ALWAYS_INLINE Four larger(Four a, Four b) {
     return {vmaxq_f64(a.low, b.low), vmaxq_f64(a.high, b.high)};
 }
-// a with the sign changed where `minus` is -0.0, and not where it is 0.0.
+// a, with the sign changed if `minus` is -0.0 and unchanged if it is 0.0.
 MGDT_ALWAYS_INLINE Four with_sign_changed(Four a, Four minus) {
     const auto one = [](float64x2_t x, float64x2_t y) {
         return vreinterpretq_f64_u64(veorq_u64(vreinterpretq_u64_f64(x), vreinterpretq_u64_f64(y)));
     };
     return {one(a.low, minus.low), one(a.high, minus.high)};
 }
-// -1 or 1, as the signs of a.
+// -1 or 1, with the sign of a.
 MGDT_ALWAYS_INLINE Four unit_with_sign_of(Four a) {
     const uint64x2_t sign = vdupq_n_u64(std::uint64_t{1} << 63);
     const float64x2_t one = vdupq_n_f64(1.0);
     return {vbslq_f64(sign, a.low, one), vbslq_f64(sign, a.high, one)};
 }
-// x where the mask says so, elsewhere y.
+// x if the mask is set, otherwise y.
 MGDT_ALWAYS_INLINE Four where(FourMask mask, Four x, Four y) {
     return {vbslq_f64(mask.low_bits(), x.low, y.low), vbslq_f64(mask.high_bits(), x.high, y.high)};
 }
 MGDT_ALWAYS_INLINE Four where(FourSigns signs, Four x, Four y) {
     return where(FourMask(signs), x, y);
 }
-// x, with 0 where the mask says so, or where it does not.
+// x, replaced by 0 if the mask is set, or if it is not set.
 MGDT_ALWAYS_INLINE Four zero_where(FourMask mask, Four x) {
     const auto one = [](float64x2_t v, uint64x2_t m) {
         return vreinterpretq_f64_u64(vbicq_u64(vreinterpretq_u64_f64(v), m));
@@ -176,7 +177,7 @@ MGDT_ALWAYS_INLINE Four zero_elsewhere(FourMask mask, Four x) {
     };
     return {one(x.low, mask.low_bits()), one(x.high, mask.high_bits())};
 }
-// Numbers whose upper halves are these rounded to nearest.
+// Rounds so that the upper half of the result is the nearest one.
 MGDT_ALWAYS_INLINE Four to_upper_half(Four a) {
     const auto one = [](float64x2_t v) {
         return vreinterpretq_f64_u64(
@@ -185,7 +186,7 @@ MGDT_ALWAYS_INLINE Four to_upper_half(Four a) {
     return {one(a.low), one(a.high)};
 }
 
-// (v0, v1, v2, v3) turned by one place is (v1, v2, v3, v0).
+// (v0, v1, v2, v3) rotated by one position is (v1, v2, v3, v0).
 template <int places>
 MGDT_ALWAYS_INLINE Four turned(Four v) {
     static_assert(places > 0 && places < 4);
@@ -209,7 +210,7 @@ MGDT_ALWAYS_INLINE Four diagonal(Four a, Four b, Four c) {
 MGDT_ALWAYS_INLINE double largest_element(Four v) {
     return vmaxvq_f64(vmaxq_f64(v.low, v.high));
 }
-// The least of the four, four times.
+// Four copies of the least element.
 MGDT_ALWAYS_INLINE Four least_everywhere(Four v) {
     return {vminvq_f64(vminq_f64(v.low, v.high))};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// No vectors: one vertex after another is looked at, by VertexRemoval itself. See kernel/apex.hpp.
+// Without vectors, VertexRemoval tests one vertex at a time. See kernel/apex.hpp.
 #pragma once
 
 namespace mgdt {
