@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mgdt check: is what a file holds a Delaunay triangulation?
+// mgdt check: checks whether a file holds a Delaunay triangulation.
 #include <fmt/core.h>
 
 #include <cstdio>
@@ -12,7 +12,7 @@
 namespace mgdt::cli {
 namespace {
 
-// Tetrahedra from a .npy file, points from another file.
+// Reads tetrahedra from an .npy file and points from another file.
 Mesh read_pair(const CheckOptions& options) {
     InputOptions points = options.input;
     points.path = options.points;
@@ -79,7 +79,7 @@ int check(const CheckOptions& options) {
     }
 
     const Reference reference{tetrahedra(t), t.point_map<MeshIndex>()};
-    t = Triangulation();  // its memory is wanted for the tests
+    t = Triangulation();  // frees its memory for the tests
     const MeshReport report = check_mesh(mesh, reference);
     const std::size_t canonical = reference.tetrahedra.size() / 4;
     if (!quiet) {

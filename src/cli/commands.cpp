@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the commands share.
+// Functions that the commands share.
 #include "cli/commands.hpp"
 
 #include <fmt/core.h>
@@ -14,7 +14,7 @@
 namespace mgdt::cli {
 namespace {
 
-// Whether there is nothing to read: no bytes, or a byte order mark and blanks alone.
+// Whether the bytes are only a byte order mark and blanks, or none at all.
 bool holds_nothing(std::string_view bytes) {
     if (bytes.substr(0, 3) == "\xef\xbb\xbf") bytes.remove_prefix(3);
     return bytes.find_first_not_of(" \t\n\v\f\r") == std::string_view::npos;
@@ -30,7 +30,7 @@ Mesh read_input(const InputOptions& options, const Format** format) {
         input_format(blank ? Source{source.name, source.path, ""} : source, options.from);
     if (format) *format = &f;
     Mesh mesh;
-    // Bare doubles may have the bytes of blanks.
+    // A file of raw doubles may consist of bytes that are blanks in text.
     if (!blank || (&f == &raw_format() && !source.bytes.empty())) {
         mesh = read_mesh(f, source, options.read);
     } else if (options.allow_empty) {

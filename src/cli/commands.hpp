@@ -14,14 +14,14 @@ namespace mgdt::cli {
 
 struct InputOptions {
     std::string path;
-    std::string from;  // format; empty: by extension, then by content
+    std::string from;  // format; if empty, it is found by extension, then by content
     ReadOptions read;
-    bool allow_empty = false;  // take a file of nothing as no points
+    bool allow_empty = false;  // accept an empty file as no points
 };
 
 struct OutputOptions {
     std::string path;
-    std::string to;  // format; empty: by extension
+    std::string to;  // format; if empty, it is found by extension
     WriteOptions write;
 };
 
@@ -31,10 +31,10 @@ struct TriangulateOptions {
     TriangulationOptions triangulation;
     std::string neighbors;    // .npy file, or empty
     std::string point_map;    // .npy file, or empty
-    bool all_points = false;  // write points that are in no tetrahedron too
+    bool all_points = false;  // also write points that are in no tetrahedron
     int check_level = 0;
     bool statistics = false;
-    int parts = 0;  // 0: one triangulation
+    int parts = 0;  // number of parts; 0 for one triangulation
 };
 int triangulate(const TriangulateOptions& options);
 int triangulate_in_parts(const TriangulateOptions& options);
@@ -50,8 +50,8 @@ int generate_points(const GenerateCommandOptions& options);
 
 struct CheckOptions {
     InputOptions input;
-    std::string points;  // file of the points, where `input` is an array of tetrahedra
-    int index_base = 0;  // of that array
+    std::string points;  // file of the points, if `input` is an array of tetrahedra
+    int index_base = 0;  // the index base of that array
     TriangulationOptions triangulation;
 };
 int check(const CheckOptions& options);
@@ -60,31 +60,31 @@ int info(const InputOptions& options);
 
 struct InterpolateOptions {
     InputOptions samples, places;
-    std::string values;  // .npy file of the values, or empty: they are in `samples`
+    std::string values;  // an .npy file of values; if empty, the values are in `samples`
     std::vector<std::string> fields;
     std::string method = "linear", outside = "none";
     OutputOptions output;
     TriangulationOptions triangulation;
 };
 int interpolate(const InterpolateOptions& options);
-// Names of methods, and of what is done outside the hull.
+// The names of the methods of interpolation, and of the treatments of places outside the hull.
 std::vector<std::string> interpolation_methods();
 std::vector<std::string> interpolation_outsides();
 
-// Reads an input; `format` receives the format it was read as.
+// Reads an input. `format` receives the format of the input.
 Mesh read_input(const InputOptions& options, const Format** format = nullptr);
 
-// Says on standard error what of a file was left out, if anything.
+// Reports on standard error what was not read of a file, if anything.
 void print_left_out(std::size_t mid_side_nodes, const std::string& name);
 
-// The data files that points of these distributions are made from.
+// The data files that these distributions need.
 std::vector<FileIdentity> data_files(const std::vector<std::string>& names,
                                      const std::string& directory);
 
-// Refuses to send bytes to a terminal.
+// Throws if binary output would go to a terminal.
 void check_terminal(const OutputOptions& options, const Format& format);
 
-// A whole number, which may be written 1e6. `name` is that of the argument, for messages.
+// Parses an integer, which may be written as 1e6. `name` is the name of the argument, for messages.
 std::size_t parse_point_count(const std::string& name, const std::string& text);
 
 // "1 point", "2 points".

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Where the meshes are that some kinds of points are made from.
+// The folder of the meshes that some distributions use.
 #pragma once
 
 #include <string>
 
 namespace mgdt::cli {
 
-// Beside the program, which may have been moved together with them, or else where they were to be
-// installed.
+// The folder relative to the program, which may have been moved together with it. If that does not
+// exist, the folder of the installation.
 std::string default_data_directory();
 
 }  // namespace mgdt::cli

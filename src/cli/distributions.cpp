@@ -16,13 +16,13 @@
 namespace mgdt::cli {
 namespace {
 
-constexpr double kNarrow = 1e-4;  // w: 0.01 % of the larger dimension
-constexpr double kWide = 1e-2;    // the same for the mixed sets
-constexpr double kPi = 3.14159265358979323846;
+constexpr double narrow_width = 1e-4;  // w: 0.01 % of the larger dimension
+constexpr double wide_width = 1e-2;    // the same for the mixed sets
+constexpr double pi = 3.14159265358979323846;
 
 double power_of(double base, double exponent) {
     if (exponent == std::floor(exponent) && exponent >= 0 && exponent <= 64) {
-        double result = 1;  // by multiplication: the same bits with every libm
+        double result = 1;  // by multiplication, which gives the same bits with every libm
         for (int i = 0; i < static_cast<int>(exponent); ++i) result *= base;
         return result;
     }
@@ -71,7 +71,7 @@ Point sphere_point(Random& random, double width) {
 // t = u: angle 8 pi t, radius .1 + .4 t, height t, + j
 Point spiral_point(Random& random, double width) {
     const double t = random.uniform();
-    const double angle = 8 * kPi * t;
+    const double angle = 8 * pi * t;
     const double radius = 0.1 + 0.4 * t;
     return jittered(random, {0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle), t},
                     width);
@@ -83,7 +83,7 @@ Points independent(Random& random, std::size_t n, double width, MakePoint make_p
     return repeat(n, [&] { return make_point(random, width); });
 }
 
-// Every other point is uniform, so that each part of the sequence has both kinds.
+// Every second point is uniform, so that each part of the sequence has both kinds.
 Points half_uniform(Random& random, std::size_t n, double width, MakePoint make_point) {
     bool uniform = false;
     return repeat(n, [&] {
@@ -101,8 +101,8 @@ Points cluster(Random& random, std::size_t n, double power) {
     });
 }
 
-// 60 clusters of radius .002 * 10^u at random centres, of populations proportional to u^2, the
-// distance from the centre radius * u^power, flattened by .3 in z
+// 60 clusters at random centres. The radius is .002 * 10^u, the population is proportional to u^2,
+// and the distance of a point from the centre is radius * u^power, flattened by .3 in z.
 Points galaxy(Random& random, std::size_t n, double power) {
     constexpr std::size_t count = 60;
     constexpr double flattening = 0.3;
@@ -136,8 +136,8 @@ Points galaxy(Random& random, std::size_t n, double power) {
 // the pier between the nave and the crossing of docs/data/church.geo, below the springing of its
 // arch. The radii make sets as mild as the paper says of its own (Table 9): its regular grid has
 // cells of some hundred times the mean, and walks as far in them as the multi-grid does.
-constexpr Focus kOilHole{{0, 0, 103}, 25};
-constexpr Focus kPier{{29, 5.5, 3}, 8};
+constexpr Focus oil_hole{{0, 0, 103}, 25};
+constexpr Focus pier{{29, 5.5, 3}, 8};
 
 struct Request {
     Random& random;
@@ -151,12 +151,12 @@ struct Request {
 
 template <MakePoint make_point>
 Points narrow(const Request& r) {
-    return independent(r.random, r.n, r.width(kNarrow), make_point);
+    return independent(r.random, r.n, r.width(narrow_width), make_point);
 }
 
 template <MakePoint make_point>
 Points mixed(const Request& r) {
-    return half_uniform(r.random, r.n, r.width(kWide), make_point);
+    return half_uniform(r.random, r.n, r.width(wide_width), make_point);
 }
 
 template <Points (*make_points)(Random&, std::size_t)>
@@ -192,9 +192,9 @@ const std::vector<Kind>& kinds() {
         {{"mixspiral", "half uniform, half along the spiral, width 1e-2"}, mixed<spiral_point>},
         {{"machine", "nodes of a finite-element mesh of a bearing bracket, locally refined",
           "machine.msh"},
-         refined<kOilHole>},
+         refined<oil_hole>},
         {{"church", "nodes of a finite-element mesh of a church, locally refined", "church.msh"},
-         refined<kPier>},
+         refined<pier>},
         {{"lattice", "integer points of a cube"}, hard<hostile::lattice>},
         {{"integer-sphere", "integer points of the sphere of radius 1105 (6630 at most)"},
          hard<hostile::integer_sphere>},

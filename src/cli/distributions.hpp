@@ -14,26 +14,26 @@ namespace mgdt::cli {
 struct Distribution {
     const char* name;
     const char* description;
-    const char* data_file = nullptr;  // Name of the mesh that it is made from, if it is.
+    const char* data_file = nullptr;  // the mesh that it uses, if any
 };
 
-// All kinds, in the order in which they are best listed.
+// All kinds, in the order for lists.
 const std::vector<Distribution>& distributions();
 
 struct GenerateOptions {
     std::uint64_t seed = 1;
-    double width = 0;            // Of the spread about a curve or surface; 0: the kind's own.
-    double power = 0;            // Of the crowding in clusters; 0: the kind's own.
-    double scale = 1;            // Every coordinate is multiplied by it.
-    std::string data_directory;  // Where machine.msh and church.msh are.
+    double width = 0;            // of the spread about a curve or surface; 0 for the kind's own
+    double power = 0;            // of the crowding in clusters; 0 for the kind's own
+    double scale = 1;            // a factor of all coordinates
+    std::string data_directory;  // the folder of machine.msh and church.msh
 };
 
-// Path of the mesh that points of a kind are made from; empty if they are made from none.
+// The path of the mesh that a kind uses; empty if it uses none.
 std::string data_path(const std::string& kind, const std::string& data_directory);
 
-// The coordinates of n points, x y z of each in turn. integer-sphere has 6630 points and gives no
-// more. Throws std::invalid_argument for an unknown kind, std::runtime_error for a data file that
-// cannot be used.
+// The coordinates x y z of n points, one point after the other. integer-sphere has 6630 points at
+// most. Throws std::invalid_argument for an unknown kind and std::runtime_error for an unusable
+// data file.
 std::vector<double> generate(const std::string& kind, std::size_t n,
                              const GenerateOptions& options);
 

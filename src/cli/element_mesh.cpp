@@ -29,8 +29,8 @@ class Reader {
         position_ += text.size();
     }
 
-    /// A number in text that ends its line; `size` is the least that one of its items takes, so
-    /// that a damaged count is found before memory is asked for.
+    // A number in text that ends its line; `size` is the least that one of its items takes, so
+    // that a damaged count is found before memory is asked for.
     std::size_t count(std::size_t size) {
         std::size_t n = 0;
         for (;; ++position_) {

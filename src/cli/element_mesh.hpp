@@ -14,11 +14,11 @@ namespace mgdt::cli {
 
 struct ElementMesh {
     std::vector<Point> nodes;
-    std::vector<std::array<std::uint32_t, 4>> tetrahedra;  ///< Indices of nodes, from 0.
+    std::vector<std::array<std::uint32_t, 4>> tetrahedra;  // Indices of nodes, from 0.
 };
 
-/// Reads Gmsh's binary MSH 2.2 format, as far as docs/data/mesh.py writes it: nodes numbered from 1
-/// in their order, then tetrahedra. Throws std::runtime_error.
+// Reads Gmsh's binary MSH 2.2 format, as far as docs/data/mesh.py writes it: nodes numbered from 1
+// in their order, then tetrahedra. Throws std::runtime_error.
 ElementMesh read_element_mesh(const std::string& path);
 
 }  // namespace mgdt::cli

@@ -12,8 +12,8 @@
 namespace mgdt::cli {
 namespace {
 
-// A character of UTF-8 at the beginning of a text; of length 1 and no value where the bytes are not
-// UTF-8.
+// The first character of a text in UTF-8. If the bytes are not UTF-8, the length is 1 and there is
+// no value.
 struct Character {
     std::size_t length;
     std::uint32_t value;
@@ -31,14 +31,14 @@ Character first_character(std::string_view text) {
         if ((byte(i) & 0xc0u) != 0x80) return {1, not_utf8};
         value = value << 6 | (byte(i) & 0x3fu);
     }
-    // The shortest form of a character that is not half of a pair of UTF-16.
+    // Valid characters have their shortest form and are not half of a surrogate pair.
     constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
     const bool is_half = value >= 0xd800 && value < 0xe000;
     if (value < least[length] || is_half || value > 0x10ffff) return {1, not_utf8};
     return {length, value};
 }
 
-// Control characters drive terminals and end lines; marks of direction change what a reader sees.
+// Control characters act on terminals and end lines; directional marks change what a reader sees.
 bool is_printable(std::uint32_t c) {
     const bool is_control = c < 0x20 || (c >= 0x7f && c < 0xa0);
     const bool ends_line = c == 0x2028 || c == 0x2029;
@@ -47,7 +47,7 @@ bool is_printable(std::uint32_t c) {
     return c != not_utf8 && !is_control && !ends_line && !turns;
 }
 
-// Appends what may be shown of the first character; returns how many bytes it has.
+// Appends the printable form of the first character. Returns the number of its bytes.
 std::size_t append_first(std::string& out, std::string_view text) {
     const Character c = first_character(text);
     for (const char byte : text.substr(0, c.length)) {
@@ -60,14 +60,14 @@ std::size_t append_first(std::string& out, std::string_view text) {
     return c.length;
 }
 
-// Messages may quote arguments and names that no place before this has made printable.
+// Messages may contain arguments and names that are not printable yet.
 int report(std::FILE* out, int code, const char* message) noexcept {
     if (out == nullptr) return code;
     std::fflush(stdout);
     try {
         fmt::print(out, "mgdt: {}\n", printable(message));
     } catch (const std::exception&) {
-        // Nobody reads it, or memory is short: the status has to do.
+        // If nobody reads the message or memory is short, the exit status remains.
     }
     return code;
 }

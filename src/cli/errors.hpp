@@ -23,7 +23,8 @@ enum ExitCode : int {
     exit_signal = 128  // plus the signal's number
 };
 
-// A failure with a message for the user: what, where and what to do about it.
+// A failure with a message for the user, which says what went wrong, where, and what to do about
+// it.
 class Error : public std::runtime_error {
   public:
     Error(int code, const std::string& message) : std::runtime_error(message), code_(code) {}
@@ -33,22 +34,22 @@ class Error : public std::runtime_error {
     int code_;
 };
 
-// What a failed call of the library is to the user. `what` says where and why.
+// The error for a failed call of the library. `what` says where and why.
 Error failure_of(mgdt_status status, const std::string& what);
 
-// The exit code of the exception that is being handled. Its message goes to `out`, unless that is
-// null.
+// Returns the exit code of the exception that is being handled, and prints its message to `out`
+// unless `out` is null.
 int report_exception(std::FILE* out) noexcept;
 
-// Text that is not the program's own, such as the name of a file, as it may be shown in a message:
-// control characters, marks of direction and what is no UTF-8 as \xNN. Applied again it changes
-// nothing.
+// A printable form of text that is not the program's own, such as the name of a file. Control
+// characters, directional marks and bytes that are not UTF-8 become \xNN. Applying it twice changes
+// nothing more.
 std::string printable(std::string_view text);
 
-// Text of a file as it may be shown in a message: printable, and short.
+// A short, printable quotation of text from a file.
 std::string quote(std::string_view text);
 
-// Text of an errno value.
+// The text of an errno value.
 std::string system_message(int error);
 
 }  // namespace mgdt::cli

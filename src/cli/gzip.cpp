@@ -27,7 +27,7 @@ namespace {
     throw Error(exit_input, fmt::format("{}: {}", name, what));
 }
 
-// Members of a gzip file, one after the other. RFC 1952.
+// Expands the members of a gzip file (RFC 1952).
 class Inflater {
   public:
     explicit Inflater(const std::string& name) : name_(name) {
@@ -41,11 +41,11 @@ class Inflater {
     std::string expand(std::string_view bytes) {
         constexpr std::size_t most = std::size_t{1} << 20;
         std::string out;
-        bool is_at_end = true;  // of a member, or before the first
+        bool is_at_end = true;  // at the end of a member, or before the first one
         while (!bytes.empty() || !is_at_end) {
             if (is_at_end && is_padding(bytes)) break;
             const std::string_view part = bytes.substr(0, most);
-            // zlib does not change what it reads.
+            // zlib does not change its input.
             stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(part.data()));
             stream_.avail_in = static_cast<uInt>(part.size());
             is_at_end = step(out);
@@ -59,11 +59,11 @@ class Inflater {
     }
 
   private:
-    // Zeros fill the last block of a tape.
+    // The last block of a tape is padded with zeros.
     static bool is_padding(std::string_view bytes) {
         return bytes.find_first_not_of('\0') == std::string_view::npos;
     }
-    // Expands what fits a block; true at the end of a member.
+    // Expands one block. Returns true at the end of a member.
     bool step(std::string& out) {
         check_interrupt();
         constexpr std::size_t block = std::size_t{1} << 20;

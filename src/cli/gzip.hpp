@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that gzip has compressed.
+// Reads files that are compressed by gzip.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace mgdt::cli {
 // Whether a file's name says that it is compressed.
 bool is_gzip_name(std::string_view path);
 
-// What the compressed bytes stand for. Throws Error, naming the input, where they are not gzip's,
-// are damaged or cut short, or where this program was built without zlib.
+// The expanded bytes. Throws Error with the name of the input if the bytes are not gzip's, are
+// damaged or cut short, or if this program was built without zlib.
 std::string expand_gzip(std::string_view bytes, const std::string& name);
 
 }  // namespace mgdt::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mgdt info: what is in a file.
+// mgdt info: prints what a file holds.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace mgdt::cli {
 namespace {
 
-// Dimension of the affine hull, exactly: the first point off each smaller hull extends it.
+// The exact dimension of the affine hull: each point off the current hull extends it.
 int dimension(const std::vector<double>& points) {
     const std::size_t n = points.size() / 3;
     const auto p = [&](std::size_t i) { return points.data() + 3 * i; };
@@ -53,7 +53,7 @@ int info(const InputOptions& options) {
         fmt::print("{:<14} {}\n", name, printable(value));
     };
     line("file", input_name(options.path));
-    // What the file is, not what would be written.
+    // The description names what is read, not what would be written.
     line("format", fmt::format("{} ({})", format->name,
                                mesh.detail.empty() ? format->description : mesh.detail));
     line("points", fmt::format("{}", mesh.point_count()));

@@ -79,7 +79,7 @@ InputFile::InputFile(const std::string& path, std::size_t begin, std::size_t mos
     if (status->kind == system::FileKind::directory) fail_reading(name_, EISDIR);
     identity_ = identity_of(name_, *status);
 
-    // The size is a hint: pipes have none, and a file may grow while it is read.
+    // The size is only a hint: pipes have none, and a file may grow while it is read.
     std::size_t wanted = std::size_t{1} << 16;
     if (status->kind == system::FileKind::regular) {
         file_size_ = static_cast<std::size_t>(status->size);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A whole input file in memory, expanded where its name ends with .gz, and the place that error
-// messages speak of. Files are read, not mapped: one that shrinks while it is mapped would kill the
-// program.
+// A whole input file in memory, expanded if its name ends with .gz, and the positions in it that
+// messages name. Files are read and not mapped: a mapped file that shrinks would end the program.
 #pragma once
 
 #include <cstddef>
@@ -14,35 +13,35 @@
 
 namespace mgdt::cli {
 
-// The bytes of an input with its name. Readers see nothing else.
+// The bytes of an input and its name. Readers see nothing else.
 struct Source {
-    std::string name;  // as messages say it
+    std::string name;  // the name in messages
     std::string path;  // empty for standard input; without .gz
     std::string_view bytes;
-    std::size_t begin = 0;  // of the bytes in the file
+    std::size_t begin = 0;  // the position of the bytes in the file
 
     [[noreturn]] void fail(const std::string& what) const;
     [[noreturn]] void fail_at_line(std::size_t line, const std::string& what) const;
     [[noreturn]] void fail_at_byte(std::size_t offset, const std::string& what) const;
 };
 
-// The name of an input as messages say it: printable, and "-" is standard input.
+// The name of an input in messages: printable, and "standard input" for "-".
 std::string input_name(const std::string& path);
 
 class InputFile {
   public:
     // "-" is standard input.
     explicit InputFile(const std::string& path) : InputFile(path, 0, whole) {}
-    // Reads at most `most` bytes from byte `begin` of the file on, as they are stored; of a pipe,
-    // the next bytes.
+    // Reads at most `most` bytes, without expanding them: from byte `begin` of a file, or the next
+    // bytes of a pipe.
     InputFile(const std::string& path, std::size_t begin, std::size_t most);
     Source source() const {
         if (expanded_) return {name_, path_, *expanded_, 0};
         return {name_, path_, {data_.get(), size_}, begin_};
     }
-    // Of a regular file; nothing for others.
+    // The size of a regular file; nothing for others.
     std::optional<std::size_t> file_size() const { return file_size_; }
-    // Nothing for terminals and their like.
+    // The identity of the file; nothing for terminals and the like.
     const std::optional<FileIdentity>& identity() const { return identity_; }
 
   private:

@@ -10,13 +10,13 @@
 namespace mgdt::cli {
 namespace {
 
-// The headers of such files are some hundred bytes long.
+// The headers of these files are a few hundred bytes long.
 constexpr std::size_t beginning_bytes = std::size_t{1} << 17;
 
 }  // namespace
 
 std::optional<RowLayout> shared_layout(const InputOptions& options) {
-    // What is read of a pipe is gone; where a point is in compressed bytes is not known.
+    // A pipe can be read only once, and in compressed bytes the position of a point is not known.
     if (options.path == "-" || is_gzip_name(options.path)) return std::nullopt;
     const auto status = system::status(options.path);
     if (!status || status->kind != system::FileKind::regular) return std::nullopt;

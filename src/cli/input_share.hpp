@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The points of a file for one of several readers.
+// The share of one of several readers in the points of a file.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@ namespace mgdt::cli {
 
 struct Share {
     std::vector<double> points;
-    std::int64_t first = 0;          // the place of the first of them in the file
-    std::size_t mid_side_nodes = 0;  // left out, by the one who read the whole file
+    std::int64_t first = 0;          // the position of the first of them in the file
+    std::size_t mid_side_nodes = 0;  // left out, if this reader has read the whole file
     std::vector<FileIdentity> inputs;
 };
 
-// Where the points are, in files that have them as rows of bytes; nothing for others.
+// The layout of the points, if the file has them as rows of bytes; nothing for other files.
 std::optional<RowLayout> shared_layout(const InputOptions& options);
 
-// Each reader reads its rows where there is a layout, which has to be the same for all of them;
-// where there is none, the first reader reads all.
+// Reads the share of a reader. With a layout, which has to be the same for all readers, each reader
+// reads its rows; without, the first reader reads everything.
 Share read_share(const InputOptions& options, const std::optional<RowLayout>& layout, int reader,
                  int readers);
 

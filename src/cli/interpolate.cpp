@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mgdt interpolate: values at samples in, values at places out.
+// mgdt interpolate: reads values at samples and writes values at places.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::vector<std::string> names_of(const Choice<Value> (&choices)[n]) {
     return names;
 }
 
-// The command line has made sure that the name is one of them.
+// The command line has checked that the name is one of them.
 template <class Value, std::size_t n>
 Value value_of(const Choice<Value> (&choices)[n], const std::string& name) {
     const auto found = std::find_if(std::begin(choices), std::end(choices),
@@ -70,7 +70,7 @@ Mesh read_samples(const InterpolateOptions& options) {
     return samples;
 }
 
-// All fields of a point one behind the other, as the library takes them.
+// All fields of a point, then those of the next, as the library takes them.
 std::vector<double> interleaved(const Mesh& mesh, std::size_t n_fields) {
     std::vector<double> values(mesh.point_count() * n_fields);
     std::size_t first = 0;
@@ -84,7 +84,7 @@ std::vector<double> interleaved(const Mesh& mesh, std::size_t n_fields) {
     return values;
 }
 
-// The fields that `like` has, from what interleaved() would give.
+// Splits values in the order of interleaved() into fields like those of `like`.
 std::vector<Field> separated(const std::vector<double>& values, const std::vector<Field>& like,
                              std::size_t n_fields) {
     std::vector<Field> fields;

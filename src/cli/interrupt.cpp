@@ -21,7 +21,7 @@ bool has_terminal = false, is_patient = false;
 
 }  // namespace
 
-// A signal handler can neither allocate nor lock: names are in a list that only grows.
+// A signal handler can neither allocate nor lock, so names are in a list that only grows.
 struct RegisteredName {
     std::string path;
     std::atomic<bool> is_used{false};
@@ -37,7 +37,7 @@ void end_at_once() {
         if (n->is_used.load()) system::remove(n->path.c_str());
     }
     if (!is_patient) {
-        // As main() says it, over a line of progress that may be there.
+        // Prints the message as main() does, over the progress bar if there is one.
         const auto say = [](std::string_view text) {
             static_cast<void>(system::write(system::standard_error, text.data(), text.size()));
         };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C and its kin. The first signal asks for an orderly end: the library is cancelled, and
-// loops that call check_interrupt() throw. Where that has not ended the program a tenth of a second
-// later, or when a second signal comes, its temporary files are removed and the program leaves at
-// once, whatever it is doing.
+// Ctrl-C and similar signals. The first signal asks for an orderly end: the library is cancelled,
+// and loops that call check_interrupt() throw. If the program has not ended a tenth of a second
+// later, or if a second signal arrives, its temporary files are removed and it ends at once,
+// whatever it is doing.
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@
 
 namespace mgdt::cli {
 
-// Handles SIGINT, SIGTERM and SIGHUP; ignores SIGPIPE and SIGXFSZ, so that a closed pipe and the
-// limit on file sizes come back as errors of write(). A program that is one of several, which have
-// to agree on how they end, is patient: it leaves at once when a second signal comes, and silently.
+// Handles SIGINT, SIGTERM and SIGHUP, and ignores SIGPIPE and SIGXFSZ, so that closed pipes and
+// limits of file sizes become errors of write(). A program that has to agree with others on how to
+// end is patient: it ends at once only at the second signal, and without a message.
 void install_signal_handlers(bool patient = false);
 
-// The signal that has come, or 0.
+// The signal that has arrived, or 0.
 int interrupt_signal() noexcept;
 
-// Throws Error (exit code 128 + signal) once a signal has come.
+// Throws Error (exit code 128 + signal) if a signal has arrived.
 void check_interrupt();
 
-// From here on signals are too late: the output gets its names.
+// From this call on, signals are ignored: the output gets its final names.
 void begin_commit() noexcept;
 
 // While it exists, signals cancel the handle.
@@ -36,7 +36,7 @@ class Cancellable {
 
 struct RegisteredName;
 
-// A file that must not outlive the program.
+// The name of a file that is removed if a signal ends the program.
 class TemporaryName {
   public:
     explicit TemporaryName(const std::string& path);

@@ -162,7 +162,7 @@ void add_interpolate(CLI::App& app, InterpolateOptions& options) {
     app.footer(formats_footer() + "\n" + exit_codes);
 }
 
-// CLI11 would only say that a command is missing.
+// CLI11 would only report that a command is missing.
 void require_command(const CLI::App& app, const std::string& name) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -274,7 +274,7 @@ int run(const std::vector<std::string>& words) {
 
     if (words.size() > 1 && words[1].substr(0, 1) != "-") require_command(app, words[1]);
     try {
-        // From the last to the first, as CLI11 wants them.
+        // CLI11 takes arguments in reverse order.
         app.parse(std::vector<std::string>(words.rbegin(), words.rend() - (words.empty() ? 0 : 1)));
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
@@ -298,7 +298,7 @@ int main(int argc, char** argv) {
     try {
         install_signal_handlers();
         const int code = run(system::arguments(argc, argv));
-        // What went to standard output must have arrived, too.
+        // Reports what could not be written to standard output.
         if (std::fflush(stdout) != 0) throw Error(exit_output, "standard output: cannot write");
         return code;
     } catch (...) {

@@ -22,10 +22,11 @@ using Triple = std::array<Index, 3>;
 
 constexpr Index none = 0xFFFFFFFFu;
 
-// Facet opposite vertex i of a positively oriented tetrahedron, counter-clockwise from outside.
+// The facet opposite vertex i of a positively oriented tetrahedron, counter-clockwise seen from
+// outside.
 constexpr int outward[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
-// Sorts three indices; true if that took an odd permutation.
+// Sorts three indices. Returns whether the permutation is odd.
 bool sort3(Triple& f) {
     bool odd = false;
     const auto order = [&](std::size_t a, std::size_t b) {
@@ -51,7 +52,7 @@ class MeshChecker {
     MeshReport run() {
         load();
         check_orientation();
-        // The rest speaks of solid tetrahedra.
+        // The other tests need tetrahedra of positive volume.
         if (report_.valid) {
             match_facets();
             check_facets();
@@ -67,7 +68,7 @@ class MeshChecker {
   private:
     const double* point(Index v) const { return mesh_.points.data() + 3 * std::size_t{v}; }
 
-    // Vertices with equal coordinates count as one.
+    // Vertices with equal coordinates are the same vertex.
     Quad load_quad(const MeshIndex* v) const {
         Quad q;
         for (std::size_t k = 0; k < 4; ++k) {
@@ -133,7 +134,8 @@ class MeshChecker {
                 v[static_cast<std::size_t>(outward[i][2])]};
     }
 
-    // Finds who shares each facet: facets are gathered by their least vertex, then sorted.
+    // Finds the two tetrahedra that share each facet: facets are grouped by their least vertex,
+    // then sorted.
     void match_facets() {
         struct Entry {
             Index b, c;  // the other two vertices
@@ -227,8 +229,8 @@ class MeshChecker {
         return {point(v[0]), point(v[1]), point(v[2]), point(v[3])};
     }
 
-    // Each boundary edge has two facets, none beyond the other's plane, and a point inside the
-    // first tetrahedron sees all facets from within.
+    // Checks that each boundary edge has two facets, neither beyond the plane of the other, and
+    // that a point inside the first tetrahedron is on the inner side of all facets.
     void check_hull() {
         if (tetrahedra_.empty()) return;
         struct Edge {
@@ -295,7 +297,7 @@ class MeshChecker {
         }
     }
 
-    // A point inside the first tetrahedron is in no other.
+    // Checks that a point inside the first tetrahedron is in no other one.
     void check_cover() {
         if (tetrahedra_.empty()) return;
         const InteriorPoint inside = inside_of_first();
@@ -336,12 +338,12 @@ class MeshChecker {
         }
     }
 
-    // The file's own neighbours against those that share facets.
+    // Compares the neighbours in the file with those that share facets.
     void check_neighbors() {
         if (partner_.empty()) return;
         std::size_t bad = 0, first = 0;
         for (std::size_t code = 0; code < partner_.size(); ++code) {
-            // Turning round exchanged the last two vertices, and so their facets.
+            // Reversing the orientation exchanged the last two vertices, and so their facets.
             const std::size_t k = code % 4;
             const std::size_t file = turned_ && k >= 2 ? code - k + (5 - k) : code;
             const std::int64_t found =

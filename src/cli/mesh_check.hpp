@@ -31,13 +31,13 @@ struct Finding {
 // The canonical triangulation of the same points, from the library.
 struct Reference {
     std::vector<MeshIndex> tetrahedra;
-    std::vector<MeshIndex> point_map;  // equal points to one vertex
+    std::vector<MeshIndex> point_map;  // the vertex of each point; equal points have the same
 };
 
 struct MeshReport {
     std::vector<Finding> findings;
     bool valid = true;
-    std::size_t in_common = 0;  // tetrahedra that the reference has too
+    std::size_t in_common = 0;  // the number of tetrahedra that the reference has too
 };
 
 MeshReport check_mesh(const Mesh& mesh, const Reference& reference);

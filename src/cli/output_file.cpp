@@ -47,7 +47,7 @@ std::string remedy(int error) {
                                          system_message(error), remedy(error)));
 }
 
-// Whether the path is there and is a device, pipe or socket, which cannot be renamed over.
+// Whether the path is an existing device, pipe or socket, which a rename must not replace.
 bool is_special(const std::string& path) {
     const auto status = system::status(path);
     return status && status->kind != system::FileKind::regular &&
@@ -74,7 +74,7 @@ std::string follow_links(const std::string& path) {
 std::string directory_of(const std::string& path) {
     const std::size_t separator = system::last_separator(path);
     if (separator == std::string::npos) return ".";
-    // The root's name is its separator; a drive's ends with one.
+    // The name of the root is its separator; the name of a drive ends with one.
     const bool is_root = separator == 0 || path[separator] == ':';
     return path.substr(0, separator + (is_root ? 1 : 0));
 }
@@ -85,7 +85,7 @@ void check_writable(const std::string& path) {
     const std::string target = follow_links(path);
     if (const auto status = system::status(target)) {
         if (status->kind == system::FileKind::directory) fail_writing(path, EISDIR);
-        // A rename would replace a write-protected file without asking.
+        // A rename would silently replace a write-protected file.
         if (!system::may_write(target)) fail_writing(path, errno);
         if (status->kind != system::FileKind::regular) return;
     }
@@ -107,7 +107,8 @@ OutputFile::OutputFile(const std::string& path) : name_(path) {
         return;
     }
     target_ = follow_links(path);
-    // Short and hidden: the target's own name may already be as long as names can be.
+    // The temporary name is short and hidden, since the target's name may already have the greatest
+    // length.
     const std::string directory = directory_of(target_);
     temporary_ = directory + (directory.back() == ':' ? ".mgdt-XXXXXX" : "/.mgdt-XXXXXX");
     fd_ = system::create_temporary(temporary_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Output that appears whole or not at all: written under a temporary name in the same directory,
-// given its name when every byte is on the disk, and removed on every other way out.
+// Output that appears completely or not at all. It is written under a temporary name in the same
+// directory and renamed when all bytes are on the disk; otherwise it is removed.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace mgdt::cli {
 
 class OutputFile {
   public:
-    // "-" is standard output. Devices, pipes and sockets are written to as they are.
+    // "-" is standard output. Devices, pipes and sockets are written directly.
     explicit OutputFile(const std::string& path);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
@@ -25,10 +25,10 @@ class OutputFile {
 
     void write(const void* data, std::size_t size);
     void write(std::string_view text) { write(text.data(), text.size()); }
-    // Shortest text that reads back as the same number.
+    // Writes the shortest text that reads back as the same number.
     void write_number(double value);
     void write_integer(std::int64_t value);
-    // Binary, least significant byte first on every machine.
+    // Writes binary values in little-endian order.
     template <class T>
     void write_values(const T* values, std::size_t count);
     template <class T>
@@ -36,9 +36,9 @@ class OutputFile {
         write_values(&value, 1);
     }
 
-    // Brings every byte to the disk; the name is still the temporary one. Once.
+    // Writes all bytes to the disk; the file keeps its temporary name. Called once.
     void close();
-    // Gives the file its name. After close().
+    // Gives the file its final name, after close().
     void commit();
 
   private:
@@ -46,7 +46,7 @@ class OutputFile {
     [[noreturn]] void fail(int error) const;
 
     std::string name_;
-    std::string target_;  // where links lead
+    std::string target_;  // the file that links lead to
     std::string temporary_;
     std::unique_ptr<TemporaryName> guard_;
     int fd_ = -1;
@@ -60,13 +60,13 @@ extern template void OutputFile::write_values(const std::int32_t*, std::size_t);
 extern template void OutputFile::write_values(const std::uint16_t*, std::size_t);
 extern template void OutputFile::write_values(const std::uint8_t*, std::size_t);
 
-// Files that belong together: none gets its name before all are complete.
+// Files that belong together: none gets its final name before all are complete.
 class OutputSet {
   public:
     OutputFile& open(const std::string& path) { return files_.emplace_back(path); }
-    // Brings all to the disk. What may fail, or be interrupted, does so here.
+    // Writes all files to the disk. Errors and interruptions happen here.
     void close();
-    // Gives them their names, after close() if that was not called.
+    // Gives all files their final names; calls close() first if that was not done.
     void commit();
 
   private:
@@ -74,14 +74,13 @@ class OutputSet {
     bool is_closed_ = false;
 };
 
-// The file that a chain of symbolic links leads to, so that a link stays a link.
+// The file at the end of a chain of symbolic links, so that a link remains a link.
 std::string follow_links(const std::string& path);
 
 // The part of a path before its last separator.
 std::string directory_of(const std::string& path);
 
-// Throws if `path` could not be written, so that a mistyped directory is not found out after an
-// hour's work.
+// Throws if `path` cannot be written, so that a mistyped directory is found before the work begins.
 void check_writable(const std::string& path);
 
 }  // namespace mgdt::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of one triangulation as the program uses them.
+// Functions of the program for triangulations in parts.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace mgdt::cli {
 
-// Sets what the options say.
+// Sets the options of the parts.
 void set_options(Parts& parts, const TriangulationOptions& options);
 
 // Runs `work`, which builds, with a progress bar unless it is quiet. `name` is the file's, for

@@ -13,7 +13,7 @@
 namespace mgdt::cli {
 namespace {
 
-// Calls the library to set what an option says.
+// Calls `set` to pass an option to the library. Names the option in messages.
 template <class Set>
 void set_option(const Triangulation& t, const char* option, const Set& set) {
     try {
@@ -132,7 +132,8 @@ std::vector<double> interpolate(const Triangulation& t, Method method, Outside o
     const std::size_t n = places.size() / 3;
     std::vector<double> out;
     out.reserve(n * n_fields);
-    // A call cannot be cancelled. Some methods have work for each point before the first place.
+    // A call cannot be cancelled, so places are given in blocks. Blocks are large, because some
+    // methods compute something for each point before the first place.
     const std::size_t most =
         std::max<std::size_t>(65536, static_cast<std::size_t>(t.point_count()));
     Progress progress("interpolating", quiet);

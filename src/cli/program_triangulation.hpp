@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Triangulations as the program makes and asks them: with the settings of its options, cancelled by
-// Ctrl-C, their failures thrown as Error.
+// Functions of the program for triangulations: they are made from its options, cancelled by Ctrl-C,
+// and their failures are thrown as Error.
 #pragma once
 
 #include <cstdint>
@@ -21,15 +21,15 @@ struct TriangulationOptions {
     bool compact = false;
     bool canonical = false;
     bool quiet = false;
-    // Of the order schemes; those left out keep the library's defaults.
+    // Parameters of the order schemes. Without a value the library's default is used.
     std::optional<double> points_per_cell, threshold, separation, round_ratio;
 };
 
 // Names of the order schemes that the library knows.
 std::vector<std::string> scheme_names();
 
-// Throws the failure of the library that is being handled as an Error. Its message says what was
-// done, and has the last one of the handle where memory was refused.
+// Throws the library's failure that is being handled as an Error. `doing` begins the message, and
+// `last_error` is the message of the handle if memory was refused.
 [[noreturn]] void rethrow_failure(const std::string& doing, const std::string& last_error);
 
 // An empty triangulation with these settings.
@@ -39,17 +39,17 @@ Triangulation make_triangulation(const TriangulationOptions& options);
 void insert(Triangulation& t, const std::vector<double>& points, const std::string& name,
             bool quiet);
 
-// Why there are no tetrahedra, where there are none.
+// Says why there are no tetrahedra.
 const char* shape(const Triangulation& t);
 
-// One behind the other, as the program's meshes have them.
+// Tetrahedra and neighbours, in the form of the program's meshes.
 std::vector<MeshIndex> tetrahedra(const Triangulation& t);
 std::vector<MeshIndex> neighbors(const Triangulation& t);
 
-// What the check finds wrong; empty if it passes.
+// Checks the triangulation. Returns the defect, or an empty text if there is none.
 std::string find_defect(const Triangulation& t, int level);
 
-// Values at places, from n_fields at each point; see mgdt_interpolate().
+// Interpolates values at places from n_fields values at each point; see mgdt_interpolate().
 std::vector<double> interpolate(const Triangulation& t, Method method, Outside outside,
                                 std::size_t n_fields, const std::vector<double>& values,
                                 const std::vector<double>& places, bool quiet);

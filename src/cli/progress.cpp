@@ -22,7 +22,7 @@ Progress::Progress(std::string what, bool quiet)
       last_(begin_) {}
 
 Progress::~Progress() {
-    // Erase the line: what remains on the terminal is the outcome, not the way to it.
+    // Erases the line, so that only the result remains on the terminal.
     if (drawn_) std::fputs("\r\x1b[K", stderr);
 }
 

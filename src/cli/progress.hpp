@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A progress bar on standard error, drawn only where a person can see it.
+// A progress bar on standard error. It is drawn on terminals only.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@ class Progress {
 
     void update(double fraction);
 
-    // The same, for the library: whether a signal has come, which cancels.
+    // The same as a callback for the library: returns whether a signal has arrived, which cancels.
     bool update_and_hear(double fraction);
 
   private:

@@ -39,14 +39,14 @@ class Random {
         return result;
     }
 
-    /// Uniform in [0, 1): a multiple of 2^-53.
+    // Uniform in [0, 1): a multiple of 2^-53.
     double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
 
-    /// Uniform in [-width / 2, width / 2).
+    // Uniform in [-width / 2, width / 2).
     double jitter(double width) { return width * (uniform() - 0.5); }
 
-    /// Uniform in 0, ..., n - 1, for 0 < n < 2^32 (Lemire's multiplication; its bias, below
-    /// n / 2^64, is of no concern here).
+    // Uniform in 0, ..., n - 1, for 0 < n < 2^32 (Lemire's multiplication; its bias, below
+    // n / 2^64, is of no concern here).
     std::uint64_t below(std::uint64_t n) {
         const std::uint64_t x = bits();
         const std::uint64_t low = ((x & 0xffffffffU) * n) >> 32;
@@ -59,7 +59,7 @@ class Random {
         return p;
     }
 
-    /// A uniform unit vector (Marsaglia 1972): square roots only, which are the same everywhere.
+    // A uniform unit vector (Marsaglia 1972): square roots only, which are the same everywhere.
     Point direction() {
         for (;;) {
             const double x = 2 * uniform() - 1;
@@ -77,7 +77,7 @@ class Random {
     std::array<std::uint64_t, 4> state_;
 };
 
-/// n points, each of which make_point() draws anew.
+// n points, each of which make_point() draws anew.
 template <class MakePoint>
 Points repeat(std::size_t n, MakePoint make_point) {
     Points points;

@@ -71,7 +71,7 @@ bool seek(int file, std::uint64_t offset) {
 }
 
 bool synchronize(int file) {
-    // Pipes and terminals have nothing to synchronise. A disk that turns out full says so here.
+    // Pipes and terminals cannot be synchronised. A full disk is reported here.
     return fsync(file) == 0 || errno == EINVAL || errno == EROFS || errno == ENOTSUP;
 }
 
@@ -80,7 +80,7 @@ bool close(int file) {
 }
 
 void set_permissions(int file, unsigned permissions) {
-    // Some file systems have no permissions to change.
+    // Some file systems do not have permissions.
     static_cast<void>(fchmod(file, static_cast<mode_t>(permissions)) == 0);
 }
 
@@ -131,7 +131,7 @@ void handle_signals(void (*handler)(int signal)) {
     action.sa_handler = handler;
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction old = {};
-        // nohup and background shells have a signal ignored on purpose.
+        // nohup and background shells ignore signals on purpose.
         if (sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue;
         sigaction(signal, &action, nullptr);
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Windows names files in UTF-16, and changes the ends of lines unless it is told not to.
+// Names of files are in UTF-16 on Windows. Files are opened in binary mode, since Windows would
+// change line ends.
 #include <windows.h>
 
-// What comes after needs what is above.
+// These headers need those above.
 #include <fcntl.h>
 #include <io.h>
 #include <shellapi.h>
@@ -31,11 +32,11 @@ std::string narrow(const wchar_t* text) {
     if (length <= 0) return {};
     std::string out(static_cast<std::size_t>(length), '\0');
     WideCharToMultiByte(CP_UTF8, 0, text, -1, out.data(), length, nullptr, nullptr);
-    out.pop_back();  // the zero at the end
+    out.pop_back();  // the terminating zero
     return out;
 }
 
-// errno for what a function of Windows, not of C, has failed with.
+// Sets errno after the failure of a Windows function.
 void set_errno() {
     switch (GetLastError()) {
         case ERROR_FILE_NOT_FOUND:
@@ -66,7 +67,7 @@ void set_errno() {
 std::optional<FileStatus> status_of(HANDLE file) {
     FileStatus s = {FileKind::other, 0, 0, 0, 0};
     const DWORD type = GetFileType(file);
-    // Pipes have no identity here.
+    // Pipes have no identity on Windows.
     if (type == FILE_TYPE_CHAR || type == FILE_TYPE_PIPE) s.kind = FileKind::stream;
     if (type != FILE_TYPE_DISK) return s;
     BY_HANDLE_FILE_INFORMATION information;
@@ -86,8 +87,8 @@ void (*the_handler)(int) = nullptr;
 DWORD milliseconds_until_again = 0;
 
 BOOL WINAPI on_event(DWORD event) {
-    // On a thread of its own, which may wait. Windows ends the program when this returns, where the
-    // event was not of the keyboard, and soon in any case.
+    // This runs on a separate thread, which may wait. Windows ends the program when it returns,
+    // unless the event came from the keyboard, and soon in any case.
     the_handler(event == CTRL_C_EVENT ? SIGINT : SIGTERM);
     if (milliseconds_until_again > 0) {
         Sleep(milliseconds_until_again);
@@ -99,7 +100,7 @@ BOOL WINAPI on_event(DWORD event) {
 }  // namespace
 
 std::optional<FileStatus> status(const std::string& path) {
-    // Folders too.
+    // This also opens folders.
     const HANDLE file =
         CreateFileW(wide(path).c_str(), 0, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
                     nullptr, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr);
@@ -136,7 +137,7 @@ int create_temporary(std::string& name) {
         std::uint64_t number = std::uint64_t{random()} << 32 | random();
         for (std::size_t i = name.size() - 6; i < name.size(); ++i, number /= 36)
             name[i] = "0123456789abcdefghijklmnopqrstuvwxyz"[number % 36];
-        // Which remove() may delete while it is open.
+        // remove() may delete the file while it is open.
         const HANDLE file = CreateFileW(wide(name).c_str(), GENERIC_WRITE | DELETE,
                                         FILE_SHARE_READ | FILE_SHARE_DELETE, nullptr, CREATE_NEW,
                                         FILE_ATTRIBUTE_NORMAL, nullptr);
@@ -165,7 +166,7 @@ std::ptrdiff_t read(int file, void* data, std::size_t size) {
 
 std::ptrdiff_t write(int file, const void* data, std::size_t size) {
     const std::ptrdiff_t done = _write(file, data, static_cast<unsigned>(size));
-    // What C makes of a pipe that nobody reads.
+    // C reports EINVAL for a pipe that nobody reads.
     if (done < 0 && errno == EINVAL) errno = EPIPE;
     return done;
 }
@@ -199,7 +200,7 @@ bool may_write(const std::string& path) {
 }
 
 bool may_make_files_in(const std::string& directory) {
-    // Whether it may is only seen when it is done.
+    // Whether it is permitted is only known after trying.
     const auto s = status(directory);
     if (s && s->kind != FileKind::directory) errno = ENOTDIR;
     return s && s->kind == FileKind::directory;
@@ -244,7 +245,7 @@ void leave(int code) noexcept {
 
 std::vector<std::string> arguments(int argc, char** argv) {
     SetConsoleOutputCP(CP_UTF8);
-    // The same bytes as elsewhere.
+    // Output has the same bytes as on other systems.
     _setmode(standard_output, _O_BINARY);
     _setmode(standard_error, _O_BINARY);
     int count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mgdt triangulate: points in, tetrahedra out.
+// mgdt triangulate: reads points and writes tetrahedra.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -39,8 +39,8 @@ void print_statistics(std::FILE* out, const Triangulation& t, const TriangulateO
     if (seconds > 0) line("points per second", fmt::format("{:.0f}", inserted / seconds));
 }
 
-// Takes the points out that are in no tetrahedron, such as repeats: solvers stop at nodes without
-// elements. Where there are no tetrahedra, all stay. Returns the new number of each point.
+// Removes points that are in no tetrahedron, such as repeats, because solvers stop at nodes without
+// elements. If there are no tetrahedra, all points remain. Returns the new number of each point.
 std::vector<MeshIndex> take_out_unused_points(Mesh& mesh) {
     std::vector<MeshIndex> numbers(mesh.point_count(), mesh.tetrahedra.empty() ? 0 : -1);
     for (const MeshIndex v : mesh.tetrahedra) numbers[static_cast<std::size_t>(v)] = 0;
@@ -92,7 +92,7 @@ int triangulate(const TriangulateOptions& options) {
         files.push_back(options.point_map);
     }
     for (const std::string& file : files) check_writable(file);
-    // Standard output carries the file when it is asked to.
+    // Text goes to standard error if a file goes to standard output.
     std::FILE* text = output.path == "-" || options.neighbors == "-" || options.point_map == "-"
                           ? stderr
                           : stdout;
@@ -102,8 +102,7 @@ int triangulate(const TriangulateOptions& options) {
     const std::string name = input_name(options.input.path);
     if (!options.triangulation.quiet) print_left_out(mesh.mid_side_nodes, name);
     const auto begin = std::chrono::steady_clock::now();
-    // The handle takes three times the memory of an array: it goes as soon as nothing is left to
-    // ask.
+    // The handle takes three times the memory of an array, so it is freed as early as possible.
     Triangulation t = make_triangulation(options.triangulation);
     insert(t, mesh.points, name, options.triangulation.quiet);
     const double seconds =
@@ -134,7 +133,7 @@ int triangulate(const TriangulateOptions& options) {
     if (format) mesh.tetrahedra = tetrahedra(t);
     if (!wants_neighbors) t = Triangulation();
 
-    // An .npy of tetrahedra has no points of its own.
+    // An .npy file of tetrahedra does not contain points.
     if (format && format != &npy_format() && !options.all_points) {
         const std::vector<MeshIndex> numbers = take_out_unused_points(mesh);
         for (MeshIndex& v : point_map)
@@ -144,7 +143,7 @@ int triangulate(const TriangulateOptions& options) {
     if (!options.point_map.empty())
         write_npy_integers(point_map, output.write.index_base, outputs.open(options.point_map));
     WriteOptions write = output.write;
-    // As the points came: they have these numbers in other files of the same set.
+    // Numbers begin as in the input, since other files of the same set use these numbers.
     if (format == &tetgen_format() && !write.is_base_chosen)
         write.index_base = mesh.first_number.value_or(0);
     if (format) format->write_mesh(mesh, output.path, outputs, write);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// mgdt triangulate --parts: tetrahedra of more points than memory has room for, a file to a part.
+// mgdt triangulate --parts: triangulates more points than fit in memory, and writes a file for each
+// part.
 #include <fmt/core.h>
 
 #include <chrono>
@@ -13,7 +14,7 @@
 namespace mgdt::cli {
 namespace {
 
-// In equal runs, so that ids are places in the file.
+// Inserts the points in equal runs, so that ids are positions in the file.
 void insert(Parts& parts, const std::vector<double>& points, const std::string& name) {
     const auto n = static_cast<std::int64_t>(points.size() / 3);
     const auto count = static_cast<std::int32_t>(parts.number(PartsNumber::parts, 0));
@@ -54,7 +55,7 @@ int triangulate_in_parts(const TriangulateOptions& options) {
         Parts parts(options.parts);
         set_options(parts, options.triangulation);
         {
-            // Gone before it is triangulated.
+            // The mesh is freed before the triangulation.
             const Mesh mesh = read_input(options.input);
             if (!options.triangulation.quiet)
                 print_left_out(mesh.mid_side_nodes, input_name(options.input.path));
@@ -65,7 +66,7 @@ int triangulate_in_parts(const TriangulateOptions& options) {
         }
         with_progress(parts, name, options.triangulation.quiet, [&] {
             parts.build_each([&](const Parts& p, std::int32_t part) {
-                // Closed there: many files are not open at once.
+                // write_part() closes the file, so that few files are open at once.
                 write_part(p, part, output.write.compress,
                            outputs.open(files[static_cast<std::size_t>(part)]));
             });

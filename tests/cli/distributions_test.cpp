@@ -20,7 +20,7 @@
 namespace mgdt::cli {
 namespace {
 
-const double kPi = std::acos(-1.0);
+const double pi = std::acos(-1.0);
 
 /// From the line through a and b.
 double distance_from_line(const Point& p, const Point& a, const Point& b) {
@@ -49,8 +49,8 @@ double distance_from_spiral(const Point& p, double width) {
     for (int i = -500; i <= 500; ++i) {
         const double t = p[2] + width * i / 1000;
         const double r = 0.1 + 0.4 * t;
-        least = std::min(least, distance(p, {0.5 + r * std::cos(8 * kPi * t),
-                                             0.5 + r * std::sin(8 * kPi * t), t}));
+        least = std::min(least, distance(p, {0.5 + r * std::cos(8 * pi * t),
+                                             0.5 + r * std::sin(8 * pi * t), t}));
     }
     return least;
 }
@@ -73,7 +73,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), 8 * a.size()) == 0;
 }
 
-const std::set<std::string> kNotRandom{"machine", "church", "lattice"};
+const std::set<std::string> not_random{"machine", "church", "lattice"};
 
 TEST(Distributions, HaveUniqueNamesAndDescriptions) {
     std::set<std::string> names;
@@ -104,7 +104,7 @@ TEST(Distributions, AreFunctionsOfTheSeed) {
         const std::vector<double> first = generate(d.name, 500, with_seed(1));
         EXPECT_TRUE(same_bits(first, generate(d.name, 500, with_seed(1)))) << d.name;
         EXPECT_EQ(same_bits(first, generate(d.name, 500, with_seed(2))),
-                  kNotRandom.count(d.name) == 1)
+                  not_random.count(d.name) == 1)
             << d.name;
     }
 }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr char node_keyword[] = "*NODE", element_keyword[] = "*ELEMENT";
 
-// Without blanks, in capitals: what case and blanks do not change.
+// The text without blanks, in capitals; neither has a meaning in these files.
 std::string canonical(std::string_view text) {
     std::string out;
     for (const char c : text) {
@@ -29,14 +29,14 @@ std::string canonical(std::string_view text) {
     return out;
 }
 
-// The keyword of a line, and whether it has a parameter such as TYPE=C3D4.
+// The keyword of a line, with parameters such as TYPE=C3D4.
 struct Keyword {
     explicit Keyword(std::string_view line) : text(canonical(line) + ',') {}
     bool is(std::string_view name) const { return text.compare(0, text.find(','), name) == 0; }
     bool has(std::string_view parameter) const {
         return text.find(fmt::format(",{},", parameter)) != std::string::npos;
     }
-    // Of a parameter; empty where there is none.
+    // The value of a parameter; empty if there is none.
     std::string value_of(std::string_view parameter) const {
         const std::size_t at = text.find(fmt::format(",{}=", parameter));
         if (at == std::string::npos) return "";
@@ -46,10 +46,10 @@ struct Keyword {
     std::string text;
 };
 
-// How many nodes an element of a type has if it is a tetrahedron; else 0. A family (of solids: C;
-// of heat, DC; acoustic, AC; coupled, Q; of fluids, F and FC; electromagnetic, EMC), 3D, the number
-// of nodes, and letters for variants such as C3D10MH. Membranes (M3D4) and their like are no
-// solids.
+// The number of nodes of a tetrahedral element type; 0 for other types. The name of a type is a
+// family (solids: C; heat: DC; acoustics: AC; coupled: Q; fluids: F and FC; electromagnetics: EMC),
+// 3D, the number of nodes, and letters for variants, as in C3D10MH. Membranes (M3D4) and similar
+// types are not solids.
 int nodes_of(std::string_view type) {
     const std::size_t at = type.find("3D");
     if (at == std::string_view::npos) return 0;
@@ -80,7 +80,7 @@ class Reader {
     Mesh read() {
         mesh_.detail = "text";
         enum { nothing, nodes, tetrahedra, others } section = nothing;
-        bool goes_on = false;  // the numbers of an element that is left out
+        bool goes_on = false;  // whether the numbers of an ignored element continue
         while (next_line()) {
             if (text_[0] == '*') {
                 const Keyword keyword(whole_keyword());
@@ -112,7 +112,7 @@ class Reader {
     }
 
   private:
-    // Goes to the next line that is no comment; its text has no blanks around it.
+    // Goes to the next line that is no comment, and removes the blanks around its text.
     bool next_line() {
         do {
             if (!lines_.next_with_text(no_comment)) return false;
@@ -123,7 +123,8 @@ class Reader {
         return true;
     }
     bool ends_with_comma() const { return text_.back() == ','; }
-    // A keyword with its parameters, which go on in the next line after a comma.
+    // Reads a keyword with its parameters. They continue in the next line if the line ends with a
+    // comma.
     std::string whole_keyword() {
         std::string whole(text_);
         while (ends_with_comma()) {
@@ -132,7 +133,7 @@ class Reader {
         }
         return whole;
     }
-    // What is in other files, or in coordinates of other kinds, would be missed.
+    // Refuses data in other files or in other kinds of coordinates, which would be missed.
     void require_here(const Keyword& keyword, bool is_node, bool is_element) const {
         if (keyword.is("*INCLUDE")) lines_.fail("*INCLUDE; name the file that it includes");
         if (!is_node && !is_element) return;
@@ -141,8 +142,8 @@ class Reader {
         if (keyword.text.find(",SYSTEM=") != std::string::npos && !keyword.has("SYSTEM=R"))
             lines_.fail("SYSTEM=; only rectangular coordinates can be read");
     }
-    // The next of the numbers of a line, or of an element whose numbers go on in the next line
-    // after a comma.
+    // The next number of a line or of an element. The numbers of an element continue in the next
+    // line if the line ends with a comma.
     std::string_view word(const char* what) {
         while (at_ == words_.size()) {
             if (!may_go_on_ || !ends_with_comma())
@@ -196,8 +197,8 @@ class Reader {
     NodeNumbers numbers_;
     std::vector<std::string_view> words_;
     std::size_t at_ = 0;
-    std::string_view text_;  // of the line
-    int nodes_ = 0;          // of a tetrahedron of the section
+    std::string_view text_;  // the rest of the line
+    int nodes_ = 0;          // of each tetrahedron in this section
     bool has_nodes_ = false, may_go_on_ = false;
 };
 

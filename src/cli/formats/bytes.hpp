@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Binary formats value by value: every access is checked against the end of the file.
+// Reads binary formats value by value. Every access is checked against the end of the file.
 #pragma once
 
 #include <fmt/core.h>
@@ -26,7 +26,7 @@ class ByteReader {
     const Source& source() const { return *source_; }
     [[noreturn]] void fail(const std::string& what) const { source_->fail_at_byte(offset_, what); }
 
-    // Throws unless `count` items of `size` bytes each are still to come.
+    // Throws if fewer than `count` items of `size` bytes each are left.
     void need(std::uint64_t count, std::size_t size, const char* what) const {
         if (size == 0 || count <= left() / size) return;
         fail(
@@ -51,7 +51,7 @@ class ByteReader {
         return value;
     }
 
-    // A coordinate: T, as a finite double.
+    // Reads a coordinate of type T and checks that it is finite.
     template <class T>
     double coordinate() {
         const auto v = static_cast<double>(value<T>("coordinate"));

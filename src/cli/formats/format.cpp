@@ -64,7 +64,7 @@ const Format* format_from_content(std::string_view bytes) {
     for (const Format* f : all_formats()) {
         if (f->sniff && f->sniff(bytes)) return f;
     }
-    // Text has no signature: the absence of control characters is one.
+    // Text has no signature; it is recognised by the absence of control characters.
     const std::string_view start = bytes.substr(0, 4096);
     const bool printable = std::all_of(start.begin(), start.end(), [](char c) {
         const auto u = static_cast<unsigned char>(c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The file formats that the program knows, one object each, and how one is chosen.
+// The file formats of the program, one object each, and how a format is chosen.
 #pragma once
 
 #include <array>
@@ -15,25 +15,26 @@
 namespace mgdt::cli {
 
 struct ReadOptions {
-    // Of x, y and z in text, from 1, where they are chosen. Otherwise those that have the names, or
-    // the first three.
+    // The columns of x, y and z in text, from 1, if they are chosen. Otherwise the columns with
+    // these names, or the first three, are read.
     std::optional<std::array<int, 3>> columns;
-    const char* columns_option = "--columns";  // which chooses them, for messages
-    // Whether the fields are wanted too: those of these names, or all where there are no names.
+    const char* columns_option = "--columns";  // the option that chooses them, for messages
+    // Whether fields are read too: those with these names, or all if there are no names.
     bool has_fields = false;
     std::vector<std::string> field_names;
 };
 
 struct WriteOptions {
-    int index_base = 0;           // of formats that leave it open
-    bool is_base_chosen = false;  // or else it is the default
-    bool compress = false;        // .vtu
+    int index_base = 0;           // the number of the first point, in formats that leave it open
+    bool is_base_chosen = false;  // whether the user has chosen it
+    bool compress = false;        // compress .vtu files
 };
 
-// Where a file has its points: rows of bytes of one length, with x, y and z at the beginning.
+// The position of the points in a file: rows of bytes of the same length, which begin with x, y and
+// z.
 struct RowLayout {
     std::size_t begin, rows, row_bytes;
-    bool wide;  // doubles, or else floats
+    bool wide;  // doubles, otherwise floats
     bool big_endian;
 };
 
@@ -41,28 +42,30 @@ struct Format {
     const char* name;  // for --from and --to
     std::vector<const char*> extensions;
     const char* description;
-    bool binary;  // whether what is written would upset a terminal
+    bool binary;  // whether its output would upset a terminal
 
-    // Whether the beginning of a file is this format's for certain; nullptr where none can be.
+    // Whether the beginning of a file certainly has this format; nullptr if no beginning is
+    // certain.
     bool (*sniff)(std::string_view bytes);
-    // Every coordinate that comes back is finite and every vertex is a point; else Error. Called
-    // by read_mesh().
+    // Reads a file. All coordinates are finite and all vertices are points; otherwise it throws
+    // Error. Called by read_mesh().
     Mesh (*read)(const Source& source, const ReadOptions& options);
-    // nullptr where the format has no place for them.
+    // Write points or a mesh; nullptr if the format does not have them.
     void (*write_points)(const std::vector<double>& points, OutputFile& out,
                          const WriteOptions& options);
     void (*write_mesh)(const Mesh& mesh, const std::string& path, OutputSet& outputs,
                        const WriteOptions& options);
-    // The files that write_mesh() writes; nullptr where it is the one that is named.
+    // The files that write_mesh() writes; nullptr if it writes the named file only.
     std::vector<std::string> (*mesh_files)(const std::string& path) = nullptr;
-    // The points with their fields, which read() takes too, and the tetrahedra where the format has
-    // a place for them; nullptr where it has none for fields.
+    // Writes the points with their fields, and the tetrahedra if the format has them; nullptr if
+    // the format has no fields.
     void (*write_fields)(const Mesh& mesh, OutputFile& out, const WriteOptions& options) = nullptr;
-    // Where the points are, by the beginning of a file of so many bytes, for those who read a share
-    // of them; nothing where read() has to see the whole file. nullptr where it always has to.
+    // The layout of the points, from the beginning of a file of `file_size` bytes, for readers of a
+    // share of the points. Nothing if read() has to see the whole file; nullptr if it always has
+    // to.
     std::optional<RowLayout> (*rows)(const Source& beginning, std::size_t file_size) = nullptr;
-    // The neighbours in their own file among mesh_files(), after write_mesh(): both arrays need not
-    // be in memory at one time. nullptr where the format has no neighbours.
+    // Writes the neighbours to their own file among mesh_files(), after write_mesh(), so that both
+    // arrays need not be in memory at the same time. nullptr if the format has no neighbours.
     void (*write_neighbors)(const std::vector<MeshIndex>& neighbors, const std::string& path,
                             OutputSet& outputs, const WriteOptions& options) = nullptr;
 };
@@ -87,43 +90,44 @@ const Format& abaqus_format();
 
 const std::vector<const Format*>& all_formats();
 
-// By name (--from, --to); throws a usage error for an unknown one.
+// The format with a name (--from, --to). Throws a usage error for an unknown name.
 const Format& format_from_name(const std::string& name);
-// By the name of a file; nullptr where its extension says nothing.
+// The format of a file by its extension; nullptr if the extension is unknown.
 const Format* format_from_path(const std::string& path);
-// By content; nullptr where that says nothing.
+// The format of a file by its content; nullptr if that is not certain.
 const Format* format_from_content(std::string_view bytes);
 
-// The format of an input: `name` unless empty, then the extension, then the content. Text is taken
-// for points only where there is no extension.
+// The format of an input: by `name` unless that is empty, then by extension, then by content.
+// Content that looks like text is read as points only if there is no extension.
 const Format& input_format(const Source& source, const std::string& name);
-// What a source holds. The nodes of tetrahedra of higher order are their corners alone.
+// Reads a source. Higher-order tetrahedra are reduced to their corners.
 Mesh read_mesh(const Format& format, const Source& source, const ReadOptions& options);
 
-// The format of an output: `name` unless empty, then the extension; usage error if neither.
+// The format of an output: by `name` unless that is empty, then by extension. Throws a usage error
+// if neither is known.
 const Format& output_format(const std::string& path, const std::string& name);
 
-// Throws where compression is asked for, and the format or this program has none.
+// Throws if compression is asked for, and the format or this program does not have it.
 void require_compressible(const WriteOptions& options, const Format& format);
 
-// Whether a field of this name is wanted.
+// Whether the field with this name is asked for.
 bool wants_field(const ReadOptions& options, const std::string& name);
-// Throws where a field that is wanted is not among `names`.
+// Throws if a field that is asked for is not among `names`.
 void require_fields(const Source& source, const ReadOptions& options,
                     const std::vector<std::string>& names);
 
-// The path without the extension, if it has one of the format's.
+// The path without its extension, if that is one of the format's.
 std::string without_extension(const std::string& path, const Format& format);
 
-// Arrays of integers as .npy, n rows of 4: how tetrahedra and neighbours leave for NumPy.
+// Writes integers as an .npy array with rows of 4, for tetrahedra and neighbours.
 void write_npy_rows_of_4(const std::vector<MeshIndex>& values, std::int64_t add, OutputFile& out);
-// The same, one a row.
+// The same with one integer per row.
 void write_npy_integers(const std::vector<MeshIndex>& values, std::int64_t add, OutputFile& out);
-// The rows of 4 read back, as vertices of tetrahedra: less `base`, numbers of the points in the
-// file of that name.
+// Reads rows of 4 as vertices of tetrahedra, and subtracts `base`. The vertices are points of the
+// file `points_name`.
 std::vector<MeshIndex> read_npy_tetrahedra(const Source& source, int base, std::size_t points,
                                            const std::string& points_name);
-// Values, a row to a point, from an array of one or two dimensions.
+// Reads values, one row per point, from an array of one or two dimensions.
 Field read_npy_values(const Source& source);
 
 }  // namespace mgdt::cli

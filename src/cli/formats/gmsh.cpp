@@ -20,7 +20,8 @@ namespace {
 constexpr std::int64_t tetrahedron_type = 4;
 constexpr std::int64_t most = std::int64_t{1} << 62;
 
-// Nodes of each element type, from the Gmsh reference manual, "MSH file format"; 0 unknown.
+// The number of nodes of each element type, from the Gmsh reference manual, "MSH file format"; 0
+// for unknown types.
 int nodes_of(std::int64_t type) {
     static constexpr std::array<int, 32> nodes = {0,  2,  3,  4,  4, 8, 6,  5,  3,  6, 9,
                                                   10, 27, 18, 14, 1, 8, 20, 15, 13, 9, 10,
@@ -30,13 +31,13 @@ int nodes_of(std::int64_t type) {
     return type > 0 && type < 32 ? nodes[static_cast<std::size_t>(type)] : 0;
 }
 
-// The file as one sequence of numbers, whichever way they are stored.
+// Reads the file as a sequence of numbers, in text or binary.
 class Reader {
   public:
     explicit Reader(const Source& source)
         : source_(source), lines_(source), bytes_(source, 0, false) {}
 
-    // Reads $MeshFormat, which says how the rest is stored.
+    // Reads $MeshFormat, which defines how the rest is stored.
     void read_format(Mesh& mesh) {
         if (!lines_.next_with_text(no_comment) || lines_.text() != "$MeshFormat") {
             source_.fail_at_line(1, "not a Gmsh file: it does not begin with $MeshFormat");
@@ -71,7 +72,7 @@ class Reader {
         leave("MeshFormat");
     }
 
-    // Goes to the next section; false at the end of the file.
+    // Goes to the next section. Returns false at the end of the file.
     bool enter(std::string& name) {
         if (!lines_.next_with_text(no_comment)) return false;
         const std::string_view text = lines_.text();
@@ -99,7 +100,7 @@ class Reader {
         }
     }
 
-    // Leaves a section that is of no interest.
+    // Skips a section.
     void skip(const std::string& name) {
         const std::string end = "$End" + name;
         const std::size_t at = source_.bytes.find(end, lines_.offset());
@@ -117,7 +118,7 @@ class Reader {
         lines_.fail(what);
     }
 
-    // Counts come before the things counted, each of which takes `least_binary` bytes, or a digit
+    // Checks the count of items that follow. Each takes `least_binary` bytes, or in text a digit
     // and a separator for each of `least_words` words.
     void check_count(std::int64_t count, const char* what, std::size_t least_binary,
                      std::size_t least_words) const {
@@ -129,13 +130,14 @@ class Reader {
                         count, what, bytes_left()));
     }
 
-    // In text, a row is a line; in binary, rows have no ends.
+    // Begins a row: the next line in text, nothing in binary.
     void row() {
         if (binary_) return;
         if (!lines_.next_with_text(no_comment)) lines_.fail("the file is cut short");
         row_.emplace(lines_);
     }
-    std::int64_t size(const char* what, std::int64_t low = 0) {  // size_t of 4.1, int of 2.2
+    // A size_t in version 4.1, an int in 2.2.
+    std::int64_t size(const char* what, std::int64_t low = 0) {
         if (!binary_) return row_->integer(what, low, most);
         return in_range(
             what,
@@ -151,7 +153,7 @@ class Reader {
     void skip_words(std::int64_t count, std::size_t size, const char* what) {
         if (binary_) bytes_.skip(static_cast<std::uint64_t>(count), size, what);
     }
-    // Counts of 2.2 stand on a line of text even in binary files.
+    // In version 2.2, counts are on a line of text even in binary files.
     std::int64_t line_count(const char* what) {
         if (!lines_.next()) lines_.fail("the file is cut short");
         const std::int64_t count = Fields(lines_).integer(what, 0, most);
@@ -164,7 +166,7 @@ class Reader {
         if (value < low || value > most) fail(fmt::format("{} is {}", what, value));
         return value;
     }
-    // Goes on with lines at a byte; their numbers count from where lines were last read.
+    // Continues with lines at a byte offset; lines are numbered from the last line that was read.
     void restart(std::size_t offset) { lines_ = LineReader(source_, offset, lines_.number() + 1); }
 
     const Source& source_;
@@ -175,7 +177,7 @@ class Reader {
     bool binary_ = false;
 };
 
-// Node tags to positions in the file.
+// Maps node tags to positions in the file.
 class Tags {
     auto fail() const {
         return [this](const std::string& message) { reader_.fail(message); };
@@ -239,12 +241,12 @@ void read_nodes_4(Reader& reader, Mesh& mesh, Tags& tags) {
     if (seen != total) reader.fail(fmt::format("{} nodes; {} are announced", seen, total));
 }
 
-// Of order 1 to 5; the corners come first.
+// Whether the type is a tetrahedron, of order 1 to 5. Its corners come first.
 bool is_tetrahedron(std::int64_t type) {
     return type == tetrahedron_type || type == 11 || (type >= 29 && type <= 31);
 }
 
-// The nodes of one element, after its tag.
+// Reads the nodes of one element, after its tag.
 void read_element(Reader& reader, std::int64_t type, int nodes, const Tags& tags, Mesh& mesh) {
     if (!is_tetrahedron(type)) {
         ++mesh.other_cells;
@@ -257,7 +259,7 @@ void read_element(Reader& reader, std::int64_t type, int nodes, const Tags& tags
 
 int known_nodes(Reader& reader, std::int64_t type) {
     const int nodes = nodes_of(type);
-    // In text a line ends an element of any type.
+    // In text, elements of any type end with the line.
     if (nodes == 0 && reader.binary()) {
         reader.fail(
             fmt::format("element type {} is not known; convert the file to text with gmsh", type));
@@ -287,7 +289,7 @@ void read_elements_2(Reader& reader, const Tags& tags, Mesh& mesh) {
             if (reader.binary()) {
                 reader.skip_words(1 + attributes, 4, "tags");
             } else {
-                // Each is one more word of the line, which ends the loop if they run out.
+                // Each attribute is one word of the line; the loop ends if there are too few.
                 for (std::int64_t k = 0; k < attributes; ++k) reader.integer("tag");
             }
             read_element(reader, type, nodes, tags, mesh);
@@ -363,7 +365,8 @@ void write_mesh_4(const Mesh& mesh, const std::string& path, OutputSet& outputs,
     OutputFile& out = outputs.open(path);
     const std::uint64_t points = mesh.point_count();
     const std::uint64_t cells = mesh.tetrahedron_count();
-    constexpr std::int32_t volume = 3;  // dimension of the entity, numbered 1, that holds all
+    // The dimension of the single entity, which has the number 1.
+    constexpr std::int32_t volume = 3;
     out.write("$MeshFormat\n4.1 1 8\n");
     out.write_value<std::int32_t>(1);
     out.write("\n$EndMeshFormat\n$Nodes\n");

@@ -20,7 +20,7 @@ bool fits_32_bits(std::uint64_t most) {
     return most <= static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
 }
 
-// Arrays are named in the head of a file, and follow in the same order.
+// Arrays are named in the header of a file, and follow in the same order.
 struct Array {
     std::string attributes;
     std::uint64_t count;
@@ -29,7 +29,7 @@ struct Array {
     std::function<void(std::uint64_t begin, std::uint64_t end, std::string& bytes)> append;
 
     std::uint64_t size() const { return count * item_size; }
-    // Hands over all bytes, block by block; the last is shorter, if any.
+    // Calls take() with all bytes, block by block. The last block may be shorter.
     template <class Take>
     void each_block(const Take& take) const {
         const std::uint64_t items = CompressedArray::block_size / item_size;
@@ -43,7 +43,7 @@ struct Array {
     }
 };
 
-// The i-th item is item(i), as a T.
+// An array whose i-th item is item(i), converted to T.
 template <class T, class Item>
 Array array_of(const char* type, const std::string& attributes, std::uint64_t count, Item item) {
     const auto append = [item](std::uint64_t begin, std::uint64_t end, std::string& bytes) {
@@ -71,7 +71,7 @@ Array doubles(const std::string& name, std::size_t components, const std::vector
                             values.size(), [&values](std::uint64_t i) { return values[i]; });
 }
 
-// The elements that name arrays, whose places follow from their sizes in the file.
+// The XML elements that name arrays. The positions of arrays follow from their sizes.
 class Places {
   public:
     std::string element(const Array& array, std::uint64_t size) {
@@ -109,7 +109,7 @@ void write_grid(const Grid& grid, OutputFile& out) {
         arrays.push_back(integers(false, "point", grid.ids->size(),
                                   [&](std::uint64_t i) { return (*grid.ids)[i]; }));
 
-    // Compressed arrays are kept until the head is written, which says where they are.
+    // Compressed arrays stay in memory until the header is written, which has their positions.
     std::vector<CompressedArray> compressed(grid.is_compressed ? arrays.size() : 0);
     for (std::size_t i = 0; i < compressed.size(); ++i)
         arrays[i].each_block([&](const std::string& bytes) { compressed[i].add_block(bytes); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An unstructured grid as VTK's .vtu files have it, in raw binary. Integers have 32 bits where they
-// fit, which halves a file.
+// Writes an unstructured grid as a .vtu file of VTK in raw binary. Integers have 32 bits if they
+// fit, which halves the size.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@
 namespace mgdt::cli {
 
 struct Grid {
-    const std::vector<double>& points;       // x y z of each
-    const std::vector<MeshIndex>* vertices;  // of each cell, `size` of them; nullptr: each point
+    const std::vector<double>& points;       // x y z of each point
+    const std::vector<MeshIndex>* vertices;  // `size` per cell; nullptr: each point is a cell
     std::size_t size;
     std::uint8_t type;
     const std::vector<Field>& fields;      // of the points
-    const std::vector<std::int64_t>* ids;  // of the points, an array "point"; or nullptr
+    const std::vector<std::int64_t>* ids;  // an id for each point, as an array "point"; or nullptr
     bool is_compressed = false;
 };
 

@@ -7,7 +7,7 @@
 
 namespace mgdt::cli {
 
-// Calls act with a value of the type; false where it is none of numbers.
+// Calls act with a value of the type. Returns false if it is not a type of numbers.
 template <class Act>
 bool with_type(std::string_view type, const Act& act) {
     if (type == "Float64") return act(double()), true;

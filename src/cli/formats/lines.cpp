@@ -24,7 +24,7 @@ bool LineReader::next() {
     std::size_t step = newline ? length + 1 : length;
     if (const void* r = std::memchr(begin, '\r', length)) {
         const auto at = static_cast<std::size_t>(static_cast<const char*>(r) - begin);
-        // \r\n ends one line; a \r alone ends one too, as it did on old systems.
+        // \r\n ends one line, and so does a \r alone, as on old systems.
         if (!(newline && at + 1 == length)) step = at + 1;
         length = at;
     }

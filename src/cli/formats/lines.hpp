@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text formats line by line: lines with their numbers, and the fields of a line.
+// Reads text formats line by line: numbered lines, and the fields of a line.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace mgdt::cli {
 // A comment character that no line contains.
 inline constexpr char no_comment = '\n';
 
-// What separates fields.
+// Whether a character separates fields.
 inline bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\f' || c == '\v';
 }
@@ -26,14 +26,14 @@ class LineReader {
     explicit LineReader(const Source& source, std::size_t offset = 0, std::size_t line = 1)
         : source_(&source), next_(offset), number_(line - 1) {}
 
-    // Goes to the next line; false at the end of the file.
+    // Goes to the next line. Returns false at the end of the file.
     bool next();
-    // The same, past lines that are empty but for blanks and comments; text() is cut at `comment`.
+    // The same, but skips lines with only blanks and comments. text() ends before `comment`.
     bool next_with_text(char comment = '#');
 
     std::string_view text() const { return text_; }
     std::size_t number() const { return number_; }
-    // Where the next line begins.
+    // The position of the next line.
     std::size_t offset() const { return next_; }
     std::size_t bytes_left() const { return source_->bytes.size() - next_; }
     const Source& source() const { return *source_; }
@@ -54,12 +54,12 @@ class Fields {
 
     bool next(std::string_view& field);
     std::string_view word(const char* what);
-    // A finite number.
+    // Reads a finite number.
     double number(const char* what);
-    // A number that may be nan or inf.
+    // Reads a number that may be nan or inf.
     double value(const char* what);
     std::int64_t integer(const char* what);
-    // An integer of at least `low` and at most `high`.
+    // Reads an integer from `low` to `high`.
     std::int64_t integer(const char* what, std::int64_t low, std::int64_t high);
 
   private:

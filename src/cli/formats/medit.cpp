@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// INRIA's .mesh, as Medit, Mmg and FreeFem read and write it: text of keywords and numbers, which
-// may be on any lines. Vertices and tetrahedra are read; their references are not. P.J. Frey,
-// MEDIT, RT-0253, INRIA, 2001, section 7.
+// INRIA's .mesh, the format of Medit, Mmg and FreeFem: keywords and numbers as text, with any line
+// breaks. Vertices and tetrahedra are read, without their references. P.J. Frey, MEDIT, RT-0253,
+// INRIA, 2001, section 7.
 #include <fmt/core.h>
 
 #include "cli/formats/format.hpp"
@@ -66,7 +66,7 @@ Mesh read_medit(const Source& source, const ReadOptions&) {
             mesh.other_cells += words.count("the number of cells", 1);
         } else if (is_keyword(word) || word[0] == '-' || word[0] == '+' || word[0] == '.' ||
                    (word[0] >= '0' && word[0] <= '9')) {
-            continue;  // what is not known, and its numbers
+            continue;  // an unknown keyword, or one of its numbers
         } else {
             words.fail("neither a keyword nor a number");
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// INRIA's .meshb, the binary form of .mesh: keywords by number, each with the place of the next.
-// Vertices and tetrahedra are read; their references are not. L. Maréchal, libMeshb's description
-// of the format, "The GMF library".
+// INRIA's .meshb, the binary form of .mesh: numbered keywords, each with the position of the next
+// one. Vertices and tetrahedra are read, without their references. L. Maréchal, libMeshb's
+// description of the format, "The GMF library".
 #include <fmt/core.h>
 
 #include <array>
@@ -33,7 +33,7 @@ bool is_other_cell(std::int32_t keyword) {
            keyword == pyramids_keyword;
 }
 
-// The first number of a file is 1, in the order of bytes of the machine that wrote it.
+// The first number of a file is 1, in the byte order of the machine that wrote it.
 bool sniff(std::string_view bytes) {
     const std::string_view start = bytes.substr(0, 4);
     const std::string_view version = bytes.substr(std::min<std::size_t>(4, bytes.size()), 4);
@@ -76,8 +76,8 @@ class Reader {
             } else if (is_other_cell(keyword)) {
                 mesh_.other_cells += count("cells", 2);
             }
-            if (next == 0) break;  // as some write instead of the last keyword
-            // Only forwards, so that there is an end, and nothing is read twice.
+            if (next == 0) break;  // which some programs write instead of the last keyword
+            // Positions have to increase, so that reading ends and nothing is read twice.
             if (next < static_cast<std::int64_t>(bytes_.offset()) ||
                 static_cast<std::uint64_t>(next) > source_.bytes.size())
                 source_.fail_at_byte(before, fmt::format("the next keyword is at byte {}", next));
@@ -92,7 +92,7 @@ class Reader {
         return version_ < 4 ? bytes_.value<std::int32_t>(what) : bytes_.value<std::int64_t>(what);
     }
     std::size_t integer_size() const { return version_ < 4 ? 4 : 8; }
-    // How many rows of so many integers, or of other numbers that take as much, follow.
+    // Reads the number of rows that follow; a row has the size of `integers` integers.
     std::size_t count(const char* what, std::size_t integers) {
         const std::int64_t n = integer("a count");
         if (n < 0) bytes_.fail(fmt::format("{} {}", n, what));
@@ -130,17 +130,18 @@ class Reader {
     ByteReader bytes_;
     Mesh mesh_;
     std::int32_t version_ = 0;
-    std::array<bool, 11> nodes_read_ = {};  // by nodes of a tetrahedron: whether it has been read
+    // Whether tetrahedra with this number of nodes have been read.
+    std::array<bool, 11> nodes_read_ = {};
 };
 
 Mesh read_medit_binary(const Source& source, const ReadOptions&) {
     return Reader(source).read();
 }
 
-// Keyword after keyword, whose places follow from their sizes.
+// Writes keywords in sequence. Their positions follow from their sizes.
 class Writer {
   public:
-    // Version 2 has places of 32 bits, for files below 2 GiB; version 3 of 64.
+    // Positions have 32 bits in version 2, for files below 2 GiB, and 64 bits in version 3.
     Writer(OutputFile& out, std::uint64_t data_bytes)
         : out_(out),
           is_wide_(data_bytes + 1000 >

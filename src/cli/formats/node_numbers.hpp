@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The numbers by which a file's elements name its nodes, all positive. They are mostly 1 to n,
-// which takes no memory; others are sorted, so that no choice of numbers makes the search slow.
+// The positive numbers by which the elements of a file refer to its nodes. Usually they are 1 to n,
+// which takes no memory. Others are sorted, so that no choice of numbers makes the search slow.
 #pragma once
 
 #include <fmt/core.h>
@@ -15,7 +15,8 @@ namespace mgdt::cli {
 
 class NodeNumbers {
   public:
-    // Takes the number of the next node. Calls fail(message), which throws, if it came before.
+    // Adds the number of the next node. Calls fail(message), which throws, if the number was added
+    // before.
     template <class Fail>
     void add(std::int64_t number, const Fail& fail) {
         const std::int64_t node = count_++;
@@ -29,7 +30,7 @@ class NodeNumbers {
         else
             late_.emplace(number, node);
     }
-    // Which node has a number; fails if there is none.
+    // The node with a number. Calls fail(message) if there is none.
     template <class Fail>
     std::int64_t find(std::int64_t number, const Fail& fail) const {
         const std::int64_t node = node_of(number);
@@ -38,7 +39,7 @@ class NodeNumbers {
     }
 
   private:
-    // Or -1.
+    // The node with a number, or -1.
     std::int64_t node_of(std::int64_t number) const {
         if (number > 0 && number <= dense_) return number - 1;
         const auto found =
@@ -48,9 +49,10 @@ class NodeNumbers {
         return late == late_.end() ? -1 : late->second;
     }
 
-    std::int64_t count_ = 0, dense_ = 0;                         // 1 to dense_ came first
-    std::vector<std::pair<std::int64_t, std::int64_t>> rising_;  // each more than all before it
-    std::map<std::int64_t, std::int64_t> late_;                  // the rest
+    std::int64_t count_ = 0, dense_ = 0;  // the first numbers are 1 to dense_
+    // Numbers that are greater than all before them.
+    std::vector<std::pair<std::int64_t, std::int64_t>> rising_;
+    std::map<std::int64_t, std::int64_t> late_;  // all other numbers
 };
 
 }  // namespace mgdt::cli

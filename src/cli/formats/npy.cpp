@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// NumPy's .npy, versions 1.0 to 3.0 (numpy.lib.format): a magic string, the length of a header,
-// the header (a Python dictionary that says type, order and shape), the array's bytes.
+// NumPy's .npy, versions 1.0 to 3.0 (numpy.lib.format): a magic string, the length of the header,
+// the header (a Python dictionary with type, order and shape), and the bytes of the array.
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -21,14 +21,14 @@ struct Header {
     std::string type;  // "<f8"
     bool fortran_order = false;
     std::vector<std::uint64_t> shape;
-    std::size_t data = 0;  // where the array begins
+    std::size_t data = 0;  // the position of the array
     int version = 1;
 
     char order() const { return type[0]; }
     std::string kind() const { return type.substr(1); }
 };
 
-// The header's grammar is a small part of Python's, and so is this parser's.
+// Parses the header, whose grammar is a small part of Python's.
 class HeaderParser {
   public:
     HeaderParser(const Source& source, std::size_t begin, std::size_t end)
@@ -160,7 +160,7 @@ std::string shape_text(const Header& header) {
                        header.shape.size() == 1 ? "," : "");
 }
 
-// Number of rows, after the array's size has been compared with the file's.
+// The number of rows. Checks the size of the array against that of the file.
 std::size_t rows(const Source& source, const Header& header, std::uint64_t columns,
                  std::size_t item, std::size_t file_size) {
     const std::uint64_t n = header.shape[0];
@@ -193,7 +193,7 @@ bool has_doubles(const Header& header) {
     return known_order(header) && (header.kind() == "f8" || header.kind() == "f4");
 }
 
-// Calls put(row, column, where to read) for each item, in the order of the file.
+// Calls put(row, column, position) for each item, in the order of the file.
 template <class Put>
 void each_item(const Source& source, const Header& header, std::size_t n, std::size_t columns,
                const Put& put) {
@@ -206,7 +206,7 @@ void each_item(const Source& source, const Header& header, std::size_t n, std::s
     }
 }
 
-// What messages and --fields call the values in a column after x, y and z.
+// The name of the values in a column after x, y and z, for messages and --fields.
 std::string column_name(std::size_t column) {
     return fmt::format("column{}", column + 1);
 }
@@ -234,7 +234,7 @@ Mesh read_npy(const Source& source, const ReadOptions& options) {
     if (!options.has_fields || !has_more) require_columns(source, header, 3);
     const std::uint64_t all_columns = header.shape[1];
     const std::size_t n = rows(source, header, all_columns, wide ? 8 : 4, source.bytes.size());
-    // Of no rows, any number of columns may be announced.
+    // Without rows, the header may give any number of columns.
     const std::size_t columns = n > 0 ? static_cast<std::size_t>(all_columns) : 3;
 
     Mesh mesh;
@@ -269,7 +269,7 @@ std::optional<RowLayout> npy_rows(const Source& beginning, std::size_t file_size
     try {
         header = read_header(beginning);
     } catch (const Error&) {
-        return std::nullopt;  // longer than the beginning, or wrong, which read() says
+        return std::nullopt;  // too long or wrong; read() reports it
     }
     require_doubles(beginning, header);
     require_columns(beginning, header, 3);
@@ -283,7 +283,7 @@ std::optional<RowLayout> npy_rows(const Source& beginning, std::size_t file_size
 void write_header(const char* type, const std::string& shape, OutputFile& out) {
     std::string header =
         fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}", type, shape);
-    // NumPy aligns the array to 64 bytes for memory maps.
+    // NumPy aligns arrays to 64 bytes for memory maps.
     const std::size_t before = magic.size() + 4;
     header.append(64 - (before + header.size() + 1) % 64, ' ');
     header += '\n';
@@ -303,7 +303,7 @@ void write_points(const std::vector<double>& points, OutputFile& out, const Writ
     out.write_values(points.data(), points.size());
 }
 
-// A row has x, y, z and the values.
+// Writes rows of x, y, z and the values.
 void write_fields(const Mesh& mesh, OutputFile& out, const WriteOptions&) {
     std::size_t columns = 3;
     for (const Field& f : mesh.fields) columns += f.components;

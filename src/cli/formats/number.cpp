@@ -13,7 +13,7 @@ bool digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-// from_chars takes no plus sign.
+// from_chars does not accept a plus sign.
 std::string_view without_plus(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+') {
         text.remove_prefix(1);
@@ -28,8 +28,8 @@ NumberStatus parse_plain(std::string_view text, double& value, const char*& end)
     end = result.ptr;
     if (result.ec == std::errc::invalid_argument) return NumberStatus::not_a_number;
     if (result.ec == std::errc::result_out_of_range) {
-        // Too large or too small: strtod says which, and rounds the small ones to a subnormal or
-        // zero. The program never leaves the "C" locale.
+        // The number is too large or too small: strtod decides which, and rounds small numbers to a
+        // subnormal number or zero. The program never leaves the "C" locale.
         value = std::strtod(std::string(first, end).c_str(), nullptr);
         if (std::isinf(value)) return NumberStatus::too_large;
     }
@@ -46,7 +46,8 @@ NumberStatus parse_number(std::string_view text, double& value) {
     if (status == NumberStatus::not_a_number || end == last) return status;
     if (status == NumberStatus::not_finite) return NumberStatus::not_a_number;  // "info"
 
-    // Fortran: D for the exponent of a double, and no letter at all before three digits.
+    // Fortran writes D before the exponent of a double, and no letter before an exponent of three
+    // digits.
     const auto head = static_cast<std::size_t>(end - text.data());
     std::string rest(text.substr(head));
     if (text.find_first_of("eE") < head) return NumberStatus::not_a_number;

@@ -47,7 +47,7 @@ std::vector<std::string> pieces_left_over(const std::string& path, std::size_t c
         const std::size_t end = text.find('"', at);
         if (end == std::string_view::npos) break;
         const std::string name = from_xml(text.substr(at, end - at));
-        // The names that piece_paths() gives, and no others.
+        // Only names that piece_paths() gives.
         if (name.size() <= begin.size() + 4 || name.compare(0, begin.size(), begin) != 0) continue;
         const std::string number = name.substr(begin.size(), name.size() - begin.size() - 4);
         std::int64_t value = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PLY, the Stanford polygon format: x, y and z of the element "vertex", in any scalar type, in
-// text or binary of either byte order. Other properties and elements are passed over.
+// PLY, the Stanford polygon format: reads x, y and z of the element "vertex", in any scalar type,
+// in text or binary of either byte order. Other properties and elements are skipped.
 #include <fmt/core.h>
 
 #include <array>
@@ -22,9 +22,9 @@ std::size_t size_of(Type type) {
 
 struct Property {
     bool list = false;
-    Type count = Type::u8;  // of a list
+    Type count = Type::u8;  // the type of the length, if this is a list
     Type type = Type::f32;
-    int axis = -1;  // 0, 1, 2 for x, y, z of the vertices
+    int axis = -1;  // 0, 1 or 2 for x, y or z of the vertices
 };
 
 struct Element {
@@ -156,7 +156,7 @@ Header parse_header(LineReader& lines) {
 }
 
 void read_ascii(LineReader& lines, const Element& element, std::vector<double>& points) {
-    // Each property takes a digit and a separator at least.
+    // Each property takes at least a digit and a separator.
     if (element.properties.empty()) return;
     if (element.count > lines.bytes_left() / (2 * element.properties.size()) + 1) {
         lines.fail(

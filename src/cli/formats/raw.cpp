@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points as bare doubles, x y z of each in turn, least significant byte first.
+// Points as raw doubles: x y z of each point, in little-endian order.
 #include <fmt/core.h>
 
 #include "cli/formats/bytes.hpp"

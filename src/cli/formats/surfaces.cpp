@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The vertices of surfaces: Wavefront's .obj (its lines v), Geomview's .off, and .stl of either
-// kind, with keywords in any case, where each triangle has its corners, so that equal ones become
-// one point, the first of them.
+// The vertices of surfaces: Wavefront's .obj (its lines v), Geomview's .off, and .stl in text or
+// binary. An .stl file repeats the corners of each triangle; equal corners become one point, at the
+// first of them.
 #include <fmt/core.h>
 
 #include <array>
@@ -35,8 +35,8 @@ bool sniff_off(std::string_view bytes) {
     return bytes.substr(0, 3) == "OFF" && bytes.find_first_of(" \t\r\n") == 3;
 }
 
-// Geomview's manual, "OFF files": the word OFF, after letters for what vertices have beside their
-// coordinates; the numbers of vertices, faces and edges; then a line for each vertex.
+// Geomview's manual, "OFF files": the word OFF, preceded by letters for further data of the
+// vertices; the numbers of vertices, faces and edges; then one line per vertex.
 Mesh read_off(const Source& source, const ReadOptions&) {
     Mesh mesh;
     mesh.detail = "text";
@@ -88,12 +88,12 @@ struct HashOfCorner {
     }
 };
 
-// Collects corners, each once.
+// Collects distinct corners.
 class Corners {
   public:
     explicit Corners(Mesh& mesh) : mesh_(mesh) {}
     void add(Corner c) {
-        for (double& x : c) x += 0.0;  // no -0
+        for (double& x : c) x += 0.0;  // turns -0 into 0
         if (seen_.insert(c).second) mesh_.points.insert(mesh_.points.end(), c.begin(), c.end());
     }
 
@@ -107,7 +107,7 @@ constexpr std::size_t head_bytes = 84, triangle_bytes = 50;
 Mesh read_stl(const Source& source, const ReadOptions&) {
     Mesh mesh;
     Corners corners(mesh);
-    // Text begins with "solid", and so do the heads of some binary files: their size decides.
+    // Text begins with "solid", and so do some binary headers; the size of the file decides.
     if (source.bytes.size() >= head_bytes) {
         ByteReader bytes(source, head_bytes - 4, false);
         const std::uint64_t n = bytes.value<std::uint32_t>("the number of triangles");

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_columns = 10000;
 
-// A name that reads back as one field, and not as that of a coordinate.
+// The name, changed so that it reads back as one field and not as a coordinate.
 std::string name_in_line(const std::string& name, char separator) {
     std::string text = printable(name);
     for (char& c : text) {

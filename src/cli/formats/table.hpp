@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables as text: the fields of a line, and values in columns beside those of the points.
+// Tables as text: the fields of a line, and values in further columns beside the points.
 #pragma once
 
 #include <array>
@@ -13,30 +13,30 @@
 
 namespace mgdt::cli {
 
-// Of x, y and z, from 1.
+// The columns of x, y and z, from 1.
 using Columns = std::array<int, 3>;
 
-// What stands between the fields of a file: a comma, a semicolon, or a run of blanks for ' '.
+// The separator of a file: a comma, a semicolon, or ' ' for blanks.
 char separator_of(std::string_view line);
 
-// Splits a line. Blanks around a field are not the field's, nor are quotes, within which a
-// separator is text. An empty field between two commas stays a field. Fields after the first `most`
-// are not looked at.
+// Splits a line into fields. Blanks and quotation marks around a field are removed; a separator
+// within quotation marks belongs to the field. Two commas in sequence enclose an empty field.
+// Fields after the first `most` are ignored.
 std::size_t split(std::string_view line, char separator, std::string_view* fields,
                   std::size_t most);
-// The same, as many as --columns can choose from.
+// The same, for as many fields as --columns can choose from.
 std::vector<std::string_view> split(std::string_view line, char separator);
 
-// Reads the columns that are not the points'. Where no field is named, those that have a number in
-// the first row are meant.
+// Reads the columns other than x, y and z. If no field is named, the columns with a number in the
+// first row are read.
 class TableFields {
   public:
     TableFields(const Source& source, const ReadOptions& options)
         : source_(source), options_(options) {}
 
-    // Names of columns; others are called column4 and so on.
+    // Sets the names of columns. Columns without a name are called column4 and so on.
     void set_names(const std::vector<std::string_view>& names);
-    // The values in a line that has a point.
+    // Reads the values in a line with a point.
     void read(const LineReader& line, std::string_view text, char separator, const Columns& points);
     std::vector<Field> take() { return std::move(fields_); }
 
@@ -48,7 +48,7 @@ class TableFields {
     const ReadOptions& options_;
     std::vector<std::string> names_;
     bool has_chosen_ = false;
-    std::vector<std::size_t> columns_;  // of the fields, from 0
+    std::vector<std::size_t> columns_;  // the columns of the fields, from 0
     std::vector<Field> fields_;
 };
 

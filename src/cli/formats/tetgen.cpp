@@ -22,27 +22,28 @@ std::string with_ending(const std::string& path, const char* ending) {
     return without_extension(path, tetgen_format()) + ending;
 }
 
-// The file beside an .ele file, which may be compressed where the plain one is not there.
+// The path of the file that belongs to an .ele file; the compressed one if the plain one does not
+// exist.
 std::string beside(const Source& source, const char* ending) {
     std::string path = with_ending(source.path, ending);
     if (!system::status(path) && system::status(path + ".gz")) path += ".gz";
     return path;
 }
 
-// Goes to the first line with text, which there must be.
+// Goes to the first line with text. Throws if there is none.
 void first_line(LineReader& lines) {
     if (!lines.next_with_text()) {
         lines.source().fail_at_line(1, "the file is empty; a line of counts is needed");
     }
 }
 
-// The next number of a line, which may be left out.
+// The next number of a line, or `otherwise` if there is none.
 std::int64_t integer_or(std::int64_t otherwise, Fields& fields, const char* what) {
     std::string_view word;
     return Fields(fields).next(word) ? fields.integer(what) : otherwise;
 }
 
-// `count` lines of at least `columns` numbers each must fit what is left of the file.
+// Throws if the rest of the file is too short for `count` lines of at least `columns` numbers.
 void check_count(const LineReader& lines, std::int64_t count, std::size_t columns) {
     const std::size_t most = (lines.bytes_left() + 1) / (2 * columns);
     if (static_cast<std::uint64_t>(count) <= most) return;
@@ -137,7 +138,7 @@ void read_neighbors(const Source& source, std::int64_t base, Mesh& mesh) {
     expect_end(lines, count);
 }
 
-// A .node file is its points alone; an .ele file brings the .node file beside it, and the .neigh
+// A .node file has points only. With an .ele file, the .node file beside it is read, and the .neigh
 // file if there is one.
 Mesh read_tetgen(const Source& source, const ReadOptions&) {
     Mesh mesh;

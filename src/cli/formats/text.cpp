@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Points as plain text, one a line: x y z, separated by blanks and tabs, by commas, or by
-// semicolons, by the same throughout a file. Comments begin with #, ! or //. One header line may
-// come first: column names, of which x, y and z are read, or the number of points. Atoms as
-// chemists write them are read too.
+// Points as plain text, one per line: x y z, separated by blanks, commas or semicolons, the same
+// throughout a file. Comments begin with #, ! or //. The first line may have the names of columns,
+// of which x, y and z are read, or the number of points. The format of chemists for atoms is read
+// too.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 namespace mgdt::cli {
 namespace {
 
-// The columns that a line of names calls x, y and z, or as ParaView and surveyors do; where there
-// are three in all, these.
+// The columns that a header line names x, y and z, or as ParaView and surveyors name them. Nothing
+// if there are not exactly these three.
 std::optional<Columns> named_columns(std::string_view line) {
     const std::vector<std::string_view> names = split(line, separator_of(line));
     constexpr std::array<std::string_view, 3> known[] = {{"x", "y", "z"},
@@ -45,8 +45,8 @@ std::optional<Columns> named_columns(std::string_view line) {
     return names.size() == 3 ? std::optional<Columns>({1, 2, 3}) : std::nullopt;
 }
 
-// A line without its comment, which begins with #, or with ! or // at the line's begin or after a
-// blank.
+// The line without its comment, which begins with #, or with ! or // at the beginning of the line
+// or after a blank.
 std::string_view without_comment(std::string_view line) {
     line = line.substr(0, line.find('#'));
     for (const std::string_view mark : {"!", "//"}) {
@@ -61,13 +61,13 @@ std::string_view without_comment(std::string_view line) {
     return line;
 }
 
-// The coordinates that are in a line, and how they are read.
+// The coordinates of a line, and how they are read.
 struct Row {
-    std::size_t count = 0;  // of fields
+    std::size_t count = 0;  // the number of fields
     std::array<std::string_view, 3> fields;
     double xyz[3] = {};
     std::array<NumberStatus, 3> status;
-    // Whether a line may be one of names: none is a number, or begins as one.
+    // Whether the line may be a header: no field is a number or begins like one.
     bool is_of_words = true;
 };
 
@@ -78,7 +78,7 @@ class RowReader {
         fields_.resize(static_cast<std::size_t>(std::max(last, 2)));
     }
 
-    // From here on, read() counts the fields of a row up to this number.
+    // From this call on, read() counts at least this number of fields of a row.
     void look_at(std::size_t fields) { fields_.resize(std::max(fields_.size(), fields)); }
 
     Row read(std::string_view line, char separator) {
@@ -134,7 +134,7 @@ class RowReader {
     std::vector<std::string_view> fields_;
 };
 
-// Goes to the next line with text that is no comment; false at the end of the file.
+// Goes to the next line with text that is no comment. Returns false at the end of the file.
 bool next_row(LineReader& lines, std::string_view& row) {
     while (lines.next()) {
         row = without_comment(lines.text());
@@ -143,7 +143,7 @@ bool next_row(LineReader& lines, std::string_view& row) {
     return false;
 }
 
-// Whether a row ends with a separator, after which there is one more column, which is empty.
+// Whether the line ends with a separator, after which there is one more, empty, column.
 bool ends_empty(std::string_view line, char separator) {
     if (separator == ' ') return false;
     const std::size_t last = line.find_last_not_of(" \t\f\v");
@@ -154,7 +154,7 @@ std::size_t count_columns(std::string_view line, char separator) {
     return split(line, separator).size() + ends_empty(line, separator);
 }
 
-// Whether the first column of the rows from here on is 0, 1, 2 and so on, or 1, 2, 3.
+// Whether the first column counts the rows, from 0 or 1.
 bool first_column_counts(LineReader lines, std::string_view row, char separator) {
     std::int64_t before = -1;
     int rows = 0;
@@ -169,9 +169,8 @@ bool first_column_counts(LineReader lines, std::string_view row, char separator)
     return rows > 1;
 }
 
-// Whether a file is of the kind that chemists call .xyz: the number of atoms, a line of any text,
-// then a line for each atom, of its element (by symbol or by number), x, y, z, and what else is
-// known of it.
+// Whether the file has the .xyz format of chemists: the number of atoms, a line of any text, then a
+// line per atom with its element (symbol or number), x, y, z, and further values.
 bool is_of_chemists(LineReader lines) {
     std::string_view field;
     std::int64_t count = 0;
@@ -194,7 +193,7 @@ bool is_of_chemists(LineReader lines) {
         if (!atom.next(field) || parse_number(field, x) == NumberStatus::not_a_number) return false;
     }
     if (is_symbol) return true;
-    // Where elements are numbers, the second line must not be a row of numbers.
+    // If elements are numbers, the second line must not be a row of numbers.
     std::string_view word;
     if (split(title, ' ', &word, 1) == 0) return true;
     return parse_number(word, x) == NumberStatus::not_a_number;
@@ -260,7 +259,7 @@ class TextReader {
         separator_ = ' ';
         next();
     }
-    // A line of names, or of the number of points, may come first.
+    // Reads a header line or the number of points, if the file begins with it.
     void begin_table() {
         next();
         if (!has_row_) return;
@@ -298,7 +297,7 @@ class TextReader {
         columns_ = columns;
         rows_ = RowReader(columns);
     }
-    // Which of more columns are x, y and z would be a guess.
+    // With more than three columns, which ones are x, y and z would be a guess.
     void require_three_columns(char separator) const {
         std::size_t n = split(text_, separator).size();
         if (n <= 3) return;
@@ -307,8 +306,8 @@ class TextReader {
                                 n, options_.columns_option, counts ? "2,3,4" : "1,2,3 or others",
                                 counts ? ": the first column counts the points" : ""));
     }
-    // A row that has lost a field, or has one more, has its coordinates elsewhere. Where columns
-    // are chosen and blanks separate them, text of any number of words may follow.
+    // In a row with a missing or an additional field, the coordinates are in other columns. If
+    // columns are chosen and separated by blanks, any number of words may follow.
     void require_same_columns(const Row& row, char separator) {
         if (options_.columns && separator == ' ') return;
         if (expected_ == 0) {
@@ -333,12 +332,12 @@ class TextReader {
     Columns columns_;
     RowReader rows_;
     std::optional<TableFields> fields_;
-    std::string_view text_;  // of the row
+    std::string_view text_;  // the text of the row
     bool has_row_ = false, are_atoms_ = false;
-    // Not known, 0, before the first row, or the line of names that are used.
+    // The separator; 0 before the first row or header line.
     char separator_ = 0;
-    std::size_t expected_ = 0, expected_at_ = 0;  // the number of columns, and the line that has it
-    std::int64_t announced_ = -1;                 // the number of points
+    std::size_t expected_ = 0, expected_at_ = 0;  // the number of columns, and its line
+    std::int64_t announced_ = -1;                 // the number of points that the file announces
     std::size_t announced_at_ = 0;
 };
 

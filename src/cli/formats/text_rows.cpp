@@ -4,7 +4,7 @@
 namespace mgdt::cli {
 namespace {
 
-// Calls write(i) for each of the values, `width` of them to a row.
+// Calls write(i) for each of the values, `width` of them per row.
 template <class Write>
 void write_rows(std::size_t count, std::size_t width, const RowStyle& style, OutputFile& out,
                 const Write& write) {

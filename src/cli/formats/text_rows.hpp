@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and tetrahedra written as text, a row of numbers to each.
+// Writes points and tetrahedra as rows of text.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@
 
 namespace mgdt::cli {
 
-// What a row has besides its numbers.
+// The text of a row around its numbers.
 struct RowStyle {
-    std::optional<std::int64_t> first_number;  // rows are numbered from it on, or have no number
-    const char* begin = "";                    // behind the number of the row, if there is one
-    const char* between = " ";                 // of the numbers
+    std::optional<std::int64_t> first_number;  // the number of the first row, if rows are numbered
+    const char* begin = "";                    // between the number of the row and the first value
+    const char* between = " ";                 // between two values
     const char* end = "\n";
 };
 
-// Three coordinates to a row.
+// Writes three coordinates per row.
 void write_points(const std::vector<double>& points, const RowStyle& style, OutputFile& out);
 
-// Four to a row, each with `base` added, but for -1, which stands for none.
+// Writes four values per row. `base` is added to each, except to -1, which stands for none.
 void write_rows_of_4(const std::vector<MeshIndex>& values, std::int64_t base, const RowStyle& style,
                      OutputFile& out);
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view magic = "# vtk DataFile Version ";
 
-// VTK reads keywords in any case.
+// Compares keywords as VTK does, without regard to case.
 bool same(std::string_view word, std::string_view keyword) {
     return is_same_but_for_case(word, keyword);
 }
@@ -27,7 +27,7 @@ bool sniff(std::string_view bytes) {
     return bytes.substr(0, magic.size()) == magic;
 }
 
-// A type of numbers as VTK's XML files call it, by its name in these files. Empty for another.
+// Converts the name of a type in these files to that in VTK's XML files; empty for unknown types.
 // vtkIdType is written with 32 bits.
 std::string_view type_of(std::string_view word) {
     static constexpr std::string_view names[][2] = {{"CHAR", "Int8"},
@@ -50,8 +50,8 @@ std::string_view type_of(std::string_view word) {
     return {};
 }
 
-// Keywords and their numbers are words of text; arrays are text too, or bytes in big-endian order
-// that begin after the line of their keyword.
+// Reads a file. Keywords and their numbers are words of text. Arrays are text too, or big-endian
+// bytes that begin after the line of their keyword.
 class Input {
   public:
     explicit Input(const Source& source) : source_(source), words_(LineReader(source)) {
@@ -77,7 +77,7 @@ class Input {
 
     Words& words() { return words_; }
     bool is_binary() const { return is_binary_; }
-    // Whether cells are lists of offsets and of points.
+    // Whether cells are given by a list of offsets and a list of points.
     bool has_offsets() const { return version_ >= 5; }
     const std::string& detail() const { return detail_; }
 
@@ -95,7 +95,7 @@ class Input {
             },
             [&](Words& words) { return words.integer(what, 0, most); });
     }
-    // Goes past an array of bytes.
+    // Skips an array of bytes.
     void skip(std::uint64_t n, std::string_view type) {
         ByteReader bytes(source_, words_.lines().offset(), true);
         with_type(type, [&](auto item) { bytes.skip(n, sizeof item, "items of an array"); });
@@ -131,7 +131,7 @@ class Input {
         go_on_at(bytes.offset());
         return items;
     }
-    // Lines after an array of bytes count from where lines were last read.
+    // After an array of bytes, lines are numbered from the last line that was read.
     void go_on_at(std::size_t offset) {
         words_ = Words(LineReader(source_, offset, words_.lines().number() + 1), no_comment);
     }
@@ -145,12 +145,12 @@ class Input {
 
 struct Cells {
     std::vector<std::int64_t> nodes;
-    std::vector<std::size_t> begin;  // of each cell's nodes, and the end of the last
+    std::vector<std::size_t> begin;  // the first node of each cell, and the end of the last
     std::size_t count() const { return begin.empty() ? 0 : begin.size() - 1; }
 };
 
-// Up to version 4. The numbers are of cells, and of the list's integers, which are the
-// number of nodes of each cell and then these.
+// Reads cells of versions up to 4: `count` cells in a list of `size` integers, which has the number
+// of nodes of each cell and then the nodes.
 Cells read_list_of_cells(Input& input, std::int64_t count, std::int64_t size) {
     const std::vector<std::int64_t> list =
         input.integers(static_cast<std::uint64_t>(size), "Int32", "the list of cells");
@@ -178,7 +178,7 @@ std::string_view array_type(Input& input, std::string_view keyword) {
     return type_of(word);
 }
 
-// From version 5: the numbers are of offsets, one more than cells, and of nodes.
+// Reads cells of version 5: `count` offsets, one more than there are cells, and `size` nodes.
 Cells read_offsets_of_cells(Input& input, std::int64_t count, std::int64_t size) {
     const std::string_view offset_type = array_type(input, "OFFSETS");
     const std::vector<std::int64_t> offsets =
@@ -196,7 +196,7 @@ Cells read_offsets_of_cells(Input& input, std::int64_t count, std::int64_t size)
     return cells;
 }
 
-// After a keyword such as CELLS.
+// Reads cells after a keyword such as CELLS.
 Cells read_cells(Input& input) {
     Words& words = input.words();
     const std::int64_t count = words.integer("the number of cells", 0, Input::most);
@@ -231,7 +231,7 @@ void take_tetrahedra(const Cells& cells, Input& input, Mesh& mesh) {
     }
 }
 
-// The arrays of FIELD: their names, components, tuples and types, each before its bytes.
+// Skips the arrays of FIELD. Each has its name, components, tuples and type before its bytes.
 void skip_fields(Input& input) {
     Words& words = input.words();
     std::string_view word;

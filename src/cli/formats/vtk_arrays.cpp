@@ -16,7 +16,7 @@
 namespace mgdt::cli {
 namespace {
 
-// The value of a character of base64, or 64.
+// The values of the characters of base64; 64 for other characters.
 constexpr std::array<std::uint8_t, 256> base64_values() {
     std::array<std::uint8_t, 256> values = {};
     for (auto& v : values) v = 64;
@@ -30,22 +30,22 @@ std::size_t base64_length(std::size_t bytes) {
     return (bytes + 2) / 3 * 4;
 }
 
-// The pieces of an array's encoding, one after the other.
+// Reads the pieces of an encoded array in sequence.
 class Pieces {
   public:
     Pieces(const Source& source, std::size_t begin, bool in_base64)
         : source_(source), at_(begin), in_base64_(in_base64) {
-        // In XML, blanks stand before an array.
+        // In XML, blanks may precede an array.
         if (in_base64)
             at_ = std::min(source.bytes.find_first_not_of(" \t\r\n", begin), source.bytes.size());
     }
-    // The next bytes, which are a piece of their own in base64.
+    // The next n bytes. In base64 they are encoded as a piece of their own.
     std::string take(std::uint64_t n) {
         std::string bytes = look(n);
         at_ += in_base64_ ? base64_length(bytes.size()) : bytes.size();
         return bytes;
     }
-    // The first bytes of the next piece.
+    // The first n bytes of the next piece, which stays.
     std::string look(std::uint64_t n) const {
         const std::uint64_t left = source_.bytes.size() - at_;
         if (n > left || (in_base64_ && base64_length(static_cast<std::size_t>(n)) > left))
@@ -67,7 +67,7 @@ class Pieces {
             std::uint32_t word = 0;
             for (std::size_t k = 0; k < 4; ++k) {
                 const char c = text[i + k];
-                // Behind the last byte that is asked for.
+                // Padding may follow the last byte that is asked for.
                 const bool is_padding = c == '=' && k > 1 && 3 * (i / 4) + k > n;
                 const std::uint32_t v = is_padding ? 0 : values[static_cast<unsigned char>(c)];
                 if (v == 64) source_.fail_at_byte(at_ + i + k, "a character that is not base64");
@@ -112,8 +112,8 @@ class Words {
 std::string expanded(Pieces& pieces, const ArrayEncoding& encoding, const std::string& name,
                      std::uint64_t expected) {
     const std::size_t word = encoding.has_wide_header ? 8 : 4;
-    // The number of blocks, the size of each and of the last (0: as the others), the compressed
-    // sizes.
+    // The header has the number of blocks, the size of each block and of the last (0: the same),
+    // and the compressed sizes.
     const std::uint64_t count = Words(pieces.look(3 * word), encoding)[0];
     if (count > expected || count > pieces.left() / word) fail_size(pieces, name, count, expected);
     const Words head(pieces.take((3 + count) * word), encoding);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// VTK's types of cells, from its vtkCellType.h, and which of them are tetrahedra.
+// VTK's cell types, from its vtkCellType.h, and which of them are tetrahedra.
 #pragma once
 
 #include <cstddef>
@@ -17,17 +17,17 @@ inline bool is_vtk_tetrahedron(std::int64_t type) {
            type == vtk_bezier_tetra;
 }
 
-// Whether a cell of this type may have this number of nodes. Of types that are not linear, only
-// tetrahedra are looked at.
+// Whether a cell of this type may have this number of nodes. Of higher-order types, only tetrahedra
+// are checked.
 inline bool may_have_nodes(std::int64_t type, std::size_t nodes) {
-    // 0: any number, or not known.
+    // 0 stands for any number or an unknown type.
     constexpr std::size_t linear[] = {0, 1, 0, 2, 0, 3, 0, 0, 4, 4, 4, 8, 8, 6, 5};
     if (type >= 0 && type < 15) return linear[type] == 0 || nodes == linear[type];
     if (type == vtk_quadratic_tetra) return nodes == 10;
     return !is_vtk_tetrahedron(type) || nodes >= 4;
 }
 
-// Takes the nodes of a tetrahedron, whose corners come first. They are points of the mesh.
+// Adds the nodes of a tetrahedron, which are points of the mesh. Corners come first.
 inline void add_vtk_tetrahedron(const std::int64_t* nodes, std::size_t count, Mesh& mesh) {
     for (std::size_t k = 0; k < count; ++k) mesh.add_node(k, nodes[k]);
 }

@@ -32,16 +32,16 @@ using Attributes = std::map<std::string, std::string, std::less<>>;
 struct Tag {
     std::string_view name;
     Attributes attributes;
-    std::size_t begin = none;  // of the '<'
-    std::size_t end = none;    // after the '>'
+    std::size_t begin = none;  // the position of '<'
+    std::size_t end = none;    // the position after '>'
 };
 
-// Just enough XML: start tags and their attributes, end tags by name. Comments are passed over.
+// A minimal XML reader: start tags with attributes, and end tags. Comments are skipped.
 class TagReader {
   public:
     explicit TagReader(const Source& source) : source_(source) {}
 
-    // The next start or end tag ("/Name"); false at the end of the file.
+    // Reads the next start or end tag ("/Name"). Returns false at the end of the file.
     bool next(Tag& tag) {
         const std::string_view text = source_.bytes;
         for (;;) {
@@ -97,17 +97,18 @@ std::string attribute(const Tag& tag, std::string_view name, const char* otherwi
     return found == tag.attributes.end() ? otherwise : found->second;
 }
 
-// What the file says of itself before its data.
+// The description of the file before its data.
 struct Layout {
-    bool is_surface = false;  // PolyData, whose cells are lines and polygons
+    bool is_surface = false;  // PolyData: cells are lines and polygons
     std::uint64_t points = 0, cells = 0;
-    // Arrays that share bytes would let a small file fill the memory.
+    // The bytes that may still be decoded; arrays that share bytes would let a small file fill the
+    // memory.
     mutable std::uint64_t bytes_left = 0;
-    ArrayEncoding encoding;  // of arrays in bytes; those that are appended may be in base64
+    ArrayEncoding encoding;  // of arrays in bytes; appended arrays may be in base64
     std::string compressor;
     std::map<std::string, Tag> arrays;  // "points", "connectivity", "offsets", "types"
     std::vector<Tag> fields;
-    std::size_t appended = none;  // the first byte after '_'
+    std::size_t appended = none;  // the position after '_'
 };
 
 std::uint64_t parse_count(const Source& source, const Tag& tag, const char* name) {
@@ -176,14 +177,14 @@ Layout parse_layout(const Source& source) {
     return layout;
 }
 
-// 0 for what is no number.
+// The size of a type; 0 if it is not a type of numbers.
 std::size_t item_size(const std::string& type) {
     std::size_t size = 0;
     with_type(type, [&](auto item) { size = sizeof item; });
     return size;
 }
 
-// What an array may hold: how an item is read from bytes and from text.
+// The kinds of arrays: how an item is read from bytes and from text.
 struct Coordinates {
     using Item = double;
     template <class T>
@@ -213,7 +214,7 @@ struct Values {
     static Item from_text(Fields& fields) { return fields.value("value"); }
 };
 
-// The items of an array in bytes.
+// Reads the items of an array in bytes.
 template <class Kind>
 std::vector<typename Kind::Item> items_of(const Source& source, const Layout& layout,
                                           std::size_t begin, const ArrayEncoding& encoding,
@@ -251,7 +252,7 @@ std::vector<typename Kind::Item> items_of(const Source& source, const Layout& la
     return out;
 }
 
-// One DataArray of `count` items.
+// Reads one DataArray of `count` items.
 template <class Kind>
 std::vector<typename Kind::Item> read_array(const Source& source, const Layout& layout,
                                             const Tag& tag, const std::string& name,
@@ -340,7 +341,7 @@ std::vector<Field> read_fields(const Source& source, const Layout& layout,
         names.push_back(name);
         if (!wants_field(options, name)) continue;
         if (layout.points == 0) continue;
-        // Text takes a byte for each value at least.
+        // Text has at least one byte per value.
         const bool is_text = attribute(tag, "format", "ascii") == "ascii";
         const std::uint64_t most = is_text ? source.bytes.size() : layout.bytes_left / size;
         if (components > most / layout.points) {
@@ -361,7 +362,8 @@ bool sniff(std::string_view bytes) {
     return start.find("<VTKFile") != none;
 }
 
-// The tetrahedra, and how many other cells there are. `bytes` is the most that the file can hold.
+// Reads the tetrahedra and counts other cells. `bytes` is an upper bound on the number of bytes in
+// the file.
 void read_cells(const Source& source, const Layout& layout, std::uint64_t bytes, Mesh& mesh) {
     const auto types = read_array<Indices>(source, layout, "types", layout.cells);
     const auto offsets = read_array<Indices>(source, layout, "offsets", layout.cells);
@@ -425,7 +427,7 @@ void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
         outputs.open(path));
 }
 
-// Points without tetrahedra would not be shown: each is a cell then.
+// ParaView does not show points without cells, so each point is a cell if there are no tetrahedra.
 void write_fields(const Mesh& mesh, OutputFile& out, const WriteOptions& options) {
     if (mesh.tetrahedron_count() > 0) {
         write_grid(

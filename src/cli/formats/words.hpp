@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text formats word by word.
+// Reads text formats word by word.
 #pragma once
 
 #include <fmt/core.h>
@@ -10,20 +10,20 @@
 
 namespace mgdt::cli {
 
-// The words of a file, whatever lines they are on.
+// The words of a file, across line breaks.
 class Words {
   public:
     explicit Words(const LineReader& lines, char comment = '#')
         : lines_(lines), comment_(comment) {}
 
     bool next(std::string_view& word) { return advance() && row_->next(word); }
-    // Goes past the next line that is blank, or to the end of the file.
+    // Skips to after the next blank line, or to the end of the file.
     void skip_to_blank_line() {
         row_.reset();
         std::string_view word;
         while (lines_.next() && Fields(lines_).next(word)) continue;
     }
-    // The lines, of which the current one has been begun.
+    // The lines; the current one is partly read.
     const LineReader& lines() const { return lines_; }
     double number(const char* what) {
         require(what);
@@ -33,7 +33,7 @@ class Words {
         require(what);
         return row_->integer(what, low, high);
     }
-    // A number of rows of so many words, which are still to come.
+    // Reads the number of rows of `columns` words that follow.
     std::size_t count(const char* what, std::size_t columns) {
         const std::int64_t n = integer(what, 0, std::int64_t{1} << 62);
         const std::size_t left = lines_.bytes_left() + lines_.text().size() + 1;
@@ -47,7 +47,7 @@ class Words {
     [[noreturn]] void fail(const std::string& what) const { lines_.fail(what); }
 
   private:
-    // To where a word is; false at the end of the file.
+    // Goes to the next word. Returns false at the end of the file.
     bool advance() {
         std::string_view word;
         while (!row_ || !Fields(*row_).next(word)) {

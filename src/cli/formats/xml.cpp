@@ -8,7 +8,7 @@
 namespace mgdt::cli {
 namespace {
 
-// The characters that XML has other words for.
+// The characters that XML replaces by entities.
 constexpr std::array<std::pair<char, std::string_view>, 5> entities = {{
     {'&', "&amp;"},
     {'<', "&lt;"},

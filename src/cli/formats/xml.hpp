@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text in XML, where five characters have other words.
+// Text in XML, where five characters are replaced by entities.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What most files of the program include, read by the compiler once for all of them.
+// Headers that most files of the program include, precompiled once.
 #include <fmt/core.h>
 
 #include <algorithm>
