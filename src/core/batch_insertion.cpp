@@ -9,6 +9,7 @@
 #include "core/vertex_compaction.hpp"
 #include "order/round_assignment.hpp"
 #include "platform/borrowed_arena.hpp"
+#include "platform/compiler.hpp"
 #include "platform/error.hpp"
 
 namespace mgdt {
@@ -96,8 +97,9 @@ void schedule_batch(State& state, Team& team, const Batch& batch, Schedule& sche
 }
 
 // Moves four points that span space to the front of the schedule, and starts the mesh with their
-// tetrahedron. All other points become vertices that are not inserted yet.
-void begin_with(State& state, Team& team, const Batch& batch, Schedule& schedule) {
+// tetrahedron. All other points become vertices that are not inserted yet. Not inlined, so that its
+// variables take no stack while the points are inserted.
+MGDT_NOT_INLINE void begin_with(State& state, Team& team, const Batch& batch, Schedule& schedule) {
     std::size_t positions[4];
     AffineBasis basis;
     for (std::size_t k = 0; basis.dimension() < 3; ++k) {
@@ -118,8 +120,9 @@ void begin_with(State& state, Team& team, const Batch& batch, Schedule& schedule
     make_first_tetrahedra(state);
 }
 
-void insert_scheduled(State& state, const Batch& batch, const Schedule& schedule, std::size_t base,
-                      std::size_t done, bool may_stop) {
+// Not inlined, so that it takes no stack while several threads insert.
+MGDT_NOT_INLINE void insert_scheduled(State& state, const Batch& batch, const Schedule& schedule,
+                                      std::size_t base, std::size_t done, bool may_stop) {
     const std::size_t n = batch.points.size;
     const LocationTree* const tree =
         done == 0 ? state.walk_starts.tree_for_insertion(state.mesh, base) : nullptr;

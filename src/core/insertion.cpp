@@ -5,6 +5,7 @@
 
 #include "core/batch_insertion.hpp"
 #include "kernel/circumsphere.hpp"
+#include "platform/compiler.hpp"
 #include "platform/error.hpp"
 
 namespace mgdt {
@@ -12,7 +13,9 @@ namespace {
 
 // Inserts all held points and the new points that they need to span space. The held points belong
 // to earlier calls, so this part of the call cannot be cancelled.
-void insert_degenerate(State& state, Team& team, const Batch& batch, std::size_t spanning) {
+// Not inlined, so that its batch takes no stack in a call without held points.
+MGDT_NOT_INLINE void insert_degenerate(State& state, Team& team, const Batch& batch,
+                                       std::size_t spanning) {
     Batch all(state.allocator);
     all.gather(state.mesh, state.points.map, batch, spanning);
     insert_batch(state, team, all, true, false);

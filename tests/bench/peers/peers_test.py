@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """The runners that were built work, and find the tetrahedra that mgdt finds.
 
-Usage: peers_test.py MGDT RUNNER...
+Usage: peers_test.py MGDT-BENCH RUNNER...
 """
 
 import json
@@ -13,10 +13,10 @@ import tempfile
 
 
 def main():
-    mgdt, runners = os.path.abspath(sys.argv[1]), sys.argv[2:]
+    bench, runners = os.path.abspath(sys.argv[1]), sys.argv[2:]
     peers = [os.path.basename(r).replace("mgdt-peer-", "") for r in runners]
     with tempfile.TemporaryDirectory(prefix="mgdt-peers-") as folder:
-        run = subprocess.run([mgdt, "bench", "--distributions", "uniform", "--sizes", "3000",
+        run = subprocess.run([bench, "--distributions", "uniform", "--sizes", "3000",
                               "--runs", "1", "--json", "-", "--peers", ",".join(peers),
                               "--peer-directory", os.path.dirname(os.path.abspath(runners[0]))],
                              cwd=folder, capture_output=True, text=True, timeout=300, check=True)
