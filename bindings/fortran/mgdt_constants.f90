@@ -12,13 +12,13 @@ module mgdt_constants
     integer, parameter :: mgdt_ok = 0
     ! A pointer that must not be NULL is NULL.
     integer, parameter :: mgdt_err_null_pointer = 10
-    ! A value out of its documented range.
+    ! A value is out of its documented range.
     integer, parameter :: mgdt_err_invalid_argument = 11
     ! A coordinate is NaN or infinite.
     integer, parameter :: mgdt_err_not_finite = 12
-    ! Not an MGDT_ORDER_ value or name.
+    ! No MGDT_ORDER_ value, or no name of one.
     integer, parameter :: mgdt_err_unknown_scheme = 13
-    ! Not an MGDT_STAT_ or MGDT_PARAMETER_ key.
+    ! No MGDT_STAT_ or MGDT_PARAMETER_ key.
     integer, parameter :: mgdt_err_unknown_key = 14
     ! The capacity is less than what must be written.
     integer, parameter :: mgdt_err_buffer_too_small = 20
@@ -26,7 +26,7 @@ module mgdt_constants
     integer, parameter :: mgdt_err_index_range = 21
     ! The allocator or the memory limit refused.
     integer, parameter :: mgdt_err_out_of_memory = 30
-    ! More points or tetrahedra than the format can number.
+    ! More points or tetrahedra than can be numbered.
     integer, parameter :: mgdt_err_too_large = 31
     ! mgdt_cancel() or the progress callback asked to stop.
     integer, parameter :: mgdt_err_cancelled = 40
@@ -34,11 +34,11 @@ module mgdt_constants
     ! the thread rule. Every function that takes a handle may return it, except mgdt_cancel() and
     ! mgdt_get_error(). Since 1.2.
     integer, parameter :: mgdt_err_busy = 41
-    ! A transport of mgdt_parts said that it failed. Since 1.2.
+    ! A function of an mgdt_transport reported a failure. Since 1.2.
     integer, parameter :: mgdt_err_transport = 50
     ! mgdt_check() found a defect.
     integer, parameter :: mgdt_err_check_failed = 60
-    ! A defect in mgdt itself; please report it.
+    ! A defect of mgdt itself; please report it.
     integer, parameter :: mgdt_err_internal = 90
 
     ! Order schemes.
@@ -64,29 +64,30 @@ module mgdt_constants
     integer, parameter :: mgdt_order_multi_grid = 90
 
     ! Parameters.
-    ! Mean number of points in a cell. Default 8 (grids), 10 (kd-tree), 1000 (enhanced kd-tree's
-    ! tree cells; its inner grids use 8). Range 1 to 1e6; 0 gives the default back. With
-    ! MGDT_SEPARATION_ROUNDS, its default, multi-grid ignores this value and makes its cells as
-    ! small as its sort keys can number.
+    ! Mean number of points in a cell. Default 8 (grids), 10 (kd-tree), 1000 (cells of the enhanced
+    ! kd-tree; its inner grids use 8). Range 1 to 1e6; 0 restores the default. With
+    ! MGDT_SEPARATION_ROUNDS, which is its default, multi-grid ignores this value and makes its
+    ! cells as small as its sort keys can number.
     integer, parameter :: mgdt_parameter_points_per_cell = 10
     ! Multi-grid: a cell with more points than this gets a grid of its own. Default 8, or 200
-    ! without MGDT_SEPARATION_ROUNDS; range 1 to 1e9; 0 gives the default back.
+    ! without MGDT_SEPARATION_ROUNDS; range 1 to 1e9; 0 restores the default.
     integer, parameter :: mgdt_parameter_threshold = 20
-    ! Regular grid and multi-grid: how points of a cell are kept apart, an MGDT_SEPARATION_ value.
-    ! The default is MGDT_SEPARATION_ROUNDS; with it multi-grid follows a Hilbert curve.
+    ! Regular grid and multi-grid: an MGDT_SEPARATION_ value, which says how the points of one cell
+    ! are kept apart in the order. The default is MGDT_SEPARATION_ROUNDS, with which multi-grid
+    ! follows a Hilbert curve.
     integer, parameter :: mgdt_parameter_separation = 30
     ! BRIO: each round holds this many times the points of all rounds before it, plus one. Default
-    ! 7.5, range above 1 to 1e6; 0 gives the default back.
+    ! 7.5, range above 1 to 1e6; 0 restores the default.
     integer, parameter :: mgdt_parameter_round_ratio = 40
 
     ! Values of MGPSEP.
-    ! A cell is emptied before the next one.
+    ! All points of a cell come before those of the next cell.
     integer, parameter :: mgdt_separation_none = 0
-    ! One point from each cell at a time, as in the paper (4.3).
+    ! Each pass takes one point of each cell (4.3).
     integer, parameter :: mgdt_separation_passes = 1
-    ! The points along the path are divided into rounds. Of each twelve consecutive points one goes
-    ! to an earlier round, those are divided again, and so on; at most 4,096 points are divided by
-    ! four.
+    ! The points along the path are divided into rounds. One of each twelve consecutive points goes
+    ! to an earlier round; the points of that round are divided again, and so on. Rounds of at most
+    ! 4,096 points give one of each four.
     integer, parameter :: mgdt_separation_rounds = 2
 
     ! Figures.
@@ -94,13 +95,13 @@ module mgdt_constants
     integer, parameter :: mgdt_stat_points_inserted = 10
     ! Points equal to an earlier vertex.
     integer, parameter :: mgdt_stat_duplicates = 11
-    ! Points taken out. Since 1.2.
+    ! Points removed. Since 1.2.
     integer, parameter :: mgdt_stat_points_removed = 12
-    ! Moves to other coordinates. Since 1.2.
+    ! Points moved to other coordinates. Since 1.2.
     integer, parameter :: mgdt_stat_points_moved = 13
-    ! Moves that were a removal and an insertion. Since 1.2.
+    ! Moves done by removal and insertion. Since 1.2.
     integer, parameter :: mgdt_stat_put_back = 14
-    ! Removals and moves that triangulated anew. Since 1.2.
+    ! Removals and moves that rebuilt all. Since 1.2.
     integer, parameter :: mgdt_stat_rebuilds = 15
     ! Tetrahedra visited by walks (the paper's NP, summed).
     integer, parameter :: mgdt_stat_walk_steps = 20
@@ -112,7 +113,7 @@ module mgdt_constants
     integer, parameter :: mgdt_stat_tetrahedra_removed = 30
     ! Tetrahedra created by insertions.
     integer, parameter :: mgdt_stat_tetrahedra_created = 31
-    ! Vertices around those that removals and moves took out, summed. Since 1.2.
+    ! Neighbours of the vertices that removals and moves took out, summed. Since 1.2.
     integer, parameter :: mgdt_stat_link_vertices = 32
     ! Decisions that the floating-point filter left open.
     integer, parameter :: mgdt_stat_exact_calls = 40
@@ -120,9 +121,9 @@ module mgdt_constants
     integer, parameter :: mgdt_stat_put_off = 45
     ! Points inserted while other threads had no work.
     integer, parameter :: mgdt_stat_inserted_alone = 46
-    ! Time spent on schedules, of more than 16 points.
+    ! Time spent ordering more than 16 points.
     integer, parameter :: mgdt_stat_order_seconds = 50
-    ! Time spent inserting, to triangulate anew as well.
+    ! Time spent inserting, rebuilds included.
     integer, parameter :: mgdt_stat_insert_seconds = 51
     ! Time spent in mgdt_remove_points(). Since 1.2.
     integer, parameter :: mgdt_stat_remove_seconds = 52
@@ -134,15 +135,15 @@ module mgdt_constants
     integer, parameter :: mgdt_stat_rounds = 61
     ! Threads of the last insertion.
     integer, parameter :: mgdt_stat_threads = 62
-    ! Memory held by the handle now.
+    ! Memory that the handle holds.
     integer, parameter :: mgdt_stat_memory_bytes = 70
-    ! The most it held so far.
+    ! The most memory that it has held.
     integer, parameter :: mgdt_stat_peak_memory_bytes = 71
 
     ! Levels.
-    ! Adjacency, shared facets, Euler, all points accounted for.
+    ! Adjacency, shared facets, Euler's formula, all points.
     integer, parameter :: mgdt_check_combinatorial = 1
-    ! Exact positive orientation, exact local Delaunay.
+    ! Positive orientation and the Delaunay property, exactly.
     integer, parameter :: mgdt_check_geometric = 2
     ! Convex hull, and ties broken by the perturbation.
     integer, parameter :: mgdt_check_canonical = 3
@@ -150,33 +151,35 @@ module mgdt_constants
     ! Measures.
     ! Volume of the cell.
     integer, parameter :: mgdt_measure_volume = 10
-    ! Area of its surface.
+    ! Area of the cell's surface.
     integer, parameter :: mgdt_measure_area = 20
-    ! Its centre of mass, 3 numbers.
+    ! The cell's centre of mass, 3 numbers.
     integer, parameter :: mgdt_measure_centroid = 30
-    ! Number of its faces that have an area.
+    ! Number of the cell's faces that have an area.
     integer, parameter :: mgdt_measure_faces = 40
 
     ! Methods.
-    ! Linear in each tetrahedron: continuous.
+    ! Linear in each tetrahedron; continuous.
     integer, parameter :: mgdt_interpolate_linear = 10
     ! The value of the nearest vertex.
     integer, parameter :: mgdt_interpolate_nearest = 20
-    ! By natural neighbours: each weighs what its Voronoi cell would lose. Smooth but at the points.
+    ! By natural neighbours. The weight of a neighbour is the volume that a new point would take
+    ! from its Voronoi cell. Smooth except at the points.
     integer, parameter :: mgdt_interpolate_sibson = 30
-    ! By natural neighbours: areas of faces over distances.
+    ! By natural neighbours. The weight of a neighbour is the area of the face that the two cells
+    ! would share, divided by the distance.
     integer, parameter :: mgdt_interpolate_laplace = 40
-    ! Sibson's with the gradients of mgdt_get_gradients(): smooth at the points too.
+    ! Sibson's method with the gradients of mgdt_get_gradients(). Smooth at the points too.
     integer, parameter :: mgdt_interpolate_sibson_c1 = 50
 
     ! What is outside.
-    ! None: NaN, and no weights.
+    ! There is no value: NaN, and no weights.
     integer, parameter :: mgdt_outside_none = 10
-    ! That of the nearest vertex.
+    ! The value of the nearest vertex.
     integer, parameter :: mgdt_outside_nearest = 20
-    ! That of the nearest place of the hull, linear in its facet.
+    ! The value at the nearest point of the hull, linear in the hull facet.
     integer, parameter :: mgdt_outside_boundary = 30
-    ! The same, and on with the gradient there: the mean of those of mgdt_get_gradients() at the
-    ! corners of the facet.
+    ! The value of MGDT_OUTSIDE_BOUNDARY, continued linearly. The gradient is the mean of those of
+    ! mgdt_get_gradients() at the corners of the hull facet.
     integer, parameter :: mgdt_outside_linear = 40
 end module mgdt_constants

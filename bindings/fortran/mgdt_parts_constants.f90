@@ -6,70 +6,73 @@ module mgdt_parts_constants
     implicit none
     public
 
-    ! The part of this process. A process with several parts has to say which:
-    ! MGDT_ERR_INVALID_ARGUMENT.
+    ! The only part of the calling process. If the process has several parts, a call with this value
+    ! returns MGDT_ERR_INVALID_ARGUMENT.
     integer, parameter :: mgdt_parts_this_part = -1
 
     ! Options.
     ! 0 (default) or 1; the same on all processes.
     integer, parameter :: mgdt_parts_index_base = 10
-    ! Threads of each triangulation, see mgdt_set_threads(); default 1, 0 for all cores.
+    ! Threads that triangulate each part, see mgdt_set_threads(); default 1, 0 for all cores.
     integer, parameter :: mgdt_parts_threads = 20
-    ! Bytes that this process may hold for points, and for triangulations from the next build on; 0
-    ! (default) for no limit.
+    ! Bytes that this process may hold for points and triangulations; 0 (default) for no limit. For
+    ! triangulations a new limit applies from the next build on.
     integer, parameter :: mgdt_parts_memory_limit = 30
 
     ! Numbers.
-    ! Parts in all.
+    ! Number of parts of all processes.
     integer, parameter :: mgdt_parts_parts = 10
     ! The first part of this process.
     integer, parameter :: mgdt_parts_first_local = 11
-    ! How many parts this process has.
+    ! Number of parts of this process.
     integer, parameter :: mgdt_parts_local_parts = 12
     ! Points inserted into the part.
     integer, parameter :: mgdt_parts_points = 20
     ! Vertices that the part owns.
     integer, parameter :: mgdt_parts_own_vertices = 30
-    ! These and its ghosts.
+    ! Vertices of the part, ghosts included.
     integer, parameter :: mgdt_parts_vertices = 31
     ! Vertices of all parts.
     integer, parameter :: mgdt_parts_all_vertices = 32
     ! Tetrahedra that the part owns.
     integer, parameter :: mgdt_parts_own_tetrahedra = 40
-    ! These and the others with a corner that it owns.
+    ! Tetrahedra of the part.
     integer, parameter :: mgdt_parts_tetrahedra = 41
     ! Tetrahedra of all parts.
     integer, parameter :: mgdt_parts_all_tetrahedra = 42
-    ! Points of other parts that the part was sent.
+    ! Points that other parts sent to the part.
     integer, parameter :: mgdt_parts_received = 50
     ! Memory held by all parts of this process.
     integer, parameter :: mgdt_parts_memory_bytes = 60
 
     ! Arrays.
-    ! For each point inserted into the part, in that order, the number of its vertex. Equal points
-    ! have the same.
+    ! For each point inserted into the part, in the order of insertion, the number of its vertex.
+    ! Equal points have the same vertex.
     integer, parameter :: mgdt_parts_point_map = 10
     ! The number of each vertex.
     integer, parameter :: mgdt_parts_vertex_numbers = 20
-    ! The id of each vertex: the least that was given with a point there.
+    ! The id of each vertex: the least id of the points that share it.
     integer, parameter :: mgdt_parts_vertex_ids = 21
     ! The part that owns each vertex.
     integer, parameter :: mgdt_parts_vertex_owners = 22
-    ! For each part the number of its first vertex, and one more, the end of the last part's: as
-    ! many as there are parts, and one.
+    ! For each part the number of the first vertex that it owns, and one element more: the end of
+    ! the last part's numbers.
     integer, parameter :: mgdt_parts_vertex_ranges = 23
-    ! For each tetrahedron the numbers of its 4 corners, positively oriented as those of
+    ! For each tetrahedron the numbers of its 4 vertices, positively oriented as in
     ! mgdt_get_tetrahedra().
     integer, parameter :: mgdt_parts_corners = 30
-    ! The same, by places of the vertices in the part's order, from the index base on.
+    ! For each tetrahedron its 4 vertices, each as its index in the part's order of vertices, from
+    ! the index base on.
     integer, parameter :: mgdt_parts_local_corners = 31
     ! The number of each tetrahedron.
     integer, parameter :: mgdt_parts_tetrahedron_numbers = 32
     ! The part that owns each tetrahedron.
     integer, parameter :: mgdt_parts_tetrahedron_owners = 33
-    ! As MGDT_PARTS_VERTEX_RANGES, for tetrahedra; in mgdt_parts_build_each() up to the part.
+    ! For each part the number of the first tetrahedron that it owns, and one element more: the end
+    ! of the last part's numbers. During mgdt_parts_build_each() the array ends with the part that
+    ! was finished last.
     integer, parameter :: mgdt_parts_tetrahedron_ranges = 34
-    ! For each tetrahedron that the part owns, 4 numbers: of the tetrahedra opposite its corners, or
-    ! the index base - 1 where there is none.
+    ! For each tetrahedron that the part owns, the numbers of the 4 tetrahedra opposite its
+    ! vertices. On the hull the number is the index base - 1.
     integer, parameter :: mgdt_parts_neighbors = 40
 end module mgdt_parts_constants
