@@ -1,24 +1,22 @@
 /* SPDX-License-Identifier: MIT
  *
- * mgdt for C++17 and later: classes over the C interface of mgdt.h and mgdt_parts.h, in headers
- * alone.
+ * mgdt for C++17 and later: header-only classes over the C interface of mgdt.h and mgdt_parts.h.
  *
- * mgdt::Triangulation (cxx/triangulation.hpp) and mgdt::Parts (cxx/parts.hpp) own a handle. What
- * the C headers say about meaning, shapes, index base, "none", batches and threads holds here; each
- * function names the C function that it calls.
+ * mgdt::Triangulation (cxx/triangulation.hpp) and mgdt::Parts (cxx/parts.hpp) own a handle. Each
+ * function names the C function that it calls; the C headers describe meaning, shapes, index base,
+ * "none" and threads.
  *
- * - Failures are exceptions: mgdt::Error carries the status and the library's message,
- *   mgdt::Cancelled is the one for MGDT_ERR_CANCELLED, mgdt::Busy that for MGDT_ERR_BUSY, and
- *   running out of memory is mgdt::OutOfMemory, a std::bad_alloc. The state after each is what
- *   mgdt.h promises.
- * - Points come from any contiguous container without a copy: of doubles (three a point), of
+ * - A failed call throws. mgdt::Error has the status and the library's message; mgdt::Cancelled and
+ *   mgdt::Busy are the errors for MGDT_ERR_CANCELLED and MGDT_ERR_BUSY; mgdt::OutOfMemory is a
+ *   std::bad_alloc. The state of the object is then as mgdt.h describes.
+ * - Points are read without a copy from any contiguous container of doubles (three per point), of
  *   std::array<double, 3>, of double[3], or of your own type (see mgdt::is_point).
- * - Results are std::vectors, or go to a buffer of yours, of 64-bit or 32-bit integers.
- * - Const member functions may run on one object from many threads at once. The others need the
- *   object to themselves, except cancel(). Callbacks may call cancel() alone; the object must not
- *   be destroyed, moved from or assigned to in one.
- * - An object that was moved from is empty: counts are 0, the dimension is -1, whatever can throw
- *   throws an Error with MGDT_ERR_NULL_POINTER. It may be destroyed and assigned to.
+ * - Results are std::vectors of 64-bit or 32-bit integers, or are written to the caller's buffer.
+ * - Const member functions may run on one object from many threads at once. While another member
+ *   function runs, no other may be called, except cancel(). A callback may call cancel() and
+ *   nothing else; it must not destroy, move from or assign to the object.
+ * - An object that was moved from is empty: counts are 0, the dimension is -1, and functions that
+ *   can throw throw an Error with MGDT_ERR_NULL_POINTER. It may be destroyed and assigned to.
  *
  * Everything here is inline and calls nothing but C functions, so it adds nothing to the binary
  * interface: a program that includes it runs with every library of ABI version 1.
@@ -47,7 +45,8 @@ namespace mgdt {
 // The inner name keeps these classes apart from the library's own when it is linked statically.
 inline namespace cxx1 {
 
-/** The order scheme of a name. @throw Error MGDT_ERR_UNKNOWN_SCHEME, MGDT_ERR_NULL_POINTER */
+/** Finds the order scheme with a name. @throw Error MGDT_ERR_UNKNOWN_SCHEME,
+ *  MGDT_ERR_NULL_POINTER */
 [[nodiscard]] inline Order order_from_name(const char* text) {
     std::int32_t scheme = 0;
     const mgdt_status status = mgdt_order_scheme_from_name(text, &scheme);
@@ -56,8 +55,8 @@ inline namespace cxx1 {
                                 (text ? ": " + std::string(text) : std::string()));
     return static_cast<Order>(scheme);
 }
-/** All order schemes that the library has, the default first. Those of a later version than this
- *  header's have no name in Order. @since 1.2 */
+/** All order schemes that the library has, the default first. Schemes of a later version than this
+ *  header have no name in Order. @since 1.2 */
 [[nodiscard]] inline std::vector<Order> order_schemes() {
     std::vector<Order> all;
     std::int32_t scheme = 0;

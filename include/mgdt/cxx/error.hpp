@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * What is thrown. Part of mgdt/mgdt.hpp, which includes it. */
+ * The exceptions. Part of mgdt/mgdt.hpp, which includes it. */
 #ifndef MGDT_CXX_ERROR_HPP
 #define MGDT_CXX_ERROR_HPP
 
@@ -12,7 +12,7 @@
 namespace mgdt {
 inline namespace cxx1 {
 
-/** A call that failed, except for want of memory. what() is the library's message. */
+/** A failed call, unless memory ran out (see OutOfMemory). what() is the library's message. */
 class Error : public std::runtime_error {
   public:
     Error(mgdt_status status, const std::string& message)
@@ -30,14 +30,14 @@ class Cancelled : public Error {
     using Error::Error;
 };
 
-/** Another call is inside the object: this one came from a callback of its own, or from a second
- *  thread against the thread rule. Nothing has changed. @since 1.2 */
+/** Another call is running on the object: the failed call came from a callback of the object, or
+ *  from a second thread against the thread rule. Nothing has changed. @since 1.2 */
 class Busy : public Error {
   public:
     using Error::Error;
 };
 
-/** The allocator, or the memory limit, refused. No Error, since std::bad_alloc is what it is. */
+/** The allocator or the memory limit refused memory. A std::bad_alloc, not an Error. */
 class OutOfMemory : public std::bad_alloc {
   public:
     [[nodiscard]] const char* what() const noexcept override {

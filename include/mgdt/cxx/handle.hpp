@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * What the classes that own a handle share: how failures are thrown, progress is heard, and memory
- * is taken from a resource. Part of mgdt/mgdt.hpp, which includes it. */
+ * Shared by the classes that own a handle: exceptions for failed calls, progress callbacks, and
+ * memory from a resource. Part of mgdt/mgdt.hpp, which includes it. */
 #ifndef MGDT_CXX_HANDLE_HPP
 #define MGDT_CXX_HANDLE_HPP
 
@@ -29,7 +29,7 @@ std::string message_of(mgdt_status (*get_error)(const Handle*, std::int64_t, cha
     return get_error(handle, sizeof text, text) == MGDT_OK ? text : "";
 }
 
-// Throws what a failure is. Without a handle there is no message.
+// Throws the exception for a status. The message is empty if there is no handle.
 [[noreturn]] inline void throw_failure(mgdt_status status, std::string message) {
     if (status == MGDT_ERR_OUT_OF_MEMORY) throw OutOfMemory();
     if (message.empty())
@@ -40,10 +40,10 @@ std::string message_of(mgdt_status (*get_error)(const Handle*, std::int64_t, cha
     throw Error(status, message);
 }
 
-// Calls a function whose exceptions must not pass through the library, and keeps them.
+// Calls functions whose exceptions must not pass through the library, and keeps the exception.
 class Guarded {
   public:
-    // What the call says, or `instead` if it throws.
+    // Returns the result of the call, or `instead` if the call throws.
     template <class Call>
     std::int32_t run(std::int32_t instead, const Call& call) noexcept {
         try {
@@ -53,7 +53,7 @@ class Guarded {
             return instead;
         }
     }
-    // Throws what was thrown, if anything was.
+    // Throws the exception that was kept, if there is one.
     void rethrow() {
         if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
     }
@@ -62,7 +62,7 @@ class Guarded {
     std::exception_ptr thrown_{};
 };
 
-// Whether a callback asks to stop: if it gives a value, one that is true does.
+// Calls a callback. Returns whether its result, if it has one, is true.
 template <class F, class... Arguments>
 bool asks_to_stop(F& call, Arguments&&... arguments) {
     if constexpr (std::is_void_v<std::invoke_result_t<F&, Arguments...>>) {
@@ -84,7 +84,7 @@ class Progress {
     Progress& operator=(const Progress&) = delete;
     virtual ~Progress() = default;
 
-    // As an mgdt_progress_fn whose `user` is a Progress.
+    // An mgdt_progress_fn whose `user` is a Progress.
     static std::int32_t hear(double fraction, void* user) noexcept {
         Progress& self = *static_cast<Progress*>(user);
         return self.guarded_.run(1, [&] { return self.cancels(fraction) ? 1 : 0; });
@@ -111,7 +111,8 @@ std::unique_ptr<Progress> Progress::make(F&& call) {
     return std::make_unique<Callback<std::decay_t<F>>>(std::forward<F>(call));
 }
 
-// Memory of a resource such as std::pmr::memory_resource, as C takes it.
+// An mgdt_alloc_fn, and below an mgdt_free_fn, whose `user` is a resource such as a
+// std::pmr::memory_resource.
 template <class Resource>
 void* take(std::size_t size, std::size_t align, void* user) noexcept {
     try {
@@ -124,7 +125,7 @@ template <class Resource>
 void give(void* p, std::size_t size, std::size_t align, void* user) noexcept {
     static_cast<Resource*>(user)->deallocate(p, size, align);
 }
-// SFINAE for what is no resource.
+// Substitution fails for types that are no resource.
 template <class Resource>
 using allocate_of = decltype(std::declval<Resource&>().allocate(std::size_t{1}, std::size_t{1}));
 template <class Resource>

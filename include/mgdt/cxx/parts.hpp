@@ -1,5 +1,5 @@
-/* SPDX-License-Identifier: MIT
- * One triangulation in parts. Part of mgdt/mgdt.hpp, which includes it and explains it. */
+/* SPDX-License-Identifier: MIT The class of a triangulation in parts. Part of mgdt/mgdt.hpp, which
+ * includes it and explains it. */
 #ifndef MGDT_CXX_PARTS_HPP
 #define MGDT_CXX_PARTS_HPP
 
@@ -21,36 +21,37 @@
 namespace mgdt {
 inline namespace cxx1 {
 
-/** Points in parts and their triangulation; see mgdt_parts.h. Moves, does not copy. A `part` that
- * is left out is the one part of a process that has one. @since 1.2 */
+/** Points in parts and their triangulation; see mgdt_parts.h. It can be moved, not copied. The
+ *  default of the argument `part` is the only part of the process. @since 1.2 */
 class Parts {
   public:
     /** Stands for the part of this process; MGDT_PARTS_THIS_PART. */
     static constexpr std::int32_t this_part = MGDT_PARTS_THIS_PART;
 
-    /** Parts in this process; mgdt_parts_create(). @throw OutOfMemory, Error */
+    /** Makes parts in this process; mgdt_parts_create(). @throw OutOfMemory, Error */
     explicit Parts(std::int32_t parts) : Parts(parts, nullptr, nullptr, nullptr) {}
-    /** Parts in this process, all of whose memory comes from `alloc`;
+    /** Makes parts in this process that take all their memory from `alloc`;
      *  mgdt_parts_create_with_allocator(). Neither function may throw. @throw OutOfMemory, Error */
     Parts(std::int32_t parts, mgdt_alloc_fn alloc, mgdt_free_fn give_back, void* user) {
         mgdt_parts* made = nullptr;
         require(mgdt_parts_create_with_allocator(parts, alloc, give_back, user, &made), nullptr);
         handle_.reset(made);
     }
-    /** The same with the memory of a resource, as for Triangulation. @throw OutOfMemory, Error */
+    /** Makes parts in this process with the memory of a resource, see Triangulation. @throw
+     *  OutOfMemory, Error */
     template <class Resource, class = detail::allocate_of<Resource>,
               class = detail::deallocate_of<Resource>>
     Parts(std::int32_t parts, Resource& resource)
         : Parts(parts, &detail::take<Resource>, &detail::give<Resource>, std::addressof(resource)) {
     }
-    /** The part of this process, which exchanges bytes with others by functions of yours;
+    /** Makes the part of this process. Processes exchange bytes by functions of the caller;
      *  mgdt_parts_create_with_transport(). @throw OutOfMemory, Error */
     explicit Parts(const mgdt_transport& transport) {
         mgdt_parts* made = nullptr;
         require(mgdt_parts_create_with_transport(&transport, &made), nullptr);
         handle_.reset(made);
     }
-    /** Takes a handle of the C interface over, such as one of mgdt_mpi_create(). */
+    /** Takes ownership of a handle of the C interface, such as one of mgdt_mpi_create(). */
     explicit Parts(mgdt_parts* owned) noexcept : handle_(owned) {}
 
     Parts(Parts&&) noexcept = default;
@@ -64,13 +65,14 @@ class Parts {
         a.handle_.swap(b.handle_);
     }
 
-    /** Whether there is a handle: true until it is moved or released. */
+    /** Whether the object owns a handle: true until the handle is moved or released. */
     [[nodiscard]] explicit operator bool() const noexcept { return handle_ != nullptr; }
-    /** The handle, for calls of the C interface; it stays this object's. */
+    /** The handle, for calls of the C interface. The object still owns it. */
     [[nodiscard]] mgdt_parts* handle() noexcept { return handle_.get(); }
     [[nodiscard]] const mgdt_parts* handle() const noexcept { return handle_.get(); }
-    /** Gives the handle up, to be freed by mgdt_parts_destroy(). A callback set here is taken off.
-     *  NULL, and nothing is given up, in a callback of the object's own. */
+    /** Releases ownership of the handle, which the caller frees by mgdt_parts_destroy(). A callback
+     *  of set_progress() is removed. Returns NULL and releases nothing in a callback of the
+     *  object. */
     [[nodiscard]] mgdt_parts* release() noexcept {
         if (progress_ && mgdt_parts_set_progress(handle_.get(), nullptr, nullptr) != MGDT_OK)
             return nullptr;
@@ -92,15 +94,15 @@ class Parts {
         return value;
     }
 
-    /** Sets what hears of progress, as Triangulation::set_progress(). @throw Error, std::bad_alloc
-     */
+    /** Sets the progress callback, as Triangulation::set_progress(). @throw Error,
+     *  std::bad_alloc */
     template <class F, class = std::enable_if_t<std::is_invocable_v<std::decay_t<F>&, double>>>
     void set_progress(F&& call) {
         auto next = detail::Progress::make(std::forward<F>(call));
         require(mgdt_parts_set_progress(handle_.get(), &detail::Progress::hear, next.get()));
         progress_ = std::move(next);
     }
-    /** Takes the callback off. @throw Error */
+    /** Removes the progress callback. @throw Error */
     void clear_progress() {
         require(mgdt_parts_set_progress(handle_.get(), nullptr, nullptr));
         progress_.reset();
@@ -110,14 +112,14 @@ class Parts {
         if (handle_) mgdt_parts_cancel(handle_.get());
     }
 
-    /** mgdt_parts_insert_points(). @throw OutOfMemory, Error; on processes the next build() fails
-     *  too, so that one that catches this may go on to it */
+    /** mgdt_parts_insert_points(). @throw OutOfMemory, Error; the next build() of all processes
+     *  fails too, so a process that catches the exception may go on to that build() */
     void insert(Points points, std::int32_t part = this_part) {
         require(mgdt_parts_insert_points(handle_.get(), part,
                                          static_cast<std::int64_t>(points.count()), points.data(),
                                          nullptr));
     }
-    /** The same with an id for each point. */
+    /** Inserts points that have ids, one for each. */
     void insert(Points points, Span<const std::int64_t> ids, std::int32_t part = this_part) {
         if (ids.size() != points.count())
             throw Error(MGDT_ERR_INVALID_ARGUMENT, "there are " + std::to_string(points.count()) +
@@ -132,8 +134,8 @@ class Parts {
      *  callback throws */
     void build() { finish(mgdt_parts_build(handle_.get())); }
     /** mgdt_parts_build_each().
-     *  @param look  called as look(const Parts&, std::int32_t part) for each part in its order. If
-     *  it gives a value, one that is true cancels; if it throws, this does
+     *  @param look  called as look(const Parts&, std::int32_t part) for each part in ascending
+     *  order. A result that is true cancels. If it throws, build_each() throws that exception
      *  @throw as build() */
     template <class F, class = std::enable_if_t<std::is_invocable_v<std::remove_reference_t<F>&,
                                                                     const Parts&, std::int32_t>>>
@@ -167,7 +169,7 @@ class Parts {
         write(key, part, values.size(), values.data());
         return values;
     }
-    /** An array of four numbers for each tetrahedron: corners, local_corners or neighbors.
+    /** An array with four numbers per tetrahedron: corners, local_corners or neighbors.
      *  @throw as array() */
     [[nodiscard]] std::vector<std::array<std::int64_t, 4>> rows(
         PartsArray key, std::int32_t part = this_part) const {
@@ -179,7 +181,7 @@ class Parts {
         write(key, part, 4 * values.size(), values.empty() ? nullptr : values[0].data());
         return values;
     }
-    /** Coordinates of the part's vertices; mgdt_parts_get_coordinates(). @throw Error,
+    /** The coordinates of the part's vertices; mgdt_parts_get_coordinates(). @throw Error,
      *  std::bad_alloc (the vector's) */
     [[nodiscard]] std::vector<Point> coordinates(std::int32_t part = this_part) const {
         std::vector<Point> xyz(static_cast<std::size_t>(number(PartsNumber::vertices, part)));
@@ -189,8 +191,8 @@ class Parts {
         return xyz;
     }
 
-    /** Proves the triangulation; mgdt_parts_check(). Collective.
-     *  @throw Error MGDT_ERR_CHECK_FAILED says what is wrong and where; OutOfMemory */
+    /** Checks that the triangulation is valid; mgdt_parts_check(). Collective.
+     *  @throw OutOfMemory, Error; the one for MGDT_ERR_CHECK_FAILED says what is wrong and where */
     void check(Check level = Check::canonical) {
         require(mgdt_parts_check(handle_.get(), static_cast<std::int32_t>(level)));
     }
@@ -210,7 +212,8 @@ class Parts {
         if (status != MGDT_OK) detail::throw_failure(status, p ? message_of(p) : std::string());
     }
     void require(mgdt_status status) const { require(status, handle_.get()); }
-    // The end of a call that may have called the progress callback.
+    // Ends a call that may have called the progress callback: throws its exception, or that of the
+    // status.
     void finish(mgdt_status status) {
         if (progress_) progress_->rethrow();
         require(status);

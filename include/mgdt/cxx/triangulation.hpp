@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * One triangulation. Part of mgdt/mgdt.hpp, which includes it and explains it. */
+ * The class of one triangulation. Part of mgdt/mgdt.hpp, which includes it and explains it. */
 #ifndef MGDT_CXX_TRIANGULATION_HPP
 #define MGDT_CXX_TRIANGULATION_HPP
 
@@ -22,31 +22,32 @@
 namespace mgdt {
 inline namespace cxx1 {
 
-/** A Delaunay triangulation that grows as points are inserted. Moves, does not copy. */
+/** A Delaunay triangulation that grows as points are inserted. It can be moved, not copied. */
 class Triangulation {
   public:
-    /** An empty one; mgdt_create(). @throw OutOfMemory */
+    /** Makes an empty triangulation; mgdt_create(). @throw OutOfMemory */
     Triangulation() : Triangulation(nullptr, nullptr, nullptr) {}
 
-    /** An empty one all of whose memory comes from `alloc`; mgdt_create_with_allocator(). Neither
-     *  function may throw. @throw OutOfMemory, Error */
+    /** Makes an empty triangulation that takes all its memory from `alloc`;
+     *  mgdt_create_with_allocator(). Neither function may throw. @throw OutOfMemory, Error */
     Triangulation(mgdt_alloc_fn alloc, mgdt_free_fn give_back, void* user) {
         mgdt_triangulation* made = nullptr;
         require(mgdt_create_with_allocator(alloc, give_back, user, &made), nullptr);
         handle_.reset(made);
     }
 
-    /** An empty one all of whose memory comes from a std::pmr::memory_resource, or anything else
-     *  with its `allocate(bytes, alignment)` and `deallocate(p, bytes, alignment)`. The resource
-     *  must outlive the object, and be safe to use from several threads if const functions are
-     *  called from several. What allocate() throws counts as out of memory. @throw OutOfMemory */
+    /** Makes an empty triangulation that takes all its memory from a std::pmr::memory_resource, or
+     *  from another class with `allocate(bytes, alignment)` and `deallocate(p, bytes, alignment)`.
+     *  The resource must outlive the object. It must be safe to use from several threads if several
+     *  threads call const functions. An exception from allocate() counts as out of memory.
+     *  @throw OutOfMemory */
     template <class Resource, class = detail::allocate_of<Resource>,
               class = detail::deallocate_of<Resource>>
     explicit Triangulation(Resource& resource)
         : Triangulation(&detail::take<Resource>, &detail::give<Resource>,
                         std::addressof(resource)) {}
 
-    /** Takes a handle of the C interface over, with its settings and its progress callback. */
+    /** Takes ownership of a handle of the C interface, with its settings and progress callback. */
     explicit Triangulation(mgdt_triangulation* owned) noexcept : handle_(owned) {}
 
     Triangulation(Triangulation&&) noexcept = default;
@@ -59,13 +60,13 @@ class Triangulation {
         a.handle_.swap(b.handle_);
     }
 
-    /** Whether there is a handle: true until it is moved or released. */
+    /** Whether the object owns a handle: true until the handle is moved or released. */
     [[nodiscard]] explicit operator bool() const noexcept { return handle_ != nullptr; }
-    /** The handle, for calls of the C interface; it stays this object's. */
+    /** The handle, for calls of the C interface. The object still owns it. */
     [[nodiscard]] mgdt_triangulation* handle() noexcept { return handle_.get(); }
     [[nodiscard]] const mgdt_triangulation* handle() const noexcept { return handle_.get(); }
-    /** Gives the handle up, to be freed by mgdt_destroy(). A callback set here is taken off. NULL,
-     *  and nothing is given up, in a callback of the object's own. */
+    /** Releases ownership of the handle, which the caller frees by mgdt_destroy(). A callback of
+     *  set_progress() is removed. Returns NULL and releases nothing in a callback of the object. */
     [[nodiscard]] mgdt_triangulation* release() noexcept {
         if (progress_ && mgdt_set_progress(handle_.get(), nullptr, nullptr) != MGDT_OK)
             return nullptr;
@@ -90,7 +91,7 @@ class Triangulation {
     void set_order_parameter(Parameter key, double value) {
         require(mgdt_set_order_parameter(handle_.get(), static_cast<std::int32_t>(key), value));
     }
-    /** The same for Parameter::separation. @since 1.2 */
+    /** mgdt_set_order_parameter() for Parameter::separation. @since 1.2 */
     void set_order_parameter(Parameter key, Separation value) {
         set_order_parameter(key, static_cast<double>(value));
     }
@@ -113,8 +114,7 @@ class Triangulation {
     /** mgdt_set_isa(). */
     void set_isa(const char* name) { require(mgdt_set_isa(handle_.get(), name)); }
 
-    /* The settings as they are set; mgdt_get_order_scheme() and its neighbours. @throw Error
-     * @since 1.2 */
+    /* The settings: mgdt_get_order_scheme() and the functions beside it. @throw Error @since 1.2 */
 
     [[nodiscard]] Order order_scheme() const {
         return static_cast<Order>(setting(mgdt_get_order_scheme));
@@ -131,10 +131,10 @@ class Triangulation {
     [[nodiscard]] bool compact() const { return setting(mgdt_get_compact) != 0; }
     [[nodiscard]] bool canonical_output() const { return setting(mgdt_get_canonical_output) != 0; }
 
-    /** Sets what hears of progress; mgdt_set_progress().
-     *  @param call  anything callable with a double (the fraction, 0 to 1), kept here. If it gives
-     * a value, one that is true cancels. If it throws, the insertion is cancelled, and throws that
-     *  exception in place of Cancelled.
+    /** Sets the progress callback; mgdt_set_progress().
+     *  @param call  a callable that takes a double, the fraction from 0 to 1. The object keeps it.
+     *  A result that is true cancels. If it throws, the running call is cancelled and throws that
+     *  exception instead of Cancelled.
      *  @throw Error, std::bad_alloc */
     template <class F, class = std::enable_if_t<std::is_invocable_v<std::decay_t<F>&, double>>>
     void set_progress(F&& call) {
@@ -142,7 +142,7 @@ class Triangulation {
         require(mgdt_set_progress(handle_.get(), &detail::Progress::hear, next.get()));
         progress_ = std::move(next);
     }
-    /** Takes the callback off. */
+    /** Removes the progress callback. */
     void clear_progress() {
         require(mgdt_set_progress(handle_.get(), nullptr, nullptr));
         progress_.reset();
@@ -159,9 +159,9 @@ class Triangulation {
         finish(mgdt_insert_points(handle_.get(), static_cast<std::int64_t>(points.count()),
                                   points.data()));
     }
-    /** The same for a list: `t.insert({{0, 0, 0}, {1, 0, 0}})`. */
+    /** Inserts the points of a list: `t.insert({{0, 0, 0}, {1, 0, 0}})`. */
     void insert(std::initializer_list<Point> points) { insert(Points(points)); }
-    /** The same for coordinates in three arrays of one length. */
+    /** Inserts points whose coordinates are in three arrays of equal length. */
     void insert(Span<const double> x, Span<const double> y, Span<const double> z) {
         if (x.size() != y.size() || x.size() != z.size())
             throw Error(MGDT_ERR_INVALID_ARGUMENT, "the coordinates' arrays have " +
@@ -170,16 +170,17 @@ class Triangulation {
                                                        std::to_string(z.size()) + " elements");
         insert_strided(x.size(), x.data(), y.data(), z.data(), 1);
     }
-    /** mgdt_insert_points_strided(): n points, each `stride` doubles after the one before. */
+    /** Inserts n points, each `stride` doubles after the previous one;
+     *  mgdt_insert_points_strided(). */
     void insert_strided(std::size_t n, const double* x, const double* y, const double* z,
                         std::int64_t stride) {
         finish(mgdt_insert_points_strided(handle_.get(), static_cast<std::int64_t>(n), x, y, z,
                                           stride));
     }
 
-    /* Points that leave and move, given by indices: any contiguous container of std::int64_t or
-     * std::int32_t, or a list in braces. @throw Cancelled, OutOfMemory, Error, and what the
-     * progress callback throws @since 1.2 */
+    /* Removal and motion of points, which are given by their indices in any contiguous container of
+     * std::int64_t or std::int32_t, or in a list in braces. @throw Cancelled, OutOfMemory, Error,
+     * and what the progress callback throws @since 1.2 */
 
     /** mgdt_remove_points(). */
     template <class Indices, class = detail::size_t_of<Indices>>
@@ -194,7 +195,7 @@ class Triangulation {
     void remove(std::initializer_list<std::int64_t> points) {
         remove(Span<const std::int64_t>(points.begin(), points.size()));
     }
-    /** mgdt_move_points(): to as many places. */
+    /** mgdt_move_points(), with new coordinates for each of the points. */
     template <class Indices, class = detail::size_t_of<Indices>>
     void move(const Indices& points, Points places) {
         const auto list = detail::row_of(points);
@@ -202,7 +203,7 @@ class Triangulation {
             throw Error(MGDT_ERR_INVALID_ARGUMENT, "there are " + std::to_string(list.size()) +
                                                        " points and " +
                                                        std::to_string(places.count()) + " places");
-        // A list of no points has no address.
+        // An empty list may have no address.
         if (list.empty()) return;
         const auto n = static_cast<std::int64_t>(list.size());
         if constexpr (std::is_same_v<decltype(list), const Span<const std::int64_t>>)
@@ -213,7 +214,8 @@ class Triangulation {
     void move(std::initializer_list<std::int64_t> points, Points places) {
         move(Span<const std::int64_t>(points.begin(), points.size()), places);
     }
-    /** The same for all points in their order; those that are not in stay out. */
+    /** Moves all points, in the order of their indices; coordinates of removed points are
+     *  ignored. */
     void move(Points places) {
         finish(mgdt_move_points(handle_.get(), static_cast<std::int64_t>(places.count()), nullptr,
                                 places.data()));
@@ -266,9 +268,10 @@ class Triangulation {
         return mgdt_vertex_neighbors_count(handle_.get());
     }
 
-    /* Export. Without an argument: a vector, of 64-bit integers unless asked for others, as in
-     * `t.tetrahedra<std::int32_t>()`. With one: a contiguous container of std::int64_t or
-     * std::int32_t, or of std::arrays of as many as belong together, that is large enough.
+    /* Export. A function without arguments returns a vector of 64-bit integers, or of 32-bit
+     * integers as `t.tetrahedra<std::int32_t>()`. A function with an argument writes to a
+     * contiguous container that is large enough, of std::int64_t or std::int32_t, or of std::arrays
+     * of them.
      * @throw OutOfMemory, Error, std::bad_alloc (the vector's) */
 
     /** mgdt_get_tetrahedra(). */
@@ -359,8 +362,8 @@ class Triangulation {
                                        result.squared_radii.data()));
         return result;
     }
-    /** A measure of each cell, one number, or the three of a centroid. Cells are clipped to planes
-     *  a b c d, where a x + b y + c z <= d; mgdt_get_cell_measures(). @since 1.2 */
+    /** Measures each Voronoi cell: one number, or three for a centroid. Cells are clipped to the
+     *  planes a b c d, to where a x + b y + c z <= d; mgdt_get_cell_measures(). @since 1.2 */
     [[nodiscard]] std::vector<double> cell_measures(
         Measure measure, const std::vector<std::array<double, 4>>& planes = {}) const {
         const std::size_t width = measure == Measure::centroid ? 3 : 1;
@@ -372,7 +375,7 @@ class Triangulation {
         return x;
     }
 
-    /** The alpha of each simplex of a dimension, facets being 4 a tetrahedron; mgdt_get_alphas().
+    /** The alpha of each simplex of a dimension, with 4 facets per tetrahedron; mgdt_get_alphas().
      *  @since 1.2 */
     [[nodiscard]] std::vector<double> alphas(std::int32_t dimension) const {
         const std::int64_t counts[] = {point_count(), edge_count(), 4 * tetrahedron_count(),
@@ -387,7 +390,7 @@ class Triangulation {
     template <class Int = std::int64_t>
     [[nodiscard]] std::vector<std::array<Int, 3>> alpha_surface(double alpha2) const {
         static_assert(detail::is_index_v<Int>, "indices are std::int64_t or std::int32_t");
-        // Enough for one surface or some; the count says what others need.
+        // The surfaces of most shapes fit. If one does not, the count says how much room it needs.
         std::vector<std::array<Int, 3>> v(static_cast<std::size_t>(2 * vertex_count() + 4));
         for (;;) {
             Int count = 0;
@@ -404,7 +407,8 @@ class Triangulation {
             if (!is_short) return v;
         }
     }
-    /** The least alpha with all vertices in one solid; mgdt_get_solid_alpha(). @since 1.2 */
+    /** The least alpha whose shape is one solid with all vertices; mgdt_get_solid_alpha().
+     *  @since 1.2 */
     [[nodiscard]] double solid_alpha() const {
         double alpha2 = 0;
         require(mgdt_get_solid_alpha(handle_.get(), &alpha2));
@@ -419,15 +423,15 @@ class Triangulation {
         require(mgdt_locate(handle_.get(), xyz.data(), &found));
         return found;
     }
-    /** The same for many, which is much faster; mgdt_locate_points(). */
+    /** The tetrahedra that contain many points; mgdt_locate_points(). */
     template <class Int = std::int64_t>
     [[nodiscard]] std::vector<Int> locate_points(Points points) const {
         std::vector<Int> found(points.count());
         locate_points(points, found);
         return found;
     }
-    /** The same, with weights for interpolation, which give each point again (see
-     *  mgdt_locate_points()). */
+    /** The tetrahedra that contain many points, and the barycentric coordinates of the points;
+     *  mgdt_locate_points(). */
     template <class Int = std::int64_t>
     [[nodiscard]] Located<Int> locate_with_weights(Points points) const {
         Located<Int> result;
@@ -436,12 +440,13 @@ class Triangulation {
         locate_points(points, result.tetrahedra, result.weights);
         return result;
     }
-    /** The same into a buffer of a number a point. */
+    /** Writes the tetrahedra that contain many points to a buffer with one number per point. */
     template <class Buffer>
     void locate_points(Points points, Buffer&& out) const {
         locate_into(points, detail::flat<1>(out), nullptr);
     }
-    /** The same into buffers of a number, and of four doubles or an std::array of them, a point. */
+    /** Writes the tetrahedra and the barycentric coordinates of many points to buffers. Per point,
+     *  `weights` has four doubles or an std::array of them. */
     template <class Buffer, class Weights>
     void locate_points(Points points, Buffer&& out, Weights&& weights) const {
         using Group = detail::group<detail::element_t<Weights>, 4>;
@@ -456,14 +461,15 @@ class Triangulation {
         require(mgdt_nearest_vertex(handle_.get(), xyz.data(), &found));
         return found;
     }
-    /** The same for many, with threads; mgdt_nearest_vertices(). @since 1.2 */
+    /** The vertices nearest to many points; mgdt_nearest_vertices(). @since 1.2 */
     template <class Int = std::int64_t>
     [[nodiscard]] std::vector<Int> nearest_vertices(Points points) const {
         std::vector<Int> found(points.count());
         nearest_vertices(points, found);
         return found;
     }
-    /** The same into a buffer of a number a point. @since 1.2 */
+    /** Writes the vertices nearest to many points to a buffer with one number per point. @since
+     *  1.2 */
     template <class Buffer>
     void nearest_vertices(Points points, Buffer&& out) const {
         const auto buffer = detail::flat<1>(out);
@@ -477,8 +483,8 @@ class Triangulation {
 
     /* Values between points. @throw OutOfMemory, Error, std::bad_alloc (the vectors') */
 
-    /** Values at places from values at the points, `fields` numbers for each, those of a point one
-     *  behind the other; mgdt_interpolate(). @since 1.2 */
+    /** Interpolates values at places from values at the points, with `fields` consecutive numbers
+     *  per point and place; mgdt_interpolate(). @since 1.2 */
     [[nodiscard]] std::vector<double> interpolate(Method method, Outside outside,
                                                   Span<const double> values, Points places,
                                                   std::size_t fields = 1) const {
@@ -490,14 +496,15 @@ class Triangulation {
             static_cast<std::int64_t>(places.count()), places.data(), out.data()));
         return out;
     }
-    /** The same as weights, for any fields; mgdt_get_interpolation_weights(). @since 1.2 */
+    /** The weights of interpolation, for any fields; mgdt_get_interpolation_weights(). @since
+     *  1.2 */
     template <class Int = std::int64_t>
     [[nodiscard]] Weights<Int> interpolation_weights(Method method, Outside outside,
                                                      Points places) const {
         static_assert(detail::is_index_v<Int>, "indices are std::int64_t or std::int32_t");
         Weights<Int> rows;
         rows.offsets.resize(places.count() + 1);
-        // Enough for most; the last offset says what others need.
+        // Most weights fit. If they do not, the last offset says how much room they need.
         std::size_t room = (method == Method::linear ? 4 : 24) * places.count() + 8;
         for (;;) {
             rows.points.resize(room);
@@ -524,7 +531,7 @@ class Triangulation {
             return rows;
         }
     }
-    /** Gradients of values at the points, three numbers for each field of each;
+    /** Estimates gradients of values at the points: three numbers for each field of each point;
      *  mgdt_get_gradients(). @since 1.2 */
     [[nodiscard]] std::vector<double> gradients(Span<const double> values,
                                                 std::size_t fields = 1) const {
@@ -537,8 +544,8 @@ class Triangulation {
 
     /* Trust and figures. */
 
-    /** Proves the triangulation; mgdt_check().
-     *  @throw Error MGDT_ERR_CHECK_FAILED says what is wrong and where; OutOfMemory */
+    /** Checks that the triangulation is valid; mgdt_check().
+     *  @throw OutOfMemory, Error; the one for MGDT_ERR_CHECK_FAILED says what is wrong and where */
     void check(Check level = Check::canonical) const {
         require(mgdt_check(handle_.get(), static_cast<std::int32_t>(level)));
     }
@@ -572,7 +579,8 @@ class Triangulation {
         require(get(handle_.get(), &value));
         return value;
     }
-    // The end of a call that may have called the progress callback.
+    // Ends a call that may have called the progress callback: throws its exception, or that of the
+    // status.
     void finish(mgdt_status status) {
         if (progress_) progress_->rethrow();
         require(status);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * Points that are read and integers that are written, without copies, and results. Part of
- * mgdt/mgdt.hpp, which includes it. */
+ * Views of the caller's points, indices and buffers, which are not copied, and structs of results.
+ * Part of mgdt/mgdt.hpp, which includes it. */
 #ifndef MGDT_CXX_VIEWS_HPP
 #define MGDT_CXX_VIEWS_HPP
 
@@ -32,7 +32,7 @@ struct is_point<double[3]> : std::true_type {};
 
 namespace detail {
 
-// The element type of a contiguous container, without const; SFINAE for everything else.
+// The element type of a contiguous container, without const. Substitution fails for other types.
 template <class C>
 using element_t = std::remove_cv_t<std::remove_pointer_t<decltype(std::data(std::declval<C&>()))>>;
 template <class C>
@@ -42,7 +42,8 @@ template <class T>
 inline constexpr bool is_index_v =
     std::is_same_v<T, std::int64_t> || std::is_same_v<T, std::int32_t>;
 
-// An element of a buffer for K indices each: the index itself, or K of them in an std::array.
+// What an element of a buffer may be if K indices belong together: one index, or an std::array of
+// K.
 template <class T, std::size_t K>
 struct group {
     using index = T;
@@ -56,7 +57,7 @@ struct group<std::array<T, K>, K> {
 
 }  // namespace detail
 
-/** Elements that lie one after the other and belong to somebody else. */
+/** A view of consecutive elements, which another object owns. */
 template <class T>
 class Span {
   public:
@@ -92,7 +93,7 @@ T* pointer(C& c) {
     else
         return reinterpret_cast<T*>(std::data(c));
 }
-// A buffer, seen as a row of integers.
+// A view of the integers in a buffer.
 template <std::size_t K, class C>
 auto flat(C& c) {
     using Group = group<element_t<C>, K>;
@@ -102,7 +103,7 @@ auto flat(C& c) {
                   "belong together");
     return Span<Int>(pointer<Int>(c), static_cast<std::size_t>(std::size(c)) * Group::width);
 }
-// The same for indices that are only read.
+// A view of the indices in a container that is only read.
 template <class C>
 auto row_of(const C& c) {
     using Int = element_t<const C>;
@@ -115,12 +116,12 @@ auto row_of(const C& c) {
 /** A point. */
 using Point = std::array<double, 3>;
 
-/** Points that lie one after the other and belong to somebody else. */
+/** A view of consecutive points, which another object owns. */
 class Points {
   public:
-    /** n points from xyz on: 3 n doubles. */
+    /** n points at xyz: 3 n doubles. */
     constexpr Points(const double* xyz, std::size_t n) noexcept : xyz_(xyz), count_(n) {}
-    /** Any contiguous container of doubles, three a point.
+    /** Any contiguous container of doubles, three per point.
      *  @throw Error MGDT_ERR_INVALID_ARGUMENT if their number is no multiple of three */
     template <class C, class = detail::size_t_of<C>,
               std::enable_if_t<std::is_same_v<detail::element_t<C>, double>, int> = 0>
@@ -151,13 +152,14 @@ class Points {
     std::size_t count_;
 };
 
-/** For each point a list, all one after the other: of the tetrahedra around a vertex, see
- *  mgdt_get_vertex_tetrahedra(), or of its neighbours, see mgdt_get_vertex_neighbors(). */
+/** A compressed list: for each point the tetrahedra around its vertex, see
+ *  mgdt_get_vertex_tetrahedra(), or the neighbours of its vertex, see
+ *  mgdt_get_vertex_neighbors(). */
 template <class Int>
 struct PointLists {
     std::vector<Int> offsets{}; /**< One more than there are points, in the index base. */
     std::vector<Int> list{};    /**< Numbers of tetrahedra, or indices of points. */
-    /** Those of point k, which is counted from 0 whatever the index base. */
+    /** The list of point k, which is counted from 0 whatever the index base is. */
     [[nodiscard]] Span<const Int> operator[](std::size_t k) const noexcept {
         const Int base = offsets[0];
         return {list.data() + (offsets[k] - base),
@@ -165,7 +167,7 @@ struct PointLists {
     }
 };
 
-/** What vertex_tetrahedra() gives. */
+/** The result of vertex_tetrahedra(). */
 template <class Int>
 using VertexTetrahedra = PointLists<Int>;
 
@@ -175,14 +177,14 @@ struct Circumspheres {
     std::vector<double> squared_radii{};
 };
 
-/** Where points are; see mgdt_locate_points(). */
+/** The result of locate() with weights; see mgdt_locate_points(). */
 template <class Int>
 struct Located {
     std::vector<Int> tetrahedra{};                /**< A number each, or none (base - 1). */
     std::vector<std::array<double, 4>> weights{}; /**< Barycentric coordinates; zeros for none. */
 };
 
-/** Weights of points for places; see mgdt_get_interpolation_weights(). @since 1.2 */
+/** The result of interpolation_weights(); see mgdt_get_interpolation_weights(). @since 1.2 */
 template <class Int>
 struct Weights {
     std::vector<Int> offsets{};    /**< One more than there are places, in the index base. */
