@@ -8,7 +8,7 @@ using namespace mgdt;
 
 namespace {
 
-constexpr std::size_t slots_a_thread = 4096;
+constexpr std::size_t slots_per_thread = 4096;
 
 template <class Int>
 void surface(const mgdt_triangulation* t, double alpha2, int64_t capacity, Int* v, Int* count) {
@@ -16,7 +16,7 @@ void surface(const mgdt_triangulation* t, double alpha2, int64_t capacity, Int* 
     require_capacity(capacity, 0, "the output array");
     if (!(alpha2 >= 0))
         fail(MGDT_ERR_INVALID_ARGUMENT, "alpha2 is %g; it must be at least 0", alpha2);
-    Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), slots_a_thread));
+    Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), slots_per_thread));
     const Buffer<std::uint32_t> facets = alpha_surface(view_of(team, t, false), alpha2);
     give_rows(t, 3, facets.size() / 3, capacity, v, count, [&](Int base) {
         for (std::size_t i = 0; i < facets.size(); ++i) v[i] = static_cast<Int>(facets[i]) + base;
@@ -37,7 +37,7 @@ extern "C" mgdt_status mgdt_get_alphas(const mgdt_triangulation* t, int32_t dime
         if (count > 0) require_pointer(alpha2, "the output array");
         require_capacity(capacity, count, "the output array");
         if (count == 0) return;
-        Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), slots_a_thread));
+        Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), slots_per_thread));
         const ExportView view = view_of(team, t, dimension >= 2);
         switch (dimension) {
             case 3:
@@ -66,7 +66,7 @@ extern "C" mgdt_status mgdt_get_solid_alpha(const mgdt_triangulation* t, double*
     return guard(t, [&] {
         require_space(t, "solids");
         require_pointer(alpha2, "alpha2");
-        Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), slots_a_thread));
+        Team team(t->core.threads_for(t->core.mesh().tetrahedra.size(), slots_per_thread));
         *alpha2 = solid_alpha(view_of(team, t, false));
     });
 }

@@ -46,8 +46,8 @@ extern "C" mgdt_status mgdt_get_cell_measures(const mgdt_triangulation* t, int32
         if (count > 0) require_pointer(x, "the output array");
         require_capacity(capacity, count, "the output array");
         if (t->core.vertex_count() == 0) return std::fill_n(x, count, 0.0), void();
-        constexpr std::size_t vertices_a_thread = 4096;
-        Team team(t->core.threads_for(points, vertices_a_thread));
+        constexpr std::size_t vertices_per_thread = 4096;
+        Team team(t->core.threads_for(points, vertices_per_thread));
         const ExportView view = view_of(team, t, false);
         const Region region(view.allocator, n, planes, view.mesh, view.base);
         export_measures(view, region, m, points, x);

@@ -183,8 +183,8 @@ extern "C" mgdt_status mgdt_get_circumcenters(const mgdt_triangulation* t, int64
                  "the arrays have room for %lld tetrahedra; %zu are needed",
                  static_cast<long long>(capacity), count);
         if (count == 0) return;
-        constexpr std::size_t tetrahedra_a_thread = 4096;
-        Team team(t->core.threads_for(count, tetrahedra_a_thread));
+        constexpr std::size_t tetrahedra_per_thread = 4096;
+        Team team(t->core.threads_for(count, tetrahedra_per_thread));
         export_circumcenters(view_of(team, t, true), xyz, radius2);
     });
 }

@@ -139,8 +139,8 @@ extern "C" mgdt_status mgdt_get_gradients(const mgdt_triangulation* t, int64_t n
         if (points == 0 || fields == 0) return;
         require_pointer(values, "the array of values");
         require_pointer(out, "the output array");
-        constexpr std::size_t points_a_thread = 4096;
-        Team team(t->core.threads_for(points, points_a_thread));
+        constexpr std::size_t points_per_thread = 4096;
+        Team team(t->core.threads_for(points, points_per_thread));
         gradients(view_of(team, t, false), locator(t), t->core.point_map(), {fields, values}, out);
     });
 }

@@ -7,8 +7,8 @@
 #include "core/settings.hpp"
 #include "core/statistics.hpp"
 #include "core/walk_starts.hpp"
+#include "hole/vertex_removal.hpp"
 #include "kernel/kernel.hpp"
-#include "kernel/vertex_removal.hpp"
 #include "platform/cached.hpp"
 #include "query/numbering.hpp"
 

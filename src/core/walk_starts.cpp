@@ -29,7 +29,7 @@ void WalkStarts::take_new_vertices(const Mesh& mesh, std::size_t begin) noexcept
     LocationTree* const tree_now = tree_.peek();
     if (!tree_now) return;
     const std::size_t end = mesh.vertices.size();
-    // A tree of all is cheaper than many additions; it is made when somebody asks for it.
+    // A new tree of all vertices is cheaper than many additions. It is made when it is needed.
     if (end - begin >= begin / 16) {
         forget_tree();
         return;
@@ -43,7 +43,9 @@ void WalkStarts::take_new_vertices(const Mesh& mesh, std::size_t begin) noexcept
 
 void WalkStarts::expect_changes(std::size_t vertices) noexcept {
     LocationTree* const tree_now = tree_.peek();
-    if (tree_now && !tree_now->takes_changes(vertices)) forget_tree();
+    if (!tree_now) return;
+    tree_now->count_changes(vertices);
+    if (tree_now->is_stale()) forget_tree();
 }
 
 }  // namespace mgdt

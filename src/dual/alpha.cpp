@@ -18,7 +18,7 @@ namespace mgdt {
 namespace {
 
 constexpr double infinite_alpha = std::numeric_limits<double>::infinity();
-constexpr std::size_t slots_a_thread = 4096;
+constexpr std::size_t slots_per_thread = 4096;
 
 double alpha_of(const Mesh& mesh, const Tetrahedron& t) {
     return circumcenter(
@@ -31,13 +31,14 @@ double alpha_of(const Mesh& mesh, const Tetrahedron& t) {
 Buffer<double> alphas_by_slot(const ExportView& view) {
     const Mesh& mesh = view.mesh;
     Buffer<double> alphas(view.allocator, mesh.tetrahedra.size());
-    view.team.split(
-        mesh.tetrahedra.size(), slots_a_thread, [&](std::size_t begin, std::size_t end, unsigned) {
-            for (std::size_t id = begin; id < end; ++id) {
-                const Tetrahedron& t = mesh.tetrahedra[id];
-                alphas[id] = t.is_dead() || t.is_ghost() ? infinite_alpha : alpha_of(mesh, t);
-            }
-        });
+    view.team.split(mesh.tetrahedra.size(), slots_per_thread,
+                    [&](std::size_t begin, std::size_t end, unsigned) {
+                        for (std::size_t id = begin; id < end; ++id) {
+                            const Tetrahedron& t = mesh.tetrahedra[id];
+                            alphas[id] =
+                                t.is_dead() || t.is_ghost() ? infinite_alpha : alpha_of(mesh, t);
+                        }
+                    });
     return alphas;
 }
 
@@ -86,8 +87,8 @@ void for_each_facet(const ExportView& view, const Buffer<double>& alphas, std::s
 }  // namespace
 
 void export_tetrahedron_alphas(const ExportView& view, double* out) {
-    constexpr std::size_t stretches_a_thread = 64;
-    view.team.split(view.numbering->stretches(), stretches_a_thread,
+    constexpr std::size_t stretches_per_thread = 64;
+    view.team.split(view.numbering->stretches(), stretches_per_thread,
                     [&](std::size_t begin, std::size_t end, unsigned) {
                         view.numbering->for_each(begin, end, [&](TetId id, std::size_t number) {
                             out[number] = alpha_of(view.mesh, view.mesh.tetrahedra[id]);
@@ -106,15 +107,16 @@ void export_facet_alphas(const ExportView& view, double* out) {
         while (places[at] != face) ++at;
         out[4 * static_cast<std::size_t>(view.numbering->number(id)) + at] = alpha;
     };
-    view.team.split(
-        mesh.tetrahedra.size(), slots_a_thread, [&](std::size_t begin, std::size_t end, unsigned) {
-            for_each_facet(view, alphas, begin, end,
-                           [&](TetId id, unsigned face, const VertexId(&)[3], double alpha) {
-                               write(id, face, alpha);
-                               const FacetCode beyond = mesh.tetrahedra[id].n[face];
-                               write(tetrahedron_of(beyond), face_of(beyond), alpha);
-                           });
-        });
+    view.team.split(mesh.tetrahedra.size(), slots_per_thread,
+                    [&](std::size_t begin, std::size_t end, unsigned) {
+                        for_each_facet(
+                            view, alphas, begin, end,
+                            [&](TetId id, unsigned face, const VertexId(&)[3], double alpha) {
+                                write(id, face, alpha);
+                                const FacetCode beyond = mesh.tetrahedra[id].n[face];
+                                write(tetrahedron_of(beyond), face_of(beyond), alpha);
+                            });
+                    });
 }
 
 void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_map, double* out) {
@@ -145,31 +147,32 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
     };
     AtomicArray<std::uint64_t> least(view.allocator, edges.size());
     AtomicArray<std::uint8_t> is_attached(view.allocator, edges.size());
-    view.team.split(edges.size(), slots_a_thread,
+    view.team.split(edges.size(), slots_per_thread,
                     [&](std::size_t begin, std::size_t end, unsigned) {
                         for (std::size_t e = begin; e < end; ++e)
                             least[e].store(bits_of(infinite_alpha), std::memory_order_relaxed);
                     });
     const Buffer<double> alphas = alphas_by_slot(view);
-    view.team.split(
-        mesh.tetrahedra.size(), slots_a_thread, [&](std::size_t begin, std::size_t end, unsigned) {
-            for_each_facet(view, alphas, begin, end,
-                           [&](TetId, unsigned, const VertexId(&v)[3], double alpha) {
-                               const unsigned obtuse = obtuse_corner(
-                                   {mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])});
-                               for (unsigned i = 0; i < 3; ++i) {
-                                   const std::size_t e =
-                                       place_of(indices[v[(i + 1) % 3]], indices[v[(i + 2) % 3]]);
-                                   if (i == obtuse)
-                                       is_attached[e].store(1, std::memory_order_relaxed);
-                                   std::uint64_t known = least[e].load(std::memory_order_relaxed);
-                                   while (bits_of(alpha) < known &&
-                                          !least[e].compare_exchange_weak(
-                                              known, bits_of(alpha), std::memory_order_relaxed)) {
-                                   }
-                               }
-                           });
-        });
+    view.team.split(mesh.tetrahedra.size(), slots_per_thread,
+                    [&](std::size_t begin, std::size_t end, unsigned) {
+                        for_each_facet(
+                            view, alphas, begin, end,
+                            [&](TetId, unsigned, const VertexId(&v)[3], double alpha) {
+                                const unsigned obtuse = obtuse_corner(
+                                    {mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])});
+                                for (unsigned i = 0; i < 3; ++i) {
+                                    const std::size_t e =
+                                        place_of(indices[v[(i + 1) % 3]], indices[v[(i + 2) % 3]]);
+                                    if (i == obtuse)
+                                        is_attached[e].store(1, std::memory_order_relaxed);
+                                    std::uint64_t known = least[e].load(std::memory_order_relaxed);
+                                    while (bits_of(alpha) < known &&
+                                           !least[e].compare_exchange_weak(
+                                               known, bits_of(alpha), std::memory_order_relaxed)) {
+                                    }
+                                }
+                            });
+                    });
     const auto alpha_at = [&](std::size_t place, std::uint32_t k, std::uint32_t other) {
         double alpha;
         const std::uint64_t bits = least[place].load(std::memory_order_relaxed);
@@ -188,7 +191,7 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
     }
     Buffer<std::int32_t> ends(view.allocator, 2 * edges.size());
     export_edges({view.team, mesh, view.numbering, view.allocator, 0, false}, ends.data());
-    view.team.split(edges.size(), slots_a_thread,
+    view.team.split(edges.size(), slots_per_thread,
                     [&](std::size_t begin, std::size_t end, unsigned) {
                         for (std::size_t e = begin; e < end; ++e) {
                             const auto a = static_cast<std::uint32_t>(ends[2 * e]),

@@ -101,23 +101,15 @@ void CellFaces::add_region_face(std::size_t cut) {
     add_polygon();
 }
 
-// Whether the polygon overlaps with the cell. It is either a face of the cell or has no area in
-// common with the cell. A corner decides that is outside the cell, or inside all half-spaces but
-// those of its own edges.
-CellFaces::Overlap CellFaces::overlap_with_cell() {
-    for (std::size_t i = 0; i < polygon_.size(); ++i) {
-        bool is_inside = true;
-        for (PlaneNumber b = 0; b < order_.size(); ++b) {
-            if (b == polygon_.edge(i) || b == polygon_.edge_before(i)) continue;
-            const int sign = polygon_.sign_at(i, b);
-            if (sign > 0) return Overlap::none;
-            if (sign < 0) continue;
-            is_inside = false;
-            break;
-        }
-        if (is_inside) return Overlap::some;
-    }
-    return polygon_.is_empty() ? Overlap::none : Overlap::unknown;
+// Whether the polygon overlaps with the cell.
+Overlap CellFaces::overlap_with_cell() {
+    const auto has_edge = [&](std::size_t i, std::size_t b) {
+        return b == polygon_.edge(i) || b == polygon_.edge_before(i);
+    };
+    const auto sign_at = [&](std::size_t i, std::size_t b) {
+        return polygon_.sign_at(i, static_cast<PlaneNumber>(b));
+    };
+    return find_overlap(polygon_.size(), order_.size(), has_edge, sign_at, Overlap::none);
 }
 
 void CellFaces::number_planes(const Mesh& mesh, VertexId v, const Link& link, const Cell& cell,

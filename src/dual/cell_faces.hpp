@@ -5,6 +5,7 @@
 
 #include "dual/cell.hpp"
 #include "dual/exact_polygon.hpp"
+#include "dual/overlap.hpp"
 #include "dual/region.hpp"
 
 namespace mgdt {
@@ -58,7 +59,6 @@ class CellFaces {
     void add_whole(const Link& link, PlaneNumber plane);
     void add_polygon();
     void add_region_face(std::size_t cut);
-    enum class Overlap { some, none, unknown };
     Overlap overlap_with_cell();
     void add_face(PlaneNumber plane);
     void number_corners();

@@ -118,24 +118,18 @@ void CellMeasures::set_region_face(const Cut& cut, const Link& link, const Regio
     settle(cut.side, link, region);
 }
 
-// Whether the polygon overlaps with the cell. It is either a face of the cell or has no area in
-// common with the cell.
-CellMeasures::Overlap CellMeasures::overlap_with_cell() const {
+// Whether the polygon overlaps with the cell. If the clipping was uncertain, a corner may be wrong,
+// and its being outside proves nothing.
+Overlap CellMeasures::overlap_with_cell() const {
     const Buffer<Corner>& corners = polygon_.corners();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        bool is_inside = true;
-        for (const std::uint32_t b : order_) {
-            if (b == polygon_.label(i) || b == polygon_.label_before(i)) continue;
-            const int sign = Polygon::sign_at(corners[i], cell_.side(b));
-            // If the clipping was uncertain, the corner may be wrong, and being outside proves
-            // nothing.
-            if (sign > 0) return polygon_.slack() == 0 ? Overlap::none : Overlap::unknown;
-            is_inside &= sign < 0;
-            if (!is_inside) break;
-        }
-        if (is_inside) return Overlap::some;
-    }
-    return corners.empty() ? Overlap::none : Overlap::unknown;
+    const auto has_edge = [&](std::size_t i, std::size_t rank) {
+        return order_[rank] == polygon_.label(i) || order_[rank] == polygon_.label_before(i);
+    };
+    const auto sign_at = [&](std::size_t i, std::size_t rank) {
+        return Polygon::sign_at(corners[i], cell_.side(order_[rank]));
+    };
+    return find_overlap(corners.size(), order_.size(), has_edge, sign_at,
+                        polygon_.slack() == 0 ? Overlap::none : Overlap::unknown);
 }
 
 // Adds all faces. A face to a neighbour is what the cutting planes leave of it; a face in a cutting

@@ -5,6 +5,7 @@
 
 #include "dual/cell.hpp"
 #include "dual/face_sums.hpp"
+#include "dual/overlap.hpp"
 #include "dual/region.hpp"
 
 namespace mgdt {
@@ -46,7 +47,6 @@ class CellMeasures {
     void set_face(const Link& link, std::size_t rank);
     void set_region_face(const Cut& cut, const Link& link, const Region& region, const Touch* begin,
                          const Touch* end);
-    enum class Overlap { some, none, unknown };
     Overlap overlap_with_cell() const;
     void settle(const Side& plane, const Link& link, const Region& region);
     template <Measure M>

@@ -63,7 +63,7 @@ int exponent_of(double x) {
 // are multiplied by the length of the normal. The normal is not longer than 0.29 times the sum of
 // the squares.
 struct FacetParts {
-    double of[3], error;
+    double part[3], error;
 };
 MGDT_ALWAYS_INLINE FacetParts facet_parts(double pp, double qq, double rr, const V& normal,
                                           double height, double center_error, double radius) {
@@ -71,12 +71,12 @@ MGDT_ALWAYS_INLINE FacetParts facet_parts(double pp, double qq, double rr, const
     const double p = pp * ((qq + rr) - pp), q = qq * ((rr + pp) - qq), r = rr * ((pp + qq) - rr);
     const double inverse = 1 / dot(normal, normal), factor = 1.0 / 48 * inverse,
                  by_height = factor * height;
-    const double all = std::fabs(p) + std::fabs(q) + std::fabs(r), square = sum * sum;
+    const double terms = std::fabs(p) + std::fabs(q) + std::fabs(r), square = sum * sum;
     return {
         {(q + r) * by_height, (r + p) * by_height, (p + q) * by_height},
         factor * (std::fabs(height) * (16 * rounding_of<double> * square +
-                                       all * rounding_of<double> * (2 * square * inverse + 12)) +
-                  all * sum * (0.29 * center_error + 5 * rounding_of<double> * radius))};
+                                       terms * rounding_of<double> * (2 * square * inverse + 12)) +
+                  terms * sum * (0.29 * center_error + 5 * rounding_of<double> * radius))};
 }
 
 }  // namespace
@@ -126,20 +126,21 @@ MGDT_ALWAYS_INLINE VolumePass::Parts VolumePass::parts_of(const Mesh& mesh, cons
     }
     const V y = x - a;
     const double radius = result.radius;
-    const FacetParts of_c = facet_parts(abab, bb, aa, C, sign * dot(x, C), error, radius),
-                     of_b = facet_parts(acac, cc, aa, B, sign * dot(x, B), error, radius),
-                     of_a = facet_parts(bcbc, cc, bb, A, sign * dot(x, A), error, radius),
-                     of_d = facet_parts(bcbc, acac, abab, D, -sign * dot(y, D), error, radius);
-    result.volume[0] = (of_c.of[0] + of_b.of[0]) + of_a.of[0];
-    result.volume[1] = (of_c.of[1] + of_b.of[1]) + of_d.of[0];
-    result.volume[2] = (of_c.of[2] + of_a.of[1]) + of_d.of[1];
-    result.volume[3] = (of_b.of[2] + of_a.of[2]) + of_d.of[2];
-    result.error = (of_a.error + of_b.error) + (of_c.error + of_d.error);
+    const FacetParts opposite_c = facet_parts(abab, bb, aa, C, sign * dot(x, C), error, radius),
+                     opposite_b = facet_parts(acac, cc, aa, B, sign * dot(x, B), error, radius),
+                     opposite_a = facet_parts(bcbc, cc, bb, A, sign * dot(x, A), error, radius),
+                     opposite_d =
+                         facet_parts(bcbc, acac, abab, D, -sign * dot(y, D), error, radius);
+    result.volume[0] = (opposite_c.part[0] + opposite_b.part[0]) + opposite_a.part[0];
+    result.volume[1] = (opposite_c.part[1] + opposite_b.part[1]) + opposite_d.part[0];
+    result.volume[2] = (opposite_c.part[2] + opposite_a.part[1]) + opposite_d.part[1];
+    result.volume[3] = (opposite_b.part[2] + opposite_a.part[2]) + opposite_d.part[2];
+    result.error = (opposite_a.error + opposite_b.error) + (opposite_c.error + opposite_d.error);
     // Outside this range, numbers may have overflowed or underflowed.
-    constexpr double least = 0x1p-100, most = 0x1p100;
-    const auto is_long = [](double square) { return square > least * least; };
+    constexpr double shortest = 0x1p-100, longest = 0x1p100;
+    const auto is_long = [](double square) { return square > shortest * shortest; };
     result.is_known = is_long(aa) && is_long(bb) && is_long(cc) && is_long(abab) && is_long(acac) &&
-                      is_long(bcbc) && result.radius < most && result.error < most;
+                      is_long(bcbc) && result.radius < longest && result.error < longest;
     return result;
 }
 
@@ -220,12 +221,12 @@ VolumePass::VolumePass(const ExportView& view)
 
 template <bool alone>
 void VolumePass::run(const ExportView& view) {
-    constexpr std::size_t slots_a_thread = 16384;
+    constexpr std::size_t slots_per_thread = 16384;
     const std::size_t slots = view.mesh.tetrahedra.size();
-    view.team.split(slots, slots_a_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+    view.team.split(slots, slots_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
         set_exponents<alone>(view.mesh, begin, end);
     });
-    view.team.split(slots, slots_a_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+    view.team.split(slots, slots_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
         add<alone>(view.mesh, begin, end);
     });
 }

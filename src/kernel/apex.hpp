@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // find_apex(): the apex of a facet in the hole of a removed vertex, if floating-point arithmetic
-// decides (kernel/vertex_removal.hpp). Each island has an implementation, which tests the whole
+// decides (hole/vertex_removal.hpp). Each island has an implementation, which tests the whole
 // link with vectors.
 #pragma once
 

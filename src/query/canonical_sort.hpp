@@ -22,8 +22,8 @@ void canonical_sort(Team& team, Allocator& allocator, std::size_t items,
         team, allocator, items, min_items_per_thread, firsts, ends.data(), each,
         [&](std::size_t size) { values.resize(size); },
         [&](std::size_t position, const Value& value) { values[position] = value; });
-    constexpr std::size_t firsts_a_thread = 16384;
-    team.split(firsts, firsts_a_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+    constexpr std::size_t firsts_per_thread = 16384;
+    team.split(firsts, firsts_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t k = begin; k < end; ++k) {
             std::sort(values.begin() + ends[k], values.begin() + ends[k + 1]);
             for (std::size_t i = ends[k]; i < ends[k + 1]; ++i) sorted(k, i, values[i]);

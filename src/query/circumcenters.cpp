@@ -7,8 +7,8 @@ namespace mgdt {
 void export_circumcenters(const ExportView& view, double* xyz, double* radius2) {
     const Mesh& mesh = view.mesh;
     const Numbering& numbering = *view.numbering;
-    constexpr std::size_t stretches_a_thread = 64, ahead = 16;
-    view.team.split(numbering.stretches(), stretches_a_thread,
+    constexpr std::size_t stretches_per_thread = 64, ahead = 16;
+    view.team.split(numbering.stretches(), stretches_per_thread,
                     [&](std::size_t begin, std::size_t end, unsigned) {
                         numbering.for_each(begin, end, [&](TetId id, std::size_t number) {
                             const Tetrahedron& t = mesh.tetrahedra[id];

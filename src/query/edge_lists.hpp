@@ -119,7 +119,7 @@ class EdgeLists {
     // same time. The list begins at position `place` of the concatenation of all lists.
     template <class Write>
     void write(Write write) const {
-        team_.split(keys_, keys_a_thread, [&](std::size_t begin, std::size_t end, unsigned m) {
+        team_.split(keys_, keys_per_thread, [&](std::size_t begin, std::size_t end, unsigned m) {
             std::size_t place = place_of_[m];
             for (std::size_t k = begin; k < end; ++k) {
                 write(k, place, others_.begin() + ends_[k], std::size_t{sizes_[k]});
@@ -144,7 +144,7 @@ class EdgeLists {
     template <class Size>
     void set_sizes(Size size) {
         std::fill_n(place_of_, Team::most + 1, std::size_t{0});
-        team_.split(keys_, keys_a_thread, [&](std::size_t begin, std::size_t end, unsigned m) {
+        team_.split(keys_, keys_per_thread, [&](std::size_t begin, std::size_t end, unsigned m) {
             std::size_t sum = 0;
             for (std::size_t k = begin; k < end; ++k) {
                 sizes_[k] = static_cast<std::uint32_t>(size(k));
@@ -155,7 +155,7 @@ class EdgeLists {
         for (unsigned m = 0; m < Team::most; ++m) place_of_[m + 1] += place_of_[m];
     }
 
-    static constexpr std::size_t keys_a_thread = 16384;
+    static constexpr std::size_t keys_per_thread = 16384;
 
     Team& team_;
     std::size_t keys_;

@@ -60,7 +60,7 @@ class Rows {
 };
 
 // The least number of stretches per thread.
-constexpr std::size_t stretches_a_thread = 1024;
+constexpr std::size_t stretches_per_thread = 1024;
 // From this size on, an array does not fit into the cache beside its source.
 constexpr std::size_t large_array = std::size_t{1} << 20;
 // The prefetch distance, in records.
@@ -99,7 +99,7 @@ void export_rows(const ExportView& view, const Indices& indices, Int* out, const
             Rows<Int>::finish();
         }
     };
-    view.team.split(numbering.stretches(), stretches_a_thread, write);
+    view.team.split(numbering.stretches(), stretches_per_thread, write);
 }
 template <class Int, class Indices, class Row>
 void export_rows(const ExportView& view, const Indices& indices, Int* out, const Row& row) {
@@ -252,8 +252,8 @@ void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* o
         });
     };
     make_lists(
-        view.team, view.allocator, numbering.stretches(), stretches_a_thread, points, offsets, each,
-        [](std::size_t) {}, [&](std::size_t place, Int number) { list[place] = number; });
+        view.team, view.allocator, numbering.stretches(), stretches_per_thread, points, offsets,
+        each, [](std::size_t) {}, [&](std::size_t place, Int number) { list[place] = number; });
     // In the order of storage, canonical numbers do not ascend.
     constexpr std::size_t min_items_per_thread = 16384;
     if (numbering.is_canonical())

@@ -24,12 +24,11 @@ class LocationTree {
     // Whether the tree had to leave out so many vertices that it should be made anew, as when
     // points advance along a line.
     bool is_outgrown() const noexcept { return missed_ > made_over_ / 2; }
-    // Counts vertices that leave, move or are renumbered. The tree keeps their old positions, so
-    // walks may start far from the query point. Returns whether the tree is still useful.
-    bool takes_changes(std::size_t vertices) noexcept {
-        changed_ += vertices;
-        return changed_ <= stride * made_over_ / 4;
-    }
+    // Counts vertices that are removed, moved or renumbered. The tree keeps their old positions, so
+    // walks may start far from the query point.
+    void count_changes(std::size_t vertices) noexcept { changed_ += vertices; }
+    // Whether so many vertices have changed that a new tree is better.
+    bool is_stale() const noexcept { return changed_ > stride * made_over_ / 4; }
     // A vertex near q. If vertices have changed it may be far from q, or not exist.
     VertexId near(const double* q) const noexcept;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kernel/vertex_removal.hpp"
+#include "hole/vertex_removal.hpp"
 
 #include <algorithm>
 
