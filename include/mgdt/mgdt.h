@@ -160,9 +160,9 @@ enum {
 enum {
     MGDT_SEPARATION_NONE = 0,   /**< All points of a cell come before those of the next cell. */
     MGDT_SEPARATION_PASSES = 1, /**< Each pass takes one point of each cell (4.3). */
-    /** The points along the path are divided into rounds. One of each twelve consecutive points
-     *  goes to an earlier round; the points of that round are divided again, and so on. Rounds of
-     *  at most 4,096 points give one of each four. */
+    /** The points along the path are divided into rounds. One of each 12 consecutive points goes
+     *  to an earlier round, whose points are divided in the same way, and so on. If at most 4,096
+     *  points are divided, one of each 4 goes to an earlier round. */
     MGDT_SEPARATION_ROUNDS = 2
 };
 

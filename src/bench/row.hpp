@@ -60,7 +60,7 @@ struct Row {
     std::string distribution;
     std::size_t points = 0;  // the number that is asked for; a distribution may have fewer
     std::uint64_t seed = 1;
-    std::string scheme;  // empty for peers; may have compact_suffix
+    std::string scheme;  // empty for peers; ends in compact_suffix for compact storage
     int threads = 1;
     int run = 1;
     std::string status = "ok";  // or a word for what has failed

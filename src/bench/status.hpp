@@ -14,7 +14,7 @@ namespace mgdt::cli::bench {
 int guarded(int out, const std::function<void()>& work);
 
 // The status for the table: "ok", "out-of-memory", "timeout", "signal 11", or "error:" and the last
-// line. Empty if this program has to end.
+// line that the child wrote. Empty if the child was stopped because this program got a signal.
 std::string status_of(const ChildEnd& end);
 
 // Sends a line through the pipe.

@@ -13,7 +13,7 @@ namespace mgdt::cli {
 struct Share {
     std::vector<double> points;
     std::int64_t first = 0;          // the position of the first of them in the file
-    std::size_t mid_side_nodes = 0;  // left out, if this reader has read the whole file
+    std::size_t mid_side_nodes = 0;  // how many were left out; 0 if several readers share the file
     std::vector<FileIdentity> inputs;
 };
 

@@ -70,7 +70,7 @@ Mesh read_samples(const InterpolateOptions& options) {
     return samples;
 }
 
-// All fields of a point, then those of the next, as the library takes them.
+// The fields of all points as the library expects them: those of the first point first.
 std::vector<double> interleaved(const Mesh& mesh, std::size_t n_fields) {
     std::vector<double> values(mesh.point_count() * n_fields);
     std::size_t first = 0;

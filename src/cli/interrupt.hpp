@@ -25,7 +25,7 @@ void check_interrupt();
 // From this call on, signals are ignored: the output gets its final names.
 void begin_commit() noexcept;
 
-// While it exists, signals cancel the handle.
+// While an object of this class exists, a signal cancels the running call on its handle.
 class Cancellable {
   public:
     explicit Cancellable(mgdt_triangulation* t) noexcept;

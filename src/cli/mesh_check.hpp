@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Whether tetrahedra from any program are a Delaunay triangulation of their points, by exact
-// arithmetic. Where five or more points are on one sphere there are several; each is accepted.
+// Checks by exact arithmetic that tetrahedra from any program are a Delaunay triangulation of their
+// points. If five or more points are on one sphere, there may be several; each is accepted.
 //
-// What is tested, all of it exactly:
-//   orientation  every tetrahedron has positive volume (or every one negative volume, which is
-//                another program's convention, and they are turned round);
-//   facets       no facet belongs to more than two tetrahedra, and two lie on opposite sides;
-//   spheres      across every shared facet, no opposite vertex is inside the circumsphere;
-//   hull         the facets of single tetrahedra, the boundary, meet two at an edge, neither beyond
-//                the other's plane, and a point inside the first tetrahedron is beyond none;
-//   cover        that point is in no other tetrahedron;
-//   vertices     every point is a vertex.
-// That these make a Delaunay triangulation of the points is proved in docs/theory.md, "What the
-// check proves".
+// These tests are made:
+//   orientation  All tetrahedra have positive volume. If all have negative volume, which is the
+//                convention of some programs, their orientation is reversed first.
+//   facets       A facet belongs to at most two tetrahedra, which lie on opposite sides of it.
+//   spheres      For every shared facet, neither opposite vertex is inside the circumsphere of the
+//                tetrahedron on the other side.
+//   hull         The boundary consists of the facets that belong to one tetrahedron. Two boundary
+//                facets meet at each boundary edge, and neither is beyond the plane of the other. A
+//                point inside the first tetrahedron is beyond no boundary facet.
+//   cover        That point is in no other tetrahedron.
+//   vertices     Every point is a vertex.
+// docs/theory.md, "What the check proves", shows that tetrahedra which pass these tests are a
+// Delaunay triangulation of the points.
 #pragma once
 
 #include <string>

@@ -175,7 +175,8 @@ bool CellMeasures::is_one_corner(const Mesh& mesh, VertexId v, const Link& link,
         if (corner != p && corner != q) apex = corner;
     const auto point = [&](std::uint32_t number) { return mesh.point(link.neighbor(number)); };
     if (a.is_ideal)
-        // The vertex at infinity is on the edge; the other two corners are on the hull.
+        // Both triangles are of ghosts, since the vertex at infinity is an end of their common
+        // edge. Their corners are one if the two hull facets are in one plane.
         return orientation(mesh.point(v), point(link.neighbor(p) == infinite_vertex ? q : p),
                            point(t.corner[beyond]), point(apex)) == 0;
     if (length(a.x - b.x) > 2 * (a.error + b.error)) return false;

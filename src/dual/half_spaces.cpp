@@ -212,7 +212,8 @@ bool HalfSpaces::round_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, Vecto
     const Vector<LongNumber> bc = cross(b.normal, c.normal), ca = cross(c.normal, a.normal),
                              ab = cross(a.normal, b.normal);
     const LongNumber determinant = dot(a.normal, bc);
-    // Three limbs of 64 bits, or more of 32, leave out less than 2^-110 of a quotient.
+    // Numerators and determinant are cut off to 192 bits. The relative error of a quotient is then
+    // below 2^-110.
     LongMemory cut_off(exact_.allocator(), 192 / exact::limb_bits);
     const LongNumber weight = cut_off.copy(determinant);
     for (int k = 0; k < 3; ++k) {

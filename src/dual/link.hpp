@@ -35,8 +35,9 @@ class Link {
         return tetrahedra_.name(static_cast<std::uint32_t>(triangle));
     }
 
-    // For each neighbour, the triangle at which for_ring() should begin to reach the adjacent
-    // neighbour of least index first. Then the ring does not depend on the order of the records.
+    // Sets first[b] to the triangle at which for_ring() starts around neighbour b: the one from
+    // which it reaches the adjacent neighbour with the least index first. Then the order of the
+    // ring does not depend on the order of the records.
     template <class IndexOf>
     void find_rings(IndexOf index_of, Buffer<std::uint32_t>& first) const {
         constexpr std::uint32_t none = 0xffffffffu;

@@ -213,7 +213,7 @@ void Polygon::settle(const Side& plane, SideOf side) {
         const std::uint32_t before = label_before(i);
         Corner corner;
         // Edges are counter-clockwise about the plane's normal, and the normals of the half-spaces
-        // point outwards.
+        // point outwards. So the three normals are positively oriented, as meet() requires.
         if (before != labels_[i] && meet(plane, side(before), side(labels_[i]), corner) &&
             corner.error < corners_[i].error)
             corners_[i] = corner;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// From feature to feature of the hull, facets, edges and corners, each with a place nearer to q,
-// until the one that has the nearest of all (Mirtich, V-Clip: fast and robust polyhedral collision
-// detection, ACM Transactions on Graphics 17, 1998). Each step is decided exactly, and facets are
-// those that q is beyond: docs/theory.md, "Values between points".
+// The walk goes over the features of the hull, which are its facets, edges and corners. Each step
+// leads to a feature with a point nearer to q, until none is nearer (Mirtich, V-Clip: fast and
+// robust polyhedral collision detection, ACM Transactions on Graphics 17, 1998). Each step is
+// decided exactly, and the walk enters a facet only if q is beyond it: docs/theory.md, "Values
+// between points".
 #include "interpolation/hull_place.hpp"
 
 #include <algorithm>

@@ -179,7 +179,8 @@ class RowWriter {
 void interpolate(const ExportView& view, const Locator& where, Manner manner, const Values& values,
                  const PointSet& places, double* out) {
     Buffer<Twofold> gradients(view.allocator);
-    // A place needs about sixteen gradients.
+    // A place needs the gradients of about sixteen vertices. With 1/8 as many places as vertices,
+    // each gradient is needed twice on average, so all are computed in advance.
     if (manner.method == Method::sibson_c1 && places.size >= view.mesh.vertices.size() / 8) {
         const std::size_t width = 3 * values.fields;
         gradients.resize(width * view.mesh.vertices.size());

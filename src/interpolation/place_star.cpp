@@ -155,8 +155,9 @@ void PlaceStar::build_in_space(const Mesh& mesh, Lookup number, Edges edges) {
     created_.resize_within_capacity(facets);
     cycles_.grow(facets);
     cycles_.resize_within_capacity(facets);
-    // Each facet of a removed tetrahedron is on the boundary or between two of them; each facet of
-    // the place is between two created ones.
+    // Each facet of a removed tetrahedron is on the boundary or between two removed tetrahedra.
+    // Each facet at the place is between two created tetrahedra. The loops below write one entry
+    // more, which is discarded.
     old_facets_.grow(2 * members + facets + 1);
     new_facets_.grow(3 * facets / 2 + 1);
     Removed* const removed = removed_.data();
@@ -170,8 +171,8 @@ void PlaceStar::build_in_space(const Mesh& mesh, Lookup number, Edges edges) {
         for (unsigned i = 0; i < 4; ++i) corner[i] = number(t.v[i]);
         for (unsigned face = 0; face < 4; ++face) {
             const std::uint32_t other = member(tetrahedron_of(t.n[face]));
-            // Each facet is written from one of its sides. What is written from the other side is
-            // overwritten.
+            // An entry is written for each face, but kept only if `other` is a member with a larger
+            // number. So a facet between two members is kept once. This needs no branch.
             Meeting<3>& f = *old_facet;
             old_facet += static_cast<int>(other + 1 > m + 1);
             f.near = m;

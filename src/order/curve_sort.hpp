@@ -17,9 +17,9 @@ struct CurveOrder {
     std::uint32_t index(std::size_t k) const noexcept {
         return static_cast<std::uint32_t>(words[k] & index_mask());
     }
-    // A rough measure of the distance between the i-th and the k-th point: the number of levels of
-    // the smallest curve cell of that length. Arbitrary if a nested curve begins or ends between
-    // them.
+    // A rough measure of the distance along the curve between the i-th and the k-th point: about
+    // log8 of the difference of their keys, so 1 more for each coarser level of cells. The value
+    // means nothing if a nested curve begins or ends between the two points.
     unsigned levels_apart(std::size_t i, std::size_t k) const noexcept {
         const std::uint64_t a = words[i] >> index_bits, b = words[k] >> index_bits;
         return bit_width(a < b ? b - a : a - b) / 3;

@@ -40,10 +40,10 @@ struct Region {
     Box box;
 };
 
-// Cuts a region that is not empty. Returns the parts on both sides of the pivot.
 struct Halves {
     Region left, right;
 };
+// Cuts a region that is not empty. Returns the parts on both sides of the pivot.
 Halves cut(KdPoint* points, const Region& region) noexcept;
 
 template <class Leaf>

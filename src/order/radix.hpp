@@ -58,9 +58,10 @@ struct Digits {
     std::size_t values() const noexcept { return std::size_t{1} << bits; }
 };
 
-// Stable passes over the digits of bits low..low+width-1, from the least significant one, between
-// arrays a and b. Returns the array with the result. Not inlined: short arrays are sorted without
-// it, and stack protection would touch all of its large frame at each call.
+// Sorts n records stably by bits low..low+width-1 of their keys, from the least significant digit
+// on. Each pass moves the records from one of the arrays a and b to the other. Returns the array
+// with the result. The function is not inlined, since short arrays are sorted without it, and stack
+// protection would touch its large frame at each call.
 template <class Record>
 MGDT_NOT_INLINE Record* least_digit_first(Record* a, Record* b, std::size_t n, unsigned low,
                                           unsigned width) noexcept {

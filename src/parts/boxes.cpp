@@ -122,8 +122,8 @@ Boxes::Facet::Facet(const double* a_, const double* b_, const double* c_, const 
     }
 }
 
-// For most boxes, the corner that is farthest along the normal is on the inner side beyond rounding
-// error, and decides.
+// Whether a corner of the box is beyond the facet. The corner farthest along the normal is tested
+// in doubles first: for most boxes it is on the inner side by more than the rounding error.
 bool Boxes::is_beyond(const PointBox& box, const Facet& f) {
     double farthest = 0, sizes = 0, reach = 1;
     for (int k = 0; k < 3; ++k) {

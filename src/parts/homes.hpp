@@ -48,7 +48,7 @@ class Homes {
 
         bool has_before(const double* p) const { return compare(p) < 0; }
         bool has_after(const double* p) const { return compare(p) > 0; }
-        // Whether p is before the splitter.
+        // -1 if p is before the splitter, 0 if it is equal to the splitter, 1 if it is after it.
         int compare(const double* p) const {
             for (unsigned k = 0; k < 3; ++k) {
                 const unsigned a = (axis + k) % 3;

@@ -46,8 +46,8 @@ static_assert(native_bits + digit_bits + 4 < 127,
 MGDT_PREDICATES_INLINE double rounded(Widest v) {
     const auto narrow = static_cast<std::int64_t>(v);
     if (v == narrow) return static_cast<double>(narrow);
-    // The leading 64 bits determine the result, except for whether a later bit is set. The last of
-    // the 64 bits stands for that; it is far below the bits that a double keeps.
+    // The leading 64 bits determine the result, except for whether a later bit is set. So the last
+    // of the 64 bits is set if any later bit is; it is far below the bits that a double keeps.
     const int shift = __builtin_clrsbll(static_cast<std::int64_t>(v >> 64));
     const DoubleLimb aligned = static_cast<DoubleLimb>(v) << shift;
     const auto leading = static_cast<std::int64_t>(aligned >> 64);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Arithmetic with error bounds, in doubles and twofold numbers or in long numbers: how numbers are
-// made, and arrays that keep results while intermediate numbers are freed.
+// Two number systems with error bounds and one interface: BoundedFloats (doubles and
+// double-doubles) and BoundedLongs (long numbers). Each makes numbers and has arrays whose numbers
+// stay when intermediate results are freed.
 #pragma once
 
 #include "predicates/bounded_float.hpp"

@@ -57,9 +57,9 @@ bool radius2_as(const double* const (&p)[3], double most, double& square) {
 
 }  // namespace
 
-// The centre c of the sphere through all four points satisfies |c - a| = |c - q|. If the centre of
-// a sphere through a, b and c is on the far side of their plane from q, then q is outside that
-// sphere if it is outside the smallest one; see docs/theory.md.
+// `height` is positive if the centre of the sphere through all four points is on q's side of the
+// plane of a, b and c. Then q is outside the smallest sphere through a, b and c; if `height` is
+// negative, q is inside: docs/theory.md, "Facets".
 int facet_sphere_filter(const double* a, const double* b, const double* c, const double* q) {
     const Vector<double> r[3] = {difference<double>(b, a), difference<double>(c, a),
                                  difference<double>(q, a)};

@@ -10,7 +10,7 @@ namespace mgdt {
 
 class InteriorPoint {
   public:
-    // The point of the tetrahedron with these vertices, which must span space.
+    // The interior point of the tetrahedron with these vertices, which must span space.
     InteriorPoint(const double* a, const double* b, const double* c, const double* d)
         : v_{a, b, c, d} {}
 

@@ -95,7 +95,8 @@ struct TwoDigits {
 struct ThreeDigits {
     std::int64_t d0, d1, d2;
 
-    // From sums of products of digits, by the position of the digits.
+    // The number c0 + c1 * 2^62, where c0 and c1 are sums of products of digits. What does not fit
+    // a digit is carried to the next one.
     MGDT_PREDICATES_INLINE ThreeDigits(Widest c0, Widest c1) : d0(low_digit(c0)) {
         const Widest carried = c1 + (c0 >> digit_bits);
         d1 = low_digit(carried);
@@ -111,8 +112,9 @@ constexpr int cubic_bits = 3 * native_bits + 3;   // a determinant: 6 * 2^(3 * 6
 static_assert(square_bits <= 2 * digit_bits && cubic_bits <= 3 * digit_bits,
               "two digits hold a minor and a square, three a minor of three rows");
 static_assert(native_bits + digit_bits + 2 < 127, "three products of a difference and a digit");
-// The second digit of a square is at most a quarter of a digit. So the largest sum for a sphere is
-// four products of two digits and four of a digit and a quarter of one: 5 * 2^(2 * 62).
+// The second digit of a square is at most a quarter of 2^62. So the largest sum in the sphere
+// determinant has four products of two digits, and four products of a digit and such a quarter: it
+// is at most 5 * 2^(2 * 62).
 static_assert(square_bits - digit_bits <= digit_bits - 2 && 2 * digit_bits + 3 <= 127,
               "eight products of digits");
 

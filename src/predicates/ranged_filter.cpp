@@ -65,7 +65,8 @@ struct TreeRows {
     }
 };
 
-// |p|^2 - |r|^2 from p - r and, relative to the origin, p and r: (p - r) . (p + r).
+// Computes |p|^2 - |r|^2 as (p - r) . (p + r). `difference` is p - r, and p and r are relative to
+// the origin.
 template <class T>
 T lift(const T* difference, const T* p, const T* r) {
     return (difference[0] * (p[0] + r[0]) + difference[1] * (p[1] + r[1])) +

@@ -12,9 +12,10 @@ int orientation_filter(const double* a, const double* b, const double* c, const 
                        const Bound& bound = orientation_bound);
 int orientation_lattice(const double* a, const double* b, const double* c, const double* d);
 int orientation_native(const double* a, const double* b, const double* c, const double* d);
-// The stages of sparse integers, which are used if the differences span at least `least` bits.
-enum class Terms { single, any };  // the number of terms of each difference
-constexpr int sparse_least = 512;  // below this, plain integers are as fast
+// The number of terms that a sparse stage accepts in each difference.
+enum class Terms { single, any };
+constexpr int sparse_least = 512;  // bits; below this, plain integers are as fast
+// The stage of sparse integers. It is undecided if the differences span fewer than `least` bits.
 MGDT_PREDICATES_APART int orientation_sparse(const double* a, const double* b, const double* c,
                                              const double* d, Terms terms = Terms::any,
                                              int least = sparse_least);

@@ -65,7 +65,7 @@ bool FlatHull::contains(const double* q) {
             (to_left == 0 && is_between(left, q, p)))
             return true;
         if (from_right >= 0 && to_left >= 0) continue;
-        // p is beyond both ends of the angle, so the three surround q.
+        // p is to the right of `right` and to the left of `left`, so these three surround q.
         if (from_right < 0 && to_left < 0) return true;
         (from_right < 0 ? right : left) = p;
     }

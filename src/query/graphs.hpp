@@ -14,8 +14,9 @@ EdgeLists gabriel_edges(const ExportView& view, std::size_t points);
 // diametral sphere of the opposite edge.
 unsigned obtuse_corner(const double* const (&p)[3]);
 
-// The Euclidean minimum spanning tree of all vertices, as two ends per edge. Among trees of the
-// same length it is the one whose edges come first. point_map has the vertex of each point.
+// The Euclidean minimum spanning tree of all vertices, as two ends per edge. Edges of equal length
+// are ordered by the indices of their ends, which makes the tree unique. point_map has the vertex
+// of each point.
 Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexId>& point_map);
 
 }  // namespace mgdt

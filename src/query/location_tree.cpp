@@ -196,7 +196,7 @@ VertexId LocationTree::near(const double* q) const noexcept {
         const float a = leaf.x[0][i] - x, b = leaf.x[1][i] - y, c = leaf.x[2][i] - z;
         squares[i] = a * a + b * b + c * c;
     }
-    // Of several that are equally near in float arithmetic, the first.
+    // If several vertices are equally near in float arithmetic, the first one is taken.
     std::ptrdiff_t nearest = 0;
     for (std::ptrdiff_t i = 1; i < most_in_leaf; ++i)
         nearest = squares[i] < squares[nearest] ? i : nearest;

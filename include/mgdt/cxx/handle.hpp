@@ -62,7 +62,7 @@ class Guarded {
     std::exception_ptr thrown_{};
 };
 
-// Calls a callback. Returns whether its result, if it has one, is true.
+// Calls a callback. Returns whether it has a result and that is true.
 template <class F, class... Arguments>
 bool asks_to_stop(F& call, Arguments&&... arguments) {
     if constexpr (std::is_void_v<std::invoke_result_t<F&, Arguments...>>) {

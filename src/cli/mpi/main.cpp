@@ -29,7 +29,8 @@ struct Options {
     bool compress = false;
 };
 
-// Nothing where there is nothing to do: --help, --version.
+// Parses the arguments. Returns nothing for --help and --version, whose text is printed if `speaks`
+// is true, as on the first rank.
 std::optional<Options> parse(int argc, char** argv, bool speaks) {
     Options o;
     CLI::App app(
