@@ -85,9 +85,9 @@ module mgdt_constants
     integer, parameter :: mgdt_separation_none = 0
     ! Each pass takes one point of each cell (4.3).
     integer, parameter :: mgdt_separation_passes = 1
-    ! The points along the path are divided into rounds. One of each twelve consecutive points goes
-    ! to an earlier round; the points of that round are divided again, and so on. Rounds of at most
-    ! 4,096 points give one of each four.
+    ! The points along the path are divided into rounds. One of each 12 consecutive points goes to
+    ! an earlier round, whose points are divided in the same way, and so on. If at most 4,096 points
+    ! are divided, one of each 4 goes to an earlier round.
     integer, parameter :: mgdt_separation_rounds = 2
 
     ! Figures.
@@ -99,7 +99,7 @@ module mgdt_constants
     integer, parameter :: mgdt_stat_points_removed = 12
     ! Points moved to other coordinates. Since 1.2.
     integer, parameter :: mgdt_stat_points_moved = 13
-    ! Moves done by removal and insertion. Since 1.2.
+    ! Moves that inserted the point anew. Since 1.2.
     integer, parameter :: mgdt_stat_put_back = 14
     ! Removals and moves that rebuilt all. Since 1.2.
     integer, parameter :: mgdt_stat_rebuilds = 15

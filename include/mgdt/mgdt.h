@@ -175,7 +175,7 @@ enum {
     MGDT_STAT_DUPLICATES = 11,         /**< Points equal to an earlier vertex. */
     MGDT_STAT_POINTS_REMOVED = 12,     /**< Points removed. Since 1.2. */
     MGDT_STAT_POINTS_MOVED = 13,       /**< Points moved to other coordinates. Since 1.2. */
-    MGDT_STAT_PUT_BACK = 14,           /**< Moves done by removal and insertion. Since 1.2. */
+    MGDT_STAT_PUT_BACK = 14,           /**< Moves that inserted the point anew. Since 1.2. */
     MGDT_STAT_REBUILDS = 15,           /**< Removals and moves that rebuilt all. Since 1.2. */
     MGDT_STAT_WALK_STEPS = 20,         /**< Tetrahedra visited by walks (the paper's NP, summed). */
     MGDT_STAT_WALK_TESTS = 21,         /**< Circumspheres evaluated by walks. */

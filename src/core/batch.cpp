@@ -44,7 +44,7 @@ void Batch::gather(const Mesh& mesh, const Buffer<VertexId>& point_map, const Ba
                    std::size_t count) {
     const std::size_t before = added.first_index;
     begin_gathering(before + count);
-    // Points that a cancelled call left out are not in the map and stay out.
+    // Points that a cancelled call left out have no vertex in the map. They stay out.
     for (std::size_t i = 0; i < before; ++i)
         if (point_map[i] != infinite_vertex)
             gather(mesh.point(point_map[i]), static_cast<std::uint32_t>(i));

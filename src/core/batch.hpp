@@ -9,19 +9,21 @@ namespace mgdt {
 
 struct Batch {
     explicit Batch(Allocator& allocator) : gathered(allocator), indices(allocator) {}
-    // The caller's points; `first` is the index of the first, counted from 0.
+    // A batch of n points in the caller's array. `first` is the index of the first point, counted
+    // from 0.
     Batch(Allocator& allocator, const PointScan& scan, std::size_t n, const double* const axis[3],
           std::ptrdiff_t stride, int scale_exponent, std::size_t first)
         : Batch(allocator) {
         use(scan, n, axis, stride, scale_exponent, first);
     }
 
-    // Collect scaled points one by one. begin_gathering() makes room for `most`; the batch may be
-    // used after end_gathering().
+    // These functions collect scaled points one by one. begin_gathering() makes room for `most`
+    // points; the batch may be used after end_gathering().
     void begin_gathering(std::size_t most);
     void gather(const double* p, std::uint32_t index) noexcept;
     void end_gathering();
-    // Makes this the batch of all points that are held, and of the first `count` points of `added`.
+    // Gathers the points before those of `added` that have a vertex in `point_map`, and the first
+    // `count` points of `added`.
     void gather(const Mesh& mesh, const Buffer<VertexId>& point_map, const Batch& added,
                 std::size_t count);
     // Removes the first `count` points from the batch.

@@ -20,8 +20,8 @@ constexpr std::size_t smallest_schedule = 16;
 
 // Moves four positions to the front of the schedule; the others keep their order.
 void bring_to_front(Schedule& schedule, const std::size_t positions[4]) {
-    // A position before the last of the four moves back by the number of the four that come after
-    // it.
+    // Each of the four positions moves to the front. Every other position before the last of the
+    // four moves back by the number of the four that come after it.
     const auto moved = [&](std::size_t k) {
         std::size_t behind = 0;
         for (std::size_t i = 0; i < 4; ++i) {
@@ -51,8 +51,8 @@ void bring_to_front(Schedule& schedule, const std::size_t positions[4]) {
 }
 
 // Copies the points to vertices, in the order of the schedule, and fills the point map. Every point
-// gets a vertex; compact_vertices() closes the gaps of repeats. The map is written here and not at
-// each insertion, because stores at random addresses would delay the stores of the star.
+// gets a vertex; compact_vertices() removes the vertices of repeats later. This function writes the
+// map, because stores at random addresses during an insertion would delay the stores of the star.
 void copy_vertices(State& state, Team& team, const Batch& batch, const Schedule& schedule,
                    std::size_t base) {
     const std::size_t size = batch.points.size;
@@ -88,7 +88,7 @@ void schedule_batch(State& state, Team& team, const Batch& batch, Schedule& sche
     const std::int32_t scheme =
         batch.points.size <= smallest_schedule ? MGDT_ORDER_INPUT : state.settings.scheme;
     make_schedule(team, batch.points, scheme, state.settings.order, schedule);
-    // Several threads need rounds: the first ones make a mesh that the threads can share.
+    // Several threads need rounds: the first rounds make a mesh that the threads can share.
     if (team.size() > 1 && schedule.rounds.size() == 1 && scheme != MGDT_ORDER_RANDOM)
         assign_rounds(team, state.settings.order.seed, schedule);
     state.statistics.levels = schedule.levels;
@@ -97,8 +97,8 @@ void schedule_batch(State& state, Team& team, const Batch& batch, Schedule& sche
 }
 
 // Moves four points that span space to the front of the schedule, and starts the mesh with their
-// tetrahedron. All other points become vertices that are not inserted yet. Not inlined, so that its
-// variables take no stack while the points are inserted.
+// tetrahedron. All other points become vertices that are not inserted yet. The function is not
+// inlined, so that its variables take no stack while the points are inserted.
 MGDT_NOT_INLINE void begin_with(State& state, Team& team, const Batch& batch, Schedule& schedule) {
     std::size_t positions[4];
     AffineBasis basis;
@@ -120,7 +120,7 @@ MGDT_NOT_INLINE void begin_with(State& state, Team& team, const Batch& batch, Sc
     make_first_tetrahedra(state);
 }
 
-// Not inlined, so that it takes no stack while several threads insert.
+// The function is not inlined, so that its variables take no stack while several threads insert.
 MGDT_NOT_INLINE void insert_scheduled(State& state, const Batch& batch, const Schedule& schedule,
                                       std::size_t base, std::size_t done, bool may_stop) {
     const std::size_t n = batch.points.size;
@@ -167,7 +167,8 @@ MGDT_NOT_INLINE void insert_scheduled(State& state, const Batch& batch, const Sc
 }  // namespace
 
 void insert_batch(State& state, Team& team, const Batch& batch, bool fresh, bool may_stop) {
-    // Everything that can fail comes before the mesh changes.
+    // The arrays and the schedule are allocated before the mesh changes, so that a failure to
+    // allocate them changes nothing.
     const std::size_t n = batch.points.size;
     const std::size_t base = fresh ? 1 : state.mesh.vertices.size();
     Stopwatch watch(state.statistics.insert_seconds);
@@ -176,8 +177,8 @@ void insert_batch(State& state, Team& team, const Batch& batch, bool fresh, bool
     team.split(n, 8192, [&](std::size_t begin, std::size_t end, unsigned) {
         state.mesh.vertices.prefault(base + begin, base + end);
     });
-    // The schedule is made in the memory that the new vertices will take, behind those that are
-    // held.
+    // The schedule uses the memory that the new vertices will take, behind the vertices that are in
+    // the array now.
     const std::size_t held = std::min(state.mesh.vertices.size(), base + n);
     BorrowedArena room(state.mesh.vertices.data() + held, (base + n - held) * sizeof(Vertex),
                        state.allocator);
@@ -191,7 +192,7 @@ void insert_batch(State& state, Team& team, const Batch& batch, bool fresh, bool
     try {
         state.mesh.reserve_tetrahedra(expected_tetrahedra(base + n, state.mesh.slot_limit));
     } catch (const std::bad_alloc&) {
-        // Growing on demand may still succeed.
+        // The insertion may still succeed, since the storage also grows on demand.
     }
 
     if (fresh)

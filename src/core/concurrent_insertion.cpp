@@ -71,7 +71,8 @@ std::uint64_t ConcurrentInsertion::times_deferred() const {
     return sum;
 }
 
-// Inserts items on this many threads, and what is left on fewer, in the end on one.
+// Inserts the items with `threads` threads. The items that are left are inserted with fewer
+// threads, and finally with one.
 void ConcurrentInsertion::insert_anywhere(Items items, unsigned threads) {
     Buffer<std::uint32_t> list(state_.allocator);
     policy_.begin_list();
@@ -84,10 +85,10 @@ void ConcurrentInsertion::insert_anywhere(Items items, unsigned threads) {
         }
         const bool is_in_doubt = stage_.is_in_doubt, met_hubs = insert_hubs() > 0;
         if (stage_.lacks_slots && !met_hubs) {
-            // One thread wastes no slots, and reports the error.
+            // One thread needs no spare slots. It reports the error if the storage is full.
             if (!try_to_grow_storage(threads)) threads = 1;
         } else if (!is_in_doubt && !met_hubs) {
-            threads /= 2;  // what is left is where threads met: fewer will meet less
+            threads /= 2;  // contention left these points, and fewer threads contend less
         }
         if (is_in_doubt) {
             const Stopwatch watch(seconds);
@@ -137,7 +138,8 @@ void ConcurrentInsertion::insert_alone(const Items& items) {
     }
 }
 
-// Inserts what the last stage has deferred, before threads make more tetrahedra in its place.
+// Inserts the points that the last stage has deferred, before threads make more tetrahedra in the
+// cavities of these points.
 void ConcurrentInsertion::insert_deferred_first() {
     const std::size_t count = std::min(deferred_, left_.size());
     std::sort(left_.begin(), left_.begin() + count);
@@ -146,7 +148,8 @@ void ConcurrentInsertion::insert_deferred_first() {
     left_.resize(left_.size() - count);
 }
 
-// Inserts the last n points of the list and removes them from it. Returns the seconds that it took.
+// Inserts the last n points of the list and removes them from the list. Returns the time taken, in
+// seconds.
 double ConcurrentInsertion::insert_last_alone(Buffer<std::uint32_t>& list, std::size_t n) {
     double seconds = 0;
     {
@@ -157,7 +160,8 @@ double ConcurrentInsertion::insert_last_alone(Buffer<std::uint32_t>& list, std::
     return seconds;
 }
 
-// Inserts a point while no other thread is at work. `is_near_last`: it is near the last one.
+// Inserts the point at position k while no other thread works. `is_near_last`: the point is near
+// the one that was inserted last.
 void ConcurrentInsertion::insert_serially(std::size_t k, bool is_near_last) {
     const Mesh& mesh = state_.mesh;
     const VertexId q = positions_.vertex(k);
@@ -191,7 +195,8 @@ void ConcurrentInsertion::begin_stage(const Items& items, unsigned threads) {
     for (unsigned m = 0; m < threads; ++m) workers_[m].results().hub = no_index;
 }
 
-// When the threads are done: hands what they had to the mesh, and lists the points that are left.
+// Ends a stage after its threads are done: returns their slots to the mesh, records their repeats,
+// and lists the points that are left.
 void ConcurrentInsertion::end_stage(unsigned threads) {
     supply_.close();
     for (unsigned m = 0; m < threads; ++m) workers_[m].return_slots();
@@ -210,7 +215,8 @@ void ConcurrentInsertion::end_stage(unsigned threads) {
             left_.push_back(static_cast<std::uint32_t>(stage_.items[i]));
 }
 
-// Inserts the hubs that all have stopped for, and takes them from what is left. Returns how many.
+// Inserts the hubs for which all threads have stopped, and removes them from `left_`. Returns the
+// number of hubs.
 std::size_t ConcurrentInsertion::insert_hubs() {
     std::size_t hubs = 0;
     for (Worker& worker : workers_) {
@@ -225,7 +231,7 @@ std::size_t ConcurrentInsertion::insert_hubs() {
     return hubs;
 }
 
-// Returns false if there is no memory for more tetrahedra.
+// Reserves more slots for tetrahedra. Returns false if there is no memory for them.
 bool ConcurrentInsertion::try_to_grow_storage(unsigned threads) {
     const std::size_t more = threads * std::size_t{2} * max_slots_at_once;
     try {
@@ -236,13 +242,13 @@ bool ConcurrentInsertion::try_to_grow_storage(unsigned threads) {
     }
 }
 
-// Takes the list of what is left, in the order of the schedule.
+// Returns the positions in `left_`, in the order of the schedule, and empties `left_`.
 Buffer<std::uint32_t> ConcurrentInsertion::take_left() {
     std::sort(left_.begin(), left_.end());
     return std::exchange(left_, Buffer<std::uint32_t>(state_.allocator));
 }
 
-// On the calling thread alone.
+// Reports progress and answers a request to stop. Only the calling thread may do so.
 void ConcurrentInsertion::poll(std::size_t done) {
     if (!may_stop_) return;
     const std::size_t n = positions_.size();

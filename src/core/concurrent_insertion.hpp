@@ -4,14 +4,14 @@
 // Each thread has a zone: a run of consecutive points of a round. As the schedule follows a curve,
 // a zone is compact, and zones are equal in points, not in volume. There are two ways to insert.
 //
-// In zones, a thread changes what is inside its zone and never looks at the others; it defers a
-// point that would change anything else. Where few points are near the border of zones, this costs
-// no more than one thread alone (core/zones.hpp).
+// In zones, a thread removes only tetrahedra inside its zone, without synchronisation, and defers a
+// point that would remove any other tetrahedron. Where few points are near the border of zones, an
+// insertion costs no more than with one thread (core/zones.hpp).
 //
-// Anywhere, a thread may change any tetrahedron. It goes along its zone and keeps the blocks of
-// vertices that it touches for some hundred points (parallel/block_ownership.hpp). A point that
-// needs a block of another thread is deferred, tried again when this thread has given its blocks
-// back, and in the end inserted by fewer threads, or by one.
+// Anywhere, a thread may change any tetrahedron. The thread goes along its zone and owns the blocks
+// of vertices that it touches until it has tried a piece of at most 64 points
+// (parallel/block_ownership.hpp). A point that needs a block of another thread is deferred, tried
+// again when this thread has given its blocks back, and finally inserted by fewer threads or one.
 //
 // ConcurrentPolicy decides which way is taken and by how many threads, ConcurrentInsertion goes
 // through the stages, and a Worker has the loop of one thread. The tetrahedra do not depend on any
@@ -28,15 +28,16 @@ namespace mgdt {
 
 class ConcurrentInsertion {
   public:
-    // Vertices of the batch are in the mesh from `base` on, in the order of the schedule.
+    // The points of the batch are the vertices of the mesh from `base` on, in the order of the
+    // schedule.
     ConcurrentInsertion(State& state, Team& team, const Batch& batch, const Schedule& schedule,
                         std::size_t base, bool may_stop);
     ~ConcurrentInsertion();
     ConcurrentInsertion(const ConcurrentInsertion&) = delete;
     ConcurrentInsertion& operator=(const ConcurrentInsertion&) = delete;
 
-    // Inserts all points but the first `done`. Throws as insert_batch(); points that are not in
-    // have no tetrahedron near then.
+    // Inserts all points but the first `done`. Throws as insert_batch(); the vertex hint of a point
+    // that is not inserted is then no_tetrahedron.
     void run(std::size_t done);
 
   private:
@@ -77,7 +78,7 @@ class ConcurrentInsertion {
     Stage stage_;
     PerMember<Worker> workers_;
     Buffer<std::uint32_t> left_;  // positions that a stage has left, the deferred ones first
-    std::size_t deferred_ = 0;    // of these
+    std::size_t deferred_ = 0;    // the number of deferred positions in `left_`
     std::size_t next_report_ = 0;
 };
 

@@ -34,10 +34,12 @@ unsigned ConcurrentPolicy::threads_for_round(std::size_t size, std::size_t tetra
     if (tetrahedra / hooks_.max_tetrahedra_per_vertex > vertices) return 1;
     const std::size_t usual = hooks_.min_points_per_thread;
     unsigned threads = threads_for(size, usual);
-    // All others wait for an early round: it has two threads if it is large enough for them.
+    // All other threads wait for an early round. Such a round gets two threads if each of the two
+    // has a quarter of the usual number of points.
     if (early_share * size < batch_size_)
         threads = std::max(threads, std::min(2u, threads_for(size, usual / 4)));
-    // With few tetrahedra, as when most points repeat others, most insertions would conflict.
+    // With few tetrahedra, as when most points are repeats, most insertions would need tetrahedra
+    // that another thread owns.
     return std::min(threads, threads_for_few(tetrahedra));
 }
 

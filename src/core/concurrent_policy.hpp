@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How many threads insert, in which way, and when they give up. The policy decides by sizes, counts
-// and times that it is told; it starts no thread and changes no mesh.
+// Decides how many threads insert, in which way, and when they give up. The policy uses only the
+// sizes, counts and times that its caller passes; it starts no thread and changes no mesh.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,7 @@ namespace mgdt {
 
 class ConcurrentPolicy {
   public:
-    // For a batch of `batch_size` points and at most `threads` threads.
+    // A policy for a batch of `batch_size` points and at most `threads` threads.
     ConcurrentPolicy(const TestHooks& hooks, unsigned threads, std::size_t batch_size) noexcept
         : hooks_(hooks), most_threads_(threads), batch_size_(batch_size) {}
 
@@ -23,23 +23,25 @@ class ConcurrentPolicy {
                                std::size_t vertices) const noexcept;
     // The number of threads for a few points that all other threads wait for.
     unsigned threads_for_few(std::size_t points) const noexcept;
-    // The number of threads for the deferred ones of `points` points. If they are many, threads
-    // meet there.
+    // The number of threads for the `deferred` points out of `points` points. Many deferred points
+    // mean contention, so each thread then needs more points.
     unsigned threads_for_deferred(std::size_t deferred, std::size_t points) const noexcept;
 
-    // Whether the next round may be inserted in zones, as far as contention goes.
+    // Whether the next round may be inserted in zones. By default, contention in the previous round
+    // forbids zones.
     bool may_use_zones() const noexcept;
     // Whether the border of the zones has few enough points for the round to gain from zones.
     bool is_border_short(std::size_t border, std::size_t round_size) const noexcept;
     void begin_round() noexcept { stops_for_hubs_ = 0; }
     void end_round(std::uint64_t deferred, std::size_t size) noexcept;
 
-    // Whether all threads stop for the next hub. That is limited in each round.
+    // Whether all threads stop for the next hub. The number of such stops per round is limited.
     bool may_stop_for_hubs() const noexcept { return stops_for_hubs_ < max_stops_for_hubs; }
     void count_stop_for_hubs() noexcept { ++stops_for_hubs_; }
 
-    // Where most attempts fail, one thread may be faster than several: it inserts a sample, and the
-    // policy compares. A comparison belongs to the insertion of one list of points.
+    // The number of points in a sample. Where many attempts fail, one thread may be faster than
+    // several, so one thread inserts a sample and compare() compares the speeds. begin_list()
+    // forgets the comparisons of the previous list of points.
     static constexpr std::size_t sample_size = 1024;
     void begin_list() noexcept;
     std::size_t attempts_before_doubt() const noexcept { return attempts_before_doubt_; }
@@ -62,17 +64,18 @@ class ConcurrentPolicy {
     bool was_faster_alone_ = false;
 };
 
-// What one thread should do, by its failed attempts.
+// Advises one thread what to do, according to its failed attempts.
 class Contention {
   public:
     enum class Advice : std::uint8_t {
         go_on,
-        wait,   // for wait(): the thread that is met may be about to go on, or be suspended
-        leave,  // the rest of the stage to other threads
-        doubt,  // whether several threads are faster than one
+        wait,   // sleep for wait(): the other thread may soon be done, or be suspended
+        leave,  // leave the rest of the stage to other threads
+        doubt,  // stop all threads: one thread may be faster than several
     };
 
-    // A thread asks for advice after each piece of its part of `points` points.
+    // Begins a stage in which `threads` threads insert `points` points. A thread asks for advice
+    // after each piece.
     void begin(std::size_t points, unsigned threads, std::size_t attempts_before_doubt) noexcept;
     void count(std::size_t attempts, std::size_t failures) noexcept;
     // Counts the tetrahedra of the cavity that an attempt visited before it failed.
@@ -82,7 +85,7 @@ class Contention {
     bool has_given_up_too_much() const noexcept {
         return given_up_ > max_given_up_per_attempt * attempts_before_doubt_;
     }
-    // Judges the attempts so far; what it has judged is not counted again.
+    // Judges the attempts since the previous judgement, if there are enough of them.
     Advice judge() noexcept;
     std::chrono::microseconds wait() const noexcept { return first_wait * (1 << (waits_ - 1)); }
 
@@ -105,10 +108,10 @@ class Contention {
     };
 
     std::size_t attempts_per_judgement_ = 0, attempts_before_doubt_ = 0;
-    Sample own_;    // for the thread, which may wait and leave
-    Sample doubt_;  // for all threads
+    Sample own_;    // decides whether this thread waits or leaves
+    Sample doubt_;  // decides whether all threads stop
     std::size_t given_up_ = 0;
-    unsigned waits_ = 0;  // in a row
+    unsigned waits_ = 0;  // the number of waits in a row
 };
 
 }  // namespace mgdt

@@ -6,9 +6,9 @@
 namespace mgdt {
 namespace {
 
-// A hub is a point whose cavity has this many tetrahedra or more when it meets what another thread
-// owns; it has an edge to most vertices around it. It cannot be inserted while other threads
-// insert, and until it is in, they build tetrahedra in its place that it removes again.
+// A hub is a point whose cavity has at least this many tetrahedra when it meets a vertex that
+// another thread owns. A hub cannot be inserted while other threads insert, and until it is
+// inserted, these threads build tetrahedra in its cavity that the hub removes again.
 constexpr std::size_t min_hub_cavity = 1024;
 
 }  // namespace
@@ -33,8 +33,8 @@ void Worker::begin_anywhere(unsigned threads, std::size_t attempts_before_doubt)
     contention_.begin(stage_.items.size, threads, attempts_before_doubt);
 }
 
-// Inserts what it can of a piece. Deferred points are tried again once the thread has given its
-// blocks back. Returns the number of points that are in.
+// Inserts the points of a piece as far as possible. Deferred points are tried again once the thread
+// has given its blocks back. Returns the number of points that are inserted.
 std::size_t Worker::insert_piece(const WorkQueue::Piece& piece) {
     const std::size_t size = piece.end - piece.begin;
     for (std::size_t i = 0; i < size; ++i) {
@@ -72,7 +72,7 @@ bool Worker::follow_advice() {
         case Contention::Advice::leave:
             break;
     }
-    // The last thread stays.
+    // This thread leaves, unless it is the last one.
     unsigned active = stage_.active;
     while (active > 1)
         if (stage_.active.compare_exchange_weak(active, active - 1)) return false;
@@ -95,7 +95,8 @@ bool Worker::try_insert(std::size_t k) {
 }
 
 bool Worker::try_insert_in_zone(std::size_t k) {
-    // After this many failures in a row, the thread may be in a corner of its zone.
+    // After this many failures in a row, the thread may be in a corner of its zone, so the next
+    // walk starts near its point instead.
     constexpr std::size_t max_failures = 4;
     if ((here_ == no_tetrahedron || failures_in_zone_ >= max_failures) && !arrive_in_zone(k))
         return false;
@@ -104,7 +105,7 @@ bool Worker::try_insert_in_zone(std::size_t k) {
     return is_in;
 }
 
-// Inserts point k by one of the kernel's functions, from where the thread is.
+// Inserts the point at position k by a function of the kernel. The walk starts at `here_`.
 bool Worker::insert(std::size_t k, InsertCall call) {
     const VertexId q = stage_.positions.vertex(k);
     Insertion result;
@@ -132,7 +133,8 @@ bool Worker::insert(std::size_t k, InsertCall call) {
     return true;
 }
 
-// Owns a tetrahedron near point k, to walk from. Returns false if that cannot be.
+// Takes ownership of a tetrahedron near point k, where a walk can start. Returns false if there is
+// no such tetrahedron.
 bool Worker::arrive(std::size_t k) {
     const Mesh& mesh = stage_.state.mesh;
     return stage_.positions.for_nearby(k, [&](std::size_t position) {
@@ -154,7 +156,8 @@ bool Worker::arrive(std::size_t k) {
     });
 }
 
-// Finds a tetrahedron of the thread's zone near point k, to walk from.
+// Finds a tetrahedron of the thread's zone near point k, where a walk can start. Returns whether
+// there is one.
 bool Worker::arrive_in_zone(std::size_t k) {
     const Mesh& mesh = stage_.state.mesh;
     const Zones& zones = stage_.zones;
@@ -163,8 +166,8 @@ bool Worker::arrive_in_zone(std::size_t k) {
         if (zones.of(near) != number_) return false;
         const TetId t = mesh.vertex_hint[near];
         if (t == no_tetrahedron) return false;
-        // Another thread may have taken its slot, for a tetrahedron whose first vertex is in
-        // another zone; that of a free slot is in none.
+        // Another thread may have reused the slot for a tetrahedron whose first vertex is in
+        // another zone. The first vertex in a free slot is in no zone.
         VertexId first[2];
         read_racing(mesh.tetrahedra[t].v, first);
         if (zones.of(first[0]) != number_ || mesh.tetrahedra.sphere(t).is_closed()) return false;
@@ -174,7 +177,7 @@ bool Worker::arrive_in_zone(std::size_t k) {
     });
 }
 
-// Gives all blocks back but those of the tetrahedron where the thread is.
+// Gives back all blocks but those of the tetrahedron `here_`.
 void Worker::release_blocks() {
     workspace_.slot_count = 0;  // other threads may change the last star from now on
     const Tetrahedron* const here =
@@ -203,7 +206,7 @@ void Worker::return_slots() noexcept {
     thread_state_.return_slots();
     mesh.ghost_count += static_cast<std::size_t>(thread_state_.ghosts);
     thread_state_.ghosts = 0;
-    // The newest ghost of each thread may be gone; that of all threads is there.
+    // The newest ghost of this thread may be gone, but the newest ghost of all threads exists.
     const TetId ghost = thread_state_.a_ghost;
     if (ghost != no_tetrahedron && !mesh.tetrahedra[ghost].is_dead() &&
         mesh.tetrahedra[ghost].is_ghost())

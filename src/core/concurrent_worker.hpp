@@ -12,7 +12,8 @@
 
 namespace mgdt {
 
-// The points of a batch by their positions in its schedule. They are vertices of the mesh already.
+// The points of a batch by their positions in its schedule. The points are vertices of the mesh
+// already.
 class Positions {
   public:
     Positions(const Schedule& schedule, std::size_t size, std::size_t first_vertex) noexcept
@@ -24,8 +25,9 @@ class Positions {
     VertexId vertex(std::size_t k) const noexcept {
         return static_cast<VertexId>(first_vertex_ + k);
     }
-    // Calls f with positions whose points are probably near that of k, until it returns true: those
-    // next to it, if points of its round are in, and earlier ones. Returns whether f did.
+    // Calls f with positions whose points are probably near the point at k, until f returns true:
+    // in the first round those just before k, in later rounds those at the same share of the
+    // previous round. Returns whether f returned true.
     template <class F>
     bool for_nearby(std::size_t k, F f) const;
 
@@ -34,17 +36,17 @@ class Positions {
     const std::size_t size_, first_vertex_;
 };
 
-// Positions to insert: a range, or those of a list.
+// The positions to insert: a range, or the entries of a list.
 struct Items {
     std::size_t begin, size;
     const std::uint32_t* list;
     std::size_t operator[](std::size_t i) const { return list ? list[i] : begin + i; }
-    // A point is walked to from the last one if it is no further away along the schedule. In a
-    // list, fewer points lie in between.
+    // A walk to a point starts at the last inserted point if their positions differ by at most this
+    // number. The limit is smaller for a list, whose positions are sparse.
     std::size_t max_distance() const { return list ? 32 : 512; }
 };
 
-// What the threads of a stage share. Between stages one thread changes it.
+// The state that the threads of a stage share. Between stages, only one thread changes this state.
 struct Stage {
     void begin(const Items& stage_items, bool stops_for_hubs) noexcept;
     void ask_all_to_stop() noexcept { stop = true; }
@@ -58,57 +60,59 @@ struct Stage {
 
     Items items{0, 0, nullptr};
     bool stops_for_hubs = false;
-    // On another cache line than what only changes between stages.
-    alignas(64) Atomic<bool> stop{false};  // all threads end soon
-    Atomic<bool> lacks_slots{false};       // they stopped because the storage has to grow
-    Atomic<bool> is_in_doubt{false};       // they stopped because one may be faster alone
-    Atomic<unsigned> active{0};            // threads that have not left
-    Atomic<std::size_t> done{0};           // points of the batch that are dealt with
-    unsigned workers = 0;                  // that were made
+    // These members are on another cache line than the members that change only between stages.
+    alignas(64) Atomic<bool> stop{false};  // asks all threads to stop
+    Atomic<bool> lacks_slots{false};       // the threads stop because the storage has to grow
+    Atomic<bool> is_in_doubt{false};       // the threads stop because one may be faster alone
+    Atomic<unsigned> active{0};            // the number of threads that have not left the stage
+    Atomic<std::size_t> done{0};           // the number of points of the batch that are dealt with
+    unsigned workers = 0;                  // the number of workers that were made
 };
 
-// On cache lines of its own, since every thread writes to its worker at each point.
+// A worker has cache lines of its own, since every thread writes to its worker at each point.
 class alignas(64) Worker {
   public:
     explicit Worker(Stage& stage);
 
-    // What the worker leaves for the thread that goes on alone.
+    // The results that the worker leaves for the calling thread, which ends the stage.
     struct Results {
         struct Repeat {
             VertexId q, vertex;
         };
         explicit Results(Allocator& allocator) : repeats(allocator), deferred(allocator) {}
-        // Points that have a vertex already. Their vertices are changed at the end of a stage,
-        // since other threads may read the records.
+        // Points whose coordinates another vertex has already. The record of that vertex is changed
+        // at the end of a stage, since other threads may read it before.
         Buffer<Repeat> repeats;
         Buffer<std::uint32_t> deferred;
-        std::uint32_t hub = no_index;  // the position of one that all threads have stopped for
+        std::uint32_t hub = no_index;  // the position of a hub that all threads stop for
         std::uint64_t inserted = 0, times_deferred = 0;
     };
 
-    // Inserts pieces of the stage's items from the queue, wherever they are. `poll` is called with
-    // the number of points done, by the worker on the calling thread alone.
+    // Takes pieces of the stage's items from the queue and inserts them anywhere. Only the worker
+    // on the calling thread calls `poll`, with the number of points done.
     template <class Poll>
     void insert_anywhere(Poll poll);
-    // Inserts the points of this worker's zone until they are done or all stop. `poll` as above.
+    // Inserts the points of this worker's zone until they are done or all threads stop. Calls
+    // `poll` as insert_anywhere() does.
     template <class Poll>
     void insert_in_zone(Poll poll);
 
     void begin_anywhere(unsigned threads, std::size_t attempts_before_doubt) noexcept;
-    // The positions of the worker's zone in a round.
+    // Sets the range of positions of the worker's zone in a round.
     void begin_zone(std::size_t begin, std::size_t end) noexcept {
         next_in_zone_ = begin;
         end_of_zone_ = end;
     }
-    // Calls f with the positions of the zone that are left.
+    // Calls f with each position inside the zone that insert_in_zone() has not tried.
     template <class F>
     void for_left_in_zone(F f) const;
-    // The others may change from now on what this thread had for itself.
+    // Forgets the tetrahedra that this thread knows, since other threads may change them from now
+    // on.
     void leave_zone() noexcept;
-    // Hands slots and counts to the mesh, when all threads have ended.
+    // Returns unused slots and the count of ghosts to the mesh, after all threads have ended.
     void return_slots() noexcept;
 
-    // Adds what this worker has counted, when all is done.
+    // Adds the counts of this worker to the state, after the last stage.
     void add_counts_to(State& state) const noexcept;
 
     Results& results() noexcept { return results_; }
@@ -135,9 +139,9 @@ class alignas(64) Worker {
     Contention contention_;
     TetId here_ = no_tetrahedron;    // a tetrahedron that this thread owns, where walks start
     std::size_t last_ = 0;           // the position of the point inserted last
-    Buffer<std::uint32_t> retries_;  // deferred ones of the piece
+    Buffer<std::uint32_t> retries_;  // positions of the piece to try again
     std::size_t next_in_zone_ = 0, end_of_zone_ = 0;
-    std::size_t failures_in_zone_ = 0;  // in a row
+    std::size_t failures_in_zone_ = 0;  // the number of failures in a row
     Results results_;
 };
 
@@ -152,7 +156,7 @@ bool Positions::for_nearby(std::size_t k, F f) const {
             if (f(k - i)) return true;
         return false;
     }
-    // The previous round follows the same curve.
+    // The previous round follows the same curve, so its points at the same share are near.
     const std::size_t end = r < rounds_.size() ? rounds_[r] : size_;
     const std::size_t begin = rounds_[r - 1], before = rounds_[r - 2];
     const double share = static_cast<double>(k - begin) / static_cast<double>(end - begin);
@@ -209,8 +213,8 @@ void Worker::insert_in_zone(Poll poll) {
             const std::size_t done = stage_.done.fetch_add(inserted) + inserted;
             if (is_on_calling_thread()) poll(done);
         }
-        // The first thread that is done stops all: what the others have left is shared better
-        // outside zones.
+        // The first thread that is done stops all threads: outside zones, the threads share the
+        // points that are left more evenly.
         stage_.ask_all_to_stop();
     } catch (...) {
         stage_.ask_all_to_stop();

@@ -14,7 +14,7 @@ void DegeneratePoints::reserve(Mesh& mesh, std::size_t count) {
     const std::size_t most = mesh.vertices.size() + count;
     mesh.vertices.grow(most);
     table_.reserve(most);
-    // After clear(), or a change of scale.
+    // The hash table is empty after clear() and after a change of scale.
     for (VertexId v = table_.size() + 1; v < mesh.vertices.size(); ++v) number(mesh, mesh.point(v));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertices of a set that does not span space yet. There are no tetrahedra to find repeats with,
-// so a hash table of coordinates does.
+// The vertices of a set of points that does not span space yet. As there are no tetrahedra, repeats
+// are found with a hash table of coordinates.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -14,12 +14,13 @@ class DegeneratePoints {
 
     // Makes the next `count` calls of add() infallible.
     void reserve(Mesh& mesh, std::size_t count);
-    // The vertex at p: one that is there, or a new one with this index.
+    // Returns the vertex at p. If there is none, adds one with this index.
     VertexId add(Mesh& mesh, const double* p, std::uint32_t index) noexcept;
     void clear() noexcept { table_.reset(); }
 
   private:
-    // Of vertex v as item v - 1, if it is at p; else that of a new vertex.
+    // The number of the item at p in the hash table, where vertex v is item v - 1. If no vertex is
+    // at p, adds the item of a new vertex.
     std::uint32_t number(const Mesh& mesh, const double* p) noexcept;
 
     NumberTable table_;

@@ -41,7 +41,7 @@ std::uint32_t EqualPoints::least_other(const Buffer<VertexId>& point_map, Vertex
 
 void EqualPoints::join(VertexId v, std::uint32_t point) {
     assert(v != infinite_vertex && point != no_index && "no point at no vertex");
-    if (v >= vertices_) return;  // a vertex of this call: no point leaves it
+    if (v >= vertices_) return;  // the vertex is new in this call: no point leaves it
     if (joined_.empty()) joined_.resize(vertices_, no_index);
     joined_[v] = std::min(joined_[v], point);
 }

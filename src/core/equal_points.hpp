@@ -13,11 +13,11 @@ class EqualPoints {
     EqualPoints(Allocator& allocator, std::size_t vertices) noexcept
         : vertices_(vertices), points_(allocator), first_(allocator), joined_(allocator) {}
 
-    // Lists all points at the vertices of the points that will leave. Not needed if all points are
-    // distinct.
+    // Lists all points at the vertices of the points that will leave. The call is not needed if all
+    // points are distinct.
     void find(const Buffer<VertexId>& point_map, const Buffer<std::uint32_t>& leaving);
-    // The least point at vertex v other than `than`, which leaves it now; no_index if there is
-    // none.
+    // The least point at vertex v other than `than`, the point that leaves v now. Returns no_index
+    // if there is no other point.
     std::uint32_t least_other(const Buffer<VertexId>& point_map, VertexId v, std::uint32_t than);
     // Adds a point to a vertex. The point does not leave it again in this call. Throws
     // std::bad_alloc with nothing changed.
@@ -34,7 +34,7 @@ class EqualPoints {
 
     std::size_t vertices_;
     Buffer<PointOfVertex> points_;  // the points that find() listed, sorted
-    Buffer<std::uint32_t> first_;   // for a vertex's first entry: its first point that has not left
+    Buffer<std::uint32_t> first_;   // at a vertex's first entry: that of its first remaining point
     Buffer<std::uint32_t> joined_;  // for each vertex the least point that join() added; or empty
 };
 

@@ -7,10 +7,10 @@
 
 namespace mgdt {
 
-// Each of the five is the neighbour of all the others.
+// Each of the five tetrahedra is a neighbour of the other four.
 void make_first_tetrahedra(State& state) {
     Mesh& mesh = state.mesh;
-    // Newest vertex first, as if they had been inserted in the order 1, 2, 3, 4.
+    // The newest vertex comes first, as if the vertices had been inserted in the order 1, 2, 3, 4.
     VertexId v[4] = {4, 3, 2, 1};
     if (orientation(mesh.point(4), mesh.point(3), mesh.point(2), mesh.point(1)) < 0)
         std::swap(v[2], v[3]);
@@ -18,7 +18,8 @@ void make_first_tetrahedra(State& state) {
     TetrahedronStore& all = mesh.tetrahedra;
     std::copy(v, v + 4, all[0].v);
     for (unsigned f = 0; f < 4; ++f) {
-        // Ghost f + 1 stands on face f. (q, a, b, c) is positive for q beyond it, so these are:
+        // Ghost f + 1 stands on face f. (q, a, b, c) is positively oriented for q beyond the face.
+        // The record is an even permutation of (vertex at infinity, a, b, c).
         const unsigned char* face = outer_face[f];
         const VertexId a = v[face[0]], b = v[face[1]], c = v[face[2]];
         const VertexId ghost[4] = {a, b > c ? b : c, b > c ? infinite_vertex : b,
@@ -35,8 +36,8 @@ void make_first_tetrahedra(State& state) {
                 ghost.n[i] = f;
                 all[0].n[f] = facet_code(f + 1, i);
             } else {
-                // Beyond the other two of the facet is the ghost that lacks this vertex and has
-                // the one that this ghost lacks.
+                // The neighbour opposite a finite vertex is the ghost that lacks this vertex. In
+                // that ghost, the common facet is opposite v[f], which this ghost lacks.
                 const TetId other = slot(0, ghost.v[i]) + 1;
                 ghost.n[i] = facet_code(other, slot(other, v[f]));
             }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a mesh begins.
+// Creates the first tetrahedra of a mesh.
 #pragma once
 
 #include "core/state.hpp"

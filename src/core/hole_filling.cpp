@@ -17,7 +17,8 @@ struct Destroy {
     void operator()(State* t) const noexcept { t->~State(); }
 };
 
-// Returns 0 where the link's points do not span space.
+// Fills the hole from a triangulation of the link, and returns the size of that triangulation.
+// Returns 0 if the link's points do not span space.
 std::size_t fill_from_link(State& state) {
     const Buffer<VertexId>& vertices = state.vertex_removal.link();
     Buffer<double> xyz(state.allocator);

@@ -13,7 +13,7 @@ namespace {
 
 // Inserts all held points and the new points that they need to span space. The held points belong
 // to earlier calls, so this part of the call cannot be cancelled.
-// Not inlined, so that its batch takes no stack in a call without held points.
+// The function is not inlined, so that its batch takes no stack in a call without held points.
 MGDT_NOT_INLINE void insert_degenerate(State& state, Team& team, const Batch& batch,
                                        std::size_t spanning) {
     Batch all(state.allocator);
@@ -75,7 +75,7 @@ int scale_for(const State& state, std::size_t n, const double* const axis[3],
     const int scale = choose_scale(state.points.exponents, state.mesh.scale);
     if (is_normal(state.points.exponents, scale) || state.points.exponents.empty()) return scale;
     // Some coordinates remain outside the range of the filters. Changing the scale takes a pass
-    // over the mesh, so small batches keep it.
+    // over the mesh, so a small batch keeps the current scale if that scale is exact.
     if (n < state.vertex_count() && is_exact(state.points.exponents, state.mesh.scale))
         return state.mesh.scale;
     return choose_scale_of_most(state.points.exponents,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The insertion of a caller's points: checked, scaled, and inserted as a batch, or held as long as
-// all points together do not span space.
+// Inserts a caller's points: checks and scales them, then inserts them as a batch, or holds them as
+// long as all points together do not span space.
 #pragma once
 
 #include "core/batch.hpp"
@@ -12,13 +12,14 @@ namespace mgdt {
 // as mgdt_insert_points() documents.
 void insert_points(State& state, std::size_t n, const double* const axis[3], std::ptrdiff_t stride);
 
-// The scale for all points, if the exponents of n new ones are in the point table already.
+// The scale for all points. The point table must include the exponents of the n new points.
 int scale_for(const State& state, std::size_t n, const double* const axis[3],
               std::ptrdiff_t stride);
-// The number of the batch's first points that `basis` needs to span space: all of them if they do
-// not. `basis` takes them in.
+// Adds points of the batch to `basis` until `basis` spans space. Returns the number of points that
+// this takes, which is all of them if they do not span space.
 std::size_t points_to_span_space(const Batch& batch, AffineBasis& basis);
-// Holds points that do not span space with those before; `basis` is of all of them.
+// Holds the points of a batch that do not span space with the points before. `basis` is a basis of
+// all these points.
 void hold(State& state, const Batch& batch, const AffineBasis& basis);
 
 }  // namespace mgdt

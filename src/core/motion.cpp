@@ -33,7 +33,7 @@ struct MovedPoints {
 
     Buffer<std::uint32_t> points;
     Buffer<double> xyz;
-    // The position of each in the caller's list, which also has points that do not move.
+    // The position of each moved point in the caller's list, which also has points that stay.
     Buffer<std::uint32_t> places_in_list;
     std::size_t list_size;
 };
@@ -77,8 +77,8 @@ class Motion {
     void one_by_one();
 
   private:
-    // Moves point k. Returns false, with the point unmoved, if the points from k on have to be
-    // moved by a rebuild, or if that is faster.
+    // Moves point k. Returns false, with the point unmoved, if a rebuild that moves the points from
+    // k on is necessary or faster.
     bool try_to_move(std::size_t k);
     bool try_to_move_vertex(VertexId v, std::uint32_t point, const double (&p)[3],
                             std::size_t left);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points move: one by one, each by a removal and an insertion, or all at once by a rebuild.
+// Moves points one by one, each by a removal and an insertion, or all at once by a rebuild.
 #pragma once
 
 #include "core/state.hpp"

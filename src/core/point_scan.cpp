@@ -38,7 +38,7 @@ struct Extremes {
     }
     MGDT_ALWAYS_INLINE void add(const double* x) {
         for (std::size_t j = 0; j < width; ++j) {
-            // With the operands in this order, each compiles to one instruction.
+            // With the operands in this order, each comparison compiles to one instruction.
             low[j] = low[j] < x[j] ? low[j] : x[j];
             high[j] = high[j] > x[j] ? high[j] : x[j];
             const double magnitude = std::fabs(x[j]);

@@ -15,13 +15,14 @@ namespace mgdt {
 void require_finite(double x, std::size_t axis, long long point);
 
 struct PointScan {
-    // Throws MGDT_ERR_NOT_FINITE; `first_index` numbers the first point in the message.
+    // Scans n points. Throws MGDT_ERR_NOT_FINITE if a coordinate is not finite; `first_index` is
+    // the number of the first point in the message.
     PointScan(Team& team, std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
               long long first_index);
 
     // The median exponent of a sample of the nonzero coordinates; 0 if there are none.
     static int typical_exponent(std::size_t n, const double* const axis[3], std::ptrdiff_t stride);
-    // The points, or a subset of them, as schedules take them: multiplied by `scale`.
+    // The points, or a subset of them, in the form that schedules take, with this scale.
     PointSet point_set(std::size_t n, const double* const axis[3], std::ptrdiff_t stride,
                        double scale) const;
 

@@ -14,22 +14,22 @@ struct PointTable {
     // -1 without points, 0 to 2 for points that do not span space, else 3.
     int dimension() const noexcept { return basis.dimension(); }
     void clear() noexcept;
-    // Throws MGDT_ERR_INVALID_ARGUMENT unless each of these points, counted from 0, is in and is
-    // listed once. `what` is to happen to them; `index_base` numbers them in messages.
+    // Throws MGDT_ERR_INVALID_ARGUMENT unless each of these points, counted from 0, has a vertex
+    // and is listed once. Messages name the operation `what`, and count points from `index_base`.
     void require_in(const Buffer<std::uint32_t>& points, const char* what,
                     std::int32_t index_base) const;
 
-    // By point: its vertex. infinite_vertex where the point is not in.
+    // The vertex of each point; infinite_vertex if the point is not in the triangulation.
     Buffer<VertexId> map;
-    // The vertices while all points are in a plane, on a line or at one place: they are held until
-    // others span space with them.
+    // The vertices while all points are in a plane, on a line or at one place. These vertices are
+    // held until further points span space with them.
     DegeneratePoints held;
     AffineBasis basis;
     ExponentRange exponents;
-    bool exponents_are_wide = false;  // `exponents` has those of points that are gone, too
+    bool exponents_are_wide = false;  // `exponents` may include points that are gone
 };
 
-// Indices are 32 bits inside; the last two values mean none.
+// The greatest number of points. Indices have 32 bits inside; the two last values mean none.
 inline constexpr std::size_t max_points = 0xFFFFFFFEu;
 
 }  // namespace mgdt

@@ -14,24 +14,25 @@ namespace mgdt {
 
 class Progress {
   public:
-    // Reports to the function that `settings` name at the time.
+    // Each report calls the function that `settings` names at that time.
     explicit Progress(const Settings& settings) noexcept : settings_(settings) {}
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    // The number of points between two looks at a request to stop.
+    // The number of points between two checks for a request to stop.
     static constexpr std::size_t poll_interval = 1024;
 
-    // Asks the call that runs to stop. Any thread may do so.
+    // Asks the running call to stop. Any thread may call this function.
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
     void forget_request() noexcept { cancelled_.store(false, std::memory_order_relaxed); }
     bool is_cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
     // Tells the caller that `done` of `total` points are done. The caller may cancel.
     void report(std::size_t done, std::size_t total);
-    // Throws MGDT_ERR_CANCELLED if the call was asked to stop; the request is answered then.
+    // Forgets a request to stop, and throws MGDT_ERR_CANCELLED if there was one.
     void stop_if_cancelled(std::size_t done, std::size_t total);
 
-    // A request concerns the call that it meets alone, however that call ends.
+    // A request to stop concerns only the running call: the destructor forgets the request, however
+    // the call ends.
     class Call {
       public:
         explicit Call(Progress& progress) noexcept : progress_(progress) {}
@@ -43,8 +44,9 @@ class Progress {
         Progress& progress_;
     };
 
-    // Makes changes: calls step(k) for each k from `first` to before n, until one returns false,
-    // and reports. An error names done(k), the number of the caller's `total` points that are done.
+    // Calls step(k), which makes a change, for k = first, ..., n - 1 until a step returns false.
+    // Reports progress. The message of an error says that done(k) of the caller's `total` points
+    // are done.
     template <class Done, class Step>
     void change_one_by_one(std::size_t first, std::size_t n, std::size_t total, Done done,
                            Step step);

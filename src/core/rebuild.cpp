@@ -30,8 +30,8 @@ void rebuild(State& state, const Batch& all) {
         std::swap(state.statistics.points_inserted, points_inserted);
         std::swap(state.statistics.duplicates, duplicates);
         std::swap(state.walk_starts.last, last);
-        // The kernel's vectors read beyond the end of arrays in the workspace, where numbers of
-        // vertices of the other mesh may be left.
+        // The kernel's vector loads read beyond the end of arrays in the workspace, where vertex
+        // numbers of the other mesh may be left. reset() removes these numbers.
         state.workspace.reset();
         state.walk_starts.forget_tree();
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Triangulates points anew, which is faster than to remove or move many of them one by one. What
-// there was is kept until that is done.
+// Triangulates points anew, which is faster than to remove or move many of them one by one. The old
+// mesh is kept until the new one is complete.
 #pragma once
 
 #include "core/batch.hpp"
@@ -18,11 +18,12 @@ inline RemovalBudget removal_budget(const State& state) noexcept {
 }
 
 // Replaces the mesh by one of all points in the batch. Throws Error and std::bad_alloc with nothing
-// changed; if it is cancelled, `done` of the caller's `total` points are done.
+// changed. If the call is cancelled, the message says that `done` of the caller's `total` points
+// are done.
 void rebuild(State& state, const Batch& all, std::size_t done, std::size_t total);
 
-// Runs body(), which rebuilds. Returns false if there is not enough memory for it; where points are
-// held there has to be.
+// Runs body(), which rebuilds. Returns false if memory does not suffice for the rebuild. If points
+// are held, the function throws instead, since only a rebuild can move held points.
 template <class Body>
 bool try_to_rebuild(const State& state, Body body) {
     const bool is_held = state.mesh.live_count() == 0;
@@ -32,7 +33,7 @@ bool try_to_rebuild(const State& state, Body body) {
     } catch (const std::bad_alloc&) {
         if (is_held) throw;
     } catch (const Error& error) {
-        // There may be more tetrahedra on the way than at the end.
+        // A rebuild may exceed the limit although its final mesh would not.
         if (is_held || error.status != MGDT_ERR_TOO_LARGE) throw;
     }
     return false;

@@ -32,7 +32,8 @@ class Removal {
         if (near != no_tetrahedron) state_.mesh.tetrahedra.prefetch(near);
     }
     // Removes a point. Returns false, with the point still in, if a rebuild without the `left`
-    // points that are still to be removed is better; `budget` decides that, if there is one.
+    // points that are still to be removed is better. `budget` makes this decision; with nullptr the
+    // point is always removed.
     bool try_to_take_out(std::uint32_t point, RemovalBudget* budget, std::size_t left);
 
   private:
@@ -141,8 +142,8 @@ void remove_points(State& state, const Buffer<std::uint32_t>& points) {
     state.points.exponents_are_wide = true;
     state.progress.report(0, n);
     state.progress.stop_if_cancelled(0, n);
-    // In the order of vertex numbers, which mostly follow a curve: consecutive removals then touch
-    // nearby memory.
+    // The points are removed in the order of their vertex numbers, which mostly follow a curve, so
+    // that consecutive removals access nearby memory.
     Buffer<std::uint32_t> left(state.allocator);
     left.reserve(n);
     for (const std::uint32_t i : points) left.push_back(i);

@@ -13,14 +13,14 @@ namespace mgdt {
 // The unit of work is one tetrahedron created by an insertion.
 class RemovalBudget {
   public:
-    // For a mesh with this many tetrahedra and vertices.
+    // A budget for a mesh with this many tetrahedra and vertices.
     RemovalBudget(std::size_t tetrahedra, std::size_t vertices)
         : rebuild_(per_tetrahedron * static_cast<double>(tetrahedra) + least_rebuild),
           vertices_(static_cast<double>(vertices)) {}
 
-    // Whether a rebuild is better than removing the next vertex, which has `link` vertices around
-    // it. `left` vertices are still to be removed, this one included. `is_large`: the link would be
-    // triangulated by itself.
+    // Whether a rebuild is better than removing the next vertex, whose link has `link` vertices.
+    // `left` vertices are still to be removed, including the next one. `is_large`: the link would
+    // be triangulated by itself.
     bool is_exceeded_by(std::size_t link, bool is_large, std::size_t left) const noexcept {
         // A single removal takes little longer than a rebuild, whatever its link.
         if (left == 1) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the caller of a triangulation has chosen, and what tests change.
+// The settings that the caller of a triangulation chooses, and the thresholds that tests change.
 #pragma once
 
 #include <cstddef>
@@ -23,21 +23,23 @@ struct Settings {
 // Whether threads insert in zones (core/zones.hpp).
 enum class ZoneUse : std::uint8_t { never, where_few_meet, always };
 
-// Thresholds that decide which of several ways an operation takes. The values are measured ones.
-// Only tests change them, to take every way with few points.
+// Thresholds that decide which of several algorithms an operation uses. The values result from
+// measurements. Only tests change them, to run every algorithm with few points.
 struct TestHooks {
     // A thread with fewer points costs more than it gains.
     std::size_t min_points_per_thread = 8192;
     ZoneUse zones = ZoneUse::where_few_meet;
     // With more tetrahedra per vertex, one thread inserts: several would wait for each other.
     std::size_t max_tetrahedra_per_vertex = 16;
-    // The number of attempts after which a thread may doubt that several are faster than one.
+    // The number of attempts after which a thread may doubt that several threads are faster than
+    // one.
     std::size_t attempts_before_doubt = 2048;
-    // A call that removes or moves more than one in this many vertices triangulates anew; 0: never.
+    // A call that removes or moves more than one in this many vertices triangulates all points
+    // anew. With 0 no call does so.
     std::size_t vertices_per_rebuild = 14;
-    // A vertex with at least this many vertices around it is removed by a triangulation of these.
+    // A link of at least this many vertices is triangulated by itself when its vertex is removed.
     std::size_t large_link = 128;
-    // Called where threads take and give back blocks of vertices, to provoke races.
+    // A function that threads call when they take or release blocks of vertices, to provoke races.
     void (*pause)() = nullptr;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a triangulation consists of. Operations change it: insertion.hpp, removal.hpp, motion.hpp.
+// The state of a triangulation. The operations of insertion.hpp, removal.hpp and motion.hpp change
+// this state.
 #pragma once
 
 #include "core/point_table.hpp"
@@ -23,17 +24,18 @@ struct State {
     // `min_per_thread` of it costs more than it gains.
     unsigned threads_for(std::size_t work, std::size_t min_per_thread) const noexcept;
 
-    // Takes all points out. Settings stay.
+    // Removes all points. The settings stay.
     void clear() noexcept;
-    // Gives back the memory that is kept for speed alone.
+    // Frees the memory that is kept only for speed.
     void shrink() noexcept;
     // Multiplies all coordinates so that the mesh has this scale.
     void set_scale(int scale);
-    // Computes the spheres of all tetrahedra. Their storage is there.
+    // Computes the spheres of all tetrahedra. The storage for spheres must exist.
     void set_spheres() noexcept;
 
-    // Enter the outcome of an insertion in the point table and in the statistics. Vertex q, which
-    // the table has for its point already, is in, or is a repeat of another vertex.
+    // These functions enter the result of an insertion in the point table and in the statistics.
+    // Either vertex q, to which the table maps its point already, is inserted, or q repeats another
+    // vertex.
     void note(VertexId q, const Insertion& result);
     void note_repeat(VertexId q, VertexId vertex);
 
@@ -44,13 +46,13 @@ struct State {
     Mesh mesh;
     PointTable points;
     WalkStarts walk_starts;
-    mutable Cached<Numbering> numbering;  // of tetrahedra, as exports count them
+    mutable Cached<Numbering> numbering;  // the numbers of tetrahedra in exports
     Statistics statistics;
     Progress progress;
     // Working memory that is kept from one call to the next.
     Workspace workspace;
     VertexRemoval vertex_removal;
-    Schedule short_schedule;  // of batches that are too small for an order scheme
+    Schedule short_schedule;  // for batches that are too small for an order scheme
 };
 
 }  // namespace mgdt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a triangulation counts: the statistics of mgdt_get_stat() that its operations keep.
+// The statistics of mgdt_get_stat() that the operations of a triangulation count.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@ namespace mgdt {
 struct Statistics {
     std::uint64_t points_inserted = 0;
     std::uint64_t duplicates = 0;
-    std::uint64_t deferred = 0;        // insertions that met another thread's, and were tried again
+    std::uint64_t deferred = 0;        // attempts that met another thread's work and were repeated
     std::uint64_t inserted_alone = 0;  // points that one thread inserted while the others waited
-    std::uint64_t removed = 0;         // points
+    std::uint64_t removed = 0;         // points that were removed
     std::uint64_t moved = 0;           // points whose coordinates changed
-    std::uint64_t put_back = 0;        // moves that were a removal and an insertion
+    std::uint64_t put_back = 0;        // points that were moved without a rebuild
     std::uint64_t link_vertices = 0;   // sum of the sizes of the links of removed vertices
     std::uint64_t rebuilds = 0;
     double order_seconds = 0;

@@ -30,11 +30,11 @@ void Triangulation::forget_absent_points() noexcept {
         const VertexId v = map[i];
         if (v == infinite_vertex) continue;
         map[next] = v;
-        // The first of its points is the least.
+        // A vertex has the index of its least point, which is the first one that the loop meets.
         if (vertices[v].index == i) vertices[v].index = next;
         ++next;
     }
-    // Coordinates of points that were left out of an insertion count among those given.
+    // The exponents include those of points that were left out of an insertion.
     if (next < map.size()) state_.points.exponents_are_wide = true;
     map.resize_within_capacity(next);
 }

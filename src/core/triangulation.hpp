@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The triangulation object: its state, and the operations on it. The way of a point: checked and
-// scaled (insertion.cpp), scheduled and copied into the mesh in that order (batch_insertion.cpp),
-// then walked to, its cavity dug, its star built (kernel/), and numbered for export (query/).
+// The triangulation object: its state, and the operations on it. An insertion checks and scales the
+// points (insertion.cpp), makes a schedule and copies the points into the mesh in that order
+// (batch_insertion.cpp). For each point, the kernel then walks to the point, finds the cavity and
+// builds the star (kernel/). An export numbers the tetrahedra (query/).
 #pragma once
 
 #include <functional>
@@ -20,21 +21,21 @@ class Triangulation {
     // Inserts n points, coordinate k of point i at axis[k][i * stride]. Throws Error and
     // std::bad_alloc as mgdt_insert_points() documents.
     void insert(std::size_t n, const double* const axis[3], std::ptrdiff_t stride);
-    // Takes points out, given by their indices counted from 0. Throws Error for an index of no
-    // point that is in, or that is listed twice, and std::bad_alloc, with nothing changed; Error if
-    // cancelled or out of memory when the points before are out.
+    // Removes the points with these indices, counted from 0. Throws Error with nothing changed if a
+    // point is not in the triangulation or is listed twice, and std::bad_alloc with nothing
+    // changed. Throws Error with some points removed if cancelled or out of memory in between.
     void remove(const Buffer<std::uint32_t>& points);
     // Moves points to the n places in `xyz`. Throws as remove(), and Error for a coordinate that is
     // not finite.
     void move(const Buffer<std::uint32_t>& points, const double* xyz);
-    // Numbers the points that are in anew, in their order from 0 on, and forgets the others.
+    // Renumbers the points that have a vertex from 0 on, in their order, and forgets the others.
     void forget_absent_points() noexcept;
     void clear() noexcept { state_.clear(); }
     void reserve(std::size_t points);
-    // Gives back what is kept for speed alone.
+    // Frees the memory that is kept only for speed.
     void shrink() noexcept { state_.shrink(); }
-    // Whether spheres are kept or computed whenever they are wanted. Throws std::bad_alloc with
-    // nothing changed where there is no memory to keep them.
+    // Chooses whether spheres are computed when they are needed (`compact`) or stored. Throws
+    // std::bad_alloc with nothing changed if there is no memory to store the spheres.
     void set_compact(bool compact);
     void cancel() noexcept { state_.progress.cancel(); }
 
@@ -54,19 +55,20 @@ class Triangulation {
     const Counters& counters() const noexcept { return state_.workspace.counters; }
     const Statistics& statistics() const noexcept { return state_.statistics; }
     int dimension() const noexcept { return state_.points.dimension(); }
-    // The vertex of each point given; infinite_vertex where it is not in.
+    // The vertex of each point; infinite_vertex if the point is not in the triangulation.
     const Buffer<VertexId>& point_map() const noexcept { return state_.points.map; }
     std::size_t vertex_count() const noexcept { return state_.vertex_count(); }
-    // Numbers of tetrahedra as the exports count them; made when first asked for.
+    // The numbers of tetrahedra in exports. The first call computes the numbers.
     const Numbering& numbering(Team& team) const {
         return state_.numbering.get(state_.mesh, state_.settings.canonical_output, std::ref(team));
     }
     void forget_numbering() noexcept { state_.numbering.forget(); }
-    // Where walks start; nullptr for a small mesh. Made when first asked for.
+    // The tree that finds where walks start; nullptr for a small mesh. The first call makes the
+    // tree.
     const LocationTree* location_tree() const {
         return state_.walk_starts.tree(state_.mesh, state_.mesh.vertices.size());
     }
-    // What is checked.
+    // The data that a check of the triangulation examines.
     CheckInput check_input() const;
 
   private:

@@ -12,12 +12,11 @@ namespace mgdt {
 namespace {
 
 constexpr std::size_t items_of_a_part = 65536;
-// Renumbering one vertex by way of its star takes as long as passing this many tetrahedra in a loop
-// over all.
+// Renumbering one vertex in its star takes as long as a loop over this many tetrahedra.
 constexpr std::size_t passed = 2048;
 
-// Replaces vertex `from` by `to` in all its tetrahedra. `first` is one of them; `star` is working
-// memory.
+// Replaces vertex `from` by `to` in all tetrahedra of `from`. `first` is one of these tetrahedra;
+// `star` is working memory.
 void renumber_star(Mesh& mesh, TetId first, VertexId from, VertexId to, Buffer<TetId>& star) {
     star.clear();
     const auto renumber = [&](TetId t) {
@@ -47,7 +46,7 @@ void renumber(const Mesh& mesh, std::size_t end, VertexId& v) noexcept {
     if (v >= end) v = mesh.vertices[v].moved_to;
 }
 
-// As renumber_stars(), by one loop over all tetrahedra.
+// Does the same as renumber_stars(), in one loop over all tetrahedra.
 void renumber_all(Team& team, Mesh& mesh, std::size_t end) {
     team.split(mesh.tetrahedra.size(), items_of_a_part,
                [&](std::size_t from, std::size_t to, unsigned) {
@@ -93,7 +92,7 @@ void compact_vertices(State& state, Team& team, std::size_t begin,
         forget(v);
         while (end > v + 1 && hints[end - 1] == no_tetrahedron) forget(--end);
         if (--end == v) break;
-        // The old record of a vertex keeps its new number.
+        // The old record of a moved vertex keeps the new number of the vertex.
         state.mesh.vertices[v] = state.mesh.vertices[end];
         hints[v] = hints[end];
         state.mesh.vertices[end].moved_to = static_cast<VertexId>(v);
@@ -136,7 +135,8 @@ void close_gaps(State& state, Buffer<VertexId>& gaps) noexcept {
     state.mesh.vertices.resize_within_capacity(end);
     if (!hints.empty()) hints.resize_within_capacity(end);
     if (state.mesh.live_count() == 0) {
-        // The remaining points do not span space: they are held until others come.
+        // The remaining points do not span space. They are held until further points span space
+        // with them.
         AffineBasis basis;
         for (VertexId v = 1; v < state.mesh.vertices.size() && basis.dimension() < 3; ++v)
             basis.add(state.mesh.point(v));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertices keep consecutive numbers: gaps are closed at the end of a call by the last vertices, and
-// the order of vertices in records is mended where threads need it.
+// Keeps the numbers of vertices consecutive: at the end of a call the last vertices move into the
+// gaps. Also restores the order of the vertices in records that several threads need.
 #pragma once
 
 #include "core/state.hpp"
@@ -8,14 +8,16 @@
 
 namespace mgdt {
 
-// After an insertion: a gap is a vertex from `begin` on without a tetrahedron, as of a repeat, or
-// of a point that a call left out. Points from `first_point` on may map to these.
+// Closes the gaps after an insertion. A gap is a vertex from `begin` on without a tetrahedron: a
+// repeat, or a point that the call left out. Only points from `first_point` on map to vertices from
+// `begin` on.
 void compact_vertices(State& state, Team& team, std::size_t begin,
                       std::size_t first_point) noexcept;
-// After removals and moves: the vertices in `gaps`, which is sorted, are gone.
+// Closes the gaps after removals and moves. `gaps` lists the removed vertices; the function sorts
+// this list.
 void close_gaps(State& state, Buffer<VertexId>& gaps) noexcept;
-// Gives every two tetrahedra that share a facet the same guard for it, which several threads need
-// (parallel/block_ownership.hpp).
+// Sorts the vertices of records so that two tetrahedra that share a facet have the same guard for
+// the facet. Insertion by several threads needs this (parallel/block_ownership.hpp).
 void make_guards_agree(Mesh& mesh) noexcept;
 
 }  // namespace mgdt

@@ -29,7 +29,7 @@ void WalkStarts::take_new_vertices(const Mesh& mesh, std::size_t begin) noexcept
     LocationTree* const tree_now = tree_.peek();
     if (!tree_now) return;
     const std::size_t end = mesh.vertices.size();
-    // A new tree of all vertices is cheaper than many additions. It is made when it is needed.
+    // A new tree of all vertices is cheaper than many additions. tree() makes it when it is needed.
     if (end - begin >= begin / 16) {
         forget_tree();
         return;

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The stages of a concurrent insertion in zones (core/zones.hpp).
 //
-// What is near the border of zones is inserted first, by all threads anywhere. Then the tetrahedra
-// between zones are as small as others will be, and few points inside come to one. Those are
-// deferred, and inserted anywhere at the end. A deferred point is not cheap: until it is in,
-// threads make tetrahedra in its place that it removes again. So zones are not used if many points
-// would be deferred, as among the long tetrahedra between the arms of a spiral.
+// The points near the border of zones are inserted first, with the threads working anywhere. The
+// tetrahedra between zones are then as small as the others, so that few points inside a zone would
+// remove one. These few are deferred, and inserted anywhere at the end. A deferred point is not
+// cheap: until it is inserted, threads make tetrahedra in its cavity that the point removes again.
+// So zones are not used if many points would be deferred, as among the long tetrahedra between the
+// arms of a spiral.
 #include "core/concurrent_insertion.hpp"
 
 namespace mgdt {
 
-// Inserts a round in zones, unless it is better inserted anywhere. Returns whether it did.
+// Inserts a round in zones, unless insertion anywhere is better. Returns whether the round is
+// inserted.
 bool ConcurrentInsertion::insert_in_zones(const Zones::Round& round, unsigned threads) {
-    // A round finds the border by the one before it, and a closed tetrahedron has a sphere.
+    // Zones need a previous round, to find the border, and stored spheres, to close tetrahedra.
     if (threads == 1 || !policy_.may_use_zones() || positions_.first_vertex() != first_vertex ||
         round.before == round.begin || !state_.mesh.tetrahedra.has_spheres())
         return false;
@@ -22,7 +24,7 @@ bool ConcurrentInsertion::insert_in_zones(const Zones::Round& round, unsigned th
         if (!list_border(round, threads, border)) return false;
     } catch (const std::bad_alloc&) {
         zones_.forget();
-        return false;  // the other way needs less memory
+        return false;  // insertion anywhere needs less memory
     }
     insert_anywhere({0, border.size(), border.data()}, policy_.threads_for_few(border.size()));
     insert_inside(round, threads);
@@ -31,8 +33,8 @@ bool ConcurrentInsertion::insert_in_zones(const Zones::Round& round, unsigned th
     return true;
 }
 
-// Lists the positions near the border, ascending. Returns false if they are too many. Not inlined,
-// so that its array takes no stack while threads insert.
+// Lists the positions near the border, ascending. Returns false if they are too many. The function
+// is not inlined, so that its array takes no stack while threads insert.
 MGDT_NOT_INLINE bool ConcurrentInsertion::list_border(const Zones::Round& round, unsigned threads,
                                                       Buffer<std::uint32_t>& border) {
     std::size_t ends[Team::most + 1] = {};
@@ -56,7 +58,7 @@ MGDT_NOT_INLINE bool ConcurrentInsertion::list_border(const Zones::Round& round,
     return true;
 }
 
-// Inserts what it can of the points inside zones. The others are left.
+// Inserts as many of the points inside zones as possible. The others are added to `left_`.
 void ConcurrentInsertion::insert_inside(const Zones::Round& round, unsigned threads) {
     for (unsigned m = 0; m < threads; ++m)
         workers_[m].begin_zone(zones_.first(round, m), zones_.first(round, m + 1));
@@ -74,7 +76,8 @@ void ConcurrentInsertion::insert_inside(const Zones::Round& round, unsigned thre
         workers_[m].for_left_in_zone([this](std::uint32_t k) { left_.push_back(k); });
 }
 
-// While the tetrahedra between zones are closed: until a zone is done, or all threads stop.
+// Inserts points in zones, while the tetrahedra between zones are closed, until one zone is done or
+// all threads stop. Then opens the tetrahedra.
 void ConcurrentInsertion::insert_between_closed(unsigned threads) {
     queue_.deal(0, 1, threads);
     begin_stage({0, 0, nullptr}, threads);

@@ -47,7 +47,7 @@ void Zones::divide(unsigned count, const Round& round, const Mesh& mesh) {
         for (const Closed& c : part.closed)
             for (const VertexId v : mesh.tetrahedra[c.tetrahedron].v) {
                 if (v < first_vertex + round.before) continue;
-                // Its neighbours along the curve are near as well.
+                // The neighbours of v along the curve are near the border as well.
                 std::uint8_t* const before = &at_border_[v - first_vertex - round.before];
                 before[0] = before[1] = before[2] = 1;
             }

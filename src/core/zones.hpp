@@ -29,7 +29,7 @@ inline constexpr VertexId first_vertex = infinite_vertex + 1;
 
 class Zones {
   public:
-    // For a batch of `n` points, which are the first vertices of the mesh.
+    // Zones for a batch of `n` points, which are the first finite vertices of the mesh.
     Zones(Team& team, Allocator& allocator, const Schedule& schedule, std::size_t n);
     Zones(const Zones&) = delete;
     Zones& operator=(const Zones&) = delete;
@@ -40,8 +40,8 @@ class Zones {
         std::size_t begin, end, before;
         std::size_t size() const noexcept { return end - begin; }
     };
-    // Divides space into `count` zones, at most 254. Called before the round is inserted. Throws
-    // std::bad_alloc.
+    // Divides space into `count` zones, at most 254, and finds the border for the round, which is
+    // not inserted yet. Throws std::bad_alloc.
     void divide(unsigned count, const Round& round, const Mesh& mesh);
     unsigned of(VertexId v) const noexcept {
         assert(count_ > 0 && "space is not divided");
@@ -62,9 +62,9 @@ class Zones {
 
     // Closes the tetrahedra that are between zones now. Throws std::bad_alloc, with none closed.
     void close(Mesh& mesh);
-    // Opens them again.
+    // Opens the tetrahedra that close() has closed.
     void open(Mesh& mesh) noexcept;
-    // Gives the memory of the zones back.
+    // Frees the memory of the zones.
     void forget() noexcept;
 
   private:
@@ -84,7 +84,7 @@ class Zones {
     const std::size_t n_;
     unsigned count_ = 0;              // the number of zones; 0 before divide()
     Buffer<std::uint8_t> zone_;       // the zone of each vertex
-    Buffer<std::uint8_t> at_border_;  // for each vertex of the previous round, and one at each end
+    Buffer<std::uint8_t> at_border_;  // per vertex of the previous round; one more at each end
     PerMember<Part> between_;         // the tetrahedra between zones, by the thread that found them
     std::size_t begin_ = 0;           // the first position of the round
     double share_ = 0;                // the size of the previous round over that of the round

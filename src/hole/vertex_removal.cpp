@@ -10,7 +10,7 @@
 namespace mgdt {
 namespace {
 
-// The vertices of a facet, in any order.
+// The vertices of a facet, as a key that does not depend on their order.
 struct FacetKey {
     explicit FacetKey(const std::uint32_t (&v)[3])
         : least(std::min({v[0], v[1], v[2]})),
@@ -78,12 +78,12 @@ void VertexRemoval::end_filling(Mesh& mesh) {
     slots_.clear();
     slots_.resize(std::max(removed, created) + 16);
     const std::size_t more = created > removed ? created - removed : 0;
-    // The slots that are taken are freed if the removal is undone.
+    // Undoing the removal frees the slots that it takes, so the free list must have room for them.
     mesh.reserve_slots(more, removed > created ? removed - created : more);
 }
 
-// Adds the tetrahedra of the link's triangulation that are inside the hole: those at the inner side
-// of the boundary, and all that are reached from them without crossing it.
+// Adds the tetrahedra of the link's triangulation that are inside the hole: the tetrahedra at the
+// inner side of the boundary, and all that are reached from these without crossing the boundary.
 void VertexRemoval::fill_from(const Mesh& triangulated_link, Mesh& mesh) {
     begin_filling(mesh);
     const Mesh& link = triangulated_link;
@@ -127,8 +127,8 @@ void VertexRemoval::fill_from(const Mesh& triangulated_link, Mesh& mesh) {
     end_filling(mesh);
 }
 
-// For each facet of the link's triangulation that is on the boundary of the hole, seen from inside:
-// the facet code of the remaining tetrahedron behind it.
+// Returns, for each facet of the link's triangulation, the facet code of the remaining tetrahedron
+// behind the facet if the facet is on the boundary of the hole, seen from inside; else no_index.
 Buffer<FacetCode> VertexRemoval::boundary_in(const Mesh& triangulated_link) {
     const Mesh& link = triangulated_link;
     Buffer<FacetCode> outside(star_.allocator());
@@ -156,7 +156,7 @@ Buffer<FacetCode> VertexRemoval::boundary_in(const Mesh& triangulated_link) {
     return outside;
 }
 
-// The tetrahedra of the star are marked while it is gathered.
+// Gathers the star of v. The tetrahedra of the star are marked meanwhile.
 void VertexRemoval::find_star(Mesh& mesh, VertexId v, TetId first) {
     star_.clear();
     ghosts_gone_ = 0;
@@ -188,7 +188,7 @@ void VertexRemoval::find_star(Mesh& mesh, VertexId v, TetId first) {
 
 void VertexRemoval::number_link(const Mesh& mesh, VertexId v) {
     link_.clear();
-    // By Euler, a link of F facets has F / 2 + 2 vertices.
+    // By Euler's formula, a link of F facets has F / 2 + 2 vertices.
     const std::size_t most = star_.size() / 2 + 2;
     link_.reserve(most);
     numbers_.clear(2 * most);
@@ -262,7 +262,7 @@ void VertexRemoval::join(const Number (&v)[3], FacetCode behind, bool is_outside
 }
 
 // The apex of a finite facet: the vertex of the link that forms the tetrahedron on its inner side.
-// For facets that floating-point arithmetic does not decide.
+// fill() calls this function for a facet that the kernel's find_apex() leaves undecided.
 ApexResult VertexRemoval::apex_of(const Mesh& mesh, const Facet& facet) const {
     const double* const a = point(mesh, facet.v[0]);
     const double* const b = point(mesh, facet.v[1]);

@@ -2,16 +2,17 @@
 // The removal of a vertex: the tetrahedra of its star leave a hole, which is filled with the
 // tetrahedra of the Delaunay triangulation of the remaining points.
 //
-// All vertices of these tetrahedra are in the link of the vertex that goes, that is among the other
+// All vertices of these tetrahedra are in the link of the removed vertex, that is among the other
 // vertices of its star. So the hole is filled facet by facet, inwards from its boundary. The
-// tetrahedron at a facet is the one whose circumsphere has no vertex of the link inside: beyond the
-// facet, spheres through it grow from one candidate to the next, and one pass over the link finds
-// the least. Where no vertex is beyond, the facet is on the hull, and a ghost goes there. The
-// kernel's find_apex() does this with vectors where floating-point arithmetic decides; elsewhere
-// exact predicates do, and the perturbation leaves exactly one candidate. That takes time quadratic
-// in the size of the link; a large one is triangulated by itself, and its tetrahedra inside the
-// hole are sewn in. docs/theory.md, "Removing a vertex", proves that the result is the
-// triangulation of all remaining points.
+// tetrahedron at a facet joins the facet to an apex: a vertex of the link on the inner side of the
+// facet. The circumsphere of this tetrahedron has no vertex of the link inside, so one pass over
+// the link finds the apex: a vertex inside the sphere of the best candidate becomes the best. If no
+// vertex is on the inner side, the facet is on the hull and gets a ghost. The kernel's
+// find_apex() finds the apex with vector instructions where floating-point arithmetic decides.
+// Elsewhere exact predicates decide, and the perturbation leaves exactly one apex. Filling facet by
+// facet takes time quadratic in the size of the link. A large link is therefore triangulated by
+// itself, and its tetrahedra inside the hole are copied. docs/theory.md, "Removing a vertex",
+// proves that the result is the triangulation of all remaining points.
 #pragma once
 
 #include "kernel/kernel.hpp"
@@ -23,18 +24,19 @@ class VertexRemoval {
   public:
     explicit VertexRemoval(Allocator& allocator) noexcept;
 
-    // Prepares the removal of vertex v, where t is a tetrahedron of v. find() finds the star and
-    // the link; then fill() or fill_from() finds the tetrahedra that fill the hole. They throw
-    // std::bad_alloc, and the latter MGDT_ERR_TOO_LARGE for too many tetrahedra. The mesh does not
-    // change.
+    // Prepare the removal of vertex v, where t is a tetrahedron of v. find() finds the star and the
+    // link; then fill() or fill_from() finds the tetrahedra that fill the hole. All three throw
+    // std::bad_alloc; fill() and fill_from() also throw MGDT_ERR_TOO_LARGE for too many tetrahedra.
+    // The tetrahedra of the mesh do not change.
     void find(Mesh& mesh, VertexId v, TetId t);
     void fill(const Kernel& kernel, Mesh& mesh);
-    // Takes the tetrahedra from a triangulation of the link, whose points are in the order of
-    // link().
+    // Takes the tetrahedra from a triangulation of the link. The points of that triangulation are
+    // the finite vertices of link(), in the same order.
     void fill_from(const Mesh& triangulated_link, Mesh& mesh);
     // The vertices of the link, possibly with the vertex at infinity.
     const Buffer<VertexId>& link() const noexcept { return link_; }
-    // Whether the remaining points still span space. If not, there is nothing to replace.
+    // Whether the remaining points still span space. If not, no finite tetrahedra would remain, and
+    // callers do not call replace().
     bool leaves_space() const noexcept { return leaves_space_; }
     // Frees the memory that is kept from one removal to the next.
     void reset() noexcept;
@@ -51,9 +53,9 @@ class VertexRemoval {
   private:
     // The local number of a vertex in the link.
     using Number = std::uint32_t;
-    // A tetrahedron that fills the hole, as its record will be: the vertices of the facet from
-    // which it was found, and the apex. n[i] is the facet code opposite vertex i: of a neighbour
-    // outside the hole if is_outside[i], otherwise of a tetrahedron in `filling_`.
+    // A tetrahedron that fills the hole, with its vertices in the order of the record. n[i] is the
+    // facet code on the other side of the facet opposite vertex i: of a neighbour outside the hole
+    // if is_outside[i], otherwise of a tetrahedron in `filling_`.
     struct Filling {
         Number v[4];
         FacetCode n[4];
@@ -76,7 +78,7 @@ class VertexRemoval {
     void end_filling(Mesh& mesh);
     void add_boundary(const Mesh& mesh);
     Buffer<FacetCode> boundary_in(const Mesh& triangulated_link);
-    // The local number of a vertex in the triangulation of the link.
+    // The local number in the link for vertex u of the link's triangulation.
     Number number_in(const Mesh& triangulated_link, VertexId u) const noexcept {
         if (u == infinite_vertex) return infinite_;
         const std::uint32_t i = triangulated_link.vertices[u].index;
@@ -94,7 +96,7 @@ class VertexRemoval {
     Buffer<double> columns_;  // the columns of LinkColumns
     NumberTable numbers_;     // the local number of each vertex
     Buffer<Facet> facets_;
-    NumberTable numbers_of_facets_;  // keyed by their vertices
+    NumberTable numbers_of_facets_;  // the number of each facet, by its vertices
     Buffer<Filling> filling_;
     Buffer<FacetCode> slots_;
     Buffer<Tetrahedron> kept_;

@@ -35,7 +35,7 @@ struct SerialAccess {
     Mesh& mesh;
 };
 
-// What both policies for several threads share: slots and ghost counts are thread-local.
+// The common part of both policies for several threads: slots and ghost counts are thread-local.
 class SharedAccess {
   public:
     static constexpr bool is_alone = false;
@@ -60,9 +60,9 @@ class SharedAccess {
     ThreadState& thread_state_;
 };
 
-// In a zone, while tetrahedra between zones are closed. Every tetrahedron that the thread reaches
-// is its own unless it is closed. A closed tetrahedron may be read, and its neighbour entry at a
-// facet of the zone may be written.
+// Access in a zone, while tetrahedra between zones are closed. Every tetrahedron that the thread
+// reaches belongs to this thread unless it is closed. The thread may read a closed tetrahedron, and
+// may write its neighbour entry at a facet of the zone.
 class ZoneAccess : public SharedAccess {
   public:
     using SphereSource = KeptSpheres;
@@ -75,13 +75,14 @@ class ZoneAccess : public SharedAccess {
         return !TetrahedronStore::sphere_of(t).is_closed();
     }
     bool owns(const Tetrahedron& t) const noexcept { return try_own(t); }
-    // All vertices of a star are in one zone, except for the vertex at infinity, which is in each.
+    // All vertices of a star are in one zone, except for the vertex at infinity, which is in every
+    // zone and gets no hint.
     MGDT_ALWAYS_INLINE void set_vertex_hint(VertexId v, TetId t) const noexcept {
         if (v != infinite_vertex) mesh_.vertex_hint[v] = t;
     }
 };
 
-// Anywhere: the thread may change a tetrahedron whose guards it owns.
+// Access anywhere in the mesh: the thread may change a tetrahedron whose guards it owns.
 template <class Spheres>
 class ConcurrentAccess : public SharedAccess {
   public:
@@ -91,7 +92,8 @@ class ConcurrentAccess : public SharedAccess {
     MGDT_ALWAYS_INLINE ConcurrentAccess(Mesh& mesh, ThreadState& thread_state) noexcept
         : SharedAccess(mesh, thread_state), mine_(thread_state.blocks.mine()) {}
 
-    // Acquires a vertex, or the guards of a tetrahedron. Returns false if another thread owns one.
+    // Acquires a vertex, or the guards of a tetrahedron. Returns false if another thread owns a
+    // vertex that is needed.
     MGDT_ALWAYS_INLINE bool try_own(VertexId v) const noexcept {
         return MGDT_LIKELY(mine_(v)) || thread_state_.blocks.try_own(v);
     }
@@ -112,8 +114,8 @@ class ConcurrentAccess : public SharedAccess {
     const OwnedBlocks::Mine mine_;
 };
 
-// Read-only: finds the cavity that an insertion would have. Several threads may do that at the same
-// time.
+// Read-only access, which finds the cavity that an insertion would have. Several threads may read
+// one mesh at the same time.
 template <class Spheres>
 struct ReadingAccess {
     using SphereSource = Spheres;

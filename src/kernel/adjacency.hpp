@@ -11,8 +11,8 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// A matrix of 2^shift columns: entry (a, b) is the facet code of the edge ab. Entries are written
-// before they are read, so it needs no clearing.
+// A matrix of 2^shift columns: entry (a, b) is the facet code of the edge ab. Each entry is written
+// before it is read, so the matrix needs no clearing.
 template <unsigned shift>
 class EdgeMatrix {
   public:
@@ -50,7 +50,7 @@ class EdgeTable {
         assert(keys_[slot(a, b)] != free && "no facet has this edge");
         return codes_[slot(a, b)];
     }
-    // The upper half of the product depends on all bits of both ends.
+    // The upper half of the product depends on all bits of both a and b.
     static std::size_t hash(std::uint32_t a, std::uint32_t b) {
         constexpr std::uint64_t golden = 0x9E3779B97F4A7C15u;
         return static_cast<std::size_t>(((a * golden + b) * golden) >> 32);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// find_apex(): the apex of a facet in the hole of a removed vertex, if floating-point arithmetic
-// decides (hole/vertex_removal.hpp). Each island has an implementation, which tests the whole
-// link with vectors.
+// find_apex() finds the apex of a facet in the hole of a removed vertex, if floating-point
+// arithmetic decides (hole/vertex_removal.hpp). The implementation in each island with vectors
+// tests several vertices of the link at a time.
 #pragma once
 
 #include "kernel/circumsphere.hpp"

@@ -20,7 +20,8 @@ MGDT_ALWAYS_INLINE void assert_star_is_sound(const Mesh&, const Workspace&, Vert
 
 #else
 
-// Before the mesh changes: each member of the cavity is alive, and the thread owns it.
+// Asserts, before the mesh changes, that each member of the cavity is alive and owned by the
+// thread.
 template <class Access>
 void assert_cavity_is_sound(Access access, const Mesh& mesh, const Workspace& w) {
     for (std::size_t i = 0; i < w.cavity_size; ++i) {
@@ -30,9 +31,9 @@ void assert_cavity_is_sound(Access access, const Mesh& mesh, const Workspace& w)
     }
 }
 
-// After the mesh has changed: the first vertex of each new tetrahedron is the newest; neighbours
-// refer to each other; finite tetrahedra are positively oriented; and the vertex at infinity is the
-// third or the fourth of a ghost.
+// Asserts, after the mesh has changed, that the first vertex of each new tetrahedron is the newest,
+// that neighbours refer to each other, that finite tetrahedra are positively oriented, and that the
+// vertex at infinity is the third or the fourth of a ghost.
 inline void assert_star_is_sound(const Mesh& mesh, const Workspace& w, VertexId q) {
     for (std::size_t i = 0; i < w.slot_count; ++i) {
         const TetId id = tetrahedron_of(w.slots.data[i]);

@@ -2,14 +2,14 @@
 // The cavity: all tetrahedra in conflict with q, and its boundary.
 //
 // One array holds the members, each a tetrahedron and the face through which it was reached. The
-// neighbours of one are tested together. There is no branch on whether a neighbour is in conflict:
-// four codes are written, and the end of each array moves by the number that counts. The branches
-// that remain are rarely taken. A tetrahedron outside may be tested through several faces; each is
-// a facet of the boundary.
+// four neighbours of a member are tested together. There is no branch on whether a neighbour is in
+// conflict: four codes are written to an array, and its end moves by the number of codes that
+// count. The branches that remain are rarely taken. A tetrahedron outside may be tested through
+// several faces; each of these faces is a facet of the boundary.
 //
 // A tetrahedron that joins the cavity gets a mark, one bit of its second vertex. Nothing else
 // changes before the star is built, so an insertion is given up by removing the marks. Tests with
-// kept spheres do not read the second vertex, so none has to wait for the store of a mark. Where
+// kept spheres do not read the second vertex, so no test has to wait for the store of a mark. Where
 // other threads may test a member too, the marks are in a table of the thread's own.
 #pragma once
 
@@ -26,8 +26,9 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Where a cavity begins. If `faces` is 0, at a tetrahedron in conflict. Otherwise at the neighbours
-// of a tetrahedron that is not in conflict, across these faces.
+// Where a cavity begins. If `faces` is 0, the cavity begins at this tetrahedron, which is in
+// conflict. Otherwise the tetrahedron is not in conflict, but its neighbours across these faces
+// are.
 struct CavityStart {
     TetId tetrahedron;
     std::uint32_t faces;  // a bit mask
@@ -53,7 +54,7 @@ struct CavityFront {
         if constexpr (Access::has_mark_table) most = std::min(most, access.marks().capacity());
         return w.cavity.data + most - 4;
     }
-    // Where the cavity begins.
+    // Puts the first members and facets into the arrays.
     MGDT_ALWAYS_INLINE void begin(Workspace& w, CavityStart start) {
         const Tetrahedron& t = tetrahedra[start.tetrahedron];
         assert(!t.is_dead() && "the cavity begins at a dead tetrahedron");
@@ -70,8 +71,8 @@ struct CavityFront {
             return;
         }
         // t stays outside, and its facets to members are boundary facets. first_corners may only
-        // hold vertices of the cavity: two such facets have all four vertices of t, but a single
-        // one lacks the vertex opposite it, for which another vertex of t stands.
+        // hold vertices of the cavity. Two such facets have all four vertices of t. A single one
+        // lacks the vertex opposite it, which is replaced by another vertex of t.
         const bool is_one = (start.faces & (start.faces - 1)) == 0;
         for (unsigned i = 0; i < 4; ++i) {
             w.first_corners[i] = is_one && (start.faces >> i & 1) ? t.v[(i + 1) & 3] : t.v[i];
@@ -88,7 +89,8 @@ struct CavityFront {
             return [all = tetrahedra](FacetCode code) { return all.of(code).is_in_cavity(); };
     }
     // Adds the neighbours in conflict to the cavity, unless they are members already. The facets of
-    // the other active ones go to the boundary. `codes` are the facets on the neighbours' side.
+    // the other active neighbours go to the boundary. `codes` are the facets on the neighbours'
+    // side.
     MGDT_ALWAYS_INLINE void sort_out(const Neighbors& four, const FacetCode* codes,
                                      std::uint32_t active, std::uint32_t conflict) {
         assert((conflict & ~active) == 0 && "a neighbour that was not tested is in conflict");
@@ -105,7 +107,7 @@ struct CavityFront {
             fresh = mark_four(four, conflict);
         end += append(end, codes, fresh);
     }
-    // The same if some of the other neighbours may be closed: nothing is written to those.
+    // Like sort_out(), but if neighbours may be closed, writes only to those in conflict.
     void sort_out_apart(const FacetCode* codes, std::uint32_t active, std::uint32_t conflict) {
         assert((conflict & ~active) == 0 && "a neighbour that was not tested is in conflict");
         boundary_end += append(boundary_end, codes, active & ~conflict);
@@ -128,8 +130,8 @@ struct CavityFront {
         assert(next <= end && "more members were passed than there are");
         return static_cast<std::size_t>(end - w.cavity.data);
     }
-    // Enlarges the arrays for the neighbours of one more member. Gives the cavity up and throws
-    // again if memory runs out.
+    // Enlarges the arrays for the neighbours of one more member. If memory runs out, gives up the
+    // cavity and throws the exception again.
     void enlarge(Access access, Mesh& mesh, Workspace& w) {
         const std::size_t passed = static_cast<std::size_t>(next - w.cavity.data),
                           size = members(w),
@@ -157,17 +159,18 @@ struct CavityFront {
     TetrahedronView<Record> tetrahedra;
     FacetCode* next;  // the first member whose neighbours are still to be tested
     FacetCode* end;
-    FacetCode* limit;  // the largest `end` that leaves room for four more
+    FacetCode* limit;  // the largest `end` that leaves room for four more members
     FacetCode* boundary_end;
     MarkTable::View marks;  // used among other threads
 };
 
-// No set of four faces: another thread owns a neighbour.
+// The result of decide() if another thread owns a neighbour; not a set of faces.
 constexpr std::uint32_t not_owned = 16;
 
-// Which of the undecided neighbours are in conflict, or not_owned if another thread owns one. A
-// neighbour that is a member counts as in conflict and is not tested, because its vertex is marked.
-// Points of a lattice give many undecided signs with unpredictable answers, hence few branches.
+// Returns which of the undecided neighbours are in conflict, or not_owned if the test or the cavity
+// needs a neighbour that this thread may not change. A neighbour that is a member already counts as
+// in conflict. It is not tested, because its second vertex has a mark. Points of a lattice give
+// many undecided signs with unpredictable answers, so the code has few branches.
 template <class Access, class IsIn>
 MGDT_PREDICATES_APART std::uint32_t decide(Access access, const Mesh& mesh, Workspace& w,
                                            IsIn is_in, const FacetCode* n, std::uint32_t undecided,
@@ -203,14 +206,14 @@ enum class Pause {
     undecided,    // the filter leaves the sign of a neighbour open
 };
 
-// One bit for each face of the next member: the neighbours beyond active faces are tested, and the
-// others are the results.
+// One bit for each face of the next member. The neighbours beyond active faces are tested;
+// `conflict` and `undecided` are the results.
 struct Tests {
     std::uint32_t active, conflict, undecided;
 };
 
-// Tests the neighbours of one member after the other and sorts them, until there is something rare
-// to do. The caller does that, since a call in this loop would cost it registers.
+// Tests the neighbours of one member after the other and sorts them, until a rare case occurs. The
+// caller handles the rare case, since a call in this loop would take registers from the loop.
 template <class Access>
 MGDT_ALWAYS_INLINE Pause grow(Access access, const Mesh& mesh, const Query& q,
                               CavityFront<Access>& cavity, Tests& tests) {
@@ -267,7 +270,7 @@ MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityS
     if constexpr (Access::has_mark_table) access.marks().begin(MarkTable::least_capacity);
     CavityFront<Access> cavity(access, mesh, w);
     cavity.begin(w, start);
-    // At the start, the neighbours across all four faces are tested.
+    // If the cavity begins at a member, all four neighbours of this member are tested.
     Tests tests = {start.faces == 0 ? 0xFu : other_faces(*cavity.next), 0, 0};
     for (;;) {
         const Pause pause = grow(access, mesh, q, cavity, tests);
@@ -294,7 +297,7 @@ MGDT_NOT_INLINE bool dig_cavity(Access access, Mesh& mesh, Workspace& w, CavityS
     assert(w.boundary_size >= 4 && w.boundary_size % 2 == 0 &&
            "the boundary of the cavity is no sphere");
     assert(w.boundary_size <= 2 * w.cavity_size + 2 && "more facets than the members have");
-    // Four neighbours of the first member were tested, and three of each other member.
+    // Three neighbours of each member were tested, and a fourth if the cavity began at a member.
     w.counters.conflict_tests += 3 * w.cavity_size + (start.faces == 0 ? 1 : 0);
     return true;
 }

@@ -49,7 +49,7 @@ inline bool in_normal_range(const double* x) {
     return in_normal_range(x[0]) && in_normal_range(x[1]) && in_normal_range(x[2]);
 }
 
-// A query point of powers. `quadratic` is infinite for a point outside the normal range.
+// A point whose powers are computed. `quadratic` is infinite for a point outside the normal range.
 struct Query {
     explicit Query(const double* point) : Query(point, in_normal_range(point)) {}
     Query(const double* point, bool is_normal)
@@ -63,15 +63,15 @@ struct Query {
     const double* point;
 };
 
-// The computed power and a bound of its error; any comparison with a NaN in either is false, so
-// write tests such that false means undecided.
+// The computed power and a bound on its error. Any comparison with a NaN is false, so tests have to
+// be written such that false means undecided.
 struct Power {
     double value, error;
     bool is_conflict() const { return value < -error; }
     bool is_decided() const { return std::fabs(value) > error; }
 };
 
-// The power of q with respect to the sphere of a tetrahedron with this base vertex.
+// The power of q with respect to the sphere s of a tetrahedron with base vertex p.
 inline Power power(const Sphere& s, const double* p, const Query& q) {
     const double ux = q.x - p[0], uy = q.y - p[1], uz = q.z - p[2];
     double square = ux * ux + uy * uy + uz * uz;
@@ -110,8 +110,8 @@ MGDT_MAY_DIVIDE_BY_ZERO MGDT_ALWAYS_INLINE double reciprocal(double x) {
     return 1.0 / x;
 }
 
-// w and e of the finite tetrahedron (base, a, b, c). If the determinant is too small to be trusted,
-// or 0, e is infinite and w arbitrary.
+// Computes w and e of the finite tetrahedron (base, a, b, c). If the determinant is 0 or too small
+// to be trusted, e is infinite and w is arbitrary.
 inline void set_sphere(const LocalVertex& a, const LocalVertex& b, const LocalVertex& c, Sphere& s,
                        const FilterBounds& bounds = proved_bounds) {
     const double bcx = b.y * c.z - b.z * c.y, bcy = b.z * c.x - b.x * c.z,
@@ -139,7 +139,8 @@ inline void set_sphere(const LocalVertex& a, const LocalVertex& b, const LocalVe
     s.e = sound ? bound : infinity;
 }
 
-// w and e of the ghost whose hull facet is (base, a, b) and whose last vertex is at infinity.
+// Computes w and e of the ghost whose hull facet is (base, a, b) and whose last vertex is at
+// infinity.
 inline void set_normal(const LocalVertex& a, const LocalVertex& b, Sphere& s,
                        const FilterBounds& bounds = proved_bounds) {
     s.w[0] = a.y * b.z - a.z * b.y;
@@ -160,7 +161,7 @@ MGDT_ALWAYS_INLINE double to_upper_half(double x) {
 // A sphere rounded for storage.
 inline KeptSphere rounded(const Sphere& s, double roundoff = kept_roundoff) {
     const double e = std::fabs(s.e) + max_magnitude(s.w[0], s.w[1], s.w[2]) * roundoff;
-    // If the bound is infinite, w may be NaN.
+    // If the bound is infinite, w may be NaN, and e with it.
     const double sound = std::fabs(s.e) < infinity ? e : infinity;
     return {{upper_half(to_upper_half(s.w[0])), upper_half(to_upper_half(s.w[1])),
              upper_half(to_upper_half(s.w[2]))},
@@ -169,12 +170,12 @@ inline KeptSphere rounded(const Sphere& s, double roundoff = kept_roundoff) {
 
 }  // namespace MGDT_ISLAND
 
-// The sphere of any tetrahedron, computed from its vertices, whether it is marked or not. If a
+// The sphere of any tetrahedron, computed from its vertices. The tetrahedron may be marked. If a
 // vertex is outside the normal range, the bound is infinite.
 Sphere circumsphere(const Tetrahedron& t, const Vertex* vertices);
 
-// Whether q is in conflict with t: exact, with ties decided by perturbation. q is not a vertex of
-// t.
+// Whether q is in conflict with t. The result is exact; perturbation decides ties. q must not be a
+// vertex of t.
 bool is_conflict_exact(const Mesh& mesh, const Tetrahedron& t, const double* q);
 
 // The vertex of t that has the coordinates of q, or infinite_vertex.

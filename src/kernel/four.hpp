@@ -3,10 +3,10 @@
 // written with these types alone. Each of those islands has
 //
 //   Four                 four doubles, with arithmetic, comparisons and permutations
-//   FourMask, FourSigns  yes or no for each element, by all of its bits or by its sign bit
+//   FourMask, FourSigns  four truth values, each in all bits of an element or in its sign bit
 //   FourIntegers         four integers of 64 bits
 //   FourWords            four words of 32 bits
-//   FourPlaces           four places among four words, for tables of permutations
+//   FourPlaces           four positions among four words, for tables of permutations
 //   Transpose4           four rows of doubles, or of their upper halves, as columns
 #pragma once
 
@@ -16,7 +16,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Points that are the first three columns, relative to others.
+// The points in the first three columns of `rows`, relative to the points `origin`.
 MGDT_ALWAYS_INLINE PointColumns<Four> relative_to(const Transpose4& rows,
                                                   const PointColumns<Four>& origin) {
     return {rows.first - origin.x, rows.second - origin.y, rows.third - origin.z};

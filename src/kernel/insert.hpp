@@ -52,7 +52,7 @@ inline Insertion insert_in_zone(Mesh& mesh, Workspace& w, ThreadState& thread_st
 
 template <class Spheres>
 void find_cavity(const Mesh& mesh, Workspace& w, MarkTable& marks, const double* q, TetId start) {
-    // Only a thread that has the mesh to itself writes to it here.
+    // With ReadingAccess, dig_cavity() writes to the workspace and to `marks`, but not to the mesh.
     dig_cavity(ReadingAccess<Spheres>{marks}, const_cast<Mesh&>(mesh), w, {start, 0}, Query(q));
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The kernel is compiled once for each instruction set. Its headers define everything in a
-// namespace of that set's name, so that the linker never takes one set's copy for another's.
+// namespace named after the set, so that the linker never takes one set's function for another's.
 //
 // The island of an instruction set is the folder of its name, which has all code that is written
-// for it alone. A kernel header with an implementation in each island documents the functions, and
-// includes the implementation by MGDT_IN_ISLAND. Each island's kernel.cpp defines MGDT_ISLAND;
-// every other file gets the scalar island.
+// for this set alone. A kernel header with an implementation in each island documents the
+// functions, and includes the implementation by MGDT_IN_ISLAND. Each island's kernel.cpp defines
+// MGDT_ISLAND; every other file gets the scalar island.
 #pragma once
 
 #if !defined(MGDT_ISLAND)

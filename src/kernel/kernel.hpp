@@ -23,10 +23,10 @@ struct LocationWalk {
     double q[3];
     TetId tetrahedron;  // where the walk is; any tetrahedron may be the first
     double value, error;
-    // After the last step: whether it is certain that the tetrahedron contains q, or that it is a
-    // ghost whose facet q is beyond.
+    // After the last step: whether the walk has certainly ended at the tetrahedron that contains q,
+    // or at a ghost whose facet q is beyond.
     bool is_certain;
-    bool may_end_outside;     // whether any such ghost may end the walk, even a distant one
+    bool may_end_outside;     // whether a ghost in conflict ends the walk, even a distant one
     std::size_t steps_taken;  // counted by the caller of locate_step()
 };
 
@@ -51,24 +51,24 @@ struct KernelCalls {
     // Inserts vertex q, whose record is in the mesh, walking from `start`. Strong guarantee: when
     // it throws (std::bad_alloc, Error with MGDT_ERR_TOO_LARGE) the triangulation is unchanged.
     Insertion (*insert)(Mesh& mesh, Workspace& workspace, VertexId q, TetId start);
-    // The same while other threads insert in their zones. q and `start` are in the zone of this
-    // thread, and tetrahedra between zones are closed. Null for meshes without spheres. Also throws
-    // SlotSupply::NoSlots.
+    // Like insert(), while other threads insert in their zones. q and `start` are in the zone of
+    // this thread, and tetrahedra between zones are closed. The pointer is null for meshes without
+    // spheres. The function also throws SlotSupply::NoSlots.
     Insertion (*insert_in_zone)(Mesh& mesh, Workspace& workspace, ThreadState& thread_state,
                                 VertexId q, TetId start);
-    // The same while other threads insert anywhere. This thread owns q and the guards of `start`.
-    // Also throws SlotSupply::NoSlots.
+    // Like insert(), while other threads insert anywhere. This thread owns q and the guards of
+    // `start`. The function also throws SlotSupply::NoSlots.
     Insertion (*insert_concurrent)(Mesh& mesh, Workspace& workspace, ThreadState& thread_state,
                                    VertexId q, TetId start);
-    // Computes the first power of a location, and takes its next step. locate_step() returns false
-    // when the walk has ended. See walk.hpp.
+    // locate_begin() computes the power with respect to the first tetrahedron of a location, and
+    // locate_step() takes one step; it returns false when the walk has ended. See walk.hpp.
     void (*locate_begin)(const Mesh& mesh, LocationWalk& walk);
     bool (*locate_step)(const Mesh& mesh, LocationWalk& walk);
-    // Continues a long walk at the best of `tries` tetrahedra that are spread over the mesh.
+    // Samples `tries` random tetrahedra, and moves a long walk to the best if that has less power.
     void (*locate_jump)(const Mesh& mesh, LocationWalk& walk, std::size_t tries);
-    // Finds the cavity that q would have; `start` is one of its members. The cavity is left in the
-    // workspace, and its members in `marks`. Several threads may do this on one mesh at the same
-    // time. Throws std::bad_alloc.
+    // Finds the cavity that q would have; `start` is one of its members. The function leaves the
+    // cavity in the workspace, and its members in `marks`. Several threads may call the function on
+    // one mesh at the same time. Throws std::bad_alloc.
     void (*find_cavity)(const Mesh& mesh, Workspace& workspace, MarkTable& marks, const double* q,
                         TetId start);
 };
@@ -77,7 +77,7 @@ struct Kernel {
     const char* isa;
     KernelCalls with_spheres;     // for a mesh that stores spheres
     KernelCalls without_spheres;  // for a mesh in compact storage
-    // All vertices of the link have to be in the range where filters are proved.
+    // Finds the apex of a facet. All vertices of the link must be in the normal range.
     ApexResult (*find_apex)(const LinkColumns& link, const std::uint32_t (&facet)[3]);
 
     const KernelCalls& on(const Mesh& mesh) const noexcept {

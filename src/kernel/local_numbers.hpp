@@ -15,20 +15,21 @@ inline namespace MGDT_ISLAND {
 template <class Tetrahedra>
 MGDT_ALWAYS_INLINE VertexId corner(const Tetrahedra& tetrahedra, FacetCode code) {
     assert(!tetrahedra.of(code).is_dead() && "a member of the cavity is dead");
-    // A mark may be on the second.
+    // The second vertex may have a mark.
     return unmarked(tetrahedra.of(code).v[face_of(code)]);
 }
 
-// One byte a vertex, found by its hash alone: right for nearly all cavities. It gives up where two
-// vertices have one hash, which makes one number of them, or where there are too many.
+// A table with one byte per vertex, found by its hash without probing. This suffices for nearly all
+// cavities. add_cavity() returns false if two vertices have the same hash, which gives both the
+// same number, or if the cavity is too large.
 class DirectNumbers {
   public:
     MGDT_ALWAYS_INLINE explicit DirectNumbers(Workspace& w) : table_(w.direct), ids_(w.ids.data) {}
     DirectNumbers(const DirectNumbers&) = delete;
     DirectNumbers& operator=(const DirectNumbers&) = delete;
     MGDT_ALWAYS_INLINE ~DirectNumbers() {
-        // In blocks, so that the number of turns is predictable: what follows are vertices of
-        // earlier cavities, which are free.
+        // The loop runs in blocks, so that its number of turns is predictable. The identifiers
+        // behind the last one are vertices of earlier cavities, whose bytes are free anyway.
         constexpr std::uint32_t block = 16;
         for (std::uint32_t i = 0; i < count_; i += block)
             for (std::uint32_t k = i; k < i + block; ++k)
@@ -38,15 +39,15 @@ class DirectNumbers {
     template <class Tetrahedra>
     MGDT_ALWAYS_INLINE bool add_cavity(const Workspace& w, const Tetrahedra& tetrahedra) {
         if (MGDT_UNLIKELY(w.cavity_size > Workspace::direct_most)) return false;
-        static_assert(Workspace::direct_free == 255);  // the only byte that one more carries from
+        static_assert(Workspace::direct_free == 255);  // adding 1 to any other byte does not carry
         std::uint32_t added = 0;
-        // Copies, which no store of a byte can change.
+        // Local copies, since the compiler assumes that a store of a byte may change members.
         std::uint8_t* const table = table_;
         VertexId* const ids = ids_;
         const FacetCode* const end = w.cavity.data + w.cavity_size;
-        // What is in v's place    fresh   what is written
-        // 255: v is new             1     added, its number
-        // a number: v has it        0     the same
+        // byte at hash(v)             fresh   new byte
+        // 255: v is new                 1     added, the number of v
+        // other: v has this number      0     unchanged
         const auto add = [&](VertexId v) {
             std::uint8_t& place = table[hash(v)];
             const std::uint32_t there = place, fresh = (there + 1) >> 8;
@@ -59,13 +60,14 @@ class DirectNumbers {
             add(corner(tetrahedra, *code));
         assert(added < Workspace::direct_free && "numbers that a byte does not hold");
         count_ = added;
-        // All of the cavity's vertices are on its boundary, a sphere: by Euler, one of F triangles
-        // has F / 2 + 2 vertices. Fewer numbers: two have one hash.
+        // All vertices of the cavity are on its boundary, a sphere. By Euler's formula, a sphere of
+        // F triangles has F / 2 + 2 vertices. If there are fewer numbers, two vertices have the
+        // same hash.
         return 2 * std::size_t{added} == w.boundary_size + 4;
     }
     MGDT_ALWAYS_INLINE std::uint32_t count() const { return count_; }
-    // A function that gives the number of a vertex that is there. It holds all that it looks at, so
-    // that a loop that writes bytes need not read this object again.
+    // Returns a function that maps a vertex of the cavity to its number. The function has copies of
+    // all that it reads, so that a loop that writes bytes need not read this object again.
     MGDT_ALWAYS_INLINE auto lookup() const {
         return [table = table_](VertexId v) {
             assert(table[hash(v)] != Workspace::direct_free && "a vertex without a number");
@@ -116,7 +118,7 @@ class ProbedNumbers {
         for (std::size_t i = 0; i < w.cavity_size; ++i) add(corner(tetrahedra, w.cavity.data[i]));
     }
     std::uint32_t count() const { return count_; }
-    // As lookup() above.
+    // Like DirectNumbers::lookup().
     MGDT_ALWAYS_INLINE auto lookup() const {
         return [table = table_, ids = ids_, mask = mask_](VertexId v) {
             std::uint32_t h = v & mask;
@@ -128,7 +130,7 @@ class ProbedNumbers {
     std::uint32_t find(VertexId v) const { return table_[place(v)]; }
 
   private:
-    // The position of v in the table, or where it would be.
+    // The position of v in the table, or the free position where v would be added.
     std::uint32_t place(VertexId v) const {
         std::uint32_t h = v & mask_;
         while (table_[h] != no_index && ids_[table_[h]] != v) h = (h + 1) & mask_;

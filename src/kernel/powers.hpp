@@ -4,18 +4,19 @@
 //   power = |u|^2 - w . u   with u = q - p, p the base vertex, w of its sphere
 //   error = |e| (|u.x| + |u.y| + |u.z|) + quadratic |u|^2
 //
-// as power() of circumsphere.hpp computes them; a ghost's have no |u|^2. Each island has
+// as power() of circumsphere.hpp computes them; a ghost's power has no |u|^2. Each island has
 //
-//   QueryRows(query)                          q, ready to be asked about
+//   QueryRows(query)                          q, in the form that FourPowers needs
 //   FourPowers(spheres, four, query or rows)  the four powers:
-//     [k]                                     the k-th
-//     .least_finite(bound)                    which finite one is least, if below the bound; else 4
+//     [k]                                     the power of tetrahedron k, with its error
+//     .least_finite(bound)                    the finite tetrahedron of least power, if that is
+//                                             below the bound; otherwise 4
 //   and as bits, the first tetrahedron in the lowest:
-//     .negative()                             where the power is negative
-//     .decided()                              where it is certain whether it is
-//     .ghosts()                               which are ghosts
-//     .above(power)                           where it, or that of a ghost, is certainly above that
-//                                             of a tetrahedron, or of none
+//     .negative()                             which powers are negative
+//     .decided()                              which powers have a certain sign
+//     .ghosts()                               which tetrahedra are ghosts
+//     .above(power)                           which powers of finite tetrahedra are certainly above
+//                                             this one, and which of ghosts certainly above 0
 #pragma once
 
 #include "kernel/island.hpp"

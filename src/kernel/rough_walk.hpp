@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The rough walk: a visibility walk by orientations in plain doubles, without error bounds. It
 // covers the distance where powers do not show the way: among tetrahedra of one sphere, and where
-// coordinates are outside the normal range. What it finds is only a better start for the exact
-// walk, which confirms it in one step if it is right.
+// coordinates are outside the normal range. Its result is only a better start for the exact walk,
+// which confirms a right result in one step.
 #pragma once
 
 #include "kernel/island.hpp"
@@ -11,8 +11,8 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Dividing each axis by a positive number does not change the sign of an orientation. So
-// differences whose products could overflow are divided by the largest of their axis.
+// Divides the differences of each axis by the largest one, because their products could overflow. A
+// positive factor per axis does not change the sign of an orientation.
 inline void divide_by_largest(double d[4][3]) {
     for (unsigned k = 0; k < 3; ++k) {
         double largest = 0;
@@ -51,10 +51,11 @@ inline std::uint32_t faces_between(const double d[4][3]) {
 template <class TryOwn>
 MGDT_NOT_INLINE TetId walk_roughly(const Mesh& mesh, TetId t, const double* q, Counters& counters,
                                    TryOwn try_own) {
-    // Coordinates are halved, so that differences of huge ones do not overflow.
+    // If some coordinates are extreme, all are halved, so that differences of huge coordinates do
+    // not overflow.
     const double factor = mesh.has_extremes ? 0.5 : 1;
     unsigned from = 4;              // the face that the walk came through
-    TetId before = no_tetrahedron;  // where it was after a number of steps that is a power of two
+    TetId before = no_tetrahedron;  // the tetrahedron at the last step that is a power of two
     for (std::uint64_t step = 0;; ++step) {
         if (t == before) return t;
         if ((step & (step - 1)) == 0) before = t;

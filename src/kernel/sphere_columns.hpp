@@ -16,13 +16,13 @@ struct PointColumns {
     R x, y, z;
 };
 
-// w and e of spheres as columns.
+// Spheres as columns: the coordinates of w, and e.
 template <class R>
 struct SphereColumns {
     R x, y, z, e;
 };
 
-// Vertices relative to the base vertex, with what LocalVertex has.
+// Vertices relative to the base vertex, with the members of LocalVertex as columns.
 template <class R>
 struct LocalColumns : PointColumns<R> {
     MGDT_ALWAYS_INLINE LocalColumns(const PointColumns<R>& v, R s, R l)
@@ -31,7 +31,8 @@ struct LocalColumns : PointColumns<R> {
         square = multiply_add(v.z, v.z, multiply_add(v.y, v.y, v.x * v.x));
         largest = larger(magnitude(v.x), larger(magnitude(v.y), magnitude(v.z)));
     }
-    // The vertex at infinity, as spheres_through() wants it.
+    // Replaces vertices by the vertex at infinity where the mask is set, as spheres_through()
+    // expects.
     MGDT_ALWAYS_INLINE LocalColumns infinite_where(typename R::Mask mask) const {
         return {{zero_where(mask, this->x), zero_where(mask, this->y), zero_where(mask, this->z)},
                 where(mask, R(1.0), square),
@@ -40,13 +41,14 @@ struct LocalColumns : PointColumns<R> {
     R square, largest;
 };
 
-// Where there are no ghosts, and none are looked for.
+// The argument of spheres_through() if no tetrahedron is a ghost.
 struct NoGhosts {};
 
-// The spheres through the base vertex and three others; with what rounding adds if they are to be
-// kept, as upper halves. Where one of the three is the vertex at infinity, with coordinates of 0
-// and a square of 1, and the determinant is taken for 1, the same formulas give the normal of the
-// ghost's facet, with twice the bound that it wants.
+// The spheres through the base vertex and three others. If the spheres are to be kept, they are
+// rounded to upper halves, and their bounds include the rounding error. If one of the three is the
+// vertex at infinity, it has coordinates of 0 and a square of 1, and the determinant is replaced by
+// 1. Then the same formulas compute the normal of the ghost's facet, with twice the bound that
+// set_normal() computes.
 template <bool to_keep, class R, class Ghosts = NoGhosts>
 MGDT_ALWAYS_INLINE SphereColumns<R> spheres_through(const LocalColumns<R>& a,
                                                     const LocalColumns<R>& b,

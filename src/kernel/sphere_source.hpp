@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the kernel gets the spheres of tetrahedra.
+// The sources from which the kernel gets the spheres of tetrahedra.
 #pragma once
 
 #include "kernel/circumsphere.hpp"
@@ -8,7 +8,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// The mesh stores them.
+// Spheres that the mesh stores.
 struct KeptSpheres {
     static constexpr bool are_kept = true;
     MGDT_ALWAYS_INLINE explicit KeptSpheres(const Mesh& mesh)
@@ -23,7 +23,7 @@ struct KeptSpheres {
     const Vertex* const vertices;
 };
 
-// They are computed from the vertices each time, in compact storage.
+// Spheres that are computed from the vertices each time, for compact storage.
 struct ComputedSpheres {
     static constexpr bool are_kept = false;
     MGDT_ALWAYS_INLINE explicit ComputedSpheres(const Mesh& mesh)

@@ -17,7 +17,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Arrays of the local numbers of each facet's vertices: bytes for a small star, words for any.
+// The local numbers of each facet's vertices: arrays of bytes for a small star, of words for any.
 struct SmallCorners {
     Workspace::SmallStar* star;
     MGDT_ALWAYS_INLINE void put(std::size_t i, std::uint32_t a, std::uint32_t b,
@@ -39,9 +39,9 @@ struct Corners {
 };
 
 // Writes the vertices of the new tetrahedra, (q, a, b, c) for a facet (a, b, c) seen from inside,
-// and links them with what stays. Fills `edges` for link_inside(), where
-// face k of the new tetrahedron is opposite its vertex k. Not inlined, so that the loop has all
-// registers.
+// and links each new tetrahedron with the one on the other side of the facet. Fills `edges` for
+// link_inside(); face k of a new tetrahedron is opposite its vertex k. The function is not inlined,
+// so that the loop has all registers.
 template <class Tetrahedra, class Lookup, class Edges, class CornersOf>
 MGDT_NOT_INLINE void link_outside(const Tetrahedra tetrahedra, const Workspace& w, VertexId q,
                                   Lookup number, Edges edges, CornersOf corners) {
@@ -65,8 +65,8 @@ MGDT_NOT_INLINE void link_outside(const Tetrahedra tetrahedra, const Workspace& 
     }
 }
 
-// Links the new tetrahedron of a facet (a, b, c) with others of the star: the neighbour across an
-// edge has it in the opposite direction.
+// Links the new tetrahedron of a facet (a, b, c) with other tetrahedra of the star. The neighbour
+// across an edge has this edge in the opposite direction.
 template <class Edges>
 MGDT_ALWAYS_INLINE void link_inside(const Edges& edges, std::uint32_t a, std::uint32_t b,
                                     std::uint32_t c, Tetrahedron& t) {
@@ -81,8 +81,8 @@ struct GhostsOfStar {
     TetId last;
 };
 
-// The new tetrahedron of a facet is a ghost if vertex b or c is at infinity. That cannot be
-// predicted, so the code is branchless.
+// Counts the ghosts of the star, and finds the last one. The new tetrahedron of a facet is a ghost
+// if vertex b or c is at infinity. The processor cannot predict this, so the code is branchless.
 template <class Number>
 MGDT_ALWAYS_INLINE GhostsOfStar ghosts_of_star(const Workspace& w, std::uint32_t infinite,
                                                const Number* const bs, const Number* const cs) {
@@ -97,8 +97,8 @@ MGDT_ALWAYS_INLINE GhostsOfStar ghosts_of_star(const Workspace& w, std::uint32_t
     return {count, tetrahedron_of(w.slots.data[last])};
 }
 
-// Outside the normal range the bounds prove nothing. An infinite bound leaves every test to the
-// predicates.
+// Sets the bound of each new tetrahedron with an extreme vertex to infinity, which leaves every
+// test to the predicates: the computed bounds are proved for the normal range only.
 inline void distrust_extremes(Mesh& mesh, const Workspace& w, VertexId q) {
     const bool extreme = !in_normal_range(mesh.point(q));
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
@@ -112,15 +112,15 @@ inline void distrust_extremes(Mesh& mesh, const Workspace& w, VertexId q) {
     }
 }
 
-// Reuses the slots of the cavity, which are in the cache.
+// Chooses the slots of the star: first the slots of the cavity, which are in the cache.
 template <class Access>
 MGDT_ALWAYS_INLINE void choose_slots(Access access, Workspace& w) {
     const std::size_t removed = w.cavity_size, created = w.boundary_size;
     assert(removed <= w.star_removed && created <= w.star_created &&
            "there is no room for the star");
     FacetCode* const slots = w.slots.data;
-    // In blocks, so that the branch at the end of the loop is predictable; the array has room for
-    // them.
+    // The loop runs in blocks, so that the branch at its end is predictable. The array has room for
+    // whole blocks.
     constexpr std::size_t block = 32;
     const FacetCode* const cavity = w.cavity.data;
     for (std::size_t i = 0; i < removed; i += block)
@@ -145,8 +145,8 @@ MGDT_ALWAYS_INLINE std::size_t count_ghosts(const Tetrahedra tetrahedra, const W
     return ghosts;
 }
 
-// The slots of a large star may be far apart in space, so each of its vertices gets a new hint. A
-// small star can leave old hints in place.
+// Sets the hints of all vertices of a large star, whose slots may be far apart in space. A small
+// star can leave old hints in place.
 template <class Access, class Tetrahedra>
 MGDT_NOT_INLINE void set_near_of_star(Access access, const Tetrahedra tetrahedra,
                                       const Workspace& w) {
@@ -157,7 +157,7 @@ MGDT_NOT_INLINE void set_near_of_star(Access access, const Tetrahedra tetrahedra
     }
 }
 
-// A star of few vertices: its facets over byte numbers, its edges in a matrix of 32 by 32.
+// Builds a star of few vertices, with byte numbers and with its edges in a matrix of 32 by 32.
 template <class Access, class Tetrahedra, class Numbers>
 MGDT_ALWAYS_INLINE void build_small(const Tetrahedra tetrahedra, const Mesh& mesh, Workspace& w,
                                     VertexId q, const Numbers& numbers, std::uint32_t infinite) {
@@ -173,7 +173,8 @@ MGDT_ALWAYS_INLINE void build_small(const Tetrahedra tetrahedra, const Mesh& mes
         link_each(tetrahedra, w, link);
 }
 
-// A star of any size: its edges are in a matrix if that is large enough, otherwise in a hash table.
+// Builds a star of any size. Its edges are in a matrix if that is large enough, otherwise in a hash
+// table.
 template <class Access, class Tetrahedra, class Numbers>
 MGDT_ALWAYS_INLINE void build_large(Access access, const Tetrahedra tetrahedra, const Mesh& mesh,
                                     Workspace& w, VertexId q, const Numbers& numbers,
@@ -253,8 +254,8 @@ TetId build_star(Access access, Mesh& mesh, Workspace& w, VertexId q) {
         if (MGDT_UNLIKELY(mesh.has_extremes)) distrust_extremes(mesh, w, q);
     assert_star_is_sound(mesh, w, q);
 
-    // New hints for the new vertex and three of its neighbours. This is often enough for every
-    // vertex to stay near its hint.
+    // The new vertex and three of its neighbours get new hints. Insertions do this often enough for
+    // every vertex to stay near its hint.
     const TetId first = tetrahedron_of(w.slots.data[0]);
     for (const VertexId v : mesh.tetrahedra[first].v) access.set_vertex_hint(v, first);
     w.counters.removed += removed;

@@ -11,7 +11,7 @@ inline namespace MGDT_ISLAND {
 
 using SphereStore = TetrahedronView<TetrahedronAndSphere>;
 
-// The vertices of the cavity relative to q, by local number.
+// Stores the coordinates of the cavity's vertices relative to q, by local number.
 inline void set_coordinates(Workspace& w, const Vertex* vertices, VertexId q, std::uint32_t count) {
     assert(count <= w.ids.buffer.capacity() && "more vertices than there is room for");
     const double* const base = vertices[q].x;
@@ -23,7 +23,8 @@ inline void set_coordinates(Workspace& w, const Vertex* vertices, VertexId q, st
     }
 }
 
-// A function that set_spheres_small() calls for each new tetrahedron and its facet: link(i, t).
+// Calls link(i, t) for the new tetrahedron t of each facet i. NoLinks is a `link` that does
+// nothing.
 template <class Tetrahedra, class Link>
 MGDT_ALWAYS_INLINE void link_each(const Tetrahedra tetrahedra, const Workspace& w, Link link) {
     for (std::size_t i = 0; i < w.boundary_size; ++i) link(i, tetrahedra.of_first(w.slots.data[i]));

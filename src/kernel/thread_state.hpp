@@ -10,29 +10,29 @@
 
 namespace mgdt {
 
-// The storage of the mesh while several threads insert. It is not moved, and each thread takes a
-// range of slots at a time.
+// The supply of slots of a mesh while several threads insert. The storage of the mesh is not moved,
+// and each thread takes a range of slots at a time.
 class SlotSupply {
   public:
     SlotSupply(Mesh& mesh, std::uint32_t slots_at_once)
         : mesh_(mesh), slots_at_once_(slots_at_once) {}
-    // Called before the threads start, and after they have ended.
+    // open() is called before the threads start, and close() after they have ended.
     void open() noexcept;
     void close() noexcept;
 
     struct SlotRange {
         TetId begin, end;
     };
-    // Takes a range of at least `least` slots. Throws NoSlots if there are fewer.
+    // take() takes a range of at least `least` slots. It throws NoSlots if there are fewer.
     struct NoSlots {};
     SlotRange take(std::size_t least);
     // The largest range that take(least) may return.
     std::size_t most(std::size_t least) const noexcept {
         return least > slots_at_once_ ? least : slots_at_once_;
     }
-    // Makes sure that the list of free slots of the mesh has room for `more` slots in the end.
+    // Reserves room for `more` further slots in the mesh's list of free slots.
     void promise(std::size_t more);
-    // Moves at most `most` free slots of the mesh to a list, which has room for them.
+    // Moves at most `most` free slots of the mesh to `list`, which must have room for them.
     void take_free(Buffer<TetId>& list, std::size_t most) noexcept;
 
   private:
@@ -46,10 +46,10 @@ class SlotSupply {
 // The set of tetrahedra in the cavity of a thread. Marks in the tetrahedra themselves would be seen
 // by other threads, which may test the same tetrahedra.
 //
-// A hash table with entries of 32 bits. The lowest bits of a tetrahedron's number are its position
-// in the table; the others are in the entry, below the stamp of the insertion. Entries with an
-// older stamp are free, so the table need not be cleared. There is no probing: if two tetrahedra of
-// a cavity have the same position, the second one goes to a list.
+// The set is a hash table with entries of 32 bits. The lowest bits of a tetrahedron's number are
+// its position in the table; the other bits are in the entry, below the stamp of the insertion.
+// Entries with an older stamp are free, so the table need not be cleared. There is no probing: if
+// two tetrahedra of a cavity have the same position, the second one goes to a list.
 class MarkTable {
   public:
     explicit MarkTable(Allocator& allocator) noexcept
@@ -76,7 +76,7 @@ class MarkTable {
     // A view of the set. A local copy stays in registers while entries are written.
     struct View {
         bool has(TetId t) const noexcept;
-        // Adds t if `is_in` is 1. Returns 1 if t was not in the set, also if `is_in` is 0.
+        // Adds t if `is_in` is 1. Returns 1 if t was not in the set, whatever `is_in` is.
         MGDT_ALWAYS_INLINE std::uint32_t put(TetId t, std::uint32_t is_in) const noexcept {
             std::uint32_t& entry = data[t & mask];
             const std::uint32_t key = key_of(t), there = entry;
@@ -108,7 +108,7 @@ class MarkTable {
     MGDT_ALWAYS_INLINE View view() const noexcept { return view_; }
 
   private:
-    // Makes a table for `members` without entries of the current stamp.
+    // Makes a table for `members` that has no entries of the current stamp.
     void resize(std::size_t members);
 
     static constexpr unsigned least_bits = 10;
@@ -123,7 +123,7 @@ class MarkTable {
     View view_;
 };
 
-// The thread-local state itself.
+// The thread-local state of one thread that inserts.
 class ThreadState {
   public:
     ThreadState(Mesh& mesh, BlockOwners& owners, std::uint8_t who, SlotSupply& supply)
@@ -133,10 +133,11 @@ class ThreadState {
           supply_(supply),
           free_slots_(mesh.vertices.allocator()) {}
 
-    // Acquires a vertex, or both guards of a tetrahedron. Returns false if another thread owns one.
+    // Acquires a vertex, or both guards of a tetrahedron. Returns false if another thread owns a
+    // vertex that is needed.
     bool try_own(VertexId v) noexcept { return blocks.mine()(v) || blocks.try_own(v); }
     bool try_own(const Tetrahedron& t) noexcept { return try_own(t.v[0]) && try_own(t.v[1]); }
-    // As the functions of Mesh. reserve_slots() also throws SlotSupply::NoSlots.
+    // Like the functions of Mesh with these names. reserve_slots() also throws SlotSupply::NoSlots.
     MGDT_ALWAYS_INLINE void reserve_slots(std::size_t taken, std::size_t freed) {
         if (MGDT_UNLIKELY(taken > slots_left() || slots_left() + freed > most_free_))
             grow_slots(taken, freed);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Conflicts that the filter of cached spheres leaves open, where doubles can still decide: on
-// a lattice, whose ties they break exactly, and by the predicates' own filter, which holds for
-// tetrahedra however long and thin. Each island has
+// Conflicts that the filter of cached spheres leaves undecided. Arithmetic in doubles can still
+// decide conflicts of points on a lattice, including ties, which are broken exactly. For other
+// points, the predicates' own filter can decide, also for long and thin tetrahedra. Each island has
 //
 //   perturbed_doubles(t, vertices, query)
 //
-// which is exact::perturbed_doubles() for a finite tetrahedron that the query is no vertex of.
+// which computes exact::perturbed_doubles() for a finite tetrahedron. The query point must not be a
+// vertex of t.
 #pragma once
 
 #include "kernel/island.hpp"
@@ -16,7 +17,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Whether q is in conflict with t, as is_conflict_exact() decides it.
+// Whether q is in conflict with t; the result is that of is_conflict_exact().
 MGDT_PREDICATES_APART inline bool is_conflict_near_tie(const Mesh& mesh, const Tetrahedron& t,
                                                        const Query& q) {
     if (t.is_ghost()) return is_conflict_exact(mesh, t, q.point);

@@ -20,7 +20,7 @@ namespace mgdt {
 inline namespace MGDT_ISLAND {
 
 struct WalkResult {
-    // Where the cavity begins. With a duplicate, the tetrahedron that has the vertex;
+    // Where the cavity begins. If there is a duplicate, the tetrahedron that has this vertex.
     // no_tetrahedron if the walk came to a tetrahedron that this thread may not enter.
     CavityStart start;
     VertexId duplicate;  // the vertex at q's place, or infinite_vertex
@@ -28,14 +28,14 @@ struct WalkResult {
 
 inline constexpr WalkResult no_way = {{no_tetrahedron, 0}, infinite_vertex};
 
-// The exact walk. It ends in the closed tetrahedron that contains q, or in a ghost whose facet q
-// is strictly beyond. If the next tetrahedron may not be entered, it gives no_tetrahedron. Faces
-// are tested from a different one on at each step. point_of(v, room) gives the coordinates of a
-// vertex, which it may compute into `room`.
+// The exact walk. It ends in the closed tetrahedron that contains q, or in a ghost whose facet q is
+// strictly beyond. Returns no_tetrahedron if this thread may not enter the next tetrahedron. Each
+// step begins its tests with another face. point_of(v, room) returns the coordinates of a vertex,
+// which it may compute into `room`.
 template <class TryOwn, class PointOf>
 TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters, TryOwn try_own,
                  PointOf point_of) {
-    unsigned from = 4;  // the face that it came through, which q is not beyond
+    unsigned from = 4;  // the face that the walk came through; q is not beyond it
     for (unsigned turn = 0;; ++turn) {
         const Tetrahedron& tet = mesh.tetrahedra[t];
         ++counters.walk_steps;
@@ -66,10 +66,11 @@ TetId walk_exact(const Mesh& mesh, TetId t, const double* q, Counters& counters,
     }
 }
 
-// If all points are on one sphere, all powers of a further point of that sphere are 0. The
+// If all points are on one sphere, all powers of a further point of this sphere are 0. The
 // tetrahedra inside are long and thin, and a walk through them visits hundreds. A walk over the
-// hull is short: from ghost to ghost, each time to the one above whose facet q is highest, until
-// one is certainly in conflict. Gives no_tetrahedron if it finds none, as for q inside.
+// hull is short: each step goes to the neighbouring ghost for which q is highest above the plane of
+// its facet. The walk ends at a ghost that is certainly in conflict. Returns no_tetrahedron if no
+// such ghost is found, as for q inside the hull.
 template <class Access>
 inline TetId walk_hull(Access access, const Mesh& mesh, TetId ghost, const Query& q,
                        Counters& counters) {
@@ -77,7 +78,7 @@ inline TetId walk_hull(Access access, const Mesh& mesh, TetId ghost, const Query
     const auto tetrahedra = spheres.tetrahedra;
     struct View {
         Power power;
-        double height;  // of q above the plane of the facet
+        double height;  // the height of q above the plane of the facet
     };
     const auto look = [&](TetId t) {
         const Sphere s = spheres.sphere(t);
@@ -87,7 +88,7 @@ inline TetId walk_hull(Access access, const Mesh& mesh, TetId ghost, const Query
     };
     const View first = look(ghost);
     if (first.power.is_conflict()) return ghost;
-    // Each ghost has one height, and it grows: this ends.
+    // The loop ends, because each ghost has one height and each step takes a greater height.
     for (double highest = first.height;;) {
         const Tetrahedron& here = tetrahedra[ghost];
         const unsigned slot = static_cast<unsigned>(here.infinite_slot());
@@ -130,7 +131,7 @@ inline TetId ghost_of_star(const Mesh& mesh, const Workspace& w) {
 }
 
 // A start in the star built last: the tetrahedron of least power among four that are spread over
-// the star. They share their base vertex and are still in the cache, and starting on the right side
+// the star. The four share their base vertex and are still in the cache. A start on the right side
 // of the star saves a step or more.
 template <class Spheres>
 WalkStart start_in_star(const Spheres& from, const Workspace& w, const Query& q,
@@ -144,9 +145,9 @@ WalkStart start_in_star(const Spheres& from, const Workspace& w, const Query& q,
     return {tetrahedron_of(codes[best]), powers[best]};
 }
 
-// A long walk samples random tetrahedra of the mesh, one for each step that it has taken, and goes
-// on from that of least power if this is less than the power where it is. So a walk along a chain
-// or fan of n tetrahedra takes about sqrt(n) steps.
+// A long walk samples random tetrahedra of the mesh, one for each step that it has taken. If the
+// least of their powers is less than the current power, the walk continues at that tetrahedron. So
+// a walk along a chain or fan of n tetrahedra takes about sqrt(n) steps.
 template <class Spheres>
 MGDT_NOT_INLINE void jump(const Mesh& mesh, WalkStart& here, const Query& q, std::size_t tries,
                           Counters& counters) {
@@ -168,11 +169,11 @@ MGDT_NOT_INLINE void jump(const Mesh& mesh, WalkStart& here, const Query& q, std
     }
 }
 
-// A walk jumps after this number of steps, twice it, four times it, and so on.
+// A walk jumps after this number of steps, and again whenever its number of steps has doubled.
 constexpr std::uint64_t long_walk = 64;
 
-// a_ghost() gives a ghost near the start, or no_tetrahedron. Where the walk may not jump, it goes
-// step by step however long it becomes.
+// Walks from `here` to a tetrahedron in conflict with q. a_ghost() returns a ghost near the start,
+// or no_tetrahedron. If may_jump is false, the walk goes step by step, however long it becomes.
 template <class Access, class Ghost>
 inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Query& q,
                        Counters& counters, Ghost a_ghost, bool may_jump = false) {
@@ -194,15 +195,16 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
         const std::uint32_t conflict = powers.negative() & decided;
         counters.walk_tests += 4;
         ++counters.walk_steps;
-        // If all five signs are certain, t is outside, and the cavity begins with its neighbours in
-        // conflict. Otherwise it begins with one of them, and growing it tests t and the others.
+        // If the signs of t and its four neighbours are certain, t is not in conflict, and the
+        // cavity begins with all neighbours that are. Otherwise the cavity begins with one
+        // neighbour in conflict, and its growth tests t and the other neighbours.
         if (conflict != 0) {
             if (MGDT_UNLIKELY(decided != 0xF || !here.power.is_decided()))
                 return {{tetrahedron_of(t.n[lowest_bit(conflict)]), 0}, infinite_vertex};
             return {{here.tetrahedron, conflict}, infinite_vertex};
         }
-        // A ghost's value cannot be compared with the power of a sphere: the walk enters a ghost
-        // only if it is certainly in conflict, and from a ghost any finite neighbour is better.
+        // A ghost's value cannot be compared with the power of a sphere. So the walk enters a ghost
+        // only if that is certainly in conflict, and leaves a ghost through any finite neighbour.
         const unsigned next = powers.least_finite(t.is_ghost() ? infinity : here.power.value);
         if (next == 4) break;
         here = {tetrahedron_of(t.n[next]), powers[next]};
@@ -229,10 +231,11 @@ inline WalkResult walk(Access access, const Mesh& mesh, WalkStart here, const Qu
     return {{t, 0}, vertex_at(mesh, mesh.tetrahedra[t], q.point)};
 }
 
-// One step of a location: to the neighbour of least power, if that is less. Returns whether there
-// was one. If not, the tetrahedron contains q if that is certain, since the difference of two
-// neighbours' powers changes sign on their facet. A location also ends at a ghost that is certainly
-// in conflict, because q is beyond its facet of the hull then.
+// Moves a location to the neighbour of least power, if that is less than the current power. Returns
+// false if there is no such neighbour. In this case the tetrahedron contains q if the comparisons
+// are certain, since the difference of two neighbours' powers changes sign on their facet. If
+// may_end_outside is set, a location also ends at a ghost that is certainly in conflict, because q
+// is beyond its hull facet.
 template <class Spheres>
 bool locate_step(const Mesh& mesh, LocationWalk& w) {
     const Spheres spheres(mesh);
@@ -247,8 +250,9 @@ bool locate_step(const Mesh& mesh, LocationWalk& w) {
     }
     const unsigned next = powers.least_finite(w.value);
     if (next == 4) {
-        // No finite neighbour has a smaller power. It is certain if the values of all four are
-        // above by more than their errors, where a ghost's value is compared with 0.
+        // No finite neighbour has a smaller power. The tetrahedron certainly contains q if all four
+        // values exceed the current one by more than the errors. A ghost's value is compared with 0
+        // instead.
         w.is_certain = powers.above({w.value, w.error}) == 0xF;
         return false;
     }

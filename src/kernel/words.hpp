@@ -2,11 +2,11 @@
 // Words of 32 bits that a cavity and a star move four at a time. Each island has
 //
 //   append(to, words, bits)                   writes those of four words whose bits are set, and
-//                                             anything in what is left of 16 bytes; returns how
-//                                             many they are
-//   write_vertices(outside, code, q, out)     writes the vertices of the tetrahedron of q and the
-//                                             facet that a tetrahedron outside is reached through;
-//                                             returns where those of the facet are
+//                                             may write anything to the rest of the 16 bytes;
+//                                             returns the number of set bits
+//   write_vertices(outside, code, q, out)     writes the vertices of the tetrahedron of q and a
+//                                             facet, `code`, of the tetrahedron `outside`; returns
+//                                             a pointer to the vertices of the facet
 #pragma once
 
 #include "kernel/island.hpp"

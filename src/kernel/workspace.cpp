@@ -25,13 +25,13 @@ Workspace::Workspace(Allocator& allocator)
 }
 
 void Workspace::grow_cavity(std::size_t members, std::size_t facets, std::size_t needed) {
-    // Stores of vectors may go past the end.
+    // The arrays have `past` more elements, since stores of vectors may go past the end.
     constexpr std::size_t least = 256, past = 32;
     assert(members <= needed && "fewer members are needed than there are");
     const std::size_t capacity = std::max(least, needed + needed / 2) + past;
     cavity_capacity = 0;
     cavity.reserve(capacity, members);
-    boundary.reserve(2 * capacity, facets);  // each member but the first has at most 2
+    boundary.reserve(2 * capacity, facets);  // n members have at most 2n + 2 boundary facets
     cavity_capacity = capacity - past;
 }
 

@@ -45,7 +45,7 @@ struct FourWords {
     MGDT_ALWAYS_INLINE std::uint32_t element() const {
         return static_cast<std::uint32_t>(_mm_extract_epi32(lanes, k));
     }
-    // The sign bits, with that of the first word in the lowest bit.
+    // The sign bits of the four words; bit k is that of word k.
     MGDT_ALWAYS_INLINE std::uint32_t sign_bits() const {
         return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(lanes)));
     }
@@ -79,19 +79,19 @@ struct FourWords {
     MGDT_ALWAYS_INLINE friend FourWords operator^(FourWords a, FourWords b) {
         return FourWords(_mm_xor_si128(a.lanes, b.lanes));
     }
-    // Sets all bits of a word or none.
+    // Sets all bits of a word where a and b are equal, elsewhere none.
     MGDT_ALWAYS_INLINE friend FourWords operator==(FourWords a, FourWords b) {
         return FourWords(_mm_cmpeq_epi32(a.lanes, b.lanes));
     }
     __m128i lanes;
 };
 
-// The number of the lowest four bits that are set.
+// The number of set bits among the lowest four; the others are zero.
 MGDT_ALWAYS_INLINE unsigned number_of_four(std::uint32_t bits) {
     return static_cast<unsigned>(__builtin_popcount(bits));
 }
 
-// The word of a if the sign bit is set, otherwise that of b.
+// The word of a where the sign bit of `signs` is set, elsewhere the word of b.
 MGDT_ALWAYS_INLINE FourWords where(FourWords signs, FourWords a, FourWords b) {
     return FourWords(_mm_castps_si128(_mm_blendv_ps(
         _mm_castsi128_ps(b.lanes), _mm_castsi128_ps(a.lanes), _mm_castsi128_ps(signs.lanes))));

@@ -8,7 +8,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// row(k) points to row k, which is aligned to 32 bytes.
+// The columns of four rows; row(k) points to row k, which is aligned to 32 bytes.
 struct Transpose4 {
     Transpose4(Four first, Four second, Four third, Four fourth)
         : first(first), second(second), third(third), fourth(fourth) {}
@@ -23,7 +23,7 @@ struct Transpose4 {
         third = Four(_mm256_permute2f128_pd(odd_low, odd_high, 0x31));
         fourth = Four(_mm256_permute2f128_pd(even_low, even_high, 0x31));
     }
-    // The same for upper halves, which are aligned to 16 bytes.
+    // The columns of four rows of upper halves, which are aligned to 16 bytes.
     template <class Row>
     MGDT_ALWAYS_INLINE static Transpose4 of_upper_halves(Row row) {
         const auto two = [&](unsigned low, unsigned high) {
@@ -40,8 +40,8 @@ struct Transpose4 {
                 Four(_mm256_castsi256_pd(_mm256_unpacklo_epi32(zero, high))),
                 Four(_mm256_castsi256_pd(_mm256_unpackhi_epi32(zero, high)))};
     }
-    // Calls store(k, row) with the upper halves of each row in sequence, until it returns false.
-    // The columns are given.
+    // Transposes the columns back: calls store(k, row) with the upper halves of each row in
+    // sequence, until store() returns false.
     template <class Store>
     MGDT_ALWAYS_INLINE void store_upper_halves(Store store) const {
         const auto pairs = [](Four low, Four high) {

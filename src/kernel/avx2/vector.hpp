@@ -24,10 +24,10 @@ struct FourSigns {
     __m256d lanes;
 };
 
-// The same, with all bits of an element set or none.
+// A FourSigns whose elements have all bits set or none.
 struct FourMask : FourSigns {
     explicit FourMask(__m256d lanes) : FourSigns{lanes} {}
-    // Made from sign bits.
+    // Sets all bits of an element to its sign bit.
     MGDT_ALWAYS_INLINE explicit FourMask(FourSigns signs)
         : FourSigns{_mm256_castsi256_pd(
               _mm256_cmpgt_epi64(_mm256_setzero_si256(), _mm256_castpd_si256(signs.lanes)))} {}
@@ -129,7 +129,7 @@ MGDT_ALWAYS_INLINE Four larger(Four a, Four b) {
 MGDT_ALWAYS_INLINE Four smaller(Four a, Four b) {
     return Four(_mm256_min_pd(a.lanes, b.lanes));
 }
-// a, with the sign changed if `minus` is -0.0 and unchanged if it is 0.0.
+// Changes the sign of a where `minus` is -0.0, and leaves it unchanged where `minus` is 0.0.
 MGDT_ALWAYS_INLINE Four with_sign_changed(Four a, Four minus) {
     return Four(_mm256_xor_pd(a.lanes, minus.lanes));
 }
@@ -141,14 +141,14 @@ MGDT_ALWAYS_INLINE Four unit_with_sign_of(Four a) {
 MGDT_ALWAYS_INLINE Four where(FourSigns mask, Four x, Four y) {
     return Four(_mm256_blendv_pd(y.lanes, x.lanes, mask.lanes));
 }
-// x, replaced by 0 if the mask is set, or if it is not set.
+// zero_where() replaces x by 0 where the mask is set, zero_elsewhere() where it is not set.
 MGDT_ALWAYS_INLINE Four zero_where(FourMask mask, Four x) {
     return Four(_mm256_andnot_pd(mask.lanes, x.lanes));
 }
 MGDT_ALWAYS_INLINE Four zero_elsewhere(FourMask mask, Four x) {
     return Four(_mm256_and_pd(mask.lanes, x.lanes));
 }
-// Rounds so that the upper half of the result is the nearest one.
+// The double whose upper half is a rounded to nearest, for each element.
 MGDT_ALWAYS_INLINE Four to_upper_half(Four a) {
     return Four(_mm256_castsi256_pd(
         _mm256_add_epi64(_mm256_castpd_si256(a.lanes), _mm256_set1_epi64x(0x80000000))));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same as in the island avx2, since links are short.
+// This island tests four vertices at a time, like avx2, since links are short: see kernel/apex.hpp.
 #pragma once
 
 #include "kernel/four/apex.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Marks on four tetrahedra at a time, as many as a step visits: see kernel/cavity_marks.hpp.
+// Marks on four tetrahedra at a time, because a step visits four: see kernel/cavity_marks.hpp.
 #pragma once
 
 #include "kernel/four/cavity_marks.hpp"

@@ -10,7 +10,7 @@ inline namespace MGDT_ISLAND {
 
 using EightVertices = PointColumns<Eight>;
 
-// Eight vertices, by number, relative to q.
+// Loads the eight vertices with these numbers, relative to q.
 MGDT_ALWAYS_INLINE EightVertices load_vertices(const Vertex* vertices, const VertexId* ids,
                                                VertexId q) {
     const auto [x, y, z] = first_columns([&](unsigned k) { return vertices[ids[k]].x; });
@@ -18,8 +18,8 @@ MGDT_ALWAYS_INLINE EightVertices load_vertices(const Vertex* vertices, const Ver
     return {x - base[0], y - base[1], z - base[2]};
 }
 
-// Up to 16 vertices in registers, with the members of LocalVertex. Selecting by number is one
-// permutation.
+// Up to 16 vertices in registers, with the members of LocalVertex. One permutation selects eight
+// vertices by local number.
 class SixteenVertices {
   public:
     MGDT_ALWAYS_INLINE SixteenVertices(const Vertex* vertices, const VertexId* ids, VertexId q)
@@ -35,8 +35,8 @@ class SixteenVertices {
     LocalColumns<Eight> v0_, v1_;
 };
 
-// Up to 32 vertices: a selection is two permutations and a blend, so only coordinates are selected,
-// and the other members are computed.
+// Up to 32 vertices in registers. A selection takes two permutations and a blend, so only
+// coordinates are selected, and the other members of LocalVertex are computed.
 class ThirtyTwoVertices {
   public:
     MGDT_ALWAYS_INLINE ThirtyTwoVertices(const Vertex* vertices, const VertexId* ids, VertexId q)
@@ -72,9 +72,9 @@ class MemoryVertices {
     const double *x_, *y_, *z_;
 };
 
-// set_sphere(), and the normals of ghosts, for eight facets at a time. `link` does what else there
-// is to do for their tetrahedra, for which the processor has time while it computes spheres. The
-// arrays of numbers may be read past their ends.
+// Computes the spheres of eight facets at a time, and the normals of ghosts. `link` does the rest
+// of the work for their tetrahedra, since the processor has time for it while it computes spheres.
+// The arrays of numbers may be read past their ends.
 template <bool at_hull, class Vertices, class Number, class Link>
 MGDT_ALWAYS_INLINE void set_spheres_vector(Workspace& w, const Vertices& vertices,
                                            std::uint32_t infinite, const Number* as,

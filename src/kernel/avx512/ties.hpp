@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Conflicts near ties, for the four vertices of a tetrahedron: see kernel/ties.hpp.
+// Conflicts near ties, with the four vertices of a tetrahedron in one vector: see kernel/ties.hpp.
 #pragma once
 
 #include "kernel/four/ties.hpp"

@@ -9,7 +9,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// The first three columns. row(k) points to row k, which is aligned to 32 bytes.
+// The first three columns of eight rows. row(k) points to row k, which is aligned to 32 bytes.
 template <class Row>
 MGDT_ALWAYS_INLINE PointColumns<Eight> first_columns(Row row) {
     const auto two = [&](unsigned low, unsigned high) {
@@ -25,7 +25,7 @@ MGDT_ALWAYS_INLINE PointColumns<Eight> first_columns(Row row) {
             Eight(_mm512_shuffle_f64x2(odd_low, odd_high, 0xDD))};
 }
 
-// Calls store(k, sphere) with the upper halves of w and e of each sphere in sequence, until it
+// Calls store(k, sphere) with the upper halves of w and e of each sphere in sequence, until store()
 // returns false.
 template <class Store>
 MGDT_ALWAYS_INLINE void store_upper_halves(const SphereColumns<Eight>& s, Store store) {

@@ -29,11 +29,11 @@ struct EightMask {
     __mmask8 lanes;
 };
 
-// The numbers of eight elements.
+// The numbers of eight elements to select.
 struct EightNumbers {
     MGDT_ALWAYS_INLINE explicit EightNumbers(const std::uint8_t* numbers)
         : lanes(_mm512_cvtepu8_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(numbers)))) {}
-    // Which of the numbers have this bit.
+    // Which of the numbers have this bit set.
     MGDT_ALWAYS_INLINE EightMask have(unsigned bit) const {
         return EightMask(_mm512_test_epi64_mask(lanes, _mm512_set1_epi64(bit)));
     }

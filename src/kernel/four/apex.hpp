@@ -8,11 +8,12 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// Spheres through a, b and c intersect the half-space beyond the facet in nested caps. So the
-// vertices e beyond the facet can be ordered by a number: the power of e with respect to any one of
-// these spheres, divided by the distance between e and the plane of the facet. The vertex with the
-// least computed number is a candidate. It is the apex if the powers of all others with respect to
-// its own sphere are positive by more than their error bounds.
+// Spheres through the vertices a, b and c of the facet intersect the half-space beyond the facet in
+// nested caps. So the vertices e beyond the facet can be ordered by a number: the power of e with
+// respect to any one of these spheres, divided by the distance between e and the plane of the
+// facet. The vertex with the least computed number is a candidate. It is the apex if the powers of
+// all other vertices with respect to the candidate's sphere are positive by more than their error
+// bounds.
 inline ApexResult find_apex(const LinkColumns& link, const std::uint32_t (&facet)[3]) {
     const auto corner = [&](std::uint32_t k) {
         return PointColumns<double>{link.x[k], link.y[k], link.z[k]};
@@ -24,8 +25,8 @@ inline ApexResult find_apex(const LinkColumns& link, const std::uint32_t (&facet
     const double nx = rc.y * rb.z - rc.z * rb.y, ny = rc.z * rb.x - rc.x * rb.z,
                  nz = rc.x * rb.y - rc.y * rb.x;
     const double side_bound = proved_bounds.sphere_det * unit_roundoff * (rb.largest * rc.largest);
-    // The sphere with its centre in the plane: w = (|b|^2 c x n + |c|^2 n x b) / |n|^2, for this
-    // sign of n.
+    // The sphere with its centre in the plane: w = (|b|^2 n x c + |c|^2 b x n) / |n|^2 for n = c x
+    // b.
     const double scale = reciprocal(nx * nx + ny * ny + nz * nz);
     const double px = rc.square * rb.x - rb.square * rc.x, py = rc.square * rb.y - rb.square * rc.y,
                  pz = rc.square * rb.z - rb.square * rc.z;

@@ -19,7 +19,7 @@ MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const Fa
 
     const FourWords zero(0u), difference = before ^ keys;
     const std::uint32_t is_in = (difference == zero).sign_bits();
-    // Two entries with the same stamp differ in lower bits only.
+    // Two entries with the same stamp differ only in bits below stamp_shift.
     const std::uint32_t has_stamp = ((difference >> MarkTable::stamp_shift) == zero).sign_bits();
     const FourWords place = t & FourWords(marks.mask);
     // Whether two of the four have the same position. Comparing (0 1 2 3) with (1 2 3 0) and (2 3 0

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Powers with respect to four tetrahedra: see kernel/powers.hpp. The records and base vertices are
-// transposed in registers, so that a test takes about fifteen instructions and the four cache lines
-// are loaded in parallel. Spheres that are not stored are computed for the four together.
+// transposed in registers. So a test takes about fifteen instructions, and the four cache lines are
+// loaded in parallel. Spheres that are not stored are computed for all four tetrahedra together.
 #pragma once
 
 #include "kernel/four.hpp"
@@ -44,21 +44,21 @@ class FourPowers {
         set(spheres, bases, q);
     }
 
-    // Three results as bits, with the first tetrahedron in the lowest bit: where the power is
-    // negative, where its sign is certain, and which are ghosts.
+    // The next three functions return bits, with the first tetrahedron in the lowest bit: where the
+    // power is negative, where its sign is certain, and which tetrahedra are ghosts.
     MGDT_ALWAYS_INLINE std::uint32_t negative() const { return value_.signs().bits(); }
     MGDT_ALWAYS_INLINE std::uint32_t decided() const { return (magnitude(value_) > error_).bits(); }
     MGDT_ALWAYS_INLINE std::uint32_t ghosts() const { return ghosts_.bits(); }
     MGDT_ALWAYS_INLINE Power operator[](unsigned k) const {
         return {element(value_, k), element(error_, k)};
     }
-    // Where the power is certainly greater than that of another tetrahedron; a ghost counts as
-    // greater than all.
+    // Where the power is certainly greater than that of another tetrahedron; for a ghost, where its
+    // value is certainly positive.
     MGDT_ALWAYS_INLINE std::uint32_t above(Power other) const {
         const Four floor = where(ghosts_, 0.0, other.value + other.error);
         return (value_ - floor > error_).bits();
     }
-    // The finite tetrahedron of least power, if that is below the bound; otherwise 4.
+    // The finite tetrahedron of least power, if that power is below the bound; otherwise 4.
     MGDT_ALWAYS_INLINE unsigned least_finite(double bound) const {
         const Four finite = where(ghosts_, infinity, value_);
         const Four least = least_everywhere(finite);
@@ -73,9 +73,9 @@ class FourPowers {
         const VertexId mask = i == 1 ? ~in_cavity : ~VertexId{0};
         return Transpose4([&](unsigned k) { return from.vertices[four[k].v[i] & mask].x; });
     }
-    // Ghosts, and all tetrahedra if some vertex is outside the normal range, are rare enough to be
-    // computed one by one. Which way is taken depends on the tetrahedron alone, and so does its
-    // power.
+    // Replaces the spheres of special tetrahedra: of ghosts, and of all if the mesh has extreme
+    // vertices. These cases are rare enough to compute the spheres one by one. The choice does not
+    // depend on the other three tetrahedra, so each tetrahedron has one computed power.
     template <class Tetrahedra>
     static void replace(Transpose4& spheres, std::uint32_t special, const ComputedSpheres& from,
                         const Tetrahedra& four) {

@@ -9,7 +9,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// One sphere per element of a vector; bs and cs are the local numbers of b and c.
+// Computes one sphere per element of a vector; bs and cs are the local numbers of b and c.
 template <bool at_hull, class R, class Number>
 MGDT_ALWAYS_INLINE SphereColumns<R> star_spheres(const LocalColumns<R>& a, const LocalColumns<R>& b,
                                                  const LocalColumns<R>& c, const Number* bs,
@@ -23,9 +23,9 @@ MGDT_ALWAYS_INLINE SphereColumns<R> star_spheres(const LocalColumns<R>& a, const
     }
 }
 
-// Sets the sphere of the i-th facet's tetrahedron and calls `link` for it. Returns false after the
-// last facet. This is the only branch that depends on the number of facets, because the processor
-// mispredicts it.
+// Sets the sphere of the i-th facet's tetrahedron and calls `link` for this tetrahedron. Returns
+// false after the last facet. The processor mispredicts the branch that depends on the number of
+// facets, so there is only one such branch.
 template <class Link>
 MGDT_ALWAYS_INLINE bool finish(const FacetCode* slots, std::size_t size, SphereStore spheres,
                                std::size_t i, FourWords sphere, Link link) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Conflicts near ties, with the four vertices in one vector: see kernel/ties.hpp. The formulas are
-// those of predicates/perturbation.cpp.
+// Decides conflicts near ties, with the four vertices in one vector: see kernel/ties.hpp. The
+// formulas are those of predicates/perturbation.cpp.
 #pragma once
 
 #include "kernel/four.hpp"
@@ -16,8 +16,9 @@ MGDT_ALWAYS_INLINE Four difference(Four a, Four b, Four cd) {
     return Positive ? multiply_add(a, b, cd) : multiply_subtract(a, b, cd);
 }
 
-// [bcd], [cda], [dab], [abc] of four rows by columns: the minors of SphereDeterminant, since even
-// permutations of rows change nothing. With indices modulo 4:
+// The determinants [bcd], [cda], [dab] and [abc] of four rows a, b, c, d, given by columns. These
+// are the minors of SphereDeterminant, since even permutations of rows change nothing. With indices
+// modulo 4:
 //   next[i]   = x[i] y[i+1] - x[i+1] y[i]
 //   across[i] = x[i] y[i+2] - x[i+2] y[i]
 //   minor[i]  = z[i+1] next[i+2] - z[i+2] across[i+1] + z[i+3] next[i+1]
@@ -30,15 +31,16 @@ MGDT_ALWAYS_INLINE Four minors(Four x, Four y, Four z) {
         difference<Positive>(turned<1>(z), turned<2>(next), turned<2>(z) * turned<1>(across)));
 }
 
-// The coefficients of a, b, c and d in the determinant. Their signs alternate, so these are the
-// minors with the second and the fourth negated.
+// The coefficients of |a|^2, |b|^2, |c|^2 and |d|^2 in the determinant. Their signs alternate, so
+// the second and the fourth minor are negated.
 MGDT_ALWAYS_INLINE Four coefficients(Four x, Four y, Four z) {
     return with_sign_changed(minors<false>(x, y, z), {0.0, -0.0, 0.0, -0.0});
 }
 
 // Breaks a tie. The vertices are relative to q, in units of a lattice. The key of a point is (x
-// base + y) base + z, and that of q is 0. Among q and the vertices with a nonzero coefficient, the
-// one with the greatest key decides: q is inside if it is a vertex with a positive coefficient.
+// base + y) base + z, so the key of q is 0. Among q and the vertices with a nonzero coefficient,
+// the point with the greatest key decides: q is inside if this point is a vertex with a positive
+// coefficient.
 MGDT_ALWAYS_INLINE int broken_tie(Four x, Four y, Four z, Four coefficients) {
     const Four base = exact::sphere_lattice_base, zero = 0.0;
     const Four key = multiply_add(multiply_add(x, base, y), base, z);
@@ -56,7 +58,7 @@ struct Values {
         third = other & (((v != turned<1>(v)) & turned<1>(other)) |
                          ((v != turned<2>(v)) & turned<2>(other)));
     }
-    // -1, 0 or 1 for each.
+    // The sign of each difference: -1, 0 or 1.
     MGDT_ALWAYS_INLINE Four signs(Four difference) const {
         return zero_elsewhere(other, unit_with_sign_of(difference));
     }
@@ -73,8 +75,9 @@ MGDT_ALWAYS_INLINE FourIntegers whole_units(Four v, double shifter) {
     return (v + shifter).as_integers() - Four(shifter).as_integers();
 }
 
-// The same for points of a wide lattice whose determinant the filter has not decided. The
-// determinant is computed modulo 2^64, which is exact in this case. shifter is that of the lattice.
+// Like perturbed_doubles(), for points of a wide lattice whose determinant the filter has not
+// decided. The determinant is computed modulo 2^64, which is exact because an undecided determinant
+// is below 2^63 in magnitude. `shifter` is the shifter of the lattice.
 MGDT_PREDICATES_APART inline int decided_modulo(Four x, Four y, Four z, double shifter) {
     const double unit = exact::double_of(exact::bits_of(shifter) & exact::exponent_mask) * 0x1p-52,
                  square_shifter = shifter * unit, cube_shifter = square_shifter * unit;
@@ -107,7 +110,8 @@ MGDT_PREDICATES_APART inline int decided_modulo(Four x, Four y, Four z, double s
     for (unsigned i = 0; i < 4; ++i)
         value += static_cast<std::uint64_t>(minor[i]) * static_cast<std::uint64_t>(squares[i]);
     if (value != 0) return value >> 63 ? -1 : 1;
-    // About half of these decide, in random order, so a branch would be mispredicted.
+    // About half of the vertices pass this test, in random order, so a branch would be
+    // mispredicted.
     std::int64_t first = 0, side = -1;
     for (unsigned i = 0; i < 4; ++i) {
         const std::int64_t decides = -static_cast<std::int64_t>(
@@ -118,9 +122,9 @@ MGDT_PREDICATES_APART inline int decided_modulo(Four x, Four y, Four z, double s
     return static_cast<int>(side);
 }
 
-// exact::perturbed_doubles() for a finite tetrahedron that does not have q as a vertex. It also
-// decides the corners of a box, which occur in a lattice of any spacing, however its coordinates
-// are rounded.
+// exact::perturbed_doubles() for a finite tetrahedron that does not have q as a vertex. This
+// function also decides the corners of a box, which occur in a lattice of any spacing, even if the
+// coordinates of the lattice are rounded.
 inline int perturbed_doubles(const Tetrahedron& t, const Vertex* vertices, const Query& q) {
     const Transpose4 rows([&](unsigned k) { return vertices[t.v[k]].x; });
     const Four qx = q.x, qy = q.y, qz = q.z;

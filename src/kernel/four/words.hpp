@@ -7,7 +7,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// For each selection among four words, the positions of the selected ones.
+// For each selection of some of four words, the positions of the selected words.
 constexpr FourPlaces chosen_places[16] = {{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0},
                                           {2, 0, 0, 0}, {0, 2, 0, 0}, {1, 2, 0, 0}, {0, 1, 2, 0},
                                           {3, 0, 0, 0}, {0, 3, 0, 0}, {1, 3, 0, 0}, {0, 1, 3, 0},

@@ -9,7 +9,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// outer_face, in the first three positions.
+// The first three positions are those of outer_face; the fourth one is not used.
 constexpr FourPlaces outer_places[4] = {{1, 3, 2, 0}, {0, 2, 3, 1}, {0, 3, 1, 2}, {0, 1, 2, 3}};
 
 MGDT_ALWAYS_INLINE const VertexId* write_vertices(const Tetrahedron& outside, FacetCode code,

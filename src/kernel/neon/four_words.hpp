@@ -48,7 +48,7 @@ struct FourWords {
     MGDT_ALWAYS_INLINE std::uint32_t element() const {
         return vgetq_lane_u32(lanes, k);
     }
-    // The sign bits, with that of the first word in the lowest bit.
+    // The sign bits of the four words; bit k is that of word k.
     MGDT_ALWAYS_INLINE std::uint32_t sign_bits() const {
         const uint32x4_t is_negative = vcltzq_s32(vreinterpretq_s32_u32(lanes));
         return vaddvq_u32(vandq_u32(is_negative, uint32x4_t{1, 2, 4, 8}));
@@ -82,20 +82,20 @@ struct FourWords {
     MGDT_ALWAYS_INLINE friend FourWords operator^(FourWords a, FourWords b) {
         return FourWords(veorq_u32(a.lanes, b.lanes));
     }
-    // Sets all bits of a word or none.
+    // Sets all bits of a word where a and b are equal, elsewhere none.
     MGDT_ALWAYS_INLINE friend FourWords operator==(FourWords a, FourWords b) {
         return FourWords(vceqq_u32(a.lanes, b.lanes));
     }
     uint32x4_t lanes;
 };
 
-// The number of the lowest four bits that are set, without a table in memory and without the vector
-// registers in which the processor counts bits.
+// The number of set bits among the lowest four. The function uses neither a table in memory nor the
+// vector registers, in which the processor counts bits.
 MGDT_ALWAYS_INLINE unsigned number_of_four(std::uint32_t bits) {
     return static_cast<unsigned>(0x4332322132212110u >> 4 * bits & 15);
 }
 
-// The word of a if the sign bit is set, otherwise that of b.
+// The word of a where the sign bit of `signs` is set, elsewhere the word of b.
 MGDT_ALWAYS_INLINE FourWords where(FourWords signs, FourWords a, FourWords b) {
     return FourWords(vbslq_u32(vcltzq_s32(vreinterpretq_s32_u32(signs.lanes)), a.lanes, b.lanes));
 }

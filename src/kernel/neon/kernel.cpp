@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel for 64-bit ARM's vectors of two doubles.
+// The kernel for 64-bit ARM, whose vectors have two doubles.
 #define MGDT_ISLAND neon
 #include "kernel/insert.hpp"
 

@@ -8,7 +8,7 @@
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-// row(k) points to row k.
+// The columns of four rows; row(k) points to row k.
 struct Transpose4 {
     Transpose4(Four first, Four second, Four third, Four fourth)
         : first(first), second(second), third(third), fourth(fourth) {}
@@ -21,7 +21,7 @@ struct Transpose4 {
         third = {vtrn1q_f64(r0.high, r1.high), vtrn1q_f64(r2.high, r3.high)};
         fourth = {vtrn2q_f64(r0.high, r1.high), vtrn2q_f64(r2.high, r3.high)};
     }
-    // The same for upper halves.
+    // The columns of four rows of upper halves.
     template <class Row>
     MGDT_ALWAYS_INLINE static Transpose4 of_upper_halves(Row row) {
         const auto load = [&](unsigned k) { return FourWords::load(row(k)).lanes; };
@@ -40,8 +40,8 @@ struct Transpose4 {
         return {one(low_left, high_left), other(low_left, high_left), one(low_right, high_right),
                 other(low_right, high_right)};
     }
-    // Calls store(k, row) with the upper halves of each row in sequence, until it returns false.
-    // The columns are given.
+    // Transposes the columns back: calls store(k, row) with the upper halves of each row in
+    // sequence, until store() returns false.
     template <class Store>
     MGDT_ALWAYS_INLINE void store_upper_halves(Store store) const {
         const auto pairs = [](float64x2_t left, float64x2_t right) {

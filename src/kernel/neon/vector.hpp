@@ -26,11 +26,11 @@ struct FourSigns {
     float64x2_t low, high;
 };
 
-// The same, with all bits of an element set or none.
+// A FourSigns whose elements have all bits set or none.
 struct FourMask : FourSigns {
     MGDT_ALWAYS_INLINE FourMask(uint64x2_t l, uint64x2_t h)
         : FourSigns{vreinterpretq_f64_u64(l), vreinterpretq_f64_u64(h)} {}
-    // Made from sign bits.
+    // Sets all bits of an element to its sign bit.
     MGDT_ALWAYS_INLINE explicit FourMask(FourSigns signs)
         : FourMask(vcltzq_s64(vreinterpretq_s64_f64(signs.low)),
                    vcltzq_s64(vreinterpretq_s64_f64(signs.high))) {}
@@ -144,7 +144,7 @@ MGDT_ALWAYS_INLINE Four magnitude(Four a) {
 MGDT_ALWAYS_INLINE Four larger(Four a, Four b) {
     return {vmaxq_f64(a.low, b.low), vmaxq_f64(a.high, b.high)};
 }
-// a, with the sign changed if `minus` is -0.0 and unchanged if it is 0.0.
+// Changes the sign of a where `minus` is -0.0, and leaves it unchanged where `minus` is 0.0.
 MGDT_ALWAYS_INLINE Four with_sign_changed(Four a, Four minus) {
     const auto one = [](float64x2_t x, float64x2_t y) {
         return vreinterpretq_f64_u64(veorq_u64(vreinterpretq_u64_f64(x), vreinterpretq_u64_f64(y)));
@@ -164,7 +164,7 @@ MGDT_ALWAYS_INLINE Four where(FourMask mask, Four x, Four y) {
 MGDT_ALWAYS_INLINE Four where(FourSigns signs, Four x, Four y) {
     return where(FourMask(signs), x, y);
 }
-// x, replaced by 0 if the mask is set, or if it is not set.
+// zero_where() replaces x by 0 where the mask is set, zero_elsewhere() where it is not set.
 MGDT_ALWAYS_INLINE Four zero_where(FourMask mask, Four x) {
     const auto one = [](float64x2_t v, uint64x2_t m) {
         return vreinterpretq_f64_u64(vbicq_u64(vreinterpretq_u64_f64(v), m));
@@ -177,7 +177,7 @@ MGDT_ALWAYS_INLINE Four zero_elsewhere(FourMask mask, Four x) {
     };
     return {one(x.low, mask.low_bits()), one(x.high, mask.high_bits())};
 }
-// Rounds so that the upper half of the result is the nearest one.
+// The double whose upper half is a rounded to nearest, for each element.
 MGDT_ALWAYS_INLINE Four to_upper_half(Four a) {
     const auto one = [](float64x2_t v) {
         return vreinterpretq_f64_u64(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Without vectors, VertexRemoval tests one vertex at a time. See kernel/apex.hpp.
+// Without vectors, find_apex() leaves the test of the vertices to VertexRemoval. See
+// kernel/apex.hpp.
 #pragma once
 
 namespace mgdt {
