@@ -3,7 +3,7 @@
 """The types of the binary interface, by libabigail: the library has what the baseline of a release
 says, and the comparison notices every kind of change.
 
-  abidiff_test.py --library FILE --header FILE --frozen FILE... --baseline FILE --suppressions FILE --cc CC
+  abidiff_test.py --library FILE --headers FILE... --frozen FILE... --baseline FILE --suppressions FILE --cc CC
   abidiff_test.py --write --frozen FILE... --baseline FILE --cc CC      makes the baseline
 
 Frozen headers are given oldest first; the baseline is that of the last one, and the others tell in
@@ -60,8 +60,9 @@ def compare(baseline, library, *options):
 
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("library", "header", "baseline", "suppressions"):
+    for name in ("library", "baseline", "suppressions"):
         parser.add_argument(f"--{name}", type=Path)
+    parser.add_argument("--headers", type=Path, nargs="+")
     parser.add_argument("--frozen", type=Path, nargs="+", required=True)
     parser.add_argument("--cc", required=True)
     parser.add_argument("--write", action="store_true")
@@ -86,7 +87,7 @@ def main():
         check("the baseline is that of the frozen header", report if status else "")
 
         rules = ["--no-added-syms", "--suppressions", str(options.suppressions)]
-        header = options.header.read_text()
+        header = "\n".join(path.read_text() for path in options.headers)
         now = interface.empty_library(cc, header, interface.version_script(header, nodes), folder / "now")
         status, report = compare(options.baseline, now, *rules)
         check("the header is compatible with the baseline", report if status else "")

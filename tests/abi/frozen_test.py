@@ -3,7 +3,7 @@
 """What a release declared is still declared, with the same types and values; and the client that was
 compiled with it uses all of it. Comments and layout are free.
 
-  frozen_test.py --header mgdt.h --frozen mgdt-1.0.h [mgdt-1.1.h ...] --client PROGRAM
+  frozen_test.py --headers mgdt.h mgdt_parts.h --frozen mgdt-1.0.h [mgdt-1.1.h ...] --client PROGRAM
 
 Frozen headers are given oldest first: the client's is the last, and the others tell in which
 version node a function is.
@@ -38,6 +38,13 @@ CHANGES = [
     (r"MGDT_API int32_t mgdt_dimension", "int32_t mgdt_dimension", "function mgdt_dimension"),
     (r"int32_t mgdt_abi_version\(void\)", "int64_t mgdt_abi_version(void)", "function mgdt_abi_version"),
 ]
+# Changes of what 1.2 added.
+CHANGES_1_2 = [
+    (r"(int32_t processes;)(\s*)(int32_t process;)", r"\3\2\1", "type mgdt_transport"),
+    (r"void \*user;\n\} mgdt_transport", "} mgdt_transport", "type mgdt_transport"),
+    (r"(mgdt_move_points\([^;]*)const int64_t", r"\1int64_t", "function mgdt_move_points"),
+    (r"MGDT_PARTS_THIS_PART = -1", "MGDT_PARTS_THIS_PART = 0", "enumerator MGDT_PARTS_THIS_PART"),
+]
 # And changes that may be made.
 GROWTH = [
     (r"(MGDT_ERR_INTERNAL = 90)", r"\1, MGDT_ERR_NEW = 91"),
@@ -60,11 +67,12 @@ def lost(old, new):
 
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("header", "client"):
-        parser.add_argument(f"--{name}", type=Path, required=True)
-    parser.add_argument("--frozen", type=Path, nargs="+", required=True)
+    parser.add_argument("--client", type=Path, required=True)
+    for name in ("headers", "frozen"):
+        parser.add_argument(f"--{name}", type=Path, nargs="+", required=True)
     options = parser.parse_args()
-    header, frozen = options.header.read_text(), options.frozen[-1].read_text()
+    header = "\n".join(path.read_text() for path in options.headers)
+    frozen = options.frozen[-1].read_text()
     nodes = interface.nodes_of(options.frozen)
     old = interface.declarations(frozen)
     kinds = {kind: sum(k == kind for k, _ in old) for kind in ("function", "enumerator", "type", "macro")}
@@ -78,7 +86,7 @@ def main():
               "; ".join(lost(interface.declarations(older.read_text()), old)))
     check("what it declared is declared", "; ".join(lost(old, interface.declarations(header))))
 
-    for pattern, replacement, report in CHANGES:
+    for pattern, replacement, report in CHANGES + (CHANGES_1_2 if "mgdt_transport" in frozen else []):
         changed = re.sub(pattern, replacement, frozen)
         problems = lost(old, interface.declarations(changed))
         check(f"a change of {report} is noticed", "" if changed != frozen and len(problems) == 1 and

@@ -26,6 +26,8 @@ def declarations(text):
             if part.strip():
                 name, _, value = normal(part).partition("=")
                 found["enumerator", name.strip()] = value.strip()
+    for body, name in re.findall(r"\btypedef\s+struct\b[^{;]*\{(.*?)\}\s*(\w+)\s*;", text, flags=re.S):
+        found["type", name] = normal(f"struct {{{body}}}")
     for text_ in re.findall(r"\btypedef\b([^;{]*);", text):
         name = re.search(r"\(\*(\w+)\)|(\w+)$", normal(text_))
         found["type", name.group(1) or name.group(2)] = normal(text_)
