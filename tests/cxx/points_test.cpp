@@ -154,11 +154,8 @@ TEST(CxxPoints, WrongOnesAreRefused) {
 TEST(CxxSettings, EverySchemeGivesTheSame) {
     const auto points = points_in_cube(size(2000));
     const auto expected = canonical_of(points);
-    for (const mgdt::Order order :
-         {mgdt::Order::automatic, mgdt::Order::input, mgdt::Order::random,
-          mgdt::Order::lexicographic, mgdt::Order::brio, mgdt::Order::hilbert,
-          mgdt::Order::regular_grid, mgdt::Order::kd_tree, mgdt::Order::enhanced_kd_tree,
-          mgdt::Order::multi_grid}) {
+    const std::vector<mgdt::Order> all = mgdt::order_schemes();
+    for (const mgdt::Order order : all) {
         Triangulation t;
         t.set_order_scheme(order);
         t.set_order_parameter(mgdt::Parameter::points_per_cell, 5);
@@ -172,8 +169,7 @@ TEST(CxxSettings, EverySchemeGivesTheSame) {
         EXPECT_EQ(mgdt::order_from_name(mgdt::name(order)), order);
         EXPECT_EQ(mgdt::order_from_name(std::string(mgdt::name(order))), order);
     }
-    const std::vector<mgdt::Order> all = mgdt::order_schemes();
-    ASSERT_EQ(all.size(), 10u);
+    ASSERT_GE(all.size(), 10u);
     EXPECT_EQ(all.front(), mgdt::Order::automatic);
     EXPECT_EQ(all.back(), mgdt::Order::multi_grid);
 }

@@ -155,7 +155,7 @@ function ways_to_give_points (folder)
   points = read_points (folder);
   expected = read (folder, "tetrahedra", "int64", 4) + 1;
   schemes = mgdt_triangulation.schemes ();
-  assert (numel (schemes), 10);
+  assert (numel (schemes) >= 10);
   for k = 1:numel (schemes)
     t = mgdt_triangulation ("canonical", true, "order", schemes{k}, "seed", 5, "threads", 0);
     t.reserve (rows (points));

@@ -146,7 +146,7 @@ class MgdtTest < Minitest::Test
       way.call(t)
       assert_equal expected(:tetrahedra), t.tetrahedra, name
     end
-    assert_equal 10, Mgdt::Triangulation::ORDER_SCHEMES.size
+    assert_operator Mgdt::Triangulation::ORDER_SCHEMES.size, :>=, 10
     Mgdt::Triangulation::ORDER_SCHEMES.each do |scheme|
       assert_equal expected(:tetrahedra), triangulation(order: scheme).tetrahedra, scheme
     end

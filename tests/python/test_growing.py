@@ -55,7 +55,7 @@ class Rounds(unittest.TestCase):
     def test_every_order_gives_the_same(self):
         points = np.concatenate([grid(6), random_points(300, 1)])
         expected = row_set(mgdt.Delaunay(points).simplices)
-        self.assertEqual(len(mgdt.ORDER_SCHEMES), 10)
+        self.assertGreaterEqual(len(mgdt.ORDER_SCHEMES), 10)
         for order in mgdt.ORDER_SCHEMES:
             tri = mgdt.Delaunay(points, order=order, seed=3, threads=2)
             self.assertEqual((tri.order, tri.seed, tri.threads), (order, 3, 2))
