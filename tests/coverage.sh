@@ -20,21 +20,10 @@ Needs clang, llvm and libclang-rt-dev. On a processor without AVX-512 the code f
 END
 }
 
-jobs=$(nproc 2>/dev/null || echo 2)
+known_options='report jobs='
 report=no
-while [ $# -gt 0 ]; do
-    case $1 in
-    --report) report=yes ;;
-    --jobs)
-        [ $# -gt 1 ] || { usage >&2; exit 2; }
-        jobs=$2
-        shift
-        ;;
-    -h | --help) usage; exit 0 ;;
-    *) usage >&2; exit 2 ;;
-    esac
-    shift
-done
+. "$(dirname "$0")/options.sh"
+[ $# -eq 0 ] || { usage >&2; exit 2; }
 
 cd "$(dirname "$0")/.." || exit 1
 folder=build-coverage

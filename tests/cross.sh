@@ -24,24 +24,9 @@ the Debian packages that are missing (as root or through sudo).
 END
 }
 
-short=no
-install=yes
-jobs=$(nproc 2>/dev/null || echo 2)
-while [ $# -gt 0 ]; do
-    case $1 in
-    --short) short=yes ;;
-    --no-install) install=no ;;
-    --jobs)
-        [ $# -gt 1 ] || { usage >&2; exit 2; }
-        jobs=$2
-        shift
-        ;;
-    -h | --help) usage; exit 0 ;;
-    -*) usage >&2; exit 2 ;;
-    *) break ;;
-    esac
-    shift
-done
+known_options='short no-install jobs='
+short=no no_install=no
+. "$(dirname "$0")/options.sh"
 [ $# -eq 1 ] || { usage >&2; exit 2; }
 target=$1
 
@@ -106,7 +91,7 @@ lose() { # why
 # Headers of the tests' libraries are the same for all; GoogleTest is compiled from its sources.
 packages="meson ninja-build pkg-config python3 libgtest-dev libboost-dev $compiler_package $emulator_package $more_packages"
 # shellcheck disable=SC2086 # packages are words
-install_packages $install $packages
+install_packages $packages
 [ -z "$wanted" ] || lose "missing packages: $wanted"
 
 compiler=$prefix-gcc$suffix

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 # For the scripts beside it: Debian packages, and counts of what passed and failed.
 #
-#   install_packages yes|no PACKAGE...
-#                        installs those that are missing, as root or through sudo, if it may; sets
-#                        wanted to those that are still missing
+#   install_packages PACKAGE...
+#                        installs those that are missing, as root or through sudo, unless no_install
+#                        is yes; sets wanted to those that are still missing
 #   as_root COMMAND...   runs a command as root
 #   step WHAT COMMAND... runs a command with its output in the file $log, and shows the end of that if it
 #                        fails; counts in passed and failed
@@ -23,11 +23,9 @@ is_installed() {
 
 missing_packages() { for p; do is_installed "$p" || printf '%s ' "$p"; done; }
 
-install_packages() { # yes or no, packages...
-    may_install=$1
-    shift
+install_packages() {
     wanted=$(missing_packages "$@")
-    if [ -n "$wanted" ] && [ "$may_install" = yes ]; then
+    if [ -n "$wanted" ] && [ "${no_install:-no}" = no ]; then
         printf '\n== installing %s\n' "$wanted"
         # shellcheck disable=SC2086 # packages are words
         as_root apt-get update -qq && as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq \

@@ -50,7 +50,7 @@ fi
 
 # The same output for other systems and processors.
 cross=
-[ $install = yes ] || cross=--no-install
+[ "$no_install" = no ] || cross=--no-install
 for target in windows aarch64; do
     # shellcheck disable=SC2086 # an option, or none
     whole "canonical output on $target" sh tests/cross.sh --short $cross --jobs "$jobs" $target

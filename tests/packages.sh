@@ -24,16 +24,9 @@ failed". Installs the Debian packages that are missing here, as root or through 
 END
 }
 
-install=yes
-while [ $# -gt 0 ]; do
-    case $1 in
-    --no-install) install=no ;;
-    -h | --help) usage; exit 0 ;;
-    -*) usage >&2; exit 2 ;;
-    *) break ;;
-    esac
-    shift
-done
+known_options=no-install
+no_install=no
+. "$(dirname "$0")/options.sh"
 [ $# -gt 0 ] || { usage >&2; exit 2; }
 for name; do case $name in debian | python | source | recipes) ;; *) usage >&2; exit 2 ;; esac done
 
@@ -66,7 +59,7 @@ for name; do
     esac
 done
 # shellcheck disable=SC2086 # packages are words
-install_packages $install $packages
+install_packages $packages
 [ -z "$wanted" ] || step "these packages are here: $packages" false || finish
 
 # The files that git knows, in a folder.

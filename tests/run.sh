@@ -25,29 +25,13 @@ why. Installs the Debian packages that are missing (as root or through sudo).
 END
 }
 
+known_options='quick full long no-install jobs='
+quick=no full=no long=no no_install=no
+. "$(dirname "$0")/options.sh"
+[ $# -eq 0 ] || { usage >&2; exit 2; }
 mode=short
-long=no
-install=yes
-jobs=$(nproc 2>/dev/null || echo 2)
-while [ $# -gt 0 ]; do
-    case $1 in
-    --full) mode=full ;;
-    --long)
-        mode=full
-        long=yes
-        ;;
-    --quick) mode=quick ;;
-    --no-install) install=no ;;
-    --jobs)
-        [ $# -gt 1 ] || { usage >&2; exit 2; }
-        jobs=$2
-        shift
-        ;;
-    -h | --help) usage; exit 0 ;;
-    *) usage >&2; exit 2 ;;
-    esac
-    shift
-done
+[ $quick = no ] || mode=quick
+[ $full = no ] && [ $long = no ] || mode=full
 
 cd "$(dirname "$0")/.." || exit 1
 root=$(pwd)
@@ -84,7 +68,7 @@ packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 pytho
 # Installs Debian packages that are missing, or ends.
 need() {
     if command -v dpkg-query >/dev/null; then
-        install_packages $install "$@"
+        install_packages "$@"
         if [ -n "$wanted" ]; then
             lose "missing packages: $wanted"
             finish

@@ -23,23 +23,12 @@ CC and CXX choose the compiler: CC=clang CXX=clang++ sh tests/sanitize.sh undefi
 END
 }
 
-jobs=$(nproc 2>/dev/null || echo 2)
+known_options='full jobs='
+full=no
+. "$(dirname "$0")/options.sh"
 MGDT_TEST_SMALL=1
 export MGDT_TEST_SMALL
-while [ $# -gt 0 ]; do
-    case $1 in
-    --full) unset MGDT_TEST_SMALL ;;
-    --jobs)
-        [ $# -gt 1 ] || { usage >&2; exit 2; }
-        jobs=$2
-        shift
-        ;;
-    -h | --help) usage; exit 0 ;;
-    -*) usage >&2; exit 2 ;;
-    *) break ;;
-    esac
-    shift
-done
+[ $full = no ] || unset MGDT_TEST_SMALL
 [ $# -gt 0 ] || { usage >&2; exit 2; }
 tool=$1
 shift
