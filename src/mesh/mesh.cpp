@@ -54,7 +54,7 @@ void Mesh::grow_slots(std::size_t taken, std::size_t freed) {
     const std::size_t needed = tetrahedra.size() + taken - std::min(taken, free_slots.size());
     reserve_tetrahedra(needed);
     if (needed <= prefaulted_slots) return;
-    // Prefault 3 MiB of storage at a time, or all that there is.
+    // Prefault the needed slots and 65,536 more (3 MiB with spheres), up to the capacity.
     constexpr std::size_t stretch = 65536;
     const std::size_t end = std::min(tetrahedra.capacity(), needed + stretch);
     tetrahedra.prefault(prefaulted_slots, end);

@@ -35,8 +35,8 @@ struct Mesh {
                           free_slots.size() + freed > free_slots.capacity()))
             grow_slots(taken, freed);
     }
-    // The next live slot from t on, where the first slot follows the last. A hint may name a slot
-    // that is dead by now.
+    // The first live slot from t on, where slot 0 follows the last slot. The slot t of a hint may
+    // be dead. After 1,000 dead slots, the result is a_ghost.
     TetId live_from(TetId t) const noexcept {
         assert(live_count() > 0 && "all tetrahedra are dead");
         for (unsigned tries = 0; tries < 1000; ++tries) {
@@ -67,22 +67,23 @@ struct Mesh {
     MGDT_ALWAYS_INLINE const double* point(VertexId v) const noexcept { return vertices[v].x; }
 
     Buffer<Vertex> vertices;  // slot 0: the vertex at infinity
-    // For each vertex, once there are tetrahedra: a slot that held a tetrahedron of the vertex, and
-    // holds one near the vertex since; no_tetrahedron until the vertex is inserted. An array of its
-    // own, since a thread may write it while others read the coordinates.
+    // For each vertex, once there are tetrahedra: a slot near the vertex, or no_tetrahedron until
+    // the vertex is inserted. The slot held a tetrahedron of the vertex once, and may have been
+    // reused since. The hints are an array of their own, since a thread may write a hint while
+    // other threads read coordinates.
     Buffer<TetId> vertex_hint;
     TetrahedronStore tetrahedra;
     Buffer<TetId> free_slots;  // slots of dead tetrahedra
     std::size_t ghost_count = 0;
-    TetId a_ghost = no_tetrahedron;  // the newest ghost; removing it always creates others
+    TetId a_ghost = no_tetrahedron;  // the newest ghost; removing a ghost creates a newer one
     int scale = 0;                   // coordinates carry the factor 2^scale, see mesh/scale.hpp
     // The number of slots whose pages are prefaulted. take_slots() beyond it goes through
     // grow_slots().
     std::size_t prefaulted_slots = 0;
     // Tests lower these limits. The highest bit of a vertex number is the mark in_cavity.
     std::uint32_t slot_limit = max_tetrahedra, vertex_limit = in_cavity;
-    // Whether any two tetrahedra that share a facet have the same guard for it. Removing a vertex
-    // makes this false.
+    // Whether the two tetrahedra that share a facet always have the same guard (newest vertex) for
+    // the facet. Removing a vertex makes this false.
     bool guards_agree = true;
     bool has_extremes = false;  // some vertex is outside the range where filters are proved
 

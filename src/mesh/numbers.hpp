@@ -8,13 +8,13 @@
 
 namespace mgdt {
 
-// Gives names the numbers 0, 1, 2, ... in the order in which they come.
+// Gives names the numbers 0, 1, 2, ... in the order in which the names first appear.
 class Numbers {
   public:
     explicit Numbers(Allocator& allocator) : names_(allocator), table_(allocator) {}
 
     static constexpr std::uint32_t none = NumberTable::none;
-    // The number of a name. If the name is new, the number is the size before.
+    // The number of a name. A new name gets the next number, which is size() before the call.
     MGDT_ALWAYS_INLINE std::uint32_t number(std::uint32_t name) {
         assert(name != none && "a name that nothing has");
         if (MGDT_UNLIKELY(table_.size() == names_.size())) make_room();
@@ -22,7 +22,7 @@ class Numbers {
         names_[number] = name;
         return number;
     }
-    // A function that gives the number of a name, or `none` if it has not come.
+    // A function that gives the number of a name, or `none` for a name that has no number.
     MGDT_ALWAYS_INLINE auto lookup() const { return table_.lookup(); }
     void clear() { table_.clear(2 * names_.size()); }
     std::uint32_t size() const noexcept { return table_.size(); }
@@ -39,7 +39,7 @@ class Numbers {
         table_.reserve(2 * most);
     }
 
-    Buffer<std::uint32_t> names_;  // by number; its size is the number of names with room
+    Buffer<std::uint32_t> names_;  // by number; the buffer's size is the number of names that fit
     NumberTable table_;
 };
 

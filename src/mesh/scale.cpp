@@ -4,8 +4,8 @@
 namespace mgdt {
 namespace {
 
-// Coordinates from 2^-40 to 2^40 need no scaling: error bounds are floats, whose range has the
-// squares of such lengths.
+// Coordinates need no scaling if the largest is from 2^-40 to 2^40: the squares of such lengths fit
+// into floats, which the location tree uses.
 constexpr int ordinary = 40;
 
 bool is_ordinary_exponent(int exponent) {
@@ -46,7 +46,7 @@ int choose_scale_of_most(const ExponentRange& range, int typical) {
     return is_ordinary_exponent(typical) || !is_exact(range, -typical) ? 0 : -typical;
 }
 
-// Two factors, since 2^k itself may overflow.
+// Multiplies by two factors, since 2^k itself may overflow.
 double scaled_by_two_factors(double x, int k) {
     const int half = k / 2;
     return std::ldexp(std::ldexp(x, half), k - half);

@@ -8,8 +8,8 @@
 
 namespace mgdt {
 
-// The exponent of the largest coordinate, and that of the lowest bit of any nonzero coordinate, as
-// std::ilogb gives them.
+// The exponents, as std::ilogb gives them, of the largest coordinate and of the lowest bit of the
+// significand of any nonzero coordinate.
 struct ExponentRange {
     int highest = -2000;
     int lowest_bit = 2000;
@@ -22,13 +22,15 @@ struct ExponentRange {
     }
 };
 
-// An exponent k such that 2^k times every coordinate of the range is exact and the largest product
-// is near 1. Returns `current` if it serves as well, since a change takes a pass over the mesh; 0
-// if the coordinates are of ordinary size, or if there is no such k.
+// An exponent k such that 2^k times every coordinate of the range is exact. The result is `current`
+// if the scaled coordinates then have ordinary size, since a change of the scale takes a pass over
+// the mesh. It is 0 if the coordinates have ordinary size without scaling, or if no k is exact.
+// Otherwise the largest product is near 1.
 int choose_scale(const ExponentRange& range, int current);
 
-// The exponent if no factor brings all coordinates into the range where filters are proved:
-// `typical`, the exponent of most coordinates, decides, so that few remain outside.
+// The exponent for coordinates that no factor brings into the range where filters are proved.
+// `typical`, the exponent of most coordinates, decides, so that few remain outside. 0 if `typical`
+// is ordinary, or if scaling is not exact.
 int choose_scale_of_most(const ExponentRange& range, int typical);
 
 // Whether 2^k times every coordinate is exact and within 2^-150 to 2^150, where the filters of

@@ -8,10 +8,10 @@
 
 namespace mgdt {
 
-// For each tetrahedron in `star` and each of its facets at vertex v, calls enter() with the facet
-// code on the side of the neighbour. enter() may append the neighbour to `star`; it is visited
-// then. If enter() appends every tetrahedron that is not in `star` yet, all tetrahedra of v are
-// visited.
+// For each tetrahedron in `star` and each of its facets at vertex v, calls enter() with the code of
+// the facet on the neighbour's side. enter() may append the neighbour to `star`, and the traversal
+// then visits the neighbour too. If enter() appends every tetrahedron that is not in `star` yet,
+// all tetrahedra of v are visited.
 template <class Star, class Enter>
 void traverse_star(const Mesh& mesh, VertexId v, const Star& star, Enter enter) {
     for (std::size_t i = 0; i < star.size(); ++i) {

@@ -44,7 +44,7 @@ MGDT_ALWAYS_INLINE constexpr FacetCode first_facet_of(FacetCode code) noexcept {
     return code & ~3u;
 }
 
-// While a cavity is dug, this bit of v[1] marks its tetrahedra.
+// While a cavity is being built, this bit of v[1] marks the tetrahedra in the cavity.
 inline constexpr VertexId in_cavity = 0x80000000u;
 MGDT_ALWAYS_INLINE constexpr VertexId unmarked(VertexId v) noexcept {
     return v & ~in_cavity;
@@ -57,7 +57,7 @@ struct alignas(32) Vertex {
     VertexId moved_to;    // the new number while vertices are renumbered; otherwise 0 or has_equals
 };
 static_assert(sizeof(Vertex) == 32);
-// In `moved_to`: several points are, or were, at this vertex.
+// A flag in `moved_to`: several points are, or were, at this vertex.
 inline constexpr VertexId has_equals = 1;
 
 // v[0], the base vertex, is the newest of the four, v[1] the second newest. So the newest vertex of
@@ -71,10 +71,10 @@ struct alignas(16) Tetrahedron {
     MGDT_ALWAYS_INLINE bool is_ghost() const noexcept {
         return v[2] == infinite_vertex || v[3] == infinite_vertex;
     }
-    // The base vertex of a live tetrahedron is finite.
+    // The base vertex of a live tetrahedron is finite, that of a dead one is not.
     MGDT_ALWAYS_INLINE bool is_dead() const noexcept { return v[0] == infinite_vertex; }
     MGDT_ALWAYS_INLINE void kill() noexcept { v[0] = infinite_vertex; }
-    // Valid while a cavity is dug.
+    // The mark is valid only while a cavity is being built.
     MGDT_ALWAYS_INLINE bool is_in_cavity() const noexcept { return (v[1] & in_cavity) != 0; }
     MGDT_ALWAYS_INLINE int infinite_slot() const noexcept {
         assert(is_ghost() && "a finite tetrahedron has no vertex at infinity");
@@ -92,8 +92,8 @@ struct Sphere {
     MGDT_ALWAYS_INLINE bool is_ghost() const noexcept { return std::signbit(e); }
 };
 
-// The upper half of a double: its full range, with 21 significant bits. The lower bits are
-// truncated.
+// The upper 32 bits of a double, which keep its full range and 21 significant bits. The lower bits
+// are truncated.
 MGDT_ALWAYS_INLINE std::uint32_t upper_half(double x) noexcept {
     std::uint64_t bits;
     std::memcpy(&bits, &x, sizeof bits);
@@ -106,15 +106,15 @@ MGDT_ALWAYS_INLINE double from_upper_half(std::uint32_t half) noexcept {
     return x;
 }
 
-// A sphere as the mesh stores it, in upper halves of doubles: half the memory, and few tests that
-// the larger error leaves undecided.
+// A sphere as the mesh stores it, in upper halves of doubles. These halve the memory, and their
+// larger error leaves few tests undecided.
 struct alignas(16) KeptSphere {
     std::uint32_t w[3];
     std::uint32_t e;  // also bounds the error of truncating w
 
     MGDT_ALWAYS_INLINE bool is_ghost() const noexcept { return e >> 31 != 0; }
-    // While threads insert in zones, the bound of a tetrahedron between zones is NaN. That marks
-    // the tetrahedron, and leaves every test undecided.
+    // While threads insert in zones, a tetrahedron between zones is closed: its error bound is NaN,
+    // which marks the tetrahedron and leaves every test undecided.
     static constexpr std::uint32_t no_number = 0x7FF80000u, sign_of_ghost = 0x80000000u;
     MGDT_ALWAYS_INLINE bool is_closed() const noexcept { return (e & ~sign_of_ghost) == no_number; }
     MGDT_ALWAYS_INLINE void close() noexcept {

@@ -13,8 +13,9 @@
 
 namespace mgdt {
 
-// Three quarters of a cache line. A conflict test reads the sphere and the base vertex, which are
-// adjacent: in one of four consecutive records they are on two cache lines.
+// The record takes three quarters of a cache line. A conflict test reads the sphere and the base
+// vertex, which are adjacent. In one of four consecutive records, the two are on different cache
+// lines.
 struct TetrahedronAndSphere {
     KeptSphere sphere;
     Tetrahedron tetrahedron;
@@ -36,15 +37,15 @@ struct FourTetrahedra {
     Record* record[4];
 };
 
-// The array, for code that is compiled for one type of records.
+// A view of the array, for code that is compiled for one type of record.
 template <class Record>
 struct TetrahedronView {
     MGDT_ALWAYS_INLINE auto& operator[](std::size_t t) const noexcept {
         return records[t].tetrahedron;
     }
     MGDT_ALWAYS_INLINE auto& sphere(std::size_t t) const noexcept { return records[t].sphere; }
-    // A tetrahedron by any of its facet codes. of_first() wants the code of face 0, and saves an
-    // instruction.
+    // of() gives the tetrahedron of any facet code. of_first() requires the code of face 0, and
+    // saves an instruction.
     MGDT_ALWAYS_INLINE auto& of(FacetCode code) const noexcept {
         return of_first(first_facet_of(code));
     }
@@ -113,14 +114,14 @@ class TetrahedronStore {
         return {reinterpret_cast<const Record<with_spheres>*>(pieces_.data())};
     }
 
-    // Prefetches a slot. It need not exist.
+    // Prefetches slot t, which need not exist.
     MGDT_ALWAYS_INLINE void prefetch(std::size_t t) const noexcept {
         mgdt::prefetch(tetrahedron(t));
     }
 
     MGDT_ALWAYS_INLINE std::size_t size() const noexcept { return size_; }
     MGDT_ALWAYS_INLINE std::size_t capacity() const noexcept { return capacity_; }
-    // As the functions of Buffer.
+    // These functions work like those of Buffer, but count slots.
     void reserve(std::size_t capacity) {
         assert(capacity <= max_tetrahedra && "more slots than have codes");
         if (capacity <= capacity_) return;
@@ -147,7 +148,8 @@ class TetrahedronStore {
     // Gives unused storage back, if the allocator can shrink the block.
     void shrink() noexcept {
         pieces_.shrink();
-        // There may be more pieces than records need, if shrinking the block was refused.
+        // If the allocator refused to shrink the block in drop_spheres(), the block is larger than
+        // the capacity needs.
         capacity_ = std::min(capacity_, pieces_.capacity() / stride());
     }
     // Makes room for spheres and leaves them unset. Throws std::bad_alloc with nothing changed.

@@ -13,9 +13,9 @@
 //   both guards, and may write its neighbour entry at the shared facet. Insertion tests no other
 //   tetrahedra.
 // - A new tetrahedron consists of the new vertex, which T owns, and a facet that T owns. So T owns
-// it.
-// - Releasing a block publishes what was written; the next owner acquires the block before it reads
-//   or writes any of that.
+//   the new tetrahedron.
+// - Releasing a block publishes the writes of its owner. The next owner acquires the block before
+//   it accesses the tetrahedra that were written.
 //
 // The vertex at infinity is older than all others and guards nothing. A vertex of an early round
 // has tetrahedra in many places, but guards few of them. A thread keeps its blocks for several
@@ -32,8 +32,8 @@ namespace mgdt {
 
 class BlockOwners {
   public:
-    // For items 0..n-1, which no thread owns. `pause` is a hook for tests: if it is not null, it is
-    // called before a block is acquired and after blocks are released.
+    // A table of the owners of items 0..n-1, which no thread owns yet. `pause` is a hook for tests:
+    // if it is not null, it is called before a block is acquired and after blocks are released.
     BlockOwners(Allocator& allocator, std::size_t n, void (*pause)());
     BlockOwners(const BlockOwners&) = delete;
     BlockOwners& operator=(const BlockOwners&) = delete;
@@ -41,7 +41,7 @@ class BlockOwners {
   private:
     friend class OwnedBlocks;
     static constexpr std::uint8_t nobody = 0;
-    // Blocks have 8 items, or more if the table would not fit into the cache.
+    // A block has 8 items, or up to 256 if the table would not fit into the cache otherwise.
     static constexpr unsigned least_shift = 3, most_shift = 8;
     static constexpr std::size_t most_blocks = std::size_t{1} << 19;
 
@@ -49,20 +49,20 @@ class BlockOwners {
 
     void (*const pause_)();
     const unsigned shift_;
-    AtomicArray<std::uint8_t> owners_;  // of each block
+    AtomicArray<std::uint8_t> owners_;  // the owner of each block
 };
 
 // The blocks of one thread.
 class OwnedBlocks {
   public:
-    // `who`: 1 to 254, different for each thread.
+    // `who` identifies the thread: 1 to 254, different for each thread.
     OwnedBlocks(Allocator& allocator, BlockOwners& owners, std::uint8_t who) noexcept;
     OwnedBlocks(const OwnedBlocks&) = delete;
     OwnedBlocks& operator=(const OwnedBlocks&) = delete;
     ~OwnedBlocks();
 
-    // Tells whether this thread owns an item. A copy, so that the compiler can keep it in registers
-    // while other memory is written.
+    // Tells whether this thread owns an item. The object has copies of the members, so that the
+    // compiler can keep them in registers while other memory is written.
     struct Mine {
         MGDT_ALWAYS_INLINE bool operator()(std::uint32_t item) const noexcept {
             return owners[item >> shift].load(std::memory_order_relaxed) == who;
@@ -73,7 +73,7 @@ class OwnedBlocks {
     };
     MGDT_ALWAYS_INLINE Mine mine() const noexcept { return {owners_, shift_, who_}; }
     // Acquires the block of an item that this thread does not own. Returns false if another thread
-    // owns it.
+    // owns the block, or if no memory is left to record it.
     bool try_own(std::uint32_t item) noexcept;
     // Releases all blocks but those of the `kept` items.
     void release(const std::uint32_t* kept = nullptr, std::size_t count = 0) noexcept;

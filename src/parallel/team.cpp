@@ -19,15 +19,15 @@
 namespace mgdt {
 namespace {
 
-// Blocks signals while threads are created, which inherit the mask: signals go to the host's
-// threads.
+// Blocks signals while threads are created. The new threads inherit the mask, so signals go to the
+// host's threads.
 class SignalsBlocked {
   public:
 #if defined(__unix__)
     SignalsBlocked() noexcept {
         sigset_t all;
         sigfillset(&all);
-        // Signals that a faulty instruction raises stay with the thread.
+        // Signals that a faulty instruction raises stay unblocked: the thread itself handles them.
         for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP}) sigdelset(&all, own);
         pthread_sigmask(SIG_SETMASK, &all, &before_);
     }
@@ -55,8 +55,8 @@ struct Team::Crew {
     std::condition_variable begin, end;
     const FunctionRef<void(unsigned)>* body = nullptr;
     unsigned long long turn = 0;  // counts the calls of start()
-    unsigned members = 0;         // that take part in this turn
-    unsigned busy = 0;            // of these, those that have not finished; without member 0
+    unsigned members = 0;         // the number of members that take part in this turn
+    unsigned busy = 0;            // how many of these have not finished, without member 0
     bool is_over = false;
     std::exception_ptr failure;
     unsigned failed = most;  // the member that threw `failure`
@@ -112,7 +112,8 @@ void Team::start(unsigned members, FunctionRef<void(unsigned)> body) {
 }
 
 void Team::Crew::work(unsigned member) noexcept {
-    CancellationDisabled::for_good();  // callbacks may pass this thread's id to others
+    // A callback may give this thread's id to another thread, which could cancel this thread.
+    CancellationDisabled::for_good();
     const FpEnvironment environment;
     unsigned long long seen = 0;
     for (;;) {

@@ -30,7 +30,7 @@ class FunctionRef<void(Arguments...)> {
 
 class Team {
   public:
-    // The largest team. Owners of blocks are numbered in a byte.
+    // The size of the largest team. The owner of a block is stored as one byte.
     static constexpr unsigned most = 254;
 
     // A team of `size` members, or of fewer if the system refuses threads. A team of one has no
@@ -47,7 +47,8 @@ class Team {
     unsigned size() const noexcept { return size_; }
 
     // Runs body(member) on the first `members` members, member 0 on the calling thread, and waits
-    // for all. If members throw, the exception of the first one is thrown here.
+    // for all of them. If members throw, the exception of the member with the lowest number is
+    // thrown here.
     template <class Body>
     void run(unsigned members, Body&& body) {
         if (members <= 1 || size_ == 1)
@@ -83,7 +84,7 @@ class Team {
     }
 
   private:
-    // The other members, and what all share.
+    // The threads of the other members, and the shared state.
     struct Crew;
     void assemble(unsigned size);
     void dismiss() noexcept;

@@ -10,25 +10,27 @@
 
 namespace mgdt {
 
-// Each of `items` items yields values with keys. This sorts the values into one list per key, in
-// which they have the order of the items.
+// Each of `items` items yields values with keys. The function sorts the values into one list per
+// key; within a list, values are in the order of the items.
 //
-// each(begin, end, f) calls f(key, value...) for every value of items begin..end-1, in their order;
-// there are fewer than 2^32 values. It is called twice for each item: to count, and to store.
-// Members of the team call it at the same time, for at least `min_items_per_thread` items each. In
-// between, make_room(size) is told the number of values. put(position, value...) stores a value.
-// List k is at positions ends[k] to ends[k + 1] - 1; `ends` has keys + 1 elements.
+// each(begin, end, f) calls f(key, value...) for every value of items begin..end-1, in the order of
+// the items. There are fewer than 2^32 values. each() sees each item twice: to count the values,
+// and to store them. Members of the team call each() at the same time, for at least
+// `min_items_per_thread` items per member. Between the two passes, make_room(size) is told the
+// number of values. put(position, value...) stores a value. List k is at positions ends[k] to
+// ends[k + 1] - 1; `ends` has keys + 1 elements.
 template <class Int, class Each, class MakeRoom, class Put>
 void make_lists(Team& team, Allocator& allocator, std::size_t items,
                 std::size_t min_items_per_thread, std::size_t keys, Int* ends, Each each,
                 MakeRoom make_room, Put put) {
     ends[0] = 0;
-    // Each member has a counter per key: with more members, memory would grow more than time
-    // shrinks.
+    // Each member has a counter per key. With more members, the memory for counters would grow by
+    // more than the time shrinks.
     constexpr unsigned most_members = 16;
     const unsigned members = std::min(most_members, team.members_for(items, min_items_per_thread));
     if (members == 1) {
-        // ends[k + 1] is first the length of list k, then its beginning, which moves to its end.
+        // ends[k + 1] is first the length of list k, then its beginning. Storing the values
+        // advances the beginning to the end of the list.
         std::fill_n(ends + 1, keys, Int{0});
         each(std::size_t{0}, items, [&](std::size_t key, const auto&...) { ++ends[key + 1]; });
         Int sum = 0;
@@ -56,8 +58,8 @@ void make_lists(Team& team, Allocator& allocator, std::size_t items,
         std::fill_n(count, keys, 0u);
         each_of(m, [&](std::size_t key, const auto&...) { ++count[key]; });
     });
-    // Prefix sums, for which the members divide the keys: where the part of each member in each
-    // list begins.
+    // Prefix sums give the position where the values of each member begin in each list. The members
+    // divide the keys among themselves.
     const auto first_key = [&](unsigned m) { return Team::part(keys, m, members); };
     std::uint32_t sums[most_members + 1] = {};
     team.run(members, [&](unsigned part) {

@@ -14,7 +14,7 @@ class WorkQueue {
   public:
     struct Piece {
         std::size_t begin, end;
-        bool is_stolen;  // from the end of another part, so the next piece comes before this one
+        bool is_stolen;  // taken from the end of another part; the next piece comes before this one
     };
 
     // An empty queue for at most `most_members` members.
@@ -32,8 +32,8 @@ class WorkQueue {
                           std::memory_order_relaxed);
     }
 
-    // Takes the next piece for a member. Returns false if there is none. `from` is the member whose
-    // part the last piece was from; initially the member itself.
+    // Takes the next piece for a member. Returns false if there is none. `from` is the member from
+    // whose part the last piece came; initially, `from` equals `member`.
     bool next(unsigned member, unsigned& from, Piece& piece) noexcept {
         for (;;) {
             std::size_t k;
@@ -56,7 +56,7 @@ class WorkQueue {
     }
 
   private:
-    // The first piece and the end in one word, so that both change atomically.
+    // Packs the first piece and the end into one word, so that both change atomically.
     static std::uint64_t pack(std::size_t first, std::size_t end) noexcept {
         return static_cast<std::uint64_t>(first) << 32 | end;
     }

@@ -32,8 +32,8 @@ void Checker::run(std::int32_t level) const {
     if (level >= MGDT_CHECK_CANONICAL) hull();
 }
 
-// Each point is mapped to a vertex whose index is the least of its points, or is not in. The
-// statistics have the right number of points.
+// Checks that each point is either at no vertex or mapped to a vertex whose index is the least of
+// the vertex's points, and that the statistics have the right numbers of points.
 void Checker::points() const {
     const Buffer<VertexId>& map = input_.point_map;
     const std::size_t vertices = mesh_.vertices.size();
@@ -62,8 +62,8 @@ void Checker::points() const {
              static_cast<unsigned long long>(input_.duplicates));
 }
 
-// There are tetrahedra if the points span space, the free slots are the dead tetrahedra, and sizes
-// do not exceed capacities.
+// Checks that there are tetrahedra exactly if the points span space, that the free slots are those
+// of dead tetrahedra, that sizes do not exceed capacities, and that counts are right.
 void Checker::stores() const {
     const std::size_t slots = mesh_.tetrahedra.size();
     if (slots > max_tetrahedra || mesh_.slot_limit > max_tetrahedra ||
@@ -73,8 +73,8 @@ void Checker::stores() const {
         (input_.dimension == 3) != (mesh_.live_count() != 0))
         fail(MGDT_ERR_CHECK_FAILED, "%zu tetrahedra in dimension %d", mesh_.live_count(),
              input_.dimension);
-    // There are as many free slots as dead tetrahedra, so it suffices that each free slot is dead
-    // and listed once.
+    // The counts below show that there are as many free slots as dead tetrahedra, so it suffices
+    // that each free slot is dead and listed once.
     Buffer<std::uint64_t> seen(allocator_);
     seen.resize(slots / 64 + 1, 0);
     for (const TetId t : mesh_.free_slots) {
@@ -99,8 +99,8 @@ void Checker::stores() const {
              live.load(), ghosts.load(), mesh_.live_count(), mesh_.ghost_count);
 }
 
-// The vertices of a tetrahedron exist and differ, each vertex is used, and the spheres of ghosts
-// are marked as such.
+// Checks that the vertices of a tetrahedron exist and differ, that each vertex is in a tetrahedron,
+// and that exactly the spheres of ghosts are marked as those of ghosts.
 void Checker::records() const {
     const std::size_t vertices = mesh_.vertices.size();
     AtomicArray<bool> is_used(allocator_, vertices);
@@ -127,7 +127,7 @@ void Checker::records() const {
     });
 }
 
-// The tetrahedra where walks and traversals start are valid.
+// Checks the tetrahedra where walks and traversals start, and the location tree.
 void Checker::hints() const {
     const std::size_t slots = mesh_.tetrahedra.size();
     const auto is_live = [&](TetId t) { return t < slots && !tet(t).is_dead(); };
@@ -140,7 +140,7 @@ void Checker::hints() const {
     if (mesh_.vertex_hint.size() != mesh_.vertices.size())
         fail(MGDT_ERR_CHECK_FAILED, "there are %zu slots near %zu vertices",
              mesh_.vertex_hint.size(), mesh_.vertices.size());
-    // Any slot will do: it may have been reused since.
+    // A hint may name any slot, since the slot of a removed tetrahedron may be reused.
     for_each_vertex([&](VertexId v) {
         if (mesh_.vertex_hint[v] >= slots)
             fail(MGDT_ERR_CHECK_FAILED, "the tetrahedron near point %lld does not exist", index(v));
@@ -149,7 +149,7 @@ void Checker::hints() const {
         fail(MGDT_ERR_CHECK_FAILED, "the location tree is broken");
 }
 
-// Neighbours refer to each other and share the facet, with opposite orientations.
+// Checks that neighbours refer to each other and share the facet, with opposite orientations.
 void Checker::adjacency() const {
     for_each_live([&](TetId id) {
         const Tetrahedron& t = tet(id);
@@ -174,7 +174,7 @@ void Checker::adjacency() const {
     });
 }
 
-// The tetrahedra are connected through facets.
+// Checks that the tetrahedra are connected through facets.
 void Checker::connection() const {
     DisjointSets sets(allocator_, mesh_.tetrahedra.size());
     for_each_live([&](TetId id) {
@@ -187,15 +187,16 @@ void Checker::connection() const {
     });
 }
 
-// The tetrahedra around an edge form a ring. There are V + T rings, as the Euler characteristic of
-// a closed manifold demands. A ring is counted at its least tetrahedron.
+// Checks that the tetrahedra around each edge form a ring, and that there are V + T rings, as the
+// Euler characteristic of a closed manifold demands. V includes the vertex at infinity. A ring is
+// counted at its least tetrahedron.
 void Checker::edges() const {
     // Whether `id` is the least tetrahedron of the ring around the edge that its facets c and d
     // share.
     const auto is_least = [&](TetId id, int c, int d) {
         const Tetrahedron& first = tet(id);
         if (tetrahedron_of(first.n[c]) < id || tetrahedron_of(first.n[d]) < id) return false;
-        // Adjacency was checked before, so the way through facet c leads back in the end.
+        // Since adjacency() has passed, the way around the edge through facet c returns to `id`.
         VertexId behind = first.v[d];
         FacetCode code = first.n[c];
         while (tetrahedron_of(code) > id) {

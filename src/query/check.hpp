@@ -20,7 +20,7 @@ struct CheckInput {
     ExponentRange exponents;   // of the caller's coordinates
     bool exponents_are_wide;   // `exponents` includes coordinates of points that are gone
     TetId last;                // where the next walk starts
-    const LocationTree* tree;  // if there is one
+    const LocationTree* tree;  // nullptr if there is none
 };
 
 // Throws MGDT_ERR_CHECK_FAILED with a message that says what is wrong and where. `level` is an

@@ -23,7 +23,8 @@ struct Corners {
 
 }  // namespace
 
-// Coordinates are finite, and without the scale they have the exponents of the points given.
+// Checks that coordinates are finite, and that without the scale they have the exponents that were
+// recorded for the given points.
 void Checker::coordinates() const {
     const int scale = mesh_.scale;
     if (scale < -2200 || scale > 2200)
@@ -54,7 +55,7 @@ void Checker::coordinates() const {
     });
     if (has_extremes && !mesh_.has_extremes)
         fail(MGDT_ERR_CHECK_FAILED, "coordinates are outside the filters' range, unnoticed");
-    // The exponents of points that are not in are included, too.
+    // `given` includes the exponents of points that are not in the triangulation.
     const ExponentRange& given = input_.exponents;
     const bool all_in = !input_.exponents_are_wide &&
                         input_.points_inserted + input_.duplicates == input_.point_map.size();
@@ -67,8 +68,7 @@ void Checker::coordinates() const {
             scale, all.highest, all.lowest_bit, given.highest, given.lowest_bit);
 }
 
-// Points that are held since they do not span space are distinct, and span the dimension that is
-// recorded.
+// Checks that points that do not span space are distinct and have the recorded dimension.
 void Checker::degenerate() const {
     Buffer<VertexId> order(allocator_, mesh_.vertices.size() - 1);
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<VertexId>(i + 1);
@@ -91,9 +91,10 @@ void Checker::degenerate() const {
              input_.dimension);
 }
 
-// Tetrahedra are positively oriented. At each facet between two tetrahedra, the opposite vertex is
-// not inside the circumsphere; if it is on the sphere, the perturbation does not put it inside. The
-// test gives the same answer from both sides of a facet, so one side is tested.
+// Checks that tetrahedra are positively oriented and that, at each facet between two tetrahedra,
+// the opposite vertex is not inside the circumsphere. If the vertex is on the sphere, the
+// perturbation must not put it inside. The test gives the same answer from both sides of a facet,
+// so one side is tested.
 void Checker::delaunay(bool canonical) const {
     for_each_live([&](TetId id) {
         const Tetrahedron& t = tet(id);
@@ -113,7 +114,7 @@ void Checker::delaunay(bool canonical) const {
     });
 }
 
-// The error of each stored sphere is within its bound.
+// Checks that the error of each stored sphere is within its bound.
 void Checker::spheres() const {
     if (!mesh_.tetrahedra.has_spheres()) return;
     for_each_live([&](TetId id) {
@@ -124,8 +125,8 @@ void Checker::spheres() const {
     });
 }
 
-// The hull is convex at every edge, and a point inside one tetrahedron is on the inner side of all
-// hull facets and in no other tetrahedron.
+// Checks that the hull is convex at every edge, and that a point inside one tetrahedron is on the
+// inner side of all hull facets and in no other tetrahedron.
 void Checker::hull() const {
     const TetId home = tetrahedron_of(tet(mesh_.a_ghost).n[tet(mesh_.a_ghost).infinite_slot()]);
     const InteriorPoint inside = Corners(mesh_, tet(home)).interior_point();
@@ -138,7 +139,8 @@ void Checker::hull() const {
         }
         const int slot = t.infinite_slot();
         const unsigned char* const face = outer_face[slot];
-        // (q, a, b, c) is positively oriented for q inside, so (a, b, c, q) is negatively oriented.
+        // (q, a, b, c) is positively oriented for q inside the hull, so (a, b, c, q) is negatively
+        // oriented.
         if (inside.orientation_from(c.p[face[0]], c.p[face[1]], c.p[face[2]]) >= 0)
             reject(id, "the hull facet is seen from outside by a point inside");
         for (int i = 0; i < 4; ++i) {

@@ -15,7 +15,8 @@ class Checker {
     void run(std::int32_t level) const;
 
   private:
-    // In check.cpp: indices and counts. Each function relies on those before it.
+    // The functions in check.cpp, which check indices and counts. Each relies on the functions
+    // before it.
     void points() const;
     void stores() const;
     void records() const;
@@ -23,7 +24,7 @@ class Checker {
     void adjacency() const;
     void connection() const;
     void edges() const;
-    // In check_geometry.cpp: coordinates, by exact arithmetic.
+    // The functions in check_geometry.cpp, which check coordinates by exact arithmetic.
     void coordinates() const;
     void degenerate() const;
     void delaunay(bool canonical) const;

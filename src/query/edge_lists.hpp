@@ -29,7 +29,7 @@ struct EdgesBetween {
 };
 inline constexpr EdgesBetween edges_between;
 
-// The edges of a face: those that lie in it and in another face.
+// The edges of a face. Each of them lies in this face and in one other face.
 constexpr unsigned edges_of_face(unsigned face) {
     unsigned edges = 0;
     for (unsigned other = 0; other < 4; ++other)
@@ -37,8 +37,8 @@ constexpr unsigned edges_of_face(unsigned face) {
     return edges;
 }
 
-// The edges that a tetrahedron emits: those at which both adjacent tetrahedra are in later slots.
-// Edges to the vertex at infinity are left out.
+// The edges that a tetrahedron emits: an edge is emitted if both neighbours across the faces at the
+// edge are in later slots. Edges to the vertex at infinity are left out.
 inline unsigned owned_edges(const Tetrahedron& t, TetId id) {
     if (t.is_dead()) return 0;
     unsigned later = 0;
@@ -48,8 +48,9 @@ inline unsigned owned_edges(const Tetrahedron& t, TetId id) {
 }
 
 // Calls f(a, b) for edges of the tetrahedra in slots begin..end-1, where a and b are the names of
-// the ends. The tetrahedron in the first slot around an edge always emits it, and others rarely do:
-// so every edge is emitted, and few edges twice. Only the record of the tetrahedron itself is read.
+// the ends. Of the tetrahedra around an edge, the one in the first slot always emits the edge, and
+// others rarely do. So every edge is emitted, and few edges are emitted twice. For each
+// tetrahedron, only its own record is read.
 template <class Name, class F>
 void for_each_edge(const Mesh& mesh, std::size_t begin, std::size_t end, Name name, F f) {
     constexpr std::size_t ahead = 32;
@@ -63,7 +64,7 @@ void for_each_edge(const Mesh& mesh, std::size_t begin, std::size_t end, Name na
     }
 }
 
-// An `each` for EdgeLists that emits each edge from the lesser of the names of its ends.
+// Returns an `each` for EdgeLists that emits each edge under the lesser of the names of its ends.
 template <class Name>
 auto edges_from_lesser(const Mesh& mesh, Name name) {
     return [&mesh, name](std::size_t begin, std::size_t end, auto f) {
@@ -72,7 +73,8 @@ auto edges_from_lesser(const Mesh& mesh, Name name) {
     };
 }
 
-// For each of `keys` names the sorted list of the names that edges join it to, without repeats.
+// For each of `keys` names, the sorted list of the names at the other ends of its edges, without
+// repeats.
 class EdgeLists {
   public:
     // each(begin, end, f) calls f(key, other) for the edges that slots begin..end-1 emit.
@@ -97,7 +99,7 @@ class EdgeLists {
         });
     }
 
-    // Removes from each list the members of the other's list of the same name.
+    // Removes from the list of each key the names that the list of this key in `other` has.
     void subtract(const EdgeLists& other) {
         set_sizes([&](std::size_t k) {
             std::uint32_t* const first = others_.begin() + ends_[k];
@@ -112,7 +114,7 @@ class EdgeLists {
         });
     }
 
-    // The number of members of all lists.
+    // The total length of all lists.
     std::size_t size() const noexcept { return place_of_[Team::most]; }
 
     // Calls write(key, place, others, size) for the list of each key, on several threads at the
@@ -129,8 +131,9 @@ class EdgeLists {
     }
 
   private:
-    // Positions in the lists have 32 bits. At most half of the tetrahedra around an edge emit it,
-    // so a slot emits fewer than six entries, counted at both ends, on the average.
+    // Requires that the entries fit, since positions in the lists have 32 bits. At most half of the
+    // tetrahedra around an edge emit the edge, so a slot emits at most three edges on average, or
+    // six entries if each edge is listed at both ends.
     template <class Each>
     static void require_few(std::size_t slots, Each each) {
         constexpr std::uint64_t most = 0xFFFFFFFFu;

@@ -9,7 +9,8 @@
 
 namespace mgdt {
 
-// Edges are sorted by their ends: by the caller's indices, or by vertex numbers.
+// Edges are sorted by their ends: by the caller's indices in canonical exports, otherwise by vertex
+// numbers.
 template <class Int>
 void export_edges(const ExportView& view, Int* out) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);

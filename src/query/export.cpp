@@ -61,20 +61,22 @@ class Rows {
 
 // The least number of stretches per thread.
 constexpr std::size_t stretches_per_thread = 1024;
-// From this size on, an array does not fit into the cache beside its source.
+// An array of this many bytes or more does not fit into the cache beside its source.
 constexpr std::size_t large_array = std::size_t{1} << 20;
 // The prefetch distance, in records.
 constexpr std::size_t ahead = 32;
 
-// Writes row(t, place) of each finite tetrahedron at the position of its number, on all threads.
-// Tetrahedra are read in the order of storage; canonical rows are written in another order.
+// Writes the four values row(t, place) of each finite tetrahedron t at the position of its number,
+// on all threads. Tetrahedra are read in the order of storage; canonical rows are written in
+// another order.
 template <bool with_spheres, class Int, class Indices, class Row>
 void export_rows(const ExportView& view, const Indices& indices, Int* out, const Row& shared) {
     const Numbering& numbering = *view.numbering;
     const bool is_large = view.mesh.finite_count() >= large_array / (4 * sizeof(Int));
     const auto write = [&](std::size_t begin, std::size_t end, unsigned) {
         if (begin == end) return;
-        // Local copies stay in registers, although the loop writes memory of any type.
+        // The compiler can keep local copies in registers, although the loop writes memory of any
+        // type.
         const auto tetrahedra = view.mesh.tetrahedra.view<with_spheres>();
         const Row row = shared;
         if (view.canonical) {
@@ -86,8 +88,8 @@ void export_rows(const ExportView& view, const Indices& indices, Int* out, const
                 for (unsigned i = 0; i < 4; ++i) out[4 * number + i] = row(t, places[i]);
             });
         } else {
-            // One loop per run: if the end of `out` were not in a register, or a function were
-            // called per row, the export would take twice as long.
+            // There is one loop per run, so that the end of the output stays in a register and no
+            // function is called per row. Otherwise the export would take twice as long.
             numbering.for_each_run(begin, end, [&](TetId first, TetId last, std::size_t number) {
                 Rows<Int> rows(out + 4 * number, is_large);
                 for (TetId id = first; id < last; ++id) {
@@ -127,7 +129,8 @@ Buffer<TetId> ghosts_by_slot(const ExportView& view) {
     return ghosts;
 }
 
-// Inlined everywhere: a call would take a quarter of the export's time.
+// The values of rows. The operators are inlined, since calls would take a quarter of the export's
+// time.
 template <class Int>
 struct VertexIndex {
     MGDT_ALWAYS_INLINE Int operator()(const Tetrahedron& t, unsigned i) const {
@@ -254,7 +257,7 @@ void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* o
     make_lists(
         view.team, view.allocator, numbering.stretches(), stretches_per_thread, points, offsets,
         each, [](std::size_t) {}, [&](std::size_t place, Int number) { list[place] = number; });
-    // In the order of storage, canonical numbers do not ascend.
+    // Each list is in the order of storage, so lists of canonical numbers are not sorted yet.
     constexpr std::size_t min_items_per_thread = 16384;
     if (numbering.is_canonical())
         view.team.split(points, min_items_per_thread,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Writes arrays of indices for the caller. Int is std::int64_t or std::int32_t. The caller has
-// checked capacities, and that indices fit.
+// checked that the arrays are large enough and that the indices fit into Int.
 #pragma once
 
 #include "parallel/team.hpp"

@@ -51,7 +51,7 @@ bool FlatHull::contains(const double* q) {
         return collinear(span_[0], span_[1], q) && is_between(ends_[0], q, ends_[1]);
     if (orientation(span_[0], span_[1], span_[2], q) != 0) return false;
     // As seen from q, all vertices so far lie in the angle from `right` to `left`, which is less
-    // than 180 degrees. When a vertex makes that impossible, q is in the hull.
+    // than 180 degrees. If a vertex leaves no such angle, q is in the hull.
     const double *right = nullptr, *left = nullptr;
     for (VertexId v = 1; v < mesh_.vertices.size(); ++v) {
         const double* const p = mesh_.point(v);
@@ -65,7 +65,7 @@ bool FlatHull::contains(const double* q) {
             (to_left == 0 && is_between(left, q, p)))
             return true;
         if (from_right >= 0 && to_left >= 0) continue;
-        // p is to the right of `right` and to the left of `left`, so these three surround q.
+        // p is to the right of `right` and to the left of `left`, so the three vertices surround q.
         if (from_right < 0 && to_left < 0) return true;
         (from_right < 0 ? right : left) = p;
     }

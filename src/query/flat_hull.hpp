@@ -9,8 +9,8 @@ namespace mgdt {
 
 class FlatHull {
   public:
-    // The hull of the vertices of a mesh without tetrahedra. The mesh must outlive the hull. Linear
-    // in the number of vertices.
+    // The hull of the vertices of a mesh without tetrahedra. The mesh must outlive the hull. The
+    // time is linear in the number of vertices.
     FlatHull(const Mesh& mesh, Allocator& allocator);
 
     // Whether the closed hull contains q, which is in the mesh's scale. The answer is exact. In a

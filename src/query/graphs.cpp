@@ -15,8 +15,8 @@ EdgeLists all_edges(const ExportView& view, std::size_t points, const VertexIndi
                      edges_from_lesser(view.mesh, [&](VertexId v) { return indices[v]; }));
 }
 
-// A squared length is rounded five times, so a sum of three of them has an error below 8 units in
-// the last place.
+// A squared length is rounded five times, so a sum of three squared lengths has an error below 8
+// units in the last place. Between these limits, no underflow or overflow occurs.
 constexpr double least_length = 0x1p-900, most_length = 0x1p900, length_error = 16 * 0x1p-53;
 
 double rough_length(const double* a, const double* b) {
@@ -40,8 +40,9 @@ unsigned obtuse_corner(const double* const (&p)[3]) {
     return 3;
 }
 
-// An edge is a Gabriel edge if its midpoint is in its dual Voronoi face. That face is bounded by
-// the other vertices of the facets at the edge: docs/theory.md, "Graphs of neighbours".
+// An edge is a Gabriel edge if its midpoint is in the dual Voronoi face of the edge. The third
+// vertices of the facets at the edge bound this face, so an edge opposite an obtuse corner of a
+// facet is removed: docs/theory.md, "Graphs of neighbours".
 EdgeLists gabriel_edges(const ExportView& view, std::size_t points) {
     const Mesh& mesh = view.mesh;
     const VertexIndices indices(view.team, mesh, view.allocator);
@@ -70,13 +71,13 @@ EdgeLists gabriel_edges(const ExportView& view, std::size_t points) {
 namespace {
 
 struct Length {
-    double square;        // rounded five times
-    std::uint32_t place;  // of the edge
+    double square;        // the squared length, rounded five times
+    std::uint32_t place;  // the position of the edge among all edges
 };
 
 }  // namespace
 
-// Kruskal's algorithm: takes the edges by length, and skips those whose ends are connected already.
+// Kruskal's algorithm: takes the edges by length, and skips edges whose ends are connected already.
 // The edges of the tetrahedra contain every minimum spanning tree.
 Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexId>& point_map) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Proximity graphs, which are subsets of the edges of the tetrahedra. The result is the same for
-// the same points: edges are sorted by the caller's indices, and each has its lesser index first.
+// Proximity graphs, which are subsets of the edges of the tetrahedra. A graph depends on the points
+// alone: edges are sorted by the caller's indices, and each has its lesser index first.
 #pragma once
 
 #include "query/edge_lists.hpp"

@@ -13,9 +13,10 @@ struct Locator {
     const LocationTree* tree;  // nullptr for a small mesh
 
     // The finite tetrahedron whose closure contains q (in the caller's scale), or no_tetrahedron if
-    // q is outside the hull. The walk starts at `hint`, or where the tree says if the hint is
-    // no_tetrahedron. Then `hint` becomes a tetrahedron near q; if q is outside the hull, a ghost
-    // whose facet q sees. With `may_end_outside`, any such ghost ends the walk.
+    // q is outside the hull. The walk starts at `hint`; if `hint` is no_tetrahedron, the tree
+    // chooses the start. The function sets `hint` to a tetrahedron near q or, if q is outside the
+    // hull, to a ghost whose facet q sees. With `may_end_outside`, the walk may end at any such
+    // ghost, even a distant one.
     TetId locate(const double* q, TetId& hint, bool may_end_outside = true) const;
     // Locates the points point_of(0) to point_of(n - 1), and calls found(k, tetrahedron, near) for
     // each, in any order; `near` is the hint that locate() returns. Several walks are interleaved
@@ -25,10 +26,11 @@ struct Locator {
     void locate_sequence(std::size_t n, bool may_end_outside, PointOf point_of, Found found) const;
     // Barycentric coordinates of q in the order of the tetrahedron's stored vertices.
     void weights(TetId t, const double* q, double (&w)[4]) const;
-    // The vertex nearest to q; of several, the one with the least index. infinite_vertex if there
-    // is none.
+    // The vertex nearest to q. Of several nearest vertices, the result is the one with the least
+    // index. infinite_vertex if there is none.
     VertexId nearest_vertex(const double* q, Allocator& allocator) const;
-    // The same, starting at a tetrahedron near q; no_tetrahedron if the mesh has none.
+    // The vertex nearest to q, searched from `near`, a tetrahedron near q, or no_tetrahedron if the
+    // mesh has no tetrahedra.
     VertexId nearest_vertex(const double* q, TetId near, Allocator& allocator) const;
     // A tetrahedron of vertex v, found from its hint.
     TetId tetrahedron_of(VertexId v) const;
@@ -38,9 +40,9 @@ struct Locator {
     bool scale_exactly(const double* q, double* to) const;
 
   private:
-    // Begins a walk. Returns false if it has no steps.
+    // Begins a walk. Returns false if q is not exact in the mesh's scale.
     bool begin(const double* q, TetId hint, LocationWalk& walk) const;
-    // Takes a step. Returns false if it was the last.
+    // Takes a step of the walk. Returns false if the walk has ended.
     bool step(LocationWalk& walk) const {
         if (!kernel.locate_step(mesh, walk)) return false;
         constexpr std::size_t long_walk = 64;

@@ -11,7 +11,7 @@
 
 namespace mgdt {
 
-// A thread with fewer query points costs more than it gains.
+// The least number of query points per thread. With fewer, a thread costs more than it gains.
 inline constexpr std::size_t places_per_thread = 4096;
 
 // Calls found(i, tetrahedron, near) for each query point i, see Locator::locate_sequence(). Each
@@ -26,8 +26,8 @@ void locate_each(const ExportView& view, const Locator& where, const PointSet& p
         make_found(0u)(0, found_in, near);
         return;
     }
-    // Sorted along a curve, each query point is near the previous one. Sorting in blocks limits the
-    // memory.
+    // Query points are sorted along a curve, so that each is near the previous one. Sorting in
+    // blocks limits the memory.
     constexpr std::size_t most = std::size_t{1} << 20;
     for (std::size_t begin = 0; begin < places.size; begin += most) {
         PointSet block = places;

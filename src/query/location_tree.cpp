@@ -17,7 +17,7 @@ double square_distance(const double* a, const double* b) {
 
 // Splits a range of at least two vertices along its longest extent, near the median. Vertices with
 // the same coordinate go to the same part, since a descent could not find them otherwise. Neither
-// part is empty. The first vertex of the second part has its least coordinate.
+// part is empty. The first vertex of the second part has the least coordinate of this part.
 template <class Sample>
 Sample* divide(Sample* begin, Sample* end, std::uint32_t& axis) {
     double low[3], high[3];
@@ -40,10 +40,10 @@ Sample* divide(Sample* begin, Sample* end, std::uint32_t& axis) {
     if (split > low[axis])
         return std::partition(begin, middle,
                               [=, k = axis](const Sample& s) { return s.x[k] < split; });
-    // All vertices before the median have its coordinate.
+    // All vertices before the median have the median's coordinate.
     Sample* const above =
         std::partition(middle, end, [=, k = axis](const Sample& s) { return s.x[k] == split; });
-    if (above == end) return middle;  // cannot be: vertices are distinct
+    if (above == end) return middle;  // all are at one place: vertices of the tree have changed
     std::iter_swap(above, std::min_element(above, end, is_less));
     return above;
 }
@@ -55,8 +55,8 @@ LocationTree::LocationTree(Allocator& allocator, const Mesh& mesh, std::size_t e
     Buffer<Sample> samples(allocator, (end - 2) / stride + 1);
     for (std::size_t i = 0; i < samples.size(); ++i)
         samples[i] = sample(mesh, static_cast<VertexId>(1 + i * stride));
-    // A leaf has at least half of the vertices that a new leaf may have, unless it is the only one,
-    // or coordinates are equal.
+    // A leaf has at least half of most_in_new_leaf vertices, unless it is the only leaf, or
+    // coordinates are equal.
     const std::size_t most_leaves = 2 * samples.size() / most_in_new_leaf + 1;
     nodes_.reserve(most_leaves);
     leaves_.reserve(most_leaves);
@@ -94,12 +94,12 @@ LocationTree::Child LocationTree::build(Sample* begin, Sample* end) {
     return node_child(node);
 }
 
-// The old leaf keeps the lower half.
+// The old leaf keeps the vertices below the split.
 LocationTree::Child LocationTree::split_leaf(const Mesh& mesh, std::size_t leaf,
                                              const Sample& another) {
     Sample samples[most_in_leaf + 1];
     for (std::ptrdiff_t i = 0; i < most_in_leaf; ++i) {
-        // A vertex that no longer exists is replaced by the new one.
+        // The vertex to be added takes the place of a vertex that no longer exists.
         const VertexId v = leaves_[leaf].vertices[i];
         samples[i] = v < mesh.vertices.size() ? sample(mesh, v) : another;
     }
@@ -207,7 +207,7 @@ TetId start_of_walk(const Mesh& mesh, const LocationTree* tree, TetId last, cons
     const TetId anywhere = last == no_tetrahedron ? mesh.live_from(0) : last;
     if (!tree) return anywhere;
     const VertexId near = tree->near(q);
-    // If vertices have left, the number may belong to a vertex that is not inserted yet.
+    // If vertices were removed, `near` may be the number of a new vertex that is not inserted yet.
     if (near >= mesh.vertex_hint.size() || mesh.vertex_hint[near] == no_tetrahedron)
         return anywhere;
     if (last != no_tetrahedron && square_distance(mesh.point(mesh.tetrahedra[last].v[0]), q) <=

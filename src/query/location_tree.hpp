@@ -10,10 +10,10 @@ namespace mgdt {
 
 class LocationTree {
   public:
-    // With fewer vertices a walk is short from anywhere.
+    // The least number of vertices for a tree. With fewer, every walk is short.
     static constexpr std::size_t smallest = 512;
-    // The sample has one in `stride` vertices of a batch, and one in `stride_of_lone` of those that
-    // are inserted one by one.
+    // The sample has one in `stride` vertices of a batch, and one in `stride_of_lone` of the
+    // vertices that are inserted one by one.
     static constexpr std::size_t stride = 16, stride_of_lone = 4;
 
     // A tree over the vertices before `end`, of which there is at least one. O(n log n).
@@ -32,7 +32,8 @@ class LocationTree {
     // A vertex near q. If vertices have changed it may be far from q, or not exist.
     VertexId near(const double* q) const noexcept;
 
-    // Whether every descent ends, at a vertex before `vertices` unless vertices have changed.
+    // Whether every descent ends at a leaf with a vertex. Unless vertices have changed, each vertex
+    // number must be less than `vertices`.
     bool is_sound(std::size_t vertices) const;
 
   private:
@@ -45,7 +46,7 @@ class LocationTree {
     };
     static Sample sample(const Mesh& mesh, VertexId v);
 
-    // 2 i for node i, 2 i + 1 for leaf i.
+    // A child is 2 * i for node i, and 2 * i + 1 for leaf i.
     using Child = std::uint32_t;
     static Child node_child(std::size_t i) { return static_cast<Child>(2 * i); }
     static Child leaf_child(std::size_t i) { return static_cast<Child>(2 * i + 1); }
@@ -55,7 +56,7 @@ class LocationTree {
     struct Node {
         double split;
         std::uint32_t axis;
-        Child child[2];  // for coordinates below the split, and for the others
+        Child child[2];  // child[0] for coordinates below the split, child[1] for the others
         unsigned side(const double* q) const { return q[axis] < split ? 0 : 1; }
     };
     // Unused entries come last and have infinite coordinates. Coordinates only serve to choose the
@@ -69,7 +70,8 @@ class LocationTree {
 
     Child build(Sample* begin, Sample* end);
     void add(const Mesh& mesh, const Sample& s) noexcept;
-    // Replaces a full leaf by a node with two leaves, and adds a vertex. There is room for them.
+    // Replaces a full leaf by a node with two leaves, and adds the vertex `another`. The buffers
+    // have room for one more node and one more leaf.
     Child split_leaf(const Mesh& mesh, std::size_t leaf, const Sample& another);
 
     Buffer<Node> nodes_;
@@ -79,7 +81,8 @@ class LocationTree {
 };
 
 // The live tetrahedron where a walk to q starts: near the vertex that the tree gives, or `last` if
-// that is nearer. Either may be missing, but not both.
+// `last` is nearer. `tree` may be nullptr, and `last` may be no_tetrahedron. Without both, the walk
+// starts at any live tetrahedron.
 TetId start_of_walk(const Mesh& mesh, const LocationTree* tree, TetId last, const double* q);
 
 }  // namespace mgdt

@@ -34,7 +34,7 @@ class VisitQueue {
     }
 
   private:
-    static constexpr unsigned few_bits = 7;  // a vertex has 27 tetrahedra on the average
+    static constexpr unsigned few_bits = 7;  // 64 numbers; a vertex has 27 tetrahedra on average
 
     std::size_t slot_count() const { return std::size_t{1} << bits_; }
     // Multiplicative hashing: the upper bits of the product depend on all bits of the item.
@@ -74,7 +74,7 @@ void for_each_neighbor(const Mesh& mesh, VertexId v, TetId near, VisitQueue& sta
     star.push(first);
     traverse_star(mesh, v, star, [&](FacetCode facet) {
         const Tetrahedron& next = mesh.tetrahedra[tetrahedron_of(facet)];
-        // One of its vertices is not in the facet, and so is new.
+        // Only the vertex of `next` that is opposite the facet can be a new neighbour.
         if (!next.is_ghost() && star.push(tetrahedron_of(facet)))
             f(next.v[face_of(facet)], tetrahedron_of(facet));
     });
@@ -91,7 +91,7 @@ class NearestVertex {
     }
 
     // An approximate squared distance of a vertex; infinity if it overflows. If q has no exact
-    // coordinates in the mesh's scale it is 0, which is_farther() never accepts.
+    // coordinates in the mesh's scale, the estimate is 0, for which is_farther() returns false.
     double estimate(VertexId v) const {
         if (!has_place_) return 0;
         const double* const x = mesh_.point(v);
@@ -103,7 +103,8 @@ class NearestVertex {
     static bool is_farther(double estimate, double than) {
         return than > 0x1p-900 && than < 0x1p900 && estimate > than * (1 + 0x1p-40);
     }
-    // The sign of the distance of a minus that of b.
+    // Negative if a is nearer than b, positive if b is nearer than a, 0 if their distances are
+    // equal.
     int compare(VertexId a, VertexId b) const {
         // Exact scaling by a power of two changes no comparison.
         if (has_place_) {
@@ -125,8 +126,8 @@ class NearestVertex {
 
     // Descends from neighbour to neighbour to a nearest vertex: in a Delaunay triangulation, a
     // vertex that is not nearest to q has a neighbour that is nearer. `near` is a tetrahedron of v,
-    // and becomes one of the result. `is_only` becomes true if no neighbour of the result is as
-    // near.
+    // and becomes a tetrahedron of the result. `is_only` becomes true if no neighbour of the result
+    // is as near as the result.
     VertexId descend(VertexId v, TetId& near, VisitQueue& star, bool& is_only) const {
         for (;;) {
             VertexId better = v;
@@ -149,9 +150,9 @@ class NearestVertex {
         }
     }
 
-    // Of several nearest vertices, the one with the least index. They lie on an empty sphere around
-    // q. Their convex hull is a cell of the Delaunay complex, which the triangulation subdivides,
-    // so edges connect them.
+    // Of all nearest vertices, of which v is one, the vertex with the least index. The nearest
+    // vertices lie on an empty sphere around q. Their convex hull is a cell of the Delaunay
+    // complex, which the triangulation subdivides, so edges connect the nearest vertices.
     VertexId first_of_equals(VertexId v, TetId near, VisitQueue& star, Allocator& allocator) const {
         VisitQueue equals(allocator);
         Buffer<TetId> tetrahedra(allocator);  // a tetrahedron of each vertex in the queue
@@ -173,14 +174,15 @@ class NearestVertex {
     }
 
   private:
-    // Computes the squared distance of a vertex, if it is exact in doubles. That is so for
-    // coordinates with few digits, such as those of a lattice, and decides their ties.
+    // Computes the squared distance of a vertex. Returns whether the result is exact. It is exact
+    // for coordinates with few digits, such as those of a lattice, where ties are frequent.
     bool has_exact_square(VertexId v, double& square) const {
         const double* const x = mesh_.point(v);
         double squares[3];
         for (int k = 0; k < 3; ++k) {
             const double d = x[k] - p_[k];
-            // The difference has 24 bits, so its square is exact, and the subtraction was exact.
+            // Return false unless the subtraction was exact and d has 24 bits, so that d * d is
+            // exact.
             if (static_cast<double>(static_cast<float>(d)) != d || x[k] - d != p_[k] ||
                 p_[k] + d != x[k])
                 return false;
@@ -219,7 +221,7 @@ VertexId Locator::nearest_vertex(const double* q, TetId near, Allocator& allocat
         }
         return nearest;
     }
-    // Start at the nearest vertex of the tetrahedron that contains q: often it is the result.
+    // The search starts at the nearest vertex of the tetrahedron near q, which is often the result.
     VertexId nearest = infinite_vertex;
     for (const VertexId v : mesh.tetrahedra[near].v)
         if (v != infinite_vertex && (nearest == infinite_vertex || to.compare(v, nearest) < 0))

@@ -6,8 +6,8 @@
 
 namespace mgdt {
 
-// The finite tetrahedra are all slots but the free ones and the ghosts, so the records need not be
-// read.
+// The finite tetrahedra are in all slots but the free ones and those of ghosts, so the records of
+// finite tetrahedra need not be read.
 Numbering::Numbering(Allocator& allocator, const Mesh& mesh, bool canonical, Team& team,
                      std::size_t few)
     : bits_(allocator),

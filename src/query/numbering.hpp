@@ -24,8 +24,8 @@ template <class IsNew>
 Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
     Buffer<TetId> ghosts(allocator);
     if (mesh.live_count() == 0) return ghosts;
-    // One more element, where a ghost that is not new is written. Whether a ghost is new cannot be
-    // predicted, so the loop is branchless.
+    // The loop is branchless, since whether a ghost is new cannot be predicted. It writes every
+    // ghost that it meets, so the array has one more element, for a ghost that is not new.
     ghosts.resize(mesh.ghost_count + 1);
     std::size_t size = 0;
     const auto push = [&](TetId t) {
@@ -38,7 +38,7 @@ Buffer<TetId> ghosts_of(const Mesh& mesh, Allocator& allocator, IsNew is_new) {
         const Tetrahedron& t = mesh.tetrahedra[ghosts[i]];
         push(tetrahedron_of(t.n[0]));
         push(tetrahedron_of(t.n[1]));
-        push(tetrahedron_of(t.n[t.infinite_slot() ^ 1]));  // the other of 2 and 3
+        push(tetrahedron_of(t.n[t.infinite_slot() ^ 1]));  // of 2 and 3, the facet at infinity
     }
     assert(size == mesh.ghost_count && "fewer ghosts than were counted");
     ghosts.resize(size);
@@ -116,9 +116,9 @@ class Numbering {
 
     Buffer<std::uint64_t> bits_;  // which slots have finite tetrahedra
     Buffer<std::uint32_t>
-        ranks_;  // for each word of bits_, the number of its first one, and `gaps`
+        ranks_;  // for each word of bits_: the number of its first tetrahedron, and `gaps`
     Buffer<std::int32_t>
-        by_slot_;  // numbers, if they are canonical, or slots are few, or gaps many
+        by_slot_;  // numbers by slot, if canonical, or if slots are few or gaps many
     const bool is_canonical_;
 };
 
@@ -133,7 +133,7 @@ void Numbering::for_each_run(std::size_t begin, std::size_t end, F f) const {
         std::uint64_t bits = bits_[word++];
         while (bits != 0) {
             const TetId first = slot + lowest_bit(bits);
-            bits |= bits - 1;  // from the word's beginning to the end of this run
+            bits |= bits - 1;  // sets the bits of the word before this run
             TetId last = slot + 64;
             if (bits != all) {
                 last = slot + lowest_bit(~bits);
@@ -155,8 +155,8 @@ void Numbering::canonical_places(const Tetrahedron& t, const Indices& indices, u
     unsigned first = 0;
     for (unsigned i = 1; i < 4; ++i)
         if (index[i] < index[first]) first = i;
-    // The other three in the order that keeps the orientation, turned so that their least leads:
-    // (first, a, b, c) is an even permutation of (0, 1, 2, 3).
+    // The other three vertices in an order that keeps the orientation: (first, a, b, c) is an even
+    // permutation of (0, 1, 2, 3). They are rotated below, so that the least index comes first.
     static constexpr unsigned char others[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
     const unsigned char* rest = others[first];
     unsigned turn = 0;

@@ -34,8 +34,8 @@ bool is_close_enough(const Sphere& s, const Tetrahedron& t, const Vertex* vertic
     const double product = alpha * beta * gamma;
     const double sum = aa.high * beta * gamma + bb.high * gamma * alpha + cc.high * alpha * beta;
     const double largest = max_magnitude(s.w[0], s.w[1], s.w[2]);
-    // A bound that was computed from these vertices satisfies both. Otherwise the arithmetic below
-    // would not be exact enough.
+    // A sphere whose bound was computed from these vertices passes both tests. If a test fails, the
+    // arithmetic below is not exact enough.
     if (!(det.high > 64 * unit_roundoff * product)) return false;
     if (!(s.e * det.high > 20 * unit_roundoff * (sum + product * largest))) return false;
     for (int i = 0; i < 3; ++i) {
@@ -52,8 +52,8 @@ bool is_close_enough(const Sphere& s, const Tetrahedron& t, const Vertex* vertic
 bool sphere_is_within_bound(const Sphere& s, const Tetrahedron& t, const Vertex* vertices) {
     if (std::isinf(s.e)) return true;
     const Sphere again = circumsphere(t, vertices);
-    // The sphere that is computed here is proved to be within 0.981 of its bound (0.8 for the
-    // normal of a ghost).
+    // `again` is proved to be within 0.981 of its error bound (within 0.8 for the normal of a
+    // ghost).
     const double error = (t.is_ghost() ? 0.81 : 0.99) * std::fabs(again.e);
     bool agrees = true;
     for (int i = 0; i < 3; ++i)

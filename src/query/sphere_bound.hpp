@@ -5,9 +5,9 @@
 
 namespace mgdt {
 
-// Whether the cached sphere of a tetrahedron, or the normal of a ghost, differs from the exact one
-// by no more than its error bound allows, so that the filter may decide with it. Vertices that
-// the filters are not proved for need an infinite bound. docs/theory.md, "What the check proves".
+// Whether the stored sphere of a tetrahedron, or the normal of a ghost, differs from the exact one
+// by no more than its error bound, so that the filter may decide with it. If the filters are not
+// proved for a vertex, the bound must be infinite. See docs/theory.md, "What the check proves".
 bool sphere_is_within_bound(const Sphere& s, const Tetrahedron& t, const Vertex* vertices);
 
 }  // namespace mgdt

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The caller's index of each vertex: by themselves they fit the cache where the vertices' records
-// do not.
+// The caller's index of each vertex, in an array of its own. This array fits into the cache in many
+// cases where the records of the vertices do not.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ class VertexIndices {
 
     std::uint32_t operator[](VertexId v) const noexcept { return indices_[v]; }
     const std::uint32_t* data() const noexcept { return indices_.data(); }
-    // One past the greatest.
+    // One past the greatest index.
     std::size_t end() const noexcept { return end_; }
 
   private:
