@@ -24,7 +24,7 @@ std::string program_directory() {
     return program.substr(0, program.rfind('/'));
 }
 
-std::vector<std::string> places(const std::string& directory) {
+std::vector<std::string> folders(const std::string& directory) {
     if (!directory.empty()) return {directory};
     const std::string here = program_directory();
     return {here, here + "/../../tests/bench/peers"};
@@ -39,8 +39,8 @@ const char* packages(const std::string& peer) {
 }  // namespace
 
 std::string find_runner(const std::string& peer, const std::string& directory) {
-    for (const std::string& place : places(directory)) {
-        std::string path = place + "/" + runner_name(peer);
+    for (const std::string& folder : folders(directory)) {
+        std::string path = folder + "/" + runner_name(peer);
         if (access(path.c_str(), X_OK) == 0) return path;
     }
     return "";

@@ -53,9 +53,9 @@ std::vector<Median> medians(const std::vector<Row>& rows) {
     std::vector<std::vector<const Row*>> groups;
     std::map<std::string, std::size_t> group_of;
     for (const Row& row : rows) {
-        const auto [place, is_new] = group_of.emplace(row.subject(), groups.size());
+        const auto [group, is_new] = group_of.emplace(row.subject(), groups.size());
         if (is_new) groups.emplace_back();
-        groups[place->second].push_back(&row);
+        groups[group->second].push_back(&row);
     }
     std::vector<Median> result;
     result.reserve(groups.size());

@@ -16,13 +16,13 @@ void gabriel(const mgdt_triangulation* t, int64_t capacity, Int* v, Int* count) 
     const EdgeLists edges =
         gabriel_edges(view_of(team, t, false), static_cast<std::size_t>(point_count(t->core)));
     give_rows(t, 2, edges.size(), capacity, v, count, [&](Int base) {
-        edges.write(
-            [&](std::size_t k, std::size_t place, const std::uint32_t* others, std::size_t size) {
-                for (std::size_t i = 0; i < size; ++i) {
-                    v[2 * (place + i)] = static_cast<Int>(k) + base;
-                    v[2 * (place + i) + 1] = static_cast<Int>(others[i]) + base;
-                }
-            });
+        edges.write([&](std::size_t k, std::size_t position, const std::uint32_t* others,
+                        std::size_t size) {
+            for (std::size_t i = 0; i < size; ++i) {
+                v[2 * (position + i)] = static_cast<Int>(k) + base;
+                v[2 * (position + i) + 1] = static_cast<Int>(others[i]) + base;
+            }
+        });
     });
 }
 

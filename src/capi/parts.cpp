@@ -23,11 +23,11 @@ PartId mgdt_parts::local(std::int32_t part) const {
         fail(MGDT_ERR_INVALID_ARGUMENT,
              "MGDT_PARTS_THIS_PART is for a process with one part; this one has %u", local_parts());
     }
-    const std::int64_t place = std::int64_t{part} - first_local();
-    if (place < 0 || place >= local_parts())
+    const std::int64_t local = std::int64_t{part} - first_local();
+    if (local < 0 || local >= local_parts())
         fail(MGDT_ERR_INVALID_ARGUMENT, "part %d is not among those of this process, %u to %u",
              static_cast<int>(part), first_local(), first_local() + local_parts() - 1);
-    return static_cast<PartId>(place);
+    return static_cast<PartId>(local);
 }
 
 void mgdt_parts::forget_triangulation() noexcept {
@@ -291,9 +291,9 @@ extern "C" mgdt_status mgdt_parts_insert_points(mgdt_parts* p, int32_t part, int
     return guard(p, [&] {
         const auto remember = [&](const Error& error) {
             p->failure = error;
-            const std::int64_t place = std::int64_t{part} - p->first_local();
+            const std::int64_t local = std::int64_t{part} - p->first_local();
             p->failed_part =
-                place >= 0 && place < p->local_parts() ? static_cast<PartId>(place) : 0;
+                local >= 0 && local < p->local_parts() ? static_cast<PartId>(local) : 0;
         };
         try {
             insert(*p, part, n, xyz, ids);

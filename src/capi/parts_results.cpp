@@ -75,7 +75,7 @@ class View {
                 add_base(array, values);
                 break;
             case MGDT_PARTS_LOCAL_CORNERS:
-                tetrahedra_.get_places(part_, values);
+                tetrahedra_.get_positions(part_, values);
                 add_base(array, values);
                 break;
             case MGDT_PARTS_TETRAHEDRON_NUMBERS:

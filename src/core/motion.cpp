@@ -19,22 +19,22 @@ namespace {
 // The points whose coordinates change, with their new coordinates as the caller gave them.
 struct MovedPoints {
     MovedPoints(Allocator& allocator, std::size_t listed)
-        : points(allocator), xyz(allocator), places_in_list(allocator), list_size(listed) {
+        : points(allocator), xyz(allocator), positions_in_list(allocator), list_size(listed) {
         points.reserve(listed);
         xyz.reserve(3 * listed);
-        places_in_list.reserve(listed);
+        positions_in_list.reserve(listed);
     }
 
     std::size_t size() const noexcept { return points.size(); }
     // The new coordinates of moved point k, scaled, with -0 replaced by 0.
-    void place(std::size_t k, int scale, double (&p)[3]) const noexcept {
+    void coordinates(std::size_t k, int scale, double (&p)[3]) const noexcept {
         for (std::size_t i = 0; i < 3; ++i) p[i] = scaled(xyz[3 * k + i], scale) + 0.0;
     }
 
     Buffer<std::uint32_t> points;
     Buffer<double> xyz;
     // The position of each moved point in the caller's list, which also has points that stay.
-    Buffer<std::uint32_t> places_in_list;
+    Buffer<std::uint32_t> positions_in_list;
     std::size_t list_size;
 };
 
@@ -53,12 +53,12 @@ void rebuild_moved(State& state, const MovedPoints& moved, std::size_t first) {
             if (state.points.map[i] == infinite_vertex) continue;
             double p[3];
             std::copy_n(state.mesh.point(state.points.map[i]), 3, p);
-            if (order[i] != no_index) moved.place(order[i], state.mesh.scale, p);
+            if (order[i] != no_index) moved.coordinates(order[i], state.mesh.scale, p);
             all.gather(p, i);
         }
     }
     all.end_gathering();
-    rebuild(state, all, moved.places_in_list[first], moved.list_size);
+    rebuild(state, all, moved.positions_in_list[first], moved.list_size);
     state.statistics.moved += n - first;
 }
 
@@ -100,7 +100,7 @@ void Motion::one_by_one() {
         equal_points_.find(state_.points.map, moved_.points);
     state_.progress.change_one_by_one(
         0, n, moved_.list_size,
-        [this](std::size_t k) { return std::size_t{moved_.places_in_list[k]}; },
+        [this](std::size_t k) { return std::size_t{moved_.positions_in_list[k]}; },
         [this](std::size_t k) {
             if (try_to_move(k)) return true;
             const auto rebuild = [&] { rebuild_moved(state_, moved_, k); };
@@ -121,7 +121,7 @@ void Motion::one_by_one() {
 bool Motion::try_to_move(std::size_t k) {
     const std::uint32_t point = moved_.points[k];
     double p[3];
-    moved_.place(k, state_.mesh.scale, p);
+    moved_.coordinates(k, state_.mesh.scale, p);
     if (!in_normal_range(p)) state_.mesh.has_extremes = true;
     const VertexId v = state_.points.map[point];
     const std::uint32_t other = equal_points_.least_other(state_.points.map, v, point);
@@ -229,7 +229,7 @@ void move_points(State& state, const Buffer<std::uint32_t>& points, const double
         if (std::equal(now, now + 3, xyz + 3 * i)) continue;
         moved.points.push_back(points[i]);
         for (std::size_t k = 0; k < 3; ++k) moved.xyz.push_back(xyz[3 * i + k]);
-        moved.places_in_list.push_back(static_cast<std::uint32_t>(i));
+        moved.positions_in_list.push_back(static_cast<std::uint32_t>(i));
     }
     const std::size_t size = moved.size();
     state.progress.report(0, n);

@@ -155,13 +155,13 @@ void make_guards_agree(Mesh& mesh) noexcept {
         Tetrahedron& record = mesh.tetrahedra[t];
         if (record.is_dead()) continue;
         const Tetrahedron before = record;
-        unsigned place[4];
-        if (!places_by_number(before.v, place)) continue;
+        unsigned position[4];
+        if (!positions_by_number(before.v, position)) continue;
         for (unsigned i = 0; i < 4; ++i) {
-            record.v[place[i]] = before.v[i];
-            record.n[place[i]] = before.n[i];
+            record.v[position[i]] = before.v[i];
+            record.n[position[i]] = before.n[i];
             mesh.tetrahedra[tetrahedron_of(before.n[i])].n[face_of(before.n[i])] =
-                facet_code(t, place[i]);
+                facet_code(t, position[i]);
         }
         if (mesh.tetrahedra.has_spheres())
             mesh.tetrahedra.sphere(t) = rounded(circumsphere(record, mesh.vertices.data()));

@@ -102,9 +102,9 @@ void export_facet_alphas(const ExportView& view, double* out) {
     const auto write = [&](TetId id, unsigned face, double alpha) {
         const Tetrahedron& t = mesh.tetrahedra[id];
         if (t.is_ghost()) return;
-        unsigned places[4], at = 0;
-        export_places(view, t, places);
-        while (places[at] != face) ++at;
+        unsigned positions[4], at = 0;
+        export_positions(view, t, positions);
+        while (positions[at] != face) ++at;
         out[4 * static_cast<std::size_t>(view.numbering->number(id)) + at] = alpha;
     };
     view.team.split(mesh.tetrahedra.size(), slots_per_thread,
@@ -125,19 +125,19 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
     const EdgeLists edges(view, point_map.size(),
                           edges_from_lesser(mesh, [&](VertexId v) { return indices[v]; }));
     struct List {
-        std::size_t place, size;
+        std::size_t position, size;
         const std::uint32_t* others;
     };
     Buffer<List> lists(view.allocator, point_map.size());
     edges.write(
-        [&](std::size_t k, std::size_t place, const std::uint32_t* others, std::size_t size) {
-            lists[k] = {place, size, others};
+        [&](std::size_t k, std::size_t position, const std::uint32_t* others, std::size_t size) {
+            lists[k] = {position, size, others};
         });
-    const auto place_of = [&](std::uint32_t a, std::uint32_t b) {
+    const auto position_of = [&](std::uint32_t a, std::uint32_t b) {
         const List& list = lists[std::min(a, b)];
         const std::uint32_t* const at =
             std::lower_bound(list.others, list.others + list.size, std::max(a, b));
-        return list.place + static_cast<std::size_t>(at - list.others);
+        return list.position + static_cast<std::size_t>(at - list.others);
     };
     // The bits of non-negative doubles, read as integers, have the same order as the doubles.
     const auto bits_of = [](double x) {
@@ -161,8 +161,8 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
                                 const unsigned obtuse = obtuse_corner(
                                     {mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])});
                                 for (unsigned i = 0; i < 3; ++i) {
-                                    const std::size_t e =
-                                        place_of(indices[v[(i + 1) % 3]], indices[v[(i + 2) % 3]]);
+                                    const std::size_t e = position_of(indices[v[(i + 1) % 3]],
+                                                                      indices[v[(i + 2) % 3]]);
                                     if (i == obtuse)
                                         is_attached[e].store(1, std::memory_order_relaxed);
                                     std::uint64_t known = least[e].load(std::memory_order_relaxed);
@@ -173,20 +173,21 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
                                 }
                             });
                     });
-    const auto alpha_at = [&](std::size_t place, std::uint32_t k, std::uint32_t other) {
+    const auto alpha_at = [&](std::size_t position, std::uint32_t k, std::uint32_t other) {
         double alpha;
-        const std::uint64_t bits = least[place].load(std::memory_order_relaxed);
+        const std::uint64_t bits = least[position].load(std::memory_order_relaxed);
         std::memcpy(&alpha, &bits, sizeof bits);
-        if (is_attached[place].load(std::memory_order_relaxed) != 0) return alpha;
+        if (is_attached[position].load(std::memory_order_relaxed) != 0) return alpha;
         return std::fmin(alpha, edge_radius2(mesh.point(point_map[k]), mesh.point(point_map[other]),
                                              mesh.scale));
     };
     if (view.canonical) {
-        edges.write(
-            [&](std::size_t k, std::size_t place, const std::uint32_t* others, std::size_t size) {
-                for (std::size_t i = 0; i < size; ++i)
-                    out[place + i] = alpha_at(place + i, static_cast<std::uint32_t>(k), others[i]);
-            });
+        edges.write([&](std::size_t k, std::size_t position, const std::uint32_t* others,
+                        std::size_t size) {
+            for (std::size_t i = 0; i < size; ++i)
+                out[position + i] =
+                    alpha_at(position + i, static_cast<std::uint32_t>(k), others[i]);
+        });
         return;
     }
     Buffer<std::int32_t> ends(view.allocator, 2 * edges.size());
@@ -196,7 +197,7 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
                         for (std::size_t e = begin; e < end; ++e) {
                             const auto a = static_cast<std::uint32_t>(ends[2 * e]),
                                        b = static_cast<std::uint32_t>(ends[2 * e + 1]);
-                            out[e] = alpha_at(place_of(a, b), a, b);
+                            out[e] = alpha_at(position_of(a, b), a, b);
                         }
                     });
 }

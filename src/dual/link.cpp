@@ -16,12 +16,12 @@ void Link::gather(const Mesh& mesh, VertexId v, TetId first) {
         } s = {{face[0], face[2], face[1]}};
         return s;
     };
-    const auto place_of = [](const Tetrahedron& t, VertexId of) {
+    const auto corner_of = [](const Tetrahedron& t, VertexId of) {
         return (t.v[1] == of ? 1u : 0u) | (t.v[2] == of ? 2u : 0u) | (t.v[3] == of ? 3u : 0u);
     };
     for (std::uint32_t i = 0; i < tetrahedra_.size(); ++i) {
         const Tetrahedron& t = mesh.tetrahedra[tetrahedra_.name(i)];
-        const auto s = slots(place_of(t, v));
+        const auto s = slots(corner_of(t, v));
         triangles_.grow(i + 1);
         triangles_.resize_within_capacity(i + 1);
         LinkTriangle& triangle = triangles_[i];

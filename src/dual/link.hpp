@@ -48,7 +48,7 @@ class Link {
                 std::uint32_t& of_corner = first[triangles_[i].corner[k]];
                 if (of_corner == none ||
                     index_of(shared(i, k)) <
-                        index_of(shared(of_corner, place(of_corner, triangles_[i].corner[k]))))
+                        index_of(shared(of_corner, corner_of(of_corner, triangles_[i].corner[k]))))
                     of_corner = i;
             }
     }
@@ -59,7 +59,7 @@ class Link {
         std::uint32_t i = first;
         do {
             const LinkTriangle& t = triangles_[i];
-            const unsigned k = place(i, b);
+            const unsigned k = corner_of(i, b);
             visit(i, shared(i, k));
             i = t.beyond[k == 2 ? 0 : k + 1];
         } while (i != first);
@@ -67,7 +67,7 @@ class Link {
 
   private:
     // The position of neighbour b among the corners of a triangle.
-    unsigned place(std::uint32_t triangle, std::uint32_t b) const noexcept {
+    unsigned corner_of(std::uint32_t triangle, std::uint32_t b) const noexcept {
         const std::uint32_t(&corner)[3] = triangles_[triangle].corner;
         return corner[0] == b ? 0 : corner[1] == b ? 1 : 2;
     }

@@ -89,12 +89,12 @@ void VertexRemoval::fill_from(const Mesh& triangulated_link, Mesh& mesh) {
     const Mesh& link = triangulated_link;
     const Buffer<FacetCode> outside = boundary_in(link);
     Buffer<TetId> inside(star_.allocator());
-    Buffer<std::uint32_t> place(star_.allocator());
+    Buffer<std::uint32_t> number(star_.allocator());
     inside.reserve(link.live_count());
-    place.resize(link.tetrahedra.size(), no_index);
+    number.resize(link.tetrahedra.size(), no_index);
     const auto enter = [&](TetId t) {
-        if (place[t] != no_index) return;
-        place[t] = static_cast<std::uint32_t>(inside.size());
+        if (number[t] != no_index) return;
+        number[t] = static_cast<std::uint32_t>(inside.size());
         inside.push_back(t);
     };
     for (FacetCode f = 0; f < outside.size(); ++f)
@@ -118,7 +118,7 @@ void VertexRemoval::fill_from(const Mesh& triangulated_link, Mesh& mesh) {
             filling.n[face] =
                 filling.is_outside[face]
                     ? n
-                    : facet_code(place[tetrahedron_of(record.n[face])], face_of(record.n[face]));
+                    : facet_code(number[tetrahedron_of(record.n[face])], face_of(record.n[face]));
         }
         filling.sphere = circumsphere(record, mesh.vertices.data());
         ghosts_made_ += record.is_ghost();

@@ -49,9 +49,9 @@ class DirectNumbers {
         // 255: v is new                 1     added, the number of v
         // other: v has this number      0     unchanged
         const auto add = [&](VertexId v) {
-            std::uint8_t& place = table[hash(v)];
-            const std::uint32_t there = place, fresh = (there + 1) >> 8;
-            place = static_cast<std::uint8_t>(there & (added | (fresh - 1)));
+            std::uint8_t& entry = table[hash(v)];
+            const std::uint32_t there = entry, fresh = (there + 1) >> 8;
+            entry = static_cast<std::uint8_t>(there & (added | (fresh - 1)));
             ids[added] = v;
             added += fresh;
         };
@@ -108,7 +108,7 @@ class ProbedNumbers {
     template <class Tetrahedra>
     void add_cavity(const Workspace& w, const Tetrahedra& tetrahedra) {
         const auto add = [&](VertexId v) {
-            const std::uint32_t h = place(v);
+            const std::uint32_t h = position(v);
             if (table_[h] != no_index) return;
             assert(2 * std::size_t{count_} < w.probed_size && "the table is more than half full");
             table_[h] = count_;
@@ -127,11 +127,11 @@ class ProbedNumbers {
             return table[h];
         };
     }
-    std::uint32_t find(VertexId v) const { return table_[place(v)]; }
+    std::uint32_t find(VertexId v) const { return table_[position(v)]; }
 
   private:
     // The position of v in the table, or the free position where v would be added.
-    std::uint32_t place(VertexId v) const {
+    std::uint32_t position(VertexId v) const {
         std::uint32_t h = v & mask_;
         while (table_[h] != no_index && ids_[table_[h]] != v) h = (h + 1) & mask_;
         return h;

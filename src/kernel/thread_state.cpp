@@ -33,7 +33,7 @@ void MarkTable::resize(std::size_t members) {
     }
     view_.data = entries_.data();
     view_.mask = static_cast<std::uint32_t>(size - 1);
-    view_.place_bits = bits;
+    view_.position_bits = bits;
     view_.displaced = displaced_.data();
     view_.displaced_count = &displaced_count_;
 }

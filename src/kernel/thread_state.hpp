@@ -59,7 +59,7 @@ class MarkTable {
     MGDT_ALWAYS_INLINE void begin(std::size_t members) {
         view_.stamp += one_stamp;
         view_.mask = least - 1;
-        view_.place_bits = least_bits;
+        view_.position_bits = least_bits;
         displaced_count_ = 0;
         if (MGDT_UNLIKELY(4 * members > least || entries_.empty() || view_.stamp == 0))
             resize(members);
@@ -85,7 +85,7 @@ class MarkTable {
             return there != key;
         }
         MGDT_ALWAYS_INLINE std::uint32_t key_of(TetId t) const noexcept {
-            return stamp | t >> place_bits;
+            return stamp | t >> position_bits;
         }
         // Whether an entry of the current stamp has another tetrahedron.
         static bool is_collision(std::uint32_t entry, std::uint32_t key) noexcept {
@@ -94,7 +94,7 @@ class MarkTable {
 
         std::uint32_t* data = nullptr;
         std::uint32_t mask = 0;
-        unsigned place_bits = 0;
+        unsigned position_bits = 0;
         std::uint32_t stamp = 0;
 
       private:

@@ -76,7 +76,7 @@ struct Workspace {
     std::size_t given_up = 0;  // the number of members of the last cavity that was given up
 
     // The star: the local numbers of its vertices, and its facets as triples of local numbers.
-    // Nearly all stars are small. The arrays of a small star lie together at fixed places.
+    // Nearly all stars are small. The arrays of a small star lie together at fixed offsets.
     struct SmallStar {
         static constexpr std::uint32_t most_vertices = 32;
         // The corners of each facet: 60 facets at most, by Euler's formula, and room for vectors.

@@ -133,9 +133,9 @@ static_assert(sizeof(KeptSphere) == 16);
 inline constexpr unsigned char outer_face[4][3] = {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
 
 // Sorts the vertices of a record without changing its orientation: the two largest numbers come
-// first, and vertex i goes to place[i]. The vertex at infinity has the least number and comes third
-// or fourth. Returns whether some vertex moves.
-inline bool places_by_number(const VertexId (&v)[4], unsigned (&place)[4]) noexcept {
+// first, and vertex i goes to position[i]. The vertex at infinity has the least number and comes
+// third or fourth. Returns whether some vertex moves.
+inline bool positions_by_number(const VertexId (&v)[4], unsigned (&position)[4]) noexcept {
     unsigned order[4] = {0, 1, 2, 3};
     bool is_odd = false;
     for (unsigned i = 1; i < 4; ++i)
@@ -145,8 +145,8 @@ inline bool places_by_number(const VertexId (&v)[4], unsigned (&place)[4]) noexc
         }
     for (unsigned i = 1; i < 4; ++i)
         assert(v[order[i]] < v[order[i - 1]] && "two vertices of a tetrahedron are the same");
-    for (unsigned i = 0; i < 4; ++i) place[order[i]] = is_odd && i >= 2 ? 5 - i : i;
-    return place[0] != 0 || place[1] != 1 || place[2] != 2;
+    for (unsigned i = 0; i < 4; ++i) position[order[i]] = is_odd && i >= 2 ? 5 - i : i;
+    return position[0] != 0 || position[1] != 1 || position[2] != 2;
 }
 
 }  // namespace mgdt

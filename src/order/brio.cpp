@@ -25,7 +25,7 @@ void order_brio(Team& team, const PointSet& points, const OrderParameters& param
             }
         },
         [](std::size_t) {},
-        [&](std::size_t place, std::uint32_t point) { out.order[place] = point; });
+        [&](std::size_t position, std::uint32_t point) { out.order[position] = point; });
     for (unsigned r = 0; r < rounds.count(); ++r)
         if (ends[r] < ends[r + 1]) out.rounds.push_back(ends[r]);
     out.levels = curve.levels;

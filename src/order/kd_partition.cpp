@@ -43,7 +43,7 @@ int longest_side(const Box& region) noexcept {
     return longest;
 }
 
-void place_median(KdPoint* first, KdPoint* median, KdPoint* last, int axis) noexcept {
+void put_median(KdPoint* first, KdPoint* median, KdPoint* last, int axis) noexcept {
     // Ties are broken by index, so the halves do not depend on the implementation of nth_element.
     std::nth_element(first, median, last, [axis](const KdPoint& a, const KdPoint& b) {
         if (a.x[axis] != b.x[axis]) return a.x[axis] < b.x[axis];
@@ -58,7 +58,7 @@ Halves cut(KdPoint* points, const Region& region) noexcept {
     // points (5-4-4-4, Figure 10) to the left. This follows the example.
     const std::size_t pivot = region.begin + (region.end - region.begin) / 2;
     const int axis = longest_side(region.box);
-    place_median(points + region.begin, points + pivot, points + region.end, axis);
+    put_median(points + region.begin, points + pivot, points + region.end, axis);
     Halves halves = {region, region};
     halves.left.end = pivot;
     halves.right.begin = pivot + 1;

@@ -25,7 +25,7 @@ void order_regular_grid(Team& team, const PointSet& points, const OrderParameter
             for (std::size_t i = begin; i < end; ++i) f(cell[i], static_cast<std::uint32_t>(i));
         },
         [](std::size_t) {},
-        [&](std::size_t place, std::uint32_t point) { out.order[place] = point; });
+        [&](std::size_t position, std::uint32_t point) { out.order[position] = point; });
     out.levels = 1;
     if (parameters.separation == Separation::rounds) assign_rounds(team, parameters.seed, out);
     if (parameters.separation != Separation::passes) return;

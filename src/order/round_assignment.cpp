@@ -10,9 +10,9 @@ namespace {
 
 // From each block of consecutive positions, one is chosen for the previous round: a position in the
 // middle of the block, so that the points of a round keep their distance.
-template <std::size_t places, unsigned bits>
+template <std::size_t candidates, unsigned bits>
 struct Block {
-    static constexpr std::size_t size = places;
+    static constexpr std::size_t size = candidates;
     static constexpr unsigned middle_bits = bits;
     static constexpr std::size_t middle = std::size_t{1} << bits, margin = (size - middle) / 2;
     static_assert(margin > 0);  // positions in the middle have neighbours in their block
@@ -23,17 +23,18 @@ constexpr std::size_t few = 4096;
 constexpr std::size_t largest_first = 64;
 
 // Finds which of the positions in the middle is farthest from both its neighbours on the curve, and
-// by how many levels. place(i) is the i-th position, for i from -1 on. Of several, the first one
+// by how many levels. position(i) is the i-th position, for i from -1 on. Of several, the first one
 // from `first` on, cyclically.
 struct MostIsolated {
     std::size_t i;
     unsigned levels;
 };
-template <class Block, class Place>
-MostIsolated most_isolated(const CurveOrder& curve, std::size_t first, Place place) {
+template <class Block, class PositionOf>
+MostIsolated most_isolated(const CurveOrder& curve, std::size_t first, PositionOf position) {
     constexpr std::size_t middle = Block::middle;
     unsigned apart[middle + 1];
-    for (std::size_t i = 0; i <= middle; ++i) apart[i] = curve.levels_apart(place(i - 1), place(i));
+    for (std::size_t i = 0; i <= middle; ++i)
+        apart[i] = curve.levels_apart(position(i - 1), position(i));
     std::size_t best = first;
     unsigned most = 0;
     for (std::size_t k = 0; k < middle; ++k) {
@@ -55,13 +56,15 @@ constexpr unsigned levels_of_a_hub = 3;
 
 // The position of `count` that is most isolated, if it is in begin..end-1 and isolated enough;
 // otherwise `otherwise`.
-template <class Place>
+template <class PositionOf>
 std::size_t isolated_hub_or(std::size_t otherwise, unsigned levels, const CurveOrder& curve,
-                            std::size_t begin, std::size_t end, std::size_t count, Place place) {
-    unsigned before = begin == 0 ? ~0u : curve.levels_apart(place(begin - 1), place(begin));
+                            std::size_t begin, std::size_t end, std::size_t count,
+                            PositionOf position) {
+    unsigned before = begin == 0 ? ~0u : curve.levels_apart(position(begin - 1), position(begin));
     unsigned most = levels + levels_of_a_hub - 1;
     for (std::size_t k = begin; k < end; ++k) {
-        const unsigned after = k + 1 == count ? ~0u : curve.levels_apart(place(k), place(k + 1));
+        const unsigned after =
+            k + 1 == count ? ~0u : curve.levels_apart(position(k), position(k + 1));
         const unsigned alone = std::min(before, after);
         if (alone > most) {
             most = alone;
@@ -108,7 +111,7 @@ class RoundAssignment::Chooser {
 
   private:
     // The k-th of the remaining positions.
-    std::uint32_t place(std::size_t k) const {
+    std::uint32_t position(std::size_t k) const {
         return rounds_.rounds_ == 0 ? static_cast<std::uint32_t>(k) : chosen_[k];
     }
 
@@ -121,15 +124,15 @@ class RoundAssignment::Chooser {
             static_cast<std::size_t>(Random::at(seed_, drawn_ + b) >> (64 - Block::middle_bits));
         std::size_t at = from + drawn;
         if (curve_) {
-            const auto place_of = [&](std::size_t k) { return place(k); };
+            const auto position_of = [&](std::size_t k) { return position(k); };
             const MostIsolated found = most_isolated<Block>(
-                *curve_, drawn, [&](std::size_t i) { return place(from + i); });
+                *curve_, drawn, [&](std::size_t i) { return position(from + i); });
             at = isolated_hub_or(from + found.i, found.levels, *curve_, first, from, left_,
-                                 place_of);
+                                 position_of);
             at = isolated_hub_or(at, found.levels, *curve_, from + Block::middle, last, left_,
-                                 place_of);
+                                 position_of);
         }
-        const std::uint32_t chosen = place(at);
+        const std::uint32_t chosen = position(at);
         rounds_.back_[chosen] = static_cast<std::uint8_t>(rounds_.rounds_ + 1);
         chosen_[b] = chosen;
     }

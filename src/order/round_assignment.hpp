@@ -18,7 +18,7 @@ class RoundAssignment {
     static constexpr std::size_t min_items_per_thread = 65536;
 
     unsigned rounds() const noexcept { return rounds_; }
-    unsigned round(std::size_t place) const noexcept { return rounds_ - 1u - back_[place]; }
+    unsigned round(std::size_t position) const noexcept { return rounds_ - 1u - back_[position]; }
 
   private:
     class Chooser;
@@ -52,7 +52,7 @@ void assign_rounds(Team& team, std::uint64_t seed, Index index, Schedule& out,
             for (std::size_t k = begin; k < end; ++k) f(rounds.round(k), index(k));
         },
         [](std::size_t) {},
-        [&](std::size_t place, std::uint32_t point) { out.order[place] = point; });
+        [&](std::size_t position, std::uint32_t point) { out.order[position] = point; });
     out.rounds.clear();
     for (unsigned r = 0; r < rounds.rounds(); ++r) out.rounds.push_back(ends[r]);
 }

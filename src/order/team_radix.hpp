@@ -41,7 +41,7 @@ inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::
                 f(static_cast<std::size_t>(a[i] >> shift & mask), a[i]);
         },
         [](std::size_t) {},
-        [scratch](std::size_t place, std::uint64_t word) { scratch[place] = word; });
+        [scratch](std::size_t position, std::uint64_t word) { scratch[position] = word; });
 
     // One thread sorts each bucket, except for buckets that are so large that the other threads
     // would have to wait: these are sorted by the whole team.

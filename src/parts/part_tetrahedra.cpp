@@ -49,29 +49,29 @@ void PartTetrahedra::get_vertices(const Part& part, std::int64_t* vertices) cons
     }
 }
 
-void PartTetrahedra::get_places(const Part& part, std::int64_t* places) const {
-    Buffer<std::uint32_t> place(slots_.allocator(), part.point_count());
+void PartTetrahedra::get_positions(const Part& part, std::int64_t* positions) const {
+    Buffer<std::uint32_t> position(slots_.allocator(), part.point_count());
     const auto own = static_cast<std::uint32_t>(part.own_count());
-    for (std::uint32_t i = 0; i < own; ++i) place[i] = i;
+    for (std::uint32_t i = 0; i < own; ++i) position[i] = i;
     for (std::size_t i = 0; i < ghosts_.size(); ++i)
-        place[ghosts_[i]] = own + static_cast<std::uint32_t>(i);
+        position[ghosts_[i]] = own + static_cast<std::uint32_t>(i);
     for (std::size_t i = 0; i < size(); ++i) {
         std::uint32_t v[4];
         corners(part, i, v);
-        for (const std::uint32_t k : v) *places++ = place[k];
+        for (const std::uint32_t k : v) *positions++ = position[k];
     }
 }
 
 void PartTetrahedra::get_neighbors(const Part& part, std::int64_t* neighbors) const {
     const Mesh& mesh = part.triangulation().mesh();
-    Buffer<std::uint32_t> place(slots_.allocator());
-    place.resize(mesh.tetrahedra.size(), no_index);
-    for (std::size_t i = 0; i < owned_; ++i) place[slots_[i]] = static_cast<std::uint32_t>(i);
+    Buffer<std::uint32_t> position(slots_.allocator());
+    position.resize(mesh.tetrahedra.size(), no_index);
+    for (std::size_t i = 0; i < owned_; ++i) position[slots_[i]] = static_cast<std::uint32_t>(i);
     const Across* next = across_.begin();
     for (std::size_t side = 0; side < 4 * owned_; ++side) {
         const TetId beyond = tetrahedron_of(mesh.tetrahedra[slots_[side / 4]].n[side % 4]);
-        if (place[beyond] != no_index)
-            neighbors[side] = number(place[beyond]);
+        if (position[beyond] != no_index)
+            neighbors[side] = number(position[beyond]);
         else if (next != across_.end() && next->side == side)
             neighbors[side] = (next++)->number;
         else
@@ -277,7 +277,7 @@ class TetrahedraFinder {
         t.across_.resize(static_cast<std::size_t>(end - t.across_.begin()));
     }
     void find_neighbors() {
-        Objects<Buffer<std::uint64_t>> places(allocator_, parts_.size(), std::ref(allocator_));
+        Objects<Buffer<std::uint64_t>> positions(allocator_, parts_.size(), std::ref(allocator_));
         for (PartId p = 0; p < parts_.size(); ++p) {
             PartTetrahedra& t = found_[p];
             Post<Side> post(allocator_);
@@ -287,14 +287,14 @@ class TetrahedraFinder {
                 const int face = static_cast<int>(a.side % 4);
                 post.add(meeting_place(p, i, face), {key<3>(p, i, face), t.number(i)});
             }
-            post.put(all_.parts(), out_[p], &places[p]);
+            post.put(all_.parts(), out_[p], &positions[p]);
         }
         all_.exchange<Side>(out_, in_);
         all_.each_local([&](PartId p) { answer_sides(in_[p], out_[p]); });
         all_.exchange<std::int64_t>(out_, in_);
         for (PartId p = 0; p < parts_.size(); ++p)
-            for (std::size_t k = 0; k < places[p].size(); ++k)
-                found_[p].across_[k].number = in_[p].records<std::int64_t>()[places[p][k]];
+            for (std::size_t k = 0; k < positions[p].size(); ++k)
+                found_[p].across_[k].number = in_[p].records<std::int64_t>()[positions[p][k]];
     }
     // Returns the tetrahedron on the other side of each facet, or -1.
     void answer_sides(const Mail& asked, Mail& reply) {

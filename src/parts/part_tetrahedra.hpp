@@ -39,7 +39,7 @@ class PartTetrahedra {
     // The global numbers of the 4 corners of each tetrahedron.
     void get_vertices(const Part& part, std::int64_t* vertices) const;
     // The 4 corners of each tetrahedron as positions among the part's own vertices and its ghosts.
-    void get_places(const Part& part, std::int64_t* places) const;
+    void get_positions(const Part& part, std::int64_t* positions) const;
     // For each owned tetrahedron the numbers of the 4 tetrahedra opposite its vertices, or -1.
     void get_neighbors(const Part& part, std::int64_t* neighbors) const;
 

@@ -22,8 +22,8 @@ class Post {
         to_.push_back(to);
         records_.push_back(record);
     }
-    // The position of the k-th record in the mail, if `places` is given.
-    void put(PartId parts, Mail& mail, Buffer<std::uint64_t>* places) const {
+    // The position of the k-th record in the mail, if `positions` is given.
+    void put(PartId parts, Mail& mail, Buffer<std::uint64_t>* positions) const {
         mail.begin.clear();
         mail.begin.resize(std::size_t{parts} + 1, 0);
         for (const PartId to : to_) ++mail.begin[std::size_t{to} + 1];
@@ -31,11 +31,11 @@ class Post {
         Buffer<std::uint64_t> next(to_.allocator(), parts);
         std::copy_n(mail.begin.data(), parts, next.data());
         mail.bytes.resize(to_.size() * sizeof(Record));
-        if (places) places->resize(to_.size());
+        if (positions) positions->resize(to_.size());
         for (std::size_t k = 0; k < to_.size(); ++k) {
-            const std::uint64_t place = next[to_[k]]++;
-            mail.records<Record>()[place] = records_[k];
-            if (places) (*places)[k] = place;
+            const std::uint64_t position = next[to_[k]]++;
+            mail.records<Record>()[position] = records_[k];
+            if (positions) (*positions)[k] = position;
         }
     }
 

@@ -35,12 +35,12 @@ MGDT_PREDICATES_INLINE bool axis_to_native(const double* const (&p)[4], const do
     return off == 0;
 }
 
-MGDT_PREDICATES_INLINE NativePlaces negative(const NativePlaces& v) {
+MGDT_PREDICATES_INLINE DigitSums negative(const DigitSums& v) {
     return {-v.c0, -v.c1};
 }
 
 static_assert(native_bits + digit_bits + 4 < 127,
-              "the places of four volumes hold twelve products of a difference and a digit");
+              "the sums of four volumes hold twelve products of a difference and a digit");
 
 // Rounds to the nearest double.
 MGDT_PREDICATES_INLINE double rounded(Widest v) {
@@ -56,7 +56,7 @@ MGDT_PREDICATES_INLINE double rounded(Widest v) {
     return static_cast<double>(leading | rest) * power;
 }
 
-MGDT_PREDICATES_INLINE double rounded(const NativePlaces& v) {
+MGDT_PREDICATES_INLINE double rounded(const DigitSums& v) {
     const Widest upper = v.c1 + (v.c0 >> digit_bits);
     const std::int64_t lower = low_digit(v.c0);
     constexpr Widest few = Widest{1} << 60;
@@ -68,10 +68,10 @@ MGDT_PREDICATES_INLINE void native_weights(const std::int64_t (&v)[12], double (
     const std::int64_t *a = v, *b = v + 3, *c = v + 6, *d = v + 9;
     const TwoDigits ab = native_minor(a, b), ac = native_minor(a, c), ad = native_minor(a, d),
                     bc = native_minor(b, c), bd = native_minor(b, d), cd = native_minor(c, d);
-    const NativePlaces volume[4] = {
-        native_places(b, cd, c, bd, d, bc), negative(native_places(a, cd, c, ad, d, ac)),
-        native_places(a, bd, b, ad, d, ab), negative(native_places(a, bc, b, ac, c, ab))};
-    NativePlaces sum = {0, 0};
+    const DigitSums volume[4] = {
+        digit_sums(b, cd, c, bd, d, bc), negative(digit_sums(a, cd, c, ad, d, ac)),
+        digit_sums(a, bd, b, ad, d, ab), negative(digit_sums(a, bc, b, ac, c, ab))};
+    DigitSums sum = {0, 0};
     each<4>([&](auto i) {
         sum.c0 += volume[i].c0;
         sum.c1 += volume[i].c1;

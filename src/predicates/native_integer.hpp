@@ -128,13 +128,13 @@ MGDT_PREDICATES_INLINE TwoDigits native_square(const std::int64_t* p) {
 
 // The sum z u - z' v + z" w as sums of products by position: z, z', z" are the third coordinates of
 // three rows, and u, v, w the minors of the first two coordinates of the other rows.
-struct NativePlaces {
+struct DigitSums {
     Widest c0, c1;
 };
 
-MGDT_PREDICATES_INLINE NativePlaces native_places(const std::int64_t* p, const TwoDigits& u,
-                                                  const std::int64_t* q, const TwoDigits& v,
-                                                  const std::int64_t* r, const TwoDigits& w) {
+MGDT_PREDICATES_INLINE DigitSums digit_sums(const std::int64_t* p, const TwoDigits& u,
+                                            const std::int64_t* q, const TwoDigits& v,
+                                            const std::int64_t* r, const TwoDigits& w) {
     return {product(p[2], u.d0) - product(q[2], v.d0) + product(r[2], w.d0),
             product(p[2], u.d1) - product(q[2], v.d1) + product(r[2], w.d1)};
 }
@@ -142,8 +142,8 @@ MGDT_PREDICATES_INLINE NativePlaces native_places(const std::int64_t* p, const T
 MGDT_PREDICATES_INLINE ThreeDigits native_cubic(const std::int64_t* p, const TwoDigits& u,
                                                 const std::int64_t* q, const TwoDigits& v,
                                                 const std::int64_t* r, const TwoDigits& w) {
-    const NativePlaces places = native_places(p, u, q, v, r, w);
-    return {places.c0, places.c1};
+    const DigitSums sums = digit_sums(p, u, q, v, r, w);
+    return {sums.c0, sums.c1};
 }
 
 // The sign of the determinant of three rows.
@@ -171,13 +171,13 @@ struct NativeSphere {
                 native_cubic(v, cd, v + 6, ad, v + 9, ac),
                 native_cubic(v, bd, v + 3, ad, v + 9, ab),
                 native_cubic(v, bc, v + 3, ac, v + 6, ab)} {
-        Widest place[4] = {};
+        Widest sum[4] = {};
         each<4>([&](auto i) {
             const TwoDigits s = native_square(v + 3 * i);
             const ThreeDigits& m = minor[i];
             // The terms have alternating signs, so that no partial sum grows.
             const auto add = [&](auto at, std::int64_t x, std::int64_t y) {
-                place[at] += i % 2 == 0 ? product(x, y) : -product(x, y);
+                sum[at] += i % 2 == 0 ? product(x, y) : -product(x, y);
             };
             add(index<0>(), s.d0, m.d0);
             add(index<1>(), s.d0, m.d1);
@@ -186,11 +186,11 @@ struct NativeSphere {
             add(index<2>(), s.d1, m.d1);
             add(index<3>(), s.d1, m.d2);
         });
-        place[1] += place[0] >> digit_bits;
-        place[2] += place[1] >> digit_bits;
-        place[3] += place[2] >> digit_bits;
-        const std::int64_t low = low_digit(place[0]) | low_digit(place[1]) | low_digit(place[2]);
-        sign = static_cast<int>(place[3] >> 127) | ((place[3] | low) != 0);
+        sum[1] += sum[0] >> digit_bits;
+        sum[2] += sum[1] >> digit_bits;
+        sum[3] += sum[2] >> digit_bits;
+        const std::int64_t low = low_digit(sum[0]) | low_digit(sum[1]) | low_digit(sum[2]);
+        sign = static_cast<int>(sum[3] >> 127) | ((sum[3] | low) != 0);
     }
 };
 

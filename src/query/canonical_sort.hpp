@@ -11,8 +11,8 @@ namespace mgdt {
 
 // each(begin, end, f) calls f(first, value) for the records of items begin..end-1, where `first` is
 // a record's first index and less than `firsts`. each() sees each item twice. Then several threads
-// at the same time call sorted(first, place, value) for every record, where `place` is the position
-// of the record in sorted order.
+// at the same time call sorted(first, position, value) for every record, where `position` is the
+// position of the record in sorted order.
 template <class Value, class Each, class Sorted>
 void canonical_sort(Team& team, Allocator& allocator, std::size_t items,
                     std::size_t min_items_per_thread, std::size_t firsts, Each each,

@@ -90,7 +90,7 @@ class EdgeLists {
         make_lists(
             view.team, view.allocator, view.mesh.tetrahedra.size(), min_items_per_thread, keys,
             ends_.data(), each, [&](std::size_t size) { others_.resize(size); },
-            [&](std::size_t place, std::uint32_t other) { others_[place] = other; });
+            [&](std::size_t position, std::uint32_t other) { others_[position] = other; });
         set_sizes([&](std::size_t k) {
             std::uint32_t* const first = others_.begin() + ends_[k];
             std::uint32_t* const last = others_.begin() + ends_[k + 1];
@@ -115,17 +115,17 @@ class EdgeLists {
     }
 
     // The total length of all lists.
-    std::size_t size() const noexcept { return place_of_[Team::most]; }
+    std::size_t size() const noexcept { return position_of_[Team::most]; }
 
     // Calls write(key, place, others, size) for the list of each key, on several threads at the
-    // same time. The list begins at position `place` of the concatenation of all lists.
+    // same time. The list begins at position `position` of the concatenation of all lists.
     template <class Write>
     void write(Write write) const {
         team_.split(keys_, keys_per_thread, [&](std::size_t begin, std::size_t end, unsigned m) {
-            std::size_t place = place_of_[m];
+            std::size_t position = position_of_[m];
             for (std::size_t k = begin; k < end; ++k) {
-                write(k, place, others_.begin() + ends_[k], std::size_t{sizes_[k]});
-                place += sizes_[k];
+                write(k, position, others_.begin() + ends_[k], std::size_t{sizes_[k]});
+                position += sizes_[k];
             }
         });
     }
@@ -146,16 +146,16 @@ class EdgeLists {
 
     template <class Size>
     void set_sizes(Size size) {
-        std::fill_n(place_of_, Team::most + 1, std::size_t{0});
+        std::fill_n(position_of_, Team::most + 1, std::size_t{0});
         team_.split(keys_, keys_per_thread, [&](std::size_t begin, std::size_t end, unsigned m) {
             std::size_t sum = 0;
             for (std::size_t k = begin; k < end; ++k) {
                 sizes_[k] = static_cast<std::uint32_t>(size(k));
                 sum += sizes_[k];
             }
-            place_of_[m + 1] = sum;
+            position_of_[m + 1] = sum;
         });
-        for (unsigned m = 0; m < Team::most; ++m) place_of_[m + 1] += place_of_[m];
+        for (unsigned m = 0; m < Team::most; ++m) position_of_[m + 1] += position_of_[m];
     }
 
     static constexpr std::size_t keys_per_thread = 16384;
@@ -163,7 +163,7 @@ class EdgeLists {
     Team& team_;
     std::size_t keys_;
     Buffer<std::uint32_t> ends_, others_, sizes_;
-    std::size_t place_of_[Team::most + 1] = {};  // the position of the first list of each thread
+    std::size_t position_of_[Team::most + 1] = {};  // the position of the first list of each thread
 };
 
 }  // namespace mgdt

@@ -19,8 +19,8 @@ void export_edges(const ExportView& view, Int* out) {
     const EdgeLists lists(view, names, edges_from_lesser(view.mesh, name));
     const Int base = static_cast<Int>(view.base);
     lists.write(
-        [&](std::size_t k, std::size_t place, const std::uint32_t* others, std::size_t size) {
-            Int* to = out + 2 * place;
+        [&](std::size_t k, std::size_t position, const std::uint32_t* others, std::size_t size) {
+            Int* to = out + 2 * position;
             for (std::size_t i = 0; i < size; ++i) {
                 std::uint32_t a = static_cast<std::uint32_t>(k), b = others[i];
                 if (!view.canonical) {
@@ -47,10 +47,10 @@ void export_vertex_neighbors(const ExportView& view, std::size_t points, Int* of
     const Int base = static_cast<Int>(view.base);
     offsets[0] = base;
     lists.write(
-        [&](std::size_t k, std::size_t place, const std::uint32_t* others, std::size_t size) {
+        [&](std::size_t k, std::size_t position, const std::uint32_t* others, std::size_t size) {
             for (std::size_t i = 0; i < size; ++i)
-                list[place + i] = static_cast<Int>(others[i]) + base;
-            offsets[k + 1] = static_cast<Int>(place + size) + base;
+                list[position + i] = static_cast<Int>(others[i]) + base;
+            offsets[k + 1] = static_cast<Int>(position + size) + base;
         });
 }
 

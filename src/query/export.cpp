@@ -20,11 +20,11 @@ struct IndicesInPlace {
 
 }  // namespace
 
-void export_places(const ExportView& view, const Tetrahedron& t, unsigned places[4]) {
+void export_positions(const ExportView& view, const Tetrahedron& t, unsigned positions[4]) {
     if (view.canonical) {
-        Numbering::canonical_places(t, IndicesInPlace{view.mesh}, places);
+        Numbering::canonical_positions(t, IndicesInPlace{view.mesh}, positions);
     } else {
-        for (unsigned i = 0; i < 4; ++i) places[i] = i;
+        for (unsigned i = 0; i < 4; ++i) positions[i] = i;
     }
 }
 
@@ -83,9 +83,9 @@ void export_rows(const ExportView& view, const Indices& indices, Int* out, const
             numbering.for_each(begin, end, [&](TetId id, std::size_t number) {
                 const Tetrahedron& t = tetrahedra[id];
                 prefetch(&tetrahedra[id + ahead]);
-                unsigned places[4];
-                Numbering::canonical_places(t, indices, places);
-                for (unsigned i = 0; i < 4; ++i) out[4 * number + i] = row(t, places[i]);
+                unsigned positions[4];
+                Numbering::canonical_positions(t, indices, positions);
+                for (unsigned i = 0; i < 4; ++i) out[4 * number + i] = row(t, positions[i]);
             });
         } else {
             // There is one loop per run, so that the end of the output stays in a register and no
@@ -202,9 +202,9 @@ template <class Int>
 void export_hull_facets(const ExportView& view, Int* out) {
     const Buffer<TetId> ghosts = ghosts_by_slot(view);
     constexpr std::size_t min_items_per_thread = 32768;
-    const auto write = [&](std::size_t place, const HullFacet& f) {
+    const auto write = [&](std::size_t position, const HullFacet& f) {
         for (unsigned i = 0; i < 3; ++i)
-            out[3 * place + i] = static_cast<Int>(f.v[i]) + static_cast<Int>(view.base);
+            out[3 * position + i] = static_cast<Int>(f.v[i]) + static_cast<Int>(view.base);
     };
     if (!view.canonical) {
         view.team.split(ghosts.size(), min_items_per_thread,
@@ -223,7 +223,7 @@ void export_hull_facets(const ExportView& view, Int* out) {
     const VertexIndices indices(view.team, view.mesh, view.allocator);
     canonical_sort<HullFacet>(
         view.team, view.allocator, ghosts.size(), min_items_per_thread, indices.end(), each,
-        [&](std::size_t, std::size_t place, const HullFacet& f) { write(place, f); });
+        [&](std::size_t, std::size_t position, const HullFacet& f) { write(position, f); });
 }
 
 template <class Int>
@@ -256,7 +256,8 @@ void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* o
     };
     make_lists(
         view.team, view.allocator, numbering.stretches(), stretches_per_thread, points, offsets,
-        each, [](std::size_t) {}, [&](std::size_t place, Int number) { list[place] = number; });
+        each, [](std::size_t) {},
+        [&](std::size_t position, Int number) { list[position] = number; });
     // Each list is in the order of storage, so lists of canonical numbers are not sorted yet.
     constexpr std::size_t min_items_per_thread = 16384;
     if (numbering.is_canonical())

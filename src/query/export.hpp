@@ -37,6 +37,6 @@ void export_vertex_tetrahedra(const ExportView& view, std::size_t points, Int* o
 void export_circumcenters(const ExportView& view, double* xyz, double* radius2);
 
 // The positions of a tetrahedron's vertices in its exported record: as stored, or canonical.
-void export_places(const ExportView& view, const Tetrahedron& t, unsigned places[4]);
+void export_positions(const ExportView& view, const Tetrahedron& t, unsigned positions[4]);
 
 }  // namespace mgdt

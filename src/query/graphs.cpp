@@ -71,8 +71,8 @@ EdgeLists gabriel_edges(const ExportView& view, std::size_t points) {
 namespace {
 
 struct Length {
-    double square;        // the squared length, rounded five times
-    std::uint32_t place;  // the position of the edge among all edges
+    double square;           // the squared length, rounded five times
+    std::uint32_t position;  // the position of the edge among all edges
 };
 
 }  // namespace
@@ -88,14 +88,15 @@ Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexI
         const EdgeLists edges = all_edges(view, point_map.size(), indices);
         ends.resize(2 * edges.size());
         lengths.resize(edges.size());
-        edges.write([&](std::size_t k, std::size_t place, const std::uint32_t* others,
+        edges.write([&](std::size_t k, std::size_t position, const std::uint32_t* others,
                         std::size_t size) {
             const double* const p = view.mesh.point(point_map[k]);
             for (std::size_t i = 0; i < size; ++i) {
                 const double* const q = view.mesh.point(point_map[others[i]]);
-                ends[2 * (place + i)] = static_cast<std::uint32_t>(k);
-                ends[2 * (place + i) + 1] = others[i];
-                lengths[place + i] = {rough_length(p, q), static_cast<std::uint32_t>(place + i)};
+                ends[2 * (position + i)] = static_cast<std::uint32_t>(k);
+                ends[2 * (position + i) + 1] = others[i];
+                lengths[position + i] = {rough_length(p, q),
+                                         static_cast<std::uint32_t>(position + i)};
             }
         });
     }
@@ -105,9 +106,9 @@ Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexI
         if (larger > least_length && larger < most_length &&
             std::fabs(difference) > length_error * larger)
             return difference < 0;
-        const int s = compare_lengths(point(2 * a.place), point(2 * a.place + 1),
-                                      point(2 * b.place), point(2 * b.place + 1));
-        return s != 0 ? s < 0 : a.place < b.place;
+        const int s = compare_lengths(point(2 * a.position), point(2 * a.position + 1),
+                                      point(2 * b.position), point(2 * b.position + 1));
+        return s != 0 ? s < 0 : a.position < b.position;
     });
     DisjointSets parts(view.allocator, point_map.size());
     Buffer<bool> is_taken(view.allocator);
@@ -115,8 +116,9 @@ Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexI
     std::size_t left = lengths.empty() ? 0 : view.mesh.vertices.size() - 2;
     tree.reserve(2 * left);
     for (const Length* edge = lengths.begin(); left > 0; ++edge) {
-        is_taken[edge->place] = parts.join(ends[2 * edge->place], ends[2 * edge->place + 1]);
-        left -= is_taken[edge->place];
+        is_taken[edge->position] =
+            parts.join(ends[2 * edge->position], ends[2 * edge->position + 1]);
+        left -= is_taken[edge->position];
     }
     for (std::size_t e = 0; e < is_taken.size(); ++e) {
         if (!is_taken[e]) continue;

@@ -17,7 +17,7 @@ void locate_points(const ExportView& view, const Locator& where, const PointSet&
         double stored[4];
         unsigned of_stored[4];
         where.weights(found, places.axis[0] + 3 * i, stored);
-        export_places(view, view.mesh.tetrahedra[found], of_stored);
+        export_positions(view, view.mesh.tetrahedra[found], of_stored);
         for (int k = 0; k < 4; ++k) out[k] = stored[of_stored[k]];
     };
     locate_each(view, where, places, true, [&](unsigned) { return write; });

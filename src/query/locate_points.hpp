@@ -34,14 +34,14 @@ void locate_each(const ExportView& view, const Locator& where, const PointSet& p
         block.size = std::min(most, places.size - begin);
         for (const double*& axis : block.axis) axis += 3 * begin;
         const CurveOrder order = sort_along_curve(view.team, block, view.allocator);
-        const auto place = [&](std::size_t k) { return begin + order.index(k); };
+        const auto index = [&](std::size_t k) { return begin + order.index(k); };
         view.team.split(
             block.size, places_per_thread, [&](std::size_t first, std::size_t last, unsigned m) {
                 auto&& found = make_found(m);
                 where.locate_sequence(
                     last - first, may_end_outside,
-                    [&](std::size_t k) { return xyz + 3 * place(first + k); },
-                    [&](std::size_t k, TetId t, TetId near) { found(place(first + k), t, near); });
+                    [&](std::size_t k) { return xyz + 3 * index(first + k); },
+                    [&](std::size_t k, TetId t, TetId near) { found(index(first + k), t, near); });
             });
     }
 }

@@ -65,17 +65,17 @@ void Numbering::sort(const Mesh& mesh, Team& team) {
         for_each_run(begin, end, [&](TetId first, TetId last, std::size_t) {
             for (TetId id = first; id < last; ++id) {
                 const Tetrahedron& t = mesh.tetrahedra[id];
-                unsigned places[4];
-                canonical_places(t, indices, places);
-                const auto index = [&](unsigned i) { return indices[t.v[places[i]]]; };
+                unsigned positions[4];
+                canonical_positions(t, indices, positions);
+                const auto index = [&](unsigned i) { return indices[t.v[positions[i]]]; };
                 f(index(0), Rest{std::uint64_t{index(1)} << 32 | index(2), index(3), id});
             }
         });
     };
     constexpr std::size_t min_items_per_thread = 1024;
     canonical_sort<Rest>(team, allocator, stretches(), min_items_per_thread, indices.end(), each,
-                         [&](std::size_t, std::size_t place, const Rest& rest) {
-                             by_slot_[rest.t] = static_cast<std::int32_t>(place);
+                         [&](std::size_t, std::size_t position, const Rest& rest) {
+                             by_slot_[rest.t] = static_cast<std::int32_t>(position);
                          });
 }
 

@@ -63,9 +63,9 @@ class Numbering {
     };
     struct ByBits {
         MGDT_ALWAYS_INLINE std::int32_t operator()(TetId t) const noexcept {
-            const std::uint32_t rank = ranks[t >> 6], place = t & 63;
+            const std::uint32_t rank = ranks[t >> 6], position = t & 63;
             if (MGDT_UNLIKELY((rank & gaps) != 0)) return among_gaps(t);
-            return static_cast<std::int32_t>(rank + place);
+            return static_cast<std::int32_t>(rank + position);
         }
         std::int32_t among_gaps(TetId t) const noexcept {
             const std::size_t word = t >> 6;
@@ -104,7 +104,8 @@ class Numbering {
     // The positions of a tetrahedron's vertices in its canonical record, which is sorted by
     // indices[vertex].
     template <class Indices>
-    static void canonical_places(const Tetrahedron& t, const Indices& indices, unsigned places[4]);
+    static void canonical_positions(const Tetrahedron& t, const Indices& indices,
+                                    unsigned positions[4]);
 
   private:
     void sort(const Mesh& mesh, Team& team);
@@ -149,7 +150,8 @@ void Numbering::for_each_run(std::size_t begin, std::size_t end, F f) const {
 }
 
 template <class Indices>
-void Numbering::canonical_places(const Tetrahedron& t, const Indices& indices, unsigned places[4]) {
+void Numbering::canonical_positions(const Tetrahedron& t, const Indices& indices,
+                                    unsigned positions[4]) {
     std::uint32_t index[4];
     for (unsigned i = 0; i < 4; ++i) index[i] = indices[t.v[i]];
     unsigned first = 0;
@@ -162,8 +164,8 @@ void Numbering::canonical_places(const Tetrahedron& t, const Indices& indices, u
     unsigned turn = 0;
     for (unsigned i = 1; i < 3; ++i)
         if (index[rest[i]] < index[rest[turn]]) turn = i;
-    places[0] = first;
-    for (unsigned i = 0; i < 3; ++i) places[i + 1] = rest[(turn + i) % 3];
+    positions[0] = first;
+    for (unsigned i = 0; i < 3; ++i) positions[i + 1] = rest[(turn + i) % 3];
 }
 
 }  // namespace mgdt

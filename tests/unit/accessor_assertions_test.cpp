@@ -60,9 +60,9 @@ TEST_F(RecordDeathTest, Tetrahedra) {
     KeptSphere sphere = {{0, 0, 0}, 0};
     sphere.close();
     EXPECT_DEATH(sphere.close(), "closed already");
-    unsigned place[4];
+    unsigned position[4];
     finite.v[3] = 4;
-    EXPECT_DEATH((void)places_by_number(finite.v, place), "are the same");
+    EXPECT_DEATH((void)positions_by_number(finite.v, position), "are the same");
 }
 
 TEST_F(RecordDeathTest, Slots) {

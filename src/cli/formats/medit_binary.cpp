@@ -59,8 +59,8 @@ class Reader {
             const auto keyword = bytes_.value<std::int32_t>("a keyword");
             if (keyword == end_keyword) break;
             const std::size_t before = bytes_.offset();
-            const std::int64_t next = version_ < 3 ? bytes_.value<std::int32_t>("a place")
-                                                   : bytes_.value<std::int64_t>("a place");
+            const std::int64_t next = version_ < 3 ? bytes_.value<std::int32_t>("an offset")
+                                                   : bytes_.value<std::int64_t>("an offset");
             if (keyword == dimension_keyword) {
                 const auto dimension = bytes_.value<std::int32_t>("the dimension");
                 if (dimension != 3)
@@ -169,12 +169,12 @@ class Writer {
     }
     void end() {
         integer(end_keyword);
-        place(0);
+        write_offset(0);
     }
 
   private:
     void integer(std::int64_t value) { out_.write_value(static_cast<std::int32_t>(value)); }
-    void place(std::uint64_t at) {
+    void write_offset(std::uint64_t at) {
         if (is_wide_)
             out_.write_value(at);
         else
@@ -183,7 +183,7 @@ class Writer {
     void begin(Keyword keyword, std::uint64_t bytes) {
         at_ += 4 + (is_wide_ ? 8 : 4) + bytes;
         integer(keyword);
-        place(at_);
+        write_offset(at_);
     }
 
     OutputFile& out_;

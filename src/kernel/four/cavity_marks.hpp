@@ -15,7 +15,7 @@ MGDT_ALWAYS_INLINE std::uint32_t put_four(const MarkTable::View& marks, const Fa
         return marks.data + (tetrahedron_of(codes[k]) & marks.mask);
     };
     const FourWords before(*entry(0), *entry(1), *entry(2), *entry(3));
-    const FourWords keys = (t >> marks.place_bits) | FourWords(marks.stamp);
+    const FourWords keys = (t >> marks.position_bits) | FourWords(marks.stamp);
 
     const FourWords zero(0u), difference = before ^ keys;
     const std::uint32_t is_in = (difference == zero).sign_bits();
