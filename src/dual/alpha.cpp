@@ -42,8 +42,9 @@ Buffer<double> alphas_by_slot(const ExportView& view) {
     return alphas;
 }
 
-// Whether a vertex opposite the facet, in one of its two tetrahedra, is inside the smallest sphere
-// through the facet's vertices. If neither is, no other vertex is.
+// Whether a vertex opposite the facet, in one of the two tetrahedra at the facet, is inside the
+// smallest sphere through the facet's vertices. If both vertices are outside, no other vertex is
+// inside.
 bool is_attached(const Mesh& mesh, const VertexId (&v)[3], const Tetrahedron& t, unsigned face,
                  const Tetrahedron& other) {
     const auto is_inside = [&](VertexId apex) {
@@ -57,8 +58,8 @@ bool is_attached(const Mesh& mesh, const VertexId (&v)[3], const Tetrahedron& t,
     return false;
 }
 
-// Calls f(id, face, v, alpha) once for each facet, at the first of its two records. The vertices v
-// are sorted by index.
+// Calls f(id, face, v, alpha) once for each facet, where `id` is the lower slot of the two
+// tetrahedra at the facet. The vertices v are sorted by index.
 template <class F>
 void for_each_facet(const ExportView& view, const Buffer<double>& alphas, std::size_t begin,
                     std::size_t end, F f) {
@@ -220,7 +221,7 @@ Buffer<std::uint32_t> alpha_surface(const ExportView& view, double alpha2) {
         for (unsigned face = 0; face < 4; ++face) {
             const TetId beyond = tetrahedron_of(t.n[face]);
             if (!mesh.tetrahedra[beyond].is_ghost() && alphas[beyond] <= alpha2) continue;
-            // The vertices in the order of outer_face are clockwise as seen from inside.
+            // Seen from outside, the vertices in the order of outer_face are clockwise.
             const unsigned char* const corner = outer_face[face];
             Facet f = {{mesh.vertices[t.v[corner[0]]].index, mesh.vertices[t.v[corner[2]]].index,
                         mesh.vertices[t.v[corner[1]]].index}};
@@ -262,7 +263,7 @@ double solid_alpha(const ExportView& view) {
             const TetId beyond = tetrahedron_of(t.n[i]);
             if (is_in[beyond] && parts.join(id, beyond)) --solids;
         }
-        // Tetrahedra with the same alpha are added together.
+        // All tetrahedra with the same alpha are added before the solid is tested.
         const bool is_last = k + 1 == order.size() || alphas[order[k + 1]] > alphas[id];
         if (is_last && solids == 1 && vertices_left == 0) return alphas[id];
     }

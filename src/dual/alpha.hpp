@@ -10,20 +10,21 @@
 namespace mgdt {
 
 // These functions write the alpha of each simplex of one dimension. Tetrahedra and edges are in
-// their exported order. Facets are four per tetrahedron, where facet i is opposite vertex i. Points
-// are in the caller's order: 0 for a vertex, infinite for a point that is no vertex.
+// their exported order. Each tetrahedron has four facets, and facet i is opposite vertex i. Points
+// are in the caller's order: the alpha is 0 for a vertex and infinite for a point that is no
+// vertex.
 void export_tetrahedron_alphas(const ExportView& view, double* out);
 void export_facet_alphas(const ExportView& view, double* out);
 void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_map, double* out);
 void export_vertex_alphas(const ExportView& view, std::size_t points, double* out);
 
-// The facets that separate the tetrahedra with alpha at most alpha2 from all others. Each facet is
-// three indices, with the least one first, in counter-clockwise order seen from outside. The facets
-// are sorted.
+// Returns the facets that separate the tetrahedra with alpha at most alpha2 from everything else.
+// Each facet is three indices, with the least index first, in counter-clockwise order seen from
+// outside. The facets are sorted.
 Buffer<std::uint32_t> alpha_surface(const ExportView& view, double alpha2);
 
-// The least alpha at which the tetrahedra contain all vertices and are one solid that is connected
-// through facets.
+// Returns the least alpha at which the tetrahedra up to this alpha contain all vertices and are one
+// solid that is connected through facets.
 double solid_alpha(const ExportView& view);
 
 }  // namespace mgdt

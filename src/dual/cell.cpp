@@ -49,7 +49,8 @@ void Cell::set_sides(const Mesh& mesh, VertexId v, const Link& link) {
     }
 }
 
-// Begins at the neighbour with the least index, so that the order of the records does not matter.
+// Sets `at` to the cyclic order that begins at the neighbour with the least index, so that the
+// result does not depend on the order of the records.
 inline void turn(unsigned (&at)[3], const std::uint32_t (&index)[3]) {
     at[0] = index[1] < index[0] ? (index[2] < index[1] ? 2 : 1) : (index[2] < index[0] ? 2 : 0);
     at[1] = at[0] == 2 ? 0 : at[0] + 1;
@@ -77,7 +78,8 @@ void Cell::set_corner(const Mesh& mesh, VertexId v, const Link& link, std::size_
             if (vertex[k] == infinite_vertex) ghost = k;
     corner.is_ideal = ghost < 3;
     if (corner.is_ideal) {
-        // The outward direction, normal to the hull facet of the other two.
+        // The corner is the outward normal of the hull facet, which contains the other two
+        // neighbours.
         const Side &p = sides_[triangle.corner[ghost == 2 ? 0 : ghost + 1]],
                    &q = sides_[triangle.corner[ghost == 0 ? 2 : ghost - 1]];
         corner.x = cross(p.normal, q.normal);

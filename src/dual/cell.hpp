@@ -8,8 +8,8 @@
 
 namespace mgdt {
 
-// How circumcentres are computed: in doubles, or with one step of correction, after which only the
-// last bits are wrong.
+// How circumcentres are computed: in doubles without correction, or with one step of correction,
+// which leaves errors only in the last bits.
 enum class Centers { plain, corrected };
 
 class Cell {
@@ -20,20 +20,21 @@ class Cell {
     // Sets the cell of vertex v, whose link is given. All lengths are multiplied by factor().
     void make(const Mesh& mesh, VertexId v, const Link& link, Centers centers);
 
-    // The half-space that is nearer to the vertex than to a neighbour, by the number of the
-    // neighbour in the link. Not for the vertex at infinity.
+    // The half-space of the points that are nearer to the vertex than to a neighbour. `neighbor` is
+    // a number in the link, and must not be the number of the vertex at infinity.
     const Side& side(std::size_t neighbor) const noexcept { return sides_[neighbor]; }
-    // The circumcentre of a tetrahedron, by the number of its triangle in the link. For a ghost it
-    // is the direction of a ray.
+    // The circumcentre of the tetrahedron that belongs to a triangle of the link. For a ghost, the
+    // corner is the direction of a ray.
     const Corner& corner(std::size_t triangle) const noexcept { return corners_[triangle]; }
     bool is_bounded() const noexcept { return is_bounded_; }
-    // False if the distances of the neighbours differ so much that doubles are of no use.
+    // False if the distances of the neighbours overflow, or differ so much that doubles are
+    // useless.
     bool is_ordinary() const noexcept { return is_ordinary_; }
     // An upper bound on the distance of the finite corners from the vertex.
     double radius() const noexcept { return radius_; }
     // The power of two that brings lengths into the range of doubles.
     double factor() const noexcept { return factor_; }
-    // The caller's index of a neighbour.
+    // The caller's index of the neighbour with this number in the link.
     std::uint32_t index(std::size_t neighbor) const noexcept { return indices_[neighbor]; }
 
   private:

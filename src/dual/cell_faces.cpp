@@ -21,9 +21,9 @@ void CellFaces::find_cutting(const Link& link, const Cell& cell, const Region& r
     }
 }
 
-// Sets the polygon in the plane of a neighbour that the half-spaces of the other neighbours leave.
-// It is made from the circumcentres around the neighbour, if these are finite and certainly
-// distinct.
+// Sets the polygon to the face in the plane of a neighbour, which the half-spaces of the other
+// neighbours bound. If the circumcentres around the neighbour are finite and certainly distinct,
+// they are the corners. Otherwise the other neighbours clip the polygon one by one.
 void CellFaces::set_polygon(const Link& link, const Cell& cell, PlaneNumber plane) {
     const std::uint32_t b = order_[plane];
     bool are_apart = cell.is_ordinary();
@@ -47,8 +47,8 @@ void CellFaces::set_polygon(const Link& link, const Cell& cell, PlaneNumber plan
     link.for_ring(b, first_[b], [&](std::uint32_t, std::uint32_t next) {
         if (link.neighbor(next) != infinite_vertex) ring_.push_back(rank_[next]);
     });
-    // If two planes pass through one line, which of them is the edge must not depend on where the
-    // ring begins.
+    // The planes are sorted: if two planes contain the same edge, the one that becomes its label
+    // must not depend on where the ring begins.
     std::sort(ring_.begin(), ring_.end());
     polygon_.set_far(plane);
     for (const PlaneNumber other : ring_) polygon_.clip(other, true);
@@ -78,9 +78,10 @@ void CellFaces::add_face(PlaneNumber plane) {
     faces_.push_back({plane, begin, edges_.size()});
 }
 
-// Adds the face of the cell in a plane of the region. It is found from those neighbours whose faces
-// touch the plane; docs/theory.md, "Cells", shows that these are enough. If a plane of the region
-// coincides with that of a neighbour, the face belongs to the neighbour.
+// Adds the face of the cell in a plane of the region. The face is found from the neighbours whose
+// own faces touch the plane; docs/theory.md, "Cells", shows that these neighbours are enough. If
+// the plane of the region coincides with the plane of a neighbour, the face belongs to the
+// neighbour.
 void CellFaces::add_region_face(std::size_t cut) {
     polygon_.set_far(cutting_[cut]);
     for (const PlaneNumber other : cutting_)
@@ -156,7 +157,8 @@ void CellFaces::find(const Mesh& mesh, VertexId v, const Link& link, const Cell&
     number_corners();
 }
 
-// A corner belongs to three faces, whose planes are in the same cyclic order around it in each.
+// Numbers the corners. Each corner belongs to three faces, and each of the faces gives its three
+// planes in the same cyclic order.
 void CellFaces::number_corners() {
     std::size_t slots = 16;
     while (slots < edges_.size()) slots *= 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The faces of a cell within a region. Each face is the cycle of the planes that contain its edges.
-// All decisions are exact.
+// The faces of a cell within a region. Each face is given by the cycle of the planes that contain
+// its edges. All decisions are exact.
 #pragma once
 
 #include "dual/cell.hpp"
@@ -35,10 +35,11 @@ class CellFaces {
     struct Corner {
         PlaneNumber plane[3];
     };
-    // Finds the faces of the cell of vertex v, whose link is given. The cell is bounded, or the
-    // region bounds it. Planes are numbered by the index of the neighbour; those of the region
-    // follow. So the result depends on the points alone. Without a region, faces may have edges of
-    // length 0. With one, all edges have a length and all faces an area.
+    // Finds the faces of the cell of vertex v, whose link is given. The cell or the region must be
+    // bounded. The result depends on the points alone, because the planes of the neighbours are
+    // numbered in the order of the neighbours' indices; the planes of the region follow. If no
+    // plane of the region may cut the cell, faces may have edges of length 0. Otherwise all edges
+    // have a positive length and all faces a positive area.
     void find(const Mesh& mesh, VertexId v, const Link& link, const Cell& cell,
               const Region& region);
 
@@ -72,10 +73,10 @@ class CellFaces {
     Buffer<Corner> corners_;
     // A hash table of corners by their planes; an entry is the corner's number plus 1.
     Buffer<std::uint32_t> slots_;
-    Buffer<std::uint32_t> first_;  // for each neighbour a triangle of the link that has it
+    Buffer<std::uint32_t> first_;  // for each neighbour the triangle where its ring starts
     Buffer<std::uint32_t> order_;  // the neighbour of each plane
     Buffer<PlaneNumber> rank_;     // the plane of each neighbour
-    Buffer<PlaneNumber> ring_;     // the planes around a face
+    Buffer<PlaneNumber> ring_;     // the planes of the edges of a face
     Buffer<PlaneNumber> cutting_;  // the planes of the region that may cut the cell
     // The face of a neighbour that reaches a cutting plane; `cut` is the index of that plane in
     // cutting_.

@@ -46,11 +46,11 @@ void CellMeasures::add_polygon(const Sums::Face& face) {
         is_known_ &= !a.is_ideal;
         sums_.reach(a.size);
     }
-    // The area that the polygon may have too much or too little, as add_edge() counts it.
+    // Clipping may have kept or removed an area wrongly. The error bound includes this area.
     if (polygon_.slack() > 0) sums_.add_doubt<M>(face, polygon_.slack());
 }
 
-// Finds the planes that may have a corner of the cell on their outer side.
+// Finds the planes of the region that may have a corner of the cell on their outer side.
 void CellMeasures::find_cuts(const Link& link, const Region& region) {
     cutting_.clear();
     if (!region.is_bounded()) return;
@@ -66,8 +66,8 @@ void CellMeasures::find_cuts(const Link& link, const Region& region) {
     }
 }
 
-// Sets the face to a neighbour, clipped by the planes of the region. If the clipping was certain,
-// records which planes the face does not reach.
+// Sets the polygon to the face of a neighbour, clipped by the planes of the region. Records in
+// touches_ the planes that the face may reach; after uncertain clipping, all planes count.
 void CellMeasures::set_face(const Link& link, std::size_t rank) {
     const std::uint32_t b = order_[rank];
     polygon_.clear();
@@ -94,8 +94,8 @@ void CellMeasures::settle(const Side& plane, const Link& link, const Region& reg
     });
 }
 
-// Sets the face in a plane of the region. Only neighbours whose faces touch the plane are needed;
-// docs/theory.md, "Cells", shows why.
+// Sets the polygon to the face in a plane of the region. Only neighbours whose faces touch the
+// plane are needed; docs/theory.md, "Cells", shows why.
 void CellMeasures::set_region_face(const Cut& cut, const Link& link, const Region& region,
                                    const Touch* begin, const Touch* end) {
     const auto n = static_cast<std::uint32_t>(link.neighbor_count());
@@ -118,8 +118,8 @@ void CellMeasures::set_region_face(const Cut& cut, const Link& link, const Regio
     settle(cut.side, link, region);
 }
 
-// Whether the polygon overlaps with the cell. If the clipping was uncertain, a corner may be wrong,
-// and its being outside proves nothing.
+// Whether the polygon overlaps with the cell. If the clipping was uncertain, a corner may be wrong.
+// A corner outside the cell then proves nothing.
 Overlap CellMeasures::overlap_with_cell() const {
     const Buffer<Corner>& corners = polygon_.corners();
     const auto has_edge = [&](std::size_t i, std::size_t rank) {
@@ -132,8 +132,8 @@ Overlap CellMeasures::overlap_with_cell() const {
                         polygon_.slack() == 0 ? Overlap::none : Overlap::unknown);
 }
 
-// Adds all faces. A face to a neighbour is what the cutting planes leave of it; a face in a cutting
-// plane is what the neighbours leave of it.
+// Adds all faces. The face of a neighbour is clipped by the cutting planes; the face in a cutting
+// plane is clipped by the half-spaces of the neighbours.
 template <Measure M>
 void CellMeasures::add_clipped(const Link& link, const Region& region) {
     link.find_rings([&](std::uint32_t b) { return cell_.index(b); }, first_);
@@ -159,15 +159,15 @@ void CellMeasures::add_clipped(const Link& link, const Region& region) {
     }
 }
 
-// Whether two adjacent tetrahedra have the same circumcentre, or two adjacent hull facets lie in
-// one plane.
+// Whether the tetrahedra of a triangle of the link and of the adjacent triangle across edge
+// `beyond` have the same circumcentre or, for ghosts, hull facets in one plane.
 bool CellMeasures::is_one_corner(const Mesh& mesh, VertexId v, const Link& link,
                                  std::size_t triangle, unsigned beyond) const {
     const LinkTriangle& t = link.triangles()[triangle];
     const std::size_t other = t.beyond[beyond];
     const Corner &a = cell_.corner(triangle), &b = cell_.corner(other);
     if (a.is_ideal != b.is_ideal) return false;
-    // The vertex of the other triangle that this one does not have.
+    // The apex is the vertex of the other triangle that triangle t does not have.
     const LinkTriangle& of = link.triangles()[other];
     const std::uint32_t p = t.corner[after(beyond)], q = t.corner[before(beyond)];
     std::uint32_t apex = of.corner[0];
@@ -175,8 +175,8 @@ bool CellMeasures::is_one_corner(const Mesh& mesh, VertexId v, const Link& link,
         if (corner != p && corner != q) apex = corner;
     const auto point = [&](std::uint32_t number) { return mesh.point(link.neighbor(number)); };
     if (a.is_ideal)
-        // Both triangles are of ghosts, since the vertex at infinity is an end of their common
-        // edge. Their corners are one if the two hull facets are in one plane.
+        // Both triangles belong to ghosts, because the vertex at infinity is an end of their common
+        // edge. The two corners are one direction if the two hull facets are in one plane.
         return orientation(mesh.point(v), point(link.neighbor(p) == infinite_vertex ? q : p),
                            point(t.corner[beyond]), point(apex)) == 0;
     if (length(a.x - b.x) > 2 * (a.error + b.error)) return false;

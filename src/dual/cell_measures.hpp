@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Volume, area, centroid and number of faces of a cell, computed in doubles where these are
-// accurate enough.
+// Volume, area, centroid and number of faces of a cell, computed in doubles if doubles are accurate
+// enough.
 #pragma once
 
 #include "dual/cell.hpp"
@@ -33,7 +33,7 @@ class CellMeasures {
 
   private:
     using Sums = FaceSums;
-    // A plane of the region that cuts the cell.
+    // A plane of the region that may cut the cell, and its half-space.
     struct Cut {
         std::size_t plane;
         Side side;

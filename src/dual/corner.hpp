@@ -9,12 +9,12 @@ namespace mgdt {
 // A corner of a face: a point, or the direction of an unbounded ray.
 struct Corner {
     Vector<double> x;
-    double size, error;  // the length of x; an upper bound on that of its error
+    double size, error;  // the length of x; an upper bound on the error of x
     bool is_ideal;
 };
 
-// A half-space. The face lies in the plane normal . x = offset; the cell is where normal . x is
-// less.
+// The half-space normal . x <= offset. A cell lies in the half-space and has a face in the plane
+// normal . x = offset.
 struct Side {
     Vector<double> normal;
     double offset;
@@ -25,10 +25,9 @@ struct Side {
     double distance() const noexcept { return std::fabs(offset) / size; }
 };
 
-// Computes the point where three planes meet by Cramer's rule. In the cyclic order of the planes
-// around the point, their normals are positively oriented. Returns false if the normals are nearly
-// in one plane, or if numbers leave the range of doubles. The error bound is derived in
-// docs/theory.md, "Cells".
+// Computes the point where three planes meet by Cramer's rule. The normals of p, q and r must be
+// positively oriented in this order. Returns false if the normals are nearly in one plane, or if
+// numbers leave the range of doubles. The error bound is derived in docs/theory.md, "Cells".
 inline bool meet(const Side& p, const Side& q, const Side& r, Corner& corner) {
     constexpr double u = rounding_of<double>;
     const Vector<double> qr = cross(q.normal, r.normal), rp = cross(r.normal, p.normal),

@@ -33,8 +33,8 @@ class BoundedSums {
 
     void set_corners();
     void add_face(const CellFaces::Face& face, Measure measure);
-    // The foot of the perpendicular from the vertex to the face is a multiple of the face's normal;
-    // twice that factor.
+    // Twice the factor by which the normal of the face has to be multiplied to reach the foot of
+    // the perpendicular from the vertex to the plane of the face.
     B weight_of(PlaneNumber p, const Row& row) {
         if (faces_.half_spaces().is_bisector(p)) return numbers_.number(1);
         return (row.offset + row.offset) / dot(row.normal, row.normal);
@@ -48,7 +48,7 @@ class BoundedSums {
 
     Numbers& numbers_;
     CellFaces& faces_;
-    typename Numbers::Array sums_;  // 12 times the volume and 48 times the moment, or the area
+    typename Numbers::Array sums_;  // 12 times the volume, 48 times the moment, or twice the area
     typename Numbers::Array corners_;
     WideDouble extent_;
 };
@@ -95,7 +95,7 @@ void BoundedSums<Numbers>::add_face(const CellFaces::Face& face, Measure measure
     if (measure != Measure::area) {
         add_to_sum(0, weight * along);
     } else {
-        // Divides by twice the length of the normal.
+        // Divides by the length of the normal, which gives twice the area.
         const WideDouble length2 = dot(row.normal, row.normal).wide(),
                          area = over_root(along.wide(), length2),
                          error = over_root(along.wide_error(), length2);
@@ -112,7 +112,7 @@ void BoundedSums<Numbers>::add(Measure measure) {
 
 template <class Numbers>
 bool BoundedSums<Numbers>::give(const double* point, int scale, Measure measure, double* x) {
-    // A comparison that is false if the error is NaN.
+    // Whether a < factor b. The comparison is false if the error is NaN.
     const auto is_below = [](const WideDouble& a, const WideDouble& b, double factor) {
         return a < b * WideDouble(factor);
     };

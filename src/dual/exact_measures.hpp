@@ -10,13 +10,13 @@ namespace mgdt {
 
 class ExactMeasures {
   public:
-    // Measures the bounded cell of the vertex at `point`; the mesh has this scale. The result is
-    // one double, or three for a centroid. The error is below measure_error.
+    // Measures the bounded cell of the vertex at `point`, where `scale` is the scale of the mesh.
+    // The result is one double, or three for a centroid. The error is below measure_error.
     static void measure(CellFaces& faces, const double* point, int scale, Measure measure,
                         double* x);
 
-    // The stages, which tests call one by one. Long numbers are cut off to a number of limbs. A
-    // stage returns false if its error may exceed measure_error.
+    // The stages of measure(), which tests call one by one. A stage returns false if its error may
+    // exceed measure_error. In the last stage, each long number is cut off to `limbs` limbs.
     enum class Stage { doubles, twofold, long_numbers };
     static bool measure_in(Stage stage, CellFaces& faces, const double* point, int scale,
                            Measure measure, double* x, std::size_t limbs = 256 / exact::limb_bits);

@@ -15,16 +15,17 @@ void ExactPolygon::set_far(PlaneNumber plane) {
     int sign;
     const int axis = half_spaces_.main_axis(plane, sign);
     for (int k = 0; k < 3; ++k) {
-        // The triangle has the normals -y, x + y, -x if the plane's normal is along +z, and the
-        // opposite cycle if it is along -z.
+        // With the main axis as z, the edges have the outward normals -y, x + y, -x if the normal
+        // of the plane is along +z, and the opposite cycle if the normal is along -z.
         constexpr int cycle[3] = {1, 2, 0};
         const PlaneNumber edge = far_plane(axis, cycle[sign > 0 ? k : 2 - k]);
         corners_.push_back({unknown, edge});
     }
 }
 
-// The corner where three planes meet, or the direction to it if the last plane is a far one. Other
-// corners with far planes have no coordinates.
+// The corner where the plane of the polygon meets the planes `before` and `after`. If one of the
+// two planes is a far plane, the corner is the direction of a ray. If both are far planes, or
+// meet() fails, the corner has no coordinates.
 ExactPolygon::LabelledCorner ExactPolygon::corner(PlaneNumber before, PlaneNumber after) const {
     LabelledCorner c = {unknown, after};
     if (is_far(before) && is_far(after)) return c;
@@ -79,7 +80,7 @@ bool ExactPolygon::clip(PlaneNumber s, bool stays_if_equal) {
         return touches;
     }
     if (!has_inside) {
-        // What is left may be a single corner or an edge, which has no area.
+        // At most a single corner or an edge is inside, which has no area.
         corners_.clear();
         return true;
     }

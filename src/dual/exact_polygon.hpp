@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A convex polygon in the plane of a half-space, given as the cycle of the planes that contain its
-// edges. Clipping by other half-spaces is decided exactly; coordinates only save time.
+// edges. Clipping by other half-spaces is decided exactly. The coordinates of corners only make
+// most decisions faster.
 #pragma once
 
 #include "dual/half_spaces.hpp"
@@ -22,7 +23,8 @@ class ExactPolygon {
         return corners_[i == 0 ? corners_.size() - 1 : i - 1].edge;
     }
 
-    // Sets the polygon to a triangle in the plane that contains everything.
+    // Sets the polygon to a triangle of far planes, which contains every bounded polygon in the
+    // plane.
     void set_far(PlaneNumber plane);
     // Begins a polygon whose corners are added next, each with the edge that follows it. The
     // corners are finite and distinct, with bounds on their errors.
@@ -41,7 +43,7 @@ class ExactPolygon {
 
   private:
     struct LabelledCorner {
-        Corner at;  // its error is infinite if it has no coordinates
+        Corner at;  // the error is infinite if the coordinates are not known
         PlaneNumber edge;
     };
     // The corner where two consecutive edges meet.

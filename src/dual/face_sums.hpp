@@ -11,8 +11,8 @@ namespace mgdt {
 
 enum class Measure { volume, area, centroid, faces };
 
-// The largest relative error of volumes and areas, and the largest error of centroids in units of
-// the distance of the farthest corner.
+// The largest allowed relative error of volumes and areas, and the largest allowed error of
+// centroids in units of the distance of the farthest corner.
 constexpr double measure_error = 1e-12;
 
 // A sum with a bound on the error of each term.
@@ -49,13 +49,14 @@ class FaceSums {
         : sums_{ErrorBoundSum(allocator), ErrorBoundSum(allocator), ErrorBoundSum(allocator),
                 ErrorBoundSum(allocator)} {}
 
-    // A face: its half-space, and twice the factor by which its normal reaches its plane.
+    // A face: its half-space and its weight, which is twice the factor by which the normal has to
+    // be multiplied to end in the plane of the face.
     struct Face {
         const Side& side;
         double weight;
         double error;  // a bound on the error of the weight
     };
-    // A face in a plane that is not the bisector between two vertices.
+    // Returns the face in a plane that is not the bisector between two vertices.
     static Face face_in_plane(const Side& side) {
         const double squared = dot(side.normal, side.normal), weight = 2 * side.offset / squared;
         return {side, weight,
@@ -66,15 +67,15 @@ class FaceSums {
         for (ErrorBoundSum& sum : sums_) sum.clear();
         extent_ = 0;
     }
-    // Notes the distance of a corner from the vertex.
+    // Raises the extent of the cell to the distance of a corner from the vertex.
     void reach(double distance) { extent_ = std::fmax(extent_, distance); }
     // Adds the contribution of the triangle between the vertex and an edge of the face; edges are
-    // counter-clockwise about the outward normal. Volumes are 12 times too large and areas twice;
-    // see docs/theory.md, "Cells".
+    // counter-clockwise about the outward normal. The sums are 12 times the volume, twice the area
+    // and 48 times the moment; see docs/theory.md, "Cells".
     template <Measure M>
     void add_edge(const Face& face, const Corner& a, const Corner& b,
                   const Vector<double>& a_cross_b);
-    // Adds an area to the error bound: the face may have it or not.
+    // Adds to the error bound an area of which it is uncertain whether the face has it.
     template <Measure M>
     void add_doubt(const Face& face, double area);
 

@@ -64,7 +64,7 @@ void HalfSpaces::add_plane(const double* of, int scale) {
                   0x1p-1000) *
                  factor_;
     if (!(terms < 0x1p900 && terms * factor_ < 0x1p900)) {
-        side.offset = 0;  // the computed one may be NaN
+        side.offset = 0;  // the computed offset may be NaN
         side.error = std::numeric_limits<double>::infinity();
     }
     sides_.push_back(side);
@@ -109,8 +109,8 @@ void HalfSpaces::prepare<BoundedFloat<Twofold>>() {
     in_twofold_.clear();
     for (const Source& source : sources_) in_twofold_.push_back(row_of(numbers, source));
 }
-// Converts by way of twofold numbers: if a plane of the region is much closer to the origin than
-// coordinates are large, doubles would lose its offset.
+// Converts twofold numbers to doubles. If a plane of the region is much closer to the origin than
+// the coordinates are large, computing in doubles would lose the offset of the plane.
 template <>
 void HalfSpaces::prepare<BoundedFloat<double>>() {
     if (in_doubles_.size() == sources_.size()) return;
@@ -147,8 +147,9 @@ Number HalfSpaces::number(double x) {
         return Number::number(x);
 }
 
-// A far plane has the offset M, larger than all numbers. Only multiples of M count, so the offset
-// is 1 for a far plane and 0 for any other.
+// The row of a far plane, whose offset is M, a number larger than all others. If is_offset_far is
+// true, the offset in the row is the coefficient of M, which is 1. Otherwise the offset is the part
+// without M, which is 0.
 template <class Number>
 PlaneRow<Number> HalfSpaces::far_row(PlaneNumber p, bool is_offset_far) {
     const int axis = static_cast<int>(p - first_far_plane) / 3,
@@ -212,8 +213,8 @@ bool HalfSpaces::round_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, Vecto
     const Vector<LongNumber> bc = cross(b.normal, c.normal), ca = cross(c.normal, a.normal),
                              ab = cross(a.normal, b.normal);
     const LongNumber determinant = dot(a.normal, bc);
-    // Numerators and determinant are cut off to 192 bits. The relative error of a quotient is then
-    // below 2^-110.
+    // The numerators and the determinant are cut off to 192 bits. The relative error of a quotient
+    // is then below 2^-110.
     LongMemory cut_off(exact_.allocator(), 192 / exact::limb_bits);
     const LongNumber weight = cut_off.copy(determinant);
     for (int k = 0; k < 3; ++k) {

@@ -38,17 +38,18 @@ class HalfSpaces {
           exact_(allocator),
           memory_(allocator) {}
 
-    // Removes all half-spaces. The origin is a point whose coordinates stay where they are.
-    // Approximate lengths are multiplied by `factor`, a power of two.
+    // Removes all half-spaces and sets the origin, whose coordinates must not move while
+    // half-spaces refer to them. Lengths in doubles are multiplied by `factor`, a power of two.
     void clear(const double* origin, double factor);
-    // Adds the half-space that is nearer to the origin than to this point. Half-spaces are numbered
-    // as they come. The coordinates stay where they are.
+    // Adds the half-space of the points that are nearer to the origin than to `point`. Half-spaces
+    // are numbered in the order of the calls. The coordinates must not move.
     void add_nearer_side(const double* point);
-    // Adds the half-space normal . x <= offset 2^scale, where x is not relative to the origin. The
-    // four numbers stay where they are.
+    // Adds the half-space normal . x <= offset 2^scale, where x is in absolute coordinates, not
+    // relative to the origin. The four numbers must not move.
     void add_plane(const double* normal_and_offset, int scale);
 
-    // The half-space in doubles. The error of its offset is infinite if doubles are of no use.
+    // The half-space in doubles. The error of the offset is infinite if doubles are too inaccurate
+    // or leave their range.
     const Side& side(PlaneNumber p) const noexcept { return sides_[p]; }
 
     // +1 if the point where the planes p, q and r meet is outside half-space s, 0 on its plane, -1
@@ -59,10 +60,10 @@ class HalfSpaces {
     // The axis of the largest component of a normal, and the sign of that component.
     int main_axis(PlaneNumber p, int& sign);
 
-    // Whether the plane is the bisector between the origin and another point. The vector to that
-    // point is its normal then.
+    // Whether the plane is the bisector between the origin and another point. If so, the normal is
+    // the vector from the origin to that point.
     bool is_bisector(PlaneNumber p) const noexcept { return !sources_[p].is_plane; }
-    // The planes in numbers that bound their errors, relative to the origin.
+    // The plane, relative to the origin, in numbers that carry bounds on their errors.
     template <class Real>
     PlaneRow<BoundedFloat<Real>> row(BoundedFloats<Real>&, PlaneNumber p) {
         prepare<BoundedFloat<Real>>();
@@ -72,9 +73,9 @@ class HalfSpaces {
         return row_of(numbers, sources_[p]);
     }
 
-    // Computes the point where three planes meet, not relative to the origin. The relative error of
-    // each coordinate is below corner_error. Returns false if twofold numbers are not accurate
-    // enough.
+    // Computes the point where three planes meet, in absolute coordinates. The relative error of
+    // each coordinate is below corner_error. Returns false if a coordinate is outside the range in
+    // which twofold numbers are that accurate.
     bool round_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, Vector<Twofold>& x);
     static constexpr double corner_error = 0x1p-100;
 
@@ -89,7 +90,8 @@ class HalfSpaces {
     // One row per half-space, by number.
     template <class Number>
     Buffer<PlaneRow<Number>>& rows();
-    // Computes the rows if they are not there yet, and frees the other exact numbers.
+    // Computes the rows unless they are already there. For long numbers, frees all other numbers in
+    // memory_.
     template <class Number>
     void prepare();
     template <class Number>
@@ -98,7 +100,7 @@ class HalfSpaces {
     PlaneRow<Number> far_row(PlaneNumber p, bool is_offset_far);
     template <class Number>
     PlaneRow<Number> any_row(PlaneNumber p, bool is_far_part);
-    // The sign, or 2 if the numbers are not accurate enough.
+    // The result of side_of_corner(), or 2 if numbers of this type are not accurate enough.
     template <class Number>
     int side_in(PlaneNumber p, PlaneNumber q, PlaneNumber r, PlaneNumber s);
 
@@ -110,7 +112,7 @@ class HalfSpaces {
     Buffer<PlaneRow<BoundedFloat<Twofold>>> in_twofold_;
     Buffer<PlaneRow<LongNumber>> exact_;
     LongMemory memory_;
-    std::size_t end_of_rows_ = 0;  // where the rows end in memory_
+    std::size_t end_of_rows_ = 0;  // where the exact rows end in memory_
 };
 
 }  // namespace mgdt

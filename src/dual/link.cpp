@@ -8,7 +8,8 @@ void Link::gather(const Mesh& mesh, VertexId v, TetId first) {
     tetrahedra_.clear();
     triangles_.clear();
     tetrahedra_.number(first);
-    // The vertices in the order of outer_face are clockwise as seen from inside.
+    // The order of outer_face is counter-clockwise as seen from the vertex. The link has the
+    // opposite order.
     const auto slots = [](unsigned of_vertex) {
         const unsigned char* const face = outer_face[of_vertex];
         struct {

@@ -25,7 +25,7 @@ class Link {
     void gather(const Mesh& mesh, VertexId v, TetId first);
 
     std::size_t neighbor_count() const noexcept { return vertices_.size(); }
-    // The neighbour with this number. One of them may be the vertex at infinity.
+    // The neighbour with this number. One neighbour may be the vertex at infinity.
     VertexId neighbor(std::size_t number) const noexcept {
         return vertices_.name(static_cast<std::uint32_t>(number));
     }
@@ -35,9 +35,9 @@ class Link {
         return tetrahedra_.name(static_cast<std::uint32_t>(triangle));
     }
 
-    // Sets first[b] to the triangle at which for_ring() starts around neighbour b: the one from
-    // which it reaches the adjacent neighbour with the least index first. Then the order of the
-    // ring does not depend on the order of the records.
+    // Sets first[b] to the triangle at which for_ring() starts around neighbour b. This is the
+    // triangle for which the first neighbour that for_ring() passes to `visit` has the least index.
+    // So the order of the ring does not depend on the order of the records.
     template <class IndexOf>
     void find_rings(IndexOf index_of, Buffer<std::uint32_t>& first) const {
         constexpr std::uint32_t none = 0xffffffffu;
@@ -52,8 +52,9 @@ class Link {
                     of_corner = i;
             }
     }
-    // Visits the triangles around neighbour b in cyclic order, from `first` on, which has b as a
-    // corner. Calls visit(triangle, the neighbour that it shares with the next triangle).
+    // Visits the triangles around neighbour b in cyclic order. `first` is a triangle with the
+    // corner b. Calls visit(triangle, the neighbour that the triangle and the next one share
+    // besides b).
     template <class Visit>
     void for_ring(std::uint32_t b, std::uint32_t first, Visit visit) const {
         std::uint32_t i = first;
@@ -71,7 +72,8 @@ class Link {
         const std::uint32_t(&corner)[3] = triangles_[triangle].corner;
         return corner[0] == b ? 0 : corner[1] == b ? 1 : 2;
     }
-    // The neighbour that the triangle shares with the next one around its corner k.
+    // The neighbour, other than corner k, that the triangle shares with the next triangle around
+    // corner k.
     std::uint32_t shared(std::uint32_t triangle, unsigned k) const noexcept {
         return triangles_[triangle].corner[k == 0 ? 2 : k - 1];
     }

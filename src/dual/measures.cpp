@@ -29,7 +29,7 @@ void find_tetrahedra(const ExportView& view, AtomicArray<TetId>& first) {
 
 constexpr std::size_t min_vertices_per_thread = 4096;
 
-// Measures single cells: in doubles if these are accurate enough, otherwise from the exact faces.
+// Measures single cells: in doubles if doubles are accurate enough, otherwise from the exact faces.
 class Measurer {
   public:
     explicit Measurer(Allocator& allocator)
@@ -55,8 +55,8 @@ class Measurer {
     CellFaces faces_;
 };
 
-// Measures the cells one by one that the region cuts, or that the passes over tetrahedra leave
-// undecided.
+// Writes the volumes that the passes over the tetrahedra give. Measures a cell on its own if the
+// region may cut the cell, or if the passes leave its volume undecided.
 void export_volumes(const ExportView& view, const Region& region, AtomicArray<TetId>& first,
                     double* x) {
     const Mesh& mesh = view.mesh;

@@ -9,10 +9,10 @@
 namespace mgdt {
 
 // The sum of n terms whose magnitudes are at most `largest`. Terms are rounded to multiples of a
-// power of two, so that their sum is exact; the remainders are rounded to multiples of a smaller
-// one (Demmel and Nguyen, Fast reproducible floating-point summation, ARITH 21, 2013). The error is
-// at most n^3 2^-102 largest plus that of one addition. The result is infinite if sums may leave
-// the range of doubles.
+// power of two, so that the sum of the rounded terms is exact; the remainders are rounded to
+// multiples of a smaller power of two (Demmel and Nguyen, Fast reproducible floating-point
+// summation, ARITH 21, 2013). The error is at most n^3 2^-102 largest plus the rounding error of
+// one addition. The result is infinite if sums may leave the range of doubles.
 inline double order_free_sum(const double* terms, std::size_t n, double largest) {
     if (!(largest > 0)) return 0;
     const auto count = static_cast<double>(n);

@@ -8,11 +8,11 @@ namespace mgdt {
 
 enum class Overlap { some, none, unknown };
 
-// The polygon is either a face of the cell or has no area in common with it. A corner decides that
-// is outside the cell, or inside all half-spaces of the cell except those of its own two edges.
-// has_edge(i, b) says whether an edge at corner i is in the plane of half-space b of the cell, and
-// sign_at(i, b) on which side of that plane the corner is: +1 outside. `if_outside` is the result
-// for a corner outside the cell.
+// The polygon is either a face of the cell or has no area in common with the cell. One corner can
+// decide which: a corner outside the cell, or a corner inside all half-spaces of the cell except
+// those of the two edges at the corner. has_edge(i, b) says whether an edge at corner i is in the
+// plane of half-space b of the cell. sign_at(i, b) says on which side of that plane the corner is:
+// +1 is outside. `if_outside` is the result for a corner outside the cell.
 template <class HasEdge, class SignAt>
 Overlap find_overlap(std::size_t corners, std::size_t half_spaces, HasEdge has_edge, SignAt sign_at,
                      Overlap if_outside) {

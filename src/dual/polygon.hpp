@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Convex polygons in space, each a face of a cell, and how half-spaces clip them.
+// Convex polygons in space, each a face of a cell, and their clipping by half-spaces.
 #pragma once
 
 #include <limits>
@@ -41,8 +41,9 @@ class Polygon {
     // Clips the polygon by a half-space (Sutherland and Hodgman, Reentrant polygon clipping,
     // Communications of the ACM 17, 1974). Returns whether some corner is certainly off the plane.
     bool clip(const Side& side, std::uint32_t label);
-    // Moves each corner to the point where the planes of its two edges meet that of the polygon, if
-    // this is more accurate. side(label) gives the half-space of an edge.
+    // Moves each corner to the point where the plane of the polygon meets the planes of the two
+    // edges at the corner, if this point is more accurate. side(label) gives the half-space of an
+    // edge.
     template <class SideOf>
     void settle(const Side& plane, SideOf side);
     // Sets the length at which rays end, an upper bound on all distances from the origin that
@@ -69,14 +70,15 @@ class Polygon {
         double error;
     };
     static Height height(const Corner& corner, const Side& side);
-    // Raises the upper bounds on the heights of finite corners and on the slopes of rays.
+    // Raises `top`, an upper bound on the heights of finite corners, and `rise`, an upper bound on
+    // the slopes of rays.
     static void look_up(const Corner& corner, const Height& h, double& top, double& rise) {
         const double value = h.value;
         if (!corner.is_ideal)
             top = std::fmax(top, value + h.error);
         else if (value > 0)
             top = std::numeric_limits<double>::infinity();
-        else if (value == 0)  // nearly parallel: the ray ends on the other side, at twice the reach
+        else if (value == 0)  // nearly parallel: slope <= 2 error / size, length <= 2 reach
             rise = std::fmax(rise, 4 * h.error / corner.size);
     }
     static constexpr double lost_area = 0x1p200;
@@ -99,7 +101,7 @@ inline Polygon::Height Polygon::height(const Corner& corner, const Side& side) {
     const double along = dot(side.normal, corner.x);
     double error = side.size * (corner.error + 6 * u * corner.size);
     if (corner.is_ideal) {
-        // A ray that may be parallel to the plane does not come closer to it.
+        // A ray that may be parallel to the plane counts as parallel, with a height of 0.
         const bool is_known = std::fabs(along) > error;
         return {is_known ? along : 0, error};
     }
@@ -107,8 +109,8 @@ inline Polygon::Height Polygon::height(const Corner& corner, const Side& side) {
     return {along - side.offset, error};
 }
 
-// The convex combination of the two ends whose height is 0. The direction of a ray has no weight of
-// its own. Exchanging the ends gives the same result.
+// The convex combination of the two ends that has the height 0. An end that is the direction of a
+// ray adds nothing to the sum of the weights. Exchanging the ends gives the same result.
 inline Corner Polygon::crossing(const Corner& in, const Height& of_in, const Corner& out,
                                 const Height& of_out) {
     constexpr double u = rounding_of<double>;
@@ -126,7 +128,8 @@ inline Corner Polygon::crossing(const Corner& in, const Height& of_in, const Cor
         divisor = w;
     }
     c.size = length(c.x);
-    // The weights have the errors of the heights. Each moves the point along the edge.
+    // The errors of the heights are errors of the weights. Each error moves the point along the
+    // edge.
     const double move = c.is_ideal     ? in.size + out.size
                         : in.is_ideal  ? in.size
                         : out.is_ideal ? out.size
@@ -143,7 +146,7 @@ inline Corner Polygon::crossing(const Corner& in, const Height& of_in, const Cor
     double slack = w > error_of_weight
                        ? (of_in.error * e + of_out.error * d) / (w * (w - error_of_weight))
                        : lost;
-    // The crossing stays between two finite ends.
+    // The crossing of an edge with two finite ends stays between the ends.
     if (!in.is_ideal && !out.is_ideal) slack = std::fmin(slack, 1);
     c.error += move * slack;
     return c;
@@ -188,9 +191,9 @@ inline bool Polygon::clip(const Side& side, std::uint32_t label) {
     return is_off;
 }
 
-// The part of the polygon where the height is at most `doubt` may be kept or removed wrongly. It is
-// a strip: the slope bounds its width, and twice the distance of the farthest corner bounds its
-// length.
+// The part of the polygon where the height is at most `doubt` may be kept or removed wrongly. This
+// part is a strip: the slope bounds its width, and twice the distance of the farthest corner bounds
+// its length.
 inline double Polygon::doubt_area(double doubt) const {
     double extent = 0;
     std::size_t lowest = 0, highest = 0;

@@ -69,7 +69,7 @@ bool Region::is_beyond(const Plane& plane, const double* p, int scale, LongMemor
     return exact.sign() > 0;
 }
 
-// Throws an Error that names the first point outside.
+// Throws an Error that names the vertex with the least index that is outside, if any is.
 void Region::require_inside(const Mesh& mesh) const {
     LongMemory memory(planes_.allocator());
     constexpr std::uint32_t none = 0xffffffffu;
@@ -88,10 +88,10 @@ void Region::require_inside(const Mesh& mesh) const {
              number(plane));
 }
 
-// Finds the faces of the region, and keeps only the planes that have one.
+// Finds the faces of the region, and keeps only the planes that have a face.
 void Region::set_faces(const Mesh& mesh) {
     Allocator& allocator = planes_.allocator();
-    // A vertex that does not depend on the order of insertion.
+    // The vertex with the least index, which does not depend on the order of insertion.
     VertexId first = 1;
     for (VertexId v = 2; v < mesh.vertices.size(); ++v)
         if (mesh.vertices[v].index < mesh.vertices[first].index) first = v;

@@ -14,31 +14,31 @@ class ExactPolygon;
 
 class Region {
   public:
-    // Each plane is four numbers a b c d, for a x + b y + c z <= d. Without planes the region is
-    // all of space. Throws an Error if a number is not finite, a plane has no normal, a vertex is
-    // outside by more than rounding, or the planes do not bound a region. Messages number planes
-    // and points from `base` on. The numbers stay where they are.
+    // Each plane is four numbers a b c d, for a x + b y + c z <= d. The region refers to these
+    // numbers, which must not move. Without planes the region is all of space. Throws an Error if a
+    // number is not finite, a plane has no normal, a vertex is outside by more than rounding, or
+    // the planes do not bound a region. Messages number planes and points from `base` on.
     Region(Allocator& allocator, std::size_t n, const double* planes, const Mesh& mesh,
            std::int32_t base);
 
     bool is_bounded() const noexcept { return !planes_.empty(); }
-    // The number of planes that have a face of the region. Redundant planes are left out, and all
-    // but one of several that coincide.
+    // The number of planes that have a face of the region. Redundant planes are left out. Of
+    // several planes that coincide, one is kept.
     std::size_t size() const noexcept { return planes_.size(); }
     // The numbers a b c d of plane k, as the caller gave them.
     const double* numbers(std::size_t k) const noexcept { return planes_[k].numbers; }
-    // Whether the planes and corners are in the range of doubles and twofold numbers.
+    // Whether all points, planes and corners are in the range of doubles and twofold numbers.
     bool is_ordinary() const noexcept { return is_ordinary_; }
     // An upper bound on the distance between two points of the region.
     double extent() const noexcept { return extent_; }
     // The half-space of plane k with `point` as the origin, and all lengths multiplied by `factor`.
     Side side(std::size_t k, const double* point, double factor) const;
-    // A lower bound on the distance of a point from the nearest plane. It is negative if the point
-    // is outside by more than rounding, and NaN if it is not known.
+    // A lower bound on the distance of a point from the nearest plane. The bound is negative if the
+    // point may be outside, and NaN if is_ordinary() is false.
     double clearance(const double* point) const;
-    // Sets `polygon` to the face in plane k, with `point` as the origin and all lengths multiplied
-    // by `factor`. The label of an edge is the number of its plane plus `first_label`. Edges are
-    // counter-clockwise about the normal.
+    // Sets `face` to the face in plane k, with `point` as the origin and all lengths multiplied by
+    // `factor`. The label of an edge is the number of the edge's plane plus `first_label`. Edges
+    // are counter-clockwise about the normal.
     void set_face(std::size_t k, const double* point, double factor, std::uint32_t first_label,
                   Polygon& face) const;
 
@@ -48,7 +48,7 @@ class Region {
         double normal[3], offset;
         double size;          // an upper bound on the length of the normal
         std::uint32_t index;  // the caller's number of the plane
-        std::uint32_t first;  // its first corner
+        std::uint32_t first;  // the first corner of the plane's face
         double height(const double* p) const {
             return ((normal[0] * p[0] + normal[1] * p[1]) + normal[2] * p[2]) - offset;
         }

@@ -12,17 +12,17 @@ namespace mgdt {
 namespace {
 
 constexpr int least_exponent = -500;
-// Volumes are summed as integers, in units of 2^-60 of the cube of the longest edge at the vertex;
-// errors in units of 2^-66. This is possible as long as no part exceeds 1/32 of that cube and 255
-// parts do not exceed 8.
+// Volumes are summed as integers, in units of 2^-60 of the cube of the longest edge at the vertex,
+// rounded up to a power of two; errors are in units of 2^-66. Sums do not overflow if no part
+// exceeds 1/32 of that cube, since 255 parts do not exceed 8 cubes then.
 constexpr int sum_bits = 60, error_bits = 66;
 constexpr std::uint32_t most_parts = 255;
 constexpr double most_units = 0x1p55, most_error = 0x1p50;
 
 using V = Vector<double>;
 
-// Operations on a number that several threads may change. With one thread no atomic operation is
-// used; these would double the time.
+// Operations on a number that several threads may change. With one thread no atomic
+// read-modify-write is used, because it would double the time.
 template <bool alone>
 struct Update {
     template <class T>
@@ -58,10 +58,10 @@ int exponent_of(double x) {
     return static_cast<int>(bits >> 52 & 0x7FF) - 1023;
 }
 
-// The parts that a facet contributes to its three corners. The arguments are the squared lengths of
-// its edges, each opposite a corner, its normal, and the height of the circumcentre over it; both
-// are multiplied by the length of the normal. The normal is not longer than 0.29 times the sum of
-// the squares.
+// The parts that a facet contributes to its three corners. pp, qq and rr are the squared lengths of
+// the edges opposite the corners. `normal` is the cross product of two edges, and `height` is the
+// height of the circumcentre over the facet times the length of `normal`. This length is at most
+// 0.29 times the sum of the squares.
 struct FacetParts {
     double part[3], error;
 };
@@ -170,7 +170,7 @@ void VolumePass::set_exponents(const Mesh& mesh, std::size_t begin, std::size_t 
     }
 }
 
-// A lower bound on the exponent of the cube of the longest edge at v.
+// An exponent e such that the cube of the longest edge at v is less than 2^e.
 int VolumePass::exponent(VertexId v) {
     const int of_square = exponents_[v].load(std::memory_order_relaxed) + least_exponent + 1;
     return (3 * of_square + 1) >> 1;
@@ -190,7 +190,7 @@ void VolumePass::add(const Mesh& mesh, std::size_t begin, std::size_t end) {
         for (unsigned i = 0; i < 4; ++i) {
             const VertexId v = parts.v[i];
             Update<alone>::raise(radii_[v], bits);
-            // The power of two has to be in the range of doubles.
+            // The exponent is limited, so that the power of two is in the range of doubles.
             const int least = exponent(v);
             const bool is_known = parts.is_known && least > -400 && least < 400;
             const double one = is_known ? power_of_two(sum_bits - least) : 1;
@@ -246,7 +246,7 @@ bool VolumePass::find(VertexId v, double& volume) {
         return static_cast<double>(of[v].load(std::memory_order_relaxed));
     };
     volume = load(sums_) * power_of_two(least - sum_bits);
-    // Each part that was rounded to an integer has an error of one unit.
+    // Rounding a part to an integer has an error of at most one unit.
     const double error = (load(errors_) + count) * power_of_two(least - error_bits) +
                          count * power_of_two(least - sum_bits);
     return error <= 0.9 * measure_error * volume;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Volumes of cells by passes over the tetrahedra, without building any cell. Each tetrahedron is
-// divided into the parts that are nearest to each of its vertices. A part is a signed sum of
-// pyramids over parts of facets, with the circumcentre as the apex (docs/theory.md, "Cells"). The
-// volumes are sums of integers, which do not depend on the order of the terms.
+// divided into one part per vertex, whose points are nearest to that vertex. The volume of a part
+// is a signed sum of pyramids over parts of facets, with the circumcentre as the apex
+// (docs/theory.md, "Cells"). The volumes are summed as integers, so they do not depend on the order
+// of the terms.
 #pragma once
 
 #include "parallel/atomic_array.hpp"
@@ -23,11 +24,11 @@ class VolumePass {
     bool find(VertexId v, double& volume);
 
   private:
-    // The parts of a tetrahedron whose vertices are sorted by index.
+    // The volumes of the parts of a tetrahedron, with the vertices sorted by index.
     struct Parts {
         VertexId v[4];
         double volume[4];
-        double error;  // an upper bound on the error of each
+        double error;  // an upper bound on the error of each volume
         double radius;
         bool is_known;
     };
@@ -45,8 +46,8 @@ class VolumePass {
     int exponent(VertexId v);
 
     AtomicArray<std::int32_t> exponents_;  // for each vertex the exponent of the square of the
-                                           // longest edge, less the least such exponent
-    AtomicArray<std::uint32_t> radii_;     // for each vertex the bits of a float
+                                           // longest edge, minus least_exponent
+    AtomicArray<std::uint32_t> radii_;     // for each vertex the largest radius, as bits of a float
     AtomicArray<std::uint32_t> flags_, counts_;
     AtomicArray<std::int64_t> sums_, errors_;
 };

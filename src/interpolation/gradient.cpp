@@ -10,8 +10,8 @@
 namespace mgdt {
 namespace {
 
-// A direction has no slope if the neighbours' extent along it is less than this fraction of the
-// largest extent.
+// The gradient is 0 along a direction in which the extent of the neighbours is less than this
+// fraction of their largest extent.
 constexpr double least_extent = 0x1p-48;
 
 struct VisitedStar {
@@ -63,10 +63,10 @@ Twofold root(const Twofold& x) {
 
 }  // namespace
 
-// The pseudo-inverse of A, the matrix whose rows are unit vectors to the neighbours. Rotations in
-// the plane of two axes make the columns of A V orthogonal (Hestenes, Inversion of matrices by
-// biorthogonalization and related results, Journal of the SIAM 6, 1958): A V = U S, and the
-// pseudo-inverse is V S^-1 U^T.
+// Computes the pseudo-inverse of A, the matrix whose rows are unit vectors to the neighbours.
+// Rotations in the plane of two axes make the columns of A V orthogonal (Hestenes, Inversion of
+// matrices by biorthogonalization and related results, Journal of the SIAM 6, 1958): A V = U S, and
+// the pseudo-inverse is V S^-1 U^T.
 template <class Real>
 double Gradient::set_directions(const Mesh& mesh, VertexId v, Buffer<Real>& columns) {
     const std::size_t n = neighbors_.size();
@@ -115,7 +115,7 @@ double Gradient::set_directions(const Mesh& mesh, VertexId v, Buffer<Real>& colu
                       least_cosine * std::sqrt(nearest_double(pp) * nearest_double(qq))))
                     continue;
                 is_orthogonal = false;
-                // Any rotation will do, as long as it is orthogonal to the last bits.
+                // The angle may be rounded, but the rotation must be orthogonal to the last bits.
                 const double zeta = nearest_double(qq - pp) / (2 * nearest_double(pq));
                 const double t =
                     std::copysign(1 / (std::fabs(zeta) + std::sqrt(1 + zeta * zeta)), zeta);
@@ -151,8 +151,9 @@ double Gradient::set_directions(const Mesh& mesh, VertexId v, Buffer<Real>& colu
     return n == 0 ? 1 : std::sqrt(least / largest);
 }
 
-// The distance of the nearest neighbour divided by that of the farthest. The slope towards a very
-// close neighbour is steep, and its rounding affects all directions.
+// The distance of the nearest neighbour divided by the distance of the farthest neighbour. The
+// slope towards a very close neighbour is steep, and the rounding of this slope affects all
+// directions.
 double Gradient::nearness() const {
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const Row& row : rows_) {

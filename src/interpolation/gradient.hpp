@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The gradient at a vertex: that of the linear function through the vertex's value that fits the
-// values of the neighbours best. The fit is by least squares of differences divided by distances.
+// The gradient at a vertex, estimated from the neighbours: the gradient of the linear function that
+// has the vertex's value there and fits the neighbours' values best. The fit is by least squares of
+// differences divided by distances.
 #pragma once
 
 #include "mesh/numbers.hpp"
@@ -29,9 +30,9 @@ class Gradient {
     VertexId neighbor(std::size_t j) const noexcept { return neighbors_[j]; }
     const Vector<Twofold>& direction(std::size_t j) const noexcept { return rows_[j].direction; }
     double distance(std::size_t j) const noexcept { return rows_[j].distance; }
-    // Whether the neighbours are nearly in one plane or on one line, or one is much closer than
-    // another. Then directions or slopes are large and cancel, so they have a lower part, which is
-    // 0 otherwise.
+    // Whether the neighbours are nearly in one plane or on one line, or one neighbour is much
+    // closer than another. Then directions or slopes are large and cancel, so the directions are
+    // twofold numbers. Otherwise the low parts of the directions are 0.
     bool is_thin() const noexcept { return is_thin_; }
 
   private:

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // The walk goes over the features of the hull, which are its facets, edges and corners. Each step
-// leads to a feature with a point nearer to q, until none is nearer (Mirtich, V-Clip: fast and
-// robust polyhedral collision detection, ACM Transactions on Graphics 17, 1998). Each step is
-// decided exactly, and the walk enters a facet only if q is beyond it: docs/theory.md, "Values
-// between points".
+// leads to a feature with a point nearer to q, until no feature is nearer (Mirtich, V-Clip: fast
+// and robust polyhedral collision detection, ACM Transactions on Graphics 17, 1998). Each step is
+// decided exactly, and the walk enters a facet only if q is beyond the facet; docs/theory.md,
+// "Values between points", shows why this suffices.
 #include "interpolation/hull_place.hpp"
 
 #include <algorithm>
@@ -78,7 +78,8 @@ class HullWalk {
         feature_ = Feature::edge;
         slot_ = at[beyond[0]];
         if (count == 1) return true;
-        // At most one of two edges continues towards q from their common corner.
+        // If q is beyond two edges, at most one of the edges continues towards q from their common
+        // corner.
         const unsigned meet = 3 - beyond[0] - beyond[1];
         const VertexId* const v = present().v;
         if (is_towards(v[at[meet]], v[at[beyond[0]]])) {
@@ -117,8 +118,8 @@ class HullWalk {
         while (k == slot || k == slot_ || t.v[k] == infinite_vertex) ++k;
         return t.v[k];
     }
-    // Goes around the corner from facet to facet, to an edge that goes towards q and belongs to a
-    // facet that q is beyond.
+    // Goes around the corner from facet to facet, to an edge that leads towards q and belongs to a
+    // facet that q is beyond. Returns false if there is no such edge.
     bool leave_corner() {
         const VertexId v = present().v[slot_];
         VertexId left = infinite_vertex, ahead = infinite_vertex;
@@ -155,7 +156,7 @@ class HullWalk {
     TetId ghost_;
     Feature feature_ = Feature::facet;
     unsigned slot_ = 0;
-    int side_[3] = {};  // the sides at the edges of the last facet
+    int side_[3] = {};  // side() for each edge of the last facet
 };
 
 HullPlace HullWalk::place() const {

@@ -7,9 +7,9 @@
 namespace mgdt {
 
 // The nearest point, as a weighted mean of the corners of the vertex, edge or facet that contains
-// it. The weights are ratios of exact numbers and do not depend on the order in which the mesh is
-// stored. The error of a coordinate of the point is below 2^-53 of itself plus 2^-50 of the extent
-// of the corners.
+// the point. The weights are ratios of exact numbers and do not depend on the order in which the
+// mesh is stored. The error of a coordinate of the point is below 2^-53 of the coordinate plus
+// 2^-50 of the extent of the corners.
 struct HullPlace {
     unsigned size;       // 1 to 3 corners, in the order of the caller's indices
     VertexId corner[3];  // the corners whose weighted mean is the point
@@ -18,7 +18,7 @@ struct HullPlace {
 };
 
 // The point of the hull that is nearest to q. The coordinates of q are in the mesh's scale, and q
-// is beyond the hull facet of this ghost.
+// is beyond the hull facet of `ghost`.
 HullPlace nearest_hull_place(const Mesh& mesh, const double* q, TetId ghost);
 
 }  // namespace mgdt

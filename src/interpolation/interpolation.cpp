@@ -14,7 +14,8 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// The product of a displacement and a gradient or direction. Only large gradients have lower parts.
+// The scalar product of a displacement and a gradient or direction. Only large gradients have lower
+// parts; for others, doubles suffice.
 double product(const Vector<Twofold>& way, const Twofold* g) {
     if (g[0].low == 0 && g[1].low == 0 && g[2].low == 0)
         return (way.x[0].high * g[0].high + way.x[1].high * g[1].high) + way.x[2].high * g[2].high;
@@ -56,7 +57,8 @@ class GradientsOf {
 
 constexpr std::size_t vertices_per_thread = 1024;
 
-// Calls write(vertex, worker) for each vertex, where the worker writes the gradients of the vertex.
+// Calls write(vertex, worker, scratch) for each vertex. The worker can write the gradients of the
+// vertex, for which `scratch` has room.
 template <class Write>
 void for_each_gradient(const ExportView& view, const Locator& where, const Values& values,
                        Write write) {
@@ -71,7 +73,7 @@ void for_each_gradient(const ExportView& view, const Locator& where, const Value
                     });
 }
 
-// Evaluates rows; each thread has its own.
+// Evaluates the rows of places to values; each thread has its own evaluator.
 class Evaluator {
   public:
     // If `gradients` is empty, gradients are computed as they are needed.
@@ -116,8 +118,8 @@ class Evaluator {
     Buffer<Twofold> gradient_;
 };
 
-// Writes rows of weights by the caller's index. The weights that gradients contribute are added to
-// the others.
+// Collects rows of weights, where points have the caller's indices. The weights that come from
+// gradients are added to the weights of values.
 class RowWriter {
   public:
     struct Entry {
@@ -156,7 +158,7 @@ class RowWriter {
     Buffer<Entry> entries;
 
   private:
-    // Merges the entries of the row so that each point has one.
+    // Merges the entries of the row that starts at `begin`, so that each point has one entry.
     void merge(std::size_t begin) {
         std::stable_sort(entries.begin() + begin, entries.end(),
                          [](const Entry& a, const Entry& b) { return a.point < b.point; });
@@ -180,7 +182,7 @@ void interpolate(const ExportView& view, const Locator& where, Manner manner, co
                  const PointSet& places, double* out) {
     Buffer<Twofold> gradients(view.allocator);
     // A place needs the gradients of about sixteen vertices. With 1/8 as many places as vertices,
-    // each gradient is needed twice on average, so all are computed in advance.
+    // each gradient is needed twice on average, so all gradients are computed in advance.
     if (manner.method == Method::sibson_c1 && places.size >= view.mesh.vertices.size() / 8) {
         const std::size_t width = 3 * values.fields;
         gradients.resize(width * view.mesh.vertices.size());
@@ -206,7 +208,7 @@ std::size_t interpolation_weights(const ExportView& view, const Locator& where, 
         std::uint32_t size, member;
     };
     // Rows are computed in the order of a space-filling curve and written in the order of the
-    // places, block by block.
+    // places, in blocks of at most this many places.
     constexpr std::size_t most = std::size_t{1} << 17;
     PerMember<RowWriter> workers(view.team, view.allocator, where, std::ref(view.allocator),
                                  manner);

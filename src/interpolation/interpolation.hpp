@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Values and weights at many places, and gradients at all points, computed by threads. Places are
-// finite points, stored one after the other, and have their own scale. Values are by the caller's
-// index.
+// Interpolated values and weights at many places, and gradients at all points, computed by all
+// threads of a team. Places are finite points, stored one after the other in the caller's scale.
+// Values are stored in the order of the caller's indices.
 #pragma once
 
 #include "interpolation/interpolator.hpp"
@@ -9,7 +9,7 @@
 
 namespace mgdt {
 
-// Values at points: `fields` numbers for each.
+// The values at the points: `fields` numbers for each point.
 struct Values {
     std::size_t fields;
     const double* of(std::uint32_t index) const noexcept { return data + fields * index; }
@@ -21,13 +21,14 @@ struct Manner {
     Outside outside;
 };
 
-// Writes the values at the places; NaN for a place without a value.
+// Writes the interpolated values at the places, or NaN for a place without a value.
 void interpolate(const ExportView& view, const Locator& where, Manner manner, const Values& values,
                  const PointSet& places, double* out);
 
-// Writes the weights of the points as one row per place. Row i is from offsets[i] to before
-// offsets[i + 1]; the index base is added to offsets and indices. Writes the offsets, and the rows
-// if there is room for all. Returns the room that is needed.
+// The output of interpolation_weights(), which writes the weights of the points as one row per
+// place. Row i is from offsets[i] to before offsets[i + 1]; the index base is added to offsets and
+// indices. The function always writes the offsets, but all rows only if `capacity` is enough for
+// all. The function returns the capacity that is needed.
 template <class Int>
 struct WeightRows {
     Int* offsets;
@@ -39,7 +40,8 @@ template <class Int>
 std::size_t interpolation_weights(const ExportView& view, const Locator& where, Manner manner,
                                   const PointSet& places, const WeightRows<Int>& rows);
 
-// Writes three numbers for each field of each point; NaN for a point that is not in.
+// Writes the gradient, three numbers, for each field of each point. A gradient is NaN for a point
+// that is not in the triangulation.
 void gradients(const ExportView& view, const Locator& where, const Buffer<VertexId>& point_map,
                const Values& values, double* out);
 

@@ -60,7 +60,7 @@ void Interpolator::add_linear(const double* q, TetId t) {
     sort();
 }
 
-// Returns false at a vertex and on a ridge of the hull.
+// Adds the natural weights. Adds none and returns false at a vertex and on a ridge of the hull.
 bool Interpolator::add_natural(TetId t) {
     const Mesh& mesh = where_.mesh;
     for (const VertexId v : mesh.tetrahedra[t].v)
@@ -81,7 +81,8 @@ void Interpolator::add_inside(const double* q, TetId t) {
 }
 
 void Interpolator::add_outside(TetId near) {
-    // Beyond this distance only the direction counts, and products might overflow.
+    // Beyond this distance only the direction of the place matters, and products might overflow, so
+    // the place is moved to this distance.
     constexpr double far = 0x1p400;
     const double most = max_magnitude(q_[0], q_[1], q_[2]);
     double from[3];
@@ -118,7 +119,8 @@ void Interpolator::smooth() {
             largest = std::max(largest, std::fabs(from(w.vertex, axis)));
     const auto distance = [&](VertexId v) {
         const double x = from(v, 0) / largest, y = from(v, 1) / largest, z = from(v, 2) / largest;
-        // If a vertex is at the rounded point of the hull, any small number will do.
+        // The distance is 0 if the rounded point of the hull is at a vertex. Any small number can
+        // replace 0.
         return std::max(std::sqrt((x * x + y * y) + z * z), 0x1p-300);
     };
     double over = 0, times = 0, square = 0;
@@ -128,7 +130,8 @@ void Interpolator::smooth() {
         times += w.weight * d;
         square += w.weight * d * d;
     }
-    // The coordinates may be at both ends of the range of doubles.
+    // The coordinates may be at both ends of the range of doubles, so that distances overflow. The
+    // value is not smoothed then.
     if (!(largest < 0x1p1000)) return;
     const double alpha = times / over, of_values = alpha / (alpha + square),
                  of_planes = square / (alpha + square);
@@ -139,8 +142,9 @@ void Interpolator::smooth() {
     }
 }
 
-// Continues the value linearly outside the hull, with the mean of the gradients at the corners of
-// the hull facet. The displacement begins at the point that the corners have with the same weights.
+// Continues the value linearly outside the hull, with the weighted mean of the gradients at the
+// corners of the nearest hull feature. The displacement begins at the mean of the corners with the
+// same weights.
 void Interpolator::extrapolate(const HullPlace& from) {
     Vector<Twofold> way;
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What contributes to the value at a place: weights of values at vertices, and of their gradients.
+// The contributions to the interpolated value at a place: weights of the values at vertices, and of
+// the gradients at vertices.
 #pragma once
 
 #include <optional>
@@ -26,20 +27,22 @@ struct PlaceRow {
     struct Slope {
         VertexId vertex;
         double factor;
-        // Twofold, because large gradients across thin neighbourhoods cancel along it.
+        // The displacement is twofold, because its products with large gradients in thin
+        // neighbourhoods cancel.
         Vector<Twofold> way;
     };
-    Buffer<Weight> weights;  // none is 0; in the order of the caller's indices
+    Buffer<Weight> weights;  // no weight is 0; sorted by the caller's indices
     Buffer<Slope> slopes;
 };
 
-// Computes one row at a time and reuses its memory for the next. Each thread has its own.
+// Computes one row at a time and reuses its memory for the next. Each thread has its own
+// interpolator.
 class Interpolator {
   public:
     Interpolator(const Locator& where, Allocator& allocator, Method method, Outside outside);
 
-    // The row of q, which Locator::locate() has found in tetrahedron t or, if t is no_tetrahedron,
-    // outside the hull and near `near`.
+    // The row of q, a place that Locator::locate() has found in tetrahedron t. If t is
+    // no_tetrahedron, q is outside the hull. `near` is a tetrahedron near q.
     const PlaceRow& row(const double* q, TetId t, TetId near);
     static bool has_slopes(Method method, Outside outside) {
         return method == Method::sibson_c1 || outside == Outside::linear;
@@ -61,11 +64,11 @@ class Interpolator {
     const Method method_;
     const Outside outside_;
     double q_[3] = {};       // the place in the mesh's scale
-    bool is_exact_ = false;  // whether q_ is exact but for its rounding
+    bool is_exact_ = false;  // whether scaling the place to q_ was exact
     PlaceRow row_;
     std::optional<PlaceStar> star_;
     NaturalWeights natural_;
-    std::optional<FlatHull> flat_hull_;  // used for places outside if there are no tetrahedra
+    std::optional<FlatHull> flat_hull_;  // set if there are no tetrahedra and outside_ is none
 };
 
 }  // namespace mgdt

@@ -10,8 +10,8 @@
 namespace mgdt {
 namespace {
 
-// The largest error of a weight, so small that the rounding of the weight is the larger part of its
-// error.
+// The largest error of a weight before it is rounded to a double, about as large as the rounding
+// error of a number near 1.
 constexpr double weight_error = 0x1p-52;
 
 template <class Numbers>
@@ -55,8 +55,8 @@ class BoundedStar {
         return {{numbers_.difference(a[0], b[0]), numbers_.difference(a[1], b[1]),
                  numbers_.difference(a[2], b[2])}};
     }
-    // Calls f for each part in the order of its corners, which depends on the points alone. So do
-    // sums then.
+    // Calls f for each part in the order of its corners. This order depends on the points alone, so
+    // sums over the parts do too.
     template <class Part, class F>
     void for_each(const Buffer<Part>& parts, F f) {
         order_.clear();
@@ -72,7 +72,8 @@ class BoundedStar {
         const B sum = sums_.get(numbers_, k);
         sums_.set(k, is_negative ? sum - term : sum + term);
     }
-    // The circumcentre, relative to the corner that all vectors are relative to.
+    // The circumcentre of a tetrahedron or triangle with one corner at the origin, relative to that
+    // corner.
     MGDT_NOT_INLINE static V center(const V& a, const V& b, const V& c);
     MGDT_NOT_INLINE static V center(const V& a, const V& b);
     void divide_by_squares() {
@@ -156,7 +157,8 @@ void BoundedStar<Numbers>::measure_on_hull(Natural natural) {
         const double* const base = point(v[0]);
         const V a = difference(point(v[1]), base), b = difference(point(v[2]), base);
         if (is_first) {
-            // Areas of the projection along one axis are proportional to those in the plane.
+            // Areas of the projection along one axis are proportional to areas in the plane of the
+            // triangles.
             const V normal = cross(a, b);
             for (int k = 1; k < 3; ++k)
                 if (magnitude(normal.x[axis].wide()) < magnitude(normal.x[k].wide())) axis = k;

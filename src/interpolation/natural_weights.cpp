@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The cell of a place, if it were a vertex, takes a part from the cell of each neighbour. Sibson's
-// weight is the share of that part, Laplace's the area of the face to the neighbour over its
-// distance. Either is a sum over edges of Voronoi cells, from one circumcentre to the next, with
-// the place as the origin (docs/theory.md, "Values between points").
+// If a place were a vertex, its cell would take a part of the cell of each neighbour. Sibson's
+// weight of a neighbour is proportional to the volume of this part. Laplace's weight is
+// proportional to the area of the face to the neighbour divided by the neighbour's distance. Both
+// are sums over edges of Voronoi cells, from one circumcentre to the next, with the place as the
+// origin (docs/theory.md, "Values between points").
 #include "interpolation/natural_weights.hpp"
 
 #include <algorithm>
@@ -74,8 +75,9 @@ bool NaturalWeights::is_in_place(double (&off)[3]) const {
     return max_magnitude(off[0], off[1], off[2]) <= natural_place_error * mean;
 }
 
-// Rounding errors of far circumcentres may add up to more than is allowed. Multiplying the weights
-// by 1 + x . y moves their mean to off + M y, where M is the sum of the weights times x x^T.
+// Corrects the weights, since rounding errors of distant circumcentres may add up to more than is
+// allowed. Multiplying the weights by 1 + x . y moves the mean from `off` to off + M y, where M is
+// the sum of the weights times x x^T. Returns false if a weight would change too much.
 bool NaturalWeights::correct(const double (&off)[3]) {
     double m[6] = {};
     for (std::size_t k = 0; k < weights_.size(); ++k) {
@@ -107,7 +109,7 @@ bool NaturalWeights::correct(const double (&off)[3]) {
 
 // Computes the circumcentres relative to the place. Returns false if one is not known at all.
 bool NaturalWeights::set_centers(const Mesh& mesh, const PlaceStar& star, Natural natural) {
-    // A product of five smaller numbers may leave the range of doubles.
+    // Shorter vectors are not used, because a product of five of their coordinates may underflow.
     constexpr double least = 0x1p-190;
     const std::size_t removed = star.removed().size(), created = star.created().size();
     centers_.clear();
@@ -201,8 +203,9 @@ bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const d
         largest = std::max(largest, centers_[i].size + centers_[i].error);
     if (!(largest < 0x1p200)) return false;
     // Coordinates are below 2, so a term is below 24 largest^2. The sum of a vertex is 12 times a
-    // part of the place's cell, which is in a cube, so it is below 96 largest^3 too. Intermediate
-    // integers may overflow; they wrap around.
+    // part of the place's cell. The cell is in a cube with edges of length 2 largest, so the sum is
+    // also below 96 largest^3. Intermediate sums may overflow, but they wrap around, so the final
+    // sum is right.
     const std::size_t terms = star.old_facets().size() + star.new_facets().size();
     const int exponent = std::ilogb(largest) + 1, of_term = 5 + 2 * exponent,
               of_whole = std::min(of_term + static_cast<int>(bit_width(terms)), 7 + 3 * exponent);
@@ -254,7 +257,7 @@ bool NaturalWeights::in_doubles(const Mesh& mesh, const PlaceStar& star, const d
         give(f.corner[1], x, to_j);
     }
     double total = 0, error_of_all = 0;
-    // The error of all sums together, in units.
+    // A bound on the error of all sums together, in units of the integers.
     const double error_of_sums = error * one + 3 * static_cast<double>(terms);
     for (PlaceStar::Number k = 0; k < n; ++k) {
         const double square = is_sibson ? 1 : x_[k].square;

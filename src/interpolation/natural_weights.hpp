@@ -10,14 +10,15 @@ namespace mgdt {
 
 enum class Natural { sibson, laplace };
 
-// The largest error of a weight; all weights add up to 1. Also the largest distance between the
-// place and the weighted mean of its neighbours, relative to their mean distance.
+// natural_weight_error is the largest error of a weight, where all weights add up to 1.
+// natural_place_error is the largest distance between the place and the weighted mean of its
+// neighbours, relative to their mean distance.
 inline constexpr double natural_weight_error = 0x1p-30;
 inline constexpr double natural_place_error = 0x1p-47;
 
-// Computes the weights of the vertices in the star of q, by their local numbers. q is a point in
-// the mesh's scale that is not on a ridge of the hull. Weights are not negative, their sum is 1 but
-// for its rounding, and they depend on the points alone.
+// Computes the weights of the vertices in the star of q, by their local numbers. The coordinates of
+// q are in the mesh's scale, and q is not on a ridge of the hull. Weights are not negative, add up
+// to 1 except for rounding, and depend on the points alone.
 class NaturalWeights {
   public:
     explicit NaturalWeights(Allocator& allocator)
@@ -26,10 +27,11 @@ class NaturalWeights {
     void find(const Mesh& mesh, const PlaceStar& star, const double* q, Natural natural);
     const Buffer<double>& weights() const noexcept { return weights_; }
 
-    // The stages, which tests call one by one: doubles; doubles with corrected circumcentres;
-    // numbers that bound their errors. Doubles leave weights even if they are uncertain. Other
-    // stages return false if the weights are not known to 2^-52. Long numbers are cut off to
-    // `bits`; with enough bits they always succeed.
+    // The stages of find(), which tests call one by one: doubles; doubles with corrected
+    // circumcentres; twofold numbers and long numbers, which bound their errors. The first two
+    // stages may write weights even if they return false, because the weights are uncertain. The
+    // other two return false if the weights are not known to 2^-52. Long numbers are cut off to
+    // `bits`; with enough bits the stage succeeds.
     enum class Stage { doubles, corrected, twofold, long_numbers };
     bool find_in(Stage stage, const Mesh& mesh, const PlaceStar& star, const double* q,
                  Natural natural, int bits = 512);
@@ -46,7 +48,8 @@ class NaturalWeights {
     bool set_centers(const Mesh& mesh, const PlaceStar& star, Natural natural);
     void set_corrected_centers(const Mesh& mesh, const PlaceStar& star, const double* q,
                                Natural natural);
-    // Divides sums that are proportional to the weights by their total.
+    // Turns sums that are proportional to the weights into weights: divides non-negative sums by
+    // their total; negative ones become 0.
     void normalize();
     bool is_in_place(double (&off)[3]) const;
     bool correct(const double (&off)[3]);

@@ -172,7 +172,7 @@ void PlaceStar::build_in_space(const Mesh& mesh, Lookup number, Edges edges) {
         for (unsigned face = 0; face < 4; ++face) {
             const std::uint32_t other = member(tetrahedron_of(t.n[face]));
             // An entry is written for each face, but kept only if `other` is a member with a larger
-            // number. So a facet between two members is kept once. This needs no branch.
+            // number. So a facet between two members is kept once, and the loop has no branch.
             Meeting<3>& f = *old_facet;
             old_facet += static_cast<int>(other + 1 > m + 1);
             f.near = m;
@@ -189,7 +189,7 @@ void PlaceStar::build_in_space(const Mesh& mesh, Lookup number, Edges edges) {
         const Tetrahedron& t = mesh.tetrahedra[tetrahedron_of(outside)];
         const FacetCode inside = t.n[face_of(outside)];
         Created& c = created[i];
-        // In the order that is positively oriented together with the place.
+        // The corners in the order that is positively oriented together with the place.
         Number* const cycle = cycles[i].corner;
         for (unsigned k = 0; k < 3; ++k)
             cycle[k] = c.corner[k] = number(t.v[outer_face[face_of(outside)][k]]);
@@ -207,7 +207,7 @@ void PlaceStar::build_in_space(const Mesh& mesh, Lookup number, Edges edges) {
         const Number* const cycle = cycles[i].corner;
         for (unsigned k = 0; k < 3; ++k) {
             const Number a = cycle[k], b = cycle[k == 2 ? 0 : k + 1];
-            // Each edge of the link is taken in one of its directions.
+            // Each edge between two boundary facets is kept once, in the direction with a < b.
             *new_facet = {members + i, members + edges.get(b, a), {a, b}, false};
             new_facet += static_cast<int>(a < b);
         }
@@ -268,7 +268,8 @@ void PlaceStar::build_on_hull(const Mesh& mesh, Lookup number) {
             e->is_odd = sort_corners(e->corner);
         }
     }
-    // A created triangle has two corners; the next triangle begins at the second of them.
+    // A created triangle has two corners besides the place; the next triangle begins at the second
+    // one.
     for (std::uint32_t i = 0; i < created_triangles_.size(); ++i) {
         const Simplex<2>& c = created_triangles_[i];
         const Number to = c.is_odd ? c.corner[0] : c.corner[1];

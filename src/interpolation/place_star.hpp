@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The star that a place would have if it were a vertex: the tetrahedra that it would remove, those
-// that it would have, and how they meet. The mesh stays as it is, and many threads may look.
+// The star that a place would have if it were a vertex: the tetrahedra that the place would remove,
+// the tetrahedra that it would create, and how these meet. The mesh does not change, so many
+// threads may use it at the same time.
 //
 // Vertices have local numbers in the order of the caller's indices, and the corners of each part
-// are sorted, so that what is computed from them does not depend on how the triangulation came
-// about.
+// are sorted. So results that are computed from the star do not depend on the order of insertion.
 #pragma once
 
 #include "kernel/kernel.hpp"
@@ -25,10 +25,10 @@ class PlaceStar {
         bool is_odd;
     };
     using Removed = Simplex<4>;  // a tetrahedron that the place would remove
-    using Created = Simplex<3>;  // a tetrahedron that it would create: the place and these corners
+    using Created = Simplex<3>;  // a tetrahedron that would be created: the place and the corners
     // Two tetrahedra with a common facet, or two triangles on the hull with a common edge, by
-    // number. Created ones are numbered after the removed ones. A point on the side of `beyond`,
-    // followed by the corners, is positively oriented, or negatively if `is_odd`.
+    // number. Created tetrahedra or triangles are numbered after the removed ones. A point on the
+    // side of `beyond`, followed by the corners, is positively oriented, or negatively if `is_odd`.
     template <int corners>
     struct Meeting {
         std::uint32_t near, beyond;
@@ -41,23 +41,23 @@ class PlaceStar {
 
     Number size() const noexcept { return static_cast<Number>(vertices_.size()); }
     VertexId vertex(Number k) const noexcept { return vertices_[k]; }
-    // Whether the place is on the hull. Then the star is one of triangles in a plane, or is of no
-    // use if the place is on a ridge.
+    // Whether the place is on the hull. If so, the star consists of triangles in a plane. If the
+    // place is on a ridge, the star must not be used.
     bool is_on_hull() const noexcept { return is_on_hull_; }
     bool is_on_ridge() const noexcept { return is_on_ridge_; }
 
     const Buffer<Removed>& removed() const noexcept { return removed_; }
     const Buffer<Created>& created() const noexcept { return created_; }
-    // The facets of the removed tetrahedra: each between two of them, or between one and a created
-    // one.
+    // The facets of the removed tetrahedra. Each is between two removed tetrahedra, or between a
+    // removed and a created one.
     const Buffer<Meeting<3>>& old_facets() const noexcept { return old_facets_; }
-    // The facets between two created tetrahedra. The place is their first corner; two others
-    // follow.
+    // The facets between two created tetrahedra. The first corner of each is the place, which is
+    // not stored; the two other corners are.
     const Buffer<Meeting<2>>& new_facets() const noexcept { return new_facets_; }
 
-    // In a plane of the hull: the triangles that the place would remove, those that it would create
-    // (the place and these two corners), and the edges of the removed ones. All triangles have the
-    // same orientation.
+    // If the place is on the hull: the triangles that the place would remove, the triangles that it
+    // would create (the place and two corners), and the edges of the removed triangles. All
+    // triangles have the same orientation.
     const Buffer<Simplex<3>>& removed_triangles() const noexcept { return removed_triangles_; }
     const Buffer<Simplex<2>>& created_triangles() const noexcept { return created_triangles_; }
     const Buffer<Meeting<2>>& old_edges() const noexcept { return old_edges_; }
@@ -101,7 +101,7 @@ class PlaceStar {
     Buffer<Simplex<2>> created_triangles_;
     Buffer<Meeting<2>> old_edges_;
     Buffer<NewEdge> new_edges_;
-    Buffer<std::uint32_t> from_;  // by vertex: the triangle whose edge begins there
+    Buffer<std::uint32_t> from_;  // by vertex: the created triangle whose edge begins at it
     bool is_on_hull_ = false, is_on_ridge_ = false;
 };
 
