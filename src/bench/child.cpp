@@ -28,8 +28,8 @@ using std::chrono::steady_clock;
     throw Error(exit_memory, fmt::format("cannot {}: {}", what, system_message(error)));
 }
 
-// Called in the child. Makes the child end with its parent, and makes it the first process that the
-// system ends when memory runs out.
+// Makes the child, which calls this function, end with its parent, and makes the child the first
+// process that the system ends when memory runs out.
 void prepare_child([[maybe_unused]] pid_t parent) {
     setpgid(0, 0);
 #ifdef __linux__

@@ -27,7 +27,7 @@ struct ChurnFigures {
     std::vector<double> growth;    // the relative growth of memory during the rounds
 };
 
-// One run on one handle. Its calls are timed.
+// One run on one handle. The run times its calls.
 class Run {
   public:
     Run(const ChurnOptions& options, const std::vector<double>& xyz, std::uint64_t seed)

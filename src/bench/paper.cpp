@@ -39,9 +39,10 @@ bool is_hopeless(const std::string& scheme_or_peer, const std::string& distribut
     const auto is_any_of = [&](std::initializer_list<const char*> kinds) {
         return std::find(kinds.begin(), kinds.end(), distribution) != kinds.end();
     };
-    // It takes a minute per million points, and 1800 bytes per point.
+    // Qhull takes a minute per million points, and 1800 bytes per point.
     if (scheme_or_peer == "qhull") return points > 1000000;
-    // Each walk crosses the whole set: 3000 tetrahedra per point on a line of 400,000 points.
+    // With random order each walk crosses the whole set: on a line of 400,000 points it visits 3000
+    // tetrahedra.
     if (scheme_or_peer == "random") return points > 400000 || is_any_of({"line", "diagonal"});
     if (scheme_or_peer == "regular-grid") {
         return points > 2000000 && is_any_of({"line", "diagonal", "ellipse", "spiral", "cluster"});

@@ -7,8 +7,8 @@
 
 namespace mgdt::cli::bench {
 
-// The path of a peer's runner: in the given folder, or otherwise beside this program or in its
-// build folder. Empty if there is none.
+// The path of a peer's runner, or an empty string if there is none. The function looks into the
+// given folder; without one, beside this program and into its build folder.
 std::string find_runner(const std::string& peer, const std::string& directory);
 
 // The message for a user who has no runner.

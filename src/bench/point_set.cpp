@@ -41,8 +41,8 @@ std::vector<double> make(const PointSetName& name, const std::string& data_direc
     return generate(kind, name.points, options);
 }
 
-// A file without a name, which vanishes when the last process closes it. It is on a disk and not in
-// memory, which large sets need for themselves.
+// A file without a name, which vanishes when the last process closes it. The file is on a disk,
+// since large sets need the memory for themselves.
 int nameless_file() {
     const char* directory = std::getenv("TMPDIR");
     std::string path = std::string(directory != nullptr && *directory != '\0' ? directory : "/tmp");

@@ -51,7 +51,7 @@ inline constexpr std::array<const char*, figure_count> figure_names{"np",
 // A figure that a library does not report is empty.
 using Figures = std::array<std::optional<double>, figure_count>;
 
-// Appended to the scheme of a run in compact storage.
+// The suffix of the scheme of a run in compact storage.
 inline constexpr std::string_view compact_suffix = "+compact";
 
 struct Row {
@@ -84,7 +84,7 @@ std::string csv_heading();
 
 std::string to_csv(const Row& row);
 
-// Reads a line of the table. Returns nothing if it is no such line.
+// Reads a line of the table. Returns nothing if the text is not such a line.
 std::optional<Row> from_csv(std::string_view line);
 
 // Converts any text to a field: printable, without commas and quotation marks, and short.

@@ -123,7 +123,7 @@ bool read_figures(const std::string& line, Figures& figures) {
     return true;
 }
 
-// Called in the child. Replaces the process by the runner.
+// Replaces the child process, which calls this function, by the runner.
 int execute(const std::string& runner, int input, int out) {
     dup2(input, STDIN_FILENO);
     dup2(out, STDOUT_FILENO);

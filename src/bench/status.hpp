@@ -9,8 +9,8 @@
 
 namespace mgdt::cli::bench {
 
-// Called in a child. Does the work and returns the exit code. If the work fails, writes a line to
-// `out` that says why.
+// Does the work of a child, which calls this function, and returns the exit code. If the work
+// fails, writes a line to `out` that says why.
 int guarded(int out, const std::function<void()>& work);
 
 // The status for the table: "ok", "out-of-memory", "timeout", "signal 11", or "error:" and the last
