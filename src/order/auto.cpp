@@ -3,8 +3,8 @@
 
 namespace mgdt {
 
-// The multi-grid scheme with its defaults, whatever the parameters are. It measures best
-// (docs/paper.md).
+// The multi-grid scheme with its default parameters; only the seed is taken from `parameters`. This
+// scheme performs best in measurements (docs/paper.md).
 void order_auto(Team& team, const PointSet& points, const OrderParameters& parameters,
                 Schedule& out) {
     OrderParameters by_default;

@@ -70,7 +70,8 @@ class Lattice {
         return lattice;
     }
 
-    // Cubes: count^3 of them over the least cube above box.low that holds the box.
+    // count^3 cubes. Together they form the smallest cube that contains the box and has its low
+    // corner at box.low.
     static Lattice cubes(const PointSet& points, const Box& box, std::uint32_t count) noexcept {
         Lattice lattice;
         const double unit = working_unit(box.longest());

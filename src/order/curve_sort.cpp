@@ -72,7 +72,7 @@ class CurveSorter {
                 cell = large.back();
                 large.pop_back();
                 box = box_of_points(cell);
-            } while (!(box.longest() > 0));  // one point repeated
+            } while (!(box.longest() > 0));  // all points are equal
         }
     }
 
@@ -85,10 +85,10 @@ class CurveSorter {
     struct Cell {
         std::size_t begin, end;  // the range of its points
         unsigned state;          // the state of the curve in the cell
-        unsigned depth;          // of nesting; 1 for the whole set
+        unsigned depth;          // the depth of nesting; 1 for the whole set
     };
-    // A cell whose points are sorted by its curve. Up to `begin`, crowded cells inside it are
-    // sorted, too.
+    // A cell whose points are sorted by its curve. Of the crowded cells inside this cell, those
+    // before cell.begin are sorted, too.
     struct Level {
         Cell cell;
         Lattice lattice;
@@ -105,7 +105,7 @@ class CurveSorter {
                       [&](std::size_t j) { return order_.index(cell.begin + j); });
     }
 
-    // A cell of the finest level, inside a cell that is sorted.
+    // The cell of the finest level with the points begin..end-1, inside `cell`, which is sorted.
     Cell inside(const Lattice& lattice, const Cell& cell, std::size_t begin,
                 std::size_t end) const noexcept {
         unsigned state = cell.state;
@@ -160,7 +160,7 @@ class CurveSorter {
 
     void enter(Team& alone, Buffer<Level>& open, const Cell& cell) {
         const Box box = box_of_points(cell);
-        if (!(box.longest() > 0)) return;  // one point repeated
+        if (!(box.longest() > 0)) return;  // all points are equal
         open.grow(open.size() + 1);
         const Lattice lattice = sort_cell(alone, cell, box);
         open.resize_within_capacity(open.size() + 1);

@@ -26,7 +26,8 @@ struct CurveOrder {
     }
 };
 
-// Up to `crowd` points in a cell of the finest level keep their order.
+// Sorts the points along the curve. In a cell of the finest level, up to `crowd` points keep their
+// order; more points are sorted by a nested curve.
 CurveOrder sort_along_curve(Team& team, const PointSet& points, Allocator& allocator,
                             std::size_t crowd = 8);
 

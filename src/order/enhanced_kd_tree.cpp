@@ -10,8 +10,8 @@ namespace {
 
 constexpr double grid_points_per_cell = 8;
 
-// Sorts the points of each kd cell along a regular grid, which begins at the corner next to the
-// previous pivot.
+// Sorts the points of each kd cell along the path of a regular grid. The path begins at the corner
+// nearest to the previous pivot.
 class CellOrder {
   public:
     CellOrder(const PointSet& points, const Buffer<KdPoint>& sorted, Schedule& out)

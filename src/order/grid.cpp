@@ -28,7 +28,7 @@ void divide(const Box& box, double cells, std::uint32_t count[3]) noexcept {
     const double a = extent[axis[0]], b = extent[axis[1]], c = extent[axis[2]];
 
     double divisions[3] = {1, 1, 1};
-    // Ratios, since the product of the extents may overflow.
+    // The formulas use ratios, since the product of the extents may overflow.
     const double shortest = b > 0 ? cube_root(cells * (c / a) * (c / b)) : 0;
     const double middle = a > 0 ? std::sqrt(cells * (b / a)) : 0;
     if (shortest >= 0.5) {

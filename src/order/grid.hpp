@@ -9,10 +9,10 @@
 
 namespace mgdt {
 
-// S.H. Lo (2014), section 4.1: N points, n of them a cell, in a box of sides R get
-// alpha = cbrt(N / (n Rx Ry Rz)) and NINT(alpha R) divisions along each axis. An axis along which
-// that is 0 is left undivided, and alpha is found again for the others alone, so that there are
-// about N / n cells in flat and thin boxes too (at most 4 N / n, and 2^31).
+// S.H. Lo (2014), section 4.1: for N points with n points per cell, in a box with sides R, alpha =
+// cbrt(N / (n Rx Ry Rz)), and each axis has NINT(alpha R) divisions. If this number is 0 for an
+// axis, the axis is left undivided and alpha is computed again for the other axes alone. So flat
+// and thin boxes also have about N / n cells (at most 4 N / n, and 2^31).
 class Grid {
   public:
     // The path begins at the corner cell nearest to the point `from`, or at the low corner if
@@ -52,8 +52,8 @@ class Grid {
 };
 
 // Sorts n points, of which index(j) is the j-th, along the path of a grid, into `order`. Points of
-// one cell keep their order. path[j] becomes the position of the cell of point j on the path, and
-// ends[c] the end of the points at position c in `order`.
+// one cell keep their order. path[j] becomes the position of the cell of point j on the path.
+// ends[c] becomes the end, in `order`, of the points of the cell at position c.
 template <class Index>
 void sort_along_path(const Grid& grid, const PointSet& points, std::size_t n, Index index,
                      std::uint32_t* path, Buffer<std::uint32_t>& ends, std::uint32_t* order) {
@@ -64,7 +64,8 @@ void sort_along_path(const Grid& grid, const PointSet& points, std::size_t n, In
         ++ends[path[j] + std::size_t{1}];
     }
     for (std::size_t c = 1; c < ends.size(); ++c) ends[c] += ends[c - 1];
-    // So far ends[c] is where the points at position c begin. Writing them moves it to their end.
+    // At this point, ends[c] is where the points at position c begin. Writing the points moves
+    // ends[c] to where they end.
     for (std::size_t j = 0; j < n; ++j) order[ends[path[j]]++] = index(j);
 }
 

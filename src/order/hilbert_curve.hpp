@@ -39,8 +39,8 @@ class HilbertCurve {
         }
     }
 
-    // Position along the curve of the cell (x, y, z) among 2^levels per axis, levels = 3 steps;
-    // `state` is that of the whole cube and becomes the cell's.
+    // The position along the curve of the cell (x, y, z), with 2^(3 steps) cells along each axis.
+    // `state` is the state of the whole cube on entry and the state of the cell on return.
     std::uint64_t key(std::uint32_t x, std::uint32_t y, std::uint32_t z, unsigned steps,
                       unsigned& state) const noexcept {
         std::uint64_t key = 0;

@@ -19,7 +19,7 @@ Buffer<KdPoint> kd_points(Team& team, const PointSet& points, Allocator& allocat
 }
 
 unsigned kd_levels(std::size_t n, double points_per_cell, bool round_down) noexcept {
-    // log2(cells) rounds up from sqrt(2) on.
+    // The loop rounds log2(cells) down if `turn` is 2, and to nearest if `turn` is sqrt(2).
     const double turn = round_down ? 2 : 1.4142135623730951;
     double cells = static_cast<double>(n) / points_per_cell;
     unsigned levels = 0;
@@ -54,8 +54,9 @@ void put_median(KdPoint* first, KdPoint* median, KdPoint* last, int axis) noexce
 }  // namespace
 
 Halves cut(KdPoint* points, const Region& region) noexcept {
-    // The paper's formula gives an even number's odd half to the right, its worked example of 20
-    // points (5-4-4-4, Figure 10) to the left. This follows the example.
+    // If the two halves cannot be equal, the formula of S.H. Lo (2014) gives the extra point to the
+    // right half, but the worked example with 20 points (5-4-4-4, Figure 10) gives it to the left
+    // half. This code follows the example.
     const std::size_t pivot = region.begin + (region.end - region.begin) / 2;
     const int axis = longest_side(region.box);
     put_median(points + region.begin, points + pivot, points + region.end, axis);

@@ -19,15 +19,15 @@ struct KdPoint {
 
 Buffer<KdPoint> kd_points(Team& team, const PointSet& points, Allocator& allocator);
 
-// The number of levels of a tree over n points: log2(n / points_per_cell), S.H. Lo (2014),
-// section 3.2. Rounded to the nearest integer, or down if every cell shall have at least
-// points_per_cell points.
+// The number of levels of a tree over n points: log2(n / points_per_cell), S.H. Lo (2014), section
+// 3.2. The result is rounded down if `round_down`, so that cells have about points_per_cell points
+// or more, and otherwise rounded to the nearest integer.
 unsigned kd_levels(std::size_t n, double points_per_cell, bool round_down) noexcept;
 
 // Divides points in place: each region is cut across the longest side of its box at the median
 // point, the pivot, which is then between the two halves. So the array becomes the sandwich of
 // section 3.3: cell, pivot, cell, pivot, ..., cell. Each thread makes a function leaf =
-// make_leaf(), and leaf(begin, end) is called for each cell, also for empty ones, in any order. The
+// make_leaf(). leaf(begin, end) is called for each cell, including empty cells, in any order. The
 // order of points within a cell depends on the C++ library, so leaf() has to sort them.
 template <class MakeLeaf>
 void kd_partition(Team& team, Buffer<KdPoint>& points, const Box& box, unsigned levels,

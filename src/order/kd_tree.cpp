@@ -17,7 +17,7 @@ void order_kd_tree(Team& team, const PointSet& points, const OrderParameters& pa
         return [&](std::size_t begin, std::size_t end) {
             std::sort(sorted.data() + begin, sorted.data() + end,
                       [](const KdPoint& a, const KdPoint& b) { return a.index < b.index; });
-            // The pivot after the cell comes with it, if there is one.
+            // The pivot after the cell, if there is one, follows the points of the cell.
             end = std::min(end + 1, points.size);
             for (std::size_t k = begin; k < end; ++k) out.order[k] = sorted[k].index;
         };

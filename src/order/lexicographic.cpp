@@ -8,8 +8,8 @@
 namespace mgdt {
 namespace {
 
-// An integer with the same order as the double: the sign bit of positive numbers is flipped, and
-// all bits of negative numbers. Adding 0 turns -0 into 0.
+// An integer with the same order as the double: in positive numbers the sign bit is flipped, in
+// negative numbers all bits are flipped. Adding 0 turns -0 into 0.
 std::uint64_t ordered_image(double x) noexcept {
     x += 0.0;
     std::uint64_t bits;

@@ -11,8 +11,9 @@ namespace mgdt {
 namespace {
 
 // S.H. Lo (2014), section 4.2: a cell with more points than the threshold gets a regular grid of
-// its own over the box of its points, and so on. Each grid's path begins at the corner next to
-// where the path came from. Linear: points are moved once a level, and levels are few.
+// its own over the box of its points, and so on. The path of each grid begins at the corner nearest
+// to the previous point of the whole path. The time is linear: points are moved once per level, and
+// there are few levels.
 class MultiGrid {
   public:
     MultiGrid(const PointSet& points, const OrderParameters& parameters, Schedule& out)
@@ -31,7 +32,8 @@ class MultiGrid {
         const std::size_t n = points_.size;
         for (std::size_t i = 0; i < n; ++i) out_.order[i] = static_cast<std::uint32_t>(i);
         if (n > 0) pending_.push_back({0, static_cast<std::uint32_t>(n), 0});
-        // From left to right, so that the path up to a grid is known when the grid is made.
+        // Cells are divided in the order of the path, so that the path up to a grid is known when
+        // the grid is made.
         while (!pending_.empty()) {
             const Cell cell = pending_.back();
             pending_.pop_back();
@@ -44,11 +46,12 @@ class MultiGrid {
 
   private:
     struct Cell {
-        std::uint32_t begin, end, depth;  // positions in out.order
+        std::uint32_t begin, end, depth;  // begin and end are positions in out.order
     };
 
-    // With exponentially clustered points there could be 2000 nested grids, each with nearly all of
-    // the points. The paper seldom saw more than four.
+    // The largest number of nested grids. Without this limit, exponentially clustered points could
+    // have 2000 nested grids, each with nearly all of the points. S.H. Lo (2014) seldom saw more
+    // than four.
     static constexpr std::uint32_t most_levels = 64;
 
     void divide(const Cell& cell) {
@@ -94,15 +97,15 @@ class MultiGrid {
     double per_cell_, threshold_;
     Schedule& out_;
     Buffer<std::uint32_t>
-        rank_;  // of each position; for cells that are still to be divided, working memory
+        rank_;  // the rank of each position; in cells that are still to be divided, working memory
     Buffer<std::uint32_t> moved_;
     Buffer<std::uint32_t> ends_;
     Buffer<Cell> pending_;
 };
 
-// Serves the purpose of the paper's multi-grid by other means: grids of cubes, as fine as keys
-// allow, with another grid in each crowded cell; a Hilbert curve through all of them, which enters
-// and leaves a nested grid where it enters and leaves the cell; and separation by rounds
+// An alternative to the multi-grid of S.H. Lo (2014) for the same purpose: grids of cubes, as fine
+// as keys allow, with another grid in each crowded cell; a Hilbert curve through all grids, which
+// enters and leaves a nested grid where it enters and leaves the cell; and separation by rounds
 // (order/round_assignment.hpp), in which isolated points come first.
 void order_in_rounds(Team& team, const PointSet& points, const OrderParameters& parameters,
                      Schedule& out) {

@@ -50,7 +50,7 @@ inline unsigned first_width(std::size_t n, unsigned low, unsigned high) noexcept
     return std::min({bit_width(n) + 2, high - low, most_digits * digit_bits});
 }
 
-// Divides this many bits into digits of equal width.
+// The digits of equal width into which `width` bits are divided.
 struct Digits {
     explicit Digits(unsigned width) noexcept
         : count((width + digit_bits - 1) / digit_bits), bits((width + count - 1) / count) {}
@@ -95,9 +95,9 @@ MGDT_NOT_INLINE Record* least_digit_first(Record* a, Record* b, std::size_t n, u
 }  // namespace radix_detail
 
 // Sorts n < 2^32 records by bits low..high-1 of their keys, whose higher bits are equal. Sorts by
-// the top bits first, see first_width(), and then the runs that are still equal: keys that differ
-// in their top bits take two passes, however long they are. `scratch` has room for n records. With
-// low = 0, records with equal keys keep their order.
+// the top bits first (see first_width()), and then sorts each run of records whose top bits are
+// equal. So keys that differ in their top bits take two passes, however long they are. `scratch`
+// has room for n records. With low = 0, records with equal keys keep their order.
 template <class Record>
 void radix_sort(Record* a, Record* scratch, std::size_t n, unsigned low, unsigned high) noexcept {
     constexpr std::size_t few = 24;

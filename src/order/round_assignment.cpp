@@ -8,8 +8,8 @@
 namespace mgdt {
 namespace {
 
-// From each block of consecutive positions, one is chosen for the previous round: a position in the
-// middle of the block, so that the points of a round keep their distance.
+// From each block of consecutive positions, one position is chosen for the previous round. It is in
+// the middle of the block, so that the points of a round keep a distance from each other.
 template <std::size_t candidates, unsigned bits>
 struct Block {
     static constexpr std::size_t size = candidates;
@@ -22,9 +22,9 @@ using BlockOfFew = Block<4, 1>;
 constexpr std::size_t few = 4096;
 constexpr std::size_t largest_first = 64;
 
-// Finds which of the positions in the middle is farthest from both its neighbours on the curve, and
-// by how many levels. position(i) is the i-th position, for i from -1 on. Of several, the first one
-// from `first` on, cyclically.
+// The position in the middle of a block that is farthest from both its neighbours on the curve, and
+// by how many levels. In most_isolated(), position(i) is the i-th position of the middle, for i
+// from -1 on. Among equals, the first position from `first` on is taken, cyclically.
 struct MostIsolated {
     std::size_t i;
     unsigned levels;
@@ -48,14 +48,14 @@ MostIsolated most_isolated(const CurveOrder& curve, std::size_t first, PositionO
     return {best, most};
 }
 
-// A point outside the middle of its block is chosen if it is this many levels farther from its
-// neighbours than the others: the centre of a sphere, or an apex above a plane. Such a point has an
-// edge to most other points. The later it is inserted, the more tetrahedra are built in its place
-// and removed again.
+// A point outside the middle of its block is chosen if it is at least this many levels farther from
+// its neighbours than the most isolated point of the middle. Examples are the centre of a sphere
+// and an apex above a plane. Such a point has an edge to most other points. The later it is
+// inserted, the more tetrahedra are built in its place and removed again.
 constexpr unsigned levels_of_a_hub = 3;
 
-// The position of `count` that is most isolated, if it is in begin..end-1 and isolated enough;
-// otherwise `otherwise`.
+// The most isolated of the positions begin..end-1, if it is isolated by at least levels +
+// levels_of_a_hub; otherwise `otherwise`. There are `count` positions in all.
 template <class PositionOf>
 std::size_t isolated_hub_or(std::size_t otherwise, unsigned levels, const CurveOrder& curve,
                             std::size_t begin, std::size_t end, std::size_t count,
@@ -77,8 +77,8 @@ std::size_t isolated_hub_or(std::size_t otherwise, unsigned levels, const CurveO
 
 }  // namespace
 
-// Chooses the points of the rounds, beginning with the last round: in each step, one position of
-// every block is chosen, and the chosen ones are left for the previous round.
+// Chooses the points of the rounds, beginning with the last round. In each step, one position of
+// every block is chosen, and the chosen positions are left for the previous round.
 class RoundAssignment::Chooser {
   public:
     Chooser(RoundAssignment& rounds, Allocator& allocator, std::uint64_t seed,
@@ -118,7 +118,7 @@ class RoundAssignment::Chooser {
     template <class Block>
     void choose_of_block(std::size_t b, std::size_t blocks) {
         const std::size_t first = b * Block::size, from = first + Block::margin;
-        // The rest after the last whole block belongs to it.
+        // The last whole block includes the remaining positions after it.
         const std::size_t last = b + 1 == blocks ? left_ : first + Block::size;
         const auto drawn =
             static_cast<std::size_t>(Random::at(seed_, drawn_ + b) >> (64 - Block::middle_bits));

@@ -27,16 +27,17 @@ class RoundAssignment {
     unsigned rounds_ = 0;
 };
 
-// Rounds of growing size as in BRIO, but evenly spread instead of random: along the order, one
-// point in twelve belongs to earlier rounds than the other eleven; of these earlier points, again
-// one in twelve belongs to still earlier rounds, and so on. Random rounds have gaps and clusters,
-// so more tetrahedra are built that are removed again. docs/experiments.md has figures for one in
-// eight, twelve and sixteen. For up to 4,096 points, which fit into the cache, it is one in four.
+// Assigns points to rounds of growing size as in BRIO, but evenly spread instead of random: along
+// the order, one point in twelve belongs to earlier rounds than the other eleven; of these earlier
+// points, again one in twelve belongs to still earlier rounds, and so on. Random rounds have gaps
+// and clusters, so more tetrahedra are built that are removed again. docs/experiments.md has
+// figures for one in eight, twelve and sixteen. If at most 4,096 points are left, which fit into
+// the cache, one point in four is chosen.
 //
-// If there is a curve, the point is chosen among those in the middle of the twelve: the one that is
+// With a curve, the chosen point is usually one in the middle of the twelve: the point that is
 // farthest from its neighbours on the curve. Ties, and the choice without a curve, are random. On
-// thin sets the chosen points are on the outside, and later points are between them: 4 % fewer
-// removals on a spiral, on diagonals and on a line, and the same number on a uniform set.
+// thin sets the chosen points are on the outside, and later points are between them. This saves 4 %
+// of the removals on a spiral, on diagonals and on a line, and changes nothing on a uniform set.
 //
 // Fills `order` and `rounds` of a schedule; index(k) is the point at position k of the order.
 template <class Index>

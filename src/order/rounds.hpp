@@ -9,10 +9,9 @@
 
 namespace mgdt {
 
-// Assigns points to rounds, each about `ratio` times as large as all previous ones together:
-// Amenta, Choi and Rote, "Incremental constructions con BRIO" (SoCG 2003), with a ratio other than
-// their
-// 1. A point's round is a function of its index and the seed, so nothing need be stored.
+// Assigns points to rounds, each about `ratio` times as large as all previous rounds together:
+// Amenta, Choi and Rote, "Incremental constructions con BRIO" (SoCG 2003), where the ratio is 1.
+// The round of a point is a function of its index and the seed, so nothing has to be stored.
 class RandomRounds {
   public:
     RandomRounds(std::size_t n, double ratio, std::uint64_t seed) noexcept : seed_(seed) {
@@ -35,12 +34,12 @@ class RandomRounds {
 
   private:
     static constexpr unsigned most = 64;
-    static constexpr double largest_first = 64;  // so many points need no rounds
+    static constexpr double largest_first = 64;  // up to this many points need no rounds
 
     std::uint64_t seed_;
     unsigned count_ = 1;
-    // A point is in one of the first count - k rounds if its random number is below limit[k], k
-    // >= 1.
+    // A point is in one of the first count - k rounds, where k >= 1, if its random number is below
+    // limit_[k].
     std::uint64_t limit_[most] = {};
 };
 

@@ -11,7 +11,7 @@ void make_schedule(Team& team, const PointSet& points, std::int32_t scheme,
     out.hints.clear();
     out.levels = 0;
     out.order.resize(points.size);
-    // The C interface refuses unknown numbers.
+    // The scheme exists, since the C interface refuses unknown numbers.
     find_order_scheme(scheme)->fill(team, points, parameters, out);
     if (out.rounds.empty()) out.rounds.push_back(0);
 }

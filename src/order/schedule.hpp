@@ -15,8 +15,9 @@ namespace mgdt {
 inline constexpr std::uint32_t no_hint = 0xFFFFFFFFu;
 
 // The caller's points, in the caller's array. Coordinates are finite. `scale` is a power of two by
-// which they are multiplied exactly (mesh/scale.hpp), so that their extent does not overflow,
-// except for sets that mix 1e300 with 1e-300: schemes have to handle infinite extents.
+// which coordinates are multiplied exactly (mesh/scale.hpp), so that their extent does not
+// overflow. The extent is still infinite for sets that mix 1e300 with 1e-300, and schemes have to
+// handle this.
 struct PointSet {
     const double* axis[3];  // first point's x, y, z
     std::ptrdiff_t stride;  // in doubles
@@ -59,8 +60,8 @@ struct Schedule {
     Buffer<std::uint32_t> order;  // order[k] is the point that is inserted k-th; a permutation
     Buffer<std::uint32_t>
         rounds;  // the position where each round begins, ascending; rounds[0] is 0
-    // Empty, or for each position an earlier position whose vertex is near, where the walk may
-    // start. With no_hint the walk starts at the last insertion.
+    // Empty, or a hint for each position: an earlier position whose vertex is near, at which the
+    // walk may start. If the hint is no_hint, the walk starts at the last insertion.
     Buffer<std::uint32_t> hints;
     Allocator& scratch;   // for temporary arrays
     unsigned levels = 0;  // the depth of the grids or trees

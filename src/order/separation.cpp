@@ -9,11 +9,12 @@
 namespace mgdt {
 namespace {
 
-// Separation control: "taking one point from a cell at a time". Pass r takes the point of rank r
-// of every cell that has one, along the whole path through all levels of grids. The first pass
-// alone is still a sorted sweep, which builds long tetrahedra between its front and what is there
-// and removes them again, so it is dealt into random rounds, the same path with cells left out.
-// From the second pass on a point's hint is the nearest of the last points of its own cell.
+// Separation control: "taking one point from a cell at a time". Pass r takes the point of rank r of
+// every cell that has one, along the whole path through all levels of grids. The first pass alone
+// would be a sorted sweep, which builds long tetrahedra between its front and earlier points and
+// removes them again. So the points of the first pass are divided into random rounds; each follows
+// the same path with cells left out. From the second pass on, the hint of a point is the nearest of
+// the last points of its own cell.
 class Passes {
   public:
     Passes(const PointSet& points, const OrderParameters& parameters, Schedule& out,
@@ -55,7 +56,8 @@ class Passes {
         return std::size_t{rounds_.count()} - 1 + rank_[k];
     }
 
-    // The first position of each pass. The passes that have points are the rounds of the schedule.
+    // Computes the first position of each pass. The passes that have points are the rounds of the
+    // schedule.
     void count_passes(Buffer<std::uint32_t>& first) {
         std::uint32_t most = 0;
         for (const std::uint32_t r : rank_) {
@@ -72,7 +74,8 @@ class Passes {
         }
     }
 
-    // Called for each position of the path in turn. Remembers the last points of the cell.
+    // The hint of the k-th point of the path. The function is called for each k in turn and
+    // remembers the last points of the cell.
     std::uint32_t hint(std::size_t k, std::uint32_t position) noexcept {
         const std::uint32_t rank = rank_[k];
         Earlier self;
@@ -81,7 +84,7 @@ class Passes {
         std::uint32_t best = no_hint;
         double least = 0;
         for (std::uint32_t c = 0; c < candidates && c < rank; ++c) {
-            // The sum of absolute differences, since squares may overflow.
+            // The distance is the sum of absolute differences, since squares may overflow.
             double d = 0;
             for (int a = 0; a < 3; ++a) d += std::fabs(self.x[a] - earlier_[c].x[a]);
             if (best == no_hint || d < least) {

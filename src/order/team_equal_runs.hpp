@@ -15,9 +15,9 @@ struct Run {
 };
 
 // Finds the runs of at least `least` equal items in begin..end-1. Each thread makes a function each
-// = make_each(), and calls each(begin, end) for small runs, which may change the items of the run.
-// Large runs are appended to `large`, in any order; the whole team then processes them one after
-// another. With one thread all runs are small.
+// = make_each() and calls each(begin, end) for small runs; each() may change the items of its run.
+// Large runs are appended to `large`, in any order, for the caller to process with the whole team.
+// With one thread all runs are small.
 template <class Equal, class MakeEach>
 void for_each_run(Team& team, Allocator& allocator, std::size_t begin, std::size_t end,
                   std::size_t least, Equal equal, const MakeEach& make_each, Buffer<Run>& large) {

@@ -10,8 +10,8 @@
 
 namespace mgdt {
 
-// Sorts words as radix_sort() does. Distributes them into buckets first if they are many, or if
-// there are several threads. The arrays must not overlap.
+// Sorts words as the radix_sort() of radix.hpp does. Distributes the words into buckets first if
+// there are many words or several threads. The arrays must not overlap.
 inline void radix_sort(Team& team, Allocator& allocator, std::uint64_t* a, std::uint64_t* scratch,
                        std::size_t n, unsigned low, unsigned high) {
     constexpr std::size_t min_items_per_thread = 32768, many = std::size_t{1} << 19;

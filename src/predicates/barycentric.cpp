@@ -21,8 +21,8 @@ namespace {
 // Coordinates along an axis are below 2^axis_bits units, so differences are below 2^native_bits.
 constexpr int axis_bits = native_bits - 1;
 
-// Writes the differences along an axis as integers, to every third element of n. Returns false if
-// there is no common unit.
+// Writes the differences between the vertices and q along an axis, as integers, to every third
+// element of n. Returns false if the coordinates are out of range or have no common unit.
 MGDT_PREDICATES_INLINE bool axis_to_native(const double* const (&p)[4], const double* q,
                                            std::size_t axis, std::int64_t* n) {
     const double x[5] = {p[0][axis], p[1][axis], p[2][axis], p[3][axis], q[axis]};

@@ -14,8 +14,9 @@ void barycentric_weights(const double* const (&p)[4], const double* q, double (&
 
 namespace exact {
 
-// The stages, for tests. Native integers are used if the coordinates along each axis fit; otherwise
-// integers of the least of `widths` that fits and is at least least_width.
+// The stages, declared for tests. barycentric_native() returns false if the coordinates along an
+// axis do not fit native integers. barycentric_integer() uses the smallest of `widths`
+// (differences.hpp) that fits and is at least least_width.
 bool barycentric_native(const double* const (&p)[4], const double* q, double (&w)[4]);
 void barycentric_integer(const double* const (&p)[4], const double* q, double (&w)[4],
                          int least_width = 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A double or twofold number with a bound on its error, and an exponent that no product exceeds.
-// The bound of a result holds whatever the magnitudes of the operands. See docs/theory.md, "Numbers
-// with bounds".
+// A double or twofold number with a bound on its error and a separate exponent, whose range is so
+// large that no product overflows. The bound of a result holds whatever the magnitudes of the
+// operands. See docs/theory.md, "Numbers with bounds".
 #pragma once
 
 #include <cstdint>
@@ -71,7 +71,8 @@ struct BoundedFloat {
     static constexpr double least = 0x1p-128, most = 0x1p128, one_block = 0x1p256;
 
     static double magnitude(const BoundedFloat& a) { return std::fabs(nearest_double(a.value)); }
-    // An unknown number. Its block exceeds all others, so that it remains in sums.
+    // A number of which nothing is known. Its block exceeds all others, so every sum that contains
+    // the number is unknown, too.
     static BoundedFloat unknown() {
         return {to_real<Real>(0), std::numeric_limits<double>::infinity(), std::int64_t{1} << 40};
     }
@@ -87,7 +88,7 @@ struct BoundedFloat {
         if (nearest_double(value) == 0 && error == 0) return {to_real<Real>(0), 0, 0};
         if (!(error <= std::numeric_limits<double>::max())) return unknown();
         const auto larger = [&] { return std::fmax(std::fabs(nearest_double(value)), error); };
-        // One step down is always enough.
+        // No operation gives a magnitude of 2^384 or more, so one division is enough.
         if (larger() >= most) {
             value = scaled_by(value, 1 / one_block);
             error *= 1 / one_block;
@@ -105,7 +106,8 @@ struct BoundedFloat {
         if (a.is_zero()) return b;
         if (b.is_zero()) return a;
         if (a.block < b.block) return sum_of_unequal(b, a);
-        // Here underflow loses less than 2^-900, and below less than 2^-380 is left out.
+        // If the blocks differ by 1, underflow in the scaling of b loses less than 2^-900. If they
+        // differ by more, b is less than 2^-380 in the unit of a and is left out.
         if (a.block - b.block == 1)
             return rounded(a.value + scaled_by(b.value, 1 / one_block),
                            a.error + b.error * (1 / one_block) + 0x1p-900, a.block);
@@ -117,12 +119,12 @@ struct BoundedFloat {
         if (x.high == 0) return {to_real<Real>(0), 0, 0};
         int of_x;
         std::frexp(x.high, &of_x);
-        // A division that rounds down, so that magnitudes are from 2^-128 to 2^128.
+        // The shift divides by 256 and rounds down, so the magnitude is in [2^-128, 2^128).
         const std::int64_t block = (of_x + exponent + 127) >> 8;
         const auto shift = static_cast<int>(exponent - 256 * block);
         BoundedFloat r = {to_real<Real>(0), 0, block};
         r.set(std::ldexp(x.high, shift), std::ldexp(x.low, shift));
-        if (x.low != 0) r.error += 0x1p-900;  // if the low part underflows
+        if (x.low != 0) r.error += 0x1p-900;  // the low part may underflow
         return r;
     }
     void set(double high, double low);
@@ -139,8 +141,9 @@ inline BoundedFloat<double> narrowed(const BoundedFloat<Twofold>& x) {
     return {x.value.high, x.error + std::fabs(x.value.low) * (1 + 0x1p-40), x.block};
 }
 
-// Rounds x 2^exponent to the nearest double, 0 and infinity included. Returns false if the bound
-// does not determine it, and for subnormal numbers.
+// Rounds x 2^exponent to the nearest double, which may be 0 or infinite. Returns false if the error
+// bound does not determine the result, and for results at the limits of the range of doubles,
+// subnormal numbers included.
 bool round_to_nearest(const BoundedFloat<Twofold>& x, std::int64_t exponent, double& r);
 
 template <>

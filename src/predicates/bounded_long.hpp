@@ -9,7 +9,7 @@ namespace mgdt {
 
 struct BoundedLong {
     LongNumber value;
-    // Bounds are rounded too; they have a margin for that.
+    // An upper bound on the error. It has a margin for the rounding of the bound itself.
     WideDouble error;
 
     WideDouble wide() const { return value.wide(); }
@@ -35,7 +35,7 @@ struct BoundedLong {
         const WideDouble least = size(b.value) * WideDouble(1 - 0x1p-30) - b.error;
         if (!(WideDouble() < least)) return {a.value, WideDouble(1, std::int64_t{1} << 50)};
         const LongNumber quotient = a.value / b.value;
-        // A quotient has four times the error of a product.
+        // The rounding error of a quotient is at most four times that of a product.
         return with_error(quotient, (a.error + size(quotient) * b.error) / least +
                                         WideDouble(4) * rounding_error(quotient));
     }

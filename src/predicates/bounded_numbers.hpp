@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Two number systems with error bounds and one interface: BoundedFloats (doubles and
-// double-doubles) and BoundedLongs (long numbers). Each makes numbers and has arrays whose numbers
-// stay when intermediate results are freed.
+// double-doubles) and BoundedLongs (long numbers). Each class creates numbers and arrays of
+// numbers. forget() frees intermediate results; the numbers in arrays remain valid.
 #pragma once
 
 #include "predicates/bounded_float.hpp"
@@ -34,7 +34,7 @@ class BoundedFloats {
     Array array(Allocator& allocator, std::size_t size) const { return Array(allocator, size); }
 };
 
-// Long numbers, each cut off to a number of limbs.
+// Long numbers that are truncated to a fixed number of limbs.
 class BoundedLongs {
   public:
     using B = BoundedLong;

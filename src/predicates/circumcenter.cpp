@@ -19,7 +19,7 @@ MGDT_PREDICATES_INLINE double largest_of_three(const double (&v)[3]) {
     return std::fmax(std::fmax(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
 }
 
-// The position of a vertex relative to the first one.
+// The position of a vertex relative to the first vertex.
 struct Row {
     double x[3], low[3];  // the rounded difference, and the rounding error
     double largest;
@@ -69,7 +69,8 @@ MGDT_PREDICATES_INLINE bool is_in_range(const double* p) {
 MGDT_PREDICATES_INLINE bool scale_exactly(double& x, int exponent) {
     if (exponent == 0 || x == 0) return true;
     x = std::ldexp(x, exponent);
-    // A number that rounds to the least normal one may itself be subnormal.
+    // A subnormal result may have been rounded up to the smallest normal number, so that number
+    // counts as inexact.
     return std::fabs(x) > std::numeric_limits<double>::min() &&
            std::fabs(x) <= std::numeric_limits<double>::max();
 }
@@ -84,12 +85,13 @@ namespace {
 
 // Twice the position of the centre relative to the first vertex.
 struct DoubledOffset {
-    double rough[3], correction[3];  // an approximation, and what has to be added to it
+    double rough[3], correction[3];  // an approximation, and the correction to be added
     double error, size;  // a bound on the error of a coordinate; nearly the largest coordinate
 };
 
-// w is twice the position of the centre relative to the first vertex. It satisfies w.r = |r|^2 for
-// the positions r of the other three vertices.
+// Computes w, twice the position of the centre relative to the first vertex: w.r = |r|^2 for the
+// positions r of the other three vertices. Returns false if a coordinate is out of range or the
+// determinant is too small.
 MGDT_PREDICATES_INLINE bool solve(const double* const (&p)[4], const CircumcenterBounds& bounds,
                                   DoubledOffset& result) {
     for (const double* const x : p)
@@ -210,8 +212,8 @@ bool center_offset_bounded(const double* const (&p)[4], double (&offset)[3]) {
 
 namespace {
 
-// The differences between three vertices and the first one, followed by the coordinates of the
-// first one.
+// The differences between the other three vertices and the first vertex, followed by the
+// coordinates of the first vertex.
 struct VertexAndDifferences : ExactPairs<12> {
     static constexpr int count = 12;
 };

@@ -23,10 +23,11 @@ constexpr double center_offset_error = 0x1p-50;
 
 namespace exact {
 
-// Coefficients of the error bound of the correction, in units of 2^-53 and of 2^-106.
-// docs/theory.md, "Circumcentres", proves 20, 75 and 225.
+// Coefficients of the error bound of the correction, in units of 2^-53 (`solution`) and of 2^-106
+// (`residual`). docs/theory.md, "Circumcentres", proves that 20 and 75 are enough for `solution`,
+// and 225 for `residual`.
 struct CircumcenterBounds {
-    double solution = 128;  // of the numerators and the determinant, which is more than twice this
+    double solution = 128;  // for the numerators; the determinant must be above twice this
     double residual = 240;
 };
 inline constexpr CircumcenterBounds circumcenter_bounds{};

@@ -6,9 +6,9 @@
 
 namespace mgdt::exact {
 
-// Sums of products, from which the determinants are built. Those of long integers are functions
-// that are not inlined, so that the stack holds the intermediate results of one of them at a time;
-// see docs/theory.md.
+// Whether T is a long integer. A sum of products of long integers is computed in a function that is
+// not inlined (apart() below), so that the stack holds the intermediate results of one such sum at
+// a time; see docs/theory.md.
 template <class T>
 constexpr bool is_long = false;
 template <int Bits>
@@ -65,9 +65,10 @@ struct OrientationDeterminant {
     }
 };
 
-// With rows a, b, c, d relative to q: |a|^2 [bcd] - |b|^2 [acd] + |c|^2 [abd] - |d|^2 [abc],
-// positive for q inside the circumsphere of a positively oriented tetrahedron. The four 3 x 3
-// minors with their signs are also what multiplies the perturbations of a, b, c, d.
+// With rows a, b, c, d relative to q, |a|^2 [bcd] - |b|^2 [acd] + |c|^2 [abd] - |d|^2 [abc] is the
+// sphere determinant. It is positive if q is inside the circumsphere of a positively oriented
+// tetrahedron. The four 3 x 3 minors, with their signs, are also the coefficients of the
+// perturbations of a, b, c, d.
 template <class Minor>
 struct SphereMinors {
     Minor of[4];
@@ -125,8 +126,8 @@ MGDT_PREDICATES_INLINE auto cross_product(const T* a, const T* b) {
     return two_products(a[l], b[m], a[m], b[l]);
 }
 
-// With rows b, c, d relative to a: the same coordinate of twice the circumcentre relative to a,
-// times [bcd], |b|^2 (c x d) + |c|^2 (d x b) + |d|^2 (b x c).
+// Coordinate K of |b|^2 (c x d) + |c|^2 (d x b) + |d|^2 (b x c), for rows b, c, d relative to a.
+// This vector is [bcd] times twice the circumcentre relative to a.
 template <std::size_t K, class T>
 MGDT_PREDICATES_INLINE auto circumcenter_numerator(const T* v) {
     const T *const b = v, *const c = v + 3, *const d = v + 6;

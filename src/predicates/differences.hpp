@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Differences of coordinates, with which every predicate begins: rounded to doubles for the
-// filters, and exact integers of a common unit for what the filters do not decide.
+// Differences of coordinates, with which every predicate begins. The filters use differences that
+// are rounded to doubles. The exact stages use differences as integers of a common unit.
 #pragma once
 
 #include <cfloat>
@@ -35,7 +35,7 @@ MGDT_PREDICATES_INLINE double double_of(std::uint64_t bits) {
 constexpr std::uint64_t exponent_mask = 0x7ff0000000000000;
 constexpr std::uint64_t fraction_mask = 0x000fffffffffffff;
 
-// What a stage returns instead of a sign if it cannot decide.
+// The value that a stage returns instead of a sign if it cannot decide.
 constexpr int undecided = 2;
 
 template <std::size_t I>
@@ -52,7 +52,8 @@ MGDT_PREDICATES_INLINE void each(const F& f) {
     each(f, std::make_index_sequence<static_cast<std::size_t>(N)>());
 }
 
-// The differences of N / 3 points and an origin, all finite: x, y, z of the first point first.
+// The differences between N / 3 points and an origin, which have finite coordinates. The order is
+// x, y, z of the first point, then of the second, and so on.
 template <int N>
 struct Differences {
     const double* point[N / 3];
@@ -85,7 +86,7 @@ MGDT_PREDICATES_INLINE Differences<3 * Points> differences(const double* const (
     return d;
 }
 
-// v is mantissa * 2^exponent.
+// Decomposes v into an integer mantissa times 2^exponent.
 inline void take_apart(double v, std::int64_t& mantissa, int& exponent) {
     const std::uint64_t bits = bits_of(v);
     const int biased = static_cast<int>((bits & exponent_mask) >> 52);
@@ -124,8 +125,8 @@ struct ExactPairs {
         return narrowed<Bits>(a + b);
     }
 
-    // Sets difference i to a - b, by Knuth's two-sum. If that would overflow, the two parts are the
-    // coordinates themselves.
+    // Sets difference i to a - b, by Knuth's two-sum. If the two-sum would overflow, the two parts
+    // are a and -b.
     void set(std::size_t i, double a, double b) {
         const double rounded = a - b;
         const double b_virtual = a - rounded;
@@ -171,8 +172,8 @@ struct ExactDifferences : ExactPairs<N> {
     }
 };
 
-// The same with a unit for each axis, for results that are ratios of determinants: a common factor
-// of a column cancels.
+// Like ExactDifferences, but with a separate unit for each axis. This is for results that are
+// ratios of determinants, in which a common factor of a column cancels.
 template <int N>
 struct ExactDifferencesByAxis {
     static constexpr int count = N;
@@ -200,8 +201,8 @@ constexpr int widths[] = {63, 127, 255, 511, 1023, 2111};
 // Up to this width, integers are faster than twofold numbers with bounds, and they always decide.
 constexpr int short_width = 63;
 
-// Calls polynomial with the differences as integers of this width. Not inlined, so that the stack
-// holds the integers of one width only.
+// Calls polynomial with the differences as integers of this width. The function is not inlined, so
+// that the stack holds the integers of one width only.
 template <int Bits, class Exact, class Polynomial>
 MGDT_PREDICATES_APART int with_integers_of(const Exact& d, const Polynomial& polynomial) {
     Integer<Bits> v[Exact::count];
@@ -209,7 +210,8 @@ MGDT_PREDICATES_APART int with_integers_of(const Exact& d, const Polynomial& pol
     return polynomial(v);
 }
 
-// The same with the least width that holds the differences and is at least `least`.
+// Calls polynomial with the differences as integers of the smallest width that holds them and is at
+// least `least`.
 template <int Index = 0, class Exact, class Polynomial>
 inline int with_integers(const Exact& d, int least, const Polynomial& polynomial) {
     constexpr int bits = widths[Index];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Predicates that compare distances, and those about planes perpendicular to a triangle.
+// Predicates that compare distances, that test whether points are collinear, and that find the side
+// of a plane perpendicular to a triangle.
 #include "predicates/determinants.hpp"
 #include "predicates/predicates.hpp"
 #include "predicates/stages.hpp"
@@ -37,8 +38,8 @@ struct Cross {
     }
 };
 
-// (e x f) . (e x w) for the edge e: |e|^2 times the product of the components of f and w that are
-// perpendicular to e.
+// (e x f) . (e x w) for the edge e: |e|^2 times the scalar product of the components of f and w
+// that are perpendicular to e.
 struct EdgePlane {
     template <class T>
     auto operator()(const T (&v)[9]) const {
@@ -73,7 +74,7 @@ bool collinear(const double* a, const double* b, const double* c) {
 }
 
 int compare_distance(const double* q, const double* a, const double* b) {
-    // Differences are taken from q; the squares do not depend on their signs.
+    // The vectors are a - q and b - q, whose squares are those of q - a and q - b.
     int s = square_filter(exact::differences({a, b}, q), exact::distance_bound);
     if (s == exact::undecided) s = exact::distance_ranged(q, a, b);
     return s != exact::undecided ? s : exact::distance_integer(q, a, b);
@@ -109,7 +110,7 @@ int edge_integer(const double* a, const double* b, const double* c, const double
 
 int lengths_filter(const double* a, const double* b, const double* c, const double* d,
                    const Bound& bound) {
-    // The two vectors have no common point.
+    // The two vectors have no common origin, so differences() cannot compute them.
     Differences<6> v = {{}, a, {}, 0};
     each<3>([&](auto k) {
         v.rounded[k] = a[k] - b[k];

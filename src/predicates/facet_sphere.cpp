@@ -14,7 +14,7 @@ namespace mgdt {
 namespace exact {
 namespace {
 
-// Products of eight lengths in this range neither overflow nor underflow.
+// Products of eight lengths whose squares are in this range neither overflow nor underflow.
 constexpr double least_square = 0x1p-240, most_square = 0x1p240;
 
 bool is_in_range(double square) {
@@ -38,8 +38,9 @@ unsigned widest_corner(const double* const (&p)[3]) {
     return opposite[1] >= opposite[2] ? 1 : 2;
 }
 
-// Returns false for needles: triangles whose two squared edges at the widest corner have a product
-// above `most` times the square of the cross product.
+// Computes the squared radius of the smallest sphere through p. Returns false if a squared edge is
+// out of range, or if p is a needle: the two squared edges at the widest corner have a product
+// above `most` times the square of their cross product.
 template <class Real>
 bool radius2_as(const double* const (&p)[3], double most, double& square) {
     const unsigned i = widest_corner(p);
@@ -166,7 +167,7 @@ double edge_radius2(const double* a, const double* b, int scale) {
         half[k] = std::isfinite(half[k]) ? 0.5 * half[k] : 0.5 * a[k] - 0.5 * b[k];
         largest = std::fmax(largest, std::fabs(half[k]));
     }
-    // The squares of numbers near 1 are in the range of doubles.
+    // Scaling brings the largest difference near 1, so that its square is in the range of doubles.
     const int exponent = largest > 0 ? std::ilogb(largest) : 0;
     double square = 0;
     for (const double x : half) {

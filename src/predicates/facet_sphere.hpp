@@ -8,18 +8,20 @@ namespace mgdt {
 // are not in one plane.
 int side_of_facet_sphere(const double* a, const double* b, const double* c, const double* q);
 
-// The square of the radius of that sphere, for points times 2^-scale that are not on one line. The
-// relative error is below facet_radius_error; the order of the points may change the result within
-// that.
+// The squared radius of the smallest sphere through p times 2^-scale, three points that are not on
+// one line. The relative error is below facet_radius_error. The order of the points may change the
+// result within this error.
 double facet_radius2(const double* const (&p)[3], int scale = 0);
 constexpr double facet_radius_error = 0x1p-46;
 
-// The same for two points: a quarter of the square of their distance.
+// The squared radius of the smallest sphere through a and b times 2^-scale: a quarter of the square
+// of their distance.
 double edge_radius2(const double* a, const double* b, int scale = 0);
 
 namespace exact {
 
-// The stages of both, for tests. A stage that cannot decide returns `undecided` or false.
+// The stages of side_of_facet_sphere() and facet_radius2(), for tests. A stage that cannot decide
+// returns `undecided` or false.
 int facet_sphere_filter(const double* a, const double* b, const double* c, const double* q);
 int facet_sphere_bounded(const double* a, const double* b, const double* c, const double* q);
 int facet_sphere_integer(const double* a, const double* b, const double* c, const double* q,

@@ -16,7 +16,8 @@ struct Bound {
     double underflow;
 };
 
-// Far more than underflow can lose, but a normal number, since arithmetic with subnormals is slow.
+// This bound is far more than underflow can lose. It is a normal number, since arithmetic with
+// subnormals is slow.
 constexpr double underflow_bound = 0x1p-1000;
 
 constexpr double half_ulp = 0x1p-53;
@@ -26,10 +27,11 @@ constexpr Bound orientation_bound{9 * half_ulp, underflow_bound};
 constexpr Bound edge_bound{13 * half_ulp, underflow_bound};
 constexpr Bound sphere_bound{17 * half_ulp, underflow_bound};
 
-// Above this, a determinant of degree 5 might overflow.
+// If a difference is above this limit, a determinant of degree 5 might overflow.
 constexpr double filter_limit = 0x1p200;
 
-// A magnitude. Evaluating the formula of a determinant over this type gives P.
+// A magnitude. Evaluating the formula of a determinant over this type makes all terms positive,
+// which gives the value P of Bound.
 struct Magnitude {
     double value;
 };
@@ -44,13 +46,14 @@ MGDT_PREDICATES_INLINE Magnitude operator*(Magnitude a, Magnitude b) {
     return {a.value * b.value};
 }
 
-// The sign of a determinant with the computed value D and P, or `undecided`.
+// The sign of a determinant, or `undecided`. `value` is the computed determinant D; `size` is P and
+// m is the largest difference (see Bound).
 MGDT_PREDICATES_INLINE int filtered_value(double value, double size, double m, const Bound& bound) {
     const double error = bound.relative * size + bound.underflow * (1 + m * m * m);
     return std::fabs(value) > error ? 1 - 2 * std::signbit(value) : undecided;
 }
 
-// The value P of polynomial(d).
+// The value P (see Bound) of polynomial(d).
 template <int N, class Polynomial>
 MGDT_PREDICATES_INLINE double size_of(const Differences<N>& d, const Polynomial& polynomial) {
     Magnitude size[N];

@@ -20,7 +20,7 @@ void foot_weights(const double* a, const double* b, const double* c, const doubl
         const auto ee = scalar_product(e, e), ff = scalar_product(f, f), ef = scalar_product(e, f),
                    ed = scalar_product(e, d), fd = scalar_product(f, d);
         using exact::two_products;
-        // The square of e x f, and its products with f x d and d x e.
+        // The square of e x f, and the scalar products of e x f with d x f and with e x d.
         const auto whole = two_products(ee, ff, ef, ef), of_b = two_products(ff, ed, fd, ef),
                    of_c = two_products(ee, fd, ed, ef);
         const Rounded all = exact::apart([&] { return rounded(whole); });

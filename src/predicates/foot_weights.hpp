@@ -10,7 +10,8 @@ namespace mgdt {
 // (docs/theory.md, "Values between points"). So their signs are exact.
 void foot_weights(const double* a, const double* b, const double* c, const double* q,
                   double (&w)[3]);
-// The same for two different points and the line through them.
+// The weights of two different points a and b at the point of the line ab that is nearest to q,
+// with the same bound on the error.
 void foot_weights(const double* a, const double* b, const double* q, double (&w)[2]);
 
 }  // namespace mgdt

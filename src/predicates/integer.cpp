@@ -18,7 +18,8 @@ int bit_length(Limb v) {
 
 namespace {
 
-// The limb that extends a number with this top limb: all ones if it is negative.
+// The limb that extends a number with this top limb: all ones if the number is negative, otherwise
+// 0.
 Limb mask_of(Limb top) {
     return Limb{0} - (top >> (limb_bits - 1));
 }
@@ -75,8 +76,8 @@ Rounded rounded(Limb* a, int n) {
     const int length = length_of(a, n);
     if (length == 0) return {0, 0};
     n = limb_count(length);
-    // The leading 64 bits determine the result, except for whether a later bit is set. The last of
-    // the 64 bits stands for that; it is far below the bits that a double keeps.
+    // The leading 64 bits determine the result, except for whether a later bit is set. So the last
+    // of the 64 bits is set if any later bit is; it is far below the bits that a double keeps.
     const int from = length > 64 ? length - 64 : 0;
     const int first = from / limb_bits, offset = from % limb_bits;
     std::uint64_t bits = a[first] >> offset;

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 // The first stages of a predicate are a few hundred instructions that share registers. The later
-// stages must not take registers from them, so they are not inlined.
+// stages are not inlined, so that they do not take registers from the first stages.
 #if defined(__GNUC__)
 #define MGDT_PREDICATES_INLINE inline __attribute__((always_inline))
 #define MGDT_PREDICATES_APART __attribute__((noinline))
@@ -90,20 +90,23 @@ inline Limb subtract_with_borrow(Limb& a, Limb b, Limb borrow) {
     return static_cast<Limb>(difference >> limb_bits) & 1U;
 }
 
-// If mask is all ones: r[0 .. n) -= b[0 .. n), modulo the size of r.
+// Subtracts b[0 .. n) from r[0 .. n), modulo the size of r, if mask is all ones. Changes nothing if
+// mask is 0.
 inline void subtract_masked(Limb* r, const Limb* b, int n, Limb mask) {
     Limb borrow = 0;
     for (int i = 0; i < n; ++i) borrow = subtract_with_borrow(r[i], b[i] & mask, borrow);
 }
 
-// Integers of more limbs than this share these functions, which work modulo the size of r: r[0 ..
-// n) += b[0 .. m); r -= b; r[0 .. size) = x[0 .. n) * y[0 .. m), where size is n + m or one less.
+// Operations whose results have more limbs than this call the functions below, which work modulo
+// the size of r. add(): r[0..n) += b[0..m). subtract(): r[0..n) -= b[0..m). multiply(): r[0..size)
+// = x[0..n) * y[0..m), where size is n + m or one less.
 constexpr int inline_limbs = 10;
 void add(Limb* r, int n, const Limb* b, int m);
 void subtract(Limb* r, int n, const Limb* b, int m);
 void multiply(const Limb* x, int n, const Limb* y, int m, Limb* r, int size);
 
-// The limbs of an integer: its own, or a copy for a native integer.
+// The limbs of an integer: a pointer to the limbs of a wide integer, or a copy for a native
+// integer.
 template <int Bits, bool Native = (Bits <= widest_bits)>
 struct Limbs {
     static constexpr int size = limb_count(Bits);
@@ -117,13 +120,13 @@ struct Limbs<Bits, true> {
     Limb data[size];
 };
 
-// Replaces a by its magnitude. Returns whether it was negative.
+// Replaces a by its magnitude. Returns whether a was negative.
 bool take_sign(Limb* a, int n);
 // The number of bits of a magnitude; 0 for 0.
 int length_of(const Limb* a, int n);
 
 // A rounded number, value * 2^exponent, where value is an integer of magnitude at most 2^64.
-// Computing it overwrites the limbs.
+// rounded(a, n) overwrites the limbs of a.
 struct Rounded {
     double value;
     int exponent;
@@ -187,8 +190,9 @@ inline Limb add_row(Limb* r, Limb x, const Limb* y, int m) {
     return carry;
 }
 
-// The schoolbook product of the limbs as unsigned numbers. If a is negative, that is 2^n b too
-// much, and likewise for b; this is subtracted (Knuth, The Art of Computer Programming 2, 4.3.1).
+// Multiplies the limbs as unsigned numbers, by the schoolbook method. With B = 2^limb_bits, a
+// negative a of n limbs is taken for a + B^n, so B^n b is subtracted from the product; likewise for
+// a negative b (Knuth, The Art of Computer Programming 2, 4.3.1).
 template <int A, int B>
 inline Integer<A + B - 1> operator*(const Integer<A>& a, const Integer<B>& b) {
     Integer<A + B - 1> r;
@@ -250,7 +254,8 @@ inline Integer<Bits> shifted(std::int64_t mantissa, int shift) {
         }
         const auto bits = static_cast<std::uint64_t>(mantissa < 0 ? -mantissa : mantissa);
         for (int i = 0; i < r.size; ++i) r.limb[i] = 0;
-        // The limb that holds bit `shift`, and those above it up to the end of the 64 bits.
+        // Write the limb that holds bit `shift`, and the limbs above it up to the end of the 64
+        // bits.
         const int first = shift / limb_bits, offset = shift % limb_bits;
         r.limb[first] = static_cast<Limb>(bits << offset);
         for (int i = first + 1, from = limb_bits - offset; from < 64 && i < r.size; ++i) {
@@ -269,7 +274,7 @@ inline Integer<Bits> shifted(std::int64_t mantissa, int shift) {
     return r;
 }
 
-// The same value in a narrower type, if the caller knows a better bound than the type of a.
+// The value of a in a narrower type, for callers that know a better bound than the type of a.
 template <int Bits, int A>
 inline Integer<Bits> narrowed(const Integer<A>& a) {
     Integer<Bits> r;

@@ -23,7 +23,7 @@ class InteriorPoint {
     }
     // Whether the point is inside the positively oriented tetrahedron p.
     bool is_in(const double* const (&p)[4]) const {
-        // Most tetrahedra are far from the first vertex.
+        // Most tetrahedra are far from the first vertex; comparisons of coordinates rule them out.
         for (int k = 0; k < 3; ++k) {
             const double x = v_[0][k];
             if (p[0][k] < x && p[1][k] < x && p[2][k] < x && p[3][k] < x) return false;

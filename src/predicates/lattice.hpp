@@ -7,12 +7,14 @@
 
 namespace mgdt::exact {
 
-// If differences are below 2^bits units, the determinant of degree 3 is below 6 * 2^(3 bits), that
-// of degree 5 below 72 * 2^(5 bits), and so are all intermediate results: at most 2^53.
+// If differences are below 2^bits units, the determinant of degree 3 and its intermediate results
+// are below 6 * 2^(3 bits), and those of degree 5 are below 72 * 2^(5 bits). With these bits, both
+// bounds are below 2^53.
 constexpr int orientation_lattice_bits = 16;
 constexpr int sphere_lattice_bits = 9;
 
-// In this range, products of five differences and the sums below are normal numbers.
+// If the largest difference is in this range, products of five differences and the sums in
+// is_lattice() are normal numbers.
 constexpr double lattice_least = 0x1p-180, lattice_most = 0x1p180;
 
 MGDT_PREDICATES_INLINE int sign_of(double v) {
@@ -29,7 +31,8 @@ MGDT_PREDICATES_INLINE double lattice_shifter(double largest) {
     return scale * power;
 }
 
-// Whether all coordinates are multiples of g, so that differences are exact.
+// Whether all coordinates are multiples of the g of lattice_shifter(), so that differences are
+// exact.
 template <int Bits, int N>
 MGDT_PREDICATES_INLINE bool is_lattice(const Differences<N>& d) {
     if (!(d.largest >= lattice_least && d.largest <= lattice_most)) return false;
@@ -46,8 +49,8 @@ MGDT_PREDICATES_INLINE bool is_lattice(const Differences<N>& d) {
     return sum == 0;
 }
 
-// Maps points, relative to one of them and with coordinates below 2^sphere_lattice_bits units, to
-// numbers in the same lexicographic order.
+// The base of the number (x base + y) base + z of a point relative to another one. If coordinates
+// are below 2^sphere_lattice_bits units, these numbers have the lexicographic order of the points.
 constexpr double sphere_lattice_base = 2 << sphere_lattice_bits;
 
 }  // namespace mgdt::exact

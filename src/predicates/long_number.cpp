@@ -14,7 +14,7 @@ LongNumber LongMemory::number(double x, std::int64_t exponent) {
     int of_mantissa;
     exact::take_apart(x, mantissa, of_mantissa);
     exponent += of_mantissa;
-    // A division that rounds down.
+    // The division rounds down, also for negative exponents.
     const std::int64_t unit = (exponent - (exponent < 0 ? limb_bits - 1 : 0)) / limb_bits;
     const auto shift = static_cast<int>(exponent - unit * limb_bits);
     constexpr int count = exact::limb_count(53 + limb_bits);
@@ -43,8 +43,8 @@ void LongNumber::trim() noexcept {
     unit_ += static_cast<std::int64_t>(zeros);
 }
 
-// Numbers whose exponents are far apart have sums and products with many limbs that are 0. The
-// operand with fewer other limbs is the multiplier.
+// Sums and products of numbers whose exponents are far apart have many limbs that are 0. The
+// operand with fewer nonzero limbs is the multiplier, since its zero limbs are skipped.
 LongNumber LongNumber::product(const LongNumber& a, const LongNumber& b) {
     if (a.size_ == 0 || b.size_ == 0) return {};
     const std::size_t begin = a.memory_->add(a.size_ + b.size_);
@@ -78,7 +78,7 @@ LongNumber LongNumber::sum(const LongNumber& a, const LongNumber& b, bool is_b_n
         return x.unit_ + static_cast<std::int64_t>(x.size_);
     };
     const std::int64_t unit = std::min(a.unit_, b.unit_);
-    // One limb more, for the carry.
+    // The result has one limb more, for the carry.
     const auto size = static_cast<std::size_t>(std::max(top(a), top(b)) - unit + 1);
     const std::size_t begin = a.memory_->add(size);
     LongNumber r(*a.memory_, begin, size, unit, a.is_negative_);
@@ -141,7 +141,7 @@ Twofold LongNumber::twofold(std::int64_t exponent) const {
     return Twofold::sum(high, is_negative_ ? -low : low);
 }
 
-// By Newton's method. Each step doubles the number of digits.
+// The reciprocal of b by Newton's method. Each step doubles the number of correct bits.
 LongNumber LongNumber::inverse(const LongNumber& b) {
     LongMemory& memory = *b.memory_;
     const WideDouble start = WideDouble(1) / b.wide();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sums and products of doubles without limits on exponents and lengths. They are exact, for
-// predicates whose operands have no common unit, or cut off to a number of limbs, for measures that
-// doubles and twofold numbers cannot give accurately enough.
+// predicates whose operands have no common unit, or truncated to a number of limbs, for quantities
+// that doubles and twofold numbers do not give accurately enough.
 #pragma once
 
 #include "platform/memory.hpp"
@@ -17,15 +17,15 @@ class LongNumber;
 // mark.
 class LongMemory {
   public:
-    // Each result is cut off to this number of limbs; 0 means that results are exact.
+    // Each result is truncated to this number of limbs; 0 means that results are exact.
     explicit LongMemory(Allocator& allocator, std::size_t most_limbs = 0)
         : limbs_(allocator), most_limbs_(most_limbs) {}
 
     std::size_t mark() const noexcept { return limbs_.size(); }
     void release(std::size_t mark) noexcept { limbs_.resize_within_capacity(mark); }
     std::size_t most_limbs() const noexcept { return most_limbs_; }
-    // An upper bound on the relative error of a sum, product or copy, and a quarter of that of a
-    // quotient.
+    // An upper bound on the relative error of a sum, product or copy. The error of a quotient is at
+    // most four times this bound.
     WideDouble rounding() const {
         if (most_limbs_ == 0) return {};
         return WideDouble(1, exact::limb_bits * (1 - static_cast<std::int64_t>(most_limbs_)));
@@ -33,7 +33,7 @@ class LongMemory {
 
     // The number x times 2^exponent.
     LongNumber number(double x, std::int64_t exponent = 0);
-    // A copy of the number in this memory.
+    // Copies x, which may be in another memory, into this memory.
     LongNumber copy(const LongNumber& x);
 
   private:
@@ -52,8 +52,8 @@ class LongMemory {
 };
 
 // The number +-sum of limb[i] 2^(limb_bits (unit + i)), where neither the first nor the last limb
-// is 0. The limbs of all numbers have the same positions, so that sums need no shifts. Both
-// operands are in the same memory, and so is the result.
+// is 0. The boundaries between limbs are at the same positions in all numbers, so sums need no
+// shifts. The operands and the result of an operation are in one memory.
 class LongNumber {
   public:
     LongNumber() = default;  // 0
@@ -61,8 +61,8 @@ class LongNumber {
     // An upper bound on the relative error of the operation that gave the number.
     WideDouble rounding() const { return size_ == 0 ? WideDouble() : memory_->rounding(); }
     int sign() const noexcept { return size_ == 0 ? 0 : is_negative_ ? -1 : 1; }
-    // The number times 2^exponent: cut off to 53 bits, or as a twofold number with an error below
-    // 2^-104 of the number, if both parts are in the range of doubles.
+    // wide() gives the number times 2^exponent, truncated to 53 bits. twofold() gives it with a
+    // relative error below 2^-104, if both parts are in the range of doubles.
     WideDouble wide(std::int64_t exponent = 0) const;
     Twofold twofold(std::int64_t exponent = 0) const;
 
@@ -78,7 +78,7 @@ class LongNumber {
         return sum(a, b, !b.is_negative_);
     }
     friend LongNumber operator*(const LongNumber& a, const LongNumber& b) { return product(a, b); }
-    // Division of numbers in a memory that cuts them off; b is not 0.
+    // Division requires a memory that truncates numbers; b is not 0.
     friend LongNumber operator/(const LongNumber& a, const LongNumber& b) { return a * inverse(b); }
 
   private:
@@ -96,7 +96,7 @@ class LongNumber {
     std::uint64_t bits(int from) const;
     // The position above the leading bit: the magnitude is below 2^top().
     std::int64_t top() const;
-    // Removes limbs that are 0 at either end, and those beyond the memory's limit.
+    // Removes limbs that are 0 at either end, and the lowest limbs beyond the memory's limit.
     void trim() noexcept;
 
     LongMemory* memory_ = nullptr;
@@ -105,7 +105,7 @@ class LongNumber {
     bool is_negative_ = false;
 };
 
-// An array of numbers that are cut off, with memory of its own: for sums of many terms.
+// An array of truncated numbers with its own memory, for sums of many terms.
 class LongNumbers {
   public:
     // All numbers are 0.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Differences as native integers of one unit, and the determinants over them: where coordinates
-// span no more than 62 bits, which is nearly always, the exact sign costs no more than a filter.
+// Differences as native integers of a common unit, and determinants of these integers. If the
+// coordinates span at most 62 bits, which is nearly always the case, the exact sign costs no more
+// than a filter.
 //
-// Longer numbers are sums of digits times powers of 2^62 of which only the last has a sign, and
-// products are added up digit by digit in 128 bits: no carry is looked for until the sum is
-// complete. docs/theory.md has the sizes.
+// A longer number is a sum of digits times powers of 2^62; only the highest digit has a sign.
+// Products are added digit by digit in 128 bits, and carries are propagated only when the sum is
+// complete. docs/theory.md bounds the sizes.
 #pragma once
 
 #include "predicates/differences.hpp"
@@ -23,7 +24,8 @@ constexpr bool have_native = false;
 // In this range, units and their reciprocals are normal numbers.
 constexpr double least_size = 0x1p-900, most_size = 0x1p900;
 
-// The power of two for which numbers up to `size` are below 2^Bits units.
+// `unit` is the power of two for which numbers up to `size` are below 2^Bits units, and `per_unit`
+// is its reciprocal.
 template <int Bits>
 struct NativeUnit {
     double unit, per_unit;
@@ -35,18 +37,19 @@ struct NativeUnit {
         per_unit = double_of((std::uint64_t{2 * 1023} << 52) - (power - shift));
     }
 
-    // x in units. If that is no integer, `off` becomes nonzero.
+    // x in units. If this number is no integer, `off` becomes nonzero.
     MGDT_PREDICATES_INLINE std::int64_t count(double x, std::uint64_t& off) const {
         // The conversion rounds towards zero, so a number that is no integer does not convert back.
-        // The comparison ignores signs: x may be -0, and so may n as a double, where the compiler
-        // rounds without an integer.
+        // The comparison ignores signs: x may be -0, and n as a double may be -0 if the compiler
+        // rounds in floating point instead of converting to an integer and back.
         const auto n = static_cast<std::int64_t>(x * per_unit);
         off |= (bits_of(static_cast<double>(n) * unit) ^ bits_of(x)) << 1;
         return n;
     }
 };
 
-// The differences in units of a power of two, if all coordinates are multiples of it and fit.
+// Writes the differences to `out`, in units of a power of two. Returns false if a coordinate is not
+// a multiple of the unit, or if a number does not fit.
 template <int N>
 MGDT_PREDICATES_INLINE bool to_native(const Differences<N>& d, std::int64_t (&out)[N]) {
     double size = 4 * d.largest;
@@ -95,8 +98,8 @@ struct TwoDigits {
 struct ThreeDigits {
     std::int64_t d0, d1, d2;
 
-    // The number c0 + c1 * 2^62, where c0 and c1 are sums of products of digits. What does not fit
-    // a digit is carried to the next one.
+    // The number c0 + c1 * 2^62, where c0 and c1 are sums of products of digits. The part of a sum
+    // that does not fit a digit is carried to the next digit.
     MGDT_PREDICATES_INLINE ThreeDigits(Widest c0, Widest c1) : d0(low_digit(c0)) {
         const Widest carried = c1 + (c0 >> digit_bits);
         d1 = low_digit(carried);
@@ -152,7 +155,7 @@ MGDT_PREDICATES_INLINE int native_orientation(const std::int64_t (&v)[9]) {
     return native_cubic(b, native_minor(c, d), c, native_minor(b, d), d, native_minor(b, c)).sign();
 }
 
-// The determinant of SphereDeterminant, and its minors.
+// The sign of the determinant of SphereDeterminant, and its four minors.
 struct NativeSphere {
     ThreeDigits minor[4];
     int sign;
@@ -196,7 +199,8 @@ struct NativeSphere {
 
 #else
 
-// Without native integers of 128 bits, for the compiler only; these functions are never called.
+// Without native integers of 128 bits, these definitions only let callers compile; nothing calls
+// them.
 struct NativeSphere {
     struct Minor {
         int sign() const { return 0; }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Ties of cospherical points, broken as by Devillers and Teillaud, "Perturbations for Delaunay
-// and weighted Delaunay 3D triangulations", Computational Geometry 44 (2011) 160-168.
+// Breaks ties of cospherical points as Devillers and Teillaud do, "Perturbations for Delaunay and
+// weighted Delaunay 3D triangulations", Computational Geometry 44 (2011) 160-168.
 //
-// Every point p is thought of as lifted to |p|^2 + e(p), where the e(p) are positive, infinitely
-// small, and each infinitely larger than that of any lexicographically smaller point. The
-// determinant is linear in the lifts; the first of the points, from the largest down, whose
-// lift has a nonzero coefficient decides. That of q is -orientation(a, b, c, d) < 0, that of a
-// vertex is the orientation with q in the vertex's place: with its sign, the minor by which the
-// vertex's square is multiplied in the determinant. No vertex smaller than q is reached.
+// Every point p is lifted to |p|^2 + e(p), where e(p) is positive and infinitely small, and
+// infinitely larger than e(r) of every lexicographically smaller point r. The determinant is linear
+// in the lifts. So the lexicographically largest point whose lift has a nonzero coefficient
+// decides. The coefficient of q is -orientation(a, b, c, d) < 0. The coefficient of a vertex is the
+// orientation with q in the vertex's place; it is the minor, with its sign, by which the vertex's
+// square is multiplied in the determinant. The coefficient of q is not 0, so vertices smaller than
+// q do not matter.
 #include "predicates/determinants.hpp"
 #include "predicates/lattice.hpp"
 #include "predicates/native_integer.hpp"
@@ -31,9 +32,10 @@ MGDT_PREDICATES_INLINE double larger(double a, double b) {
     return a > b ? a : b;
 }
 
-// On a lattice the determinant is exact; elsewhere it has to pass a filter. On a lattice the
-// lexicographic order of the points, relative to q, is the order of one number per point, the key;
-// that of q is 0. Ties are half of the results there, and are broken without a branch.
+// On a lattice the determinant is exact; elsewhere the computed value has to pass a filter. On a
+// lattice each point relative to q has one number, its key, such that keys have the lexicographic
+// order of the points; the key of q is 0. Half of the results on lattices are ties, so ties are
+// broken without a branch.
 MGDT_PREDICATES_INLINE int doubles(const Differences<12>& v) {
     const auto minors = SphereDeterminant::minors(v.rounded);
     const double value = SphereDeterminant::value(v.rounded, minors);
@@ -56,7 +58,8 @@ MGDT_PREDICATES_INLINE int doubles(const Differences<12>& v) {
     return inside > outside ? 1 : -1;
 }
 
-// Breaks a tie. coefficient(i) gives the sign of the coefficient of vertex i.
+// Breaks a tie. coefficient(i) gives the sign of the coefficient of vertex i. Returns 0 if q is at
+// a vertex.
 template <class Coefficient>
 int broken_tie(const double* const (&vertex)[4], const double* q, const Coefficient& coefficient) {
     const double* largest = q;
@@ -87,7 +90,7 @@ int perturbed_native(const double* a, const double* b, const double* c, const do
         if (!to_native(differences({a, b, c, d}, q), n)) return undecided;
         const NativeSphere sphere(n);
         if (sphere.sign != 0) return sphere.sign;
-        // The same as broken_tie(), without a branch.
+        // Breaks the tie as broken_tie() does, but without a branch.
         std::int64_t first[3] = {};
         int side = -1;
         bool is_vertex = false;
@@ -132,7 +135,7 @@ int perturbed_integers(const double* a, const double* b, const double* c, const 
     if (s == undecided) s = sphere_scaled(a, b, c, d, q);
     if (s == undecided) s = perturbed_sparse(a, b, c, d, q, Terms::single);
     if (s == undecided) s = sphere_ranged(a, b, c, d, q);
-    // A tie found by a filter is not proved.
+    // sphere_ranged() does not break ties, so the next stages have to.
     if (s == undecided || s == 0) s = perturbed_sparse(a, b, c, d, q, Terms::any);
     return s != undecided ? s : perturbed_by_parts(a, b, c, d, q);
 }

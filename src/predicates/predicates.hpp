@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Exact geometric predicates: each returns the sign (-1, 0, +1) of a determinant of the
-// coordinates it is given, as if computed with real numbers. Every finite double is accepted,
-// from subnormals to the largest. A point is a pointer to its three coordinates.
+// Exact geometric predicates: each returns the sign (-1, 0, +1) of a determinant of the coordinates
+// it is given, as if computed with real numbers. Every finite double is accepted, from subnormals
+// to the largest. A point is a pointer to its three coordinates.
 //
-// The kernel asks them only where its own filter left a decision open, so they may be called
-// with ties as often as without.
+// The kernel calls a predicate only if its own filter has left a decision open, so ties may be as
+// frequent as other results.
 #pragma once
 
 namespace mgdt {
@@ -17,8 +17,8 @@ int orientation(const double* a, const double* b, const double* c, const double*
 int side_of_sphere(const double* a, const double* b, const double* c, const double* d,
                    const double* q);
 
-// The same with ties broken by symbolic perturbation (Devillers and Teillaud, Computational
-// Geometry 44, 2011): never 0 for q different from a, b, c and d.
+// Like side_of_sphere(), but ties are broken by symbolic perturbation (Devillers and Teillaud,
+// Computational Geometry 44, 2011). The result is 0 only if q is equal to a, b, c or d.
 int side_of_sphere_perturbed(const double* a, const double* b, const double* c, const double* d,
                              const double* q);
 

@@ -19,10 +19,11 @@ Limb bits_from(const Limb* a, int size, int first) {
     return shift == 0 ? limb(k) : limb(k) >> shift | limb(k + 1) << (limb_bits - shift);
 }
 
-// m 2^exponent, rounded. The last bit of m stands for all later bits; 2^54 <= m < 2^55.
+// m 2^exponent, rounded to the nearest double, for 2^54 <= m < 2^55. The last bit of m is set if
+// any later bit of the exact value is.
 double rounded_once(std::uint64_t m, int exponent) {
-    // Two bits below the last bit of a subnormal number. What is shifted out is recorded in the
-    // last bit.
+    // The exponent two bits below the last bit of a subnormal number. The last bit is set if any
+    // bit that is shifted out is.
     constexpr int least = -1076;
     if (exponent < least) {
         const int shift = least - exponent;
@@ -39,8 +40,8 @@ double rounded_once(std::uint64_t m, int exponent) {
 
 }  // namespace
 
-// Long division, until the quotient has two bits more than a double. At the beginning the remainder
-// has one bit less than d.
+// Divides by long division, until the quotient has two bits more than a double. At the beginning
+// the remainder has one bit less than d.
 double rounded_quotient(Limb* n, int n_size, Limb* d, int d_size, Limb* rest, int exponent) {
     const bool is_negative = take_sign(n, n_size) != take_sign(d, d_size);
     const int n_length = length_of(n, n_size), d_length = length_of(d, d_size);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Doubles with a separate exponent, which neither overflow nor underflow, and a filter that uses
-// them. It decides points whose coordinates differ in magnitude by any power of two, where plain
-// doubles leave their range. See docs/theory.md, "The ranged filter".
+// them. The filter decides points whose coordinates differ in magnitude by any power of two, where
+// plain doubles leave their range. See docs/theory.md, "The ranged filter".
 #pragma once
 
 #include "predicates/filter.hpp"
@@ -15,7 +15,7 @@ struct Ranged {
     int exponent;
 };
 
-// Less than every exponent that a product of five differences can have.
+// The exponent of 0. It is less than every exponent that a product of five differences can have.
 constexpr int exponent_of_zero = -100000;
 
 // 2^-shift for a non-negative shift; 0 if that is far below a unit in the last place.

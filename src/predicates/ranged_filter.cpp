@@ -104,7 +104,7 @@ struct ScaledAxes {
         });
         each<N>([&](auto i) { value[i] = d.rounded[i] * factor[i % 3]; });
     }
-    // The factor that restores the common scale, that of the longest axis.
+    // The factor that converts from the scale of an axis to that of the longest axis.
     double shrink(int axis) const {
         const int shift = highest - exponent_[axis];
         return shift > limit ? 0.0 : power_of_two(-shift);
@@ -118,7 +118,7 @@ struct ScaledAxes {
     int exponent_[3];
 };
 
-// All values are far below 2^24 + 2^24.
+// An upper bound on the scaled differences: doubles below 2^1024 times a factor of 2^-1000.
 constexpr double scaled_largest = 0x1p24;
 
 }  // namespace

@@ -80,8 +80,8 @@ Sparse<A + B - 1 + merge_bits> operator*(const Sparse<A>& a, const Sparse<B>& b)
 }
 
 // The sign, or `undecided` if terms were lost. Terms are added from the highest on, until the
-// remaining ones cannot change the sign: they are less than 2^merge_bits factors in the unit of the
-// next term.
+// remaining terms cannot change the sign: there are fewer than 2^merge_bits of them, each below
+// 2^(Bits - 1) units of the next term.
 template <int Bits>
 int sign(const Sparse<Bits>& a) {
     if (a.is_lost()) return undecided;
@@ -109,7 +109,7 @@ class SparseDifferences {
         for (int i = 0; i < N; ++i)
             for (const double v : {d.first[i], d.second[i]})
                 if (v != 0) insert(parts, count++, Part(v, i));
-        // From the highest to the lowest.
+        // Divide the parts into clusters, from the highest to the lowest.
         int clusters = 0, top = 0, begin = 0;
         for (int i = 0; i <= count; ++i) {
             if (i < count && i > begin && parts[i].bottom >= top - (Bits - 2)) continue;
@@ -135,7 +135,7 @@ class SparseDifferences {
   private:
     static constexpr int most_clusters = 6;
 
-    // One of the two doubles whose sum a difference is: mantissa * 2^exponent.
+    // One of the two doubles that add up to difference `of`: mantissa * 2^exponent.
     struct Part {
         Part() = default;
         Part(double v, int difference) : of(difference) {

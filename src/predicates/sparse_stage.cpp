@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Orientation and the sphere predicate over sparse integers. They are exact if coordinates have a
-// few scales far apart, at a small part of the cost of integers that span the distance.
+// Orientation and the sphere predicate over sparse integers. These stages decide if the coordinates
+// have a few scales far apart, at a fraction of the cost of integers that span all scales.
 #include "predicates/determinants.hpp"
 #include "predicates/sparse.hpp"
 #include "predicates/stages.hpp"
@@ -12,9 +12,9 @@ constexpr bool is_long<Sparse<Bits>> = true;
 
 namespace {
 
-// Calls f with the differences as sparse integers of this width. Returns `undecided` if they do not
-// fit, or if each has to be a single term and one is not. Not inlined, so that the stack holds the
-// numbers of one width only.
+// Calls f with the differences as sparse integers of this width. Returns `undecided` if the
+// differences do not fit, or if `terms` is `single` and a difference has several terms. The
+// function is not inlined, so that the stack holds the numbers of one width only.
 template <int Bits, int N, class F>
 MGDT_PREDICATES_APART int with_sparse_of(const ExactDifferences<N>& d, Terms terms, const F& f) {
     const SparseDifferences<N, Bits> v(d);
@@ -22,7 +22,7 @@ MGDT_PREDICATES_APART int with_sparse_of(const ExactDifferences<N>& d, Terms ter
     return f(v.value);
 }
 
-// The same with the least width that holds the differences.
+// Calls f with sparse integers of the least width that fits; for single terms, of 60 bits only.
 template <int N, class F>
 int with_sparse(const ExactDifferences<N>& d, Terms terms, const F& f) {
     const int s = with_sparse_of<60>(d, terms, f);

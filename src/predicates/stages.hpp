@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The stages of the predicates, for tests and measurements. Each returns the sign of the predicate;
-// filters, lattice stages and stages of native integers may return `undecided`.
+// The stages of the predicates, for tests and measurements. Each returns the result of the
+// predicate or `undecided`. The stages whose names end in _integer, perturbed_by_parts() and
+// perturbed_integers() always decide.
 #pragma once
 
 #include "predicates/filter.hpp"
@@ -25,7 +26,7 @@ MGDT_PREDICATES_APART int orientation_scaled(const double* a, const double* b, c
 MGDT_PREDICATES_APART int orientation_ranged(const double* a, const double* b, const double* c,
                                              const double* d,
                                              double bound = ranged_orientation_bound);
-// Stages of integers, of the least of `widths` that fits and is at least least_width.
+// The stage of integers. It uses the smallest of `widths` that fits and is at least least_width.
 MGDT_PREDICATES_APART int orientation_integer(const double* a, const double* b, const double* c,
                                               const double* d, int least_width = 0);
 
@@ -35,8 +36,8 @@ int sphere_lattice(const double* a, const double* b, const double* c, const doub
                    const double* q);
 int sphere_native(const double* a, const double* b, const double* c, const double* d,
                   const double* q);
-// In a tie, also gives the signs of the 3 x 3 minors [bcd], [acd], [abd], [abc] if they are asked
-// for.
+// In a tie, sphere_sparse() also writes the signs of the 3 x 3 minors [bcd], [acd], [abd], [abc] to
+// minor_signs, unless this is null.
 MGDT_PREDICATES_APART int sphere_sparse(const double* a, const double* b, const double* c,
                                         const double* d, const double* q, Terms terms = Terms::any,
                                         int minor_signs[4] = nullptr, int least = sparse_least);
@@ -52,7 +53,7 @@ MGDT_PREDICATES_APART int sphere_integer(const double* a, const double* b, const
 // +1 if the points are certainly not collinear, otherwise `undecided`.
 int collinear_filter(const double* a, const double* b, const double* c,
                      const Bound& bound = collinear_bound);
-// 1 if the points are certainly not collinear, 0 if they certainly are.
+// 1 if the points are certainly not collinear, 0 if they certainly are, otherwise `undecided`.
 MGDT_PREDICATES_APART int collinear_ranged(const double* a, const double* b, const double* c,
                                            double bound = collinear_bound.relative);
 MGDT_PREDICATES_APART bool collinear_integer(const double* a, const double* b, const double* c,
@@ -72,8 +73,9 @@ int edge_filter(const double* a, const double* b, const double* c, const double*
 MGDT_PREDICATES_APART int edge_integer(const double* a, const double* b, const double* c,
                                        const double* q, int least_width = 0);
 
-// The perturbed sphere predicate: by the determinant in doubles; by integers of 64 bits; by the
-// predicates that it consists of; by the first of the last two that can decide.
+// The stages of the perturbed sphere predicate: the determinant in doubles; native integers; sparse
+// integers; sphere_integer() and orientation(). perturbed_integers() tries all but the first in
+// turn, and filters in between.
 int perturbed_doubles(const double* a, const double* b, const double* c, const double* d,
                       const double* q);
 int perturbed_native(const double* a, const double* b, const double* c, const double* d,

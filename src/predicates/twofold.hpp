@@ -9,8 +9,8 @@ namespace mgdt {
 struct Twofold {
     double high, low;
 
-    // Exact sums and products. The product is Dekker's, A floating-point technique for extending
-    // the available precision, Numerische Mathematik 18 (1971).
+    // Exact sums and products of doubles. The product is by the method of Dekker, A floating-point
+    // technique for extending the available precision, Numerische Mathematik 18 (1971).
     static MGDT_PREDICATES_INLINE Twofold sum(double a, double b) {
         const double s = a + b, part = s - a;
         return {s, (a - (s - part)) + (b - part)};
@@ -33,7 +33,7 @@ struct Twofold {
         const Twofold p = product(a.high, b.high);
         return sum(p.high, p.low + (a.high * b.low + a.low * b.high));
     }
-    // The quotient of the upper parts, then twice the quotient of the remainder.
+    // The quotient of the upper parts, corrected twice by the quotient of the remainder.
     friend Twofold operator/(Twofold a, Twofold b) {
         const double first = a.high / b.high;
         const Twofold rest = a - b * Twofold{first, 0};

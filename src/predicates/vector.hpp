@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors of doubles or of twofold numbers. What is computed in doubles is computed again in
+// Vectors of doubles or of twofold numbers. A result is computed in doubles first, and again in
 // twofold numbers if doubles are not accurate enough.
 #pragma once
 
@@ -74,7 +74,7 @@ double length(const Vector<Real>& a) {
     return std::sqrt((x * x + y * y) + z * z);
 }
 
-// The difference of two points, as exact as Real allows.
+// Differences of coordinates and of points: rounded in doubles, exact in twofold numbers.
 inline void set_difference(double& d, double a, double b) {
     d = a - b;
 }

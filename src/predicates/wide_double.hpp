@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A double with an exponent that no product exceeds, for error bounds and for results of long
-// numbers.
+// A double with a separate exponent, whose range is so large that no product overflows. It is for
+// error bounds and for results of long numbers.
 #pragma once
 
 #include <cmath>
