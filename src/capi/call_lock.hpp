@@ -14,8 +14,8 @@ namespace mgdt {
 
 class CallLock {
   public:
-    // Enters for a call that changes the handle. `name` is the name of its function, a static
-    // string.
+    // Enters for a call that changes the handle. `name` is the name of the called function, a
+    // static string.
     bool try_enter_alone(const char* name) noexcept {
         std::uint32_t expected = 0;
         if (!inside_.compare_exchange_strong(expected, alone, std::memory_order_acquire,
@@ -30,12 +30,12 @@ class CallLock {
         inside_.store(0, std::memory_order_release);
     }
 
-    // For a call that changes the handle and lets others read its result for a while.
+    // Lets other calls read the handle for a while. The caller is a call that changes the handle.
     void let_read() noexcept {
         annotate_release(&inside_);
         inside_.store(1, std::memory_order_release);
     }
-    // Ends that while, and waits for the calls that are still reading.
+    // Ends the effect of let_read(): waits for the calls that are still reading, and is alone then.
     void be_alone_again() noexcept {
         std::uint32_t expected = 1;
         while (!inside_.compare_exchange_weak(expected, alone, std::memory_order_acquire,
@@ -61,8 +61,9 @@ class CallLock {
         inside_.fetch_sub(1, std::memory_order_release);
     }
 
-    // Whether a call that changes the handle is inside. For calls that read and are too short to be
-    // counted: the threads that make such calls share this word, which stays in all their caches.
+    // Whether a call that changes the handle is inside. Calls that read the handle too briefly to
+    // be counted use this function: it does not write `inside_`, so the word stays in the caches of
+    // all threads.
     bool is_held_alone() const noexcept {
         const bool is_held = inside_.load(std::memory_order_acquire) == alone;
         annotate_acquire(&inside_);

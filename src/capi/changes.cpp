@@ -7,8 +7,8 @@ using namespace mgdt;
 
 namespace {
 
-// Converts the caller's indices to indices from 0. An index that no point has is refused before it
-// is narrowed.
+// Converts the caller's indices to indices from 0. Each index is checked before it is converted to
+// 32 bits; the function refuses an index that no point has.
 template <class Int>
 void read_points(const Triangulation& core, std::size_t n, const Int* points,
                  Buffer<std::uint32_t>& list) {
@@ -45,7 +45,7 @@ mgdt_status remove(mgdt_triangulation* t, int64_t n, const Int* points, const ch
         name);
 }
 
-// Moves all points that are in.
+// Moves all points that are in the triangulation.
 void move_all(Triangulation& core, std::size_t count, const double* xyz) {
     const Buffer<VertexId>& map = core.point_map();
     if (count != map.size())

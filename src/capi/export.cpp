@@ -18,7 +18,7 @@ struct Extent {
     std::int64_t count, end;
 };
 
-// One export: `extent` measures it, `body` writes it.
+// Runs an export: `extent` returns its Extent, `body` writes the output.
 template <class Int, class Measure, class Body>
 mgdt_status run_export(const mgdt_triangulation* t, bool numbers, std::int64_t capacity, Int* v,
                        Measure extent, Body body, const char* name) {
@@ -88,7 +88,7 @@ mgdt_status point_map(const mgdt_triangulation* t, int64_t capacity, Int* v, con
 
 // The shape of a compressed list by points.
 struct ListShape {
-    bool numbers;       // whether it needs numbers of tetrahedra
+    bool numbers;       // whether the list needs numbers of tetrahedra
     std::size_t count;  // the number of elements in the list
     std::size_t end;    // an upper bound on its elements, counted from 0
 };
@@ -106,7 +106,7 @@ mgdt_status run_list_export(const mgdt_triangulation* t, std::int64_t offset_cap
             if (count > 0) require_pointer(list, "list");
             require_capacity(offset_capacity, points + 1, "offsets");
             require_capacity(capacity, count, "list");
-            // The last offset has to fit too.
+            // The last offset, which is `count`, has to fit too.
             require_range<Int>(std::max<std::uint64_t>(count + 1, end), t);
             Team team(t->core.threads_for(count, min_items_per_thread));
             body(view_of(team, t, numbers), points);

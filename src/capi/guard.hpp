@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The guards of the entry points of the C interface. They refuse a call that would meet another one
-// on its handle, disable thread cancellation, set up the floating-point environment, and convert
-// every exception to a status and a message.
+// The guards of the entry points of the C interface. They refuse a call that conflicts with another
+// call on the same handle, disable thread cancellation, set up the floating-point environment, and
+// convert every exception to a status and a message.
 #pragma once
 
 #include <cstdio>
@@ -19,13 +19,13 @@
 
 namespace mgdt {
 
-// The base of every handle. It exists as long as a callback may call the handle, so until the
-// destruction of the derived class has ended.
+// The base class of every handle. A callback may call the handle while the derived class is being
+// destroyed; the members of the base class still exist then.
 class HandleBase {
   public:
     mutable CallLock calls;
 
-    // The status of a call that cannot enter.
+    // Remembers why a call cannot enter, and returns its status.
     mgdt_status refuse(const char* name) const noexcept {
         char message[Error::message_size];
         if (const char* const other = calls.name())
@@ -73,9 +73,10 @@ class HandleBase {
 
 // Runs `body` for a handle that the call has entered and returns its status.
 //
-// It is never inlined, for the sake of threads of the asynchronous cancellation type. A request
-// that came during the call acts when the guards below give the cancellation state back. It unwinds
-// their frames, which is possible because they have nothing to clean up and are not noexcept.
+// The function is not inlined, because of threads with the asynchronous cancellation type. A
+// cancellation request that arrives during the call takes effect when the guards below restore the
+// cancellation state. The request unwinds the frames of the guards, which is possible because the
+// guards have nothing to clean up and are not noexcept.
 template <class Body>
 MGDT_NOT_INLINE mgdt_status run_inside(const HandleBase* t, Body& body) noexcept {
     const FpEnvironment environment;
@@ -94,7 +95,7 @@ MGDT_NOT_INLINE mgdt_status run_inside(const HandleBase* t, Body& body) noexcept
     }
 }
 
-// A call that changes the handle.
+// Runs a call that changes the handle.
 template <class Body>
 mgdt_status guard(HandleBase* t, Body body, const char* name = __builtin_FUNCTION()) {
     if (!t) return MGDT_ERR_NULL_POINTER;
@@ -105,7 +106,8 @@ mgdt_status guard(HandleBase* t, Body body, const char* name = __builtin_FUNCTIO
     return status;
 }
 
-// A call that reads the handle for long. Calls that change it are refused meanwhile.
+// Runs a call that reads the handle and may take long. Calls that change the handle are refused
+// meanwhile.
 template <class Body>
 mgdt_status guard(const HandleBase* t, Body body, const char* name = __builtin_FUNCTION()) {
     if (!t) return MGDT_ERR_NULL_POINTER;
@@ -116,8 +118,9 @@ mgdt_status guard(const HandleBase* t, Body body, const char* name = __builtin_F
     return status;
 }
 
-// A call that reads the handle for about a microsecond. Counting it would take a good part of that
-// time if many threads call. It is counted if it runs callbacks, which may call the handle.
+// Runs a call that reads the handle for about a microsecond. Such a call is not counted, since with
+// many threads counting would take a large part of its time. A call that runs callbacks is counted,
+// because callbacks may call the handle.
 template <class Handle, class Body>
 mgdt_status guard_short(const Handle* t, Body body, const char* name = __builtin_FUNCTION()) {
     if (!t) return MGDT_ERR_NULL_POINTER;
@@ -136,7 +139,8 @@ inline std::size_t require_count(std::int64_t n, const char* of = "points") {
     if (n < 0)
         fail(MGDT_ERR_INVALID_ARGUMENT, "the number of %s is negative (%lld)", of,
              static_cast<long long>(n));
-    if (static_cast<std::uint64_t>(n) > std::numeric_limits<std::size_t>::max())  // of 32 bits
+    // This happens only where std::size_t has 32 bits.
+    if (static_cast<std::uint64_t>(n) > std::numeric_limits<std::size_t>::max())
         fail(MGDT_ERR_TOO_LARGE, "%lld %s are more than memory can hold", static_cast<long long>(n),
              of);
     return static_cast<std::size_t>(n);

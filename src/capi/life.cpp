@@ -8,7 +8,7 @@ namespace {
 constexpr std::size_t handle_size = sizeof(mgdt_triangulation),
                       handle_align = alignof(mgdt_triangulation);
 
-// Like run_inside() of guard.hpp, for the calls that create and destroy a handle.
+// create() and destroy() are not inlined, for the reason at run_inside() in guard.hpp.
 MGDT_NOT_INLINE mgdt_status create(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user,
                                    mgdt_triangulation** out) noexcept {
     const FpEnvironment environment;
@@ -47,7 +47,7 @@ extern "C" mgdt_status mgdt_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free
     return create(alloc, release, user, out);
 }
 
-// A handle that a call is inside of is not destroyed: the call would continue in freed memory.
+// Does not destroy a handle while a call is inside it: the call would continue in freed memory.
 extern "C" void mgdt_destroy(mgdt_triangulation* t) {
     if (!t) return;
     const CancellationDisabled uninterrupted;

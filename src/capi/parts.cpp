@@ -42,7 +42,7 @@ namespace {
 constexpr std::size_t parts_size = sizeof(mgdt_parts), parts_align = alignof(mgdt_parts);
 constexpr std::int32_t most_parts = 1 << 20;
 
-// Like run_inside() of guard.hpp, for the calls that create and destroy a handle.
+// create() and destroy() are not inlined, for the reason at run_inside() in guard.hpp.
 MGDT_NOT_INLINE mgdt_status create(const mgdt_transport* transport, PartId parts,
                                    mgdt_alloc_fn alloc, mgdt_free_fn release, void* user,
                                    mgdt_parts** out) noexcept {
@@ -73,8 +73,8 @@ MGDT_NOT_INLINE void destroy(mgdt_parts* p) noexcept {
         });
 }
 
-// Whether this version can read the transport. A caller of a later version has a larger structure,
-// whose further members are 0 unless the caller needs them.
+// Whether this version of the library can read the transport. A caller that is built for a later
+// version has a larger structure, whose further members are 0 unless the caller needs them.
 bool is_readable_transport(const mgdt_transport* from) noexcept {
     if (from->size < sizeof *from) return false;
     const auto* const bytes = reinterpret_cast<const unsigned char*>(from);
@@ -105,7 +105,7 @@ void insert(mgdt_parts& p, std::int32_t part, std::int64_t n, const double* xyz,
     std::memcpy(given.ids.data() + before, ids, count * sizeof *ids);
 }
 
-// Checks what has to be the same on all processes.
+// Checks that all processes have the same index base, and ids for all points or for none.
 void require_agreement(mgdt_parts& p) {
     constexpr std::uint64_t with_ids = 1, without_ids = 2, base_one = 4;
     Buffer<std::uint64_t> mine(p.allocator), all(p.allocator);
@@ -127,7 +127,7 @@ void require_agreement(mgdt_parts& p) {
     });
 }
 
-// Builds; `visit` is that of build_each(), or null.
+// Builds with Parts::build_each() if `visit` is given, else with Parts::build().
 void build(mgdt_parts& p, const Parts::Visit* visit) {
     p.forget_triangulation();
     const Error failure = std::exchange(p.failure, Error{MGDT_OK, ""});
@@ -162,7 +162,7 @@ void build(mgdt_parts& p, const Parts::Visit* visit) {
         p.triangulation->build(given.data(), all_ids, progress);
 }
 
-// Builds, and frees what a failed build leaves.
+// Builds the triangulation. Frees what a failed build leaves.
 void run_build(mgdt_parts& p, const Parts::Visit* visit) {
     try {
         p.collective.run([&] { build(p, visit); });
@@ -206,7 +206,7 @@ extern "C" mgdt_status mgdt_parts_create_with_transport(const mgdt_transport* tr
     return create(transport, 1, nullptr, nullptr, nullptr, out);
 }
 
-// Like mgdt_destroy(), this does not destroy a handle that a call is inside of.
+// Does not destroy a handle while a call is inside it, like mgdt_destroy().
 extern "C" void mgdt_parts_destroy(mgdt_parts* p) {
     if (!p) return;
     const CancellationDisabled uninterrupted;

@@ -23,7 +23,8 @@ struct mgdt_parts : mgdt::HandleBase {
     mgdt_transport host_transport() const noexcept {
         return callbacks_ ? callbacks_->functions() : mgdt_transport{};
     }
-    // The position of a part among those of this process. Throws for other parts.
+    // The position of a part among the parts of this process. Throws if the part is in another
+    // process.
     mgdt::PartId local(std::int32_t part) const;
     void forget_triangulation() noexcept;
 

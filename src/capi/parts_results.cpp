@@ -11,7 +11,7 @@ namespace {
 // A part of this process and its triangulation. The index base is added to all numbers.
 class View {
   public:
-    // There has to be a triangulation.
+    // The triangulation of `p` must exist.
     View(const mgdt_parts& p, PartId i)
         : p_(p),
           all_(*p.triangulation),

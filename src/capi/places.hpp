@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The places of a query.
+// Checks of the points of a query.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ inline std::size_t require_places(std::int64_t n) {
     return require_count(n);
 }
 
-// Checks that all coordinates are finite.
+// The places of a query. Throws if a coordinate is not finite.
 inline PointSet finite_places(Team& team, std::size_t n, const double* xyz,
                               const mgdt_triangulation* t) {
     const double* const axis[3] = {xyz, xyz + 1, xyz + 2};

@@ -25,14 +25,14 @@ extern "C" mgdt_status mgdt_insert_points_strided(mgdt_triangulation* t, int64_t
         require_pointer(z, "z");
         const double* const axis[3] = {x, y, z};
         const auto step = static_cast<std::ptrdiff_t>(stride);
-        if (step != stride && count > 1)  // of 32 bits
+        if (step != stride && count > 1)  // only where std::ptrdiff_t has 32 bits
             fail(MGDT_ERR_INVALID_ARGUMENT, "a stride of %lld takes the points beyond all memory",
                  static_cast<long long>(stride));
         t->core.insert(count, axis, step);
     });
 }
 
-// While a handle is being changed, its counts are those of an empty one.
+// While a call changes a handle, the functions below return the counts of an empty handle.
 namespace {
 
 const Triangulation* unchanging(const mgdt_triangulation* t) {

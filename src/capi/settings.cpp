@@ -113,7 +113,7 @@ extern "C" mgdt_status mgdt_set_progress(mgdt_triangulation* t, mgdt_progress_fn
     });
 }
 
-// This only stores a flag, so it may be called from any thread and from signal handlers.
+// The function only stores a flag, so any thread and any signal handler may call it.
 extern "C" mgdt_status mgdt_cancel(mgdt_triangulation* t) {
     if (!t) return MGDT_ERR_NULL_POINTER;
     t->core.cancel();

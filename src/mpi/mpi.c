@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The functions of mgdt_mpi.h, which make a part on each rank. */
+ * The functions of mgdt_mpi.h, which create one part on each rank. */
 #include "mgdt/mgdt_mpi.h"
 #include "mpi/transport.h"
 
@@ -18,7 +18,7 @@ static mgdt_status agree(mgdt_status mine, MPI_Comm communicator) {
     return worst;
 }
 
-/* The part of this rank. Takes the communicator over if it succeeds. */
+/* Creates the handle of this rank's part. On success the handle owns the communicator. */
 static mgdt_status create(MPI_Comm communicator, mgdt_parts** out) {
     struct mgdt_mpi_transport* const t = mgdt_mpi_transport_new(communicator);
     mgdt_transport functions;
@@ -28,7 +28,7 @@ static mgdt_status create(MPI_Comm communicator, mgdt_parts** out) {
     functions = mgdt_mpi_transport_functions(t);
     status = mgdt_parts_create_with_transport(&functions, out);
     if (status != MGDT_OK) {
-        t->communicator = MPI_COMM_NULL; /* still the caller's */
+        t->communicator = MPI_COMM_NULL; /* the caller still owns the communicator */
         mgdt_mpi_transport_free(t);
     }
     return status;

@@ -6,13 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Errors come back as values: the communicator has MPI_ERRORS_RETURN. */
+/* Whether an MPI call failed. The communicator has MPI_ERRORS_RETURN, so calls return errors. */
 static int failed(int code) {
     return code != MPI_SUCCESS;
 }
 
-/* Waits for a request; `code` says whether it was begun successfully. MPI's own waiting would keep
- * the processor from other ranks if there are more ranks than processors. */
+/* Waits for a request that a call with the result `code` has begun. Returns whether it failed.
+ * MPI_Wait() would keep the processor busy, which delays other ranks if there are more ranks than
+ * processors. */
 static int fails(int code, MPI_Request* request) {
     int is_done = 0;
     while (code == MPI_SUCCESS) {
@@ -29,7 +30,8 @@ static int piece(int64_t bytes, int64_t done) {
     return (int)(left < MGDT_MPI_LARGEST_MESSAGE ? left : MGDT_MPI_LARGEST_MESSAGE);
 }
 
-/* All ranks know the number of bytes of each, so all take the same branch. */
+/* Gathers by one call, or by broadcasts if one call cannot gather so many bytes. All ranks know the
+ * number of bytes of each rank, so all take the same branch. */
 static int32_t gather(const void* mine, void* all, const int64_t* begin, void* user) {
     struct mgdt_mpi_transport* const t = user;
     char* const to = all;
@@ -74,7 +76,8 @@ static int32_t exchange(const void* out, const int64_t* out_begin, void* in,
     do {
         int step;
         pending = 0;
-        for (step = 0; step < t->ranks; ++step) { /* each begins with another one */
+        /* In each step, no two ranks receive from the same rank. */
+        for (step = 0; step < t->ranks; ++step) {
             const int from = (t->rank + step) % t->ranks;
             const int64_t bytes = in_begin[from + 1] - in_begin[from];
             if (done < bytes &&
@@ -97,7 +100,7 @@ static int32_t exchange(const void* out, const int64_t* out_begin, void* in,
     return 0;
 }
 
-/* Reduces in place, in pieces. */
+/* Reduces in place, a limited number of elements at a time. */
 static int32_t reduce(void* numbers, int64_t n, MPI_Datatype type, MPI_Op operation,
                       struct mgdt_mpi_transport* t) {
     int64_t done;

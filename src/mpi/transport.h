@@ -7,7 +7,8 @@
 
 #include "mgdt/mgdt_parts.h"
 
-/* MPI counts in int, so longer messages are sent in pieces. Tests use a smaller limit. */
+/* The largest message in bytes. The counts of MPI are int, so longer messages are sent in pieces.
+ * Tests use a smaller limit. */
 #ifndef MGDT_MPI_LARGEST_MESSAGE
 #define MGDT_MPI_LARGEST_MESSAGE (1 << 30)
 #endif
@@ -20,9 +21,9 @@ struct mgdt_mpi_transport {
     MPI_Request* requests; /* two for each rank */
 };
 
-/* Takes the communicator over if it succeeds. NULL if memory is refused. */
+/* On success, the transport owns `communicator`. Returns NULL without memory or if MPI fails. */
 struct mgdt_mpi_transport* mgdt_mpi_transport_new(MPI_Comm communicator);
-/* Frees it, and the communicator unless MPI is finalised. */
+/* Frees the transport, and its communicator unless MPI is finalised. */
 void mgdt_mpi_transport_free(struct mgdt_mpi_transport* t);
 /* The functions for mgdt_parts_create_with_transport(), the last of which frees `t`. */
 mgdt_transport mgdt_mpi_transport_functions(struct mgdt_mpi_transport* t);

@@ -31,7 +31,7 @@ struct Boxes::Split {
     unsigned axis;
 };
 
-// A sample of the points decides how they are halved; the boxes are around all points.
+// A sample of the points determines the splits; the boxes enclose all points.
 void Boxes::divide(const PartPoint* points, std::size_t n, PointBox* nodes) const {
     constexpr std::size_t sample_of_leaf = 16;
     Allocator& allocator = nodes_.allocator();
@@ -86,10 +86,10 @@ void Boxes::gather(Collective& all, const Buffer<PointBox>& nodes) {
     });
 }
 
-// A point y, relative to the base, is in the closed ball if |y|^2 - w.y <= 0. That is a sum of one
-// parabola per axis, so its minimum over a box is the sum of their minima. The bound on the error
-// of w is per coordinate; the other terms allow generously for rounding and underflow, since a box
-// too many costs little.
+// A point y, relative to the base, is in the closed ball if |y|^2 - w.y <= 0. The left side is a
+// sum of one parabola per axis, so its minimum over a box is the sum of the minima of the
+// parabolas. s.e bounds the error of each coordinate of w. The other terms are generous bounds for
+// rounding and underflow, since a box that is visited needlessly costs little.
 bool Boxes::meets_ball(const PointBox& box, const Sphere& s, const double* base, int scale) {
     double least = 0, sizes = 0, reach = 0;
     for (int k = 0; k < 3; ++k) {
@@ -129,7 +129,8 @@ bool Boxes::is_beyond(const PointBox& box, const Facet& f) {
     for (int k = 0; k < 3; ++k) {
         const double y = (f.normal[k] > 0 ? box.high : box.low)[k] - f.a[k];
         farthest += f.normal[k] * y;
-        // If the sign of a component is uncertain, both sides of the box have to be tested.
+        // The computed component may have the wrong sign, so the error bound uses the farther side
+        // of the box.
         const double size =
             std::max(std::fabs(box.high[k] - f.a[k]), std::fabs(box.low[k] - f.a[k]));
         sizes += f.products[k] * size;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A tree of bounding boxes for the points of each part. It tells which parts may have points in a
-// circumball, or beyond a hull facet: those with a box that the ball or the half-space meets. Where
-// rounding leaves that open, the answer is yes.
+// A tree of bounding boxes for the points of each part. The tree tells which parts may have points
+// in a circumball, or beyond a hull facet: the parts with a box that meets the ball or the
+// half-space. If rounding leaves a test undecided, the box counts as one that meets it.
 #pragma once
 
 #include "kernel/circumsphere.hpp"
@@ -23,7 +23,7 @@ class Boxes {
   public:
     Boxes(Allocator& allocator, PartId parts)
         : parts_(parts), leaves_(most_leaves), nodes_(allocator), of_division_(allocator) {
-        // Each process has the boxes of all parts.
+        // Each process has the boxes of all parts, so their number is limited.
         while (leaves_ > least_leaves && leaves_ * parts > most_boxes) leaves_ /= 2;
     }
 
@@ -51,13 +51,14 @@ class Boxes {
     }
 
     static bool meets_ball(const PointBox& box, const Sphere& s, const double* base, int scale);
-    // The plane of a hull facet. Its corners decide exactly where rounding leaves the side open.
+    // The plane of a hull facet. If rounding leaves the side of a point undecided, the exact
+    // orientation of a, b, c and the point decides.
     struct Facet {
         Facet(const double* a, const double* b, const double* c, const double* inner);
         const double *a, *b, *c;
         int inside;          // the orientation of a point on the inner side
         double normal[3];    // pointing outwards, rounded
-        double products[3];  // sums of magnitudes in each component
+        double products[3];  // the sum of the magnitudes of the two products in each component
     };
     static bool is_beyond(const PointBox& box, const Facet& facet);
 
@@ -94,8 +95,9 @@ class Boxes {
 
     PartId parts_;
     std::size_t leaves_;
-    Buffer<PointBox> nodes_;        // the boxes of each part, one part after another
-    Buffer<PointBox> of_division_;  // of a set of parts that is divided, by the part in the middle
+    Buffer<PointBox> nodes_;  // the boxes of each part, one part after another
+    // The box of each set of parts that is divided. The index is the part in the middle.
+    Buffer<PointBox> of_division_;
 };
 
 }  // namespace mgdt

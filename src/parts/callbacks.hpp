@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A transport by functions of the host: one part in each of several processes.
+// A transport that calls functions of the host. Each process has one part.
 #pragma once
 
 #include "mgdt/mgdt_parts.h"
@@ -23,8 +23,8 @@ class Callbacks final : public Transport {
     bool exchange_records(std::size_t record_size, const Mail* out, Mail* in) noexcept override;
 
   private:
-    // Converts offsets from records of this size to bytes. The memory exists already, since a
-    // transport call must not allocate.
+    // Converts offsets that count records of `record_size` bytes to offsets in bytes. `offsets` has
+    // its size already, since a transport call must not allocate memory.
     void set_offsets(std::size_t record_size, const std::uint64_t* begin,
                      Buffer<std::int64_t>& offsets) noexcept;
 

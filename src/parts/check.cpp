@@ -12,7 +12,7 @@
 namespace mgdt {
 namespace {
 
-// The edges whose lexicographically least end is the part's own.
+// Counts the edges whose lexicographically lesser end is one of the part's own points.
 std::uint64_t count_edges(const Part& part, Allocator& allocator) {
     Buffer<std::uint64_t> edges(allocator);
     part.each_tetrahedron([&](TetId, const std::uint32_t(&v)[4], unsigned, bool) {
@@ -42,7 +42,7 @@ void Parts::check(std::int32_t level) {
         Team team(t.threads_for(t.mesh().tetrahedra.size(), 65536));
         check_triangulation(team, t.check_input(), t.allocator(), level, 0);
     });
-    // Fails if one part lacks a tetrahedron that two parts must have.
+    // Finds the tetrahedra again. Fails if a part lacks a tetrahedron that two parts must have.
     Objects<PartTetrahedra> again(allocator_, parts_.size(), std::ref(allocator_));
     Buffer<std::int64_t> first(allocator_);
     find_tetrahedra(collective_, homes_, parts_, again, first, allocator_);

@@ -16,8 +16,8 @@ void Collective::agree(const Error* mine) {
     require(transport_.least(&first, 1));
     if (first == nobody) return;
     has_failed_ = true;
-    // The message is that of the first part that has failed; all others contribute zeros to its
-    // sum.
+    // All processes get the message of the first part that has failed, as a sum of words to which
+    // all other processes contribute zeros.
     constexpr std::size_t words = Error::message_size / sizeof(std::uint64_t);
     std::uint64_t said[1 + words] = {};
     if (mine && first == first_local()) {

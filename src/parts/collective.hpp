@@ -2,8 +2,8 @@
 // Collective calls with errors. Before each call, the processes agree whether one of them has
 // failed; then all throw the same Error, and no process waits for another that has left.
 //
-// Work between these calls may throw. The outermost function catches the exception and reports it,
-// which matches the next collective call of the other processes.
+// The code between collective calls may throw. run() catches the exception and reports the error to
+// the other processes, which receive the report in their next collective call.
 #pragma once
 
 #include "parts/transport.hpp"
@@ -21,7 +21,7 @@ class Collective {
     PartId first_local() const { return transport_.first_local(); }
     PartId local_parts() const { return transport_.local_parts(); }
 
-    // Gathers records, the same number for each part.
+    // Gathers records; each part has the same number of records.
     template <class T>
     void gather(const Buffer<T>& mine, Buffer<T>& all) {
         const std::size_t each = mine.size() / local_parts();
@@ -31,7 +31,7 @@ class Collective {
         agree(nullptr);
         require(transport_.gather(mine.data(), begin.data(), all.data()));
     }
-    // Gathers records, as many as each process has.
+    // Gathers records; each process has its own number of records.
     template <class T>
     void gather_all(const Buffer<T>& mine, Buffer<T>& all) {
         Buffer<std::uint64_t> begin(all.allocator(), std::size_t{parts()} + 1),
@@ -63,7 +63,7 @@ class Collective {
         require(transport_.exchange_records(sizeof(Record), out.begin(), in.begin()));
     }
 
-    // Calls body(i) for each local part. An error in it is reported with the part's number.
+    // Calls body(i) for each local part. The report of an error in body(i) names the part.
     template <class Body>
     void each_local(const Body& body) {
         for (PartId i = 0; i < local_parts(); ++i) {
@@ -72,11 +72,11 @@ class Collective {
         }
         leave_part();
     }
-    // Later errors belong to no part.
+    // The reports of later errors name no part.
     void name_no_part() { part_ = no_part; }
-    // Throws on all processes if one has failed. Ends the collective work.
+    // Throws on all processes if one of them has failed. This is the last call of collective work.
     void finish() { agree(nullptr); }
-    // Calls body(), and reports what it throws.
+    // Calls body(). If one process throws, all throw the same Error.
     template <class Body>
     void run(const Body& body) {
         has_failed_ = false;
@@ -103,7 +103,7 @@ class Collective {
     [[noreturn]] void report(const Error& error);
 
     Transport& transport_;
-    PartId part_;  // the part that is worked on
+    PartId part_;  // the part that reports of errors name, or no_part
     bool has_failed_ = false;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Proceeds level by level. The parts offer some of their points as candidates for splitters, and
-// count the points before each candidate. The search continues between the two candidates that
-// enclose the wanted number of points, until a candidate is good enough.
+// The tree is built level by level. The parts offer some of their points as candidates for
+// splitters, and count the points before each candidate. The search continues between the two
+// candidates that enclose the wanted number of points, until a candidate is good enough.
 #include "parts/homes.hpp"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 // The largest error of a split, as a fraction of the points of one part.
 constexpr double tolerance = 1.0 / 512;
 constexpr int most_rounds = 8;
-// The number of candidates per split in one round, and its minimum if there are many splits, since
-// all splits together have at most the third number.
+// The number of candidates per split in one round. If there are many splits, `candidates_in_all`
+// is divided among them, but each split gets at least `candidates_least`.
 constexpr std::uint64_t candidates_wanted = 1024, candidates_least = 64,
                         candidates_in_all = std::uint64_t{1} << 18;
 
@@ -109,7 +109,7 @@ class Homes::Level {
         return n.has_best && static_cast<double>(n.off) <= tolerance * each;
     }
 
-    // The axis of the longest side of the box around a node's points.
+    // Chooses the axis of the longest side of the box around each node's points. Counts the points.
     void choose_axes() {
         Buffer<double> box(nodes_.allocator());
         Buffer<std::uint64_t> points(nodes_.allocator());
@@ -131,7 +131,7 @@ class Homes::Level {
             n.points = points[i];
             n.wanted = static_cast<std::uint64_t>(static_cast<double>(n.points) *
                                                   (n.middle - n.first) / (n.last - n.first));
-            // Halved, since the difference of two doubles may overflow.
+            // The coordinates are halved, since the difference of two doubles may overflow.
             const auto half_side = [&](unsigned k) {
                 return -(0.5 * box[6 * i + k] + 0.5 * box[6 * i + 3 + k]);
             };
@@ -173,8 +173,8 @@ class Homes::Level {
         for (std::size_t i = nodes_.size(); i-- > 0;)
             first_[i] = std::min(first_[i], first_[i + 1]);
     }
-    // Lists the points between the candidates of each node that is not settled. Returns their
-    // number on all processes.
+    // Lists the local points between the two enclosing candidates of each node that is not settled.
+    // Counts these points over all processes, in count_between_.
     void look_between() {
         between_.clear();
         begin_between_.clear();
@@ -192,9 +192,9 @@ class Homes::Level {
         collective_.sum(count_between_);
     }
     void offer(std::size_t node, const double* x) { mine_.push_back({{x[0], x[1], x[2]}, node}); }
-    // Keeps those candidates of a random sample that are likely to enclose the wanted splitter.
-    // Then most points are compared with the first and the last candidate alone. If the sample
-    // misleads, the next round searches further.
+    // The first candidates are a random sample. Keeps the candidates that are likely to enclose the
+    // wanted splitter, so that most points are compared with the first and the last candidate
+    // alone. If the sample is misleading, the next round searches further.
     void keep_likely() {
         Candidate* to = all_.begin();
         for (Candidate* from = all_.begin(); from != all_.end();) {
@@ -206,7 +206,7 @@ class Homes::Level {
                          spread = 4 * std::sqrt(size * share * (1 - share)) + 1;
             const auto low = static_cast<std::ptrdiff_t>(std::max(0.0, size * share - spread)),
                        high = static_cast<std::ptrdiff_t>(std::min(size, size * share + spread));
-            // Moves an element to a lower position, or leaves it.
+            // `to` is never beyond the candidate that is read, so no unread one is overwritten.
             for (std::ptrdiff_t k = low; k < high; ++k) *to++ = from[k];
             from = end;
         }
@@ -278,15 +278,16 @@ class Homes::Level {
 
     Collective& collective_;
     Buffer<Node> nodes_;
-    Buffer<std::size_t> begin_;    // where the points of each node begin in order_; and the end
+    // The points of node i are order_[begin_[2 i]] to order_[begin_[2 i + 1] - 1].
+    Buffer<std::size_t> begin_;
     Buffer<const double*> order_;  // the points of the local parts, sorted by node
     Buffer<Candidate> mine_,
-        all_;  // candidates of this process; of all, sorted by node and position
+        all_;  // the candidates of this process; of all processes, sorted by node and position
     Buffer<const double*> between_;
     Buffer<std::size_t> begin_between_;  // where each node's points begin in between_; and the end
     Buffer<std::uint64_t> count_between_;
     Buffer<std::size_t> first_;     // where the candidates of each node begin in all_
-    Buffer<std::uint64_t> counts_;  // for each node one more than it has candidates
+    Buffer<std::uint64_t> counts_;  // each node has one count more than it has candidates
     std::uint64_t depth_ = 0;
 };
 

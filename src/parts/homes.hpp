@@ -8,8 +8,8 @@
 namespace mgdt {
 
 // Calls visit(first, middle, last) for each set of parts that is divided: parts first..middle-1 are
-// on the lower side, middle..last-1 on the upper side. A set is visited before its subsets.
-// `middle` identifies it.
+// on the lower side, middle..last-1 on the upper side. A set is visited before its subsets. Each
+// set has a different `middle`, which identifies the set.
 template <class Visit>
 void each_division(PartId first, PartId last, const Visit& visit) {
     if (last - first < 2) return;
@@ -62,15 +62,15 @@ class Homes {
         PartId first, middle, last;
         unsigned axis;
         std::uint64_t points, wanted;  // the number of all points, and of those for the lower side
-        // The candidates between which the right splitter is, and the best one so far.
+        // The two candidates that enclose the right splitter, and the best candidate so far.
         Splitter low, high, best;
         bool has_low, has_high, has_best;
-        std::uint64_t off;  // the error of the best one, in points
+        std::uint64_t off;  // the error of `best`, in points
     };
     class Level;
 
     PartId parts_;
-    Buffer<Splitter> splitters_;  // of each set, by its `middle`
+    Buffer<Splitter> splitters_;  // the splitter of each set of parts, indexed by its `middle`
 };
 
 }  // namespace mgdt

@@ -8,13 +8,13 @@
 namespace mgdt {
 namespace {
 
-// A part and a point that it needs: the part is in the upper half of the word, the point in the
-// lower half. Sorted words are in the order of a Mail.
+// A word for a part and a point that the part needs: the part is in the upper half of the word, the
+// point in the lower half. Sorted words have the order of the records of a Mail.
 constexpr std::uint64_t wants(PartId part, std::uint32_t point) {
     return std::uint64_t{part} << 32 | point;
 }
 
-// When there are this many words, repeats are removed.
+// The least number of words at which repeated words are removed.
 constexpr std::size_t many_wishes = std::size_t{1} << 16;
 
 template <class T>
@@ -24,7 +24,7 @@ void take_out_repeats(Buffer<T>& items, std::size_t first = 0) {
     items.resize(static_cast<std::size_t>(end - items.begin()));
 }
 
-// Whether the ball is within the box of the part, so that it cannot contain points of other parts.
+// Whether the ball is within the box of the part. Such a ball contains no points of other parts.
 bool is_within(const Sphere& s, const double* base, const double* low, const double* high) {
     double square = 0, to_side = infinity;
     for (int k = 0; k < 3; ++k) {
@@ -53,7 +53,7 @@ void Part::begin(PartId self, std::int64_t first, const PartPoint* own, std::siz
 
 void Part::insert(const PartPoint* points, std::size_t n, PartsProgress& progress, std::size_t i,
                   std::size_t shares) {
-    // No other part needs the tetrahedra of a part without own points.
+    // A part without own points has no tetrahedra to contribute, so it needs no other points.
     if (own_ == 0) return;
     const std::size_t first = points_.size(), known = known_.size();
     for (const PartPoint* p = points; p != points + n; ++p)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One part: its own points, some points of other parts, and the triangulation of these. When it has
-// received the points that it needs, the tetrahedra at its own points are those of the
-// triangulation of all points (docs/theory.md, "Parts").
+// One part: its own points, some points of other parts, and the triangulation of all these points.
+// When the part has received the points that it needs, the tetrahedra at its own points are the
+// tetrahedra of the triangulation of all parts' points (docs/theory.md, "Parts").
 #pragma once
 
 #include <optional>
@@ -25,11 +25,11 @@ class Part {
         forget_triangulation();
     }
 
-    // Takes the part's own points, whose vertices get the numbers from `first` on. Called before
-    // insert().
+    // Takes the part's own points, whose vertices get the numbers from `first` on. This call comes
+    // before insert().
     void begin(PartId self, std::int64_t first, const PartPoint* own, std::size_t n);
-    // Inserts points of other parts; some may be known already. Reports progress as share i of
-    // `shares`.
+    // Inserts points of other parts; some of these points may be known already. The progress of
+    // the insertion is share i of `shares` of the current stage.
     void insert(const PartPoint* points, std::size_t n, PartsProgress& progress, std::size_t i,
                 std::size_t shares);
     // Frees the triangulation. The next insertion triangulates all points again.
@@ -39,13 +39,13 @@ class Part {
                                allocator_.user());
         settings().threads = threads;
     }
-    // Finds which of its own points each other part needs, and writes them to the mail.
+    // Finds the own points of this part that each other part needs, and writes the points to `out`.
     void push(const Boxes& boxes, PartId parts, Mail& out);
 
-    // Calls visit(t, v, own, is_owned) for each tetrahedron with a vertex of this part's own: v has
-    // the indices of its vertices in points(), `own` is the number of own vertices, and is_owned
-    // says whether this part owns the tetrahedron. Its owner is the home of its lexicographically
-    // least vertex.
+    // Calls visit(t, v, own, is_owned) for each tetrahedron with at least one of this part's own
+    // points as a vertex. v has the indices of the four vertices in points(), `own` is the number
+    // of own points among the vertices, and is_owned says whether this part owns the tetrahedron.
+    // The owner of a tetrahedron is the home of its lexicographically least vertex.
     template <class Visit>
     void each_tetrahedron(const Visit& visit) const {
         const Mesh& mesh = triangulation().mesh();
@@ -65,7 +65,7 @@ class Part {
         return own > 0 && owns(v, own);
     }
     const PartPoint& point(std::uint32_t i) const { return points_[i]; }
-    // The own points come first.
+    // The points of the part, own points first.
     const PartPoint* points() const { return points_.data(); }
     std::size_t own_count() const { return own_; }
     std::size_t point_count() const { return points_.size(); }
@@ -79,11 +79,12 @@ class Part {
         std::uint32_t index[4];
         unsigned count;
     };
-    // Visits the tetrahedra with own vertices whose balls are not within the box of the part, and
-    // the ghosts with own vertices: visit(t, own, sphere), visit_ghost(t, own).
+    // Calls visit(t, own, sphere) for each finite tetrahedron that has own vertices and a
+    // circumball that is not within the box of the part. Calls visit_ghost(t, own) for each ghost
+    // that has own vertices.
     template <class Visit, class VisitGhost>
     void each_at_border(const Visit& visit, const VisitGhost& visit_ghost) const;
-    // Writes the indices of the corners in points(). Returns how many are own.
+    // Sets v to the indices of the corners of t in points(). Returns the number of own corners.
     unsigned corners(TetId t, std::uint32_t (&v)[4]) const {
         const Mesh& mesh = triangulation().mesh();
         unsigned own = 0;

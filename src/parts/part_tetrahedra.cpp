@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The owner of a tetrahedron sends its number to the other parts that have it. The owners of two
-// adjacent tetrahedra need not know each other: both send their numbers to the home of the least
-// vertex of the shared facet.
+// The owner of a tetrahedron sends the tetrahedron's number to the other parts that have it. The
+// owners of two adjacent tetrahedra need not know each other: both owners send the numbers of their
+// tetrahedra to the home of the least vertex of the shared facet.
 #include "parts/part_tetrahedra.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct Numbered {
     std::uint64_t coordinates;  // a hash of the corners' coordinates, to verify that numbers agree
 };
 
-// One side of a facet: the tetrahedron, and the part that asks for the other side.
+// One side of a facet: the vertices of the facet, and the number of the tetrahedron on this side.
 struct Side {
     Key<3> key;
     std::int64_t tetrahedron;
@@ -79,7 +79,7 @@ void PartTetrahedra::get_neighbors(const Part& part, std::int64_t* neighbors) co
     }
 }
 
-// The slots of owned tetrahedra are sorted.
+// The slots of owned tetrahedra are sorted, which allows a binary search.
 std::size_t PartTetrahedra::index_of_owned(TetId slot) const {
     return static_cast<std::size_t>(
         std::lower_bound(slots_.begin(), slots_.begin() + owned_, slot) - slots_.begin());
@@ -177,7 +177,7 @@ class TetrahedraFinder {
         std::sort(key.v, key.v + n);
         return key;
     }
-    // The hash does not depend on the order of the corners.
+    // A hash of the coordinates, which does not depend on the order of the corners.
     std::uint64_t mixed_coordinates(PartId p, std::size_t i) const {
         std::uint32_t v[4];
         found_[p].corners(parts_[p], i, v);
@@ -193,7 +193,8 @@ class TetrahedraFinder {
         }
         return sum;
     }
-    // Sends the numbers of owned tetrahedra at the border to the homes of their other corners.
+    // Sends the number of each owned tetrahedron at the border to the homes of its corners that
+    // belong to other parts.
     void tell_numbers() {
         for (PartId p = 0; p < parts_.size(); ++p) {
             const PartTetrahedra& t = found_[p];
@@ -249,8 +250,9 @@ class TetrahedraFinder {
             t.owners_[i - t.owned_] = found->owner;
         }
     }
-    // Lists the facets of owned tetrahedra whose other side is not a tetrahedron of this part. A
-    // hull facet with own corners alone is left out: the part has all tetrahedra at these corners.
+    // Lists the facets of owned tetrahedra beyond which this part owns no tetrahedron. The hull
+    // facets of a tetrahedron with four own corners are left out: the part has all tetrahedra at
+    // these corners, so it knows that there is none beyond the facet.
     void list_across(PartId p) {
         PartTetrahedra& t = found_[p];
         const Part& part = parts_[p];
@@ -296,7 +298,7 @@ class TetrahedraFinder {
             for (std::size_t k = 0; k < positions[p].size(); ++k)
                 found_[p].across_[k].number = in_[p].records<std::int64_t>()[positions[p][k]];
     }
-    // Returns the tetrahedron on the other side of each facet, or -1.
+    // Replies to each record with the tetrahedron on the other side of the facet, or -1.
     void answer_sides(const Mail& asked, Mail& reply) {
         const Side* const sides = asked.records<Side>();
         const std::size_t n = asked.count();

@@ -16,22 +16,23 @@ class PartTetrahedra {
           across_(allocator),
           ghosts_(allocator) {}
 
-    // Finds the tetrahedra with a corner that is the part's own. Returns how many of them the part
-    // owns; `first` is the number of the first of these. `at_border` lists the owned tetrahedra
-    // that have corners of other parts.
+    // Finds the tetrahedra with a corner among the part's own points. Returns the number of
+    // tetrahedra that the part owns, which are numbered from `first` on. `at_border` gets the
+    // positions of the owned tetrahedra that have corners of other parts.
     std::size_t list(const Part& part, PartId self, std::int64_t first,
                      Buffer<std::size_t>* at_border = nullptr);
     void forget();
     // The tetrahedra that the part owns come first, and have consecutive numbers.
     std::size_t size() const { return slots_.size(); }
     std::size_t owned() const { return owned_; }
-    // The points of other parts that are corners of these tetrahedra, sorted by number.
+    // The points of other parts that are corners of the part's tetrahedra, as indices of the part's
+    // points, sorted by number.
     const Buffer<std::uint32_t>& ghosts() const { return ghosts_; }
     std::int64_t number(std::size_t i) const {
         return i < owned_ ? first_ + static_cast<std::int64_t>(i) : numbers_[i - owned_];
     }
     PartId owner(std::size_t i) const { return i < owned_ ? self_ : owners_[i - owned_]; }
-    // The corners of each tetrahedron, positively oriented, as indices of the part's points.
+    // The corners of tetrahedron i, positively oriented, as indices of the part's points.
     void corners(const Part& part, std::size_t i, std::uint32_t (&v)[4]) const {
         const Mesh& mesh = part.triangulation().mesh();
         for (int k = 0; k < 4; ++k) v[k] = mesh.vertices[mesh.tetrahedra[slots_[i]].v[k]].index;
@@ -40,17 +41,18 @@ class PartTetrahedra {
     void get_vertices(const Part& part, std::int64_t* vertices) const;
     // The 4 corners of each tetrahedron as positions among the part's own vertices and its ghosts.
     void get_positions(const Part& part, std::int64_t* positions) const;
-    // For each owned tetrahedron the numbers of the 4 tetrahedra opposite its vertices, or -1.
+    // For each owned tetrahedron, the numbers of the 4 tetrahedra opposite its vertices. The number
+    // is -1 at a hull facet.
     void get_neighbors(const Part& part, std::int64_t* neighbors) const;
 
-    // Whether both have the same tetrahedra and numbers. The check compares them.
+    // Whether `other` has the same tetrahedra and numbers. Parts::check() calls this.
     bool is_like(const PartTetrahedra& other) const;
 
   private:
     friend class TetrahedraFinder;
     std::size_t index_of_owned(TetId slot) const;
-    // A facet of an owned tetrahedron whose other side is known to another part: its position among
-    // the neighbours.
+    // A facet of an owned tetrahedron, beyond which this part owns no tetrahedron. `side` is the
+    // position in the result of get_neighbors(), `number` is the value there.
     struct Across {
         std::uint64_t side;
         std::int64_t number;
@@ -59,9 +61,9 @@ class PartTetrahedra {
     std::size_t owned_ = 0;
     std::int64_t first_ = 0;
     Buffer<TetId> slots_;
-    Buffer<std::int64_t> numbers_;  // of the tetrahedra that other parts own
+    Buffer<std::int64_t> numbers_;  // the numbers of the tetrahedra that other parts own
     Buffer<PartId> owners_;
-    Buffer<Across> across_;  // sorted by position
+    Buffer<Across> across_;  // sorted by `side`
     Buffer<std::uint32_t> ghosts_;
 };
 

@@ -18,17 +18,18 @@ class Parts {
     // Sets the number of threads of each triangulation.
     void set_threads(std::int32_t threads);
 
-    // Collective; called once, inside a run of Collective. Takes the points of each local part,
-    // which are finite, and their ids, which are different for different points. Without ids,
-    // points are numbered consecutively through the parts.
+    // Collective. The caller calls this function once, inside Collective::run(). Takes the points
+    // of each local part, with finite coordinates, and their ids. Throws if different points have
+    // the same id. If `ids` is null, the ids are consecutive numbers through all parts.
     void build(const GivenPoints* given, const std::int64_t* const* ids, PartsProgress& progress);
-    // The same with one triangulation in memory at a time. visit(i) is called for each local part i
-    // while its triangulation exists: owned tetrahedra have their numbers, the others have none.
-    // All parts are local.
+    // Like build(), but with one triangulation in memory at a time. Calls visit(i) for each part i
+    // while the triangulation of part i exists. At that time the owned tetrahedra have numbers,
+    // the other tetrahedra have none. All parts must be local.
     using Visit = std::function<void(PartId)>;
     void build_each(const GivenPoints* given, const std::int64_t* const* ids,
                     PartsProgress& progress, const Visit& visit);
-    // Collective. Throws MGDT_ERR_CHECK_FAILED if something is wrong (parts/check.cpp).
+    // Collective. Checks the triangulation, and throws MGDT_ERR_CHECK_FAILED if it is not valid
+    // (parts/check.cpp).
     void check(std::int32_t level);
 
     const Part& local(PartId i) const { return parts_[i]; }
@@ -39,14 +40,15 @@ class Parts {
     // The vertices of part p have the numbers first_vertex(p) to first_vertex(p + 1) - 1.
     std::int64_t first_vertex(PartId p) const { return first_vertex_[p]; }
     const Buffer<std::int64_t>& first_vertices() const { return first_vertex_; }
-    // The same for the tetrahedra that parts own.
+    // Like first_vertices(), for the tetrahedra that the parts own.
     const Buffer<std::int64_t>& first_tetrahedra() const { return first_tetrahedron_; }
     // The memory that all local parts hold.
     std::size_t bytes() const;
 
   private:
     void settle(const GivenPoints* given, const std::int64_t* const* ids, PartsProgress& progress);
-    // Triangulates the points of the local parts; parts exchange the points that they need.
+    // Triangulates the own points of each local part with the skeleton. `received` gets the points
+    // that the local parts need from other parts.
     void exchange(PartsProgress& progress, bool one_at_a_time, Objects<Mail>& received);
     void gather_boxes();
 

@@ -22,7 +22,8 @@ class Post {
         to_.push_back(to);
         records_.push_back(record);
     }
-    // The position of the k-th record in the mail, if `positions` is given.
+    // Writes the records to the mail. (*positions)[k] becomes the position of record k, unless
+    // `positions` is null.
     void put(PartId parts, Mail& mail, Buffer<std::uint64_t>* positions) const {
         mail.begin.clear();
         mail.begin.resize(std::size_t{parts} + 1, 0);
@@ -44,7 +45,8 @@ class Post {
     Buffer<PartId> to_;
 };
 
-// A mail with room for one reply to each record that has arrived, in the same order.
+// Makes room in `out` for one reply to each record of `in`, in the order of the records. Returns
+// the first reply.
 template <class Reply>
 Reply* begin_replies(const Mail& in, Mail& out) {
     out.begin.resize(in.begin.size());

@@ -12,7 +12,7 @@ class PartsProgress {
     PartsProgress(mgdt_progress_fn tell, void* user, Atomic<bool>& cancelled)
         : tell_(tell), user_(user), cancelled_(cancelled) {}
 
-    // The next stage takes the progress from one fraction to another.
+    // Enters the next stage, in which the progress of the whole call goes from `from` to `to`.
     void enter(double from, double to) {
         from_ = from;
         to_ = to;
@@ -22,12 +22,12 @@ class PartsProgress {
     void report(double fraction) {
         if (tell(fraction)) fail(MGDT_ERR_CANCELLED, "cancelled");
     }
-    // Everything is done; it is too late to cancel.
+    // Reports that everything is done. A cancellation has no effect any more.
     void finish() {
         from_ = to_ = 1;
         tell(1);
     }
-    // Runs an insertion into t, whose progress is share i of n of the stage.
+    // Runs an insertion into t. The progress of the insertion is share i of n of the stage.
     template <class Insert>
     void watch(Triangulation& t, std::size_t i, std::size_t n, const Insert& insert) {
         Share share{*this, static_cast<double>(i), static_cast<double>(n)};

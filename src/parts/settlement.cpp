@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// There are many points, so they are counted first and then written to their positions in the mail
-// directly. To find the position of a point again, it is counted again.
+// There may be too many points for an extra copy. So a first pass counts the points of each home,
+// and a second pass writes each point directly to its position in the mail. A third pass counts the
+// points again, to find the position of each point.
 #include "parts/settlement.hpp"
 
 #include <algorithm>
@@ -60,8 +61,8 @@ class Settlement {
             {x[0], x[1], x[2]}, ids_ ? ids_[p][i] : first_id_[p] + static_cast<std::int64_t>(i), 0};
     }
 
-    // In one process no mail is sent: points are written to their homes directly, so that they are
-    // in memory only once on the way.
+    // If all parts are in one process, no mail is sent. Each point is written directly to the
+    // memory of its home, so that only one further copy of the points exists.
     void in_one_process(Objects<Part>& parts, Buffer<std::int64_t>& first_vertex,
                         Objects<Buffer<std::int64_t>>& of_given) {
         Buffer<std::uint64_t> next(allocator_);
@@ -134,7 +135,7 @@ class Settlement {
             // The distinct points move to the front.
             PartPoint* const points = arrived_[p].records<PartPoint>();
             const std::size_t n = arrived_[p].count();
-            // A triangulation cannot number more vertices.
+            // A triangulation numbers fewer than `in_cavity` vertices.
             if (n >= in_cavity)
                 fail(MGDT_ERR_TOO_LARGE, "%zu points are at home here; take more parts", n);
             NumberTable distinct(allocator_);
@@ -174,7 +175,8 @@ class Settlement {
     const GivenPoints* given_;
     const std::int64_t* const* ids_;
     Allocator& allocator_;
-    Buffer<std::int64_t> first_id_;            // the first id of each local part, if none are given
+    // The id of the first point of each local part, if the caller gives no ids.
+    Buffer<std::int64_t> first_id_;
     Objects<Mail> arrived_;                    // the points that arrived at each local part
     Objects<Buffer<std::uint32_t>> vertices_;  // the vertex of each point that arrived
 };

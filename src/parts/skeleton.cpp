@@ -9,13 +9,13 @@
 namespace mgdt {
 namespace {
 
-// The directions from the centre of a cube to its faces, edges and corners.
+// Sets d to direction i of 26, which go from the centre of a cube to its faces, edges and corners.
 void direction(std::size_t i, double* d) {
     std::size_t cell = i < 13 ? i : i + 1;
     for (int k = 0; k < 3; ++k, cell /= 3) d[k] = static_cast<double>(cell % 3) - 1;
 }
 
-// Halved, so that a sum of large coordinates does not overflow.
+// A quarter of the dot product of d and x. A sum of three large coordinates might overflow.
 double along(const double* d, const double* x) {
     return d[0] * (0.25 * x[0]) + d[1] * (0.25 * x[1]) + d[2] * (0.25 * x[2]);
 }
@@ -49,8 +49,8 @@ void Skeleton::gather(Collective& all, const Objects<Part>& parts) {
 }
 
 void Skeleton::find_basis(Collective& all, const Objects<Part>& parts) {
-    // The lexicographically first and last point, then the first point off their line, and the
-    // first one off that plane.
+    // The lexicographically first and last points, then a point that is not on the line through
+    // these two, then a point that is not in the plane of these three.
     struct Found {
         std::uint64_t is_found;
         PartPoint point;
@@ -105,7 +105,7 @@ void Skeleton::points_for(PartId part, PartId parts, Buffer<PartPoint>& points) 
                 farthest = &o.farthest[k];
         if (farthest) points.push_back(*farthest);
     }
-    // From each subtree of parts beside the path to this part.
+    // Adds a sample from each subtree of parts that branches off the path to this part.
     const auto sample = [&](PartId first, PartId last) {
         for (std::size_t k = 0; k < sample_size; ++k) {
             const Offer& o = offers_[first + k * (last - first) / sample_size];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The interface by which parts exchange records. Parts are numbered from 0; a process has a range
 // of at least one part. Every call is collective: all processes make the same calls in the same
-// order. Calls do not throw. A call that returns false has failed, and no other is made after it.
+// order. Calls do not throw. A call that returns false has failed, and no other call follows it.
 #pragma once
 
 #include "platform/memory.hpp"
@@ -10,8 +10,8 @@ namespace mgdt {
 
 using PartId = std::uint32_t;
 
-// Records sorted by the parts that they go to, or come from: records begin[p] to begin[p + 1] - 1
-// are for part p.
+// Records to other parts, sorted by receiver, or from other parts, sorted by sender. Records
+// begin[p] to begin[p + 1] - 1 are for part p, or from part p.
 struct Mail {
     explicit Mail(Allocator& allocator) : bytes(allocator), begin(allocator) {}
 
@@ -40,15 +40,16 @@ class Transport {
     virtual PartId first_local() const noexcept = 0;
     virtual PartId local_parts() const noexcept = 0;
 
-    // Gives every process the bytes of all parts. Those of part p go from all + begin[p] to
-    // all + begin[p + 1]. `mine` has the bytes of the local parts.
+    // Gives every process the bytes of all parts. The bytes of part p fill the memory from
+    // all + begin[p] to all + begin[p + 1]. `mine` has the bytes of the local parts.
     virtual bool gather(const void* mine, const std::uint64_t* begin, void* all) noexcept = 0;
-    // Replace each number by the sum, or by the least, of the numbers of all processes at that
-    // position.
+    // sum() replaces each number by the sum of the numbers that all processes have at its position,
+    // least() by the least of these numbers.
     virtual bool sum(std::uint64_t* numbers, std::size_t n) noexcept = 0;
     virtual bool least(double* numbers, std::size_t n) noexcept = 0;
-    // Deliver records of one size: local part i sends out[i] and receives in[i]. The first call
-    // sets in[i].begin, the second one fills in[i].bytes; there is room for both.
+    // Two calls deliver records of one size: local part i sends out[i] and receives in[i].
+    // exchange_counts() fills in[i].begin, exchange_records() fills in[i].bytes. Each array has its
+    // size before the call that fills it.
     virtual bool exchange_counts(const Mail* out, Mail* in) noexcept = 0;
     virtual bool exchange_records(std::size_t record_size, const Mail* out, Mail* in) noexcept = 0;
 };

@@ -14,8 +14,8 @@ class BorrowedArena {
     BorrowedArena(void* block, std::size_t bytes, Allocator& beyond) noexcept
         : begin_(static_cast<unsigned char*>(block)), bytes_(bytes), beyond_(beyond) {}
 
-    // Like every Allocator, it may be used by several threads. Its blocks must not outlive the
-    // arena.
+    // The allocator of the arena. Several threads may use it, like every Allocator. The blocks that
+    // it returns must not outlive the arena.
     Allocator& allocator() noexcept { return allocator_; }
 
   private:

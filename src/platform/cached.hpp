@@ -16,7 +16,8 @@ class Cached {
     ~Cached() { forget(); }
 
     // Returns the object; makes a T from (allocator, arguments...) if there is none. If several
-    // threads make one, the first that publishes it wins, and the others discard theirs.
+    // threads make an object, the first object that is published stays, and the other threads
+    // destroy their objects.
     template <class... Arguments>
     const T& get(const Arguments&... arguments) {
         T* made = peek();
@@ -25,7 +26,7 @@ class Cached {
         try {
             mine = make(arguments...);
         } catch (const std::bad_alloc&) {
-            // Memory may not suffice for the copies of two threads: use the other thread's.
+            // Memory may not suffice for the objects of two threads. Use the other thread's object.
             made = peek();
             if (made) return *made;
             throw;

@@ -15,9 +15,9 @@ namespace mgdt {
 class CancellationDisabled {
   public:
 #if MGDT_HAVE_PTHREAD_CANCEL
-    // Neither function is noexcept: a thread whose cancellation type is asynchronous may be
-    // cancelled before the first takes effect, or within the second. See run_inside() in
-    // capi/guard.hpp.
+    // Neither the constructor nor the destructor is noexcept: a thread whose cancellation type is
+    // asynchronous may be cancelled before the constructor takes effect, or within the destructor.
+    // See run_inside() in capi/guard.hpp.
     CancellationDisabled() {
         pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &before_);
     }

@@ -30,7 +30,7 @@ static CpuFeatures ask() noexcept {
 }
 
 CpuFeatures cpu_features() noexcept {
-    // Cached, since CPUID takes microseconds in a virtual machine.
+    // The features are cached, since CPUID takes microseconds in a virtual machine.
     static Atomic<unsigned> known{0};
     unsigned bits = known.load(std::memory_order_relaxed);
     if (bits == 0) {

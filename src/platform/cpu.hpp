@@ -5,8 +5,8 @@
 namespace mgdt {
 
 struct CpuFeatures {
-    bool avx2 = false;    // and FMA, BMI 1 and 2, LZCNT, POPCNT
-    bool avx512 = false;  // F, VL, DQ, BW, and all of avx2
+    bool avx2 = false;    // AVX2 together with FMA, BMI 1 and 2, LZCNT and POPCNT
+    bool avx512 = false;  // AVX-512 F, VL, DQ and BW, together with all of avx2
 };
 
 // Executes CPUID, which Valgrind intercepts to hide AVX-512. The compiler's __builtin_cpu_supports

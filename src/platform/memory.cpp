@@ -17,11 +17,11 @@ namespace mgdt {
 namespace {
 
 #if MGDT_HAVE_MREMAP
-// There are three kinds of blocks. Small blocks come from malloc(). Large blocks are mapped pages:
-// to grow they are remapped without a copy, and freed memory returns to the system. Medium blocks
-// come from malloc() too, since glibc keeps freed memory for the next handle; but a medium block
-// that replaces another one, or is under a limit, is mapped, so that growing it takes no second
-// block.
+// There are three kinds of blocks. Small blocks come from aligned_alloc(). Large blocks are mapped
+// pages: they grow by remapping without a copy, and their memory returns to the system when they
+// are freed. Medium blocks come from malloc(), since glibc keeps freed memory for the next handle.
+// But a medium block is mapped if it replaces another block or if there is a memory limit, so that
+// it can grow without a second block.
 constexpr std::size_t page = 4096;
 constexpr std::size_t medium = std::size_t{1} << 20, large = std::size_t{1} << 25;
 // Medium blocks from malloc() begin at this offset from the beginning of a page, where no mapped
@@ -44,8 +44,9 @@ void* map(std::size_t bytes) noexcept {
     return p == MAP_FAILED ? nullptr : p;
 }
 
-// Uses malloc(), not aligned_alloc(): glibc raises its threshold for mapping when a block is freed,
-// but aligned_alloc() asks for more than that, and would map new pages each time.
+// The function calls malloc(), not aligned_alloc(). When glibc frees a mapped block, it raises its
+// threshold for mapping to the size of that block, so malloc() reuses heap memory the next time.
+// aligned_alloc() requests more than this size, so it would map new pages each time.
 void* obtain_medium(std::size_t bytes) noexcept {
     void* const whole = std::malloc(bytes + page + heap_offset);
     if (!whole) return nullptr;
@@ -55,9 +56,9 @@ void* obtain_medium(std::size_t bytes) noexcept {
     return p;
 }
 
-// Whether malloc() mapped pages for the block alone, so that realloc() remaps them. Such blocks of
-// glibc begin 16 or 8 bytes after the beginning of a page. If another block happens to begin there,
-// realloc() copies it.
+// Whether malloc() mapped pages for this block alone, so that realloc() remaps the pages. With
+// glibc such a block begins 16 or 8 bytes after the beginning of a page. A block in the heap may
+// begin there by chance; realloc() copies it then.
 bool is_remapped_by_library(const void* p) {
     const void* const whole = static_cast<void* const*>(p)[-1];
     const std::uintptr_t behind = reinterpret_cast<std::uintptr_t>(whole) % page;
@@ -156,7 +157,8 @@ void Allocator::prefault(void* part, std::size_t part_bytes, std::size_t block_b
     // For a few pages, the call costs more than the page faults.
     constexpr std::size_t least = 65536;
     if (alloc_ || part_bytes < least || is_small(block_bytes, align)) return;
-    // Whole pages, from the page where the part begins. Pages that exist keep their contents.
+    // madvise() takes whole pages, from the page where the part begins. Pages that exist keep their
+    // contents.
     const std::size_t begin = reinterpret_cast<std::size_t>(part) & ~(page - 1);
     const std::size_t end = reinterpret_cast<std::size_t>(part) + part_bytes;
     madvise(reinterpret_cast<void*>(begin), page_round(end - begin), MADV_POPULATE_WRITE);

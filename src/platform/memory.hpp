@@ -40,7 +40,8 @@ class Allocator {
     Allocator(const Allocator&) = delete;
     Allocator& operator=(const Allocator&) = delete;
 
-    // `remaps`: the block replaces another one, and will probably be replaced itself.
+    // `remaps` is a hint that the block replaces another block and will probably be replaced by a
+    // larger one.
     void* allocate(std::size_t bytes, std::size_t align, bool remaps = false);
     void release(void* p, std::size_t bytes, std::size_t align) noexcept;
     // Grows or shrinks a block. The first `used` bytes keep their values. Blocks of 1 MiB or more
@@ -49,9 +50,9 @@ class Allocator {
     void* reallocate(void* p, std::size_t bytes, std::size_t used, std::size_t new_bytes,
                      std::size_t align);
 
-    // Asks the system to provide the pages of a part of a block at once, which costs a third less
-    // than one page fault each. This is a hint, for blocks of 1 MiB or more from the default
-    // allocator.
+    // Asks the system to provide all pages of a part of a block at once, which costs a third less
+    // than one page fault per page. The call is a hint; it has an effect only for blocks of 1 MiB
+    // or more from the default allocator.
     void prefault(void* part, std::size_t part_bytes, std::size_t block_bytes,
                   std::size_t align) const noexcept;
 
@@ -62,12 +63,14 @@ class Allocator {
     // Counts a block that was obtained elsewhere, such as the handle itself.
     void count(std::size_t bytes);
 
-    // Calls the source without counting. For the handle, which contains the allocator.
+    // Call the source without counting. The memory of a handle is obtained so, since the handle
+    // contains the allocator.
     static void* obtain(mgdt_alloc_fn alloc, void* user, std::size_t bytes, std::size_t align,
                         bool remaps = false) noexcept;
     static void give_back(mgdt_free_fn release, void* user, void* p, std::size_t bytes,
                           std::size_t align) noexcept;
-    // The source of another allocator that takes its memory from this one, which is its `user`.
+    // Functions for a second allocator that takes its memory from a first one. The first allocator
+    // is the `user` of the second.
     static void* allocate_from(std::size_t bytes, std::size_t align, void* allocator) noexcept;
     static void release_to(void* p, std::size_t bytes, std::size_t align, void* allocator) noexcept;
     mgdt_alloc_fn allocate_function() const noexcept { return alloc_; }
@@ -154,7 +157,8 @@ class Buffer {
         if (capacity > capacity_) set_capacity(capacity);
     }
     // Makes room for `capacity` elements. The capacity grows by at least half, so that repeated
-    // calls take linear time; if a memory limit refuses that, to exactly `capacity`.
+    // calls take linear time. If that allocation is refused, the capacity grows to exactly
+    // `capacity`.
     void grow(std::size_t capacity) {
         if (capacity <= capacity_) return;
         const std::size_t generous = capacity_ + capacity_ / 2;

@@ -13,7 +13,7 @@
 
 namespace mgdt {
 
-// A hash of three coordinates, the same for 0 and -0.
+// A hash of three coordinates. The coordinates 0 and -0 have the same hash.
 inline std::uint32_t hash_of_coordinates(const double* x) noexcept {
     std::uint64_t h = 0;
     for (int k = 0; k < 3; ++k) {
@@ -28,8 +28,9 @@ inline std::uint32_t hash_of_coordinates(const double* x) noexcept {
 
 // Gives items the numbers 0, 1, 2, ... in the order in which they come. The items are stored
 // elsewhere; the table knows the 32-bit hashes of their keys. It is open-addressed with linear
-// probing, so the lowest bits of a hash should differ. Emptying the table raises
-// `first_`, the least number that counts, and writes nothing else.
+// probing, so different keys should differ in the lowest bits of their hashes. To empty the table,
+// clear() raises `first_`, the least number of an entry in use, and writes no entries, unless the
+// table must grow or the numbers run out.
 class NumberTable {
   public:
     static constexpr std::uint32_t none = 0xFFFFFFFF;
@@ -56,8 +57,8 @@ class NumberTable {
         first_ = 1;
         size_ = 0;
     }
-    // The number of items that there is room for, half of the entries. With room for more than
-    // come, probes are shorter.
+    // The number of items that the table has room for, which is half of its entries. In a table
+    // with fewer items than that, probe sequences are shorter.
     std::size_t capacity() const noexcept { return entries_.size() / 2; }
     std::uint32_t size() const noexcept { return size_; }
     // Makes room for `count` items. Throws std::bad_alloc with nothing changed.
@@ -65,8 +66,9 @@ class NumberTable {
         if (MGDT_UNLIKELY(count > capacity())) grow(count);
     }
 
-    // The number of the item with a key. is_same(i) says whether item i has that key; it is asked
-    // about items with the same hash. A new item gets the number size(), and needs room for it.
+    // Returns the number of the item with a key. is_same(i) says whether item i has that key; the
+    // table calls is_same() only for items with the same hash. If there is no such item, a new item
+    // gets the number size(), for which the table must have room.
     template <class IsSame>
     MGDT_ALWAYS_INLINE std::uint32_t number(std::uint32_t hash, IsSame is_same) noexcept {
         assert(size_ < capacity() && "there is no room for one more item");
@@ -91,8 +93,9 @@ class NumberTable {
             if (entry.hash == hash && is_same(entry.number - first_)) return entry.number - first_;
         }
     }
-    // A function that gives the number of a key, or `none`, if hashes are keys. It holds all that
-    // it looks at, so that a loop that writes need not read this object again.
+    // Returns a function that gives the number of a key, or `none`. The keys are the hashes. The
+    // function has copies of the members of this object that it needs, so that a loop that writes
+    // to memory need not read the members again.
     MGDT_ALWAYS_INLINE auto lookup() const noexcept {
         assert(!entries_.empty() && "a table without entries is asked");
         return [entries = entries_.data(), mask = mask_of(entries_),
@@ -107,7 +110,8 @@ class NumberTable {
 
   private:
     struct Entry {
-        std::uint32_t hash, number;  // the number plus first_; less than first_ if it is free
+        // `number` is the item's number plus first_, or less than first_ if the entry is free.
+        std::uint32_t hash, number;
     };
     static constexpr std::size_t least_entries = 16;
     static constexpr std::uint32_t most_numbers = 0x80000000u;

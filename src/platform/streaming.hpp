@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Non-temporal stores, which bypass the caches, for large arrays that are written once. On
-// processors without them they are plain stores.
+// Non-temporal stores, which bypass the caches, for large arrays that are written once. Without
+// SSE2, the functions use plain stores.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace mgdt {
 
 #if defined(__SSE2__)
 
-// The alignment of the addresses.
+// The alignment that stream_four() requires.
 inline constexpr std::size_t streaming_alignment = 16;
 
 MGDT_ALWAYS_INLINE void stream_four(std::int64_t* to, std::int64_t a, std::int64_t b,
@@ -28,7 +28,7 @@ MGDT_ALWAYS_INLINE void stream_four(std::int32_t* to, std::int32_t a, std::int32
                                     std::int32_t c, std::int32_t d) noexcept {
     _mm_stream_si128(reinterpret_cast<__m128i*>(to), _mm_set_epi32(d, c, b, a));
 }
-// Each thread calls this once, after its last store.
+// Each thread calls this function once, after its last non-temporal store.
 MGDT_ALWAYS_INLINE void finish_streaming() noexcept {
     _mm_sfence();
 }
