@@ -25,9 +25,10 @@ class Positions {
     VertexId vertex(std::size_t k) const noexcept {
         return static_cast<VertexId>(first_vertex_ + k);
     }
-    // Calls f with positions whose points are probably near the point at k, until f returns true:
-    // in the first round those just before k, in later rounds those at the same share of the
-    // previous round. Returns whether f returned true.
+    // Calls f with positions whose points are probably near the point at k, until f returns true.
+    // In the first round, these are the positions just before k. In later rounds, they are in the
+    // previous round: a point 30% through its round is near those 30% through the previous round.
+    // Returns whether f returned true.
     template <class F>
     bool for_nearby(std::size_t k, F f) const;
 

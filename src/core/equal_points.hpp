@@ -35,7 +35,8 @@ class EqualPoints {
     std::size_t vertices_;
     Buffer<PointOfVertex> points_;  // the points that find() listed, sorted
     Buffer<std::uint32_t> first_;   // at a vertex's first entry: that of its first remaining point
-    Buffer<std::uint32_t> joined_;  // for each vertex the least point that join() added; or empty
+    // For each vertex, the least point that join() added, or no_index. Without such points, empty.
+    Buffer<std::uint32_t> joined_;
 };
 
 }  // namespace mgdt

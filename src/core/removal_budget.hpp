@@ -51,7 +51,8 @@ class RemovalBudget {
     static constexpr double per_tetrahedron = 3.4, per_neighbor = 15, per_pair = 0.04;
     // The work of about 64 ordinary removals: fewer points of a small mesh are removed one by one.
     static constexpr double least_rebuild = 16000;
-    // Removing a tenth of a uniform set one by one stays below this multiple of a rebuild.
+    // A call rebuilds if its work would exceed this multiple of the work of a rebuild. Removing a
+    // tenth of a uniform set one by one stays below the limit.
     static constexpr double limit = 1.4;
 
     double rebuild_, vertices_, work_ = 0;

@@ -107,7 +107,8 @@ bool NaturalWeights::correct(const double (&off)[3]) {
     return true;
 }
 
-// Computes the circumcentres relative to the place. Returns false if one is not known at all.
+// Computes the circumcentres relative to the place. Returns false if the error of one of them
+// has no known bound.
 bool NaturalWeights::set_centers(const Mesh& mesh, const PlaceStar& star, Natural natural) {
     // Shorter vectors are not used, because a product of five of their coordinates may underflow.
     constexpr double least = 0x1p-190;

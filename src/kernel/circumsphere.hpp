@@ -28,7 +28,7 @@ inline namespace MGDT_ISLAND {
 // fail.
 struct FilterBounds {
     double quadratic = 8;     // of |u|^2 in the power
-    double sphere_sum = 40;   // of the terms of the numerators of w
+    double sphere_sum = 40;   // of `sum` in set_sphere(), the size of the numerators of w
     double sphere_det = 128;  // of max|w| times the largest product in the determinant
     double normal = 20;       // of a ghost's normal
 };

@@ -105,7 +105,8 @@ class CurveSorter {
                       [&](std::size_t j) { return order_.index(cell.begin + j); });
     }
 
-    // The cell of the finest level with the points begin..end-1, inside `cell`, which is sorted.
+    // The cell of the finest level that has the points begin..end-1. This cell is inside `cell`,
+    // whose points are sorted already.
     Cell inside(const Lattice& lattice, const Cell& cell, std::size_t begin,
                 std::size_t end) const noexcept {
         unsigned state = cell.state;

@@ -37,9 +37,10 @@ inline constexpr CircumcenterBounds circumcenter_bounds{};
 double sphere_residual(const double* p, const double* origin, const double (&w)[3]);
 constexpr double sphere_residual_bound = 90;
 
-// The stages, for tests: doubles that are corrected once; twofold numbers with bounds, for
-// coordinates of any magnitude; integers of the least of `widths` that fits and is at least
-// least_width. The first two return false if they cannot round correctly.
+// The stages, for tests. The first computes in doubles and corrects the result once. The second
+// computes in twofold numbers with bounds, for coordinates of any magnitude. Both return false if
+// they cannot round correctly. The third computes in integers, with the smallest of `widths` that
+// fits and is at least least_width.
 bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& c,
                           const CircumcenterBounds& bounds = circumcenter_bounds);
 bool circumcenter_bounded(const double* const (&p)[4], int scale, Circumcenter& c);

@@ -8,9 +8,9 @@ namespace mgdt {
 // are not in one plane.
 int side_of_facet_sphere(const double* a, const double* b, const double* c, const double* q);
 
-// The squared radius of the smallest sphere through p times 2^-scale, three points that are not on
-// one line. The relative error is below facet_radius_error. The order of the points may change the
-// result within this error.
+// The squared radius of the smallest sphere through the three points p times 2^-scale, which are
+// not on one line. The relative error is below facet_radius_error. The order of the points may
+// change the result within this error.
 double facet_radius2(const double* const (&p)[3], int scale = 0);
 constexpr double facet_radius_error = 0x1p-46;
 

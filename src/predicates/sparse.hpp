@@ -8,8 +8,8 @@
 
 namespace mgdt::exact {
 
-// Each term of a product of two sparse numbers is a sum of at most 2^merge_bits products of
-// factors, since a term of the first number meets at most one term of the second for each exponent.
+// In a product of two sparse numbers, at most 2^merge_bits products of factors have the same
+// exponent: at most one for each term of the first number.
 constexpr int merge_bits = 5;
 
 // The sum of factor[i] * 2^exponent[i], in descending order of exponents.

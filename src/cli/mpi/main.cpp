@@ -81,7 +81,7 @@ std::optional<Options> parse(int argc, char** argv, bool speaks) {
     return o;
 }
 
-// The part of this rank; it fails on all ranks alike.
+// Creates the part of this rank. The creation fails on all ranks or on none.
 Parts make_part() {
     mgdt_parts* part = nullptr;
     const mgdt_status status = mgdt_mpi_create(MPI_COMM_WORLD, &part);
@@ -119,7 +119,8 @@ void write(const Options& o, Ranks& ranks, const Parts& parts,
                    outputs.open(files[static_cast<std::size_t>(ranks.rank())]));
         if (ranks.is_first()) write_index_of_pieces(files, outputs.open(o.output));
     });
-    // A rank that cannot, or was interrupted, says so before any has given its file a name.
+    // Each rank first completes its files under temporary names. If a rank fails to, or was
+    // interrupted, no rank gives its files their final names.
     std::vector<std::string> left_over;
     ranks.together([&] {
         outputs.close();
