@@ -27,8 +27,10 @@ static void change(guest* g) {
     mgdt_triangulation* const t = g->t;
     int k;
     static const int64_t first = 0;
+    static const int32_t narrow = 0;
     int64_t index[n];
-    for (k = 0; k < 17; ++k) {
+    int32_t narrow_index[n];
+    for (k = 0; k < 21; ++k) {
         const mgdt_status status =
             k == 0    ? mgdt_insert_points(t, 4, point)
             : k == 1  ? mgdt_insert_points_strided(t, 4, point, point + 1, point + 2, 3)
@@ -46,6 +48,10 @@ static void change(guest* g) {
             : k == 13 ? mgdt_remove_points(t, 1, &first)
             : k == 14 ? mgdt_move_points(t, 1, &first, point)
             : k == 15 ? mgdt_renumber_points(t, n, index)
+            : k == 16 ? mgdt_remove_points_i32(t, 1, &narrow)
+            : k == 17 ? mgdt_move_points_i32(t, 1, &narrow, point)
+            : k == 18 ? mgdt_renumber_points_i32(t, n, narrow_index)
+            : k == 19 ? mgdt_shrink(t)
                       : mgdt_set_canonical_output(t, 1);
         CHECK_EQUAL(status, MGDT_ERR_BUSY);
         CHECK_ERROR(t, "mgdt_");
@@ -74,6 +80,9 @@ static void read_while_it_changes(guest* g) {
     int64_t a[size], b[size];
     int32_t c[size], d[size];
     double w[4] = {7, 7, 7, 7}, value = 7;
+    uint64_t seed = 7;
+    mgdt_progress_fn progress = NULL;
+    void* user = g;
     int k;
     for (k = 0; k < size; ++k) {
         a[k] = b[k] = -77;
@@ -141,6 +150,8 @@ static void read_while_it_changes(guest* g) {
     expect_refused(g, mgdt_get_order_parameter(t, MGDT_PARAMETER_THRESHOLD, w),
                    "mgdt_get_order_parameter()");
     expect_refused(g, mgdt_get_threads(t, c), "mgdt_get_threads()");
+    expect_refused(g, mgdt_get_seed(t, &seed), "mgdt_get_seed()");
+    expect_refused(g, mgdt_get_progress(t, &progress, &user), "mgdt_get_progress()");
     expect_refused(g, mgdt_get_index_base(t, c), "mgdt_get_index_base()");
     expect_refused(g, mgdt_get_memory_limit(t, a), "mgdt_get_memory_limit()");
     expect_refused(g, mgdt_get_compact(t, c), "mgdt_get_compact()");
@@ -150,6 +161,7 @@ static void read_while_it_changes(guest* g) {
     for (k = 0; k < size; ++k) CHECK(a[k] == -77 && b[k] == -77 && c[k] == -77 && d[k] == -77);
     for (k = 0; k < 4; ++k) CHECK(w[k] == 7);
     CHECK(value == 7);
+    CHECK(seed == 7 && progress == NULL && user == g);
 }
 
 /* From within a call that reads, others that read are as good as from another thread. */
@@ -246,6 +258,7 @@ static void expect_unharmed(guest* g, const mgdt_triangulation* expected) {
 
 static void from_progress(const mgdt_triangulation* expected) {
     guest* const g = make_guest();
+    int64_t indices[n];
     int k;
     CHECK_EQUAL(mgdt_create(&g->t), MGDT_OK);
     CHECK_EQUAL(mgdt_set_progress(g->t, report, g), MGDT_OK);
@@ -260,6 +273,19 @@ static void from_progress(const mgdt_triangulation* expected) {
         CHECK(g->visits > 10);
         expect_unharmed(g, expected);
     }
+    /* The second copies of the points leave, and the others move to where they are. */
+    for (k = 0; k < n; ++k) indices[k] = n + k;
+    g->inside = "in mgdt_remove_points()";
+    g->visits = 0;
+    CHECK_EQUAL(mgdt_remove_points(g->t, n, indices), MGDT_OK);
+    CHECK(g->visits > 0);
+    expect_unharmed(g, expected);
+    for (k = 0; k < n; ++k) indices[k] = k;
+    g->inside = "in mgdt_move_points()";
+    g->visits = 0;
+    CHECK_EQUAL(mgdt_move_points(g->t, n, indices, g->xyz), MGDT_OK);
+    CHECK(g->visits > 0);
+    expect_unharmed(g, expected);
     mgdt_destroy(g->t);
     free(g);
 }
