@@ -42,8 +42,25 @@ def wrong_includes(name, text, rank):
             yield included
 
 
+def core_ranks():
+    """The row of each file of src/core in the table of docs/architecture.md."""
+    text = (source / "docs" / "architecture.md").read_text(encoding="utf-8")
+    table = text[text.index("| file of `src/core/` |"):].split("\n\n")[0].splitlines()[2:]
+    return {name: row for row, line in enumerate(table) for name in re.findall(r"`(\w+)`", line.split("|")[1])}
+
+
+def later_in_core(name, text, rank):
+    """What a file of src/core includes that stands below it in the table."""
+    return [included for included in re.findall(r'#include "core/(\w+)\.hpp"', text)
+            if rank.get(included, 99) > rank.get(name, -1)]
+
+
 def main():
     rank = ranks()
+    of_core = core_ranks()
+    names = {p.stem for p in (source / "src" / "core").iterdir() if p.is_file()}
+    check("the table of core has each file", " ".join(sorted(names ^ set(of_core))))
+    check("a later file of core is seen", "" if later_in_core("state", '#include "core/removal.hpp"\n', of_core) else "not")
     folders = {p.name for p in (source / "src").iterdir() if p.is_dir() and any(p.glob("*.cpp"))}
     check("the order has each folder", " ".join(sorted(folders ^ (set(rank) | {"bench", "cli"}))))
     islands = {p.name for p in (source / "src" / "kernel").iterdir() if p.is_dir()}
@@ -52,6 +69,10 @@ def main():
         name = path.relative_to(source / "src")
         text = path.read_text(encoding="utf-8")
         problems = [f"includes {other}/" for other in wrong_includes(name, text, rank)]
+        if name.parts[0] == "core":
+            problems += [f"includes {later}, which is later" for later in later_in_core(name.stem, text, of_core)]
+        if name.parts[:2] == ("kernel", "avx2") and "kernel/avx512/" in text:
+            problems.append("includes kernel/avx512/")
         may_have_intrinsics = name.parts[0] == "platform" or (
             name.parts[0] == "kernel" and name.parts[1] in islands and name.name in VECTORS)
         if not may_have_intrinsics:

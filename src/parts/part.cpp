@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "kernel/adjacency.hpp"
+#include "kernel/circumsphere.hpp"
+#include "mesh/scale.hpp"
 
 namespace mgdt {
 namespace {
