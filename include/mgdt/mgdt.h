@@ -758,7 +758,7 @@ MGDT_API mgdt_status mgdt_get_alphas(const mgdt_triangulation* t, int32_t dimens
  *  numbers of facets in either orientation are equal. The facets are sorted.
  *  @param alpha2      the square of a radius, at least 0; infinite for the convex hull
  *  @param capacity    elements in v, at least 3 count; 12 mgdt_tetrahedron_count(t) is always
- *enough
+ *                     enough
  *  @param[out] v      3 vertices of each facet; may be NULL if there are none
  *  @param[out] count  the number of facets; written also if v is too small for them
  *  @return as mgdt_get_tetrahedra(), and MGDT_ERR_INVALID_ARGUMENT for an alpha2 below 0 or NaN
@@ -932,7 +932,7 @@ MGDT_API mgdt_status mgdt_check(const mgdt_triangulation* t, int32_t level);
 
 /** Gives one figure about the handle.
  *  @param key  an MGDT_STAT_ key
- *  @param[out] value
+ *  @param[out] value  the figure, in the unit that the key documents
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_get_stat(const mgdt_triangulation* t, int32_t key, double* value);

@@ -250,8 +250,8 @@ MGDT_API mgdt_status mgdt_parts_insert_points(mgdt_parts* p, int32_t part, int64
  *  the points stay, and more may be inserted for a later build.
  *  @return MGDT_OK or MGDT_ERR_NULL_POINTER. After any other status there is no triangulation:
  *  MGDT_ERR_INVALID_ARGUMENT (only some points have ids, or two different points have the same id,
- *  which the message names), MGDT_ERR_TOO_LARGE (a part has more points than it can number: use
- * more parts), MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_CANCELLED, MGDT_ERR_TRANSPORT, or the status of an
+ *  which the message names), MGDT_ERR_TOO_LARGE (a part has more points than it can number, so that
+ *  more parts are needed), MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_CANCELLED, MGDT_ERR_TRANSPORT, or the status of an
  *  mgdt_parts_insert_points() that failed
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_parts_build(mgdt_parts* p);

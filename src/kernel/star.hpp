@@ -148,7 +148,7 @@ MGDT_ALWAYS_INLINE std::size_t count_ghosts(const Tetrahedra tetrahedra, const W
 // Sets the hints of all vertices of a large star, whose slots may be far apart in space. A small
 // star can leave old hints in place.
 template <class Access, class Tetrahedra>
-MGDT_NOT_INLINE void set_near_of_star(Access access, const Tetrahedra tetrahedra,
+MGDT_NOT_INLINE void set_hints_of_star(Access access, const Tetrahedra tetrahedra,
                                       const Workspace& w) {
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
         const FacetCode slot = w.slots.data[i];
@@ -194,7 +194,7 @@ MGDT_ALWAYS_INLINE void build_large(Access access, const Tetrahedra tetrahedra, 
         link(EdgeTable(w));
     if constexpr (Access::SphereSource::are_kept)
         set_spheres(w, mesh.vertices.data(), q, numbers.count(), infinite, tetrahedra);
-    if (numbers.count() > Workspace::medium_vertices) set_near_of_star(access, tetrahedra, w);
+    if (numbers.count() > Workspace::medium_vertices) set_hints_of_star(access, tetrahedra, w);
 }
 
 // Replaces the cavity, whose vertices are numbered, by the star of q.
