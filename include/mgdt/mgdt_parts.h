@@ -252,7 +252,7 @@ MGDT_API mgdt_status mgdt_parts_insert_points(mgdt_parts* p, int32_t part, int64
  *  MGDT_ERR_INVALID_ARGUMENT (only some points have ids, or two different points have the same id,
  *  which the message names), MGDT_ERR_TOO_LARGE (a part has more points than it can number, so that
  *  more parts are needed), MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_CANCELLED, MGDT_ERR_TRANSPORT, or the
- * status of an mgdt_parts_insert_points() that failed
+ *  status of an mgdt_parts_insert_points() that failed
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_parts_build(mgdt_parts* p);
 

@@ -149,7 +149,7 @@ MGDT_ALWAYS_INLINE std::size_t count_ghosts(const Tetrahedra tetrahedra, const W
 // star can leave old hints in place.
 template <class Access, class Tetrahedra>
 MGDT_NOT_INLINE void set_hints_of_star(Access access, const Tetrahedra tetrahedra,
-                                      const Workspace& w) {
+                                       const Workspace& w) {
     for (std::size_t i = 0; i < w.boundary_size; ++i) {
         const FacetCode slot = w.slots.data[i];
         const VertexId* const v = tetrahedra.of_first(slot).v;
