@@ -66,6 +66,11 @@ module mgdt
               mgdt_interpolate_laplace, mgdt_interpolate_sibson_c1
     public :: mgdt_outside_none, mgdt_outside_nearest, mgdt_outside_boundary, &
               mgdt_outside_linear
+    public :: mgdt_voronoi_face_offsets, mgdt_voronoi_face_corners, mgdt_voronoi_face_sides, &
+              mgdt_voronoi_ray_vertices, mgdt_voronoi_cell_offsets, mgdt_voronoi_cell_faces, &
+              mgdt_voronoi_cell_bounded, mgdt_voronoi_vertices, mgdt_voronoi_ray_directions, &
+              mgdt_voronoi_face_areas, mgdt_voronoi_face_normals, mgdt_voronoi_face_centroids, &
+              mgdt_voronoi_cell_volumes, mgdt_voronoi_cell_centroids
 
     ! A triangulation that grows as points are inserted. It frees what it holds when it goes out of
     ! scope or is deallocated. It cannot be copied: a = b stops the program, unless b was never

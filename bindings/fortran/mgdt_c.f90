@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: MIT
-! Generated from mgdt/mgdt.h by bindings/interface/generate.py.
+! Generated from mgdt/mgdt.h, mgdt_voronoi.h by bindings/interface/generate.py.
 !
 ! The C functions of mgdt as they stand in mgdt/mgdt.h, where they are documented. Module mgdt and
 ! mgdt_f77.f90 are built on these; programs rarely need them.
@@ -397,6 +397,52 @@ module mgdt_c
             type(c_ptr), value :: t
             type(c_ptr) :: text
         end function
+        function c_voronoi_create(t, n_planes, planes, out) result(status) &
+            bind(c, name='mgdt_voronoi_create')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int64_t), value :: n_planes
+            type(c_ptr), value :: planes
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: status
+        end function
+        subroutine c_voronoi_destroy(v) bind(c, name='mgdt_voronoi_destroy')
+            import :: c_ptr
+            type(c_ptr), value :: v
+        end subroutine
+        function c_voronoi_get_size(v, array, size) result(status) &
+            bind(c, name='mgdt_voronoi_get_size')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: v
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), intent(inout) :: size
+            integer(c_int32_t) :: status
+        end function
+        function c_voronoi_get_doubles(v, array, capacity, values) result(status) &
+            bind(c, name='mgdt_voronoi_get_doubles')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: v
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), value :: capacity
+            real(c_double), intent(inout) :: values(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_voronoi_drop_small_faces(v, area, relative) result(status) &
+            bind(c, name='mgdt_voronoi_drop_small_faces')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: v
+            real(c_double), value :: area
+            real(c_double), value :: relative
+            integer(c_int32_t) :: status
+        end function
+        function c_voronoi_get_error(v, capacity, buffer) result(status) &
+            bind(c, name='mgdt_voronoi_get_error')
+            import :: c_char, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: v
+            integer(c_int64_t), value :: capacity
+            character(kind=c_char), intent(inout) :: buffer(*)
+            integer(c_int32_t) :: status
+        end function
     end interface
 
     interface c_remove_points
@@ -755,6 +801,27 @@ module mgdt_c
             integer(c_int64_t), value :: capacity
             integer(c_int64_t), intent(inout) :: points(*)
             real(c_double), intent(inout) :: weights(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_voronoi_get_array
+        function c_voronoi_get_array_i32(v, array, capacity, values) result(status) &
+            bind(c, name='mgdt_voronoi_get_array_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: v
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: values(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_voronoi_get_array_i64(v, array, capacity, values) result(status) &
+            bind(c, name='mgdt_voronoi_get_array')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: v
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: values(*)
             integer(c_int32_t) :: status
         end function
     end interface

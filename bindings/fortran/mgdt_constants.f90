@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: MIT
-! Generated from mgdt/mgdt.h by bindings/interface/generate.py.
+! Generated from mgdt/mgdt.h, mgdt_voronoi.h by bindings/interface/generate.py.
 !
 ! The constants of mgdt's C interface, in the default integer of the flags in force. Comments are
 ! those of the header; stat= has the values of a status.
@@ -182,4 +182,47 @@ module mgdt_constants
     ! The value of MGDT_OUTSIDE_BOUNDARY, continued linearly. The gradient is the mean of those of
     ! mgdt_get_gradients() at the corners of the hull facet.
     integer, parameter :: mgdt_outside_linear = 40
+
+    ! Arrays of a Voronoi diagram.
+    ! Offsets of the faces' lists of corners.
+    integer, parameter :: mgdt_voronoi_face_offsets = 10
+    ! The corners of each face, counter-clockwise about its normal. A corner that is at least the
+    ! index base is a vertex. A negative one is a ray: ray k, counted from 0, is -1 - k. The two
+    ! rays of an unbounded face come last: first the ray from the last vertex, then the ray from the
+    ! first one.
+    integer, parameter :: mgdt_voronoi_face_corners = 11
+    ! Two elements for each face: the lesser index of the two points that the face separates, then
+    ! the other one. A face in a plane of the region has the index of the point, then -1 - k for
+    ! plane k, counted from 0.
+    integer, parameter :: mgdt_voronoi_face_sides = 12
+    ! The vertex where each ray begins.
+    integer, parameter :: mgdt_voronoi_ray_vertices = 20
+    ! Offsets of the cells' lists of faces, for each point that was inserted. A point that is no
+    ! vertex of the triangulation has no cell and an empty list.
+    integer, parameter :: mgdt_voronoi_cell_offsets = 30
+    ! The faces of each cell, in ascending order.
+    integer, parameter :: mgdt_voronoi_cell_faces = 31
+    ! For each point 1 if it has a cell and this cell is bounded, otherwise 0.
+    integer, parameter :: mgdt_voronoi_cell_bounded = 32
+    ! 3 coordinates of each vertex, rounded to the nearest doubles. A coordinate beyond the range of
+    ! doubles is infinite.
+    integer, parameter :: mgdt_voronoi_vertices = 50
+    ! 3 coordinates of the direction of each ray, of length 1.
+    integer, parameter :: mgdt_voronoi_ray_directions = 51
+    ! The area of each face; infinite for an unbounded face. The error is at most 1e-12 times the
+    ! area, plus 1e-14 times the square of the distance between the two points that the face
+    ! separates.
+    integer, parameter :: mgdt_voronoi_face_areas = 60
+    ! 3 coordinates of the unit normal of each face. It points from the first side to the second
+    ! one: out of the cell of the first point.
+    integer, parameter :: mgdt_voronoi_face_normals = 61
+    ! 3 coordinates of the centroid of each face; infinite for an unbounded face. If a face is too
+    ! small for doubles to tell its corners apart, it is one of these.
+    integer, parameter :: mgdt_voronoi_face_centroids = 62
+    ! The volume of each cell, as mgdt_get_cell_measures() gives it, but perhaps with other
+    ! roundings. 0 for a point without a cell.
+    integer, parameter :: mgdt_voronoi_cell_volumes = 70
+    ! 3 coordinates of the centroid of each cell, with the accuracy of mgdt_get_cell_measures();
+    ! infinite for an unbounded cell, and 0 for a point without a cell.
+    integer, parameter :: mgdt_voronoi_cell_centroids = 71
 end module mgdt_constants

@@ -18,24 +18,25 @@ import rust
 import scripting
 from description import TRIANGULATION
 from parts import MPI, PARTS
+from voronoi import VORONOI
 
 BINDINGS = Path(__file__).resolve().parents[1]
 HEADERS = BINDINGS.parent / "include" / "mgdt"
 
 
 def read_all(folder: Path = HEADERS) -> list[header.Interface]:
-    """The interfaces of mgdt.h, mgdt_parts.h and mgdt_mpi.h."""
+    """The interfaces of mgdt.h, mgdt_parts.h, mgdt_mpi.h and mgdt_voronoi.h."""
     found: list[header.Interface] = []
-    for description in (TRIANGULATION, PARTS, MPI):
+    for description in (TRIANGULATION, PARTS, MPI, VORONOI):
         found.append(header.read(folder / description.header, description, found))
     return found
 
 
 def all_files(interfaces: list[header.Interface]) -> dict[str, str]:
     """The files by their names below the folder of the bindings."""
-    triangulation, parts, mpi = interfaces
-    return {**fortran.files(triangulation, parts, mpi), **rust.files(triangulation),
-            **scripting.files(triangulation, parts)}
+    triangulation, parts, mpi, voronoi = interfaces
+    both = triangulation.joined(voronoi)
+    return {**fortran.files(both, parts, mpi), **rust.files(both), **scripting.files(both, parts)}
 
 
 def main() -> None:

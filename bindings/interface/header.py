@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The C interface as data: what a header declares, and what description.py or parts.py adds."""
+"""The C interface as data: what a header declares, and what description.py, parts.py or voronoi.py adds."""
 
 from __future__ import annotations
 
@@ -131,6 +131,16 @@ class Interface:
         """The constants by group and short name, for the scripting languages."""
         return {group.table: {_without(group.prefixes, c.name): c.value for c in constants}
                 for group, constants in zip(self.description.groups, self.enumerations)}
+
+    def joined(self, other: Interface) -> Interface:
+        """This interface with that of another header, for the layers that have both in one file."""
+        a, b = self.description, other.description
+        description = Description(f"{a.header}, {b.header}", {**a.lengths, **b.lengths},
+                                  a.groups + b.groups, {**a.f77_names, **b.f77_names},
+                                  a.long | b.long, a.short | b.short)
+        return Interface(description, self.functions + other.functions,
+                         self.enumerations + other.enumerations, self.callbacks + other.callbacks,
+                         self.records + other.records)
 
     def f77_name(self, constant: Constant) -> str:
         return self.description.f77_names[constant.name]

@@ -4,25 +4,19 @@
 from __future__ import annotations
 
 from header import Callback, Function, Interface, Parameter
+from scripting import handles
 
 WIDTH = 100
 
 HEAD = """\
 // SPDX-License-Identifier: MIT
-// Generated from mgdt/mgdt.h by bindings/interface/generate.py.
-//! The C interface of mgdt as it is. Its manual is the header, `mgdt/mgdt.h`; the crate `mgdt` is
-//! the safe interface.
+// Generated from the headers of mgdt by bindings/interface/generate.py.
+//! The C interface of mgdt as it is. Its manuals are the headers `mgdt/mgdt.h` and
+//! `mgdt/mgdt_voronoi.h`; the crate `mgdt` is the safe interface.
 #![allow(non_camel_case_types)]
 
 use std::marker::{PhantomData, PhantomPinned};
 use std::os::raw::{c_char, c_void};
-
-/// A triangulation; only ever behind a pointer.
-#[repr(C)]
-pub struct mgdt_triangulation {
-    _data: [u8; 0],
-    _marker: PhantomData<(*mut u8, PhantomPinned)>,
-}
 
 pub type mgdt_status = i32;
 """
@@ -30,6 +24,16 @@ pub type mgdt_status = i32;
 TYPES = {"int32_t": "i32", "int64_t": "i64", "uint64_t": "u64", "double": "f64", "size_t": "usize",
          "char": "c_char", "void": "c_void"}
 RESERVED = {"fn": "callback"}
+
+HANDLE = """
+/// %s; only ever behind a pointer.
+#[repr(C)]
+pub struct %s {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+"""
+HANDLES = {"mgdt_triangulation": "A triangulation", "mgdt_voronoi": "A Voronoi diagram"}
 
 
 def rust_type(p: Parameter) -> str:
@@ -65,7 +69,7 @@ def callback_type(callback: Callback) -> str:
 
 
 def files(interface: Interface) -> dict[str, str]:
-    text = HEAD
+    text = HEAD + "".join(HANDLE % (HANDLES[name], name) for name in handles(interface))
     for title, group in interface.groups():
         kind = "mgdt_status" if title == "error codes" else "i32"
         text += "\n" + "".join(f"pub const {c.name}: {kind} = {c.value};\n" for c in group)

@@ -10,8 +10,8 @@ from typing import Optional
 from header import Callback, Function, Interface, Parameter, Record
 
 WIDTH = 100
-ORIGIN = "Generated from mgdt/mgdt.h by bindings/interface/generate.py."
-PARTS_ORIGIN = ORIGIN.replace("mgdt.h", "mgdt_parts.h")
+ORIGIN = "Generated from the headers of mgdt by bindings/interface/generate.py."
+PARTS_ORIGIN = "Generated from mgdt/mgdt_parts.h by bindings/interface/generate.py."
 
 
 def wrapped(begin: str, items: list[str], end: str, indent: str) -> str:
@@ -29,6 +29,12 @@ def wrapped(begin: str, items: list[str], end: str, indent: str) -> str:
 def table(begin: str, entry: str, constants: dict[str, int], end: str, indent: str) -> str:
     return wrapped(begin, [entry % (name.lower(), value) for name, value in constants.items()], end,
                    indent)
+
+
+def handles(interface: Interface) -> list[str]:
+    """The handles that the functions have, in the order of their appearance."""
+    found = [p.type for f in interface.functions for p in f.parameters if p.is_handle]
+    return list(dict.fromkeys(found))
 
 
 # LuaJIT reads C.
@@ -56,7 +62,8 @@ def lua_callback(callback: Callback) -> str:
 
 def lua(interface: Interface) -> str:
     return (f"-- SPDX-License-Identifier: MIT\n-- {ORIGIN}\n--- The C interface of mgdt, declared.\n\n"
-            'require("ffi").cdef [[\ntypedef struct mgdt_triangulation mgdt_triangulation;\n'
+            'require("ffi").cdef [[\n'
+            + "".join(f"typedef struct {handle} {handle};\n" for handle in handles(interface))
             + "".join(map(lua_callback, interface.callbacks))
             + "".join(map(lua_declaration, interface.functions)) + "]]\n\nreturn {\n"
             + "".join(table(f"    {name} = {{ ", "%s = %d", constants, " },", " " * 8)

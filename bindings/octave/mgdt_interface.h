@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Generated from mgdt/mgdt.h by bindings/interface/generate.py. */
+ * Generated from the headers of mgdt by bindings/interface/generate.py. */
 #ifndef MGDT_OCTAVE_INTERFACE_H
 #define MGDT_OCTAVE_INTERFACE_H
 
@@ -93,7 +93,15 @@
     F(order_scheme_at);               \
     F(version_string);                \
     F(abi_version);                   \
-    F(isa_name);
+    F(isa_name);                      \
+    F(voronoi_create);                \
+    F(voronoi_destroy);               \
+    F(voronoi_get_size);              \
+    F(voronoi_get_array);             \
+    F(voronoi_get_array_i32);         \
+    F(voronoi_get_doubles);           \
+    F(voronoi_drop_small_faces);      \
+    F(voronoi_get_error);
 
 /* Every error, by its name after "MGDT_ERR_", large and small. */
 #define MGDT_ERRORS(E)                    \

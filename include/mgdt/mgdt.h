@@ -58,7 +58,7 @@
 #include <stdint.h>
 
 #define MGDT_VERSION_MAJOR 1
-#define MGDT_VERSION_MINOR 2
+#define MGDT_VERSION_MINOR 3
 #define MGDT_VERSION_PATCH 0
 
 /** Whether this header has at least the given version: `#if MGDT_VERSION_AT_LEAST(1, 2)`. Headers

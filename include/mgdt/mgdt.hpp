@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * mgdt for C++17 and later: header-only classes over the C interface of mgdt.h and mgdt_parts.h.
+ * mgdt for C++17 and later: header-only classes over the C interface of mgdt.h, mgdt_parts.h and
+ * mgdt_voronoi.h.
  *
- * mgdt::Triangulation (cxx/triangulation.hpp) and mgdt::Parts (cxx/parts.hpp) own a handle. Each
+ * mgdt::Triangulation (cxx/triangulation.hpp), mgdt::Parts (cxx/parts.hpp) and mgdt::Voronoi
+ * (cxx/voronoi.hpp) own a handle. Each
  * function names the C function that it calls; the C headers describe meaning, shapes, index base,
  * "none" and threads.
  *
@@ -39,6 +41,7 @@
 #include "cxx/parts.hpp"
 #include "cxx/triangulation.hpp"
 #include "cxx/views.hpp"
+#include "cxx/voronoi.hpp"
 #include "mgdt.h"
 
 namespace mgdt {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "capi/counts.hpp"
 #include "capi/handle.hpp"
+#include "capi/planes.hpp"
 #include "dual/measures.hpp"
 
 using namespace mgdt;
@@ -20,16 +21,6 @@ Measure measure_of(std::int32_t measure) {
         default:
             fail(MGDT_ERR_UNKNOWN_KEY, "there is no measure %d", static_cast<int>(measure));
     }
-}
-
-std::size_t require_planes(std::int64_t n, const double* planes) {
-    constexpr std::int64_t most = 1 << 30;
-    const std::size_t count = require_count(n, "planes");
-    if (n > most)
-        fail(MGDT_ERR_TOO_LARGE, "%lld planes are more than %lld", static_cast<long long>(n),
-             static_cast<long long>(most));
-    if (n > 0) require_pointer(planes, "the array of planes");
-    return count;
 }
 
 }  // namespace

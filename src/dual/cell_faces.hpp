@@ -50,6 +50,10 @@ class CellFaces {
     // The number of the corner before edge i.
     std::size_t corner_before(std::size_t i) const noexcept { return corner_of_edge_[i]; }
     const Buffer<Corner>& corners() const noexcept { return corners_; }
+    // The number of planes that bisect the vertex and a neighbour; those of the region follow.
+    std::size_t bisectors() const noexcept { return order_.size(); }
+    // The number in the link of the neighbour that a bisector belongs to.
+    std::size_t neighbor(PlaneNumber plane) const noexcept { return order_[plane]; }
     HalfSpaces& half_spaces() noexcept { return half_spaces_; }
 
   private:

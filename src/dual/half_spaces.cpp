@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dual/half_spaces.hpp"
 
+#include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace mgdt {
@@ -207,25 +209,55 @@ int HalfSpaces::main_axis(PlaneNumber p, int& sign) {
     return axis;
 }
 
-bool HalfSpaces::round_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, Vector<Twofold>& x) {
+HalfSpaces::ExactCorner HalfSpaces::exact_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r) {
     prepare<LongNumber>();
     const PlaneRow<LongNumber>&a = exact_[p], &b = exact_[q], &c = exact_[r];
     const Vector<LongNumber> bc = cross(b.normal, c.normal), ca = cross(c.normal, a.normal),
                              ab = cross(a.normal, b.normal);
-    const LongNumber determinant = dot(a.normal, bc);
+    ExactCorner corner;
+    corner.determinant = dot(a.normal, bc);
+    for (int k = 0; k < 3; ++k)
+        corner.numerator[k] = (a.offset * bc.x[k] + b.offset * ca.x[k]) + c.offset * ab.x[k];
+    return corner;
+}
+
+bool HalfSpaces::round_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, Vector<Twofold>& x) {
+    const ExactCorner corner = exact_corner(p, q, r);
     // The numerators and the determinant are cut off to 192 bits. The relative error of a quotient
     // is then below 2^-110.
-    LongMemory cut_off(exact_.allocator(), 192 / exact::limb_bits);
-    const LongNumber weight = cut_off.copy(determinant);
+    cut_off_.release(0);
+    const LongNumber weight = cut_off_.copy(corner.determinant);
     for (int k = 0; k < 3; ++k) {
-        const LongNumber relative = (a.offset * bc.x[k] + b.offset * ca.x[k]) + c.offset * ab.x[k],
-                         at = relative + determinant * memory_.number(origin_[k]),
-                         rounded = cut_off.copy(at) / weight;
+        const LongNumber at = corner.numerator[k] + corner.determinant * memory_.number(origin_[k]),
+                         rounded = cut_off_.copy(at) / weight;
         x.x[k] = rounded.twofold();
         const double size = std::fabs(x.x[k].high);
         if (rounded.sign() != 0 && !(size > 0x1p-600 && size < 0x1p600)) return false;
     }
     return true;
+}
+
+void HalfSpaces::nearest_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, int scale,
+                                double (&x)[3]) {
+    const ExactCorner corner = exact_corner(p, q, r);
+    const LongNumber& weight = corner.determinant;
+    cut_off_.release(0);
+    for (int k = 0; k < 3; ++k) {
+        const LongNumber at =
+            (corner.numerator[k] + weight * memory_.number(origin_[k])) * memory_.number(1, -scale);
+        // The quotient, cut off to doubles, is off by at most one double. The sign of a midpoint's
+        // distance from the quotient decides between two doubles.
+        x[k] = (cut_off_.copy(at) / cut_off_.copy(weight)).wide().in_double();
+        const int beyond = (at - weight * memory_.number(x[k])).sign() * weight.sign();
+        if (beyond == 0) continue;
+        const double other = std::nextafter(x[k], beyond * std::numeric_limits<double>::infinity());
+        if (std::isinf(other)) continue;
+        const LongNumber middle = memory_.number(x[k], -1) + memory_.number(other, -1);
+        const int side = (at - weight * middle).sign() * weight.sign() * beyond;
+        std::int64_t bits;
+        std::memcpy(&bits, &x[k], sizeof bits);
+        if (side > 0 || (side == 0 && (bits & 1) != 0)) x[k] = other;
+    }
 }
 
 }  // namespace mgdt

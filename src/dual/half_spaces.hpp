@@ -36,7 +36,8 @@ class HalfSpaces {
           in_doubles_(allocator),
           in_twofold_(allocator),
           exact_(allocator),
-          memory_(allocator) {}
+          memory_(allocator),
+          cut_off_(allocator, 192 / exact::limb_bits) {}
 
     // Removes all half-spaces and sets the origin, whose coordinates must not move while
     // half-spaces refer to them. Lengths in doubles are multiplied by `factor`, a power of two.
@@ -78,6 +79,8 @@ class HalfSpaces {
     // which twofold numbers are that accurate.
     bool round_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, Vector<Twofold>& x);
     static constexpr double corner_error = 0x1p-100;
+    // Rounds the coordinates of that point times 2^-scale to the nearest doubles.
+    void nearest_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, int scale, double (&x)[3]);
 
   private:
     struct Source {
@@ -90,6 +93,11 @@ class HalfSpaces {
     // One row per half-space, by number.
     template <class Number>
     Buffer<PlaneRow<Number>>& rows();
+    // The point where three planes meet, relative to the origin, by Cramer's rule.
+    struct ExactCorner {
+        LongNumber numerator[3], determinant;
+    };
+    ExactCorner exact_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r);
     // Computes the rows unless they are already there. For long numbers, frees all other numbers in
     // memory_.
     template <class Number>
@@ -113,6 +121,7 @@ class HalfSpaces {
     Buffer<PlaneRow<LongNumber>> exact_;
     LongMemory memory_;
     std::size_t end_of_rows_ = 0;  // where the exact rows end in memory_
+    LongMemory cut_off_;           // numbers of 192 bits, for quotients
 };
 
 }  // namespace mgdt

@@ -27,6 +27,8 @@ class Region {
     std::size_t size() const noexcept { return planes_.size(); }
     // The numbers a b c d of plane k, as the caller gave them.
     const double* numbers(std::size_t k) const noexcept { return planes_[k].numbers; }
+    // The position of plane k among the planes that the caller gave.
+    std::uint32_t given(std::size_t k) const noexcept { return planes_[k].index; }
     // Whether all points, planes and corners are in the range of doubles and twofold numbers.
     bool is_ordinary() const noexcept { return is_ordinary_; }
     // An upper bound on the distance between two points of the region.

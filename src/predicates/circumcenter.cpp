@@ -141,6 +141,21 @@ MGDT_PREDICATES_INLINE bool solve(const double* const (&p)[4], const Circumcente
 
 }  // namespace
 
+namespace {
+
+// The position of the centre, with a bound on the error of coordinate k.
+MGDT_PREDICATES_INLINE Twofold position(const double* first, const DoubledOffset& offset, int k) {
+    const Twofold w = Twofold::sum(offset.rough[k], offset.correction[k]);
+    Twofold x = Twofold::sum(first[k], 0.5 * w.high);
+    x.low += 0.5 * w.low;
+    return x;
+}
+MGDT_PREDICATES_INLINE double position_error(const DoubledOffset& offset, const Twofold& x) {
+    return offset.error + 4 * half_ulp * std::fabs(x.low);
+}
+
+}  // namespace
+
 bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& c,
                           const CircumcenterBounds& bounds) {
     DoubledOffset offset;
@@ -151,9 +166,8 @@ bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& 
     bool is_known = true;
     each<3>([&](auto k) {
         w[k] = Twofold::sum(offset.rough[k], offset.correction[k]);
-        Twofold x = Twofold::sum(p[0][k], 0.5 * w[k].high);
-        x.low += 0.5 * w[k].low;
-        is_known &= nearest(x, error + 4 * half_ulp * std::fabs(x.low), c.x[k]);
+        const Twofold x = position(p[0], offset, k);
+        is_known &= nearest(x, position_error(offset, x), c.x[k]);
         is_known &= scale_exactly(c.x[k], -scale);
         square[k] = Twofold::product(w[k].high, w[k].high);
         rest += square[k].low + 2 * w[k].high * w[k].low;
@@ -264,6 +278,47 @@ void center_offset_integer(const double* const (&p)[4], double (&offset)[3]) {
 }
 
 }  // namespace exact
+
+SplitPoint split(const Twofold (&x)[3], const double (&error)[3], const double (&nearest)[3],
+                 double factor) {
+    // Floats below this size lose digits, and those above the other one overflow.
+    constexpr double least = 0x1p-126, most = 0x1p120;
+    SplitPoint result;
+    double largest = 0;
+    for (int k = 0; k < 3; ++k) {
+        result.x[k] = nearest[k];
+        const double low = ((x[k].high - nearest[k]) + x[k].low) * factor;
+        result.low[k] = std::fabs(low) < most ? static_cast<float>(low) : 0;
+        const double lost = std::fabs(low - static_cast<double>(result.low[k]));
+        // The sum is unordered, and so not below `most`, if a coordinate is infinite.
+        largest += error[k] * factor + lost;
+    }
+    largest = largest * (1 + 0x1p-20) + least;
+    result.error =
+        largest < most ? static_cast<float>(largest) : std::numeric_limits<float>::infinity();
+    return result;
+}
+
+SplitPoint split_circumcenter(const double* const (&p)[4], double factor) {
+    exact::DoubledOffset w;
+    Twofold x[3];
+    double error[3], nearest[3];
+    if (!exact::solve(p, exact::circumcenter_bounds, w)) {
+        const Circumcenter c = circumcenter(p);
+        for (int k = 0; k < 3; ++k) {
+            x[k] = {c.x[k], 0};
+            error[k] = exact::half_ulp * std::fabs(c.x[k]) + 0x1p-1074;
+        }
+        return split(x, error, c.x, factor);
+    }
+    bool is_known = true;
+    for (int k = 0; k < 3; ++k) {
+        x[k] = exact::position(p[0], w, k);
+        error[k] = exact::position_error(w, x[k]);
+        is_known &= exact::nearest(x[k], error[k], nearest[k]);
+    }
+    return is_known ? split(x, error, nearest, factor) : split(x, error, circumcenter(p).x, factor);
+}
 
 void center_offset(const double* const (&p)[4], double (&offset)[3]) {
     exact::DoubledOffset w;

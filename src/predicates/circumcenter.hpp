@@ -3,6 +3,8 @@
 // all finite doubles and every tetrahedron, however flat.
 #pragma once
 
+#include "predicates/twofold.hpp"
+
 namespace mgdt {
 
 struct Circumcenter {
@@ -14,6 +16,22 @@ struct Circumcenter {
 // result is infinite if it exceeds the largest double. Neither the order of the vertices nor the
 // scale changes the result.
 Circumcenter circumcenter(const double* const (&p)[4], int scale = 0);
+
+// A point as the sum of doubles and of corrections, which keep about 77 bits of a coordinate.
+struct SplitPoint {
+    double x[3];   // the coordinates, rounded to the nearest double
+    float low[3];  // what the rounding left out
+    float error;   // an upper bound on the error of each sum, infinite if nothing is known
+};
+
+// The circumcentre with corrections. Corrections and error are multiplied by `factor`, a power of
+// two, which brings the coordinates into the range of floats. The order of the vertices may change
+// the corrections within the error.
+SplitPoint split_circumcenter(const double* const (&p)[4], double factor);
+// The point x, given with bounds on the errors of its coordinates and with the doubles that are
+// nearest to the true coordinates.
+SplitPoint split(const Twofold (&x)[3], const double (&error)[3], const double (&nearest)[3],
+                 double factor);
 
 // Computes the position of the centre relative to the first vertex. The error is at most
 // center_offset_error times the largest coordinate. The order of the vertices may change the result

@@ -74,11 +74,33 @@ bool calls_parts(const std::vector<mgdt::Point>& points) {
     return one.number(mgdt::PartsNumber::parts, 0) == 2;
 }
 
+// Whether a diagram does what it is asked.
+bool calls_voronoi(const std::vector<mgdt::Point>& points) {
+    mgdt::Triangulation t;
+    t.insert(points);
+    mgdt::Voronoi whole(t);
+    mgdt::Voronoi cut(
+        t, {{1, 0, 0, 9}, {-1, 0, 0, 9}, {0, 1, 0, 9}, {0, -1, 0, 9}, {0, 0, 1, 9}, {0, 0, -1, 9}});
+    const auto sides = cut.array(mgdt::VoronoiArray::face_sides);
+    const auto narrow = cut.array<std::int32_t>(mgdt::VoronoiArray::face_sides);
+    const auto areas = cut.numbers(mgdt::VoronoiNumbers::face_areas);
+    if (sides.size() != 2 * areas.size() || narrow.size() != sides.size()) return false;
+    if (cut.points(mgdt::VoronoiNumbers::face_normals).size() != areas.size()) return false;
+    if (whole.size(mgdt::VoronoiArray::ray_vertices) == 0) return false;
+    if (whole.size(mgdt::VoronoiNumbers::cell_volumes) != points.size()) return false;
+    cut.drop_small_faces(1e9);
+    if (cut.size(mgdt::VoronoiNumbers::face_areas) != 0 || !cut.last_error().empty()) return false;
+    swap(whole, cut);
+    mgdt::Voronoi again(whole.release());
+    return !whole && again && again.handle() != nullptr;
+}
+
 }  // namespace
 
 int main() {
     try {
         if (!calls_parts({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 2}})) return 30;
+        if (!calls_voronoi({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 2}})) return 31;
         Heap heap;
         mgdt::Triangulation t(heap), other;
         t.set_order_scheme(mgdt::order_from_name("brio"));

@@ -41,6 +41,56 @@ TEST_P(EveryCall, RunsOutOfMemory) {
     EXPECT_EQ(fault_balance(), balance);
 }
 
+// A diagram in a box takes too many requests to refuse each of them.
+TEST(Allocator, RefusesADiagramInABox) {
+    const std::int64_t balance = fault_balance();
+    const double box[24] = {1, 0,  0, 2, -1, 0, 0, 1, 0, 1, 0,  2,
+                            0, -1, 0, 1, 0,  0, 1, 2, 0, 0, -1, 1};
+    {
+        Story story(true, 1, 0, MGDT_ORDER_AUTO);
+        story.insert(random_points(60, 5));
+        mgdt_voronoi* v = nullptr;
+        std::int64_t nth = 1, failed = 0;
+        for (;; nth += 1 + nth / 4) {
+            fault_arm(fault_handle, nth, INT64_MAX);
+            const mgdt_status status = mgdt_voronoi_create(story.handle(), 6, box, &v);
+            fault_disarm();
+            if (status == MGDT_OK) break;
+            expect_out_of_memory(story.handle(), status);
+            EXPECT_EQ(v, nullptr);
+            ++failed;
+        }
+        EXPECT_GT(failed, 10);
+        mgdt_voronoi_destroy(v);
+    }
+    EXPECT_EQ(fault_balance(), balance);
+}
+
+// Leaving out faces changes nothing if memory is refused.
+TEST(Allocator, RefusesToLeaveFacesOut) {
+    const std::int64_t balance = fault_balance();
+    {
+        Story story(true, 1, 0, MGDT_ORDER_AUTO);
+        story.insert(random_points(100, 5));
+        mgdt_voronoi* v = nullptr;
+        ASSERT_EQ(mgdt_voronoi_create(story.handle(), 0, nullptr, &v), MGDT_OK);
+        std::int64_t before = 0, after = 0;
+        EXPECT_EQ(mgdt_voronoi_get_size(v, MGDT_VORONOI_FACE_CORNERS, &before), MGDT_OK);
+        for (std::int64_t nth = 1; nth <= 2; ++nth) {
+            fault_arm(fault_handle, nth, INT64_MAX);
+            EXPECT_EQ(mgdt_voronoi_drop_small_faces(v, 0.01, 0), MGDT_ERR_OUT_OF_MEMORY);
+            fault_disarm();
+            EXPECT_EQ(mgdt_voronoi_get_size(v, MGDT_VORONOI_FACE_CORNERS, &after), MGDT_OK);
+            EXPECT_EQ(before, after);
+        }
+        EXPECT_EQ(mgdt_voronoi_drop_small_faces(v, 0.01, 0), MGDT_OK);
+        EXPECT_EQ(mgdt_voronoi_get_size(v, MGDT_VORONOI_FACE_CORNERS, &after), MGDT_OK);
+        EXPECT_LT(after, before);
+        mgdt_voronoi_destroy(v);
+    }
+    EXPECT_EQ(fault_balance(), balance);
+}
+
 // The star of a vertex with many neighbours takes memory to go around.
 TEST(Allocator, RunsOutOfMemoryAroundAHub) {
     Points xyz = random_points(600, 5);

@@ -352,6 +352,17 @@ inline constexpr Call calls[] = {
                                       : mgdt_get_cell_measures(t, MGDT_MEASURE_FACES, 0, nullptr,
                                                                mgdt_point_count(t), o.reals.data());
      }},
+    {"voronoi_create",
+     [](mgdt_triangulation* t, Output& o) -> mgdt_status {
+         if (mgdt_dimension(t) < 3) return MGDT_OK;
+         mgdt_voronoi* v = nullptr;
+         const mgdt_status status = mgdt_voronoi_create(t, 0, nullptr, &v);
+         if (status != MGDT_OK) return v == nullptr ? status : mgdt_status(MGDT_ERR_INTERNAL);
+         const mgdt_status volumes = mgdt_voronoi_get_doubles(v, MGDT_VORONOI_CELL_VOLUMES,
+                                                              mgdt_point_count(t), o.reals.data());
+         mgdt_voronoi_destroy(v);
+         return volumes;
+     }},
     {"interpolate",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_dimension(t) < 3

@@ -214,6 +214,11 @@ void read_all(Meter& meter, const mgdt_triangulation* t, const Points& queries) 
         meter("mgdt_get_alpha_surface",
               [&] { return mgdt_get_alpha_surface(t, 1e300, size, v.data(), list.data()); });
         meter("mgdt_get_solid_alpha", [&] { return mgdt_get_solid_alpha(t, squares.data()); });
+        mgdt_voronoi* voronoi = nullptr;
+        meter("mgdt_voronoi_create", [&] { return mgdt_voronoi_create(t, 0, nullptr, &voronoi); });
+        meter("mgdt_voronoi_drop_small_faces",
+              [&] { return mgdt_voronoi_drop_small_faces(voronoi, 0, 1e-12); });
+        mgdt_voronoi_destroy(voronoi);
         Points volumes(static_cast<std::size_t>(mgdt_point_count(t)));
         meter("mgdt_get_cell_measures", [&] {
             return mgdt_get_cell_measures(t, MGDT_MEASURE_VOLUME, 0, nullptr, mgdt_point_count(t),

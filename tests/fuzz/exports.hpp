@@ -12,6 +12,7 @@
 
 #include "input.hpp"
 #include "mgdt/mgdt.h"
+#include "mgdt/mgdt_voronoi.h"
 #include "predicates/predicates.hpp"
 
 namespace fuzz {

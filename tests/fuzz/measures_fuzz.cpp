@@ -147,6 +147,55 @@ class Measured {
         return planes;
     }
 
+    // The arrays of the diagram of a handle; nothing if there is none.
+    static std::vector<Numbers> diagram(const Handle& t, const Numbers& planes) {
+        mgdt_voronoi* v = nullptr;
+        const mgdt_status status = mgdt_voronoi_create(
+            t.get(), static_cast<std::int64_t>(planes.size() / 4), planes.data(), &v);
+        FUZZ_REQUIRE((status == MGDT_OK) == (v != nullptr), "a handle of a failed call");
+        if (status != MGDT_OK) return {};
+        std::vector<Numbers> all;
+        for (const std::int32_t array : {10, 11, 12, 20, 30, 31, 32, 50, 51, 60, 61, 62, 70, 71}) {
+            std::int64_t size = -1;
+            FUZZ_REQUIRE(mgdt_voronoi_get_size(v, array, &size) == MGDT_OK && size >= 0, "size");
+            Numbers x(static_cast<std::size_t>(size));
+            if (array < MGDT_VORONOI_VERTICES) {
+                Indices integers(x.size());
+                FUZZ_REQUIRE(mgdt_voronoi_get_array(v, array, size, integers.data()) == MGDT_OK,
+                             "array");
+                for (std::size_t i = 0; i < x.size(); ++i) x[i] = static_cast<double>(integers[i]);
+            } else {
+                FUZZ_REQUIRE(mgdt_voronoi_get_doubles(v, array, size, x.data()) == MGDT_OK,
+                             "doubles");
+            }
+            all.push_back(x);
+        }
+        FUZZ_REQUIRE(mgdt_voronoi_drop_small_faces(v, 0, 1e-6) == MGDT_OK, "small faces");
+        mgdt_voronoi_destroy(v);
+        return all;
+    }
+    // Diagrams agree to the last bit, and with the measures of cells.
+    void diagrams(const Numbers& planes, const Numbers* volumes, const Numbers& faces) {
+        const std::vector<Numbers> one = diagram(one_, planes), other = diagram(other_, planes);
+        FUZZ_REQUIRE(one.empty() == (volumes == nullptr), "a diagram, and no measures");
+        FUZZ_REQUIRE(one.size() == other.size(), "a diagram of one handle");
+        for (std::size_t a = 0; a < one.size(); ++a) {
+            FUZZ_REQUIRE(one[a].size() == other[a].size(), "sizes of array " + std::to_string(a));
+            for (std::size_t i = 0; i < one[a].size(); ++i)
+                FUZZ_REQUIRE(is_same(one[a][i], other[a][i]),
+                             "element " + std::to_string(i) + " of array " + std::to_string(a) +
+                                 ": " + std::to_string(one[a][i]) + " and " +
+                                 std::to_string(other[a][i]));
+        }
+        if (one.empty() || one[4].size() <= 1) return;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            FUZZ_REQUIRE(one[4][i + 1] - one[4][i] == faces[i], "faces of a cell");
+            const double a = one[12][i], b = (*volumes)[i];
+            FUZZ_REQUIRE(a == b || std::fabs(a - b) <= 2e-12 * b + 1e-300,
+                         "volumes " + std::to_string(a) + " and " + std::to_string(b));
+        }
+    }
+
     void measure_cells() {
         bool is_box = false;
         const Numbers planes = draw_planes(is_box);
@@ -163,6 +212,7 @@ class Measured {
         FUZZ_REQUIRE(measured(MGDT_MEASURE_AREA, 1, areas) == is_taken, "areas");
         FUZZ_REQUIRE(measured(MGDT_MEASURE_CENTROID, 3, centroids) == is_taken, "centroids");
         FUZZ_REQUIRE(measured(MGDT_MEASURE_FACES, 1, faces) == is_taken, "faces");
+        diagrams(planes, is_taken ? &volumes : nullptr, faces);
         if (!is_taken) return;
         double sum = 0;
         for (std::size_t i = 0; i < n; ++i) {

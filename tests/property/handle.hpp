@@ -15,6 +15,7 @@
 #include "../schemes.hpp"
 #include "../small.h"
 #include "mgdt/mgdt.h"
+#include "mgdt/mgdt_voronoi.h"
 
 namespace property {
 

@@ -120,12 +120,17 @@ class Finding(unittest.TestCase):
 
 class Declarations(unittest.TestCase):
     def test_they_are_those_of_the_header(self):
-        header = pathlib.Path(os.environ["MGDT_SOURCE"]) / "include" / "mgdt" / "mgdt.h"
+        headers = pathlib.Path(os.environ["MGDT_SOURCE"]) / "include" / "mgdt"
         program = r"""
 import ctypes, re, sys
 from mgdt import _interface, _library
-source = re.sub(r"/\*.*?\*/", "", open(sys.argv[1]).read(), flags=re.S)
-handles = {"mgdt_triangulation*": "c_void_p", "mgdt_triangulation**": "LP_c_void_p"}
+text = "".join(open(name).read() for name in sys.argv[1:])
+source = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
+handles = {
+    name + stars: kind
+    for name in ("mgdt_triangulation", "mgdt_voronoi")
+    for stars, kind in (("*", "c_void_p"), ("**", "LP_c_void_p"))
+}
 kinds = {
     "int32_t": "c_int", "int64_t": "c_long", "uint64_t": "c_ulong", "double": "c_double",
     "char*": "c_char_p", "void*": "c_void_p", "mgdt_status": "c_int", "void": None,
@@ -152,7 +157,7 @@ for name, (result, inputs) in _interface.FUNCTIONS.items():
 assert set(_interface.FUNCTIONS) == set(declared)
 print(len(_interface.FUNCTIONS))
 """
-        result = run_python(program, str(header))
+        result = run_python(program, str(headers / "mgdt.h"), str(headers / "mgdt_voronoi.h"))
         self.assertEqual(result.stderr, "")
         self.assertGreater(int(result.stdout), 30)
 

@@ -12,6 +12,7 @@
 #include "core/triangulation.hpp"
 #include "dual/measures.hpp"
 #include "exact_cells.hpp"
+#include "voronoi_and_rationals.hpp"
 
 namespace mgdt {
 
@@ -42,11 +43,13 @@ inline std::size_t compare_cells_with_rationals(const std::vector<double>& xyz,
                               centroids = measures_of_cells(xyz, Measure::centroid, planes),
                               faces = measures_of_cells(xyz, Measure::faces, planes);
     const Rational largest = Rational(DBL_MAX);
+    OwnDiagram diagram(xyz, planes);
     std::size_t bounded = 0;
     for (std::size_t k = 0; 3 * k < xyz.size(); k += step) {
         SCOPED_TRACE(k);
-        const exact_cells::Cell exact =
-            exact_cells::cell(exact_cells::half_spaces(xyz, k, planes), far);
+        const std::vector<exact_cells::HalfSpace> all = exact_cells::half_spaces(xyz, k, planes);
+        const exact_cells::Cell exact = exact_cells::cell(all, far);
+        compare_cell_of_diagram(*diagram, xyz, k, all, exact, far);
         EXPECT_EQ(faces[k], exact.faces);
         if (exact.reach > far) {
             EXPECT_TRUE(planes.empty());

@@ -1,9 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Generated from mgdt/mgdt.h by bindings/interface/generate.py.
+-- Generated from the headers of mgdt by bindings/interface/generate.py.
 --- The C interface of mgdt, declared.
 
 require("ffi").cdef [[
 typedef struct mgdt_triangulation mgdt_triangulation;
+typedef struct mgdt_voronoi mgdt_voronoi;
 typedef void *(*mgdt_alloc_fn)(size_t size, size_t align, void *user);
 typedef void (*mgdt_free_fn)(void *p, size_t size, size_t align, void *user);
 typedef int32_t (*mgdt_progress_fn)(double fraction, void *user);
@@ -126,6 +127,18 @@ int32_t mgdt_order_scheme_at(int32_t index, int32_t *scheme);
 const char *mgdt_version_string(void);
 int32_t mgdt_abi_version(void);
 const char *mgdt_isa_name(const mgdt_triangulation *t);
+int32_t mgdt_voronoi_create(const mgdt_triangulation *t, int64_t n_planes, const double *planes,
+                            mgdt_voronoi **out);
+void mgdt_voronoi_destroy(mgdt_voronoi *v);
+int32_t mgdt_voronoi_get_size(const mgdt_voronoi *v, int32_t array, int64_t *size);
+int32_t mgdt_voronoi_get_array(const mgdt_voronoi *v, int32_t array, int64_t capacity,
+                               int64_t *values);
+int32_t mgdt_voronoi_get_array_i32(const mgdt_voronoi *v, int32_t array, int64_t capacity,
+                                   int32_t *values);
+int32_t mgdt_voronoi_get_doubles(const mgdt_voronoi *v, int32_t array, int64_t capacity,
+                                 double *values);
+int32_t mgdt_voronoi_drop_small_faces(mgdt_voronoi *v, double area, double relative);
+int32_t mgdt_voronoi_get_error(const mgdt_voronoi *v, int64_t capacity, char *buffer);
 ]]
 
 return {
@@ -147,4 +160,8 @@ return {
     measure = { volume = 10, area = 20, centroid = 30, faces = 40 },
     method = { linear = 10, nearest = 20, sibson = 30, laplace = 40, sibson_c1 = 50 },
     outside = { none = 10, nearest = 20, boundary = 30, linear = 40 },
+    voronoi = { face_offsets = 10, face_corners = 11, face_sides = 12, ray_vertices = 20,
+        cell_offsets = 30, cell_faces = 31, cell_bounded = 32, vertices = 50, ray_directions = 51,
+        face_areas = 60, face_normals = 61, face_centroids = 62, cell_volumes = 70,
+        cell_centroids = 71 },
 }

@@ -53,7 +53,7 @@ __all__ = [
     "library_version",
 ]
 
-__version__ = "1.2.0"
+__version__ = "1.3.0"
 
 ORDER_SCHEMES = tuple(_handle.ORDER_SCHEMES)
 """Names of the order schemes, for the parameter ``order`` of `Delaunay`."""
@@ -63,7 +63,7 @@ QhullError = Error
 
 
 def library_version() -> str:
-    """Version of the library in use, such as "1.2.0". Since 1.0."""
+    """Version of the library in use, such as "1.3.0". Since 1.0."""
     return _library.text(_library.library.mgdt_version_string())
 
 

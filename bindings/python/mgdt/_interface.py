@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Generated from mgdt/mgdt.h by bindings/interface/generate.py.
-"""The functions of mgdt.h for ctypes. Arrays are passed as addresses."""
+# Generated from the headers of mgdt by bindings/interface/generate.py.
+"""The functions of mgdt.h, mgdt_voronoi.h for ctypes. Arrays are passed as addresses."""
 
 from __future__ import annotations
 
@@ -120,6 +120,14 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "mgdt_version_string": (c_char_p, []),
     "mgdt_abi_version": (c_int32, []),
     "mgdt_isa_name": (c_char_p, [c_void_p]),
+    "mgdt_voronoi_create": (c_int32, [c_void_p, c_int64, c_void_p, POINTER(c_void_p)]),
+    "mgdt_voronoi_destroy": (None, [c_void_p]),
+    "mgdt_voronoi_get_size": (c_int32, [c_void_p, c_int32, c_void_p]),
+    "mgdt_voronoi_get_array": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
+    "mgdt_voronoi_get_array_i32": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
+    "mgdt_voronoi_get_doubles": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
+    "mgdt_voronoi_drop_small_faces": (c_int32, [c_void_p, c_double, c_double]),
+    "mgdt_voronoi_get_error": (c_int32, [c_void_p, c_int64, c_char_p]),
 }
 
 # The constants, by group and name.
@@ -213,5 +221,21 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "nearest": 20,
         "boundary": 30,
         "linear": 40,
+    },
+    "voronoi": {
+        "face_offsets": 10,
+        "face_corners": 11,
+        "face_sides": 12,
+        "ray_vertices": 20,
+        "cell_offsets": 30,
+        "cell_faces": 31,
+        "cell_bounded": 32,
+        "vertices": 50,
+        "ray_directions": 51,
+        "face_areas": 60,
+        "face_normals": 61,
+        "face_centroids": 62,
+        "cell_volumes": 70,
+        "cell_centroids": 71,
     },
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * The constants of mgdt.h and mgdt_parts.h as enum classes, and their names. Part of mgdt/mgdt.hpp,
- * which includes it. */
+ * The constants of mgdt.h, mgdt_parts.h and mgdt_voronoi.h as enum classes, and their names. Part
+ * of mgdt/mgdt.hpp, which includes it. */
 #ifndef MGDT_CXX_CONSTANTS_HPP
 #define MGDT_CXX_CONSTANTS_HPP
 
@@ -8,6 +8,7 @@
 
 #include "../mgdt.h"
 #include "../mgdt_parts.h"
+#include "../mgdt_voronoi.h"
 
 namespace mgdt {
 inline namespace cxx1 {
@@ -100,6 +101,30 @@ enum class Outside : std::int32_t {
     nearest = MGDT_OUTSIDE_NEAREST,
     boundary = MGDT_OUTSIDE_BOUNDARY,
     linear = MGDT_OUTSIDE_LINEAR
+};
+
+/** Arrays of integers of a Voronoi diagram; see MGDT_VORONOI_FACE_OFFSETS and its neighbours.
+ *  @since 1.3 */
+enum class VoronoiArray : std::int32_t {
+    face_offsets = MGDT_VORONOI_FACE_OFFSETS,
+    face_corners = MGDT_VORONOI_FACE_CORNERS,
+    face_sides = MGDT_VORONOI_FACE_SIDES,
+    ray_vertices = MGDT_VORONOI_RAY_VERTICES,
+    cell_offsets = MGDT_VORONOI_CELL_OFFSETS,
+    cell_faces = MGDT_VORONOI_CELL_FACES,
+    cell_bounded = MGDT_VORONOI_CELL_BOUNDED
+};
+
+/** Arrays of doubles of a Voronoi diagram; see MGDT_VORONOI_VERTICES and its neighbours.
+ *  @since 1.3 */
+enum class VoronoiNumbers : std::int32_t {
+    vertices = MGDT_VORONOI_VERTICES,
+    ray_directions = MGDT_VORONOI_RAY_DIRECTIONS,
+    face_areas = MGDT_VORONOI_FACE_AREAS,
+    face_normals = MGDT_VORONOI_FACE_NORMALS,
+    face_centroids = MGDT_VORONOI_FACE_CENTROIDS,
+    cell_volumes = MGDT_VORONOI_CELL_VOLUMES,
+    cell_centroids = MGDT_VORONOI_CELL_CENTROIDS
 };
 
 /** Options of parts; see MGDT_PARTS_INDEX_BASE and its neighbours. @since 1.2 */

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Generated from mgdt/mgdt.h by bindings/interface/generate.py.
+# Generated from the headers of mgdt by bindings/interface/generate.py.
 # frozen_string_literal: true
 
 module Mgdt
@@ -94,6 +94,14 @@ module Mgdt
     [:mgdt_version_string, %i[], :string, false],
     [:mgdt_abi_version, %i[], :int32, false],
     [:mgdt_isa_name, %i[pointer], :string, false],
+    [:mgdt_voronoi_create, %i[pointer int64 pointer pointer], :int32, true],
+    [:mgdt_voronoi_destroy, %i[pointer], :void, false],
+    [:mgdt_voronoi_get_size, %i[pointer int32 pointer], :int32, false],
+    [:mgdt_voronoi_get_array, %i[pointer int32 int64 pointer], :int32, true],
+    [:mgdt_voronoi_get_array_i32, %i[pointer int32 int64 pointer], :int32, true],
+    [:mgdt_voronoi_get_doubles, %i[pointer int32 int64 pointer], :int32, true],
+    [:mgdt_voronoi_drop_small_faces, %i[pointer double double], :int32, true],
+    [:mgdt_voronoi_get_error, %i[pointer int64 pointer], :int32, false],
   ].freeze
 
   # The constants, by group and name.
@@ -115,6 +123,9 @@ module Mgdt
     measure: { volume: 10, area: 20, centroid: 30, faces: 40 },
     method: { linear: 10, nearest: 20, sibson: 30, laplace: 40, sibson_c1: 50 },
     outside: { none: 10, nearest: 20, boundary: 30, linear: 40 },
+    voronoi: { face_offsets: 10, face_corners: 11, face_sides: 12, ray_vertices: 20,
+      cell_offsets: 30, cell_faces: 31, cell_bounded: 32, vertices: 50, ray_directions: 51,
+      face_areas: 60, face_normals: 61, face_centroids: 62, cell_volumes: 70, cell_centroids: 71 },
   }.freeze
   private_constant :INTERFACE, :CONSTANTS
 end

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Generated from mgdt/mgdt.h by bindings/interface/generate.py.
-//! The C interface of mgdt as it is. Its manual is the header, `mgdt/mgdt.h`; the crate `mgdt` is
-//! the safe interface.
+// Generated from the headers of mgdt by bindings/interface/generate.py.
+//! The C interface of mgdt as it is. Its manuals are the headers `mgdt/mgdt.h` and
+//! `mgdt/mgdt_voronoi.h`; the crate `mgdt` is the safe interface.
 #![allow(non_camel_case_types)]
 
 use std::marker::{PhantomData, PhantomPinned};
 use std::os::raw::{c_char, c_void};
+
+pub type mgdt_status = i32;
 
 /// A triangulation; only ever behind a pointer.
 #[repr(C)]
@@ -14,7 +16,12 @@ pub struct mgdt_triangulation {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-pub type mgdt_status = i32;
+/// A Voronoi diagram; only ever behind a pointer.
+#[repr(C)]
+pub struct mgdt_voronoi {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
 
 pub const MGDT_OK: mgdt_status = 0;
 pub const MGDT_ERR_NULL_POINTER: mgdt_status = 10;
@@ -96,6 +103,21 @@ pub const MGDT_OUTSIDE_NONE: i32 = 10;
 pub const MGDT_OUTSIDE_NEAREST: i32 = 20;
 pub const MGDT_OUTSIDE_BOUNDARY: i32 = 30;
 pub const MGDT_OUTSIDE_LINEAR: i32 = 40;
+
+pub const MGDT_VORONOI_FACE_OFFSETS: i32 = 10;
+pub const MGDT_VORONOI_FACE_CORNERS: i32 = 11;
+pub const MGDT_VORONOI_FACE_SIDES: i32 = 12;
+pub const MGDT_VORONOI_RAY_VERTICES: i32 = 20;
+pub const MGDT_VORONOI_CELL_OFFSETS: i32 = 30;
+pub const MGDT_VORONOI_CELL_FACES: i32 = 31;
+pub const MGDT_VORONOI_CELL_BOUNDED: i32 = 32;
+pub const MGDT_VORONOI_VERTICES: i32 = 50;
+pub const MGDT_VORONOI_RAY_DIRECTIONS: i32 = 51;
+pub const MGDT_VORONOI_FACE_AREAS: i32 = 60;
+pub const MGDT_VORONOI_FACE_NORMALS: i32 = 61;
+pub const MGDT_VORONOI_FACE_CENTROIDS: i32 = 62;
+pub const MGDT_VORONOI_CELL_VOLUMES: i32 = 70;
+pub const MGDT_VORONOI_CELL_CENTROIDS: i32 = 71;
 
 pub type mgdt_alloc_fn =
     Option<unsafe extern "C" fn(size: usize, align: usize, user: *mut c_void) -> *mut c_void>;
@@ -434,4 +456,40 @@ extern "C" {
     pub fn mgdt_version_string() -> *const c_char;
     pub fn mgdt_abi_version() -> i32;
     pub fn mgdt_isa_name(t: *const mgdt_triangulation) -> *const c_char;
+    pub fn mgdt_voronoi_create(
+        t: *const mgdt_triangulation,
+        n_planes: i64,
+        planes: *const f64,
+        out: *mut *mut mgdt_voronoi,
+    ) -> mgdt_status;
+    pub fn mgdt_voronoi_destroy(v: *mut mgdt_voronoi);
+    pub fn mgdt_voronoi_get_size(v: *const mgdt_voronoi, array: i32, size: *mut i64) -> mgdt_status;
+    pub fn mgdt_voronoi_get_array(
+        v: *const mgdt_voronoi,
+        array: i32,
+        capacity: i64,
+        values: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_voronoi_get_array_i32(
+        v: *const mgdt_voronoi,
+        array: i32,
+        capacity: i64,
+        values: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_voronoi_get_doubles(
+        v: *const mgdt_voronoi,
+        array: i32,
+        capacity: i64,
+        values: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_voronoi_drop_small_faces(
+        v: *mut mgdt_voronoi,
+        area: f64,
+        relative: f64,
+    ) -> mgdt_status;
+    pub fn mgdt_voronoi_get_error(
+        v: *const mgdt_voronoi,
+        capacity: i64,
+        buffer: *mut c_char,
+    ) -> mgdt_status;
 }

@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The Voronoi diagram of the points of an mgdt_triangulation: its vertices, faces and cells.
+ *
+ * The cell of a point has all places that are nearer to the point than to any other one. A diagram
+ * is a snapshot: it does not change with the triangulation that it was made from, and outlives it.
+ * The cells are clipped to a convex region that the caller gives by planes, or not clipped; then
+ * the cells of the points on the hull are unbounded.
+ *
+ * A vertex is a point of space where at least four cells meet, or where faces meet the boundary of
+ * the region. However many tetrahedra have the same circumcentre, it is one vertex. A face lies
+ * between two cells, or between a cell and a plane of the region. Its area is positive, so it has
+ * at least three corners. The corners are vertices, or rays: an unbounded face begins and ends with
+ * an edge that is a ray from its last or first vertex to infinity. All of this is decided exactly,
+ * so a lattice of points has the cells that theory gives it.
+ *
+ * The diagram depends on the points alone: the order in which they were inserted and the number of
+ * threads change no bit of it.
+ *
+ * The conventions are those of mgdt.h: status and message, capacities in elements, the thread rule.
+ *
+ * @since 1.3
+ */
+#ifndef MGDT_MGDT_VORONOI_H
+#define MGDT_MGDT_VORONOI_H
+
+#include "mgdt.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A handle of a Voronoi diagram. The struct is opaque; mgdt_voronoi_create() makes one. */
+typedef struct mgdt_voronoi mgdt_voronoi;
+
+/** Arrays of a diagram. Those up to MGDT_VORONOI_CELL_BOUNDED have integers, for
+ *  mgdt_voronoi_get_array(); the others have doubles, for mgdt_voronoi_get_doubles(). Vertices,
+ *  rays and faces are numbered from the index base that the triangulation had. Cells have the
+ *  indices of the points. An array of offsets has one element more than there are lists: list k is
+ *  from element offsets[k] to element offsets[k + 1] - 1 of the array that has the lists, counted
+ *  from the index base. */
+enum {
+    /** Offsets of the faces' lists of corners. */
+    MGDT_VORONOI_FACE_OFFSETS = 10,
+    /** The corners of each face, counter-clockwise about its normal. A corner that is at least the
+     *  index base is a vertex. A negative one is a ray: ray k, counted from 0, is -1 - k. The two
+     *  rays of an unbounded face come last: first the ray from the last vertex, then the ray from
+     *  the first one. */
+    MGDT_VORONOI_FACE_CORNERS = 11,
+    /** Two elements for each face: the lesser index of the two points that the face separates, then
+     *  the other one. A face in a plane of the region has the index of the point, then -1 - k for
+     *  plane k, counted from 0. */
+    MGDT_VORONOI_FACE_SIDES = 12,
+    MGDT_VORONOI_RAY_VERTICES = 20, /**< The vertex where each ray begins. */
+    /** Offsets of the cells' lists of faces, for each point that was inserted. A point that is no
+     *  vertex of the triangulation has no cell and an empty list. */
+    MGDT_VORONOI_CELL_OFFSETS = 30,
+    MGDT_VORONOI_CELL_FACES = 31, /**< The faces of each cell, in ascending order. */
+    /** For each point 1 if it has a cell and this cell is bounded, otherwise 0. */
+    MGDT_VORONOI_CELL_BOUNDED = 32,
+    /** 3 coordinates of each vertex, rounded to the nearest doubles. A coordinate beyond the range
+     *  of doubles is infinite. */
+    MGDT_VORONOI_VERTICES = 50,
+    /** 3 coordinates of the direction of each ray, of length 1. */
+    MGDT_VORONOI_RAY_DIRECTIONS = 51,
+    /** The area of each face; infinite for an unbounded face. The error is at most 1e-12 times the
+     *  area, plus 1e-14 times the square of the distance between the two points that the face
+     *  separates. */
+    MGDT_VORONOI_FACE_AREAS = 60,
+    /** 3 coordinates of the unit normal of each face. It points from the first side to the
+     *  second one: out of the cell of the first point. */
+    MGDT_VORONOI_FACE_NORMALS = 61,
+    /** 3 coordinates of the centroid of each face; infinite for an unbounded face. If a face is too
+     *  small for doubles to tell its corners apart, it is one of these. */
+    MGDT_VORONOI_FACE_CENTROIDS = 62,
+    /** The volume of each cell, as mgdt_get_cell_measures() gives it, but perhaps with other
+     *  roundings. 0 for a point without a cell. */
+    MGDT_VORONOI_CELL_VOLUMES = 70,
+    /** 3 coordinates of the centroid of each cell, with the accuracy of mgdt_get_cell_measures();
+     *  infinite for an unbounded cell, and 0 for a point without a cell. */
+    MGDT_VORONOI_CELL_CENTROIDS = 71
+};
+
+/** Makes the Voronoi diagram of the points in a triangulation. It uses as many threads as the
+ *  triangulation (mgdt_set_threads()), takes its memory from the same functions and has the same
+ *  memory limit for itself.
+ *  @param t         its points span space, or it is empty
+ *  @param n_planes  number of planes; 0 to clip nothing
+ *  @param planes    4 numbers a b c d for each plane: the region is where a x + b y + c z <= d. The
+ *                   region is bounded and contains all points, as for mgdt_get_cell_measures()
+ *  @param[out] out  the handle; NULL if the call fails. The message of a failure is that of the
+ *                   triangulation (mgdt_get_error())
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (the points do not span space,
+ *  a plane has no normal, a point is outside the region, or the planes bound no region),
+ *  MGDT_ERR_NOT_FINITE (a plane), MGDT_ERR_TOO_LARGE, MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_BUSY
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_voronoi_create(const mgdt_triangulation* t, int64_t n_planes,
+                                         const double* planes, mgdt_voronoi** out);
+
+/** Frees the diagram. NULL is allowed. While another call is running on the handle, this function
+ *  does nothing, as mgdt_destroy().
+ *  @since 1.3 */
+MGDT_API void mgdt_voronoi_destroy(mgdt_voronoi* v);
+
+/** Gives the number of elements of an array.
+ *  @param array  an MGDT_VORONOI_ array
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_voronoi_get_size(const mgdt_voronoi* v, int32_t array, int64_t* size);
+
+/** Writes an array of integers.
+ *  @param array     MGDT_VORONOI_FACE_OFFSETS to MGDT_VORONOI_CELL_BOUNDED
+ *  @param capacity  at least what mgdt_voronoi_get_size() gives
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT,
+ *  MGDT_ERR_BUFFER_TOO_SMALL, MGDT_ERR_INDEX_RANGE (32 bits: a number does not fit)
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_voronoi_get_array(const mgdt_voronoi* v, int32_t array, int64_t capacity,
+                                            int64_t* values);
+/** mgdt_voronoi_get_array() with 32-bit integers.
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_voronoi_get_array_i32(const mgdt_voronoi* v, int32_t array,
+                                                int64_t capacity, int32_t* values);
+
+/** Writes an array of doubles.
+ *  @param array     MGDT_VORONOI_VERTICES to MGDT_VORONOI_CELL_CENTROIDS
+ *  @param capacity  at least what mgdt_voronoi_get_size() gives
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT,
+ *  MGDT_ERR_BUFFER_TOO_SMALL
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_voronoi_get_doubles(const mgdt_voronoi* v, int32_t array,
+                                              int64_t capacity, double* values);
+
+/** Leaves out the faces whose area is less than `area`, or less than `relative` times the total
+ *  area of the faces of one of their cells. A face belongs to both of its cells, so it leaves both.
+ *  The faces that stay are numbered again, in their order; vertices, rays, volumes and centroids
+ *  stay. Points of a lattice that was rotated, and so rounded, have tiny faces beside the large
+ *  ones; without them the cells have the faces of the lattice.
+ *  @param area      at least 0
+ *  @param relative  at least 0 and less than 1
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT, MGDT_ERR_OUT_OF_MEMORY (with
+ *  nothing changed), MGDT_ERR_BUSY
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_voronoi_drop_small_faces(mgdt_voronoi* v, double area, double relative);
+
+/** Copies the message of the last call that failed on the handle, as mgdt_get_error().
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (a capacity below 1)
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_voronoi_get_error(const mgdt_voronoi* v, int64_t capacity, char* buffer);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* MGDT_MGDT_VORONOI_H */

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+// Creation of a Voronoi diagram, and its arrays.
+#include "capi/counts.hpp"
+#include "capi/handle.hpp"
+#include "capi/planes.hpp"
+#include "capi/voronoi_handle.hpp"
+
+using namespace mgdt;
+
+namespace {
+
+constexpr std::size_t handle_size = sizeof(mgdt_voronoi), handle_align = alignof(mgdt_voronoi);
+
+void free_handle(mgdt_voronoi* v) noexcept {
+    const mgdt_free_fn release = v->allocator.release_function();
+    void* const user = v->allocator.user();
+    v->~mgdt_voronoi();
+    Allocator::give_back(release, user, v, handle_size, handle_align);
+}
+
+MGDT_NOT_INLINE void destroy(mgdt_voronoi* v) noexcept {
+    const FpEnvironment environment;
+    free_handle(v);
+}
+
+void build(const mgdt_triangulation* t, std::int64_t n_planes, const double* planes,
+           mgdt_voronoi& v) {
+    const std::size_t n = require_planes(n_planes, planes);
+    require_space(t, "cells");
+    v.index_base = t->core.settings().index_base;
+    const auto points = static_cast<std::size_t>(point_count(t->core));
+    constexpr std::size_t vertices_per_thread = 4096;
+    Team team(t->core.threads_for(points, vertices_per_thread));
+    const ExportView view = {team,        t->core.mesh(), nullptr,
+                             v.allocator, v.index_base,   t->core.settings().canonical_output};
+    const Region region(v.allocator, n, planes, view.mesh, view.base);
+    if (t->core.vertex_count() > 0)
+        build_voronoi(view, region, points, v.diagram);
+    else
+        make_empty(points, v.diagram);
+    v.diagram.planes.resize(4 * n);
+    std::copy_n(planes, 4 * n, v.diagram.planes.begin());
+}
+
+// Creates the handle inside a call of the triangulation's, which reports failures.
+void create(const mgdt_triangulation* t, std::int64_t n_planes, const double* planes,
+            mgdt_voronoi** out) {
+    const Allocator& source = t->core.allocator();
+    void* const memory =
+        Allocator::obtain(source.allocate_function(), source.user(), handle_size, handle_align);
+    if (!memory) throw std::bad_alloc();
+    auto* const v = new (memory)
+        mgdt_voronoi(source.allocate_function(), source.release_function(), source.user());
+    try {
+        v->allocator.set_limit(source.limit());
+        v->allocator.count(handle_size);
+        build(t, n_planes, planes, *v);
+    } catch (...) {
+        free_handle(v);
+        throw;
+    }
+    *out = v;
+}
+
+// The elements of an array of integers, and of one of doubles.
+bool has_integers(std::int32_t array) {
+    return array < MGDT_VORONOI_VERTICES;
+}
+
+std::size_t size_of(const VoronoiDiagram& d, std::int32_t array) {
+    switch (array) {
+        case MGDT_VORONOI_FACE_OFFSETS:
+            return d.face_begin.size();
+        case MGDT_VORONOI_FACE_CORNERS:
+            return d.face_corners.size();
+        case MGDT_VORONOI_FACE_SIDES:
+            return d.face_sides.size();
+        case MGDT_VORONOI_RAY_VERTICES:
+            return d.ray_vertices.size();
+        case MGDT_VORONOI_CELL_OFFSETS:
+            return d.cell_begin.size();
+        case MGDT_VORONOI_CELL_FACES:
+            return d.cell_faces.size();
+        case MGDT_VORONOI_CELL_BOUNDED:
+            return d.is_bounded.size();
+        case MGDT_VORONOI_VERTICES:
+            return d.vertices.size();
+        case MGDT_VORONOI_RAY_DIRECTIONS:
+            return d.ray_directions.size();
+        case MGDT_VORONOI_FACE_AREAS:
+            return d.areas.size();
+        case MGDT_VORONOI_FACE_NORMALS:
+        case MGDT_VORONOI_FACE_CENTROIDS:
+            return d.face_centroids.size();
+        case MGDT_VORONOI_CELL_VOLUMES:
+            return d.volumes.size();
+        case MGDT_VORONOI_CELL_CENTROIDS:
+            return d.cell_centroids.size();
+        default:
+            fail(MGDT_ERR_UNKNOWN_KEY, "there is no array %d", static_cast<int>(array));
+    }
+}
+
+template <class Int>
+class Writer {
+  public:
+    Writer(const mgdt_voronoi& v, Int* out) : base_(v.index_base), out_(out) {}
+
+    // Numbers from the index base on; those with a flag become -1, -2, ...
+    template <class From>
+    void numbers(const Buffer<From>& from) {
+        for (std::size_t i = 0; i < from.size(); ++i)
+            out_[i] = static_cast<Int>(static_cast<std::int64_t>(from[i]) + base_);
+    }
+    void flagged(const Buffer<std::uint32_t>& from) {
+        constexpr std::uint32_t flag = VoronoiDiagram::ray;
+        for (std::size_t i = 0; i < from.size(); ++i)
+            out_[i] = static_cast<Int>((from[i] & flag) != 0
+                                           ? -1 - static_cast<std::int64_t>(from[i] & ~flag)
+                                           : static_cast<std::int64_t>(from[i]) + base_);
+    }
+
+  private:
+    std::int64_t base_;
+    Int* out_;
+};
+
+template <class Int>
+void write(const mgdt_voronoi& v, std::int32_t array, Int* out) {
+    static_assert(VoronoiDiagram::ray == VoronoiDiagram::plane);
+    const VoronoiDiagram& d = v.diagram;
+    Writer<Int> writer(v, out);
+    switch (array) {
+        case MGDT_VORONOI_FACE_OFFSETS:
+            return writer.numbers(d.face_begin);
+        case MGDT_VORONOI_FACE_CORNERS:
+            return writer.flagged(d.face_corners);
+        case MGDT_VORONOI_FACE_SIDES:
+            return writer.flagged(d.face_sides);
+        case MGDT_VORONOI_RAY_VERTICES:
+            return writer.numbers(d.ray_vertices);
+        case MGDT_VORONOI_CELL_OFFSETS:
+            return writer.numbers(d.cell_begin);
+        case MGDT_VORONOI_CELL_FACES:
+            return writer.numbers(d.cell_faces);
+        default:
+            for (std::size_t i = 0; i < d.is_bounded.size(); ++i)
+                out[i] = static_cast<Int>(d.is_bounded[i]);
+    }
+}
+
+// The largest number that is written, above the index base.
+std::uint64_t largest(const VoronoiDiagram& d) {
+    return std::max<std::uint64_t>({d.face_corners.size(), d.cell_faces.size(),
+                                    d.vertices.size() / 3, d.areas.size(), d.is_bounded.size()});
+}
+
+template <class Int>
+void get_integers(const mgdt_voronoi* v, std::int32_t array, std::int64_t capacity, Int* values) {
+    const std::size_t size = size_of(v->diagram, array);
+    if (!has_integers(array))
+        fail(MGDT_ERR_UNKNOWN_KEY, "array %d has doubles, not integers", static_cast<int>(array));
+    const std::uint64_t most = largest(v->diagram) + static_cast<std::uint64_t>(v->index_base);
+    if (most > static_cast<std::uint64_t>(std::numeric_limits<Int>::max()))
+        fail(MGDT_ERR_INDEX_RANGE, "numbers up to %llu do not fit a 32-bit integer",
+             static_cast<unsigned long long>(most));
+    require_capacity(capacity, size, "values");
+    if (size == 0) return;
+    require_pointer(values, "values");
+    write(*v, array, values);
+}
+
+void write_doubles(const VoronoiDiagram& d, std::int32_t array, double* out) {
+    const auto copy = [&](const Buffer<double>& from) {
+        std::copy_n(from.begin(), from.size(), out);
+    };
+    switch (array) {
+        case MGDT_VORONOI_VERTICES:
+            return copy(d.vertices);
+        case MGDT_VORONOI_RAY_DIRECTIONS:
+            return copy(d.ray_directions);
+        case MGDT_VORONOI_FACE_AREAS:
+            return copy(d.areas);
+        case MGDT_VORONOI_FACE_NORMALS:
+            return write_normals(d, out);
+        case MGDT_VORONOI_FACE_CENTROIDS:
+            return copy(d.face_centroids);
+        case MGDT_VORONOI_CELL_VOLUMES:
+            return copy(d.volumes);
+        default:
+            return copy(d.cell_centroids);
+    }
+}
+
+}  // namespace
+
+extern "C" mgdt_status mgdt_voronoi_create(const mgdt_triangulation* t, int64_t n_planes,
+                                           const double* planes, mgdt_voronoi** out) {
+    if (!out) return MGDT_ERR_NULL_POINTER;
+    *out = nullptr;
+    return guard(t, [&] { create(t, n_planes, planes, out); });
+}
+
+// Like mgdt_destroy(), this does not destroy a handle that a call is inside of.
+extern "C" void mgdt_voronoi_destroy(mgdt_voronoi* v) {
+    if (!v) return;
+    const CancellationDisabled uninterrupted;
+    if (v->calls.try_enter_alone("mgdt_voronoi_destroy"))
+        destroy(v);
+    else
+        v->refuse("mgdt_voronoi_destroy");
+}
+
+extern "C" mgdt_status mgdt_voronoi_get_size(const mgdt_voronoi* v, int32_t array, int64_t* size) {
+    return guard(v, [&] {
+        require_pointer(size, "size");
+        *size = static_cast<std::int64_t>(size_of(v->diagram, array));
+    });
+}
+
+extern "C" mgdt_status mgdt_voronoi_get_array(const mgdt_voronoi* v, int32_t array,
+                                              int64_t capacity, int64_t* values) {
+    return guard(v, [&] { get_integers(v, array, capacity, values); });
+}
+
+extern "C" mgdt_status mgdt_voronoi_get_array_i32(const mgdt_voronoi* v, int32_t array,
+                                                  int64_t capacity, int32_t* values) {
+    return guard(v, [&] { get_integers(v, array, capacity, values); });
+}
+
+extern "C" mgdt_status mgdt_voronoi_get_doubles(const mgdt_voronoi* v, int32_t array,
+                                                int64_t capacity, double* values) {
+    return guard(v, [&] {
+        const std::size_t size = size_of(v->diagram, array);
+        if (has_integers(array))
+            fail(MGDT_ERR_UNKNOWN_KEY, "array %d has integers, not doubles",
+                 static_cast<int>(array));
+        require_capacity(capacity, size, "values");
+        if (size == 0) return;
+        require_pointer(values, "values");
+        write_doubles(v->diagram, array, values);
+    });
+}
+
+extern "C" mgdt_status mgdt_voronoi_drop_small_faces(mgdt_voronoi* v, double area,
+                                                     double relative) {
+    return guard(v, [&] {
+        if (!(area >= 0))
+            fail(MGDT_ERR_INVALID_ARGUMENT, "the least area is %g; it has to be at least 0", area);
+        if (!(relative >= 0 && relative < 1))
+            fail(MGDT_ERR_INVALID_ARGUMENT,
+                 "the least share of the area is %g; it has to be at least 0 and less than 1",
+                 relative);
+        drop_small_faces(v->diagram, area, relative);
+    });
+}
+
+extern "C" mgdt_status mgdt_voronoi_get_error(const mgdt_voronoi* v, int64_t capacity,
+                                              char* buffer) {
+    if (!v || !buffer) return MGDT_ERR_NULL_POINTER;
+    if (capacity < 1) return MGDT_ERR_INVALID_ARGUMENT;
+    const CancellationDisabled uninterrupted;
+    v->recall(buffer, static_cast<std::size_t>(capacity));
+    return MGDT_OK;
+}

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+#include "voronoi/assembly.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dual/cell_measurer.hpp"
+#include "mesh/scale.hpp"
+#include "parallel/team_lists.hpp"
+#include "platform/error.hpp"
+#include "voronoi/ray.hpp"
+
+namespace mgdt {
+namespace {
+
+constexpr std::size_t faces_per_thread = 65536, cells_per_thread = 16384;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// Sets the size of an array that is about to be written, and provides its pages.
+template <class T>
+void set_size(Buffer<T>& array, std::size_t size) {
+    array.resize(size);
+    array.prefault(0, size);
+}
+
+}  // namespace
+
+Assembly::Assembly(const ExportView& view, const Buffer<VertexId>& vertex_of, const Region& region,
+                   const Circumcenters& centers, CutCorners& cut, const Objects<FoundFaces>& found,
+                   VoronoiDiagram& diagram)
+    : view_(view),
+      mesh_(view.mesh),
+      vertex_of_(vertex_of),
+      region_(region),
+      centers_(centers),
+      cut_(cut),
+      found_(found),
+      diagram_(diagram),
+      ends_(view.allocator),
+      order_(view.allocator) {
+    std::size_t end = 0;
+    for (const FoundFaces& of_member : found_) {
+        end += of_member.faces.size();
+        ends_.push_back(end);
+    }
+    constexpr std::size_t most = 0x7FFFFFFFu;
+    if (end > most) fail(MGDT_ERR_TOO_LARGE, "%zu faces are more than can be numbered", end);
+}
+
+// Items are the faces of the first member, then those of the next one, and so on.
+const FoundFaces& Assembly::member_of(std::size_t& item) const noexcept {
+    std::size_t m = 0;
+    while (item >= ends_[m]) ++m;
+    if (m > 0) item -= ends_[m - 1];
+    return found_[m];
+}
+
+void Assembly::prefetch_face(std::size_t item) const noexcept {
+    const FoundFaces& from = member_of(item);
+    const char* const bytes = reinterpret_cast<const char*>(&from.faces[item]);
+    prefetch(bytes);
+    prefetch(bytes + 64);
+}
+
+// Sorts the faces by their sides, planes behind points.
+void Assembly::sort_faces() {
+    const std::size_t points = vertex_of_.size();
+    Buffer<std::uint32_t> ends(view_.allocator, points + 1);
+    struct Item {
+        std::uint32_t side, item;
+    };
+    Buffer<Item> items(view_.allocator);
+    const auto each = [&](std::size_t begin, std::size_t end, auto f) {
+        while (begin < end) {
+            std::size_t first = begin;
+            const FoundFaces& from = member_of(first);
+            const std::size_t n = std::min(end - begin, from.faces.size() - first);
+            for (std::size_t i = 0; i < n; ++i)
+                f(from.faces[first + i].sides[0],
+                  Item{from.faces[first + i].sides[1], static_cast<std::uint32_t>(begin + i)});
+            begin += n;
+        }
+    };
+    make_lists(
+        view_.team, view_.allocator, ends_.back(), faces_per_thread, points, ends.data(), each,
+        [&](std::size_t size) { set_size(items, size); },
+        [&](std::size_t position, const Item& item) { items[position] = item; });
+    view_.team.split(points, cells_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t k = begin; k < end; ++k)
+            std::sort(items.begin() + ends[k], items.begin() + ends[k + 1],
+                      [](const Item& a, const Item& b) { return a.side < b.side; });
+    });
+    set_size(order_, items.size());
+    for (std::size_t f = 0; f < items.size(); ++f) order_[f] = items[f].item;
+    copy_faces();
+}
+
+// Copies the faces in their order, and multiplies lengths by the mesh's scale.
+void Assembly::copy_faces() {
+    VoronoiDiagram& d = diagram_;
+    const std::size_t faces = order_.size();
+    set_size(d.face_sides, 2 * faces);
+    set_size(d.areas, faces);
+    set_size(d.face_centroids, 3 * faces);
+    set_size(d.face_begin, faces + 1);
+    const int scale = mesh_.scale;
+    constexpr std::size_t ahead = 16;
+    view_.team.split(faces, faces_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t f = begin; f < end; ++f) {
+            if (f + ahead < end) prefetch_face(order_[f + ahead]);
+            std::size_t i = order_[f];
+            const FoundFace& face = member_of(i).faces[i];
+            d.face_sides[2 * f] = face.sides[0];
+            const std::uint32_t other = face.sides[1];
+            d.face_sides[2 * f + 1] =
+                (other & VoronoiDiagram::plane) == 0
+                    ? other
+                    : VoronoiDiagram::plane | region_.given(other & ~VoronoiDiagram::plane);
+            d.areas[f] = scale == 0 ? face.area : std::ldexp(face.area, -2 * scale);
+            d.face_begin[f + 1] = face.size();
+            const double* const a = mesh_.point(vertex_of_[face.sides[0]]);
+            for (int k = 0; k < 3; ++k)
+                d.face_centroids[3 * f + static_cast<std::size_t>(k)] =
+                    scaled(a[k] + face.centroid.x[k], -scale);
+        }
+    });
+    d.face_begin[0] = 0;
+    for (std::size_t f = 0; f < faces; ++f) d.face_begin[f + 1] += d.face_begin[f];
+    set_size(d.face_corners, static_cast<std::size_t>(d.face_begin[faces]));
+    view_.team.split(faces, faces_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t f = begin; f < end; ++f) {
+            if (f + 2 * ahead < end) prefetch_face(order_[f + 2 * ahead]);
+            if (f + ahead < end) {
+                std::size_t next = order_[f + ahead];
+                const FoundFaces& of_next = member_of(next);
+                prefetch(of_next.corners.begin() + of_next.faces[next].begin());
+            }
+            std::size_t i = order_[f];
+            const FoundFaces& from = member_of(i);
+            std::copy_n(from.corners.begin() + from.faces[i].begin(), from.faces[i].size(),
+                        d.face_corners.begin() + d.face_begin[f]);
+        }
+    });
+}
+
+// Numbers vertices and rays in the order in which faces name them.
+void Assembly::number_corners() {
+    Buffer<std::uint32_t> of_slot(view_.allocator), of_cut(view_.allocator);
+    constexpr std::uint32_t none = no_index;
+    of_slot.resize(mesh_.tetrahedra.size(), none);
+    of_cut.resize(cut_.size(), none);
+    for (std::uint32_t& corner : diagram_.face_corners) {
+        if ((corner & cut_corner) != 0) {
+            std::uint32_t& number = of_cut[corner & ~cut_corner];
+            if (number == none) number = add_vertex(corner);
+            corner = number;
+            continue;
+        }
+        if ((corner & ghost_corner) != 0) {
+            const TetId slot = corner & ~ghost_corner;
+            const Tetrahedron& ghost = mesh_.tetrahedra[slot];
+            const TetId inner = tetrahedron_of(ghost.n[ghost.infinite_slot()]);
+            std::uint32_t& number = of_slot[centers_.first_equal(slot)];
+            if (number == none) number = add_ray(ghost, of_slot[centers_.first_equal(inner)]);
+            corner = number | VoronoiDiagram::ray;
+            continue;
+        }
+        std::uint32_t& number = of_slot[corner];
+        if (number == none) number = add_vertex(corner);
+        corner = number;
+    }
+}
+
+std::uint32_t Assembly::add_vertex(std::uint32_t corner) {
+    const std::size_t number = diagram_.vertices.size() / 3;
+    double x[3];
+    if ((corner & cut_corner) != 0) {
+        cut_.unscaled(corner, x);
+    } else {
+        bool is_exact = true;
+        for (int k = 0; k < 3; ++k) {
+            const double of_mesh = centers_[corner].x[k];
+            x[k] = scaled(of_mesh, -mesh_.scale);
+            is_exact &= scales_exactly(of_mesh, -mesh_.scale);
+        }
+        if (!is_exact) {
+            const VertexId(&v)[4] = mesh_.tetrahedra[corner].v;
+            const Circumcenter center = circumcenter(
+                {mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3])},
+                mesh_.scale);
+            std::copy_n(center.x, 3, x);
+        }
+    }
+    diagram_.vertices.grow(3 * number + 3);
+    for (const double of : x) diagram_.vertices.push_back(of);
+    return static_cast<std::uint32_t>(number);
+}
+
+// Adds the ray from a vertex that leaves the hull through the facet of a ghost.
+std::uint32_t Assembly::add_ray(const Tetrahedron& ghost, std::uint32_t vertex) {
+    const auto number = static_cast<std::uint32_t>(diagram_.ray_vertices.size());
+    // The vertices of the facet in an order that depends on the points alone.
+    const unsigned char* const at = outer_face[ghost.infinite_slot()];
+    VertexId v[3] = {ghost.v[at[0]], ghost.v[at[1]], ghost.v[at[2]]};
+    std::rotate(v,
+                std::min_element(v, v + 3,
+                                 [&](VertexId a, VertexId b) {
+                                     return mesh_.vertices[a].index < mesh_.vertices[b].index;
+                                 }),
+                v + 3);
+    double direction[3];
+    unit_normal(view_.allocator, mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]),
+                direction);
+    diagram_.ray_vertices.push_back(vertex);
+    for (const double of : direction) diagram_.ray_directions.push_back(of);
+    return number;
+}
+
+// Lists the faces of each cell, in their order.
+void Assembly::list_cells() {
+    VoronoiDiagram& d = diagram_;
+    const std::size_t points = vertex_of_.size();
+    d.cell_begin.resize(points + 1);
+    make_lists(
+        view_.team, view_.allocator, order_.size(), faces_per_thread, points, d.cell_begin.data(),
+        [&](std::size_t begin, std::size_t end, auto f) {
+            for (std::size_t face = begin; face < end; ++face)
+                for (const std::size_t side : {2 * face, 2 * face + 1})
+                    if ((d.face_sides[side] & VoronoiDiagram::plane) == 0)
+                        f(d.face_sides[side], static_cast<std::uint32_t>(face));
+        },
+        [&](std::size_t size) { d.cell_faces.resize(size); },
+        [&](std::size_t position, std::uint32_t face) { d.cell_faces[position] = face; });
+}
+
+// Adds the pyramids between a vertex and its faces. Returns false if the errors are too large.
+bool Assembly::measure_cell(std::size_t cell, double& volume, double* centroid) const {
+    constexpr double u = rounding_of<double>;
+    const VoronoiDiagram& d = diagram_;
+    const double* const at = mesh_.point(vertex_of_[cell]);
+    double sum = 0, magnitudes = 0, error = 0, extent = 0, moment_error = 0;
+    Vector<double> moment = {};
+    const auto count = static_cast<double>(d.cell_begin[cell + 1] - d.cell_begin[cell]);
+    for (std::uint64_t i = d.cell_begin[cell]; i < d.cell_begin[cell + 1]; ++i) {
+        const std::uint32_t face = d.cell_faces[i];
+        std::size_t item = order_[face];
+        const FoundFace& pyramid = member_of(item).faces[item];
+        Vector<double> base = pyramid.centroid;
+        double base_error = pyramid.centroid_error;
+        if (d.face_sides[2 * face] != cell) {
+            // The base is relative to the other point.
+            const Vector<double> way =
+                difference<double>(mesh_.point(vertex_of_[d.face_sides[2 * face]]), at);
+            base = base + way;
+            base_error += 4 * u * length(way);
+        }
+        const double distance = length(base);
+        sum += pyramid.volume;
+        magnitudes += std::fabs(pyramid.volume);
+        error += pyramid.volume_error;
+        moment = moment + pyramid.volume * base;
+        moment_error += std::fabs(pyramid.volume) * (base_error + (count + 8) * u * distance) +
+                        pyramid.volume_error * (distance + base_error);
+        extent = std::fmax(extent, distance);
+    }
+    error += (count + 4) * u * magnitudes;
+    // Products in this range have not lost digits by underflow.
+    constexpr double least = 0x1p-900, most = 0x1p900;
+    if (!(sum > least && sum < most && error <= 0.5 * measure_error * sum &&
+          moment_error + extent * error <= 0.5 * measure_error * extent * sum))
+        return false;
+    volume = std::ldexp(sum / 3, -3 * mesh_.scale);
+    for (int k = 0; k < 3; ++k)
+        centroid[k] = scaled(at[k] + 0.75 * (moment.x[k] / sum), -mesh_.scale);
+    return true;
+}
+
+void Assembly::measure_cells(AtomicArray<TetId>& first) {
+    VoronoiDiagram& d = diagram_;
+    const std::size_t points = vertex_of_.size();
+    d.volumes.resize(points, 0.0);
+    d.cell_centroids.resize(3 * points, 0.0);
+    d.is_bounded.resize(points, std::uint8_t{0});
+    view_.team.split(points, cells_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+        CellMeasurer measurer(view_.allocator);
+        for (std::size_t cell = begin; cell < end; ++cell) {
+            const VertexId v = vertex_of_[cell];
+            if (v == infinite_vertex) continue;
+            double* const centroid = d.cell_centroids.begin() + 3 * cell;
+            d.is_bounded[cell] = is_bounded(cell) ? 1 : 0;
+            if (d.is_bounded[cell] == 0) {
+                d.volumes[cell] = infinite;
+                std::fill_n(centroid, 3, infinite);
+                continue;
+            }
+            if (measure_cell(cell, d.volumes[cell], centroid)) continue;
+            const TetId of_cell = first[v].load(std::memory_order_relaxed);
+            measurer.measure(mesh_, v, of_cell, region_, Measure::volume, &d.volumes[cell]);
+            measurer.measure(mesh_, v, of_cell, region_, Measure::centroid, centroid);
+        }
+    });
+}
+
+// Whether no face of a cell has a ray. The rays of a face come last.
+bool Assembly::is_bounded(std::size_t cell) const {
+    const VoronoiDiagram& d = diagram_;
+    for (std::uint64_t i = d.cell_begin[cell]; i < d.cell_begin[cell + 1]; ++i)
+        if ((d.face_corners[d.face_begin[d.cell_faces[i] + 1] - 1] & VoronoiDiagram::ray) != 0)
+            return false;
+    return true;
+}
+
+}  // namespace mgdt

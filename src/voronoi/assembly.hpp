@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The diagram from the faces that were found: faces sorted by their points, vertices and rays
+// numbered by their first face, cells as lists of faces.
+#pragma once
+
+#include "dual/region.hpp"
+#include "parallel/atomic_array.hpp"
+#include "platform/objects.hpp"
+#include "voronoi/circumcenters.hpp"
+#include "voronoi/cut_corners.hpp"
+#include "voronoi/found_faces.hpp"
+
+namespace mgdt {
+
+class Assembly {
+  public:
+    // vertex_of is the vertex of each of the caller's points, or infinite_vertex.
+    Assembly(const ExportView& view, const Buffer<VertexId>& vertex_of, const Region& region,
+             const Circumcenters& centers, CutCorners& cut, const Objects<FoundFaces>& found,
+             VoronoiDiagram& diagram);
+
+    // The steps, in this order.
+    void sort_faces();
+    void number_corners();
+    void list_cells();
+    // `first` has a tetrahedron of each vertex.
+    void measure_cells(AtomicArray<TetId>& first);
+
+  private:
+    // The faces that contain an item; `item` becomes its position among them.
+    const FoundFaces& member_of(std::size_t& item) const noexcept;
+    void prefetch_face(std::size_t item) const noexcept;
+    void copy_faces();
+    std::uint32_t add_vertex(std::uint32_t corner);
+    std::uint32_t add_ray(const Tetrahedron& ghost, std::uint32_t vertex);
+    bool measure_cell(std::size_t cell, double& volume, double* centroid) const;
+    bool is_bounded(std::size_t cell) const;
+
+    const ExportView& view_;
+    const Mesh& mesh_;
+    const Buffer<VertexId>& vertex_of_;
+    const Region& region_;
+    const Circumcenters& centers_;
+    CutCorners& cut_;
+    const Objects<FoundFaces>& found_;
+    VoronoiDiagram& diagram_;
+    Buffer<std::size_t> ends_;     // the end of each member's faces, as items
+    Buffer<std::uint32_t> order_;  // for each face its item
+};
+
+}  // namespace mgdt

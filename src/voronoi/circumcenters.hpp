@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The circumcentres of all tetrahedra, and which of them are one point.
+#pragma once
+
+#include "parallel/disjoint_sets.hpp"
+#include "platform/compiler.hpp"
+#include "predicates/circumcenter.hpp"
+#include "query/export.hpp"
+#include "query/vertex_indices.hpp"
+
+namespace mgdt {
+
+class Circumcenters {
+  public:
+    Circumcenters(const ExportView& view, const VertexIndices& indices);
+
+    // The circumcentre of the finite tetrahedron in a slot. All coordinates carry the mesh's scale.
+    const SplitPoint& operator[](TetId t) const noexcept { return centers_[t]; }
+    // The factor of the corrections, a power of two.
+    double factor() const noexcept { return factor_; }
+    // The first slot of the tetrahedra that have the same circumcentre as the one in slot t. For a
+    // ghost: the first slot of the ghosts that have the same ray.
+    TetId first_equal(TetId t) const noexcept { return centers_[t].first; }
+    void prefetch(TetId t) const noexcept { mgdt::prefetch(&centers_[t]); }
+
+  private:
+    struct Center : SplitPoint {
+        TetId first;
+    };
+    void set_factor(const ExportView& view);
+    void set_centers(const ExportView& view, const VertexIndices& indices);
+    void join_tetrahedra(const Mesh& mesh, DisjointSets& sets, std::size_t begin, std::size_t end);
+    static void join_ghosts(const Mesh& mesh, DisjointSets& sets, std::size_t begin,
+                            std::size_t end);
+
+    double factor_ = 1;
+    Buffer<Center> centers_;
+};
+
+}  // namespace mgdt

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "voronoi/diagram.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mgdt {
+namespace {
+
+bool is_plane(std::uint32_t side) {
+    return (side & VoronoiDiagram::plane) != 0;
+}
+
+// A vector divided by its length, whatever its magnitude.
+void normalize(const double (&way)[3], double* out) {
+    const double largest =
+        std::fmax(std::fmax(std::fabs(way[0]), std::fabs(way[1])), std::fabs(way[2]));
+    const int shift = -std::ilogb(largest);
+    double x[3], squares = 0;
+    for (int k = 0; k < 3; ++k) {
+        x[k] = std::ldexp(way[k], shift);
+        squares += x[k] * x[k];
+    }
+    for (int k = 0; k < 3; ++k) out[k] = x[k] / std::sqrt(squares);
+}
+
+}  // namespace
+
+void make_empty(std::size_t points, VoronoiDiagram& d) {
+    d.points.resize(3 * points, 0.0);
+    d.face_begin.resize(1, std::uint64_t{0});
+    d.cell_begin.resize(points + 1, std::uint64_t{0});
+    d.is_bounded.resize(points, std::uint8_t{0});
+    d.volumes.resize(points, 0.0);
+    d.cell_centroids.resize(3 * points, 0.0);
+}
+
+void write_normals(const VoronoiDiagram& d, double* out) {
+    for (std::size_t f = 0; f < d.face_count(); ++f) {
+        const std::uint32_t other = d.face_sides[2 * f + 1];
+        double way[3];
+        if (is_plane(other)) {
+            std::copy_n(d.planes.begin() + 4 * std::size_t{other & ~VoronoiDiagram::plane}, 3, way);
+        } else {
+            const double *const a = d.points.begin() + 3 * std::size_t{d.face_sides[2 * f]},
+                                *const b = d.points.begin() + 3 * std::size_t{other};
+            // Halves do not overflow.
+            for (int k = 0; k < 3; ++k) {
+                way[k] = b[k] - a[k];
+                if (std::isinf(way[k])) {
+                    for (int i = 0; i < 3; ++i) way[i] = 0.5 * b[i] - 0.5 * a[i];
+                    break;
+                }
+            }
+        }
+        normalize(way, out + 3 * f);
+    }
+}
+
+void drop_small_faces(VoronoiDiagram& d, double area, double relative) {
+    const std::size_t cells = d.cell_count(), faces = d.face_count();
+    Allocator& allocator = d.areas.allocator();
+    Buffer<double> least(allocator);  // for each cell
+    least.resize(cells, area);
+    for (std::size_t c = 0; c < cells; ++c) {
+        double sum = 0;
+        for (std::uint64_t i = d.cell_begin[c]; i < d.cell_begin[c + 1]; ++i)
+            sum += d.areas[d.cell_faces[i]];
+        if (relative > 0 && std::isfinite(sum)) least[c] = std::fmax(area, relative * sum);
+    }
+    // The new number of each face.
+    constexpr std::uint32_t dropped = 0xFFFFFFFFu;
+    Buffer<std::uint32_t> number(allocator);
+    number.resize(faces, dropped);
+    std::uint32_t kept = 0;
+    for (std::size_t f = 0; f < faces; ++f) {
+        const std::uint32_t a = d.face_sides[2 * f], b = d.face_sides[2 * f + 1];
+        if (d.areas[f] < least[a] || (!is_plane(b) && d.areas[f] < least[b])) continue;
+        number[f] = kept++;
+    }
+    // Nothing is allocated from here on.
+    std::uint64_t corners = 0;
+    for (std::size_t f = 0; f < faces; ++f) {
+        const std::uint64_t begin = d.face_begin[f], end = d.face_begin[f + 1];
+        if (number[f] == dropped) continue;
+        const std::size_t to = number[f];
+        std::copy(d.face_corners.begin() + begin, d.face_corners.begin() + end,
+                  d.face_corners.begin() + corners);
+        d.face_begin[to] = corners;
+        corners += end - begin;
+        std::copy_n(d.face_sides.begin() + 2 * f, 2, d.face_sides.begin() + 2 * to);
+        d.areas[to] = d.areas[f];
+        std::copy_n(d.face_centroids.begin() + 3 * f, 3, d.face_centroids.begin() + 3 * to);
+    }
+    d.face_begin[kept] = corners;
+    std::uint64_t listed = 0;
+    for (std::size_t c = 0; c < cells; ++c) {
+        const std::uint64_t begin = d.cell_begin[c], end = d.cell_begin[c + 1];
+        d.cell_begin[c] = listed;
+        for (std::uint64_t i = begin; i < end; ++i)
+            if (number[d.cell_faces[i]] != dropped)
+                d.cell_faces[listed++] = number[d.cell_faces[i]];
+    }
+    d.cell_begin[cells] = listed;
+    d.face_begin.resize(kept + std::size_t{1});
+    d.face_corners.resize(static_cast<std::size_t>(corners));
+    d.face_sides.resize(2 * std::size_t{kept});
+    d.areas.resize(kept);
+    d.face_centroids.resize(3 * std::size_t{kept});
+    d.cell_faces.resize(static_cast<std::size_t>(listed));
+}
+
+}  // namespace mgdt

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// A Voronoi diagram as arrays: a snapshot that does not need the triangulation any more.
+#pragma once
+
+#include <cstdint>
+
+#include "platform/memory.hpp"
+
+namespace mgdt {
+
+struct VoronoiDiagram {
+    explicit VoronoiDiagram(Allocator& allocator)
+        : points(allocator),
+          planes(allocator),
+          vertices(allocator),
+          ray_vertices(allocator),
+          ray_directions(allocator),
+          face_begin(allocator),
+          face_corners(allocator),
+          face_sides(allocator),
+          areas(allocator),
+          face_centroids(allocator),
+          cell_begin(allocator),
+          cell_faces(allocator),
+          is_bounded(allocator),
+          volumes(allocator),
+          cell_centroids(allocator) {}
+
+    // A flag in face_corners: the entry is the number of a ray.
+    static constexpr std::uint32_t ray = 0x80000000u;
+    // A flag in face_sides: the entry is the number of a plane of the region.
+    static constexpr std::uint32_t plane = 0x80000000u;
+
+    std::size_t face_count() const noexcept { return areas.size(); }
+    std::size_t cell_count() const noexcept { return is_bounded.size(); }
+
+    Buffer<double> points;               // 3 for each point given
+    Buffer<double> planes;               // 4 for each plane given
+    Buffer<double> vertices;             // 3 for each vertex
+    Buffer<std::uint32_t> ray_vertices;  // where each ray begins
+    Buffer<double> ray_directions;       // 3 for each ray
+    Buffer<std::uint64_t> face_begin;    // where the corners of each face begin, and the end
+    // The corners of each face, counter-clockwise about the direction from the first side to the
+    // second. The two rays of an unbounded face come last.
+    Buffer<std::uint32_t> face_corners;
+    Buffer<std::uint32_t> face_sides;  // the two points of each face, or a point and a plane
+    Buffer<double> areas, face_centroids;
+    Buffer<std::uint64_t> cell_begin;  // where the faces of each cell begin, and the end
+    Buffer<std::uint32_t> cell_faces;
+    Buffer<std::uint8_t> is_bounded;
+    Buffer<double> volumes, cell_centroids;
+};
+
+// Sets the arrays of the diagram of no cells.
+void make_empty(std::size_t points, VoronoiDiagram& diagram);
+// Writes the unit normal of each face, from its first side to the second one.
+void write_normals(const VoronoiDiagram& diagram, double* out);
+// Removes the faces whose area is less than `area`, or less than `relative` times the total area of
+// the faces of one of their cells. Throws std::bad_alloc with nothing changed.
+void drop_small_faces(VoronoiDiagram& diagram, double area, double relative);
+
+}  // namespace mgdt

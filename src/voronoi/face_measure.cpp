@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "voronoi/face_measure.hpp"
+
+#include <limits>
+
+#include "dual/face_sums.hpp"
+
+namespace mgdt {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+// Products of three lengths in this range are in the range of doubles.
+constexpr double least_length = 0x1p-300, most_length = 0x1p300;
+// An error that does not matter, in units of the square of the distance between the two points.
+constexpr double tiny_area = 1e-14;
+
+}  // namespace
+
+FacePlane bisector(const double* a, const double* b) {
+    const Vector<double> way = difference<double>(b, a);
+    const double size = length(way);
+    FacePlane plane;
+    plane.normal = (1 / size) * way;
+    plane.distance = 0.5 * size;
+    plane.distance_error = normal_error * plane.distance;
+    plane.spacing = size;
+    return plane;
+}
+
+bool is_accurate(const FaceMeasure& measure, const FacePlane& plane) {
+    return measure.area_error <= 0.9 * measure_error * measure.area ||
+           measure.area_error <= 0.9 * tiny_area * plane.spacing * plane.spacing;
+}
+
+// docs/theory.md, "Voronoi faces", derives the bounds.
+FaceMeasure measure_face(const double* a, const FacePlane& plane, const SplitPoint* const* corners,
+                         std::size_t n, double unit) {
+    constexpr double u = rounding_of<double>;
+    FaceMeasure result = {0, infinite, {}, infinite};
+    double farthest = 0, correction_error = 0;
+    const auto relative = [&](std::size_t i) {
+        const SplitPoint& corner = *corners[i];
+        Vector<double> y;
+        for (int k = 0; k < 3; ++k)
+            y.x[k] = (corner.x[k] - a[k]) + static_cast<double>(corner.low[k]) * unit;
+        farthest = std::fmax(farthest, length(y));
+        correction_error = std::fmax(correction_error, static_cast<double>(corner.error));
+        return y;
+    };
+    const Vector<double> first = relative(0);
+    Vector<double> before = relative(1) - first;
+    double length_before = length(before);
+    double doubled = 0, lengths = 0, products = 0;
+    Vector<double> moment = {};
+    for (std::size_t i = 2; i < n; ++i) {
+        const Vector<double> here = relative(i) - first;
+        const double length_here = length(here);
+        const double weight = dot(plane.normal, cross(before, here));
+        doubled += weight;
+        moment = moment + weight * (before + here);
+        lengths += length_before + length_here;
+        products += length_before * length_here;
+        before = here;
+        length_before = length_here;
+    }
+    if (!(farthest < most_length && plane.distance < most_length &&
+          farthest + plane.distance > least_length))
+        return result;
+    // An upper bound on the distance of each corner from where it should be.
+    const double moved = 4 * u * farthest + 2 * correction_error * unit;
+    const double count = static_cast<double>(n);
+    const double error = 2 * moved * (lengths + 2 * count * moved) + (24 + count) * u * products;
+    if (!(error < infinite)) return result;
+    result.area = 0.5 * std::fmax(doubled, 0);
+    result.area_error = 0.5 * error;
+    const double extent = 2 * farthest + moved;
+    if (error < 0x1p-10 * doubled) {
+        result.centroid = first + (1 / (3 * doubled)) * moment;
+        result.centroid_error = 4 * moved + 4 * extent * (error / doubled);
+    } else {
+        // The face is so small that any of its points serves.
+        result.centroid = first;
+        result.centroid_error = extent;
+    }
+    return result;
+}
+
+namespace {
+
+// Computes the area in numbers that bound their errors. Returns false if the error is too large.
+template <class Numbers>
+bool area_in(Numbers numbers, Allocator& allocator, HalfSpaces& half_spaces, std::size_t n,
+             double& area) {
+    using B = typename Numbers::B;
+    using V = Vector<B>;
+    typename Numbers::Array corners = numbers.array(allocator, 3 * n),
+                            sum = numbers.array(allocator, 3);
+    const auto row = [&](std::size_t plane) {
+        return half_spaces.row(numbers, static_cast<PlaneNumber>(plane));
+    };
+    const auto get = [&](const typename Numbers::Array& from, std::size_t i) {
+        return V{
+            {from.get(numbers, 3 * i), from.get(numbers, 3 * i + 1), from.get(numbers, 3 * i + 2)}};
+    };
+    // Corner i is before edge i.
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto p = row(0), q = row(1 + (i == 0 ? n - 1 : i - 1)), r = row(1 + i);
+        const V qr = cross(q.normal, r.normal), rp = cross(r.normal, p.normal),
+                pq = cross(p.normal, q.normal);
+        const B inverse = numbers.number(1) / dot(p.normal, qr);
+        for (std::size_t k = 0; k < 3; ++k)
+            corners.set(3 * i + k,
+                        ((p.offset * qr.x[k] + q.offset * rp.x[k]) + r.offset * pq.x[k]) * inverse);
+        numbers.forget();
+    }
+    for (std::size_t k = 0; k < 3; ++k) sum.set(k, numbers.number(0));
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+        const V first = get(corners, 0),
+                doubled = cross(get(corners, i) - first, get(corners, i + 1) - first);
+        for (std::size_t k = 0; k < 3; ++k) sum.set(k, sum.get(numbers, k) + doubled.x[k]);
+        numbers.forget();
+    }
+    const V normal = row(0).normal;
+    const B along = dot(normal, get(sum, 0));
+    const WideDouble squared = dot(normal, normal).wide(), value = along.wide(),
+                     error = along.wide_error();
+    // The area is `along` divided by twice the length of the normal.
+    const bool is_odd = squared.exponent % 2 != 0;
+    const WideDouble doubled_length =
+        WideDouble(2 * std::sqrt(is_odd ? 2 * squared.mantissa : squared.mantissa),
+                   (squared.exponent - (is_odd ? 1 : 0)) / 2);
+    const bool is_small = half_spaces.is_bisector(0) &&
+                          error < WideDouble(0.2 * tiny_area) * doubled_length * squared;
+    if (!is_small && !(error < magnitude(value) * WideDouble(0.2 * measure_error))) return false;
+    area = std::fmax((value / doubled_length).in_double(), 0);
+    return true;
+}
+
+}  // namespace
+
+void measure_exactly(Allocator& allocator, HalfSpaces& half_spaces, std::size_t n,
+                     const FacePlane& plane, FaceMeasure& measure) {
+    double& area = measure.area;
+    if (!area_in(BoundedFloats<double>(), allocator, half_spaces, n, area) &&
+        !area_in(BoundedFloats<Twofold>(), allocator, half_spaces, n, area)) {
+        std::size_t limbs = 256 / exact::limb_bits;
+        while (!area_in(BoundedLongs(allocator, limbs), allocator, half_spaces, n, area))
+            limbs *= 2;
+    }
+    measure.area_error = 0.25 * (measure_error * area + tiny_area * plane.spacing * plane.spacing);
+}
+
+}  // namespace mgdt

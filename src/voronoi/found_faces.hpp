@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The faces that one thread has found, before they are sorted and their corners are numbered.
+#pragma once
+
+#include "platform/error.hpp"
+#include "voronoi/diagram.hpp"
+#include "voronoi/face_measure.hpp"
+
+namespace mgdt {
+
+// Flags in a corner: the corner is not a circumcentre; the corner is the ray of a ghost. The slots
+// of tetrahedra are smaller.
+inline constexpr std::uint32_t cut_corner = 1u << 30, ghost_corner = 1u << 31;
+
+// A face and the pyramid between it and the first of its points.
+struct FoundFace {
+    std::uint32_t sides[2];  // the caller's indices of the points; the second may be a plane
+    double area;
+    double volume, volume_error;  // of the pyramid, times 3
+    Vector<double> centroid;      // of the face, relative to the point
+    double centroid_error;
+
+    void set_corners(std::size_t begin, std::size_t size) {
+        constexpr std::size_t most = 1u << 24;
+        if (size >= most) fail(MGDT_ERR_TOO_LARGE, "a face has more than %zu corners", most);
+        corners_ = std::uint64_t{begin} << 24 | size;
+    }
+    std::size_t begin() const { return static_cast<std::size_t>(corners_ >> 24); }
+    std::size_t size() const { return static_cast<std::size_t>(corners_ & 0xFFFFFFu); }
+    void set_measure(const FaceMeasure& measure, const FacePlane& plane) {
+        area = measure.area;
+        volume = area * plane.distance;
+        volume_error = measure.area_error * (std::fabs(plane.distance) + plane.distance_error) +
+                       area * plane.distance_error;
+        centroid = measure.centroid;
+        centroid_error = measure.centroid_error;
+    }
+
+  private:
+    std::uint64_t corners_;  // the position of the first corner, and 24 bits for their number
+};
+
+struct FoundFaces {
+    explicit FoundFaces(Allocator& allocator) : faces(allocator), corners(allocator) {}
+
+    // Makes room for the faces of so many tetrahedra: most sets of points have 1.16 edges for each
+    // tetrahedron, and 6 corners of faces.
+    void make_room(std::size_t tetrahedra) {
+        const std::size_t begin = faces.size(), first_corner = corners.size();
+        faces.grow(begin + tetrahedra + tetrahedra / 4);
+        faces.prefault(begin, begin + tetrahedra + tetrahedra / 8);
+        corners.grow(first_corner + 6 * tetrahedra);
+        corners.prefault(first_corner, first_corner + 6 * tetrahedra);
+    }
+
+    Buffer<FoundFace> faces;
+    // For circumcentres, Circumcenters::first_equal(); otherwise slots of ghosts, or the numbers of
+    // cut corners, with a flag.
+    Buffer<std::uint32_t> corners;
+};
+
+}  // namespace mgdt

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The Voronoi diagram of a triangulation's vertices.
+#pragma once
+
+#include "dual/region.hpp"
+#include "query/export.hpp"
+#include "voronoi/diagram.hpp"
+
+namespace mgdt {
+
+// Sets the arrays of the diagram but for `planes`. The cells are clipped to the region if it is
+// bounded. `points` is the number of points given; there is at least one tetrahedron.
+void build_voronoi(const ExportView& view, const Region& region, std::size_t points,
+                   VoronoiDiagram& diagram);
+
+}  // namespace mgdt

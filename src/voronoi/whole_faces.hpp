@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The faces that no region cuts. The corners of such a face are the circumcentres of the
+// tetrahedra around an edge.
+#pragma once
+
+#include "parallel/per_member.hpp"
+#include "voronoi/circumcenters.hpp"
+#include "voronoi/found_faces.hpp"
+
+namespace mgdt {
+
+// Appends, for each edge whose ends are not both cut, the face to the faces of a member of the
+// team. is_cut(v) says whether the cell of vertex v may be cut.
+class WholeFaces {
+  public:
+    WholeFaces(const ExportView& view, const VertexIndices& indices, const Circumcenters& centers,
+               AtomicArray<std::uint8_t>& is_cut)
+        : view_(view), indices_(indices), centers_(centers), is_cut_(is_cut) {}
+
+    void find(PerMember<FoundFaces>& found);
+
+  private:
+    class Finder;
+
+    const ExportView& view_;
+    const VertexIndices& indices_;
+    const Circumcenters& centers_;
+    AtomicArray<std::uint8_t>& is_cut_;
+};
+
+}  // namespace mgdt

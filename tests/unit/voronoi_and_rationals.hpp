@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Voronoi diagrams beside cells that are cut out of space in rational numbers.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <vector>
+
+#include "core/triangulation.hpp"
+#include "dual/face_sums.hpp"
+#include "exact_cells.hpp"
+#include "voronoi/voronoi.hpp"
+
+namespace mgdt {
+
+// A diagram and the memory that it is in.
+class OwnDiagram {
+  public:
+    explicit OwnDiagram(const std::vector<double>& xyz, const std::vector<double>& planes = {},
+                        unsigned threads = 1, std::int32_t scheme = 0) {
+        Triangulation t(nullptr, nullptr, nullptr);
+        t.settings().scheme = scheme;
+        const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
+        t.insert(xyz.size() / 3, axis, 3);
+        Team team(threads);
+        const ExportView view = {team, t.mesh(), nullptr, allocator_, 0, false};
+        const Region region(allocator_, planes.size() / 4, planes.data(), t.mesh(), 0);
+        build_voronoi(view, region, xyz.size() / 3, diagram_);
+        diagram_.planes.resize(planes.size());
+        std::copy(planes.begin(), planes.end(), diagram_.planes.begin());
+    }
+    VoronoiDiagram& operator*() { return diagram_; }
+    VoronoiDiagram* operator->() { return &diagram_; }
+
+  private:
+    Allocator allocator_;
+    VoronoiDiagram diagram_{allocator_};
+};
+
+// Whether x is a double that is nearest to the rational number.
+inline bool is_nearest(double x, const exact_cells::Rational& exact) {
+    using exact_cells::Rational;
+    // Half a unit of the largest double beyond it, numbers are infinite.
+    const Rational largest = Rational(DBL_MAX),
+                   end = largest + (largest - Rational(std::nextafter(DBL_MAX, 0))) / 2;
+    if (std::isinf(x)) return x > 0 ? exact >= end : exact <= -end;
+    const Rational distance = abs(Rational(x) - exact);
+    for (const double other : {std::nextafter(x, -HUGE_VAL), std::nextafter(x, HUGE_VAL)})
+        if (!std::isinf(other) && abs(Rational(other) - exact) < distance) return false;
+    return exact < end && exact > -end;
+}
+
+// The face of a cell with this other side, or the number of faces.
+inline std::size_t face_with_side(const VoronoiDiagram& d, std::size_t cell, std::uint32_t other) {
+    for (std::uint64_t i = d.cell_begin[cell]; i < d.cell_begin[cell + 1]; ++i) {
+        const std::uint32_t f = d.cell_faces[i];
+        const std::uint32_t a = d.face_sides[2 * f], b = d.face_sides[2 * f + 1];
+        if ((a == cell && b == other) || (b == cell && a == other)) return f;
+    }
+    return d.face_count();
+}
+
+// Compares the corners of a face with a polygon that is relative to the point of the cell.
+inline void compare_corners(const VoronoiDiagram& d, std::size_t f, bool is_turned,
+                            std::vector<exact_cells::V> polygon, const exact_cells::V& origin) {
+    polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
+    while (polygon.size() > 1 && polygon.back() == polygon.front()) polygon.pop_back();
+    if (is_turned) std::reverse(polygon.begin(), polygon.end());
+    const std::size_t n = static_cast<std::size_t>(d.face_begin[f + 1] - d.face_begin[f]);
+    ASSERT_EQ(n, polygon.size());
+    const auto is_corner = [&](std::size_t i, std::size_t of_polygon) {
+        const std::uint32_t corner = d.face_corners[d.face_begin[f] + i];
+        for (std::size_t k = 0; k < 3; ++k)
+            if (!is_nearest(d.vertices[3 * std::size_t{corner} + k],
+                            origin[k] + polygon[of_polygon][k]))
+                return false;
+        return true;
+    };
+    bool is_same = false;
+    for (std::size_t turn = 0; turn < n && !is_same; ++turn) {
+        is_same = true;
+        for (std::size_t i = 0; i < n && is_same; ++i) is_same = is_corner(i, (i + turn) % n);
+    }
+    EXPECT_TRUE(is_same);
+}
+
+// Compares cell k with the exact one; `far` is more than the distance of any corner of a bounded
+// cell.
+inline void compare_cell_of_diagram(const VoronoiDiagram& d, const std::vector<double>& xyz,
+                                    std::size_t k, const std::vector<exact_cells::HalfSpace>& all,
+                                    const exact_cells::Cell& exact,
+                                    const exact_cells::Rational& far) {
+    using exact_cells::Rational;
+    using exact_cells::V;
+    const V origin = {xyz[3 * k], xyz[3 * k + 1], xyz[3 * k + 2]};
+    EXPECT_EQ(d.cell_begin[k + 1] - d.cell_begin[k], static_cast<std::size_t>(exact.faces));
+    const bool is_bounded = exact.reach <= far;
+    EXPECT_EQ(d.is_bounded[k], is_bounded ? 1 : 0);
+    if (is_bounded && exact.volume < Rational(DBL_MAX)) {
+        EXPECT_LE(abs(Rational(d.volumes[k]) - exact.volume),
+                  std::max(Rational(measure_error) * exact.volume, Rational(DBL_MIN)));
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Rational offset = Rational(d.cell_centroids[3 * k + i]) - origin[i],
+                           rounding = Rational(0x1p-52) * abs(offset + origin[i]);
+            EXPECT_LE(
+                abs(offset * exact.volume - exact.moment[i]),
+                Rational(measure_error) * exact.volume * exact.reach + rounding * exact.volume);
+        }
+    }
+    for (std::size_t j = 0; j < all.size(); ++j) {
+        const std::size_t sites = xyz.size() / 3 - 1;
+        const auto other = static_cast<std::uint32_t>(
+            j < sites ? j + (j >= k ? 1 : 0) : VoronoiDiagram::plane | (j - sites));
+        SCOPED_TRACE(testing::Message() << "side " << other);
+        const std::size_t f = face_with_side(d, k, other);
+        if (f == d.face_count()) continue;
+        const std::vector<V> polygon = exact_cells::face(all, j, far);
+        Rational doubled = 0, reach = 0;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            doubled += exact_cells::dot(
+                all[j].normal, exact_cells::cross(polygon[i], polygon[(i + 1) % polygon.size()]));
+            for (const Rational& x : polygon[i]) reach = std::max(reach, Rational(abs(x)));
+        }
+        EXPECT_GT(doubled, 0);
+        if (reach > far) {
+            EXPECT_TRUE(std::isinf(d.areas[f]));
+            continue;
+        }
+        const bool is_turned = d.face_sides[2 * f] != k;
+        compare_corners(d, f, is_turned, polygon, origin);
+        const double square = static_cast<double>(exact_cells::dot(all[j].normal, all[j].normal));
+        if (!(square > 1e-280 && square < 1e280)) continue;
+        const double area = static_cast<double>(doubled) / std::sqrt(square) / 2;
+        if (area < 1e280) {
+            EXPECT_LE(std::fabs(d.areas[f] - area),
+                      1.001e-12 * area + (j < sites ? 1e-14 * square : 0));
+        }
+    }
+}
+
+}  // namespace mgdt
