@@ -178,6 +178,53 @@ class Voronoi(unittest.TestCase):
         tri = mgdt.Delaunay(points)
         self.assertIs(mgdt.Voronoi(tri).delaunay, tri)
 
+    def test_clipped_faces(self):
+        diagram = mgdt.Voronoi(grid(3), bounds=[[-0.5] * 3, [2.5] * 3])
+        self.assertEqual(len(diagram.vertices), 64)
+        self.assertEqual(len(diagram.ridge_points), 108)
+        np.testing.assert_array_equal(diagram.ridge_areas, np.ones(108))
+        np.testing.assert_array_equal(diagram.volumes, np.ones(27))
+        np.testing.assert_array_equal(np.unique(diagram.ridge_points[:, 1])[:6], np.arange(-6, 0))
+        np.testing.assert_array_equal(diagram.ridge_rays, np.full((108, 2), -1))
+        self.assertEqual(len(diagram.ray_vertices), 0)
+        middle = grid(3).tolist().index([1, 1, 1])
+        self.assertEqual(len(diagram.neighbors[middle]), 6)
+        self.assertEqual(sum(k < 0 for k in diagram.neighbors[0]), 3)
+        # Planes 0 to 2 have the least coordinates.
+        of_plane = diagram.ridge_normals[diagram.ridge_points[:, 1] == -1]
+        np.testing.assert_array_equal(of_plane, np.tile([-1, 0, 0], (9, 1)))
+        # The divergence theorem.
+        flux = np.einsum("ij,ij->i", diagram.ridge_centroids, diagram.ridge_normals)
+        volumes = np.zeros(27)
+        np.add.at(volumes, diagram.ridge_points[:, 0], flux * diagram.ridge_areas / 3)
+        inner = diagram.ridge_points[:, 1] >= 0
+        np.add.at(volumes, diagram.ridge_points[inner, 1], -(flux * diagram.ridge_areas / 3)[inner])
+        np.testing.assert_allclose(volumes, 1, rtol=1e-14)
+
+    def test_rays(self):
+        diagram = mgdt.Voronoi(np.vstack([np.zeros(3), np.eye(3)]))
+        self.assertEqual(diagram.ridge_vertices, [[-1, 0]] * 6)
+        self.assertEqual(diagram.regions, [[-1, 0]] * 4)
+        self.assertEqual(sorted(diagram.ridge_rays.ravel().tolist()), sorted([0, 1, 2, 3] * 3))
+        np.testing.assert_array_equal(diagram.ray_vertices, np.zeros(4))
+        np.testing.assert_allclose(np.linalg.norm(diagram.ray_directions, axis=1), 1)
+        self.assertTrue(np.isinf(diagram.ridge_areas).all())
+
+    def test_small_faces_are_left_out(self):
+        turn = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]])
+        points = (grid(5) - 2) @ turn.T + [0.1, 0.2, 0]
+        box = [[-9] * 3, [9] * 3]
+        middle = grid(5).tolist().index([2, 2, 2])
+        whole = mgdt.Voronoi(points, bounds=box)
+        self.assertGreater(len(whole.neighbors[middle]), 6)
+        for named in ({"least_share": 1e-9}, {"least_area": 1e-9}):
+            diagram = mgdt.Voronoi(points, bounds=box, **named)
+            self.assertEqual(len(diagram.neighbors[middle]), 6)
+            np.testing.assert_array_equal(diagram.volumes, whole.volumes)
+        for named in ({"least_share": 1}, {"least_area": -1}, {"least_area": np.nan}):
+            with self.subTest(named=named), self.assertRaisesRegex(ValueError, "must be at least 0"):
+                mgdt.Voronoi(points, **named)
+
     def test_flat_sets_are_refused(self):
         for points in (np.zeros((0, 3)), np.eye(3), grid(3)[:9]):
             with self.assertRaisesRegex(ValueError, "there are no cells"):

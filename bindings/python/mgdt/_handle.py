@@ -8,6 +8,7 @@ from functools import partial
 from typing import Any, Callable, Optional, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _errors, _interface, _library
 from ._arrays import (
@@ -25,6 +26,7 @@ _STATISTICS = _interface.CONSTANTS["statistic"].values()
 _ORDER_PARAMETERS = _interface.CONSTANTS["parameter"]
 _SEPARATIONS = _interface.CONSTANTS["separation"]
 MEASURES = _interface.CONSTANTS["measure"]
+_VORONOI_ARRAYS = _interface.CONSTANTS["voronoi"]
 METHODS = _interface.CONSTANTS["method"]
 OUTSIDES = _interface.CONSTANTS["outside"]
 _MESSAGE_BYTES = 256
@@ -277,6 +279,30 @@ class Handle:
         self._call("mgdt_get_cell_measures", MEASURES[measure], len(planes), address(planes), x.size,
                    address(x))
         return x
+
+    def voronoi(self, planes: FloatArray, area: float, share: float) -> dict[str, NDArray[Any]]:
+        """The arrays of the Voronoi diagram by their names, without the faces that are smaller."""
+        diagram = ctypes.c_void_p()
+        self._call("mgdt_voronoi_create", len(planes), address(planes), ctypes.byref(diagram))
+        try:
+            if area > 0 or share > 0:
+                status = self._library.mgdt_voronoi_drop_small_faces(diagram, area, share)
+                if status != _errors.OK:
+                    raise _errors.make(status, "memory for the faces that stay was refused")
+            return {name: self._voronoi_array(diagram, key) for name, key in _VORONOI_ARRAYS.items()}
+        finally:
+            self._library.mgdt_voronoi_destroy(diagram)
+
+    def _voronoi_array(self, diagram: ctypes.c_void_p, key: int) -> NDArray[Any]:
+        size = ctypes.c_int64()
+        self._library.mgdt_voronoi_get_size(diagram, key, ctypes.byref(size))
+        is_real = key >= _VORONOI_ARRAYS["vertices"]
+        values = np.empty(size.value, dtype=np.float64 if is_real else np.int32)
+        name = "mgdt_voronoi_get_doubles" if is_real else "mgdt_voronoi_get_array_i32"
+        status = getattr(self._library, name)(diagram, key, size.value, address(values))
+        if status != _errors.OK:
+            raise _errors.make(status, "the diagram is too large for indices of 32 bits")
+        return values
 
     def point_map(self) -> IndexArray:
         return self._export("mgdt_get_point_map_i32", self.point_count)

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from functools import cached_property, partial
 from typing import Any, Callable, Iterator, Optional, Union
 
@@ -13,26 +12,6 @@ from numpy.typing import ArrayLike, NDArray
 from ._arrays import FloatArray, IndexArray, as_planes
 from ._handle import Handle
 from ._snapshot import Snapshot
-
-# Edge k of a tetrahedron joins the first two; the four are an even permutation of 0, 1, 2, 3.
-_EDGES = np.array(
-    [[0, 1, 2, 3], [0, 2, 3, 1], [0, 3, 1, 2], [1, 2, 0, 3], [1, 3, 2, 0], [2, 3, 0, 1]]
-)
-# The edge that joins two places of a tetrahedron.
-_EDGE_OF = np.full((4, 4), -1)
-for _k, (_a, _b, _, _) in enumerate(_EDGES):
-    _EDGE_OF[_a, _b] = _EDGE_OF[_b, _a] = _k
-
-
-def _volume_is_zero(corners: FloatArray) -> bool:
-    """Of a tetrahedron, exactly."""
-    p, *others = [[Fraction(x) for x in corner] for corner in corners.tolist()]
-    u, v, w = ([x - y for x, y in zip(q, p)] for q in others)
-    volume = sum(
-        u[k] * (v[k - 2] * w[k - 1] - v[k - 1] * w[k - 2]) for k in range(3)
-    )
-    return volume == 0
-
 
 def _blocks(count: int, is_left: Callable[[], bool]) -> Iterator[slice]:
     """Slices short enough that between them a thread that waits gets its turn."""
@@ -87,10 +66,16 @@ class Voronoi(Snapshot):
     qhull_options : str, optional
         As `Delaunay`.
     planes : array_like of float, shape (k, 4), optional
-        Bound the region that `volumes`, `areas` and `centroids` are clipped to: a, b, c, d each,
-        where a x + b y + c z <= d.
+        The planes that bound the region to which cells are clipped: a, b, c, d each, where
+        a x + b y + c z <= d.
     bounds : array_like of float, shape (2, 3), optional
-        A box that bounds it too: its least and its largest coordinates.
+        A box that bounds the region too: its least and its largest coordinates. Its planes come
+        behind `planes`: three for the least coordinates, then three for the largest ones.
+    least_area : float, optional
+        Faces with a smaller area are left out. Since 1.3.
+    least_share : float, optional
+        Faces are left out whose area is a smaller share of the surface of one of their cells. Since
+        1.3.
     **settings
         Of `Delaunay`.
 
@@ -100,10 +85,20 @@ class Voronoi(Snapshot):
     points : ndarray of float, shape (n, 3)
     vertices : ndarray of float, shape (nvertices, 3)
     ridge_points : ndarray of int, shape (nridges, 2)
-        The two points that each face is between.
+        The two points that each face is between, the lesser one first. A face in plane k of the
+        region has -1 - k in place of the second point.
     ridge_offsets, ridge_list : ndarray of int
         The vertices of face k, in turn around it, are
         ``ridge_list[ridge_offsets[k]:ridge_offsets[k + 1]]``; -1, which comes first, is at infinity.
+    ridge_areas : ndarray of float, shape (nridges,)
+        The area of each face, infinite where a face has no end. Since 1.3.
+    ridge_normals, ridge_centroids : ndarray of float, shape (nridges, 3)
+        The unit normal of each face, out of the cell of its first point; and its centroid. Since 1.3.
+    ridge_rays : ndarray of int, shape (nridges, 2)
+        The rays that a face without end has behind its last vertex and before its first one; -1 for
+        other faces. Since 1.3.
+    ray_vertices, ray_directions : ndarray, shapes (nrays,) and (nrays, 3)
+        Where each ray begins, and its direction, of length 1. Since 1.3.
     point_region : ndarray of int, shape (n,)
         The region of each point, that of its twin for one that repeats an earlier one; -1 of one that
         is not in.
@@ -111,7 +106,8 @@ class Voronoi(Snapshot):
     Notes
     -----
     A diagram stays that of the points as they were when it was made, also if the triangulation goes
-    on. What takes long is computed when it is asked for, and once. Since 1.2.
+    on. Lists and `areas` are computed when they are asked for, and once. Since 1.2; before 1.3, the
+    vertices and faces of a diagram with planes were those without them.
 
     Examples
     --------
@@ -135,6 +131,8 @@ class Voronoi(Snapshot):
         *,
         planes: Optional[ArrayLike] = None,
         bounds: Optional[ArrayLike] = None,
+        least_area: float = 0.0,
+        least_share: float = 0.0,
         **settings: Any,
     ) -> None:
         if not isinstance(furthest_site, (bool, np.bool_)):
@@ -149,36 +147,59 @@ class Voronoi(Snapshot):
         if qhull_options is not None:
             settings["qhull_options"] = qhull_options
         self._planes = np.concatenate([as_planes(planes), _planes_of_box(bounds)])
+        if not least_area >= 0:
+            raise ValueError(f"least_area is {least_area!r}; it must be at least 0")
+        if not 0 <= least_share < 1:
+            raise ValueError(f"least_share is {least_share!r}; it must be at least 0 and below 1")
+        self._least = float(least_area), float(least_share)
         super().__init__(points, settings)
         self._begin()
 
     def _begin(self) -> None:
-        if len(self._simplices) == 0:
+        if not self._arrays:
             raise ValueError("there are no cells: all points are in one plane, or fewer than four")
-        self.vertices: FloatArray
-        self.ridge_points: IndexArray
+        arrays = self._arrays
+        self.vertices: FloatArray = arrays["vertices"].reshape(-1, 3)
+        self.ridge_points: IndexArray = arrays["face_sides"].reshape(-1, 2)
+        self.ridge_areas: FloatArray = arrays["face_areas"]
+        self.ridge_normals: FloatArray = arrays["face_normals"].reshape(-1, 3)
+        self.ridge_centroids: FloatArray = arrays["face_centroids"].reshape(-1, 3)
+        self.ray_vertices: IndexArray = arrays["ray_vertices"]
+        self.ray_directions: FloatArray = arrays["ray_directions"].reshape(-1, 3)
+        self.volumes: FloatArray = arrays["cell_volumes"]
+        """Volumes of the points' cells, within 1e-12; infinite where a cell has no end."""
+        self.centroids: FloatArray = arrays["cell_centroids"].reshape(-1, 3)
+        """Centroids of the points' cells, likewise."""
         self.ridge_offsets: IndexArray
         self.ridge_list: IndexArray
+        self.ridge_rays: IndexArray
         self.point_region: IndexArray
-        if len(self._planes):
-            # The library says what is wrong with them, before the rest takes its time.
-            self.volumes  # pylint: disable=pointless-statement
         self._aside(self._build)
 
     def _take(self, handle: Handle) -> None:
-        self._simplices: IndexArray = handle.tetrahedra()
-        self._neighbors: IndexArray = handle.neighbors()
-        self._hull: IndexArray = handle.hull_facets()
-        self._centers, self._squares = handle.circumcenters()
+        has_cells = handle.dimension == 3
+        self._arrays = handle.voronoi(self._planes, *self._least) if has_cells else {}
 
-    def _build(self, is_left: Callable[[], bool]) -> None:
-        is_vertex = np.unique(self._simplices)
+    def _build(self, _is_left: Callable[[], bool]) -> None:
+        number = np.arange(len(self.points), dtype=np.int32)
+        is_vertex = self._point_map == number
         region_of = np.full(len(self.points) + 1, -1, dtype=np.int32)
-        region_of[is_vertex] = np.arange(len(is_vertex), dtype=np.int32)
+        region_of[:-1][is_vertex] = np.arange(is_vertex.sum(), dtype=np.int32)
         self.point_region = region_of[self._point_map]
-        self.vertices, self._vertex_of = self._join_vertices()
-        if not is_left():
-            self.ridge_points, self.ridge_offsets, self.ridge_list = self._faces(is_left)
+        # In place of the two rays at the end of a face, -1 at its beginning.
+        corners, offsets = self._arrays["face_corners"], self._arrays["face_offsets"]
+        is_open = corners[offsets[1:] - 1] < 0
+        self.ridge_rays = np.full((len(is_open), 2), -1, dtype=np.int32)
+        ends = offsets[1:][is_open]
+        self.ridge_rays[is_open] = np.column_stack([-1 - corners[ends - 2], -1 - corners[ends - 1]])
+        sizes = np.diff(offsets)
+        self.ridge_offsets = np.zeros(len(offsets), dtype=np.int32)
+        np.cumsum(sizes - is_open, out=self.ridge_offsets[1:])
+        self.ridge_list = np.full(self.ridge_offsets[-1], -1, dtype=np.int32)
+        is_vertex = corners >= 0
+        shift = self.ridge_offsets[:-1] + is_open - offsets[:-1]
+        place = np.arange(len(corners)) + np.repeat(shift, sizes)
+        self.ridge_list[place[is_vertex]] = corners[is_vertex]
 
     def add_points(self, points: ArrayLike, restart: bool = False) -> None:
         """Makes the diagram one of more points. What was computed of the diagram before is forgotten.
@@ -201,7 +222,7 @@ class Voronoi(Snapshot):
                 "diagram of it"
             )
         self.delaunay.add_points(points, restart)
-        for name in ("regions", "ridge_vertices", "ridge_dict", "volumes", "areas", "centroids"):
+        for name in ("regions", "ridge_vertices", "ridge_dict", "neighbors", "areas"):
             self.__dict__.pop(name, None)
         self._read_state()
         self._begin()
@@ -260,143 +281,32 @@ class Voronoi(Snapshot):
     def _make_regions(self, is_left: Callable[[], bool]) -> list[list[int]]:
         # Region and vertex in one number, which NumPy sorts much faster than pairs. Infinity is 0.
         width = len(self.vertices) + 1
-        region = self.point_region[self._simplices.ravel()].astype(np.int64)
-        keys = region * width + np.repeat(self._vertex_of, 4) + 1
-        hull = self.point_region[np.unique(self._hull)].astype(np.int64) * width
-        of_region, vertices = np.divmod(np.unique(np.append(keys, hull)), width)
+        sizes = np.diff(self.ridge_offsets)
+        keys = []
+        for side in self.ridge_points.T:
+            of_point = np.where(side >= 0, self.point_region[side], -1).astype(np.int64)
+            of_corner = np.repeat(of_point, sizes)
+            is_cell = of_corner >= 0
+            keys.append(of_corner[is_cell] * width + self.ridge_list[is_cell] + 1)
+        of_region, vertices = np.divmod(np.unique(np.concatenate(keys)), width)
         offsets = np.searchsorted(of_region, np.arange(self.point_region.max() + 2))
         return _lists(vertices - 1, offsets, is_left)
 
     @cached_property
-    def volumes(self) -> FloatArray:
-        """Volumes of the points' cells, within 1e-12; infinite where a cell has no end."""
-        return self._cell_measures("volume")
+    def neighbors(self) -> list[list[int]]:
+        """For each point, the points whose cells share a face with its cell, and -1 - k for plane k
+        of the region, by the numbers of the faces. Since 1.3."""
+        faces, offsets = self._arrays["cell_faces"], self._arrays["cell_offsets"]
+        point = np.repeat(np.arange(len(self.points)), np.diff(offsets))
+        sides = self.ridge_points[faces]
+        others = np.where(sides[:, 0] == point, sides[:, 1], sides[:, 0])
+        return self._aside(partial(_lists, others, offsets))
 
     @cached_property
     def areas(self) -> FloatArray:
-        """Areas of the surfaces of the points' cells, likewise."""
-        return self._cell_measures("area")
-
-    @cached_property
-    def centroids(self) -> FloatArray:
-        """Centroids of the points' cells, likewise, shape (n, 3)."""
-        return self._cell_measures("centroid")
-
-    def _cell_measures(self, measure: str) -> FloatArray:
-        return self._measured(lambda handle: handle.cell_measures(measure, self._planes))
-
-    def _join_vertices(self) -> tuple[FloatArray, IndexArray]:
-        """Circumcentres of spheres that differ, in the order of their first simplices, and the
-        number of each simplex's: simplices on one sphere have equal numbers, rounded once."""
-        centers, squares = self._centers, self._squares
-        order = np.lexsort((squares, *centers.T))
-        sorted_ = np.column_stack([centers, squares])[order]
-        is_new = np.ones(len(order), dtype=np.bool_)
-        is_new[1:] = (sorted_[1:] != sorted_[:-1]).any(axis=1)
-        number = np.empty(len(order), dtype=np.int32)
-        number[order] = np.cumsum(is_new) - 1
-        first = np.full(number.max() + 1, len(order))
-        np.minimum.at(first, number, np.arange(len(order)))
-        by_first = np.argsort(first)
-        rank = np.empty_like(by_first)
-        rank[by_first] = np.arange(len(by_first))
-        of_simplices: IndexArray = rank[number].astype(np.int32)
-        vertices: FloatArray = centers[first[by_first]]
-        return vertices, of_simplices
-
-    def _faces(self, is_left: Callable[[], bool]) -> tuple[IndexArray, IndexArray, IndexArray]:
-        """Walks around all edges at once: the next simplex is across the facet opposite the third
-        vertex, and its third vertex is the fourth of this one."""
-        simplices, neighbors = self._simplices, self._neighbors
-        # By 6 * simplex + edge; from the lesser end to the other one.
-        ends = simplices[:, _EDGES[:, :2]].reshape(-1, 2)
-        is_turned = ends[:, 0] > ends[:, 1]
-        # The simplex that this one comes after.
-        before = np.where(
-            is_turned, neighbors[:, _EDGES[:, 2]].ravel(), neighbors[:, _EDGES[:, 3]].ravel()
-        )
-        keys = np.sort(ends, axis=1)
-        key = keys[:, 0].astype(np.int64) * len(self.points) + keys[:, 1]
-        # Where no simplex comes before, the face has no end: it begins there.
-        order = np.lexsort((before >= 0, key))
-        starts = order[np.append(True, key[order][1:] != key[order][:-1])]
-        simplex, edge = np.divmod(starts, 6)
-        a, b, c, d = simplices[simplex[:, np.newaxis], _EDGES[edge]].T
-        c, d = np.where(is_turned[starts], (d, c), (c, d))
-        first = simplex.copy()
-        faces = np.arange(len(starts))
-        steps_face, steps_vertex = [faces], [self._vertex_of[simplex]]
-        while len(faces) and not is_left():
-            at = np.argmax(simplices[simplex] == c[:, np.newaxis], axis=1)
-            simplex = neighbors[simplex, at]
-            goes_on = (simplex >= 0) & (simplex != first)
-            faces, first, simplex = faces[goes_on], first[goes_on], simplex[goes_on]
-            a, b, c = a[goes_on], b[goes_on], d[goes_on]
-            corners = simplices[simplex]
-            d = corners.sum(axis=1) - a - b - c
-            steps_face.append(faces)
-            steps_vertex.append(self._vertex_of[simplex])
-        of_face, vertex = np.concatenate(steps_face), np.concatenate(steps_vertex)
-        turn = np.argsort(of_face, kind="stable")
-        is_open = before[starts] < 0
-        return self._without_repeats(starts, is_open, keys[starts], of_face[turn], vertex[turn])
-
-    def _without_repeats(
-        self,
-        starts: NDArray[Any],
-        is_open: NDArray[Any],
-        pairs: IndexArray,
-        of_face: NDArray[Any],
-        vertex: IndexArray,
-    ) -> tuple[IndexArray, IndexArray, IndexArray]:
-        """Leaves edges of no length out, and faces of no area."""
-        begins = np.append(True, of_face[1:] != of_face[:-1])
-        last = np.append(np.flatnonzero(begins)[1:], len(vertex)) - 1
-        kept = np.append(True, (vertex[1:] != vertex[:-1]) | begins[1:])
-        # The last vertex of a closed face may be the first one again.
-        first = np.flatnonzero(begins)
-        counts = np.bincount(of_face[kept], minlength=len(starts))
-        again = ~is_open & (counts > 1) & (vertex[last] == vertex[first])
-        # Among equal ones at the end it is the first that is kept.
-        ends = np.flatnonzero(kept)
-        last_kept = ends[np.searchsorted(ends, last, side="right") - 1]
-        kept[last_kept[again]] = False
-        counts -= again
-        is_face = np.where(is_open, counts >= 1, counts >= 3)
-        lone = np.flatnonzero(is_open & (counts == 1))
-        is_face[lone] = ~self._are_flat(pairs[lone])
-        kept &= is_face[of_face]
-        order = np.argsort(pairs[:, 0].astype(np.int64) * len(self.points) + pairs[:, 1])
-        order = order[is_face[order]]
-        sizes = counts + is_open
-        offsets = np.concatenate([[0], np.cumsum(sizes[order])]).astype(np.int32)
-        place = np.zeros(len(starts), dtype=np.int64)
-        place[order] = offsets[:-1]
-        result = np.full(offsets[-1], -1, dtype=np.int32)
-        faces = of_face[kept]
-        rank = np.arange(len(faces)) - np.searchsorted(faces, faces)
-        result[place[faces] + is_open[faces] + rank] = vertex[kept]
-        return pairs[order].astype(np.int32), offsets, result
-
-    def _are_flat(self, pairs: NDArray[Any]) -> NDArray[np.bool_]:
-        """Whether the two hull facets at each edge are in one plane."""
-        hull, n = self._hull.astype(np.int64), len(self.points)
-        key = np.concatenate(
-            [hull[:, [k - 2, k - 1]].min(axis=1) * n + hull[:, [k - 2, k - 1]].max(axis=1)
-             for k in range(3)]
-        )
-        order = np.argsort(key)
-        apex = hull.T.ravel()[order]
-        at = np.searchsorted(key[order], pairs[:, 0].astype(np.int64) * n + pairs[:, 1])
-        corners = self.points[np.stack([*pairs.T, apex[at], apex[at + 1]])]
-        u, v, w = corners[1:] - corners[0]
-        size = np.abs(u).max(axis=1) * np.abs(v).max(axis=1) * np.abs(w).max(axis=1)
-        # Off by less than 48 roundings of the sizes' product. Not a number means not known.
-        is_near = ~(np.abs(np.einsum("ij,ij->i", u, np.cross(v, w))) > 64 * 2.0**-53 * size)
-        is_flat = np.zeros(len(pairs), dtype=np.bool_)
-        for k in np.flatnonzero(is_near):
-            is_flat[k] = _volume_is_zero(corners[:, k])
-        return is_flat
+        """Areas of the surfaces of the points' cells, within 1e-12, with the faces that are left
+        out; infinite where a cell has no end."""
+        return self._measured(lambda handle: handle.cell_measures("area", self._planes))
 
     def __repr__(self) -> str:
         return (
