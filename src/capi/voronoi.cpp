@@ -9,13 +9,13 @@ using namespace mgdt;
 
 namespace {
 
-constexpr std::size_t handle_size = sizeof(mgdt_voronoi), handle_align = alignof(mgdt_voronoi);
+constexpr std::size_t voronoi_size = sizeof(mgdt_voronoi), voronoi_align = alignof(mgdt_voronoi);
 
 void free_handle(mgdt_voronoi* v) noexcept {
     const mgdt_free_fn release = v->allocator.release_function();
     void* const user = v->allocator.user();
     v->~mgdt_voronoi();
-    Allocator::give_back(release, user, v, handle_size, handle_align);
+    Allocator::give_back(release, user, v, voronoi_size, voronoi_align);
 }
 
 MGDT_NOT_INLINE void destroy(mgdt_voronoi* v) noexcept {
@@ -47,13 +47,13 @@ void create(const mgdt_triangulation* t, std::int64_t n_planes, const double* pl
             mgdt_voronoi** out) {
     const Allocator& source = t->core.allocator();
     void* const memory =
-        Allocator::obtain(source.allocate_function(), source.user(), handle_size, handle_align);
+        Allocator::obtain(source.allocate_function(), source.user(), voronoi_size, voronoi_align);
     if (!memory) throw std::bad_alloc();
     auto* const v = new (memory)
         mgdt_voronoi(source.allocate_function(), source.release_function(), source.user());
     try {
         v->allocator.set_limit(source.limit());
-        v->allocator.count(handle_size);
+        v->allocator.count(voronoi_size);
         build(t, n_planes, planes, *v);
     } catch (...) {
         free_handle(v);

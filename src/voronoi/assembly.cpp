@@ -15,7 +15,7 @@ namespace mgdt {
 namespace {
 
 constexpr std::size_t faces_per_thread = 65536, cells_per_thread = 16384;
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 // Sets the size of an array that is about to be written, and provides its pages.
 template <class T>
@@ -114,7 +114,7 @@ void Assembly::copy_faces() {
             d.face_sides[2 * f] = face.sides[0];
             const std::uint32_t other = face.sides[1];
             d.face_sides[2 * f + 1] =
-                (other & VoronoiDiagram::plane) == 0
+                !is_plane(other)
                     ? other
                     : VoronoiDiagram::plane | region_.given(other & ~VoronoiDiagram::plane);
             d.areas[f] = scale == 0 ? face.area : std::ldexp(face.area, -2 * scale);
@@ -227,7 +227,7 @@ void Assembly::list_cells() {
         [&](std::size_t begin, std::size_t end, auto f) {
             for (std::size_t face = begin; face < end; ++face)
                 for (const std::size_t side : {2 * face, 2 * face + 1})
-                    if ((d.face_sides[side] & VoronoiDiagram::plane) == 0)
+                    if (!is_plane(d.face_sides[side]))
                         f(d.face_sides[side], static_cast<std::uint32_t>(face));
         },
         [&](std::size_t size) { d.cell_faces.resize(size); },
@@ -290,8 +290,8 @@ void Assembly::measure_cells(AtomicArray<TetId>& first) {
             double* const centroid = d.cell_centroids.begin() + 3 * cell;
             d.is_bounded[cell] = is_bounded(cell) ? 1 : 0;
             if (d.is_bounded[cell] == 0) {
-                d.volumes[cell] = infinite;
-                std::fill_n(centroid, 3, infinite);
+                d.volumes[cell] = unbounded;
+                std::fill_n(centroid, 3, unbounded);
                 continue;
             }
             if (measure_cell(cell, d.volumes[cell], centroid)) continue;

@@ -7,12 +7,6 @@
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
-namespace {
-
-constexpr std::size_t slots_per_thread = 4096, ahead = 16;
-
-}  // namespace
-
 Circumcenters::Circumcenters(const ExportView& view, const VertexIndices& indices)
     : centers_(view.allocator, view.mesh.tetrahedra.size()) {
     set_factor(view);

@@ -27,6 +27,8 @@ class Circumcenters {
     struct Center : SplitPoint {
         TetId first;
     };
+    static constexpr std::size_t slots_per_thread = 4096, ahead = 16;
+
     void set_factor(const ExportView& view);
     void set_centers(const ExportView& view, const VertexIndices& indices);
     void join_tetrahedra(const Mesh& mesh, DisjointSets& sets, std::size_t begin, std::size_t end);

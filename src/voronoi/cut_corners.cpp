@@ -21,10 +21,6 @@ std::uint32_t hash_of(const CutCorners::Key& key) {
     return static_cast<std::uint32_t>(h ^ h >> 32);
 }
 
-bool is_plane(std::uint32_t of) {
-    return (of & VoronoiDiagram::plane) != 0;
-}
-
 }  // namespace
 
 CutCorners::CutCorners(const ExportView& view, const VertexIndices& indices, const Region& region,

@@ -6,12 +6,6 @@
 #include <functional>
 
 namespace mgdt {
-namespace {
-
-constexpr std::size_t slots_per_thread = 4096, vertices_per_thread = 256, faces_per_thread = 1024;
-
-}  // namespace
-
 CutFaces::CutFaces(const ExportView& view, const VertexIndices& indices, const Region& region,
                    const Circumcenters& centers, AtomicArray<std::uint8_t>& is_cut,
                    CutCorners& corners, AtomicArray<TetId>& first)
@@ -26,6 +20,7 @@ CutFaces::CutFaces(const ExportView& view, const VertexIndices& indices, const R
 
 // A cell may be cut if one of its corners is not certainly inside the region.
 void CutFaces::mark() {
+    constexpr std::size_t slots_per_thread = 4096;
     view_.team.split(mesh_.tetrahedra.size(), slots_per_thread,
                      [&](std::size_t begin, std::size_t end, unsigned) {
                          for (std::size_t id = begin; id < end; ++id) {
@@ -46,6 +41,7 @@ void CutFaces::mark() {
 }
 
 void CutFaces::find_cycles(PerMember<Cycles>& cycles) {
+    constexpr std::size_t vertices_per_thread = 256;
     Buffer<VertexId> cut(view_.allocator);
     for (VertexId v = 1; v < mesh_.vertices.size(); ++v)
         if (is_cut_[v].load(std::memory_order_relaxed) != 0) cut.push_back(v);
@@ -122,7 +118,7 @@ const double* CutFaces::point(std::uint32_t site) const {
 
 FacePlane CutFaces::plane_of(const FoundFace& face) const {
     const double* const a = point(face.sides[0]);
-    if ((face.sides[1] & VoronoiDiagram::plane) == 0) return bisector(a, point(face.sides[1]));
+    if (!is_plane(face.sides[1])) return bisector(a, point(face.sides[1]));
     const Side side = region_.side(face.sides[1] & ~VoronoiDiagram::plane, a, 1);
     const double size = length(side.normal);
     FacePlane plane;
@@ -134,12 +130,13 @@ FacePlane CutFaces::plane_of(const FoundFace& face) const {
 }
 
 void CutFaces::measure(const Cycles& cycles, FoundFaces& found) {
+    constexpr std::size_t faces_per_thread = 1024;
     view_.team.split(
         cycles.faces.size(), faces_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
             HalfSpaces half_spaces(view_.allocator);
             Buffer<const SplitPoint*> points(view_.allocator);
             const auto add = [&](HalfSpaces& to, std::uint32_t of) {
-                if ((of & VoronoiDiagram::plane) != 0)
+                if (is_plane(of))
                     to.add_plane(region_.numbers(of & ~VoronoiDiagram::plane), mesh_.scale);
                 else
                     to.add_nearer_side(point(of));

@@ -7,10 +7,6 @@
 namespace mgdt {
 namespace {
 
-bool is_plane(std::uint32_t side) {
-    return (side & VoronoiDiagram::plane) != 0;
-}
-
 // A vector divided by its length, whatever its magnitude.
 void normalize(const double (&way)[3], double* out) {
     const double largest =

@@ -51,6 +51,11 @@ struct VoronoiDiagram {
     Buffer<double> volumes, cell_centroids;
 };
 
+// Whether a side of a face is a plane of the region.
+inline bool is_plane(std::uint32_t side) noexcept {
+    return (side & VoronoiDiagram::plane) != 0;
+}
+
 // Sets the arrays of the diagram of no cells.
 void make_empty(std::size_t points, VoronoiDiagram& diagram);
 // Writes the unit normal of each face, from its first side to the second one.

@@ -20,21 +20,21 @@ installed_whole() { # all sources, and nothing that a compiler made
 
 # Every function of the C interface is bound, and every bound name is one of them.
 header_names() {
-    sed -n 's/^MGDT_API.*[ *]\(mgdt_[a-z0-9_]*\)(.*/\1/p' "$source/include/mgdt/mgdt.h" | sort -u
+    sed -n 's/^MGDT_API.*[ *]\(mgdt_[a-z0-9_]*\)(.*/\1/p' "$source/include/mgdt/mgdt.h" "$source/include/mgdt/mgdt_voronoi.h" | sort -u
 }
 bound_names() {
     sed -n "s/.*bind(c, name='\(mgdt_[a-z0-9_]*\)').*/\1/p" "$folder/mgdt_c.f90" | sort -u
 }
 same_names() {
     header_names >"$scratch/header" && bound_names >"$scratch/bound"
-    test "$(wc -l <"$scratch/header")" -eq "$(grep -c ^MGDT_API "$source/include/mgdt/mgdt.h")" &&
+    test "$(wc -l <"$scratch/header")" -eq "$(cat "$source/include/mgdt/mgdt.h" "$source/include/mgdt/mgdt_voronoi.h" | grep -c ^MGDT_API)" &&
         diff "$scratch/header" "$scratch/bound"
 }
 
 # Every value of its enumerations has a name in both interfaces, which says the same number. Lists
 # of "name value", the names as in the header.
 header_values() {
-    sed -n 's/^ *\(MGDT_[A-Z0-9_]*\) = \([0-9]*\).*/\1 \2/p' "$source/include/mgdt/mgdt.h" | sort
+    sed -n 's/^ *\(MGDT_[A-Z0-9_]*\) = \([0-9]*\).*/\1 \2/p' "$source/include/mgdt/mgdt.h" "$source/include/mgdt/mgdt_voronoi.h" | sort
 }
 module_values() {
     sed -n 's/.*parameter :: \(mgdt_[a-z0-9_]*\) = \([0-9]*\).*/\1 \2/p' \

@@ -456,7 +456,9 @@ class MgdtTest < Minitest::Test
   end
 
   def test_declarations_are_those_of_the_header
-    header = File.read(ENV.fetch("MGDT_HEADER")).gsub(%r{/\*.*?\*/}m, "")
+    mgdt_h = ENV.fetch("MGDT_HEADER")
+    headers = [mgdt_h, File.join(File.dirname(mgdt_h), "mgdt_voronoi.h")]
+    header = headers.map { |name| File.read(name) }.join.gsub(%r{/\*.*?\*/}m, "")
     prototypes = header.scan(/MGDT_API\s+([^;()]*?)(mgdt_\w+)\(([^()]*)\);/m).to_h do |result, name, list|
       parameters = list.strip == "void" ? [] : list.split(",").map { |one| ffi_type(one.strip) }
       [name, [ffi_type(result.strip), *parameters]]
