@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Volumes of the cells of points in a box, triangulation included, beside Voro++. Medians of
-// interleaved runs, and how far the sums are from the volume of the box.
+// Volumes of the cells of points in a box, triangulation included, beside Voro++; and the diagram
+// of the cells as an object. Medians of interleaved runs, and how far the sums are from the volume
+// of the box.
 //
 //   cells_versus_voro [points [runs [distribution...]]]
 #include <algorithm>
@@ -39,11 +40,15 @@ Box around(const std::vector<double>& xyz) {
     return box;
 }
 
-double of_mgdt(const std::vector<double>& xyz, const Box& box) {
+mgdt::Triangulation triangulation_of(const std::vector<double>& xyz) {
     mgdt::Triangulation t;
     if (mgdt_insert_points(t.handle(), static_cast<std::int64_t>(xyz.size() / 3), xyz.data()) !=
         MGDT_OK)
         std::abort();
+    return t;
+}
+
+std::vector<std::array<double, 4>> planes_of(const Box& box) {
     std::vector<std::array<double, 4>> planes;
     for (std::size_t k = 0; k < 3; ++k) {
         std::array<double, 4> above{}, below{};
@@ -54,8 +59,20 @@ double of_mgdt(const std::vector<double>& xyz, const Box& box) {
         planes.push_back(above);
         planes.push_back(below);
     }
+    return planes;
+}
+
+double of_mgdt(const std::vector<double>& xyz, const Box& box) {
+    const mgdt::Triangulation t = triangulation_of(xyz);
     double sum = 0;
-    for (const double v : t.cell_measures(mgdt::Measure::volume, planes)) sum += v;
+    for (const double v : t.cell_measures(mgdt::Measure::volume, planes_of(box))) sum += v;
+    return sum;
+}
+
+double of_diagram(const std::vector<double>& xyz, const Box& box) {
+    const mgdt::Voronoi diagram(triangulation_of(xyz), planes_of(box));
+    double sum = 0;
+    for (const double v : diagram.numbers(mgdt::VoronoiNumbers::cell_volumes)) sum += v;
     return sum;
 }
 
@@ -83,21 +100,24 @@ int main(int argc, char** argv) {
     const int runs = argc > 2 ? std::atoi(argv[2]) : 3;
     std::vector<std::string> names(argv + std::min(argc, 3), argv + argc);
     if (names.empty()) names = {"uniform"};
-    std::printf("| points | mgdt, us a point | sum - 1 | Voro++ | sum - 1 | ratio |\n");
-    std::printf("|---|---|---|---|---|---|\n");
+    std::printf(
+        "| points | volumes, us a point | sum - 1 | Voro++ | sum - 1 | ratio | diagram | "
+        "sum - 1 |\n");
+    std::printf("|---|---|---|---|---|---|---|---|\n");
     for (const std::string& name : names) {
         const std::vector<double> xyz = mgdt::cli::generate(name, n, {});
         const Box box = around(xyz);
-        std::vector<double> ours, theirs;
-        double our_sum = 0, their_sum = 0;
+        std::vector<double> ours, theirs, diagrams;
+        double our_sum = 0, their_sum = 0, diagram_sum = 0;
         for (int run = 0; run < runs; ++run) {
             ours.push_back(bench::seconds([&] { our_sum = of_mgdt(xyz, box); }));
+            diagrams.push_back(bench::seconds([&] { diagram_sum = of_diagram(xyz, box); }));
             theirs.push_back(bench::seconds([&] { their_sum = of_voro(xyz, box); }));
         }
         const double per = 1e6 * 3 / static_cast<double>(xyz.size());
         const double us = bench::median(ours), them = bench::median(theirs);
-        std::printf("| %s | %.3f | %.1e | %.3f | %.1e | %.2f |\n", name.c_str(), us * per,
-                    our_sum / box.volume() - 1, them * per, their_sum / box.volume() - 1,
-                    them / us);
+        std::printf("| %s | %.3f | %.1e | %.3f | %.1e | %.2f | %.3f | %.1e |\n", name.c_str(),
+                    us * per, our_sum / box.volume() - 1, them * per, their_sum / box.volume() - 1,
+                    them / us, bench::median(diagrams) * per, diagram_sum / box.volume() - 1);
     }
 }
