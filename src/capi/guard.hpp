@@ -130,6 +130,27 @@ mgdt_status guard_short(const Handle* t, Body body, const char* name = __builtin
     return run_inside(t, body);
 }
 
+// Destroys a handle, unless a call is inside of it, which would continue in freed memory.
+template <class Handle>
+void destroy_if_free(Handle* handle, void (*destroy)(Handle*) noexcept,
+                     const char* name = __builtin_FUNCTION()) {
+    if (!handle) return;
+    const CancellationDisabled uninterrupted;
+    if (handle->calls.try_enter_alone(name))
+        destroy(handle);
+    else
+        handle->refuse(name);
+}
+
+// Copies the message of the last call that failed on the handle.
+inline mgdt_status get_message(const HandleBase* handle, std::int64_t capacity, char* buffer) {
+    if (!handle || !buffer) return MGDT_ERR_NULL_POINTER;
+    if (capacity < 1) return MGDT_ERR_INVALID_ARGUMENT;
+    const CancellationDisabled uninterrupted;
+    handle->recall(buffer, static_cast<std::size_t>(capacity));
+    return MGDT_OK;
+}
+
 inline void require_pointer(const void* p, const char* name) {
     if (!p) fail(MGDT_ERR_NULL_POINTER, "%s is NULL", name);
 }

@@ -47,14 +47,8 @@ extern "C" mgdt_status mgdt_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free
     return create(alloc, release, user, out);
 }
 
-// Does not destroy a handle while a call is inside it: the call would continue in freed memory.
 extern "C" void mgdt_destroy(mgdt_triangulation* t) {
-    if (!t) return;
-    const CancellationDisabled uninterrupted;
-    if (t->calls.try_enter_alone("mgdt_destroy"))
-        destroy(t);
-    else
-        t->refuse("mgdt_destroy");
+    destroy_if_free(t, destroy);
 }
 
 extern "C" mgdt_status mgdt_clear(mgdt_triangulation* t) {

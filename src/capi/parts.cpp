@@ -206,14 +206,8 @@ extern "C" mgdt_status mgdt_parts_create_with_transport(const mgdt_transport* tr
     return create(transport, 1, nullptr, nullptr, nullptr, out);
 }
 
-// Does not destroy a handle while a call is inside it, like mgdt_destroy().
 extern "C" void mgdt_parts_destroy(mgdt_parts* p) {
-    if (!p) return;
-    const CancellationDisabled uninterrupted;
-    if (p->calls.try_enter_alone("mgdt_parts_destroy"))
-        destroy(p);
-    else
-        p->refuse("mgdt_parts_destroy");
+    destroy_if_free(p, destroy);
 }
 
 extern "C" mgdt_status mgdt_parts_clear(mgdt_parts* p) {
@@ -343,9 +337,5 @@ extern "C" mgdt_status mgdt_parts_check(mgdt_parts* p, int32_t level) {
 }
 
 extern "C" mgdt_status mgdt_parts_get_error(const mgdt_parts* p, int64_t capacity, char* buffer) {
-    if (!p || !buffer) return MGDT_ERR_NULL_POINTER;
-    if (capacity < 1) return MGDT_ERR_INVALID_ARGUMENT;
-    const CancellationDisabled uninterrupted;
-    p->recall(buffer, static_cast<std::size_t>(capacity));
-    return MGDT_OK;
+    return get_message(p, capacity, buffer);
 }

@@ -108,11 +108,7 @@ extern "C" const char* mgdt_status_string(mgdt_status s) {
 }
 
 extern "C" mgdt_status mgdt_get_error(const mgdt_triangulation* t, int64_t capacity, char* buffer) {
-    if (!t || !buffer) return MGDT_ERR_NULL_POINTER;
-    if (capacity < 1) return MGDT_ERR_INVALID_ARGUMENT;
-    const CancellationDisabled uninterrupted;
-    t->recall(buffer, static_cast<std::size_t>(capacity));
-    return MGDT_OK;
+    return get_message(t, capacity, buffer);
 }
 
 extern "C" const char* mgdt_order_scheme_name(int32_t scheme) {

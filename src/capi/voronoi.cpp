@@ -42,7 +42,7 @@ void build(const mgdt_triangulation* t, std::int64_t n_planes, const double* pla
     std::copy_n(planes, 4 * n, v.diagram.planes.begin());
 }
 
-// Creates the handle inside a call of the triangulation's, which reports failures.
+// Creates the handle of a diagram, inside a call on the triangulation. Throws with nothing left.
 void create(const mgdt_triangulation* t, std::int64_t n_planes, const double* planes,
             mgdt_voronoi** out) {
     const Allocator& source = t->core.allocator();
@@ -62,7 +62,7 @@ void create(const mgdt_triangulation* t, std::int64_t n_planes, const double* pl
     *out = v;
 }
 
-// The elements of an array of integers, and of one of doubles.
+// Whether an array has integers, for mgdt_voronoi_get_array(), and no doubles.
 bool has_integers(std::int32_t array) {
     return array < MGDT_VORONOI_VERTICES;
 }
@@ -102,50 +102,37 @@ std::size_t size_of(const VoronoiDiagram& d, std::int32_t array) {
 }
 
 template <class Int>
-class Writer {
-  public:
-    Writer(const mgdt_voronoi& v, Int* out) : base_(v.index_base), out_(out) {}
-
-    // Numbers from the index base on; those with a flag become -1, -2, ...
-    template <class From>
-    void numbers(const Buffer<From>& from) {
-        for (std::size_t i = 0; i < from.size(); ++i)
-            out_[i] = static_cast<Int>(static_cast<std::int64_t>(from[i]) + base_);
-    }
-    void flagged(const Buffer<std::uint32_t>& from) {
-        constexpr std::uint32_t flag = VoronoiDiagram::ray;
-        for (std::size_t i = 0; i < from.size(); ++i)
-            out_[i] = static_cast<Int>((from[i] & flag) != 0
-                                           ? -1 - static_cast<std::int64_t>(from[i] & ~flag)
-                                           : static_cast<std::int64_t>(from[i]) + base_);
-    }
-
-  private:
-    std::int64_t base_;
-    Int* out_;
-};
-
-template <class Int>
 void write(const mgdt_voronoi& v, std::int32_t array, Int* out) {
-    static_assert(VoronoiDiagram::ray == VoronoiDiagram::plane);
     const VoronoiDiagram& d = v.diagram;
-    Writer<Int> writer(v, out);
+    const std::int64_t base = v.index_base;
+    const auto numbers = [&](const auto& from) {
+        for (std::size_t i = 0; i < from.size(); ++i)
+            out[i] = static_cast<Int>(static_cast<std::int64_t>(from[i]) + base);
+    };
+    // Rays and planes, which have a flag, become -1, -2, ...
+    constexpr std::uint32_t flag = VoronoiDiagram::ray;
+    static_assert(flag == VoronoiDiagram::plane);
+    const auto flagged = [&](const Buffer<std::uint32_t>& from) {
+        for (std::size_t i = 0; i < from.size(); ++i)
+            out[i] = static_cast<Int>((from[i] & flag) != 0
+                                          ? -1 - static_cast<std::int64_t>(from[i] & ~flag)
+                                          : static_cast<std::int64_t>(from[i]) + base);
+    };
     switch (array) {
         case MGDT_VORONOI_FACE_OFFSETS:
-            return writer.numbers(d.face_begin);
+            return numbers(d.face_begin);
         case MGDT_VORONOI_FACE_CORNERS:
-            return writer.flagged(d.face_corners);
+            return flagged(d.face_corners);
         case MGDT_VORONOI_FACE_SIDES:
-            return writer.flagged(d.face_sides);
+            return flagged(d.face_sides);
         case MGDT_VORONOI_RAY_VERTICES:
-            return writer.numbers(d.ray_vertices);
+            return numbers(d.ray_vertices);
         case MGDT_VORONOI_CELL_OFFSETS:
-            return writer.numbers(d.cell_begin);
+            return numbers(d.cell_begin);
         case MGDT_VORONOI_CELL_FACES:
-            return writer.numbers(d.cell_faces);
+            return numbers(d.cell_faces);
         default:
-            for (std::size_t i = 0; i < d.is_bounded.size(); ++i)
-                out[i] = static_cast<Int>(d.is_bounded[i]);
+            std::copy_n(d.is_bounded.begin(), d.is_bounded.size(), out);
     }
 }
 
@@ -201,14 +188,8 @@ extern "C" mgdt_status mgdt_voronoi_create(const mgdt_triangulation* t, int64_t 
     return guard(t, [&] { create(t, n_planes, planes, out); });
 }
 
-// Like mgdt_destroy(), this does not destroy a handle that a call is inside of.
 extern "C" void mgdt_voronoi_destroy(mgdt_voronoi* v) {
-    if (!v) return;
-    const CancellationDisabled uninterrupted;
-    if (v->calls.try_enter_alone("mgdt_voronoi_destroy"))
-        destroy(v);
-    else
-        v->refuse("mgdt_voronoi_destroy");
+    destroy_if_free(v, destroy);
 }
 
 extern "C" mgdt_status mgdt_voronoi_get_size(const mgdt_voronoi* v, int32_t array, int64_t* size) {
@@ -257,9 +238,5 @@ extern "C" mgdt_status mgdt_voronoi_drop_small_faces(mgdt_voronoi* v, double are
 
 extern "C" mgdt_status mgdt_voronoi_get_error(const mgdt_voronoi* v, int64_t capacity,
                                               char* buffer) {
-    if (!v || !buffer) return MGDT_ERR_NULL_POINTER;
-    if (capacity < 1) return MGDT_ERR_INVALID_ARGUMENT;
-    const CancellationDisabled uninterrupted;
-    v->recall(buffer, static_cast<std::size_t>(capacity));
-    return MGDT_OK;
+    return get_message(v, capacity, buffer);
 }

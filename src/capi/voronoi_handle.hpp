@@ -10,7 +10,7 @@ struct mgdt_voronoi : mgdt::HandleBase {
     mgdt_voronoi(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
         : allocator(alloc, release, user), diagram(allocator) {}
 
-    mutable mgdt::Allocator allocator;
+    mgdt::Allocator allocator;
     mgdt::VoronoiDiagram diagram;
     std::int32_t index_base = 0;
 };
