@@ -6,13 +6,6 @@
 namespace mgdt {
 namespace {
 
-// x / sqrt(y) for positive y, with the error of a few roundings.
-WideDouble over_root(const WideDouble& x, const WideDouble& y) {
-    const bool is_odd = y.exponent % 2 != 0;
-    const double root = std::sqrt(is_odd ? 2 * y.mantissa : y.mantissa);
-    return WideDouble(x.mantissa / root, x.exponent - (y.exponent - is_odd) / 2);
-}
-
 // Sums over the faces, in numbers that carry bounds on their errors.
 template <class Numbers>
 class BoundedSums {
@@ -61,11 +54,10 @@ void BoundedSums<Numbers>::set_corners() {
         const PlaneNumber(&plane)[3] = faces_.corners()[i].plane;
         const Row p = half_spaces.row(numbers_, plane[0]), q = half_spaces.row(numbers_, plane[1]),
                   r = half_spaces.row(numbers_, plane[2]);
-        const V qr = cross(q.normal, r.normal), rp = cross(r.normal, p.normal),
-                pq = cross(p.normal, q.normal);
-        const B inverse = numbers_.number(1) / dot(p.normal, qr);
+        const MeetingPoint<B> point = meeting_point(p, q, r);
+        const B inverse = numbers_.number(1) / point.determinant;
         for (std::size_t k = 0; k < 3; ++k) {
-            const B x = ((p.offset * qr.x[k] + q.offset * rp.x[k]) + r.offset * pq.x[k]) * inverse;
+            const B x = point.numerator.x[k] * inverse;
             const WideDouble size = magnitude(x.wide());
             if (extent_ < size) extent_ = size;
             corners_.set(3 * i + k, x);

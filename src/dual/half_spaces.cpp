@@ -209,26 +209,20 @@ int HalfSpaces::main_axis(PlaneNumber p, int& sign) {
     return axis;
 }
 
-HalfSpaces::ExactCorner HalfSpaces::exact_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r) {
+MeetingPoint<LongNumber> HalfSpaces::exact_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r) {
     prepare<LongNumber>();
-    const PlaneRow<LongNumber>&a = exact_[p], &b = exact_[q], &c = exact_[r];
-    const Vector<LongNumber> bc = cross(b.normal, c.normal), ca = cross(c.normal, a.normal),
-                             ab = cross(a.normal, b.normal);
-    ExactCorner corner;
-    corner.determinant = dot(a.normal, bc);
-    for (int k = 0; k < 3; ++k)
-        corner.numerator[k] = (a.offset * bc.x[k] + b.offset * ca.x[k]) + c.offset * ab.x[k];
-    return corner;
+    return meeting_point(exact_[p], exact_[q], exact_[r]);
 }
 
 bool HalfSpaces::round_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, Vector<Twofold>& x) {
-    const ExactCorner corner = exact_corner(p, q, r);
+    const MeetingPoint<LongNumber> corner = exact_corner(p, q, r);
     // The numerators and the determinant are cut off to 192 bits. The relative error of a quotient
     // is then below 2^-110.
     cut_off_.release(0);
     const LongNumber weight = cut_off_.copy(corner.determinant);
     for (int k = 0; k < 3; ++k) {
-        const LongNumber at = corner.numerator[k] + corner.determinant * memory_.number(origin_[k]),
+        const LongNumber at = corner.numerator.x[k] +
+                              corner.determinant * memory_.number(origin_[k]),
                          rounded = cut_off_.copy(at) / weight;
         x.x[k] = rounded.twofold();
         const double size = std::fabs(x.x[k].high);
@@ -239,12 +233,12 @@ bool HalfSpaces::round_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, Vecto
 
 void HalfSpaces::nearest_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r, int scale,
                                 double (&x)[3]) {
-    const ExactCorner corner = exact_corner(p, q, r);
+    const MeetingPoint<LongNumber> corner = exact_corner(p, q, r);
     const LongNumber& weight = corner.determinant;
     cut_off_.release(0);
     for (int k = 0; k < 3; ++k) {
-        const LongNumber at =
-            (corner.numerator[k] + weight * memory_.number(origin_[k])) * memory_.number(1, -scale);
+        const LongNumber at = (corner.numerator.x[k] + weight * memory_.number(origin_[k])) *
+                              memory_.number(1, -scale);
         // The quotient, cut off to doubles, is off by at most one double. The sign of a midpoint's
         // distance from the quotient decides between two doubles.
         x[k] = (cut_off_.copy(at) / cut_off_.copy(weight)).wide().in_double();

@@ -28,6 +28,25 @@ struct PlaneRow {
     Number offset;
 };
 
+// The point where three planes meet, by Cramer's rule: the numerators of its coordinates, and the
+// determinant of the normals.
+template <class Number>
+struct MeetingPoint {
+    Vector<Number> numerator;
+    Number determinant;
+};
+template <class Number>
+MeetingPoint<Number> meeting_point(const PlaneRow<Number>& p, const PlaneRow<Number>& q,
+                                   const PlaneRow<Number>& r) {
+    const Vector<Number> qr = cross(q.normal, r.normal), rp = cross(r.normal, p.normal),
+                         pq = cross(p.normal, q.normal);
+    MeetingPoint<Number> point;
+    point.determinant = dot(p.normal, qr);
+    for (int k = 0; k < 3; ++k)
+        point.numerator.x[k] = (p.offset * qr.x[k] + q.offset * rp.x[k]) + r.offset * pq.x[k];
+    return point;
+}
+
 class HalfSpaces {
   public:
     explicit HalfSpaces(Allocator& allocator)
@@ -93,11 +112,8 @@ class HalfSpaces {
     // One row per half-space, by number.
     template <class Number>
     Buffer<PlaneRow<Number>>& rows();
-    // The point where three planes meet, relative to the origin, by Cramer's rule.
-    struct ExactCorner {
-        LongNumber numerator[3], determinant;
-    };
-    ExactCorner exact_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r);
+    // The point where three planes meet, relative to the origin.
+    MeetingPoint<LongNumber> exact_corner(PlaneNumber p, PlaneNumber q, PlaneNumber r);
     // Computes the rows unless they are already there. For long numbers, frees all other numbers in
     // memory_.
     template <class Number>

@@ -52,6 +52,15 @@ double scaled_by_two_factors(double x, int k) {
     return std::ldexp(std::ldexp(x, half), k - half);
 }
 
+bool unscale(const double (&x)[3], int scale, double (&result)[3]) {
+    bool is_exact = true;
+    for (int axis = 0; axis < 3; ++axis) {
+        result[axis] = scaled(x[axis], -scale);
+        is_exact &= scales_exactly(x[axis], -scale);
+    }
+    return is_exact;
+}
+
 bool scales_exactly(double x, int k) {
     const double y = scaled(x, k);
     return std::isfinite(y) && scaled(y, -k) == x;

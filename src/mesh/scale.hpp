@@ -45,6 +45,9 @@ inline double scaled(double x, int k) {
     return k == 0 ? x : scaled_by_two_factors(x, k);
 }
 
+// Multiplies three coordinates by 2^-scale. Returns whether all results are exact.
+bool unscale(const double (&x)[3], int scale, double (&result)[3]);
+
 // Whether multiplying x by 2^k and then by 2^-k gives x.
 bool scales_exactly(double x, int k);
 

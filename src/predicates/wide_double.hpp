@@ -53,4 +53,11 @@ struct WideDouble {
     friend bool operator<(const WideDouble& a, const WideDouble& b) { return (a - b).mantissa < 0; }
 };
 
+// x / sqrt(y) for positive y, with the error of a few roundings.
+inline WideDouble over_root(const WideDouble& x, const WideDouble& y) {
+    const bool is_odd = y.exponent % 2 != 0;
+    const double root = std::sqrt(is_odd ? 2 * y.mantissa : y.mantissa);
+    return WideDouble(x.mantissa / root, x.exponent - (y.exponent - is_odd) / 2);
+}
+
 }  // namespace mgdt

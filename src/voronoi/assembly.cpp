@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "dual/cell_measurer.hpp"
+#include "mesh/facet_turns.hpp"
 #include "mesh/scale.hpp"
 #include "parallel/team_lists.hpp"
 #include "platform/error.hpp"
@@ -178,13 +179,7 @@ std::uint32_t Assembly::add_vertex(std::uint32_t corner) {
     if ((corner & cut_corner) != 0) {
         cut_.unscaled(corner, x);
     } else {
-        bool is_exact = true;
-        for (int k = 0; k < 3; ++k) {
-            const double of_mesh = centers_[corner].x[k];
-            x[k] = scaled(of_mesh, -mesh_.scale);
-            is_exact &= scales_exactly(of_mesh, -mesh_.scale);
-        }
-        if (!is_exact) {
+        if (!unscale(centers_[corner].x, mesh_.scale, x)) {
             const VertexId(&v)[4] = mesh_.tetrahedra[corner].v;
             const Circumcenter center = circumcenter(
                 {mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3])},
@@ -203,12 +198,10 @@ std::uint32_t Assembly::add_ray(const Tetrahedron& ghost, std::uint32_t vertex) 
     // The vertices of the facet in an order that depends on the points alone.
     const unsigned char* const at = outer_face[ghost.infinite_slot()];
     VertexId v[3] = {ghost.v[at[0]], ghost.v[at[1]], ghost.v[at[2]]};
-    std::rotate(v,
-                std::min_element(v, v + 3,
-                                 [&](VertexId a, VertexId b) {
-                                     return mesh_.vertices[a].index < mesh_.vertices[b].index;
-                                 }),
-                v + 3);
+    const auto least = std::min_element(v, v + 3, [&](VertexId a, VertexId b) {
+        return mesh_.vertices[a].index < mesh_.vertices[b].index;
+    });
+    turn_to(v, static_cast<int>(least - v));
     double direction[3];
     unit_normal(view_.allocator, mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]),
                 direction);

@@ -7,6 +7,7 @@
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
+
 Circumcenters::Circumcenters(const ExportView& view, const VertexIndices& indices)
     : centers_(view.allocator, view.mesh.tetrahedra.size()) {
     set_factor(view);

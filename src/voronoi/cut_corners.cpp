@@ -38,18 +38,18 @@ CutCorners::CutCorners(const ExportView& view, const VertexIndices& indices, con
       points_(view.allocator),
       key_of_point_(view.allocator) {}
 
-void CutCorners::add_plane(std::uint32_t of) {
+void CutCorners::add_half_space(std::uint32_t of, HalfSpaces& to) const {
     if (is_plane(of))
-        half_spaces_.add_plane(region_.numbers(of & ~VoronoiDiagram::plane), mesh_.scale);
+        to.add_plane(region_.numbers(of & ~VoronoiDiagram::plane), mesh_.scale);
     else
-        half_spaces_.add_nearer_side(point(of));
+        to.add_nearer_side(point(of));
 }
 
 // Sets the half-spaces 0, 1 and 2 to those of a corner. The least member of a key is a site, since
 // planes are larger.
 void CutCorners::set_planes(const Key& key) {
     half_spaces_.clear(point(key.of[0]), 1);
-    for (int i = 1; i < 4; ++i) add_plane(key.of[i]);
+    for (int i = 1; i < 4; ++i) add_half_space(key.of[i], half_spaces_);
 }
 
 SplitPoint CutCorners::position(const Key& key) {
@@ -80,21 +80,26 @@ bool CutCorners::is_same(const Key& a, const Key& b) {
     PlaneNumber next = 3;
     for (const std::uint32_t of : b.of) {
         if (std::find(a.of, a.of + 4, of) != a.of + 4) continue;
-        add_plane(of);
+        add_half_space(of, half_spaces_);
         if (half_spaces_.side_of_corner(0, 1, 2, next++) != 0) return false;
     }
     return true;
+}
+
+// The number of a key. That of a new key is keys_.size(), and keys_ has room for it.
+std::uint32_t CutCorners::number_of(const Key& key) {
+    by_key_.reserve(keys_.size() + 1);
+    keys_.grow(keys_.size() + 1);
+    return by_key_.number(hash_of(key),
+                          [&](std::uint32_t i) { return are_equal(keys_[i].key, key); });
 }
 
 void CutCorners::add(TetId t) {
     Key key;
     for (int i = 0; i < 4; ++i) key.of[i] = indices_[mesh_.tetrahedra[t].v[i]];
     std::sort(key.of, key.of + 4);
-    by_key_.reserve(keys_.size() + 1);
-    keys_.grow(keys_.size() + 1);
     const TetId first = centers_.first_equal(t);
-    const std::uint32_t number =
-        by_key_.number(hash_of(key), [&](std::uint32_t i) { return are_equal(keys_[i].key, key); });
+    const std::uint32_t number = number_of(key);
     if (number == keys_.size()) keys_.push_back({key, first});
     by_position_.reserve(positions_.size() + 1);
     positions_.grow(positions_.size() + 1);
@@ -107,10 +112,7 @@ void CutCorners::add(TetId t) {
 
 std::uint32_t CutCorners::find(Key key) {
     std::sort(key.of, key.of + 4);
-    by_key_.reserve(keys_.size() + 1);
-    keys_.grow(keys_.size() + 1);
-    const std::uint32_t number =
-        by_key_.number(hash_of(key), [&](std::uint32_t i) { return are_equal(keys_[i].key, key); });
+    const std::uint32_t number = number_of(key);
     if (number < keys_.size()) return keys_[number].corner;
     keys_.push_back({key, 0});
     const SplitPoint at = position(key);
@@ -130,12 +132,7 @@ std::uint32_t CutCorners::find(Key key) {
 
 void CutCorners::unscaled(std::uint32_t corner, double (&x)[3]) {
     const std::uint32_t i = corner & ~cut_corner;
-    bool is_exact = true;
-    for (int k = 0; k < 3; ++k) {
-        x[k] = scaled(points_[i].x[k], -mesh_.scale);
-        is_exact &= scales_exactly(points_[i].x[k], -mesh_.scale);
-    }
-    if (is_exact) return;
+    if (unscale(points_[i].x, mesh_.scale, x)) return;
     set_planes(key_of_point_[i]);
     half_spaces_.nearest_corner(0, 1, 2, mesh_.scale, x);
 }

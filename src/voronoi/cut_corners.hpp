@@ -33,7 +33,9 @@ class CutCorners {
     }
     // The number of cut corners.
     std::size_t size() const noexcept { return points_.size(); }
-    VertexId vertex(std::uint32_t site) const noexcept { return vertex_of_[site]; }
+    const double* point(std::uint32_t site) const noexcept { return mesh_.point(vertex_of_[site]); }
+    // Adds the half-space of a site or of a plane.
+    void add_half_space(std::uint32_t of, HalfSpaces& to) const;
     // The coordinates of a cut corner without the mesh's scale, rounded to the nearest doubles.
     void unscaled(std::uint32_t corner, double (&x)[3]);
 
@@ -43,10 +45,9 @@ class CutCorners {
         std::uint32_t corner;
     };
     void set_planes(const Key& key);
-    void add_plane(std::uint32_t of);
+    std::uint32_t number_of(const Key& key);
     SplitPoint position(const Key& key);
     bool is_same(const Key& a, const Key& b);
-    const double* point(std::uint32_t site) const noexcept { return mesh_.point(vertex_of_[site]); }
 
     const Mesh& mesh_;
     const VertexIndices& indices_;

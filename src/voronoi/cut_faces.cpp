@@ -6,6 +6,7 @@
 #include <functional>
 
 namespace mgdt {
+
 CutFaces::CutFaces(const ExportView& view, const VertexIndices& indices, const Region& region,
                    const Circumcenters& centers, AtomicArray<std::uint8_t>& is_cut,
                    CutCorners& corners, AtomicArray<TetId>& first)
@@ -112,13 +113,9 @@ void CutFaces::find_corners(Cycles& cycles, FoundFaces& found) {
     }
 }
 
-const double* CutFaces::point(std::uint32_t site) const {
-    return mesh_.point(corners_.vertex(site));
-}
-
 FacePlane CutFaces::plane_of(const FoundFace& face) const {
-    const double* const a = point(face.sides[0]);
-    if (!is_plane(face.sides[1])) return bisector(a, point(face.sides[1]));
+    const double* const a = corners_.point(face.sides[0]);
+    if (!is_plane(face.sides[1])) return bisector(a, corners_.point(face.sides[1]));
     const Side side = region_.side(face.sides[1] & ~VoronoiDiagram::plane, a, 1);
     const double size = length(side.normal);
     FacePlane plane;
@@ -135,12 +132,6 @@ void CutFaces::measure(const Cycles& cycles, FoundFaces& found) {
         cycles.faces.size(), faces_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
             HalfSpaces half_spaces(view_.allocator);
             Buffer<const SplitPoint*> points(view_.allocator);
-            const auto add = [&](HalfSpaces& to, std::uint32_t of) {
-                if (is_plane(of))
-                    to.add_plane(region_.numbers(of & ~VoronoiDiagram::plane), mesh_.scale);
-                else
-                    to.add_nearer_side(point(of));
-            };
             for (std::size_t f = begin; f < end; ++f) {
                 const Cycle& cycle = cycles.faces[f];
                 if (cycle.face == no_face) continue;
@@ -149,16 +140,14 @@ void CutFaces::measure(const Cycles& cycles, FoundFaces& found) {
                 points.clear();
                 for (std::size_t i = 0; i < face.size(); ++i)
                     points.push_back(&corners_[found.corners[face.begin() + i]]);
-                const double* const a = point(face.sides[0]);
-                FaceMeasure result =
-                    measure_face(a, plane, points.data(), face.size(), 1 / centers_.factor());
-                if (!is_accurate(result, plane)) {
-                    half_spaces.clear(a, 1);
-                    add(half_spaces, face.sides[1]);
-                    for (std::uint32_t i = 0; i < cycle.size; ++i)
-                        add(half_spaces, cycles.edges[cycle.begin + i]);
-                    measure_exactly(view_.allocator, half_spaces, cycle.size, plane, result);
-                }
+                const FaceMeasure result = measure_accurately(
+                    half_spaces, corners_.point(face.sides[0]), plane, points,
+                    1 / centers_.factor(), [&] {
+                        corners_.add_half_space(face.sides[1], half_spaces);
+                        for (std::uint32_t i = 0; i < cycle.size; ++i)
+                            corners_.add_half_space(cycles.edges[cycle.begin + i], half_spaces);
+                        return std::size_t{cycle.size};
+                    });
                 face.set_measure(result, plane);
             }
         });

@@ -37,7 +37,6 @@ class CutFaces {
     void find_corners(Cycles& cycles, FoundFaces& found);
     void measure(const Cycles& cycles, FoundFaces& found);
     FacePlane plane_of(const FoundFace& face) const;
-    const double* point(std::uint32_t site) const;
 
     const ExportView& view_;
     const Mesh& mesh_;

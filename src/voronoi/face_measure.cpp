@@ -105,12 +105,9 @@ bool area_in(Numbers numbers, Allocator& allocator, HalfSpaces& half_spaces, std
     // Corner i is before edge i.
     for (std::size_t i = 0; i < n; ++i) {
         const auto p = row(0), q = row(1 + (i == 0 ? n - 1 : i - 1)), r = row(1 + i);
-        const V qr = cross(q.normal, r.normal), rp = cross(r.normal, p.normal),
-                pq = cross(p.normal, q.normal);
-        const B inverse = numbers.number(1) / dot(p.normal, qr);
-        for (std::size_t k = 0; k < 3; ++k)
-            corners.set(3 * i + k,
-                        ((p.offset * qr.x[k] + q.offset * rp.x[k]) + r.offset * pq.x[k]) * inverse);
+        const MeetingPoint<B> point = meeting_point(p, q, r);
+        const B inverse = numbers.number(1) / point.determinant;
+        for (std::size_t k = 0; k < 3; ++k) corners.set(3 * i + k, point.numerator.x[k] * inverse);
         numbers.forget();
     }
     for (std::size_t k = 0; k < 3; ++k) sum.set(k, numbers.number(0));
@@ -122,17 +119,14 @@ bool area_in(Numbers numbers, Allocator& allocator, HalfSpaces& half_spaces, std
     }
     const V normal = row(0).normal;
     const B along = dot(normal, get(sum, 0));
-    const WideDouble squared = dot(normal, normal).wide(), value = along.wide(),
-                     error = along.wide_error();
     // The area is `along` divided by twice the length of the normal.
-    const bool is_odd = squared.exponent % 2 != 0;
-    const WideDouble doubled_length =
-        WideDouble(2 * std::sqrt(is_odd ? 2 * squared.mantissa : squared.mantissa),
-                   (squared.exponent - (is_odd ? 1 : 0)) / 2);
-    const bool is_small = half_spaces.is_bisector(0) &&
-                          error < WideDouble(0.2 * tiny_area) * doubled_length * squared;
+    const WideDouble squared = dot(normal, normal).wide(), half(0.5),
+                     value = half * over_root(along.wide(), squared),
+                     error = half * over_root(along.wide_error(), squared);
+    const bool is_small =
+        half_spaces.is_bisector(0) && error < WideDouble(0.2 * tiny_area) * squared;
     if (!is_small && !(error < magnitude(value) * WideDouble(0.2 * measure_error))) return false;
-    area = std::fmax((value / doubled_length).in_double(), 0);
+    area = std::fmax(value.in_double(), 0);
     return true;
 }
 

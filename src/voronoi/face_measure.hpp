@@ -42,4 +42,18 @@ FaceMeasure measure_face(const double* a, const FacePlane& plane, const SplitPoi
 void measure_exactly(Allocator& allocator, HalfSpaces& half_spaces, std::size_t n,
                      const FacePlane& plane, FaceMeasure& measure);
 
+// Measures a face by measure_face(), and by measure_exactly() if the area is not accurate then.
+// add_half_spaces() adds the half-spaces of the face, and returns the number of its edges.
+template <class AddHalfSpaces>
+FaceMeasure measure_accurately(HalfSpaces& half_spaces, const double* a, const FacePlane& plane,
+                               const Buffer<const SplitPoint*>& corners, double unit,
+                               AddHalfSpaces add_half_spaces) {
+    FaceMeasure result = measure_face(a, plane, corners.data(), corners.size(), unit);
+    if (is_accurate(result, plane)) return result;
+    half_spaces.clear(a, 1);
+    const std::size_t edges = add_half_spaces();
+    measure_exactly(corners.allocator(), half_spaces, edges, plane, result);
+    return result;
+}
+
 }  // namespace mgdt

@@ -43,8 +43,9 @@ struct FoundFace {
 struct FoundFaces {
     explicit FoundFaces(Allocator& allocator) : faces(allocator), corners(allocator) {}
 
-    // Makes room for the faces of so many tetrahedra: most sets of points have 1.16 edges for each
-    // tetrahedron, and 6 corners of faces.
+    // Makes room for the faces that tetrahedra of this number usually have. In most sets of points
+    // there are 1.16 edges, and so faces, for each tetrahedron; all faces have 6 corners for each
+    // tetrahedron.
     void make_room(std::size_t tetrahedra) {
         const std::size_t begin = faces.size(), first_corner = corners.size();
         faces.grow(begin + tetrahedra + tetrahedra / 4);

@@ -16,12 +16,11 @@ class WholeFaces::Finder {
         : mesh_(of.view_.mesh),
           indices_(of.indices_),
           centers_(of.centers_),
-          allocator_(of.view_.allocator),
           found_(found),
-          ring_(allocator_),
-          corners_(allocator_),
-          points_(allocator_),
-          half_spaces_(allocator_) {}
+          ring_(of.view_.allocator),
+          corners_(of.view_.allocator),
+          points_(of.view_.allocator),
+          half_spaces_(of.view_.allocator) {}
 
     void add(TetId t, unsigned i, unsigned j);
 
@@ -34,7 +33,6 @@ class WholeFaces::Finder {
     const Mesh& mesh_;
     const VertexIndices& indices_;
     const Circumcenters& centers_;
-    Allocator& allocator_;
     FoundFaces& found_;
     VertexId a_ = 0, b_ = 0;  // the ends of the edge, the first one with the lesser index
     bool is_bounded_ = true;
@@ -98,15 +96,12 @@ FaceMeasure WholeFaces::Finder::measure(const FacePlane& plane) {
     points_.clear();
     for (const std::uint32_t slot : corners_) points_.push_back(&centers_[slot]);
     const double* const a = mesh_.point(a_);
-    FaceMeasure result =
-        measure_face(a, plane, points_.data(), points_.size(), 1 / centers_.factor());
-    if (is_accurate(result, plane)) return result;
-    half_spaces_.clear(a, 1);
-    half_spaces_.add_nearer_side(mesh_.point(b_));
-    for (const RingStep& step : ring_)
-        half_spaces_.add_nearer_side(mesh_.point(mesh_.tetrahedra[step.t].v[step.l]));
-    measure_exactly(allocator_, half_spaces_, ring_.size(), plane, result);
-    return result;
+    return measure_accurately(half_spaces_, a, plane, points_, 1 / centers_.factor(), [&] {
+        half_spaces_.add_nearer_side(mesh_.point(b_));
+        for (const RingStep& step : ring_)
+            half_spaces_.add_nearer_side(mesh_.point(mesh_.tetrahedra[step.t].v[step.l]));
+        return ring_.size();
+    });
 }
 
 void WholeFaces::Finder::add(TetId t, unsigned i, unsigned j) {

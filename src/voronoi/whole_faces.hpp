@@ -9,14 +9,15 @@
 
 namespace mgdt {
 
-// Appends, for each edge whose ends are not both cut, the face to the faces of a member of the
-// team. is_cut(v) says whether the cell of vertex v may be cut.
+// Finds the face of each edge, unless the cells of both ends may be cut. is_cut has a mark for each
+// vertex whose cell may be cut.
 class WholeFaces {
   public:
     WholeFaces(const ExportView& view, const VertexIndices& indices, const Circumcenters& centers,
                AtomicArray<std::uint8_t>& is_cut)
         : view_(view), indices_(indices), centers_(centers), is_cut_(is_cut) {}
 
+    // Each member of the team appends the faces that it finds to its own.
     void find(PerMember<FoundFaces>& found);
 
   private:
