@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The star that a place would have if it were a vertex: the tetrahedra that the place would remove,
-// the tetrahedra that it would create, and how these meet. The mesh does not change, so many
-// threads may use it at the same time.
+// the tetrahedra that the place would create, and how the created ones are adjacent. The mesh does
+// not change, so many threads may use one mesh at the same time.
 //
 // Vertices have local numbers in the order of the caller's indices, and the corners of each part
 // are sorted. So results that are computed from the star do not depend on the order of insertion.

@@ -30,8 +30,9 @@ static int piece(int64_t bytes, int64_t done) {
     return (int)(left < MGDT_MPI_LARGEST_MESSAGE ? left : MGDT_MPI_LARGEST_MESSAGE);
 }
 
-/* Gathers by one call, or by broadcasts if one call cannot gather so many bytes. All ranks know the
- * number of bytes of each rank, so all take the same branch. */
+/* Gathers the bytes of all ranks by one call of MPI. If there are more bytes than one call can
+ * gather, each rank broadcasts its own. All ranks know the number of bytes of each rank, so all
+ * ranks take the same branch. */
 static int32_t gather(const void* mine, void* all, const int64_t* begin, void* user) {
     struct mgdt_mpi_transport* const t = user;
     char* const to = all;

@@ -32,8 +32,9 @@ namespace mgdt {
 
 class BlockOwners {
   public:
-    // A table of the owners of items 0..n-1, which no thread owns yet. `pause` is a hook for tests:
-    // if it is not null, it is called before a block is acquired and after blocks are released.
+    // A table of the owners of items 0 to n - 1, where no item has an owner yet. `pause` is a hook
+    // for tests: a function that is called before a block is acquired and after blocks are
+    // released, or null.
     BlockOwners(Allocator& allocator, std::size_t n, void (*pause)());
     BlockOwners(const BlockOwners&) = delete;
     BlockOwners& operator=(const BlockOwners&) = delete;
