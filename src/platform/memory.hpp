@@ -148,9 +148,9 @@ class Buffer {
     void set_capacity(std::size_t capacity) {
         if (capacity < size_) capacity = size_;
         if (capacity == capacity_) return;
-        if (capacity > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_alloc();
+        if (capacity > static_cast<std::size_t>(-1) / item_size) throw std::bad_alloc();
         data_ = static_cast<T*>(allocator_->reallocate(
-            data_, capacity_ * sizeof(T), size_ * sizeof(T), capacity * sizeof(T), alignment));
+            data_, capacity_ * item_size, size_ * item_size, capacity * item_size, alignment));
         capacity_ = capacity;
     }
     void reserve(std::size_t capacity) {
@@ -175,7 +175,7 @@ class Buffer {
     void prefault(std::size_t begin, std::size_t end) noexcept {
         assert(end <= capacity_ && "pages beyond the array");
         if (begin < end)
-            allocator_->prefault(data_ + begin, (end - begin) * sizeof(T), capacity_ * sizeof(T),
+            allocator_->prefault(data_ + begin, (end - begin) * item_size, capacity_ * item_size,
                                  alignment);
     }
     void resize(std::size_t size) {
@@ -212,7 +212,7 @@ class Buffer {
         }
     }
     void reset() noexcept {
-        if (data_) allocator_->release(data_, capacity_ * sizeof(T), alignment);
+        if (data_) allocator_->release(data_, capacity_ * item_size, alignment);
         data_ = nullptr;
         size_ = capacity_ = 0;
     }
@@ -220,6 +220,8 @@ class Buffer {
   private:
     // The size of a cache line: records of 32 bytes and vectors do not cross lines.
     static constexpr std::size_t alignment = 64;
+    // NOLINTNEXTLINE(bugprone-sizeof-expression): the elements may be pointers
+    static constexpr std::size_t item_size = sizeof(T);
 
     Allocator* allocator_;
     T* data_ = nullptr;
