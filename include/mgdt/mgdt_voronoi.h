@@ -130,8 +130,9 @@ MGDT_API mgdt_status mgdt_voronoi_get_array_i32(const mgdt_voronoi* v, int32_t a
 MGDT_API mgdt_status mgdt_voronoi_get_doubles(const mgdt_voronoi* v, int32_t array,
                                               int64_t capacity, double* values);
 
-/** Leaves out the faces whose area is less than `area`, or less than `relative` times the total
- *  area of the faces of one of their cells. A face belongs to both of its cells, so it leaves both.
+/** Leaves out the faces whose area is less than `area`, or, for each of the cells that they
+ *  separate, less than `relative` times the total area of the cell's bounded faces. A face belongs
+ *  to both of its cells, so it leaves both.
  *  The faces that stay are numbered again, in their order; vertices, rays, volumes and centroids
  *  stay. Points of a lattice that was rotated, and so rounded, have tiny faces beside the large
  *  ones; without them the cells have the faces of the lattice.

@@ -56,14 +56,18 @@ void write_normals(const VoronoiDiagram& d, double* out) {
 void drop_small_faces(VoronoiDiagram& d, double area, double relative) {
     const std::size_t cells = d.cell_count(), faces = d.face_count();
     Allocator& allocator = d.areas.allocator();
-    Buffer<double> least(allocator);  // for each cell
-    least.resize(cells, area);
+    Buffer<double> total(allocator);  // the area of the bounded faces of each cell
+    total.resize(cells, 0.0);
     for (std::size_t c = 0; c < cells; ++c) {
-        double sum = 0;
-        for (std::uint64_t i = d.cell_begin[c]; i < d.cell_begin[c + 1]; ++i)
-            sum += d.areas[d.cell_faces[i]];
-        if (relative > 0 && std::isfinite(sum)) least[c] = std::fmax(area, relative * sum);
+        for (std::uint64_t i = d.cell_begin[c]; i < d.cell_begin[c + 1]; ++i) {
+            const double of_face = d.areas[d.cell_faces[i]];
+            if (std::isfinite(of_face)) total[c] += of_face;
+        }
     }
+    const auto least = [&](std::uint32_t a, std::uint32_t b) {
+        const double lesser = is_plane(b) ? total[a] : std::fmin(total[a], total[b]);
+        return relative > 0 ? std::fmax(area, relative * lesser) : area;
+    };
     // The new number of each face.
     constexpr std::uint32_t dropped = 0xFFFFFFFFu;
     Buffer<std::uint32_t> number(allocator);
@@ -71,7 +75,7 @@ void drop_small_faces(VoronoiDiagram& d, double area, double relative) {
     std::uint32_t kept = 0;
     for (std::size_t f = 0; f < faces; ++f) {
         const std::uint32_t a = d.face_sides[2 * f], b = d.face_sides[2 * f + 1];
-        if (d.areas[f] < least[a] || (!is_plane(b) && d.areas[f] < least[b])) continue;
+        if (d.areas[f] < least(a, b)) continue;
         number[f] = kept++;
     }
     // Nothing is allocated from here on.

@@ -60,8 +60,8 @@ inline bool is_plane(std::uint32_t side) noexcept {
 void make_empty(std::size_t points, VoronoiDiagram& diagram);
 // Writes the unit normal of each face, from its first side to the second one.
 void write_normals(const VoronoiDiagram& diagram, double* out);
-// Removes the faces whose area is less than `area`, or less than `relative` times the total area of
-// the faces of one of their cells. Throws std::bad_alloc with nothing changed.
+// Removes the faces whose area is less than `area`, or, for each of their cells, less than
+// `relative` times the total area of its bounded faces. Throws std::bad_alloc with nothing changed.
 void drop_small_faces(VoronoiDiagram& diagram, double area, double relative);
 
 }  // namespace mgdt

@@ -212,6 +212,18 @@ TEST(Voronoi, SmallFacesCanBeLeftOut) {
     EXPECT_EQ(d->face_begin.size(), 1u);
 }
 
+// A face that is small for a large cell may be large for the small cell beside it, and stays.
+TEST(Voronoi, FacesThatAreLargeForOneCellAreNotLeftOut) {
+    const Points xyz = lattice(5, 0);
+    OwnDiagram d(xyz, box(-1e6, 1e6)), unbounded(xyz, {});
+    for (OwnDiagram* each : {&d, &unbounded}) {
+        drop_small_faces(**each, 0, 1e-6);
+        // The cell beside three cells that are a million long, or have no end.
+        const std::size_t corner = 25 + 5 + 1;
+        EXPECT_EQ((*each)->cell_begin[corner + 1] - (*each)->cell_begin[corner], 6u);
+    }
+}
+
 TEST(Voronoi, NormalsPointFromTheFirstSideToTheSecond) {
     const Points xyz = uniform(40, 8), planes = box(0, 1);
     OwnDiagram d(xyz, planes);

@@ -74,7 +74,7 @@ class Voronoi(Snapshot):
     least_area : float, optional
         Faces with a smaller area are left out. Since 1.3.
     least_share : float, optional
-        Faces are left out whose area is a smaller share of the surface of one of their cells. Since
+        Faces are left out whose area is a smaller share of the surface of each of their cells. Since
         1.3.
     **settings
         Of `Delaunay`.

@@ -88,7 +88,7 @@ class Voronoi {
     }
 
     /** Leaves out the faces that are smaller than an area, or than a share of the area of one of
-     *  their cells; mgdt_voronoi_drop_small_faces(). @throw OutOfMemory, Error */
+     *  each of their cells; mgdt_voronoi_drop_small_faces(). @throw OutOfMemory, Error */
     void drop_small_faces(double area, double relative = 0) {
         require(mgdt_voronoi_drop_small_faces(handle_.get(), area, relative));
     }
