@@ -54,7 +54,7 @@ windows)
     suffix=-posix
     compiler_package=g++-mingw-w64-x86-64-posix
     emulator_package='wine wine64'
-    [ $short = yes ] || more_packages='libcli11-dev libfmt-dev libz-mingw-w64-dev gfortran-mingw-w64-x86-64-posix python3-meshio python3-numpy'
+    [ $short = yes ] || more_packages='libcli11-dev libfmt-dev libz-mingw-w64-dev gfortran-mingw-w64-x86-64-posix python3-meshio python3-vtk9 python3-numpy'
     emulator=wine
     system=windows
     family=x86_64

@@ -57,7 +57,7 @@ finish() {
 
 # What all tests need.
 packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 python3-numpy
-    python3-scipy python3-matplotlib python3-meshio python3-mypy python3-pytest python3-setuptools python3-wheel python3-build
+    python3-scipy python3-matplotlib python3-meshio python3-vtk9 python3-mypy python3-pytest python3-setuptools python3-wheel python3-build
     python3-venv libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev zlib1g-dev
     cmake tetgen abigail-tools mandoc groff-base gfortran
     luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev

@@ -44,7 +44,7 @@ Not run here, but by `sh tests/run.sh --full`:
     sets of full size                                   they take minutes
     Fortran, Lua, Octave, Ruby, Rust, the C++ header    their compilers and interpreters
     equality with CGAL, SciPy, TetGen and Qhull         those programs
-    files that meshio writes and reads                  python3-meshio
+    files that meshio and VTK write and read            python3-meshio, python3-vtk9
     MPI                                                 Open MPI, MPICH, mpi4py
     the documents' examples, the style, clang-tidy      Doxygen, mandoc, ShellCheck, clang
     clang++, Valgrind, Windows, arm64                   compilers and emulators

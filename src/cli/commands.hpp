@@ -9,6 +9,7 @@
 #include "cli/distributions.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/program_triangulation.hpp"
+#include "cli/region.hpp"
 
 namespace mgdt::cli {
 
@@ -70,6 +71,41 @@ int interpolate(const InterpolateOptions& options);
 // The names of the methods of interpolation, and of the treatments of places outside the hull.
 std::vector<std::string> interpolation_methods();
 std::vector<std::string> interpolation_outsides();
+
+struct VoronoiOptions {
+    InputOptions input;
+    OutputOptions output;
+    std::string table;  // a .csv file of measures, or empty
+    RegionOptions region;
+    double least_area = 0, least_share = 0;  // of faces that are not left out
+    TriangulationOptions triangulation;
+};
+int write_voronoi(const VoronoiOptions& options);
+
+struct SurfaceOptions {
+    InputOptions input;
+    OutputOptions output;
+    std::string alpha = "auto";  // the radius of the alpha shape; or "auto" for one solid
+    bool largest = false;        // write the solid of largest volume only
+    TriangulationOptions triangulation;
+};
+int write_alpha_surface(const SurfaceOptions& options);
+
+struct HullOptions {
+    InputOptions input;
+    OutputOptions output;
+    TriangulationOptions triangulation;
+};
+int write_hull(const HullOptions& options);
+
+struct RelaxOptions {
+    InputOptions input;
+    OutputOptions output;
+    RegionOptions region = {"auto", ""};
+    int steps = 0;
+    TriangulationOptions triangulation;
+};
+int relax(const RelaxOptions& options);
 
 // Reads an input. `format` receives the format of the input.
 Mesh read_input(const InputOptions& options, const Format** format = nullptr);

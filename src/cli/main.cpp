@@ -35,11 +35,13 @@ std::string formats_footer() {
     for (const Format* f : all_formats()) {
         const std::string extensions = fmt::format("{}", fmt::join(f->extensions, " "));
         const std::string does =
-            fmt::format("{}{}{}{}", f->read ? "read" : "", f->write_points ? ", points" : "",
-                        f->write_mesh ? ", tetrahedra" : "", f->write_fields ? ", values" : "");
+            fmt::format("{}{}{}{}{}", f->read ? "read" : "", f->write_points ? ", points" : "",
+                        f->write_mesh ? ", tetrahedra" : "", f->write_fields ? ", values" : "",
+                        f->write_surface ? ", triangles" : "");
         text += fmt::format("  {:<8} {:<25} {} [{}]\n", f->name, extensions, f->description, does);
     }
-    return text + "  [points, tetrahedra, values: what can be written; values are read too]\n";
+    return text +
+           "  [points, tetrahedra, values, triangles: what can be written; values are read too]\n";
 }
 
 std::string kinds_footer() {
@@ -99,7 +101,7 @@ void add_index_base(CLI::App& app, OutputOptions& options) {
 }
 
 void add_compress(CLI::App& app, OutputOptions& options) {
-    app.add_flag("--compress", options.write.compress, "Compress .vtu files");
+    app.add_flag("--compress", options.write.compress, "Compress .vtu and .vtp files");
 }
 
 void add_triangulation(CLI::App& app, TriangulationOptions& options) {
@@ -115,6 +117,18 @@ void add_triangulation(CLI::App& app, TriangulationOptions& options) {
     app.add_flag("--compact", options.compact,
                  "Three tenths less memory for the triangulation, in 20 to 40 percent more time");
     app.add_flag("-q,--quiet", options.quiet, "Print nothing but errors and what is asked for");
+}
+
+void add_region(CLI::App& app, RegionOptions& options) {
+    CLI::Option* box =
+        app.add_option("--box", options.box,
+                       "Box of the cells: least x,y,z and largest x,y,z; or auto for the points'")
+            ->type_name("BOX");
+    app.add_option("--planes", options.planes,
+                   "File of the planes that bound the cells: a line a b c d for each, where "
+                   "a x + b y + c z <= d")
+        ->excludes(box)
+        ->type_name("FILE");
 }
 
 void add_scheme_parameters(CLI::App& app, TriangulationOptions& options) {
@@ -173,6 +187,60 @@ void require_command(const CLI::App& app, const std::string& name) {
         throw Error(exit_usage, "there is no command bench; it is the program mgdt-bench");
     throw Error(exit_usage, fmt::format("unknown command {}; it is one of {}; see mgdt --help",
                                         quote(name), fmt::join(names, ", ")));
+}
+
+void add_voronoi(CLI::App& app, VoronoiOptions& options) {
+    add_input(app, options.input, "Points; - for standard input");
+    add_output(app, options.output, false);
+    add_index_base(app, options.output);
+    add_compress(app, options.output);
+    app.add_option("--csv", options.table,
+                   "Write a table too, with volume, area, centroid and neighbours of each cell")
+        ->type_name("FILE");
+    add_region(app, options.region);
+    app.add_option("--least-area", options.least_area, "Leave out faces of less area")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("A");
+    app.add_option("--least-share", options.least_share,
+                   "Leave out faces with less than this share of the area of each of their cells")
+        ->check(CLI::Range(0.0, 0.999999))
+        ->type_name("X");
+    add_triangulation(app, options.triangulation);
+    app.footer(formats_footer() + "\n" + exit_codes);
+}
+
+void add_surface(CLI::App& app, SurfaceOptions& options) {
+    add_input(app, options.input, "Points; - for standard input");
+    add_output(app, options.output, true);
+    add_compress(app, options.output);
+    app.add_option("--alpha", options.alpha,
+                   "Radius of the largest gap that is filled; or auto for the least one that gives "
+                   "one solid with all points (default auto)")
+        ->type_name("R");
+    app.add_flag("--largest", options.largest, "Write the solid of largest volume only");
+    add_triangulation(app, options.triangulation);
+    app.footer(formats_footer() + "\n" + exit_codes);
+}
+
+void add_hull(CLI::App& app, HullOptions& options) {
+    add_input(app, options.input, "Points; - for standard input");
+    add_output(app, options.output, true);
+    add_compress(app, options.output);
+    add_triangulation(app, options.triangulation);
+    app.footer(formats_footer() + "\n" + exit_codes);
+}
+
+void add_relax(CLI::App& app, RelaxOptions& options) {
+    add_input(app, options.input, "Points; - for standard input");
+    add_output(app, options.output, true);
+    add_index_base(app, options.output);
+    app.add_option("--steps", options.steps, "Number of steps")
+        ->required()
+        ->check(CLI::Range(0, 1000000))
+        ->type_name("N");
+    add_region(app, options.region);
+    add_triangulation(app, options.triangulation);
+    app.footer(formats_footer() + "\n" + exit_codes);
 }
 
 int run(const std::vector<std::string>& words) {
@@ -272,6 +340,26 @@ int run(const std::vector<std::string>& words) {
         app.add_subcommand("interpolate", "Read values at points, write values at other places.");
     add_interpolate(*interpolate_app, v);
 
+    VoronoiOptions d;
+    CLI::App* voronoi_app =
+        app.add_subcommand("voronoi", "Read points, write their Voronoi cells.");
+    add_voronoi(*voronoi_app, d);
+
+    SurfaceOptions s;
+    CLI::App* surface_app =
+        app.add_subcommand("surface", "Read points, write the surface of their alpha shape.");
+    add_surface(*surface_app, s);
+
+    HullOptions h;
+    CLI::App* hull_app =
+        app.add_subcommand("hull", "Read points, write the surface of their convex hull.");
+    add_hull(*hull_app, h);
+
+    RelaxOptions r;
+    CLI::App* relax_app = app.add_subcommand(
+        "relax", "Read points, move them to the centroids of their cells, write them.");
+    add_relax(*relax_app, r);
+
     if (words.size() > 1 && words[1].substr(0, 1) != "-") require_command(app, words[1]);
     try {
         // CLI11 takes arguments in reverse order.
@@ -287,6 +375,10 @@ int run(const std::vector<std::string>& words) {
     if (*generate_app) return generate_points(g);
     if (*check_app) return check(c);
     if (*interpolate_app) return interpolate(v);
+    if (*voronoi_app) return write_voronoi(d);
+    if (*surface_app) return write_alpha_surface(s);
+    if (*hull_app) return write_hull(h);
+    if (*relax_app) return relax(r);
     return info(i);
 }
 

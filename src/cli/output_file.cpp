@@ -185,6 +185,8 @@ void OutputFile::write_values(const T* values, std::size_t count) {
 }
 
 template void OutputFile::write_values(const double*, std::size_t);
+template void OutputFile::write_values(const float*, std::size_t);
+template void OutputFile::write_values(const std::uint32_t*, std::size_t);
 template void OutputFile::write_values(const std::int64_t*, std::size_t);
 template void OutputFile::write_values(const std::uint64_t*, std::size_t);
 template void OutputFile::write_values(const std::int32_t*, std::size_t);

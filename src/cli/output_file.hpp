@@ -54,6 +54,8 @@ class OutputFile {
 };
 
 extern template void OutputFile::write_values(const double*, std::size_t);
+extern template void OutputFile::write_values(const float*, std::size_t);
+extern template void OutputFile::write_values(const std::uint32_t*, std::size_t);
 extern template void OutputFile::write_values(const std::int64_t*, std::size_t);
 extern template void OutputFile::write_values(const std::uint64_t*, std::size_t);
 extern template void OutputFile::write_values(const std::int32_t*, std::size_t);

@@ -137,6 +137,7 @@ def examples(program, page):
         environment = dict(os.environ, PATH=f"{Path(program).resolve().parent}:{os.environ['PATH']}")
         setup = "mgdt generate uniform 100 -o p.npy\nmgdt triangulate -q p.npy -o mesh.ele\n"
         setup += "printf 'x,y,z,t\\n0,0,0,1\\n2,0,0,2\\n0,2,0,3\\n0,0,2,4\\n' >samples.csv\n"
+        setup += "mgdt generate uniform 100 -o atoms.xyz\nmgdt generate uniform 100 -o scan.ply\n"
         for block in (setup, *blocks):
             run = subprocess.run(["sh", "-eu", "-c", block], cwd=folder, env=environment, capture_output=True, text=True)
             check(f"example '{block.splitlines()[0].strip()}'", run.stdout + run.stderr if run.returncode else "")

@@ -107,9 +107,9 @@ const Format& output_format(const std::string& path, const std::string& name) {
 
 void require_compressible(const WriteOptions& options, const Format& format) {
     if (!options.compress) return;
-    if (&format != &vtu_format())
-        throw Error(exit_usage, fmt::format("--compress is for .vtu, not for {} ({})", format.name,
-                                            format.description));
+    if (&format != &vtu_format() && &format != &vtp_format())
+        throw Error(exit_usage, fmt::format("--compress is for .vtu and .vtp, not for {} ({})",
+                                            format.name, format.description));
     if (!can_compress())
         throw Error(exit_usage, "this program was built without zlib, which --compress needs");
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/formats/file_mesh.hpp"
+#include "cli/formats/surface.hpp"
 #include "cli/input_file.hpp"
 #include "cli/output_file.hpp"
 
@@ -68,6 +69,9 @@ struct Format {
     // arrays need not be in memory at the same time. nullptr if the format has no neighbours.
     void (*write_neighbors)(const std::vector<MeshIndex>& neighbors, const std::string& path,
                             OutputSet& outputs, const WriteOptions& options) = nullptr;
+    // Writes triangles; nullptr if the format does not have them.
+    void (*write_surface)(const Surface& surface, OutputFile& out,
+                          const WriteOptions& options) = nullptr;
 };
 
 const Format& text_format();

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Writes an unstructured grid as a .vtu file of VTK in raw binary. Integers have 32 bits if they
-// fit, which halves the size.
+// Writes grids and surfaces as VTK's XML files (.vtu, .vtp). Integers have 32 bits if they fit,
+// which halves the size.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "cli/formats/file_mesh.hpp"
+#include "cli/formats/surface.hpp"
 #include "cli/formats/vtk_cells.hpp"
 #include "cli/output_file.hpp"
 
@@ -23,5 +24,23 @@ struct Grid {
 };
 
 void write_grid(const Grid& grid, OutputFile& out);
+
+// Polyhedra that share points.
+struct Polyhedra {
+    std::vector<double> points;  // x y z of each point
+    // The points of each polyhedron, each once. Those of polyhedron i end before offsets[i].
+    std::vector<std::int64_t> corners, offsets;
+    // For each polyhedron the number of its faces, then for each face the number of its corners and
+    // the corners, counter-clockwise where they are seen from outside. Polyhedron i ends before
+    // face_offsets[i].
+    std::vector<std::int64_t> faces, face_offsets;
+    std::vector<std::int64_t> ids;  // the array "point": an id for each polyhedron
+    std::vector<Field> measures;    // values for each polyhedron
+    bool is_compressed = false;
+};
+
+void write_polyhedra(const Polyhedra& polyhedra, OutputFile& out);
+
+void write_vtk_surface(const Surface& surface, bool is_compressed, OutputFile& out);
 
 }  // namespace mgdt::cli

@@ -258,7 +258,7 @@ Mesh read_ply(const Source& source, const ReadOptions&) {
     return mesh;
 }
 
-void write_ply(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
+void write_ply_points(const std::vector<double>& points, OutputFile& out, const WriteOptions&) {
     out.write(
         fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n"
                     "property double x\nproperty double y\nproperty double z\nend_header\n",
@@ -266,11 +266,34 @@ void write_ply(const std::vector<double>& points, OutputFile& out, const WriteOp
     out.write_values(points.data(), points.size());
 }
 
+void write_surface(const Surface& surface, OutputFile& out, const WriteOptions&) {
+    out.write(
+        fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n"
+                    "property double x\nproperty double y\nproperty double z\n"
+                    "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+                    surface.point_count(), surface.triangle_count()));
+    out.write_values(surface.points.data(), surface.points.size());
+    for (std::size_t i = 0; i < surface.triangles.size(); i += 3) {
+        out.write_value<std::uint8_t>(3);
+        out.write_values(surface.triangles.data() + i, 3);
+    }
+}
+
 }  // namespace
 
 const Format& ply_format() {
-    static const Format format = {"ply", {".ply"}, "PLY vertices", true,
-                                  sniff, read_ply, write_ply,      nullptr};
+    static const Format format = [] {
+        Format f = {"ply",
+                    {".ply"},
+                    "PLY, of which vertices are read",
+                    true,
+                    sniff,
+                    read_ply,
+                    write_ply_points,
+                    nullptr};
+        f.write_surface = write_surface;
+        return f;
+    }();
     return format;
 }
 

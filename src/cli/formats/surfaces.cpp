@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The vertices of surfaces: Wavefront's .obj (its lines v), Geomview's .off, and .stl in text or
-// binary. An .stl file repeats the corners of each triangle; equal corners become one point, at the
-// first of them.
+// Surfaces, of which the vertices are read: Wavefront's .obj (its lines v), Geomview's .off, and
+// .stl in text or binary. An .stl file repeats the corners of each triangle; equal corners become
+// one point, at the first of them. Surfaces are written as text, and .stl in binary.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <unordered_set>
 
 #include "cli/errors.hpp"
 #include "cli/formats/bytes.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/formats/lines.hpp"
+#include "cli/formats/text_rows.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -148,25 +152,131 @@ Mesh read_stl(const Source& source, const ReadOptions&) {
     return mesh;
 }
 
+// Writes a row for each triangle: `begin`, then its corners, counted from `base`.
+void write_triangles(const Surface& surface, const char* begin, std::int64_t base,
+                     OutputFile& out) {
+    for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+        out.write(i % 3 == 0 ? begin : " ");
+        out.write_integer(surface.triangles[i] + base);
+        if (i % 3 == 2) out.write("\n");
+    }
+}
+
+void write_obj(const Surface& surface, OutputFile& out, const WriteOptions&) {
+    for (std::size_t i = 0; i < surface.points.size(); ++i) {
+        out.write(i % 3 == 0 ? "v " : " ");
+        out.write_number(surface.points[i]);
+        if (i % 3 == 2) out.write("\n");
+    }
+    write_triangles(surface, "f ", 1, out);
+}
+
+void write_off(const Surface& surface, OutputFile& out, const WriteOptions&) {
+    out.write(fmt::format("OFF\n{} {} 0\n", surface.point_count(), surface.triangle_count()));
+    write_points(surface.points, {}, out);
+    write_triangles(surface, "3 ", 0, out);
+}
+
+// STL has floats. Points that round to the same floats would join, and their triangles vanish.
+std::vector<float> floats_of(const std::vector<double>& points) {
+    std::vector<float> floats;
+    floats.reserve(points.size());
+    std::unordered_set<Corner, HashOfCorner> seen;
+    for (std::size_t i = 0; i < points.size(); i += 3) {
+        Corner c;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double x = points[i + k];
+            if (!(std::abs(x) <= std::numeric_limits<float>::max()))
+                throw Error(exit_usage,
+                            fmt::format("STL has floats, and {} is beyond them; write .ply", x));
+            floats.push_back(static_cast<float>(x));
+            c[k] = static_cast<double>(floats.back()) + 0.0;
+        }
+        if (!seen.insert(c).second)
+            throw Error(exit_usage,
+                        fmt::format("STL has floats, to which several points round, one of them "
+                                    "({}, {}, {}); write .ply",
+                                    points[i], points[i + 1], points[i + 2]));
+    }
+    return floats;
+}
+
+// The unit normal of a triangle, or zeros, from which readers compute it.
+std::array<float, 3> normal_of(const double* a, const double* b, const double* c) {
+    double u[3], v[3];
+    double largest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        u[k] = b[k] - a[k];
+        v[k] = c[k] - a[k];
+        largest = std::max({largest, std::abs(u[k]), std::abs(v[k])});
+    }
+    if (!(largest > 0) || !std::isfinite(largest)) return {};
+    for (std::size_t k = 0; k < 3; ++k) {
+        u[k] /= largest;
+        v[k] /= largest;
+    }
+    const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                         u[0] * v[1] - u[1] * v[0]};
+    const double length = std::hypot(n[0], n[1], n[2]);
+    if (!(length > 0)) return {};
+    return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length),
+            static_cast<float>(n[2] / length)};
+}
+
+void write_stl(const Surface& surface, OutputFile& out, const WriteOptions&) {
+    const std::size_t n = surface.triangle_count();
+    if (n > std::numeric_limits<std::uint32_t>::max())
+        throw Error(exit_usage, fmt::format("STL cannot have {} triangles; write .ply", n));
+    const std::vector<float> floats = floats_of(surface.points);
+    std::string head = "triangles written by mgdt";  // does not begin with "solid"
+    head.resize(head_bytes - 4, ' ');
+    out.write(head);
+    out.write_value(static_cast<std::uint32_t>(n));
+    for (std::size_t i = 0; i < n; ++i) {
+        const MeshIndex* corner = surface.triangles.data() + 3 * i;
+        const auto at = [&](int k) {
+            return surface.points.data() + 3 * static_cast<std::size_t>(corner[k]);
+        };
+        const std::array<float, 3> normal = normal_of(at(0), at(1), at(2));
+        out.write_values(normal.data(), 3);
+        for (int k = 0; k < 3; ++k)
+            out.write_values(floats.data() + 3 * static_cast<std::size_t>(corner[k]), 3);
+        out.write_value(std::uint16_t{0});
+    }
+}
+
 }  // namespace
 
 const Format& obj_format() {
-    static const Format format = {
-        "obj", {".obj"}, "vertices of Wavefront's OBJ", false, nullptr, read_obj, nullptr, nullptr};
+    static const Format format = [] {
+        Format f = {"obj",   {".obj"}, "Wavefront's OBJ, of which vertices are read",
+                    false,   nullptr,  read_obj,
+                    nullptr, nullptr};
+        f.write_surface = write_obj;
+        return f;
+    }();
     return format;
 }
 
 const Format& off_format() {
-    static const Format format = {"off",   {".off"},  "vertices of Geomview's OFF, text",
-                                  false,   sniff_off, read_off,
-                                  nullptr, nullptr};
+    static const Format format = [] {
+        Format f = {"off",   {".off"},  "Geomview's OFF, text, of which vertices are read",
+                    false,   sniff_off, read_off,
+                    nullptr, nullptr};
+        f.write_surface = write_off;
+        return f;
+    }();
     return format;
 }
 
 const Format& stl_format() {
-    static const Format format = {"stl",   {".stl"}, "vertices of STL, text or binary",
-                                  true,    nullptr,  read_stl,
-                                  nullptr, nullptr};
+    static const Format format = [] {
+        Format f = {"stl",   {".stl"}, "STL, text or binary, of which vertices are read",
+                    true,    nullptr,  read_stl,
+                    nullptr, nullptr};
+        f.write_surface = write_stl;
+        return f;
+    }();
     return format;
 }
 

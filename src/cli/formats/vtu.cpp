@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// VTK's XML unstructured grid (.vtu), as ParaView reads it, and the points of its surfaces (.vtp).
+// VTK's XML unstructured grid (.vtu), as ParaView reads it, and its surfaces (.vtp), of which the
+// points are read.
 // Written with appended raw arrays, each compressed or with a 64-bit length before it; read in
 // every form but compression by other libraries than zlib. The fields are the arrays of numbers in
 // PointData.
@@ -439,6 +440,10 @@ void write_fields(const Mesh& mesh, OutputFile& out, const WriteOptions& options
     }
 }
 
+void write_surface(const Surface& surface, OutputFile& out, const WriteOptions& options) {
+    write_vtk_surface(surface, options.compress, out);
+}
+
 }  // namespace
 
 const Format& vtu_format() {
@@ -450,8 +455,13 @@ const Format& vtu_format() {
 }
 
 const Format& vtp_format() {
-    static const Format format = {
-        "vtp", {".vtp"}, "points of VTK's surfaces", true, nullptr, read_vtu, nullptr, nullptr};
+    static const Format format = [] {
+        Format f = {"vtp",   {".vtp"}, "VTK's surfaces, of which points are read",
+                    true,    nullptr,  read_vtu,
+                    nullptr, nullptr};
+        f.write_surface = write_surface;
+        return f;
+    }();
     return format;
 }
 
