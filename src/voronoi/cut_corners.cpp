@@ -56,9 +56,9 @@ SplitPoint CutCorners::position(const Key& key) {
     set_planes(key);
     Vector<Twofold> x;
     double error[3], nearest[3];
-    bool is_known = half_spaces_.round_corner(0, 1, 2, x);
-    const bool is_ordinary = is_known;
-    for (int k = 0; k < 3; ++k) {
+    const bool is_ordinary = half_spaces_.round_corner(0, 1, 2, x);
+    bool is_known = is_ordinary;
+    for (int k = 0; k < 3 && is_ordinary; ++k) {
         const double low = x.x[k].low;
         error[k] = HalfSpaces::corner_error * std::fabs(x.x[k].high);
         nearest[k] = x.x[k].high + low;
