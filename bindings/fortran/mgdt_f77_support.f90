@@ -9,7 +9,7 @@ module mgdt_f77_support
     use mgdt_c
     use mgdt_constants
     use mgdt_layout, only: place_records, transpose_records
-    use mgdt_support, only: c_text, last_message, to_c
+    use mgdt_support, only: c_text, last_message, text_of, to_c
     implicit none
     public
 
@@ -19,7 +19,7 @@ module mgdt_f77_support
     integer(c_int32_t), parameter, private :: seal = 1296516212_c_int32_t
     integer, parameter, private :: integer_bits = bit_size(0), handle_integers = 128/integer_bits
     ! Added to the seal of another kind of handle.
-    integer(c_int32_t), parameter :: of_parts = 1
+    integer(c_int32_t), parameter :: of_parts = 1, of_voronoi = 2
 
     ! The arrays that export_at() knows.
     integer, parameter :: array_tetrahedra = 1, array_neighbors = 2, array_facets = 3, &

@@ -68,7 +68,7 @@ all_values_are_named() { # program, flags
 }
 
 # Subroutines for FORTRAN 77: names of six characters, each called by the test.
-f77_names() { sed -n 's/^subroutine \([a-z0-9]*\)(.*/\1/p' "$folder/mgdt_f77.f90"; }
+f77_names() { sed -n 's/^subroutine \([a-z0-9]*\)(.*/\1/p' "$folder/mgdt_f77.f90" "$folder/mgdt_voronoi_f77.f90"; }
 short_names() {
     f77_names | grep -c . && ! f77_names | grep -vE '^mg[a-z0-9]{1,4}$' &&
         for name in $(f77_names); do
@@ -121,8 +121,8 @@ done
 
 module_tests() { # set, flags
     check "the bindings with $2" bindings "$1" "$2" \
-        "$parts_sources $folder/mgdt_f77_support.f90 $folder/mgdt_f77.f90"
-    for test in test_arrays test_parts test_layouts test_points test_queries test_errors \
+        "$parts_sources $folder/mgdt_f77_support.f90 $folder/mgdt_f77.f90 $folder/mgdt_voronoi_f77.f90"
+    for test in test_arrays test_parts test_voronoi test_layouts test_points test_queries test_errors \
         test_life:counting test_no_copies:spy test_overflow_module:overflow; do
         name=${test%:*}
         object=${test#"$name"}
@@ -163,6 +163,7 @@ memcheck() {
 check 'no leak, nothing freed twice' memcheck test_life
 check 'no leak after errors' memcheck test_errors
 check 'no leak of parts' memcheck test_parts
+check 'no leak of diagrams' memcheck test_voronoi
 
 # -------------------------------------------------------------------- floating-point environment
 

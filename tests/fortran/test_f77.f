@@ -15,6 +15,7 @@
       CALL TSTTXT
       CALL TSTPRO
       CALL TSTCHG
+      CALL TSTVOR
       CALL TSTBAD
       WRITE (*, '(I6, A, I6, A)') NCHK, ' checks,', NBAD, ' failed'
       IF (NBAD .GT. 0 .OR. NCHK .EQ. 0) STOP 1
@@ -692,6 +693,90 @@
       CALL MGNEW(H, IERR)
       CALL MGERR(H, TEXT, IERR)
       CALL EXPECT(IERR .EQ. 0 .AND. TEXT .EQ. ' ', 'no message yet')
+      CALL MGFREE(H, IERR)
+      END
+
+! A Voronoi diagram in a box.
+      SUBROUTINE TSTVOR
+      IMPLICIT NONE
+      INTEGER N, MAXF, MAXC
+      PARAMETER (N = 300, MAXF = 4000, MAXC = 30000)
+      INTEGER H(4), HV(4), IERR, NF, NC, NV, I, K, J
+      INTEGER IOFF(MAXF), ICOR(MAXC), ISID(2, MAXF)
+      DOUBLE PRECISION XYZ(3, N), BOX(4, 6), CELL(N), AT(3, MAXC)
+      DOUBLE PRECISION D, E, V
+      CHARACTER*256 TEXT
+      LOGICAL YES
+      SAVE XYZ, CELL, AT, IOFF, ICOR, ISID
+      INCLUDE 'mgdt_f77.inc'
+      DATA BOX /-1D0, 0D0, 0D0, 9D0, 1D0, 0D0, 0D0, 9D0,
+     &          0D0, -1D0, 0D0, 9D0, 0D0, 1D0, 0D0, 9D0,
+     &          0D0, 0D0, -1D0, 9D0, 0D0, 0D0, 1D0, 9D0/
+      CALL MKPTS(N, XYZ)
+      CALL MGNEW(H, IERR)
+      CALL MGINS(H, N, XYZ, IERR)
+      CALL MGVNEW(H, 6, BOX, HV, IERR)
+      CALL GOOD(H, IERR, 'MGVNEW')
+      CALL MGVDBL(HV, MGVCVO, N, CELL, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGVDBL')
+      V = 0
+      DO 10 I = 1, N
+        V = V + CELL(I)
+   10 CONTINUE
+      CALL EXPECT(ABS(V - 18D0**3) .LT. 1D-9, 'cells fill the box')
+      CALL MGVSIZ(HV, MGVFAR, NF, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. NF .GT. N, 'MGVSIZ')
+      CALL MGVSIZ(HV, MGVFCO, NC, IERR)
+      CALL MGVSIZ(HV, MGVVTX, NV, IERR)
+      CALL EXPECT(NC .LE. MAXC .AND. NF .LT. MAXF, 'room')
+      CALL MGVARR(HV, MGVFOF, NF + 1, IOFF, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. IOFF(NF + 1) .EQ. NC + 1, 'MGVARR')
+      CALL MGVARR(HV, MGVFCO, NC, ICOR, IERR)
+      CALL MGVARR(HV, MGVFSI, 2*NF, ISID, IERR)
+      CALL MGVDBL(HV, MGVVTX, NV, AT, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'vertices')
+      YES = .TRUE.
+      DO 40 I = 1, NF
+        DO 30 K = IOFF(I), IOFF(I + 1) - 1
+          D = 0
+          E = 0
+          IF (ISID(2, I) .LT. 0) GO TO 30
+          DO 20 J = 1, 3
+            D = D + (AT(J, ICOR(K)) - XYZ(J, ISID(1, I)))**2
+            E = E + (AT(J, ICOR(K)) - XYZ(J, ISID(2, I)))**2
+   20     CONTINUE
+          YES = YES .AND. ABS(D - E) .LE. 1D-12*(1 + D)
+   30   CONTINUE
+   40 CONTINUE
+      CALL EXPECT(YES, 'corners are as far from both points')
+! What is refused, and what is dropped.
+      CALL MGVDBL(HV, MGVVTX, NV - 1, AT, IERR)
+      CALL EXPECT(IERR .EQ. MGEBUF, 'no room')
+      CALL MGVERR(HV, TEXT, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. INDEX(TEXT, 'needed') .GT. 0,
+     &            'MGVERR')
+      CALL MGVARR(HV, MGVVTX, NV, ICOR, IERR)
+      CALL EXPECT(IERR .EQ. MGEKEY, 'no integers')
+      CALL MGVDRP(HV, 1D-3, 0D0, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGVDRP')
+      CALL MGVSIZ(HV, MGVFAR, NC, IERR)
+      CALL EXPECT(NC .LT. NF .AND. NC .GT. 0, 'small faces')
+      CALL MGVDRP(HV, -1D0, 0D0, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'a negative area')
+      CALL MGVSIZ(H, MGVFAR, NC, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'a handle of another kind')
+      CALL MGNPT(HV, NC, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'no triangulation')
+      CALL MGVFRE(HV, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGVFRE')
+      CALL MGVFRE(HV, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'freed')
+      CALL MGVERR(HV, TEXT, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL .AND. TEXT .EQ. ' ', 'no diagram')
+      CALL MGVNEW(H, 5, BOX, HV, IERR)
+      CALL BAD(H, IERR, MGEARG, 'no end')
+      CALL MGVSIZ(HV, MGVFAR, NC, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'empty after a failure')
       CALL MGFREE(H, IERR)
       END
 
