@@ -562,6 +562,63 @@ function Triangulation:cell_measures(measure, planes, n)
 end
 jit.off(Triangulation.cell_measures)
 
+-- The arrays of a diagram, and how many numbers each has for a face, a ray, a vertex or a cell.
+local widths = { face_sides = 2, vertices = 3, ray_directions = 3, face_normals = 3, face_centroids = 3,
+    cell_centroids = 3 }
+
+local function ensure_diagram(diagram, value)
+    if value == 0 then return end
+    local buffer = ffi.new("char[256]")
+    C.mgdt_voronoi_get_error(diagram, 256, buffer)
+    local message = ffi.string(buffer)
+    raise(value, message ~= "" and message or ffi.string(C.mgdt_status_string(value)))
+end
+
+--- The Voronoi diagram of the points, as a table of arrays. Those of integers are int32_t:
+--- face_offsets, face_corners, face_sides ([k][0] and [k][1]), ray_vertices, cell_offsets, cell_faces,
+--- cell_bounded. Those of doubles are vertices, ray_directions, face_areas, face_normals,
+--- face_centroids, cell_volumes and cell_centroids; where there are three coordinates, they are [k][0]
+--- to [k][2]. vertex_count, ray_count, face_count and cell_count say how many there are.
+---
+--- The corners of face k are face_corners[face_offsets[k]] to face_corners[face_offsets[k + 1] - 1],
+--- less the index base. A negative corner -1 - r is ray r, and a negative side -1 - p is plane p, from 0.
+---
+--- Cells are clipped to the planes {a, b, c, d}, where a x + b y + c z <= d, given as points are. Faces
+--- with less than least_area are left out, and those with less than least_share of the area of each of
+--- their cells. Since 1.3.
+function Triangulation:voronoi(planes, n, least_area, least_share)
+    local handle = handle_of(self)
+    local rows, number = nil, 0
+    if planes ~= nil then rows, number = rows_of(planes, n, "planes", 4, "planes") end
+    least_area = real(least_area or 0, "least_area")
+    least_share = real(least_share or 0, "least_share")
+    local out = ffi.new("mgdt_voronoi *[1]")
+    ensure(handle, C.mgdt_voronoi_create(handle, number, rows, out))
+    local diagram = ffi.gc(out[0], C.mgdt_voronoi_destroy)
+    if least_area ~= 0 or least_share ~= 0 then
+        ensure_diagram(diagram, C.mgdt_voronoi_drop_small_faces(diagram, least_area, least_share))
+    end
+    local arrays, size = {}, ffi.new("int64_t[1]")
+    for name, key in pairs(constants.voronoi) do
+        local is_integer, width = key < constants.voronoi.vertices, widths[name]
+        local element = is_integer and "int32_t" or "double"
+        ensure_diagram(diagram, C.mgdt_voronoi_get_size(diagram, key, size))
+        local length = tonumber(size[0])
+        local array = width and ffi.new(("%s[?][%d]"):format(element, width), length / width)
+            or ffi.new(element .. "[?]", length)
+        local get = is_integer and C.mgdt_voronoi_get_array_i32 or C.mgdt_voronoi_get_doubles
+        ensure_diagram(diagram, get(diagram, key, length, ffi.cast(element .. " *", array)))
+        arrays[name] = array
+        if name == "vertices" then arrays.vertex_count = length / 3 end
+        if name == "ray_vertices" then arrays.ray_count = length end
+        if name == "face_areas" then arrays.face_count = length end
+        if name == "cell_volumes" then arrays.cell_count = length end
+    end
+    C.mgdt_voronoi_destroy(ffi.gc(diagram, nil))
+    return arrays
+end
+jit.off(Triangulation.voronoi)
+
 --- Alphas, squares of radii, of the tetrahedra (dimension 3), of their facets (2), 4 each, of the
 --- edges (1), or of the points (0); and how many they are.
 function Triangulation:alphas(dimension)

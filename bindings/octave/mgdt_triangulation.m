@@ -228,6 +228,28 @@ classdef mgdt_triangulation < handle
       x = mgdt_mex ("cell_measures", t.handle (), 10 * find (strcmp (measure, names)), planes);
     end
 
+    % The Voronoi diagram of the points, a struct of matrices with a row for each vertex, face, ray or
+    % point: vertices, face_offsets, face_corners, face_sides, face_areas, face_normals,
+    % face_centroids, ray_vertices, ray_directions, cell_offsets, cell_faces, cell_bounded,
+    % cell_volumes, cell_centroids. The corners of face k are
+    % v.face_corners(v.face_offsets(k):v.face_offsets(k+1)-1): rows of vertices, or rays: -r is row r
+    % of ray_vertices. The faces of the cell of a point are in cell_faces in the same way. The sides
+    % of a face are two points, or a point and -p, row p of the planes. Cells are clipped as by
+    % cell_measures. Faces with less area than least_area are left out, and those with less than
+    % least_share of the area of each of their cells. Since 1.3.
+    function v = voronoi (t, planes, least_area, least_share)
+      if (nargin < 2)
+        planes = zeros (0, 4);
+      end
+      if (nargin < 3)
+        least_area = 0;
+      end
+      if (nargin < 4)
+        least_share = 0;
+      end
+      v = mgdt_mex ("voronoi", t.handle (), t.doubles (planes, "planes"), least_area, least_share);
+    end
+
     % Tetrahedra that contain the points of an n x 3 matrix, n x 1, NaN outside the hull, and the
     % barycentric weights of their vertices, n x 4: as tsearchn.
     function [where, weights] = locate (t, points)

@@ -141,6 +141,25 @@ test("random points: every export as the C interface writes it", function()
     same(volumes, read("volumes", "double"), cells, "volumes")
     same(t:cell_measures("centroid", box), read("centroids", "double"), 3 * cells, "centroids")
     same(t:cell_measures("faces"), read("faces", "double"), cells, "faces")
+    for prefix, planes in pairs { cut = box, whole = {} } do
+        local v = t:voronoi(planes)
+        for name in pairs(require("mgdt.interface").voronoi) do
+            local is_integer = tostring(ffi.typeof(v[name])):match("int") ~= nil
+            local reference, length = read(prefix .. "_" .. name, is_integer and "int64_t" or "double")
+            equal(ffi.sizeof(v[name]) / (is_integer and 4 or 8), length, "length of " .. name)
+            same(v[name], reference, length, name)
+        end
+        equal(v.cell_count, n, "cells")
+        equal(ffi.sizeof(v.vertices), 24 * v.vertex_count, "vertices")
+        equal(v.face_offsets[v.face_count] > 3 * v.face_count, true, "corners of faces")
+        equal(v.ray_count > 0, prefix == "whole", "rays")
+    end
+    equal(t:voronoi(box, nil, 0.01).face_count < t:voronoi(box).face_count, true, "small faces")
+    equal(t:voronoi(box, nil, 0, 0.05).face_count < t:voronoi(box).face_count, true, "small shares")
+    refused("invalid_argument", { "-1" }, t.voronoi, t, box, nil, -1)
+    refused("invalid_argument", { "least_area is x" }, t.voronoi, t, box, nil, "x")
+    refused("invalid_argument", { "planes[1] is not four numbers" }, t.voronoi, t, { { 1, 2, 3 } })
+    refused("invalid_argument", { "no end" }, t.voronoi, t, { { 1, 0, 0, 9 } })
     local places, values = read("queries", "double"), read("values", "double")
     local expected_values, value_count = read("interpolated", "double")
     local interpolated, place_count = t:interpolate("sibson_c1", values, places, "linear", 2, value_count / 2)

@@ -104,6 +104,7 @@ function exports (folder)
   assert (t.cell_measures ("volume", box), read (folder, "volumes", "double", 1));
   assert (t.cell_measures ("centroid", box), read (folder, "centroids", "double", 3));
   assert (t.cell_measures ("faces"), read (folder, "faces", "double", 1));
+  diagrams (folder, t, box);
   places = read (folder, "queries", "double", 3);
   values = read (folder, "values", "double", 2);
   assert (t.interpolate ("sibson_c1", values, places, "linear"), read (folder, "interpolated", "double", 2));
@@ -126,6 +127,37 @@ function exports (folder)
   t.check ("combinatorial");
   t.check ("geometric");
   t.check ("canonical");
+end
+
+% The diagrams, clipped to a box and not, are those of the C interface.
+function diagrams (folder, t, box)
+  % Numbers from 1; rays and planes stay negative.
+  from_1 = @(x) x + (x >= 0);
+  for prefix = {"cut_", "whole_"}
+    p = prefix{1};
+    if (strcmp (p, "cut_"))
+      v = t.voronoi (box);
+    else
+      v = t.voronoi ();
+    end
+    for name = {"face_offsets", "face_corners", "ray_vertices", "cell_offsets", "cell_faces"}
+      assert (v.(name{1}), from_1 (read (folder, [p name{1}], "int64", 1)));
+    end
+    assert (v.face_sides, from_1 (read (folder, [p "face_sides"], "int64", 2)));
+    assert (v.cell_bounded, read (folder, [p "cell_bounded"], "int64", 1));
+    for name = {"face_areas", "cell_volumes"}
+      assert (v.(name{1}), read (folder, [p name{1}], "double", 1));
+    end
+    for name = {"vertices", "ray_directions", "face_normals", "face_centroids", "cell_centroids"}
+      assert (v.(name{1}), read (folder, [p name{1}], "double", 3));
+    end
+  end
+  faces = numel (t.voronoi (box).face_areas);
+  assert (all (t.voronoi (box, 0.01).face_areas >= 0.01));
+  assert (numel (t.voronoi (box, 0, 0.05).face_areas) < faces);
+  refused ("mgdt:invalid_argument", {"-1"}, @() t.voronoi (box, -1));
+  refused ("mgdt:invalid_argument", {"no end"}, @() t.voronoi (box(1:5,:)));
+  refused ("mgdt:invalid_argument", {"columns"}, @() t.voronoi ([1 2 3]));
 end
 
 % Random points have one Delaunay triangulation; Octave's is by Qhull.

@@ -6,6 +6,7 @@
  *
  * It checks itself what it writes: mgdt_check at every level, and Euler's formula. */
 #include <mgdt/mgdt.h>
+#include <mgdt/mgdt_voronoi.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -59,6 +60,49 @@ static void export_list(const mgdt_triangulation* t, get_function get, int64_t c
     require(get(t, count, v), t);
     write_file(name, v, count);
     free(v);
+}
+
+/* Writes the arrays of the Voronoi diagram, as PREFIX_NAME. */
+static void export_diagram(const mgdt_triangulation* t, int64_t n_planes, const double* planes,
+                           const char* prefix) {
+    static const struct {
+        int32_t key;
+        const char* name;
+    } arrays[] = {{MGDT_VORONOI_FACE_OFFSETS, "face_offsets"},
+                  {MGDT_VORONOI_FACE_CORNERS, "face_corners"},
+                  {MGDT_VORONOI_FACE_SIDES, "face_sides"},
+                  {MGDT_VORONOI_RAY_VERTICES, "ray_vertices"},
+                  {MGDT_VORONOI_CELL_OFFSETS, "cell_offsets"},
+                  {MGDT_VORONOI_CELL_FACES, "cell_faces"},
+                  {MGDT_VORONOI_CELL_BOUNDED, "cell_bounded"},
+                  {MGDT_VORONOI_VERTICES, "vertices"},
+                  {MGDT_VORONOI_RAY_DIRECTIONS, "ray_directions"},
+                  {MGDT_VORONOI_FACE_AREAS, "face_areas"},
+                  {MGDT_VORONOI_FACE_NORMALS, "face_normals"},
+                  {MGDT_VORONOI_FACE_CENTROIDS, "face_centroids"},
+                  {MGDT_VORONOI_CELL_VOLUMES, "cell_volumes"},
+                  {MGDT_VORONOI_CELL_CENTROIDS, "cell_centroids"}};
+    mgdt_voronoi* v = NULL;
+    size_t k;
+    require(mgdt_voronoi_create(t, n_planes, planes, &v), t);
+    for (k = 0; k < sizeof arrays / sizeof *arrays; ++k) {
+        const int32_t key = arrays[k].key;
+        char name[64];
+        int64_t count = 0;
+        void* values;
+        mgdt_status status;
+        if (mgdt_voronoi_get_size(v, key, &count) != MGDT_OK) stop("an array without a size");
+        values = room(count, 8);
+        if (key < MGDT_VORONOI_VERTICES)
+            status = mgdt_voronoi_get_array(v, key, count, values);
+        else
+            status = mgdt_voronoi_get_doubles(v, key, count, values);
+        if (status != MGDT_OK) stop("an array of a diagram");
+        snprintf(name, sizeof name, "%s_%s", prefix, arrays[k].name);
+        write_file(name, values, count);
+        free(values);
+    }
+    mgdt_voronoi_destroy(v);
 }
 
 int main(int argc, char** argv) {
@@ -130,6 +174,8 @@ int main(int argc, char** argv) {
     write_file("centroids", measures, 3 * n);
     require(mgdt_get_cell_measures(t, MGDT_MEASURE_FACES, 0, NULL, n, measures), t);
     write_file("faces", measures, n);
+    export_diagram(t, 6, box, "cut");
+    export_diagram(t, 0, NULL, "whole");
 
     values = room(2 * n, sizeof *values);
     for (i = 0; i < n; ++i) {

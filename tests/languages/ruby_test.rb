@@ -66,6 +66,43 @@ class MgdtTest < Minitest::Test
     assert_includes t.inspect, "8 points"
   end
 
+  # Not a test of its own: it takes the triangulation of the next one.
+  def diagrams_are_those_of_the_c_interface(t, box)
+    { "cut" => box, "whole" => [] }.each do |prefix, planes|
+      v = t.voronoi(planes)
+      integers = ->(name, *width) { self.class.integers("#{prefix}_#{name}", *width) }
+      doubles = ->(name) { self.class.doubles("#{prefix}_#{name}") }
+      rows = ->(name) { doubles.call(name).each_slice(3).to_a }
+      lists = lambda do |offsets, list|
+        all = integers.call(list)
+        integers.call(offsets).each_cons(2).map { |from, to| all[from...to] }
+      end
+      assert_equal lists.call("face_offsets", "face_corners"), v.faces
+      assert_equal integers.call("face_sides", 2), v.sides
+      assert_equal integers.call("ray_vertices"), v.ray_vertices
+      assert_equal lists.call("cell_offsets", "cell_faces"), v.cells
+      assert_equal integers.call("cell_bounded"), (v.bounded.map { |flag| flag ? 1 : 0 })
+      { vertices: v.vertices, ray_directions: v.ray_directions, face_normals: v.normals,
+        face_centroids: v.centroids, cell_centroids: v.cell_centroids }.each do |name, got|
+        assert_equal rows.call(name), got, name
+      end
+      assert_equal doubles.call("face_areas"), v.areas
+      assert_equal doubles.call("cell_volumes"), v.volumes
+    end
+    all = t.voronoi(box).faces.size
+    assert_operator t.voronoi(box, least_area: 0.01).faces.size, :<, all
+    assert_operator t.voronoi(box, least_share: 0.05).faces.size, :<, all
+    refused(Mgdt::InvalidArgument, "-1") { t.voronoi(box, least_area: -1) }
+    refused(Mgdt::InvalidArgument, "planes[0] is not four numbers") { t.voronoi([[1, 2, 3]]) }
+    refused(Mgdt::InvalidArgument, "no end") { t.voronoi([[1, 0, 0, 9]]) }
+    one = Mgdt::Triangulation.new(index_base: 1)
+    one.insert([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    diagram = one.voronoi
+    assert_equal [[1, 2], [1, 3], [1, 4], [2, 3], [2, 4], [3, 4]], diagram.sides.sort
+    assert_equal [1, 2, 3, 4, 5, 6], diagram.cells.flatten.uniq.sort
+    assert_equal [[0.5, 0.5, 0.5]], diagram.vertices
+  end
+
   def test_exports_are_those_of_the_c_interface
     t = triangulation
     WIDTHS.each do |name, width|
@@ -101,6 +138,7 @@ class MgdtTest < Minitest::Test
     assert_equal self.class.doubles("volumes"), t.cell_measures(:volume, box)
     assert_equal self.class.doubles("centroids").each_slice(3).to_a, t.cell_measures(:centroid, box)
     assert_equal self.class.doubles("faces"), t.cell_measures(:faces)
+    diagrams_are_those_of_the_c_interface(t, box)
     places = self.class.doubles("queries").each_slice(3).to_a
     values = self.class.doubles("values").each_slice(2).to_a
     expected = self.class.doubles("interpolated").each_slice(2).to_a

@@ -17,6 +17,7 @@ require_relative "mgdt/error"
 require_relative "mgdt/library"
 require_relative "mgdt/points"
 require_relative "mgdt/triangulation"
+require_relative "mgdt/voronoi"
 
 module Mgdt
   # Version of the library that is loaded, "1.2.0".

@@ -305,6 +305,24 @@ module Mgdt
       end
     end
 
+    # The Voronoi diagram of the points, a Mgdt::Voronoi. Cells are clipped to the planes [a, b, c, d],
+    # as by cell_measures. Faces with less than least_area are left out, and those with less than
+    # least_share of the area of each of their cells. Since 1.3.
+    def voronoi(planes = [], least_area: 0, least_share: 0)
+      rows = Points.new(planes, width: 4, name: "planes")
+      with_handle do |handle|
+        out = FFI::MemoryPointer.new(:pointer)
+        ensure_good(handle, Library.mgdt_voronoi_create(handle, rows.count, rows.data, out))
+        reader = VoronoiReader.new(out.read_pointer, @index_base)
+        begin
+          reader.drop_small_faces(Float(least_area), Float(least_share))
+          reader.read
+        ensure
+          reader.free
+        end
+      end
+    end
+
     # Alphas, squares of radii, of the tetrahedra (dimension 3), of the facets opposite their vertices
     # (2), four Numbers each, of the edges (1), or of the points (0).
     def alphas(dimension)

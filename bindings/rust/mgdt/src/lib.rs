@@ -23,11 +23,13 @@ mod error;
 mod export;
 mod names;
 mod triangulation;
+mod voronoi;
 
 pub use error::{Error, ErrorKind};
 pub use export::{Circumsphere, Int, Location, PointLists, VertexTetrahedra};
 pub use names::{Check, Measure, Method, Order, Outside, Parameter, Separation, Statistic};
 pub use triangulation::{Canceller, Triangulation};
+pub use voronoi::{Voronoi, VoronoiArray, VoronoiNumbers};
 
 /// What stands for "none" among plain integers: the neighbour of a facet on the hull, the vertex of
 /// a point that is not in, the tetrahedron of a point outside.

@@ -468,7 +468,7 @@ fn as_numbers(points: &[usize]) -> Vec<i64> {
     points.iter().map(|&k| as_i64(k)).collect()
 }
 
-fn status_text(status: sys::mgdt_status) -> String {
+pub(crate) fn status_text(status: sys::mgdt_status) -> String {
     text(unsafe { sys::mgdt_status_string(status) })
         .unwrap_or("")
         .to_string()

@@ -49,6 +49,53 @@ fn number(k: Option<usize>) -> i64 {
     k.map_or(NONE, |k| k as i64)
 }
 
+/// The diagrams, clipped to a cube and not, are those of the C interface.
+fn diagrams(t: &mgdt::Triangulation, cube: &[[f64; 4]]) {
+    use mgdt::{VoronoiArray as Array, VoronoiNumbers as Numbers};
+    for (prefix, planes) in [("cut", cube), ("whole", &[][..])] {
+        let v = t.voronoi(planes).unwrap();
+        let name = |name: &str| format!("{}_{}", prefix, name);
+        for (key, of) in [
+            (Array::FaceOffsets, "face_offsets"),
+            (Array::FaceCorners, "face_corners"),
+            (Array::FaceSides, "face_sides"),
+            (Array::RayVertices, "ray_vertices"),
+            (Array::CellOffsets, "cell_offsets"),
+            (Array::CellFaces, "cell_faces"),
+            (Array::CellBounded, "cell_bounded"),
+        ] {
+            assert_eq!(v.array(key).unwrap(), integers(&name(of)), "{}", of);
+        }
+        for (key, of) in [
+            (Numbers::Vertices, "vertices"),
+            (Numbers::RayDirections, "ray_directions"),
+            (Numbers::FaceAreas, "face_areas"),
+            (Numbers::FaceNormals, "face_normals"),
+            (Numbers::FaceCentroids, "face_centroids"),
+            (Numbers::CellVolumes, "cell_volumes"),
+            (Numbers::CellCentroids, "cell_centroids"),
+        ] {
+            assert_eq!(v.numbers(key).unwrap(), doubles(&name(of)), "{}", of);
+        }
+        let flat: Vec<f64> = v.vertices().unwrap().into_iter().flatten().collect();
+        assert_eq!(flat, doubles(&name("vertices")));
+    }
+    let mut v = t.voronoi(cube).unwrap();
+    let faces = v.numbers(Numbers::FaceAreas).unwrap().len();
+    assert!(format!("{:?}", v).contains(&format!("faces: {}", faces)));
+    v.drop_small_faces(0.01, 0.0).unwrap();
+    let fewer = v.numbers(Numbers::FaceAreas).unwrap();
+    assert!(fewer.len() < faces && fewer.iter().all(|&x| x >= 0.01));
+    let error = v.drop_small_faces(-1.0, 0.0).unwrap_err();
+    assert_eq!(error.kind(), mgdt::ErrorKind::InvalidArgument);
+    assert!(error.message().contains("-1"));
+    let error = t.voronoi(&cube[..5]).unwrap_err();
+    assert_eq!(error.kind(), mgdt::ErrorKind::InvalidArgument);
+    assert!(error.message().contains("no end"));
+    fn crosses_threads<T: Send + Sync>(_: &T) {}
+    crosses_threads(&v);
+}
+
 #[test]
 fn every_export() {
     let t = triangulation();
@@ -114,6 +161,7 @@ fn every_export() {
         doubles("centroids")
     );
     assert_eq!(measures(mgdt::Measure::Faces, &[]), doubles("faces"));
+    diagrams(&t, &cube);
     let places: Vec<[f64; 3]> = doubles("queries")
         .chunks(3)
         .map(|p| [p[0], p[1], p[2]])
