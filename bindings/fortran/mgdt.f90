@@ -62,6 +62,9 @@ module mgdt
               mgdt_stat_peak_memory_bytes
     public :: mgdt_check_combinatorial, mgdt_check_geometric, mgdt_check_canonical
     public :: mgdt_measure_volume, mgdt_measure_area, mgdt_measure_centroid, mgdt_measure_faces
+    public :: mgdt_tetrahedron_volume, mgdt_tetrahedron_radius_ratio, &
+              mgdt_tetrahedron_least_angle, mgdt_tetrahedron_largest_angle, &
+              mgdt_tetrahedron_longest_edge
     public :: mgdt_interpolate_linear, mgdt_interpolate_nearest, mgdt_interpolate_sibson, &
               mgdt_interpolate_laplace, mgdt_interpolate_sibson_c1
     public :: mgdt_outside_none, mgdt_outside_nearest, mgdt_outside_boundary, &
@@ -138,7 +141,7 @@ module mgdt
             get_edges_i64_2
         procedure, private :: get_point_map_i32, get_point_map_i64
         generic :: get_point_map => get_point_map_i32, get_point_map_i64
-        procedure :: get_circumcenters
+        procedure :: get_circumcenters, get_tetrahedron_measures
         procedure, private :: get_cell_measures_1, get_cell_measures_2
         generic :: get_cell_measures => get_cell_measures_1, get_cell_measures_2
         procedure, private :: get_alphas_1, get_alphas_2
@@ -713,6 +716,15 @@ module mgdt
             class(mgdt_triangulation), intent(in) :: self
             real(real64), contiguous, intent(inout) :: xyz(:, :)
             real(real64), contiguous, intent(inout), optional, target :: radius2(:)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! A measure of each tetrahedron, x(tetrahedron_count()): an mgdt_tetrahedron_ constant. Since
+        ! 1.3.
+        module subroutine get_tetrahedron_measures(self, measure, x, stat, errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            integer, intent(in) :: measure
+            real(real64), contiguous, intent(inout) :: x(:)
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine

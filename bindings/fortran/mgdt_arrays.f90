@@ -196,6 +196,16 @@ contains
         call finish(handle, 'get_spanning_tree', status, stat, errmsg, owned=self%handle)
     end procedure
 
+    module procedure get_tetrahedron_measures
+        type(c_ptr) :: handle
+        integer(c_int32_t) :: status
+
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) &
+            status = c_get_tetrahedron_measures(handle, to_c(measure), size(x, kind=int64), x)
+        call finish(handle, 'get_tetrahedron_measures', status, stat, errmsg, owned=self%handle)
+    end procedure
+
     module procedure get_circumcenters
         type(c_ptr) :: handle, squares
         integer(c_int32_t) :: status

@@ -286,6 +286,15 @@ module mgdt_c
             type(c_ptr), value :: radius2
             integer(c_int32_t) :: status
         end function
+        function c_get_tetrahedron_measures(t, measure, capacity, x) result(status) &
+            bind(c, name='mgdt_get_tetrahedron_measures')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            integer(c_int32_t), value :: measure
+            integer(c_int64_t), value :: capacity
+            real(c_double), intent(inout) :: x(*)
+            integer(c_int32_t) :: status
+        end function
         function c_get_cell_measures(t, measure, n_planes, planes, capacity, x) result(status) &
             bind(c, name='mgdt_get_cell_measures')
             import :: c_double, c_int32_t, c_int64_t, c_ptr

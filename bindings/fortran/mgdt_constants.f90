@@ -158,6 +158,19 @@ module mgdt_constants
     ! Number of the cell's faces that have an area.
     integer, parameter :: mgdt_measure_faces = 40
 
+    ! Measures of tetrahedra.
+    ! Volume of the tetrahedron.
+    integer, parameter :: mgdt_tetrahedron_volume = 10
+    ! 3 times the radius of the inscribed sphere over that of the circumsphere: 1 for a regular
+    ! tetrahedron, near 0 for a flat one.
+    integer, parameter :: mgdt_tetrahedron_radius_ratio = 20
+    ! Least of the six dihedral angles.
+    integer, parameter :: mgdt_tetrahedron_least_angle = 30
+    ! Largest of the six dihedral angles.
+    integer, parameter :: mgdt_tetrahedron_largest_angle = 31
+    ! Length of the longest edge.
+    integer, parameter :: mgdt_tetrahedron_longest_edge = 40
+
     ! Methods.
     ! Linear in each tetrahedron; continuous.
     integer, parameter :: mgdt_interpolate_linear = 10

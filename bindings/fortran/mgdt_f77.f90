@@ -744,6 +744,20 @@ subroutine mgcirc(h, maxt, xyz, r2, ierr)
     ierr = c_get_circumcenters(handle_of(h), int(maxt, c_int64_t), xyz, c_loc(r2))
 end subroutine
 
+! A measure of each tetrahedron, X(MAXX): MGTVOL, MGTRRT, MGTLAN, MGTGAN or MGTEDG. Since 1.3.
+subroutine mgtmsr(h, meas, maxx, x, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    integer, intent(in) :: meas
+    integer, intent(in) :: maxx
+    real(c_double), intent(inout) :: x(*)
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, maxx)) return
+    ierr = c_get_tetrahedron_measures(handle_of(h), to_c(meas), int(maxx, c_int64_t), x)
+end subroutine
+
 ! A measure of the Voronoi cell of each point, X(MAXX): MGMVOL, MGMARE, MGMFAC, or MGMCEN, 3 numbers
 ! a point. Cells are clipped to the NP planes A*X + B*Y + C*Z <= D, PLANES(4, NP).
 subroutine mgcell(h, meas, np, planes, maxx, x, ierr)

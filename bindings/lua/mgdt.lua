@@ -544,7 +544,18 @@ function Triangulation:circumcenters()
     return xyz, squares, n
 end
 
-local measures = constants.measure
+local measures, tetrahedron_measures = constants.measure, constants.tetrahedron
+
+--- A measure of each tetrahedron, "volume", "radius_ratio", "least_angle" or "largest_angle" (dihedral,
+--- in radians) or "longest_edge"; and the number of tetrahedra. Since 1.3.
+function Triangulation:tetrahedron_measures(measure)
+    local handle = handle_of(self)
+    local key = choice(measure, tetrahedron_measures, "the measure")
+    local n = tonumber(C.mgdt_tetrahedron_count(handle))
+    local x = ffi.new("double[?]", n)
+    ensure(handle, C.mgdt_get_tetrahedron_measures(handle, key, n, x))
+    return x, n
+end
 
 --- A measure of each point's Voronoi cell, "volume", "area", "faces", or "centroid", 3 doubles each;
 --- and the number of points. Cells are clipped to the planes {a, b, c, d}, where

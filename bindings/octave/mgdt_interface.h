@@ -66,6 +66,7 @@
     F(get_spanning_tree);             \
     F(get_spanning_tree_i32);         \
     F(get_circumcenters);             \
+    F(get_tetrahedron_measures);      \
     F(get_cell_measures);             \
     F(get_alphas);                    \
     F(get_alpha_surface);             \

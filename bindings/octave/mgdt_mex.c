@@ -404,6 +404,13 @@ static mxArray* alphas(const mgdt_triangulation* t, int32_t dimension) {
     return rows_of_doubles(x, n, width);
 }
 
+static mxArray* tetrahedron_measures(const mgdt_triangulation* t, int32_t measure) {
+    const int64_t n = mgdt.tetrahedron_count(t);
+    double* const x = room(n, sizeof *x);
+    ensure(t, mgdt.get_tetrahedron_measures(t, measure, n, x));
+    return rows_of_doubles(x, n, 1);
+}
+
 static mxArray* alpha_surface(const mgdt_triangulation* t, const mxArray* alpha2) {
     /* Enough for one surface or some; the count says what others need. */
     int64_t capacity = 2 * mgdt.vertex_count(t) + 4, count = 0, *v;
@@ -789,6 +796,8 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         circumcenters(s->t, nlhs, plhs);
     } else if (strcmp(command, "alphas") == 0) {
         plhs[0] = alphas(s->t, small(first, "the dimension"));
+    } else if (strcmp(command, "tetrahedron_measures") == 0) {
+        plhs[0] = tetrahedron_measures(s->t, small(first, "the measure"));
     } else if (strcmp(command, "alpha_surface") == 0) {
         plhs[0] = alpha_surface(s->t, first);
     } else if (strcmp(command, "solid_alpha") == 0) {

@@ -214,6 +214,17 @@ classdef mgdt_triangulation < handle
       alpha2 = mgdt_mex ("solid_alpha", t.handle ());
     end
 
+    % A measure of each tetrahedron, m x 1: "volume", "radius_ratio", "least_angle" or "largest_angle"
+    % (dihedral, in radians), or "longest_edge". Since 1.3.
+    function x = tetrahedron_measures (t, measure)
+      names = {"volume", "radius_ratio", "least_angle", "largest_angle", "longest_edge"};
+      keys = [10 20 30 31 40];
+      if (! ischar (measure) || ! any (strcmp (measure, names)))
+        error ("mgdt:unknown_key", "mgdt: the measure must be one of %s", strjoin (names, ", "));
+      end
+      x = mgdt_mex ("tetrahedron_measures", t.handle (), keys(strcmp (measure, names)));
+    end
+
     % A measure of each point's Voronoi cell, n x 1: "volume", "area" or "faces", or "centroid", n x 3.
     % Cells are clipped to the planes a b c d of a p x 4 matrix, where a x + b y + c z <= d; without
     % any, those of hull vertices are infinite.

@@ -213,6 +213,17 @@ enum {
     MGDT_MEASURE_FACES = 40     /**< Number of the cell's faces that have an area. */
 };
 
+/** What mgdt_get_tetrahedron_measures() measures. Angles are in radians. Since 1.3. */
+enum {
+    MGDT_TETRAHEDRON_VOLUME = 10, /**< Volume of the tetrahedron. */
+    /** 3 times the radius of the inscribed sphere over that of the circumsphere: 1 for a regular
+     *  tetrahedron, near 0 for a flat one. */
+    MGDT_TETRAHEDRON_RADIUS_RATIO = 20,
+    MGDT_TETRAHEDRON_LEAST_ANGLE = 30,   /**< Least of the six dihedral angles. */
+    MGDT_TETRAHEDRON_LARGEST_ANGLE = 31, /**< Largest of the six dihedral angles. */
+    MGDT_TETRAHEDRON_LONGEST_EDGE = 40   /**< Length of the longest edge. */
+};
+
 /** Methods of interpolation: how a value anywhere is computed from values at the vertices.
  *  @since 1.2 */
 enum {
@@ -705,6 +716,19 @@ MGDT_API mgdt_status mgdt_get_spanning_tree_i32(const mgdt_triangulation* t, int
  *  @since 1.2 */
 MGDT_API mgdt_status mgdt_get_circumcenters(const mgdt_triangulation* t, int64_t capacity,
                                             double* xyz, double* radius2);
+
+/** Measures each tetrahedron, in the order of mgdt_get_tetrahedra(). The relative error is below
+ *  1e-12, and so is the error of an angle, however flat the tetrahedron is: volumes and radius
+ *  ratios are positive. Numbers beyond the largest double are infinite, and numbers below the least
+ *  one are 0. A number depends on the four points alone. Uses the threads of mgdt_set_threads().
+ * The derivation is in docs/theory.md, "Measures of tetrahedra".
+ *  @param measure   an MGDT_TETRAHEDRON_ value
+ *  @param capacity  elements in x, at least mgdt_tetrahedron_count(t)
+ *  @param[out] x    may be NULL if there are no tetrahedra
+ *  @return as mgdt_get_tetrahedra(), and MGDT_ERR_UNKNOWN_KEY
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_get_tetrahedron_measures(const mgdt_triangulation* t, int32_t measure,
+                                                   int64_t capacity, double* x);
 
 /** Measures the Voronoi cell of each point, the region that is nearer to it than to any other
  *  point. Without planes, the cells of hull vertices are unbounded: their volumes, areas and

@@ -5,10 +5,29 @@
 
 #include "capi/counts.hpp"
 #include "capi/handle.hpp"
+#include "query/tetrahedron_measures.hpp"
 
 using namespace mgdt;
 
 namespace {
+
+TetrahedronMeasure tetrahedron_measure_of(std::int32_t measure) {
+    switch (measure) {
+        case MGDT_TETRAHEDRON_VOLUME:
+            return TetrahedronMeasure::volume;
+        case MGDT_TETRAHEDRON_RADIUS_RATIO:
+            return TetrahedronMeasure::radius_ratio;
+        case MGDT_TETRAHEDRON_LEAST_ANGLE:
+            return TetrahedronMeasure::least_angle;
+        case MGDT_TETRAHEDRON_LARGEST_ANGLE:
+            return TetrahedronMeasure::largest_angle;
+        case MGDT_TETRAHEDRON_LONGEST_EDGE:
+            return TetrahedronMeasure::longest_edge;
+        default:
+            fail(MGDT_ERR_UNKNOWN_KEY, "there is no measure %d of tetrahedra",
+                 static_cast<int>(measure));
+    }
+}
 
 // The least number of elements per thread.
 constexpr std::size_t min_items_per_thread = 262144;
@@ -172,6 +191,20 @@ MGDT_EXPORT(point_map)
     }
 MGDT_LIST_EXPORT(vertex_tetrahedra)
 MGDT_LIST_EXPORT(vertex_neighbors)
+
+extern "C" mgdt_status mgdt_get_tetrahedron_measures(const mgdt_triangulation* t, int32_t measure,
+                                                     int64_t capacity, double* x) {
+    return guard(t, [&] {
+        const TetrahedronMeasure m = tetrahedron_measure_of(measure);
+        const auto count = static_cast<std::size_t>(tetrahedron_count(t->core));
+        if (count > 0) require_pointer(x, "the output array");
+        require_capacity(capacity, count, "the output array");
+        if (count == 0) return;
+        constexpr std::size_t tetrahedra_per_thread = 4096;
+        Team team(t->core.threads_for(count, tetrahedra_per_thread));
+        export_tetrahedron_measures(view_of(team, t, true), m, x);
+    });
+}
 
 extern "C" mgdt_status mgdt_get_circumcenters(const mgdt_triangulation* t, int64_t capacity,
                                               double* xyz, double* radius2) {

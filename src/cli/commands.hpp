@@ -34,6 +34,7 @@ struct TriangulateOptions {
     std::string point_map;    // .npy file, or empty
     bool all_points = false;  // also write points that are in no tetrahedron
     int check_level = 0;
+    double drop_flat = 0;  // the radius ratio below which tetrahedra are taken off the hull
     bool statistics = false;
     int parts = 0;  // number of parts; 0 for one triangulation
 };

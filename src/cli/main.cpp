@@ -6,12 +6,14 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <limits>
 #include <new>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
 #include "cli/data_directory.hpp"
 #include "cli/errors.hpp"
+#include "cli/formats/number.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/system.hpp"
 
@@ -54,6 +56,17 @@ std::string kinds_footer() {
 
 std::string schemes() {
     return fmt::format("{}", fmt::join(scheme_names(), ", "));
+}
+
+// Like CLI::Range, but refuses nan.
+CLI::Validator number_between(double low, double high) {
+    return CLI::Validator(
+        [low, high](std::string& text) -> std::string {
+            double x = 0;
+            if (parse_number(text, x) == NumberStatus::ok && x >= low && x <= high) return "";
+            return fmt::format("{} is not a number from {} to {}", quote(text), low, high);
+        },
+        "");
 }
 
 void add_columns(CLI::App& app, const char* option, InputOptions& options, const char* whose) {
@@ -199,11 +212,11 @@ void add_voronoi(CLI::App& app, VoronoiOptions& options) {
         ->type_name("FILE");
     add_region(app, options.region);
     app.add_option("--least-area", options.least_area, "Leave out faces of less area")
-        ->check(CLI::NonNegativeNumber)
+        ->check(number_between(0, std::numeric_limits<double>::max()))
         ->type_name("A");
     app.add_option("--least-share", options.least_share,
                    "Leave out faces with less than this share of the area of each of their cells")
-        ->check(CLI::Range(0.0, 0.999999))
+        ->check(number_between(0, 0.999999))
         ->type_name("X");
     add_triangulation(app, options.triangulation);
     app.footer(formats_footer() + "\n" + exit_codes);
@@ -278,6 +291,12 @@ int run(const std::vector<std::string>& words) {
                      "Prove the result before writing: 1 combinatorial, 2 geometric, 3 canonical")
         ->check(CLI::Range(1, 3))
         ->type_name("LEVEL");
+    triangulate_app
+        ->add_option("--drop-flat", t.drop_flat,
+                     "Take tetrahedra off the hull whose radius ratio is less, such as 1e-9, one "
+                     "layer after another")
+        ->check(number_between(0, 1))
+        ->type_name("RATIO");
     triangulate_app->add_flag("--stats", t.statistics, "Print counts and times");
     triangulate_app
         ->add_option("--parts", t.parts,

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
+#include "cli/peeling.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -123,7 +124,7 @@ int triangulate(const TriangulateOptions& options) {
         }
     }
     const std::size_t points = mesh.point_count();
-    const auto count = static_cast<std::size_t>(t.tetrahedron_count());
+    auto count = static_cast<std::size_t>(t.tetrahedron_count());
     const bool wants_neighbors =
         !options.neighbors.empty() || (format && format->write_neighbors != nullptr);
     std::vector<MeshIndex> point_map;  // the vertex that stands for each point
@@ -131,6 +132,18 @@ int triangulate(const TriangulateOptions& options) {
     mesh.neighbors = {};
     t.set_compact(true);
     if (format) mesh.tetrahedra = tetrahedra(t);
+    std::vector<bool> stays;  // of the tetrahedra; empty if all stay
+    if (options.drop_flat > 0) {
+        stays = find_what_stays(t.tetrahedron_measures(TetrahedronMeasure::radius_ratio),
+                                neighbors(t), options.drop_flat);
+        const auto dropped =
+            static_cast<std::size_t>(std::count(stays.begin(), stays.end(), false));
+        if (format) keep_rows(stays, mesh.tetrahedra);
+        if (!options.triangulation.quiet)
+            fmt::print(text, "{} taken off the hull\n",
+                       counted(dropped, "flat tetrahedron", "flat tetrahedra"));
+        count -= dropped;
+    }
     if (!wants_neighbors) t = Triangulation();
 
     // An .npy file of tetrahedra does not contain points.
@@ -149,8 +162,9 @@ int triangulate(const TriangulateOptions& options) {
     if (format) format->write_mesh(mesh, output.path, outputs, write);
     mesh = {};
     if (wants_neighbors) {
-        const std::vector<MeshIndex> numbers = neighbors(t);
+        std::vector<MeshIndex> numbers = neighbors(t);
         t = Triangulation();
+        if (!stays.empty()) keep_neighbors(stays, numbers);
         if (format && format->write_neighbors)
             format->write_neighbors(numbers, output.path, outputs, write);
         if (!options.neighbors.empty())

@@ -36,10 +36,10 @@ void insert(Parts& parts, const std::vector<double>& points, const std::string& 
 int triangulate_in_parts(const TriangulateOptions& options) {
     const OutputOptions& output = options.output;
     if (!options.neighbors.empty() || !options.point_map.empty() || options.all_points ||
-        options.check_level > 0 || options.statistics)
+        options.check_level > 0 || options.drop_flat > 0 || options.statistics)
         throw Error(exit_usage,
-                    "--parts goes with none of --neighbors, --point-map, --all-points, --check and "
-                    "--stats");
+                    "--parts goes with none of --neighbors, --point-map, --all-points, --check, "
+                    "--drop-flat and --stats");
     if (!is_pieces_path(output.path) || !output.to.empty())
         throw Error(exit_usage, "--parts writes pieces: say -o FILE.pvtu");
     require_compressible(output.write, vtu_format());

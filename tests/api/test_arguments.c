@@ -63,6 +63,8 @@ static void null_handles(void) {
     CHECK_EQUAL(mgdt_get_vertex_neighbors(NULL, 1, &i, 1, &i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_vertex_neighbors_i32(NULL, 1, &j, 1, &j), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_circumcenters(NULL, 1, &d, &d), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_tetrahedron_measures(NULL, MGDT_TETRAHEDRON_VOLUME, 1, &d),
+                MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_alphas(NULL, 3, 1, &d), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_alpha_surface(NULL, 1, 1, &i, &i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_alpha_surface_i32(NULL, 1, 1, &j, &j), MGDT_ERR_NULL_POINTER);
@@ -120,6 +122,8 @@ static void null_arrays(const mgdt_triangulation* t) {
     CHECK_EQUAL(mgdt_get_vertex_neighbors_i32(t, many, NULL, 4, j), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_vertex_neighbors_i32(t, many, j, many, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_circumcenters(t, many, NULL, &d), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_VOLUME, many, NULL),
+                MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_alphas(t, 3, many, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_alpha_surface(t, 9, many, NULL, i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_alpha_surface(t, 9, many, i, NULL), MGDT_ERR_NULL_POINTER);
@@ -347,6 +351,8 @@ static void empty(void) {
     CHECK_EQUAL(mgdt_get_vertex_neighbors(t, 1, offsets, 0, NULL), MGDT_OK);
     CHECK_EQUAL(offsets[0], 0);
     CHECK_EQUAL(mgdt_get_circumcenters(t, 0, NULL, NULL), MGDT_OK);
+    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_VOLUME, 0, NULL), MGDT_OK);
+    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, 11, 0, NULL), MGDT_ERR_UNKNOWN_KEY);
     CHECK_EQUAL(mgdt_get_cell_measures(t, MGDT_MEASURE_VOLUME, 0, NULL, 0, NULL), MGDT_OK);
     CHECK_EQUAL(mgdt_get_alphas(t, 1, 0, NULL), MGDT_OK);
     CHECK_EQUAL(mgdt_get_alpha_surface(t, 1, 0, NULL, &out), MGDT_OK);

@@ -120,6 +120,8 @@ static void read_while_it_changes(guest* g) {
     expect_refused(g, mgdt_get_spanning_tree(t, size, a, b), "mgdt_get_spanning_tree()");
     expect_refused(g, mgdt_get_spanning_tree_i32(t, size, c, d), "mgdt_get_spanning_tree_i32()");
     expect_refused(g, mgdt_get_circumcenters(t, 1, w, NULL), "mgdt_get_circumcenters()");
+    expect_refused(g, mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_VOLUME, 1, w),
+                   "mgdt_get_tetrahedron_measures()");
     expect_refused(g, mgdt_get_alphas(t, 3, 1, w), "mgdt_get_alphas()");
     expect_refused(g, mgdt_get_alpha_surface(t, 1, size, a, b), "mgdt_get_alpha_surface()");
     expect_refused(g, mgdt_get_alpha_surface_i32(t, 1, size, c, d), "mgdt_get_alpha_surface_i32()");

@@ -72,6 +72,41 @@ static void lattice(void) {
     }
 }
 
+/* The tetrahedra of a unit cube fill it; other measures have known values. */
+static void measures(void) {
+    static const double pi = 3.14159265358979323846;
+    double xyz[24], x[12], sum = 0;
+    int64_t k, n;
+    mgdt_triangulation* t;
+    for (k = 0; k < 24; ++k) xyz[k] = (double)(k / 3 >> k % 3 & 1);
+    t = triangulated(8, xyz);
+    n = mgdt_tetrahedron_count(t);
+    CHECK(n >= 5 && n <= 6);
+    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_VOLUME, n, x), MGDT_OK);
+    for (k = 0; k < n; ++k) sum += x[k];
+    CHECK(fabs(sum - 1) < 1e-15);
+    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_LONGEST_EDGE, n, x), MGDT_OK);
+    for (k = 0; k < n; ++k) CHECK(x[k] == sqrt(2) || x[k] == sqrt(3));
+    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_LARGEST_ANGLE, n, x), MGDT_OK);
+    for (k = 0; k < n; ++k)
+        CHECK(fabs(x[k] - pi / 2) < 1e-15 || fabs(x[k] - acos(1.0 / 3)) < 1e-15 ||
+              fabs(x[k] - acos(-sqrt(1.0 / 3))) < 1e-15);
+    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_LEAST_ANGLE, n, x), MGDT_OK);
+    for (k = 0; k < n; ++k) CHECK(x[k] > 0.61 && x[k] < 1.24);
+    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_RADIUS_RATIO, n, x), MGDT_OK);
+    for (k = 0; k < n; ++k) CHECK(x[k] > 0.5 && x[k] < 1 + 1e-15);
+    x[n - 1] = canary;
+    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_VOLUME, n - 1, x),
+                MGDT_ERR_BUFFER_TOO_SMALL);
+    CHECK_ERROR(t, "needed");
+    CHECK(x[n - 1] == canary);
+    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_VOLUME, -1, x),
+                MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_get_tetrahedron_measures(t, 11, n, x), MGDT_ERR_UNKNOWN_KEY);
+    CHECK_ERROR(t, "there is no measure 11 of tetrahedra");
+    mgdt_destroy(t);
+}
+
 /* One element too few touches nothing, enough writes that many and not one more; vertices are on
  * their sphere. */
 static void arrays(void) {
@@ -155,5 +190,6 @@ void test_dual(void) {
     neighbors();
     graphs();
     lattice();
+    measures();
     arrays();
 }

@@ -226,6 +226,7 @@ static mgdt_status export_dual(const mgdt_triangulation* t, int64_t* v, int64_t*
     mgdt_status status = MGDT_OK;
     if (x == NULL) abort();
     TRY(mgdt_get_circumcenters(t, size, x, NULL));
+    TRY(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_RADIUS_RATIO, size, x));
     TRY(mgdt_get_alphas(t, 3, size, x));
     TRY(mgdt_get_alphas(t, 2, size, x));
     TRY(mgdt_get_alphas(t, 1, size, x));

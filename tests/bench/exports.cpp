@@ -59,6 +59,11 @@ mgdt_status get_circumcenters(const mgdt_triangulation* t, std::int64_t capacity
     return mgdt_get_circumcenters(t, capacity / 4, xyz, xyz + capacity / 4 * 3);
 }
 
+template <std::int32_t measure>
+mgdt_status get_measure(const mgdt_triangulation* t, std::int64_t capacity, std::int64_t* v) {
+    return mgdt_get_tetrahedron_measures(t, measure, capacity / 4, reinterpret_cast<double*>(v));
+}
+
 mgdt_status get_volumes(const mgdt_triangulation* t, std::int64_t capacity, std::int64_t* v) {
     return mgdt_get_cell_measures(t, MGDT_MEASURE_VOLUME, 0, nullptr, capacity,
                                   reinterpret_cast<double*>(v));
@@ -80,6 +85,9 @@ constexpr Export exports[] = {
     {"Gabriel edges", false, false, ends, get_graph<mgdt_get_gabriel_edges>},
     {"spanning tree", false, false, ends, get_graph<mgdt_get_spanning_tree>},
     {"circumcentres", false, false, corners, get_circumcenters},
+    {"volumes of tetrahedra", false, false, corners, get_measure<MGDT_TETRAHEDRON_VOLUME>},
+    {"radius ratios", false, false, corners, get_measure<MGDT_TETRAHEDRON_RADIUS_RATIO>},
+    {"least angles", false, false, corners, get_measure<MGDT_TETRAHEDRON_LEAST_ANGLE>},
     {"alphas of facets", false, false, corners, get_alphas<2>},
     {"alphas of edges", false, false, mgdt_edge_count, get_alphas<1>},
     {"volumes of cells", false, false, mgdt_point_count, get_volumes},

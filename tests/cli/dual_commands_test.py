@@ -129,7 +129,8 @@ class Cells(Dual):
         self.fails(2, "voronoi", four, "-o", "c.vtu", "--box", "0,0,0,1,1,inf", says="six numbers")
         self.fails(2, "voronoi", four, "-o", "c.vtu", "--box", "0,1,0,1,1,1", says="the largest y is 1, and the least 1")
         self.fails(2, "voronoi", four, "-o", "c.vtu", "--box", "auto", "--planes", "x", says="--planes")
-        self.fails(2, "voronoi", four, "-o", "c.vtu", "--least-area", "-1", says="--least-area")
+        self.fails(2, "voronoi", four, "-o", "c.vtu", "--least-area", "nan", says="--least-area")
+        self.fails(2, "voronoi", four, "-o", "c.vtu", "--least-area=-1", says="--least-area")
         self.fails(2, "voronoi", four, "-o", "c.vtu", "--least-share", "1", says="--least-share")
         self.fails(3, "voronoi", four, "-o", "c.vtu", "--box", "0,0,0,1,0.5,1", says=["p.xyz", "point 2"])
         self.fails(3, "voronoi", flat, "-o", "c.vtu", says=["flat.xyz", "on a plane", "no cells"])
@@ -287,6 +288,64 @@ class Surfaces(Dual):
         self.put("near.xyz", "1 0 0\n1.0000000001 0 0\n0 1 0\n0 0 1\n")
         self.fails(2, "hull", "near.xyz", "-o", "s.stl", says=["floats", ".ply"])
         self.mgdt("hull", "near.xyz", "-o", "s.off")
+
+
+class Flat(Dual):
+    def turned(self):
+        self.generate("lattice", 343)
+        rows = ((0.6 * x - 0.8 * y, 0.8 * x + 0.6 * y, z + 0.1 * x) for x, y, z in self.points("p.f64"))
+        self.put("turned.xyz", "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in rows))
+
+    def volume(self, tetrahedra, points):
+        total = 0
+        for t in tetrahedra:
+            a, b, c, d = (points[v] for v in t)
+            u, v, w = ([q[k] - a[k] for k in range(3)] for q in (b, c, d))
+            total += sum(u[k] * (v[k - 2] * w[k - 1] - v[k - 1] * w[k - 2]) for k in range(3)) / 6
+        return total
+
+    def rows(self, name):
+        content = self.get(name)
+        length = struct.unpack("<H", content[8:10])[0]
+        numbers = struct.unpack(f"<{(len(content) - 10 - length) // 8}q", content[10 + length:])
+        return [numbers[i:i + 4] for i in range(0, len(numbers), 4)]
+
+    def test_skin_of_a_turned_block(self):
+        self.turned()
+        points = [tuple(map(float, line.split())) for line in self.get("turned.xyz").decode().splitlines()]
+        self.mgdt("triangulate", "-q", "turned.xyz", "-o", "all.npy")
+        said = self.mgdt("triangulate", "turned.xyz", "-o", "t.npy", "--neighbors", "n.npy", "--drop-flat", "1e-9").decode()
+        everything, kept, beside = self.rows("all.npy"), self.rows("t.npy"), self.rows("n.npy")
+        dropped = len(everything) - len(kept)
+        self.assertGreater(dropped, 10)
+        self.assertIn(f"{dropped} flat tetrahedra taken off the hull", said)
+        self.assertIn(f"{len(kept)} tetrahedra", said)
+        self.assertAlmostEqual(self.volume(kept, points), 216, delta=1e-9)
+        # What is flat is inside.
+        for t, row in zip(kept, beside):
+            self.assertTrue(min(row) >= 0 or self.volume([t], points) > 0.1)
+        # Neighbours share three vertices, and each other.
+        self.assertEqual(len(beside), len(kept))
+        for t, row in enumerate(beside):
+            for k, n in enumerate(row):
+                if n >= 0:
+                    self.assertEqual(set(kept[t]) - {kept[t][k]}, set(kept[t]) & set(kept[n]))
+                    self.assertIn(t, beside[n])
+        said = self.mgdt("triangulate", "turned.xyz", "--stats", "--drop-flat", "1e-9").decode()
+        self.assertIn(f"{dropped} flat", said)
+
+    def test_nothing_is_flat(self):
+        self.generate("uniform", 100)
+        for ratio in ("0", "1e-12"):
+            self.mgdt("triangulate", "-q", "p.f64", "-o", "a.vtu", "--drop-flat", ratio)
+            self.mgdt("triangulate", "-q", "p.f64", "-o", "b.vtu")
+            self.assertEqual(self.get("a.vtu"), self.get("b.vtu"))
+
+    def test_refused(self):
+        four = self.put("p.xyz", TETRAHEDRON)
+        for ratio in ("-1", "2", "x", "nan"):
+            self.fails(2, "triangulate", four, "-o", "t.vtu", f"--drop-flat={ratio}", says="--drop-flat")
+        self.fails(2, "triangulate", four, "-o", "t.pvtu", "--parts", 2, "--drop-flat", 1e-9, says="--drop-flat")
 
 
 class Relaxation(Dual):

@@ -148,6 +148,8 @@ int main() {
         if (static_cast<std::int64_t>(t.alpha_surface(1e9).size()) != t.hull_facet_count())
             return 6;
         if (t.alpha_surface<std::int32_t>(0).size() != 0) return 6;
+        for (const double volume : t.tetrahedron_measures(mgdt::TetrahedronMeasure::volume))
+            if (!(volume > 0)) return 6;
         if (t.cell_measures(mgdt::Measure::faces).size() != 10) return 6;
         if (t.cell_measures(mgdt::Measure::centroid, {}).size() != 30) return 6;
         const std::vector<double> values(20, 1.0);

@@ -89,6 +89,7 @@ void expect_moved_from(Triangulation& t) {
     null([&] { (void)c.vertex_tetrahedra(); });
     null([&] { (void)c.vertex_neighbors(); });
     null([&] { (void)c.circumspheres(); });
+    null([&] { (void)c.tetrahedron_measures(mgdt::TetrahedronMeasure::volume); });
     null([&] { (void)c.cell_measures(mgdt::Measure::volume); });
     null([&] {
         (void)c.interpolate(mgdt::Method::linear, mgdt::Outside::none, mgdt::Span<const double>(),

@@ -234,6 +234,14 @@ const Function functions[] = {
                                        static_cast<double*>(g.array[0]),
                                        static_cast<double*>(g.array[1]));
      }},
+    {"mgdt_get_tetrahedron_measures",
+     [](T t) {
+         return std::vector<Wanted>{{mgdt_tetrahedron_count(t), sizeof(double), false, false}};
+     },
+     [](mgdt_triangulation* t, const Given& g) {
+         return mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_LEAST_ANGLE, g.capacity[0],
+                                              static_cast<double*>(g.array[0]));
+     }},
     {"mgdt_get_alphas",
      [](T t) {
          return std::vector<Wanted>{{4 * mgdt_tetrahedron_count(t), sizeof(double), false, false}};

@@ -330,6 +330,11 @@ inline constexpr Call calls[] = {
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_get_circumcenters(t, mgdt_tetrahedron_count(t), o.reals.data(), nullptr);
      }},
+    {"get_tetrahedron_measures",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_RADIUS_RATIO,
+                                              mgdt_tetrahedron_count(t), o.reals.data());
+     }},
     {"get_alphas",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_get_alphas(t, 3, mgdt_tetrahedron_count(t), o.reals.data());

@@ -33,6 +33,7 @@ program test_arrays
     call test_vertex_neighbors()
     call test_graphs()
     call test_circumcenters()
+    call test_tetrahedron_measures()
     call test_cell_measures()
     call test_interpolation()
     call test_alphas()
@@ -215,6 +216,26 @@ contains
         call expect_error(stat, mgdt_err_buffer_too_small, msg, 'room for')
         call t%get_circumcenters(flat, stat=stat, errmsg=msg)
         call expect_error(stat, mgdt_err_invalid_argument, msg, 'must be 3')
+    end subroutine
+
+    subroutine test_tetrahedron_measures()
+        real(real64) :: x(nt), total
+        integer :: i, stat
+        character(256) :: msg
+
+        total = 0
+        do i = 1, int(nt)
+            total = total + volume6(xyz(:, tets(1, i)), xyz(:, tets(2, i)), xyz(:, tets(3, i)), &
+                                    xyz(:, tets(4, i)))/6
+        end do
+        call t%get_tetrahedron_measures(mgdt_tetrahedron_volume, x)
+        call expect(abs(sum(x) - total) <= 1e-12_real64*total, 'volumes')
+        call t%get_tetrahedron_measures(mgdt_tetrahedron_radius_ratio, x)
+        call expect(minval(x) > 0 .and. maxval(x) < 1, 'radius ratios')
+        call t%get_tetrahedron_measures(mgdt_tetrahedron_longest_edge, x(:nt - 1), stat, msg)
+        call expect_error(stat, mgdt_err_buffer_too_small, msg, 'needed')
+        call t%get_tetrahedron_measures(11, x, stat, msg)
+        call expect_error(stat, mgdt_err_unknown_key, msg, 'no measure 11')
     end subroutine
 
     subroutine test_alphas()

@@ -179,6 +179,11 @@
     4   CONTINUE
         CALL EXPECT(ABS(D - R2(1)) .LT. 1D-9*(1 + R2(1)), 'radius')
     5 CONTINUE
+      CALL MGTMSR(H, MGTRRT, NT, R2, IERR)
+      CALL GOOD(H, IERR, 'MGTMSR')
+      CALL EXPECT(R2(1) .GT. 0 .AND. R2(1) .LT. 1, 'radius ratio')
+      CALL MGTMSR(H, 11, NT, R2, IERR)
+      CALL BAD(H, IERR, MGEKEY, 'no measure 11')
       CALL MGALPH(H, 3, NT, R2, IERR)
       CALL GOOD(H, IERR, 'MGALPH')
       CALL EXPECT(ABS(D - R2(1)) .LT. 1D-9*(1 + R2(1)), 'alpha')

@@ -92,6 +92,7 @@ struct Exports {
         gabriel = take_graph(t, mgdt_get_gabriel_edges, mgdt_get_gabriel_edges_i32, margin);
         tree = take_graph(t, mgdt_get_spanning_tree, mgdt_get_spanning_tree_i32, margin);
         take_circumcenters(t, margin);
+        take_measures(t, margin);
         take_cells(t, margin);
         take_values(t, margin);
         for (Indices* array : {&tetrahedra, &neighbors, &hull, &edges, &map, &offsets, &list,
@@ -201,6 +202,28 @@ struct Exports {
         squares = radius2.take();
         for (const double x : centers) FUZZ_REQUIRE(!std::isnan(x), "a centre");
         for (const double x : squares) FUZZ_REQUIRE(x >= 0, "a radius");
+    }
+
+    void take_measures(const mgdt_triangulation* t, std::size_t margin) {
+        const auto measured = [&](std::int32_t measure) {
+            Exact<double> x(count(), margin);
+            FUZZ_REQUIRE(mgdt_get_tetrahedron_measures(
+                             t, measure, static_cast<std::int64_t>(count()), x.data()) == MGDT_OK,
+                         error_of(t));
+            return x.take();
+        };
+        for (const double x : measured(MGDT_TETRAHEDRON_VOLUME)) FUZZ_REQUIRE(x >= 0, "a volume");
+        for (const double x : measured(MGDT_TETRAHEDRON_LONGEST_EDGE))
+            FUZZ_REQUIRE(x > 0, "the length of an edge");
+        for (const double x : measured(MGDT_TETRAHEDRON_RADIUS_RATIO))
+            FUZZ_REQUIRE(x >= 0 && x <= 1 + 1e-12, "a ratio of radii");
+        const std::vector<double> least = measured(MGDT_TETRAHEDRON_LEAST_ANGLE),
+                                  largest = measured(MGDT_TETRAHEDRON_LARGEST_ANGLE);
+        // Of a regular tetrahedron both are acos(1/3).
+        for (std::size_t i = 0; i < least.size(); ++i)
+            FUZZ_REQUIRE(least[i] >= 0 && least[i] <= 1.2309595 && largest[i] >= 1.2309594 &&
+                             largest[i] <= 3.1415927,
+                         "angles");
     }
 
     // Faces have no larger alphas than what they are faces of, and the hull is the last surface.

@@ -43,7 +43,7 @@ header_text = "".join((source / "include/mgdt" / name).read_text(encoding="utf-8
                       for name in ("mgdt.h", "mgdt_voronoi.h"))
 header = c_functions(header_text.replace("MGDT_API", " "))
 constants = {name: int(value) for name, value in
-             re.findall(r"^\s*(MGDT_(?:OK|ERR|ORDER|PARAMETER|SEPARATION|STAT|CHECK|MEASURE|INTERPOLATE|OUTSIDE|VORONOI)\w*) = (\d+)", header_text, re.M)}
+             re.findall(r"^\s*(MGDT_(?:OK|ERR|ORDER|PARAMETER|SEPARATION|STAT|CHECK|MEASURE|TETRAHEDRON|INTERPOLATE|OUTSIDE|VORONOI)\w*) = (\d+)", header_text, re.M)}
 
 
 def expect(language, what, got, expected):
@@ -64,8 +64,8 @@ for name in set(re.findall(r"\bC\.(mgdt_\w+)", lua_text)) - set(lua):
     problems.append(f"Lua: {name} is called and not declared")
 BEGINNINGS = {"status": "MGDT_ERR_", "order": "MGDT_ORDER_", "parameter": "MGDT_PARAMETER_",
               "separation": "MGDT_SEPARATION_", "statistic": "MGDT_STAT_", "check": "MGDT_CHECK_",
-              "measure": "MGDT_MEASURE_", "method": "MGDT_INTERPOLATE_", "outside": "MGDT_OUTSIDE_",
-              "voronoi": "MGDT_VORONOI_"}
+              "measure": "MGDT_MEASURE_", "tetrahedron": "MGDT_TETRAHEDRON_",
+              "method": "MGDT_INTERPOLATE_", "outside": "MGDT_OUTSIDE_", "voronoi": "MGDT_VORONOI_"}
 named = {"MGDT_OK": 0}
 for table, entries in re.findall(r"^    (\w+) = \{(.*?)\},$", lua_interface, re.S | re.M):
     for name, value in re.findall(r"(\w+) = (\d+)", entries):
@@ -100,7 +100,8 @@ for name in set(rust) - set(header):
 declared = {name: int(value) for name, value in
             re.findall(r"pub const (MGDT_\w+): \w+ = (\d+);", rust_text)}
 expect("Rust", "the set of constants", declared, constants)
-for kind, count in (("ORDER", "Order"), ("STAT", "Statistic"), ("PARAMETER", "Parameter"), ("SEPARATION", "Separation"), ("CHECK", "Check")):
+for kind, count in (("ORDER", "Order"), ("STAT", "Statistic"), ("PARAMETER", "Parameter"), ("SEPARATION", "Separation"), ("CHECK", "Check"),
+                    ("MEASURE", "Measure"), ("TETRAHEDRON", "TetrahedronMeasure")):
     names = (source / "bindings/rust/mgdt/src/names.rs").read_text(encoding="utf-8")
     used = set(re.findall(r"= sys::(MGDT_%s_\w+)," % kind, names))
     expect("Rust", f"the variants of {count}", used, {c for c in constants if c.startswith(f"MGDT_{kind}_")})

@@ -167,6 +167,12 @@ int main(int argc, char** argv) {
     write_file("edge_alphas", alphas, mgdt_edge_count(t));
     require(mgdt_get_solid_alpha(t, alphas), t);
     write_file("solid_alpha", alphas, 1);
+    require(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_RADIUS_RATIO, tetrahedra, squares),
+            t);
+    write_file("radius_ratios", squares, tetrahedra);
+    require(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_LARGEST_ANGLE, tetrahedra, squares),
+            t);
+    write_file("largest_angles", squares, tetrahedra);
     measures = room(3 * n, sizeof *measures);
     require(mgdt_get_cell_measures(t, MGDT_MEASURE_VOLUME, 6, box, n, measures), t);
     write_file("volumes", measures, n);

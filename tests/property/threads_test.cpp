@@ -230,6 +230,11 @@ std::vector<std::int64_t> everything(const mgdt_triangulation* t) {
     EXPECT_EQ(mgdt_get_circumcenters(t, mgdt_tetrahedron_count(t), reals.data(),
                                      reals.data() + 3 * mgdt_tetrahedron_count(t)),
               MGDT_OK);
+    std::vector<double> ratios(static_cast<std::size_t>(mgdt_tetrahedron_count(t)));
+    EXPECT_EQ(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_RADIUS_RATIO,
+                                            mgdt_tetrahedron_count(t), ratios.data()),
+              MGDT_OK);
+    reals.insert(reals.end(), ratios.begin(), ratios.end());
     for (const std::int32_t dimension : {1, 2}) {
         const std::int64_t size =
             dimension == 1 ? mgdt_edge_count(t) : 4 * mgdt_tetrahedron_count(t);

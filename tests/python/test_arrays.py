@@ -220,6 +220,42 @@ class Output(unittest.TestCase):
         self.assertEqual(len(np.unique(cubes.circumcenters, axis=0)), 27)
         self.assertEqual(len(np.unique(cubes.circumradii)), 1)
 
+    def test_tetrahedron_measures(self):
+        tri = mgdt.Delaunay(random_points(300))
+        corners = tri.points[tri.simplices]
+        edges = corners[:, 1:] - corners[:, :1]
+        volumes = np.abs(np.linalg.det(edges)) / 6
+        np.testing.assert_allclose(tri.tetrahedron_measures("volume"), volumes, rtol=1e-6)
+        spans = np.linalg.norm(corners[:, :, np.newaxis] - corners[:, np.newaxis], axis=3)
+        np.testing.assert_allclose(tri.tetrahedron_measures("longest_edge"), spans.max(axis=(1, 2)), rtol=1e-12)
+        ratios = tri.tetrahedron_measures("radius_ratio")
+        self.assertTrue(((ratios > 0) & (ratios < 1)).all())
+        least, largest = (tri.tetrahedron_measures(m) for m in ("least_angle", "largest_angle"))
+        self.assertTrue(((0 < least) & (least < largest) & (largest < np.pi)).all())
+        with self.assertRaisesRegex(ValueError, "there is no measure 'size'; there are volume, radius_ratio"):
+            tri.tetrahedron_measures("size")
+
+    def test_flat_ones_are_peeled(self):
+        """A turned block has flat tetrahedra on its skin; the volume stays."""
+        turn = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, 0.28, -0.96], [0, 0.96, 0.28]])
+        tri = mgdt.Delaunay(grid(6) @ turn.T)
+        stays = tri.peel_flat()
+        volumes = tri.tetrahedron_measures("volume")
+        self.assertGreater(np.count_nonzero(~stays), 10)
+        bare = (~stays[tri.neighbors] | (tri.neighbors < 0)).any(axis=1) & stays
+        self.assertGreater(tri.tetrahedron_measures("radius_ratio")[bare].min(), 0.1)
+        self.assertAlmostEqual(volumes[stays].sum(), 125, delta=1e-9)
+        # Without flat tetrahedra all stay.
+        self.assertTrue(mgdt.Delaunay(grid(4)).peel_flat().all())
+        self.assertTrue(mgdt.Delaunay(random_points(100)).peel_flat(0).all())
+        # What is flat inside stays.
+        inner = mgdt.Delaunay(random_points(300))
+        exposed = (inner.neighbors < 0).any(axis=1)
+        stays = inner.peel_flat(0.05)
+        flat = inner.tetrahedron_measures("radius_ratio") < 0.05
+        self.assertFalse((stays & flat & exposed).any())
+        self.assertTrue((stays & flat).any())
+
     def test_alphas(self):
         tri = mgdt.Delaunay(random_points(300))
         squares = tri.squared_alphas(3)

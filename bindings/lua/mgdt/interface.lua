@@ -82,6 +82,8 @@ int32_t mgdt_get_spanning_tree_i32(const mgdt_triangulation *t, int64_t capacity
                                    int32_t *count);
 int32_t mgdt_get_circumcenters(const mgdt_triangulation *t, int64_t capacity, double *xyz,
                                double *radius2);
+int32_t mgdt_get_tetrahedron_measures(const mgdt_triangulation *t, int32_t measure,
+                                      int64_t capacity, double *x);
 int32_t mgdt_get_cell_measures(const mgdt_triangulation *t, int32_t measure, int64_t n_planes,
                                const double *planes, int64_t capacity, double *x);
 int32_t mgdt_get_alphas(const mgdt_triangulation *t, int32_t dimension, int64_t capacity,
@@ -158,6 +160,8 @@ return {
         memory_bytes = 70, peak_memory_bytes = 71 },
     check = { combinatorial = 1, geometric = 2, canonical = 3 },
     measure = { volume = 10, area = 20, centroid = 30, faces = 40 },
+    tetrahedron = { volume = 10, radius_ratio = 20, least_angle = 30, largest_angle = 31,
+        longest_edge = 40 },
     method = { linear = 10, nearest = 20, sibson = 30, laplace = 40, sibson_c1 = 50 },
     outside = { none = 10, nearest = 20, boundary = 30, linear = 40 },
     voronoi = { face_offsets = 10, face_corners = 11, face_sides = 12, ray_vertices = 20,

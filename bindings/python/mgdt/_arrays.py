@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 FloatArray = NDArray[np.float64]
 IndexArray = NDArray[np.int32]
+BoolArray = NDArray[np.bool_]
 
 # Rows looked at together: temporary arrays stay small.
 _BLOCK = 1 << 16

@@ -26,6 +26,7 @@ _STATISTICS = _interface.CONSTANTS["statistic"].values()
 _ORDER_PARAMETERS = _interface.CONSTANTS["parameter"]
 _SEPARATIONS = _interface.CONSTANTS["separation"]
 MEASURES = _interface.CONSTANTS["measure"]
+TETRAHEDRON_MEASURES = _interface.CONSTANTS["tetrahedron"]
 _VORONOI_ARRAYS = _interface.CONSTANTS["voronoi"]
 METHODS = _interface.CONSTANTS["method"]
 OUTSIDES = _interface.CONSTANTS["outside"]
@@ -272,6 +273,11 @@ class Handle:
         alpha2 = ctypes.c_double()
         self._call("mgdt_get_solid_alpha", ctypes.byref(alpha2))
         return alpha2.value
+
+    def tetrahedron_measures(self, measure: str) -> FloatArray:
+        x = np.empty(self.tetrahedron_count)
+        self._call("mgdt_get_tetrahedron_measures", TETRAHEDRON_MEASURES[measure], x.size, address(x))
+        return x
 
     def cell_measures(self, measure: str, planes: FloatArray) -> FloatArray:
         width = 3 if measure == "centroid" else 1

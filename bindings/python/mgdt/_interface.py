@@ -83,6 +83,7 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "mgdt_get_spanning_tree": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p]),
     "mgdt_get_spanning_tree_i32": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p]),
     "mgdt_get_circumcenters": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p]),
+    "mgdt_get_tetrahedron_measures": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
     "mgdt_get_cell_measures": (c_int32, [c_void_p, c_int32, c_int64, c_void_p, c_int64, c_void_p]),
     "mgdt_get_alphas": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
     "mgdt_get_alpha_surface": (c_int32, [c_void_p, c_double, c_int64, c_void_p, c_void_p]),
@@ -208,6 +209,13 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "area": 20,
         "centroid": 30,
         "faces": 40,
+    },
+    "tetrahedron": {
+        "volume": 10,
+        "radius_ratio": 20,
+        "least_angle": 30,
+        "largest_angle": 31,
+        "longest_edge": 40,
     },
     "method": {
         "linear": 10,

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _geometry, export
 from ._arrays import (
+    BoolArray,
     FloatArray,
     IndexArray,
     as_fill_value,
@@ -18,7 +19,7 @@ from ._arrays import (
     as_planes,
     finite_rows,
 )
-from ._handle import MEASURES, METHODS, OUTSIDES, Handle
+from ._handle import MEASURES, METHODS, OUTSIDES, TETRAHEDRON_MEASURES, Handle
 from ._tolerance import in_tolerance
 from ._triangulation import GrowingTriangulation, whole
 from .interpolation import Interpolator, Prepared, as_fields
@@ -326,6 +327,62 @@ class Delaunay(GrowingTriangulation):
         """The least squared alpha whose simplices are one solid with all vertices. Since 1.2."""
         alpha2: float = self._exported("solid_alpha")
         return alpha2
+
+    def tetrahedron_measures(self, measure: str) -> FloatArray:
+        """Measures each tetrahedron.
+
+        The error of a number is less than 1e-12 of it, and that of an angle less than 1e-12, however
+        flat the tetrahedron is. Not in SciPy. Since 1.3.
+
+        Parameters
+        ----------
+        measure : str
+            "volume"; "radius_ratio", 3 times the radius of the inscribed sphere over that of the
+            circumsphere, which is 1 for a regular tetrahedron and near 0 for a flat one;
+            "least_angle" or "largest_angle" of the six dihedral angles, in radians; or
+            "longest_edge", its length.
+
+        Returns
+        -------
+        ndarray
+            Shape (nsimplex,).
+        """
+        if measure not in TETRAHEDRON_MEASURES:
+            raise ValueError(
+                f"there is no measure {measure!r}; there are {', '.join(TETRAHEDRON_MEASURES)}"
+            )
+        return self._read(
+            lambda handle, _: handle.tetrahedron_measures(measure), self.npoints >= _LONG_CHECK
+        )
+
+    def peel_flat(self, tolerance: float = 1e-9) -> BoolArray:
+        """Says which tetrahedra stay when flat ones are peeled off the hull, one layer after another.
+
+        The skin of points with rounded coordinates, such as those of a block that was turned, has
+        tetrahedra of four points that were in one plane. Flat tetrahedra inside stay, so what is
+        left has no holes. Not in SciPy. Since 1.3.
+
+        Parameters
+        ----------
+        tolerance : float
+            Tetrahedra whose radius ratio is less are flat; see `tetrahedron_measures`.
+
+        Returns
+        -------
+        ndarray of bool
+            Shape (nsimplex,). ``tri.simplices[stays]`` are the tetrahedra that stay, and
+            ``np.count_nonzero(~stays)`` is the number of the others.
+        """
+        neighbors = self.neighbors
+        stays = np.ones(len(neighbors), dtype=bool)
+        flat = self.tetrahedron_measures("radius_ratio") < tolerance
+        layer = np.flatnonzero(flat & (neighbors < 0).any(axis=1))
+        while len(layer) > 0:
+            stays[layer] = False
+            behind = np.unique(neighbors[layer])
+            behind = behind[behind >= 0]
+            layer = behind[flat[behind] & stays[behind]]
+        return stays
 
     def cell_measures(self, measure: str, planes: Optional[ArrayLike] = None) -> FloatArray:
         """Measures the Voronoi cell of each point: what is nearer to it than to any other.

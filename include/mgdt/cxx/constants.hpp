@@ -85,6 +85,15 @@ enum class Measure : std::int32_t {
     faces = MGDT_MEASURE_FACES
 };
 
+/** What is measured of a tetrahedron; see MGDT_TETRAHEDRON_VOLUME and its neighbours. @since 1.3 */
+enum class TetrahedronMeasure : std::int32_t {
+    volume = MGDT_TETRAHEDRON_VOLUME,
+    radius_ratio = MGDT_TETRAHEDRON_RADIUS_RATIO,
+    least_angle = MGDT_TETRAHEDRON_LEAST_ANGLE,
+    largest_angle = MGDT_TETRAHEDRON_LARGEST_ANGLE,
+    longest_edge = MGDT_TETRAHEDRON_LONGEST_EDGE
+};
+
 /** How a value between points is made; see MGDT_INTERPOLATE_LINEAR and its neighbours. @since 1.2
  */
 enum class Method : std::int32_t {

@@ -362,6 +362,13 @@ class Triangulation {
                                        result.squared_radii.data()));
         return result;
     }
+    /** Measures each tetrahedron; mgdt_get_tetrahedron_measures(). @since 1.3 */
+    [[nodiscard]] std::vector<double> tetrahedron_measures(TetrahedronMeasure measure) const {
+        std::vector<double> x(static_cast<std::size_t>(tetrahedron_count()));
+        require(mgdt_get_tetrahedron_measures(handle_.get(), static_cast<std::int32_t>(measure),
+                                              static_cast<std::int64_t>(x.size()), x.data()));
+        return x;
+    }
     /** Measures each Voronoi cell: one number, or three for a centroid. Cells are clipped to the
      *  planes a b c d, to where a x + b y + c z <= d; mgdt_get_cell_measures(). @since 1.2 */
     [[nodiscard]] std::vector<double> cell_measures(

@@ -11,6 +11,7 @@ module Mgdt
     SEPARATIONS = CONSTANTS[:separation]
     LEVELS = CONSTANTS[:check]
     MEASURES = CONSTANTS[:measure]
+    TETRAHEDRON_MEASURES = CONSTANTS[:tetrahedron]
     METHODS = CONSTANTS[:method]
     SIDES = CONSTANTS[:outside]
     TOO_SMALL = CONSTANTS[:status][:buffer_too_small]
@@ -23,7 +24,7 @@ module Mgdt
                  .map { Library.mgdt_order_scheme_name(out.read_int32) }.to_a
     end.freeze
     SETTINGS = %i[order seed threads index_base memory_limit compact canonical isa].freeze
-    private_constant :PARAMETERS, :SEPARATIONS, :LEVELS, :MEASURES, :METHODS, :SIDES, :TOO_SMALL,
+    private_constant :PARAMETERS, :SEPARATIONS, :LEVELS, :MEASURES, :TETRAHEDRON_MEASURES, :METHODS, :SIDES, :TOO_SMALL,
                      :STATISTICS, :SETTINGS
 
     # Makes an empty triangulation. Settings: order, seed, threads, index_base, memory_limit,
@@ -302,6 +303,18 @@ module Mgdt
         ensure_good(handle, Library.mgdt_get_cell_measures(handle, key, rows.count, rows.data, room, x))
         values = x.read_array_of_double(room)
         key == MEASURES[:centroid] ? values.each_slice(3).to_a : values
+      end
+    end
+
+    # A measure of each tetrahedron: :volume, :radius_ratio, :least_angle, :largest_angle (dihedral, in
+    # radians) or :longest_edge. Since 1.3.
+    def tetrahedron_measures(measure)
+      key = choice(measure, TETRAHEDRON_MEASURES, "the measure")
+      with_handle do |handle|
+        n = Library.mgdt_tetrahedron_count(handle)
+        x = FFI::MemoryPointer.new(:double, [n, 1].max)
+        ensure_good(handle, Library.mgdt_get_tetrahedron_measures(handle, key, n, x))
+        x.read_array_of_double(n)
       end
     end
 

@@ -93,6 +93,12 @@ pub const MGDT_MEASURE_AREA: i32 = 20;
 pub const MGDT_MEASURE_CENTROID: i32 = 30;
 pub const MGDT_MEASURE_FACES: i32 = 40;
 
+pub const MGDT_TETRAHEDRON_VOLUME: i32 = 10;
+pub const MGDT_TETRAHEDRON_RADIUS_RATIO: i32 = 20;
+pub const MGDT_TETRAHEDRON_LEAST_ANGLE: i32 = 30;
+pub const MGDT_TETRAHEDRON_LARGEST_ANGLE: i32 = 31;
+pub const MGDT_TETRAHEDRON_LONGEST_EDGE: i32 = 40;
+
 pub const MGDT_INTERPOLATE_LINEAR: i32 = 10;
 pub const MGDT_INTERPOLATE_NEAREST: i32 = 20;
 pub const MGDT_INTERPOLATE_SIBSON: i32 = 30;
@@ -325,6 +331,12 @@ extern "C" {
         capacity: i64,
         xyz: *mut f64,
         radius2: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_get_tetrahedron_measures(
+        t: *const mgdt_triangulation,
+        measure: i32,
+        capacity: i64,
+        x: *mut f64,
     ) -> mgdt_status;
     pub fn mgdt_get_cell_measures(
         t: *const mgdt_triangulation,

@@ -2,7 +2,7 @@
 //! What a triangulation gives: its parts, and answers about places.
 
 use crate::triangulation::as_i64;
-use crate::{Error, ErrorKind, Measure, Method, Outside, Triangulation};
+use crate::{Error, ErrorKind, Measure, Method, Outside, TetrahedronMeasure, Triangulation};
 use mgdt_sys as sys;
 
 type Get<I> = unsafe extern "C" fn(*const sys::mgdt_triangulation, i64, *mut I) -> sys::mgdt_status;
@@ -357,6 +357,20 @@ impl Triangulation {
         let mut alpha2 = 0.0;
         self.ensure(unsafe { sys::mgdt_get_solid_alpha(self.raw(), &mut alpha2) })?;
         Ok(alpha2)
+    }
+
+    /// A measure of each tetrahedron. Since 1.3.
+    pub fn tetrahedron_measures(&self, measure: TetrahedronMeasure) -> Result<Vec<f64>, Error> {
+        let mut x = vec![0.0; self.tetrahedron_count()];
+        self.ensure(unsafe {
+            sys::mgdt_get_tetrahedron_measures(
+                self.raw(),
+                measure as i32,
+                as_i64(x.len()),
+                x.as_mut_ptr(),
+            )
+        })?;
+        Ok(x)
     }
 
     /// A measure of each point's Voronoi cell: one number, or the three of a centroid, a point.

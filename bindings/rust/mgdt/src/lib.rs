@@ -27,7 +27,7 @@ mod voronoi;
 
 pub use error::{Error, ErrorKind};
 pub use export::{Circumsphere, Int, Location, PointLists, VertexTetrahedra};
-pub use names::{Check, Measure, Method, Order, Outside, Parameter, Separation, Statistic};
+pub use names::{Check, Measure, Method, Order, Outside, Parameter, Separation, Statistic, TetrahedronMeasure};
 pub use triangulation::{Canceller, Triangulation};
 pub use voronoi::{Voronoi, VoronoiArray, VoronoiNumbers};
 

@@ -154,6 +154,23 @@ pub enum Check {
     Canonical = sys::MGDT_CHECK_CANONICAL,
 }
 
+/// What [`tetrahedron_measures`](crate::Triangulation::tetrahedron_measures) measures. Since 1.3.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+#[repr(i32)]
+pub enum TetrahedronMeasure {
+    /// Volume.
+    Volume = sys::MGDT_TETRAHEDRON_VOLUME,
+    /// 3 times the radius of the inscribed sphere over that of the circumsphere: 1 if regular.
+    RadiusRatio = sys::MGDT_TETRAHEDRON_RADIUS_RATIO,
+    /// Least dihedral angle, in radians.
+    LeastAngle = sys::MGDT_TETRAHEDRON_LEAST_ANGLE,
+    /// Largest dihedral angle, in radians.
+    LargestAngle = sys::MGDT_TETRAHEDRON_LARGEST_ANGLE,
+    /// Length of the longest edge.
+    LongestEdge = sys::MGDT_TETRAHEDRON_LONGEST_EDGE,
+}
+
 /// What [`cell_measures`](crate::Triangulation::cell_measures) measures of a Voronoi cell. Since 1.2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]

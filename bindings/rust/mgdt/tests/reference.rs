@@ -161,6 +161,9 @@ fn every_export() {
         doubles("centroids")
     );
     assert_eq!(measures(mgdt::Measure::Faces, &[]), doubles("faces"));
+    let shapes = |measure| t.tetrahedron_measures(measure).unwrap();
+    assert_eq!(shapes(mgdt::TetrahedronMeasure::RadiusRatio), doubles("radius_ratios"));
+    assert_eq!(shapes(mgdt::TetrahedronMeasure::LargestAngle), doubles("largest_angles"));
     diagrams(&t, &cube);
     let places: Vec<[f64; 3]> = doubles("queries")
         .chunks(3)
