@@ -60,7 +60,7 @@ packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 pytho
     python3-scipy python3-matplotlib python3-meshio python3-vtk9 python3-mypy python3-pytest python3-setuptools python3-wheel python3-build
     python3-venv libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev zlib1g-dev
     cmake tetgen abigail-tools mandoc groff-base gfortran
-    luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev
+    luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev voro++-dev
     libopenmpi-dev openmpi-bin libmpich-dev mpich python3-mpi4py clang-format clang-tidy doxygen shellcheck python3-pyflakes python3-pycparser fypp
     g++-mingw-w64-x86-64-posix wine wine64 g++-aarch64-linux-gnu qemu-user zsh fish'
 [ $long = no ] || packages="$packages npm gzip llvm libclang-rt-dev"

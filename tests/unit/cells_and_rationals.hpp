@@ -69,16 +69,8 @@ inline std::size_t compare_cells_with_rationals(const std::vector<double>& xyz,
             EXPECT_LE(std::fabs(areas[k] / exact.area - 1), measure_error * (1 + 1e-3))
                 << areas[k] << " for " << exact.area;
         }
-        // In units of the farthest corner's distance, which the cell's size bounds from below
-        // well enough here.
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Rational offset = Rational(centroids[3 * k + i]) - Rational(xyz[3 * k + i]);
-            // The coordinates themselves are rounded.
-            const Rational rounding = Rational(0x1p-52) * abs(Rational(centroids[3 * k + i]));
-            EXPECT_LE(abs(offset * exact.volume - exact.moment[i]),
-                      bound * exact.reach + rounding * exact.volume)
-                << i;
-        }
+        for (std::size_t i = 0; i < 3; ++i)
+            compare_centroid(centroids[3 * k + i], Rational(xyz[3 * k + i]), exact, i);
     }
     return bounded;
 }

@@ -87,6 +87,23 @@ inline void compare_corners(const VoronoiDiagram& d, std::size_t f, bool is_turn
     EXPECT_TRUE(is_same);
 }
 
+// Compares coordinate i of a centroid with the exact one of the cell of a point.
+inline void compare_centroid(double x, const exact_cells::Rational& of_point,
+                             const exact_cells::Cell& exact, std::size_t i) {
+    using exact_cells::Rational;
+    const Rational error = Rational(measure_error) * exact.volume * exact.reach;
+    if (std::isinf(x)) {
+        EXPECT_GE(abs(of_point * exact.volume + exact.moment[i]) + error,
+                  Rational(DBL_MAX) * exact.volume);
+        return;
+    }
+    // The coordinate itself is rounded.
+    const Rational rounding =
+        std::max(Rational(0x1p-52) * abs(Rational(x)), Rational(std::ldexp(1, -1074)));
+    EXPECT_LE(abs((Rational(x) - of_point) * exact.volume - exact.moment[i]),
+              error + rounding * exact.volume);
+}
+
 // Compares cell k with the exact one; `far` is more than the distance of any corner of a bounded
 // cell.
 inline void compare_cell_of_diagram(const VoronoiDiagram& d, const std::vector<double>& xyz,
@@ -102,13 +119,8 @@ inline void compare_cell_of_diagram(const VoronoiDiagram& d, const std::vector<d
     if (is_bounded && exact.volume < Rational(DBL_MAX)) {
         EXPECT_LE(abs(Rational(d.volumes[k]) - exact.volume),
                   std::max(Rational(measure_error) * exact.volume, Rational(DBL_MIN)));
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Rational offset = Rational(d.cell_centroids[3 * k + i]) - origin[i],
-                           rounding = Rational(0x1p-52) * abs(offset + origin[i]);
-            EXPECT_LE(
-                abs(offset * exact.volume - exact.moment[i]),
-                Rational(measure_error) * exact.volume * exact.reach + rounding * exact.volume);
-        }
+        for (std::size_t i = 0; i < 3; ++i)
+            compare_centroid(d.cell_centroids[3 * k + i], origin[i], exact, i);
     }
     for (std::size_t j = 0; j < all.size(); ++j) {
         const std::size_t sites = xyz.size() / 3 - 1;
