@@ -720,8 +720,9 @@ MGDT_API mgdt_status mgdt_get_circumcenters(const mgdt_triangulation* t, int64_t
 /** Measures each tetrahedron, in the order of mgdt_get_tetrahedra(). The relative error is below
  *  1e-12, and so is the error of an angle, however flat the tetrahedron is: volumes and radius
  *  ratios are positive. Numbers beyond the largest double are infinite, and numbers below the least
- *  one are 0. A number depends on the four points alone. Uses the threads of mgdt_set_threads().
- * The derivation is in docs/theory.md, "Measures of tetrahedra".
+ *  normal one are rounded to subnormal ones or to 0. A number depends on the four points alone.
+ * Uses the threads of mgdt_set_threads(). The derivation is in docs/theory.md, "Measures of
+ * tetrahedra".
  *  @param measure   an MGDT_TETRAHEDRON_ value
  *  @param capacity  elements in x, at least mgdt_tetrahedron_count(t)
  *  @param[out] x    may be NULL if there are no tetrahedra

@@ -33,11 +33,12 @@ void build(const mgdt_triangulation* t, std::int64_t n_planes, const double* pla
     Team team(t->core.threads_for(points, vertices_per_thread));
     const ExportView view = {team,        t->core.mesh(), nullptr,
                              v.allocator, v.index_base,   t->core.settings().canonical_output};
-    const Region region(v.allocator, n, planes, view.mesh, view.base);
-    if (t->core.vertex_count() > 0)
+    if (t->core.vertex_count() > 0) {
+        const Region region(v.allocator, n, planes, view.mesh, view.base);
         build_voronoi(view, region, points, v.diagram);
-    else
+    } else {
         make_empty(points, v.diagram);
+    }
     v.diagram.planes.resize(4 * n);
     std::copy_n(planes, 4 * n, v.diagram.planes.begin());
 }

@@ -133,14 +133,18 @@ void add_triangulation(CLI::App& app, TriangulationOptions& options) {
 }
 
 void add_region(CLI::App& app, RegionOptions& options) {
+    const CLI::Validator not_empty(
+        [](std::string& text) -> std::string { return text.empty() ? "it is empty" : ""; }, "");
     CLI::Option* box =
         app.add_option("--box", options.box,
                        "Box of the cells: least x,y,z and largest x,y,z; or auto for the points'")
+            ->check(not_empty)
             ->type_name("BOX");
     app.add_option("--planes", options.planes,
                    "File of the planes that bound the cells: a line a b c d for each, where "
                    "a x + b y + c z <= d")
         ->excludes(box)
+        ->check(not_empty)
         ->type_name("FILE");
 }
 

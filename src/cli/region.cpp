@@ -60,8 +60,9 @@ Planes planes_of_box(const Box& box) {
     return planes;
 }
 
-Planes read_planes(const std::string& path) {
+Planes read_planes(const std::string& path, std::vector<FileIdentity>& inputs) {
     const InputFile file(path);
+    if (file.identity()) inputs.push_back(*file.identity());
     const Source source = file.source();
     LineReader lines(source);
     Planes planes;
@@ -78,8 +79,9 @@ Planes read_planes(const std::string& path) {
 
 }  // namespace
 
-Planes planes_of(const RegionOptions& options, const std::vector<double>& points) {
-    if (!options.planes.empty()) return read_planes(options.planes);
+Planes planes_of(const RegionOptions& options, const std::vector<double>& points,
+                 std::vector<FileIdentity>& inputs) {
+    if (!options.planes.empty()) return read_planes(options.planes, inputs);
     if (options.box.empty()) return {};
     return planes_of_box(options.box == "auto" ? box_around(points) : parse_box(options.box));
 }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/file_identity.hpp"
+
 namespace mgdt::cli {
 
 struct RegionOptions {
@@ -19,6 +21,8 @@ using Planes = std::vector<std::array<double, 4>>;
 
 // The planes of the region, which is where a x + b y + c z <= d; none if no region is given. Those
 // of a box are in the order of Voro++'s walls: least x, largest x, least y, ...
-Planes planes_of(const RegionOptions& options, const std::vector<double>& points);
+// Adds the file of the planes to `inputs`.
+Planes planes_of(const RegionOptions& options, const std::vector<double>& points,
+                 std::vector<FileIdentity>& inputs);
 
 }  // namespace mgdt::cli

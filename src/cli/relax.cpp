@@ -59,10 +59,10 @@ int relax(const RelaxOptions& options) {
     check_terminal(output, format);
     check_writable(output.path);
     Mesh mesh = read_input(options.input);
+    const Planes planes = planes_of(options.region, mesh.points, mesh.inputs);
     require_apart(mesh.inputs, {output.path});
     const std::string name = input_name(options.input.path);
     if (!options.triangulation.quiet) print_left_out(mesh.mid_side_nodes, name);
-    const Planes planes = planes_of(options.region, mesh.points);
     double longest = 0;
     {
         Triangulation t = make_triangulation(options.triangulation);
@@ -74,11 +74,16 @@ int relax(const RelaxOptions& options) {
         for (int step = 0; step < options.steps && mesh.point_count() > 0; ++step) {
             check_interrupt();
             progress.update(static_cast<double>(step) / options.steps);
-            longest = move_to_centroids(t, planes, mesh.points, name);
+            longest =
+                move_to_centroids(t, planes, mesh.points,
+                                  step == 0 ? name : fmt::format("{}: after step {}", name, step));
         }
     }
     OutputSet outputs;
-    format.write_points(mesh.points, outputs.open(output.path), output.write);
+    WriteOptions write = output.write;
+    if (&format == &tetgen_format() && !write.is_base_chosen)
+        write.index_base = mesh.first_number.value_or(0);
+    format.write_points(mesh.points, outputs.open(output.path), write);
     outputs.commit();
     if (!options.triangulation.quiet && output.path != "-") {
         fmt::print("{}, {}, moved by at most {:.3g} in the last: {}\n",

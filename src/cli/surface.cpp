@@ -62,7 +62,24 @@ std::optional<double> squared_alpha(const std::string& text) {
             exit_usage,
             fmt::format("--alpha is {}; a radius of at least 0 or auto is needed", quote(text)));
     }
-    return radius * radius;
+    const double square = radius * radius;
+    if (std::isfinite(radius) && radius > 0 && !(square > 0 && std::isfinite(square)))
+        throw Error(exit_usage, fmt::format("--alpha is {}, whose square is beyond doubles; scale "
+                                            "the points and the radius",
+                                            quote(text)));
+    return square;
+}
+
+// A radius whose square is not below this one, so that --alpha takes it.
+double radius_of(double alpha2) {
+    double radius = std::sqrt(alpha2);
+    while (radius * radius < alpha2) radius = std::nextafter(radius, HUGE_VAL);
+    return radius;
+}
+
+// A volume or an area for a message.
+std::string shown(double x) {
+    return std::isfinite(x) ? fmt::format("{:.6g}", x) : "beyond doubles";
 }
 
 }  // namespace
@@ -75,7 +92,13 @@ int write_alpha_surface(const SurfaceOptions& options) {
     {
         auto [mesh, t] = triangulate_input(options.input, options.output, options.triangulation);
         n_points = mesh.point_count();
-        if (!alpha2) alpha2 = t.dimension() < 3 ? 0 : t.solid_alpha();
+        if (!alpha2) {
+            alpha2 = t.dimension() < 3 ? 0 : t.solid_alpha();
+            if (t.dimension() == 3 && !(*alpha2 > 0 && std::isfinite(*alpha2)))
+                throw Error(exit_input, fmt::format("{}: the square of the least radius is beyond "
+                                                    "doubles; scale the points",
+                                                    input_name(options.input.path)));
+        }
         mesh.tetrahedra = tetrahedra(t);
         mesh.neighbors = neighbors(t);
         std::vector<bool> is_in_body;
@@ -94,12 +117,12 @@ int write_alpha_surface(const SurfaceOptions& options) {
     }
     write_surface(surface, format, options.output);
     if (!options.triangulation.quiet && options.output.path != "-") {
-        fmt::print("{}, alpha {:.6g}, {}{}: {} with volume {:.6g}, {} that {} not manifold: {}\n",
-                   counted(n_points, "point", "points"), std::sqrt(*alpha2),
+        fmt::print("{}, alpha {}, {}{}: {} with volume {}, {} that {} not manifold: {}\n",
+                   counted(n_points, "point", "points"), radius_of(*alpha2),
                    counted(n_solids, "solid", "solids"),
                    options.largest && n_solids > 1 ? ", the largest" : "",
                    counted(surface.triangle_count(), "triangle", "triangles"),
-                   volume_inside(surface),
+                   shown(volume_inside(surface)),
                    counted(count_edges_that_are_not_manifold(surface), "edge", "edges"),
                    count_edges_that_are_not_manifold(surface) == 1 ? "is" : "are",
                    printable(options.output.path));
@@ -121,10 +144,11 @@ int write_hull(const HullOptions& options) {
     }
     write_surface(surface, format, options.output);
     if (!options.triangulation.quiet && options.output.path != "-") {
-        fmt::print("{}, {} on the hull, {}, volume {:.6g}, area {:.6g}: {}\n",
+        fmt::print("{}, {} on the hull, {}, volume {}, area {}: {}\n",
                    counted(n_points, "point", "points"), surface.point_count(),
                    counted(surface.triangle_count(), "triangle", "triangles"),
-                   volume_inside(surface), area_of(surface), printable(options.output.path));
+                   shown(volume_inside(surface)), shown(area_of(surface)),
+                   printable(options.output.path));
     }
     return exit_ok;
 }

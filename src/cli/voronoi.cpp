@@ -56,9 +56,11 @@ class PolyhedraOfCells {
         std::vector<std::pair<std::size_t, std::size_t>> order;  // number of corners, cell
         for (std::size_t i = 0; i < cells.count(); ++i) {
             const std::vector<std::int64_t> corners = corners_of(i);
-            if (corners.empty()) continue;  // the point is no vertex
-            if (cells_.is_bounded[i] != 0 &&
-                std::all_of(corners.begin(), corners.end(), [&](auto c) { return is_finite(c); }))
+            if (cells_.volumes[i] == 0 && corners.empty()) continue;  // the point is no vertex
+            if (cells_.offsets[i + 1] - cells_.offsets[i] < 4 && cells_.is_bounded[i] != 0)
+                ++without_faces_;
+            else if (cells_.is_bounded[i] != 0 && std::all_of(corners.begin(), corners.end(),
+                                                              [&](auto c) { return is_finite(c); }))
                 order.emplace_back(corners.size(), i);
             else
                 ++left_out_;
@@ -70,6 +72,8 @@ class PolyhedraOfCells {
     Polyhedra& polyhedra() { return polyhedra_; }
     // The number of cells that are unbounded, or have vertices beyond the range of doubles.
     std::size_t left_out() const { return left_out_; }
+    // The number of bounded cells of which fewer than four faces are left.
+    std::size_t without_faces() const { return without_faces_; }
 
   private:
     bool is_finite(std::int64_t corner) const {
@@ -121,7 +125,7 @@ class PolyhedraOfCells {
     const Cells& cells_;
     std::vector<std::int64_t> numbers_;  // of the vertices in the file, or -1
     Polyhedra polyhedra_;
-    std::size_t left_out_ = 0;
+    std::size_t left_out_ = 0, without_faces_ = 0;
 };
 
 // Writes a row for each point, with the neighbours in the last column.
@@ -180,6 +184,8 @@ int write_voronoi(const VoronoiOptions& options) {
         files.push_back(output.path);
     } else if (options.table.empty()) {
         throw Error(exit_usage, "nothing to do; say where to write with -o or with --csv");
+    } else if (output.write.compress || !output.to.empty()) {
+        throw Error(exit_usage, "--compress and --to are for the polyhedra, which -o writes");
     }
     if (!options.table.empty()) {
         if (options.table == output.path)
@@ -189,11 +195,11 @@ int write_voronoi(const VoronoiOptions& options) {
     for (const std::string& file : files) check_writable(file);
     std::FILE* text = output.path == "-" || options.table == "-" ? stderr : stdout;
 
-    const Mesh mesh = read_input(options.input);
+    Mesh mesh = read_input(options.input);
+    const Planes planes = planes_of(options.region, mesh.points, mesh.inputs);
     require_apart(mesh.inputs, files);
     const std::string name = input_name(options.input.path);
     if (!options.triangulation.quiet) print_left_out(mesh.mid_side_nodes, name);
-    const Planes planes = planes_of(options.region, mesh.points);
     Triangulation t = make_triangulation(options.triangulation);
     insert(t, mesh.points, name, options.triangulation.quiet);
     if (t.dimension() < 3 && mesh.point_count() > 0)
@@ -208,10 +214,11 @@ int write_voronoi(const VoronoiOptions& options) {
     OutputSet outputs;
     if (!options.table.empty())
         write_table(cells, mesh.points, output.write.index_base, outputs.open(options.table));
-    std::size_t left_out = 0, written = 0;
+    std::size_t left_out = 0, without_faces = 0, written = 0;
     if (!output.path.empty()) {
         PolyhedraOfCells made(cells);
         left_out = made.left_out();
+        without_faces = made.without_faces();
         written = made.polyhedra().offsets.size();
         made.polyhedra().is_compressed = output.write.compress;
         for (std::int64_t& id : made.polyhedra().ids) id += output.write.index_base;
@@ -222,6 +229,10 @@ int write_voronoi(const VoronoiOptions& options) {
     if (left_out > 0)
         fmt::print(stderr, "mgdt: {}: {} unbounded and left out; clip with --box\n", name,
                    left_out == 1 ? "1 cell is" : fmt::format("{} cells are", left_out));
+    if (without_faces > 0)
+        fmt::print(stderr, "mgdt: {}: {} fewer than four faces and {} left out\n", name,
+                   without_faces == 1 ? "1 cell has" : fmt::format("{} cells have", without_faces),
+                   without_faces == 1 ? "is" : "are");
     if (text == stdout && !output.path.empty())
         fmt::print("{}, {}, {}: {}\n", counted(mesh.point_count(), "point", "points"),
                    counted(written, "cell", "cells"), counted(cells.areas.size(), "face", "faces"),

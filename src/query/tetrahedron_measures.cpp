@@ -129,18 +129,31 @@ bool measure_in(Numbers& numbers, const double* const (&p)[4], int scale,
 
 bool exact::measure_in_doubles(const double* const (&p)[4], int scale, TetrahedronMeasure measure,
                                double& x, double flatness) {
+    // The edges are multiplied by a power of two that brings the largest coordinate near 1. So
+    // nothing overflows, what underflows is far below the rounding errors, and the result does not
+    // depend on the scale of the mesh.
+    double largest = 0;
+    for (int i = 1; i < 4; ++i)
+        for (int k = 0; k < 3; ++k) largest = std::fmax(largest, std::fabs(p[i][k] - p[0][k]));
+    const int exponent = 1 + (std::isinf(largest) ? 1024 : std::ilogb(largest));
     Shape<double> shape;
-    shape.set(p, difference<double>);
+    shape.set(p, [exponent](const double* a, const double* b) {
+        Vector<double> d;
+        for (int k = 0; k < 3; ++k) {
+            const double whole = a[k] - b[k];
+            d.x[k] = std::isinf(whole) ? std::ldexp(0.5 * a[k] - 0.5 * b[k], 1 - exponent)
+                                       : std::ldexp(whole, -exponent);
+        }
+        return d;
+    });
+    const int unscaled = exponent - scale;
     double square = 0;
     for (const Vector<double>* edge :
          {&shape.e01, &shape.e02, &shape.e03, &shape.e12, &shape.e13, &shape.e23})
         square = std::fmax(square, dot(*edge, *edge));
-    const double longest = std::sqrt(square);
-    // Nothing overflows, and what underflows is far below the rounding errors.
-    if (!(longest > 0x1p-100 && longest < 0x1p100)) return false;
-    const double volume6 = std::fabs(shape.volume6);
+    const double longest = std::sqrt(square), volume6 = std::fabs(shape.volume6);
     if (measure == TetrahedronMeasure::longest_edge) {
-        x = std::ldexp(longest, -scale);
+        x = std::ldexp(longest, unscaled);
         return true;
     }
     if (!(volume6 > flatness * (longest * square))) return false;
@@ -157,7 +170,7 @@ bool exact::measure_in_doubles(const double* const (&p)[4], int scale, Tetrahedr
                               [&](int i, int j) { return angle_in_doubles(shape, i, j); });
             break;
         default:
-            x = std::ldexp(volume6 / 6, -3 * scale);
+            x = std::ldexp(volume6 / 6, 3 * unscaled);
     }
     return true;
 }

@@ -8,8 +8,8 @@ namespace mgdt {
 
 enum class TetrahedronMeasure { volume, radius_ratio, least_angle, largest_angle, longest_edge };
 
-// Upper bound on the relative error of a measure, and on the error of an angle. docs/theory.md,
-// "Measures of tetrahedra", has the proof.
+// Upper bound on the relative error of a measure, unless it is rounded to a subnormal number, and
+// on the error of an angle. docs/theory.md, "Measures of tetrahedra", has the proof.
 constexpr double tetrahedron_measure_error = 1e-12;
 
 // A measure of the tetrahedron whose vertices are p times 2^-scale. The order of the vertices does
@@ -22,9 +22,8 @@ void export_tetrahedron_measures(const ExportView& view, TetrahedronMeasure meas
 
 namespace exact {
 
-// Computes in doubles. Returns false if the tetrahedron is so flat, or so large or small, that the
-// error may exceed the bound: if its volume is below `flatness`/6 times the cube of its longest
-// edge.
+// Computes in doubles. Returns false if the tetrahedron is so flat that the error may exceed the
+// bound: if its volume is below `flatness`/6 times the cube of its longest edge.
 constexpr double least_volume_in_doubles = 0x1p-5;
 constexpr double least_volume_for_volumes = 0x1p-9;
 bool measure_in_doubles(const double* const (&p)[4], int scale, TetrahedronMeasure measure,

@@ -56,17 +56,17 @@ void write_normals(const VoronoiDiagram& d, double* out) {
 void drop_small_faces(VoronoiDiagram& d, double area, double relative) {
     const std::size_t cells = d.cell_count(), faces = d.face_count();
     Allocator& allocator = d.areas.allocator();
-    Buffer<double> total(allocator);  // the area of the bounded faces of each cell
-    total.resize(cells, 0.0);
+    // `relative` times the area of the bounded faces of each cell. The products do not overflow.
+    Buffer<double> share(allocator);
+    share.resize(cells, 0.0);
     for (std::size_t c = 0; c < cells; ++c) {
         for (std::uint64_t i = d.cell_begin[c]; i < d.cell_begin[c + 1]; ++i) {
             const double of_face = d.areas[d.cell_faces[i]];
-            if (std::isfinite(of_face)) total[c] += of_face;
+            if (std::isfinite(of_face)) share[c] += relative * of_face;
         }
     }
     const auto least = [&](std::uint32_t a, std::uint32_t b) {
-        const double lesser = is_plane(b) ? total[a] : std::fmin(total[a], total[b]);
-        return relative > 0 ? std::fmax(area, relative * lesser) : area;
+        return std::fmax(area, is_plane(b) ? share[a] : std::fmin(share[a], share[b]));
     };
     // The new number of each face.
     constexpr std::uint32_t dropped = 0xFFFFFFFFu;

@@ -238,6 +238,7 @@ static void arguments(void) {
 /* No points, and points that span no space. */
 static void few_points(void) {
     static const double xyz[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+    static const double planes[16] = {-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 1, 1, 1, 1};
     mgdt_triangulation* t = make(0, NULL);
     mgdt_voronoi* v = diagram_of(t, 0, NULL);
     int i;
@@ -249,6 +250,10 @@ static void few_points(void) {
         CHECK_EQUAL(mgdt_voronoi_get_doubles(v, doubles[i], 0, NULL), MGDT_OK);
     }
     CHECK_EQUAL(mgdt_voronoi_drop_small_faces(v, 1, 0), MGDT_OK);
+    mgdt_voronoi_destroy(v);
+    /* In a region, too, whose planes begin at no point. */
+    v = diagram_of(t, 4, planes);
+    CHECK_EQUAL(size_of(v, MGDT_VORONOI_CELL_VOLUMES), 0);
     mgdt_voronoi_destroy(v);
     mgdt_destroy(t);
     t = make(4, xyz);

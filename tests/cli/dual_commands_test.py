@@ -116,7 +116,16 @@ class Cells(Dual):
         self.assertEqual(self.get("a.csv"), self.get("b.csv"))
 
     def test_nothing_at_all(self):
-        self.assertEqual(self.table("-", "--from", "xyz", "--allow-empty", data=b""), [])
+        for options in ((), ("--box", "auto"), ("--box", "0,0,0,1,1,1")):
+            self.assertEqual(self.table("-", "--from", "xyz", "--allow-empty", *options, data=b""), [])
+
+    def test_few_faces_are_left(self):
+        self.generate("uniform", 50)
+        self.mgdt("voronoi", "p.f64", "--box", "auto", "--least-area", 0.05, "-o", "c.vtu", "--csv", "c.csv")
+        few = [r for r in csv.DictReader(self.get("c.csv").decode().splitlines()) if int(r["faces"]) < 4]
+        self.assertGreater(len(few), 3)
+        self.assertIn(f"{len(few)} cells have fewer than four faces and are left out", self.err)
+        self.assertIn(f"50 points, {50 - len(few)} cells", self.out.decode())
 
     def test_refused(self):
         four = self.put("p.xyz", TETRAHEDRON)
@@ -140,6 +149,13 @@ class Cells(Dual):
             self.put("planes", text)
             self.fails(3, "voronoi", four, "-o", "c.vtu", "--planes", "planes", says=why)
         self.refuses("voronoi", four, "--csv", "p.xyz", says="would overwrite")
+        self.put("planes", "-1 0 0 0\n1 0 0 1\n0 -1 0 0\n0 1 0 1\n0 0 -1 0\n0 0 1 1\n")
+        self.refuses("voronoi", four, "--planes", "planes", "--csv", "planes", says="would overwrite")
+        for command in (("voronoi", four, "--csv", "c.csv"), ("relax", four, "-o", "r.xyz", "--steps", 1)):
+            for option in ("--box", "--planes"):
+                self.fails(2, *command, option, "", says=["it is empty", option])
+        for option in (("--compress",), ("--to", "vtu")):
+            self.fails(2, "voronoi", four, "--csv", "c.csv", *option, says="--compress and --to")
 
 
 class Surfaces(Dual):
@@ -244,6 +260,22 @@ class Surfaces(Dual):
                 self.assertGreater(len(triangles), 0)
                 self.closed(triangles)
                 self.assertGreater(self.volume(triangles), 0)
+
+    def test_alpha_that_is_printed(self):
+        """It gives the same shape again."""
+        for seed in range(6):
+            self.generate("uniform", 300, seed=seed)
+            said = self.mgdt("surface", "p.f64", "-o", "a.ply").decode()
+            alpha = re.search(r"alpha (\S+), 1 solid", said).group(1)
+            self.mgdt("surface", "p.f64", "-o", "b.ply", "--alpha", alpha)
+            self.assertEqual(self.get("a.ply"), self.get("b.ply"))
+
+    def test_alpha_whose_square_is_no_double(self):
+        self.put("large.xyz", "".join(f"{1e170 * x!r} {1e170 * y!r} {1e170 * z!r}\n" for x, y, z in self.generate("uniform", 30)))
+        self.fails(2, "surface", "large.xyz", "-o", "s.ply", "--alpha", "1e169", says=["--alpha", "beyond doubles"])
+        self.fails(2, "surface", "large.xyz", "-o", "s.ply", "--alpha", "1e-170", says=["--alpha", "beyond doubles"])
+        self.fails(3, "surface", "large.xyz", "-o", "s.ply", says=["large.xyz", "scale the points"])
+        self.assertIn(b"volume beyond doubles", self.mgdt("hull", "large.xyz", "-o", "s.ply"))
 
     def two_cubes(self):
         """Two cubes of side 1 and 2, far apart."""
@@ -386,6 +418,11 @@ class Relaxation(Dual):
         for name, options in (("a.f64", ()), ("b.f64", ("--threads", 3, "--scheme", "random"))):
             self.mgdt("relax", "-q", "p.f64", "-o", name, "--steps", 5, *options)
         self.assertEqual(self.get("a.f64"), self.get("b.f64"))
+
+    def test_numbers_of_tetgen_files(self):
+        self.put("n.node", "4 3 0 0\n" + "".join(f"{i + 1} {line}\n" for i, line in enumerate(TETRAHEDRON.splitlines())))
+        self.mgdt("relax", "-q", "n.node", "-o", "m.node", "--steps", 1)
+        self.assertEqual([line.split()[0] for line in self.get("m.node").decode().splitlines()[1:5]], list("1234"))
 
     def test_no_steps(self):
         self.generate("uniform", 50)

@@ -160,6 +160,8 @@ TEST(TetrahedronMeasures, OfAnySize) {
     for (const double size : {1e-308, 1e-200, 1e-110, 1e-30, 1e30, 1e95, 1e150, 1e307}) {
         for (int i = 0; i < 5; ++i) expect_measures(random_points(draw, size));
     }
+    expect_measures({{{0, 0, 0}, {5e-324, 0, 0}, {0, 5e-324, 0}, {0, 0, 5e-324}}});
+    expect_measures({{{1e308, 0, 0}, {-1e308, 0, 0}, {0, 1e308, 1}, {0, 0, 1.7e308}}});
     // Coordinates of every size in one tetrahedron.
     std::uniform_int_distribution<int> exponent(-1000, 1000);
     for (int i = 0; i < 8; ++i) {
@@ -183,12 +185,14 @@ TEST(TetrahedronMeasures, DependOnNeitherOrderNorScale) {
             for (std::size_t m = 0; m < 5; ++m)
                 EXPECT_EQ(measured(p, all_measures[m]), reference[m]);
         } while (std::next_permutation(p.begin(), p.end()));
-        // Vertices that were multiplied by a power of two.
-        Points scaled = p;
-        for (auto& x : scaled)
-            for (double& c : x) c *= 0x1p30;
-        for (std::size_t m = 0; m < 5; ++m)
-            EXPECT_EQ(measured(scaled, all_measures[m], 30), reference[m]);
+        // Vertices that were multiplied by a power of two, at whose end differences overflow.
+        for (const int scale : {30, 900, 1023, -900}) {
+            Points scaled = p;
+            for (auto& x : scaled)
+                for (double& c : x) c = std::ldexp(c, scale);
+            for (std::size_t m = 0; m < 5; ++m)
+                EXPECT_EQ(measured(scaled, all_measures[m], scale), reference[m]) << scale;
+        }
     }
 }
 

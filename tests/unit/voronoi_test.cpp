@@ -224,6 +224,16 @@ TEST(Voronoi, FacesThatAreLargeForOneCellAreNotLeftOut) {
     }
 }
 
+// Areas whose sums overflow.
+TEST(Voronoi, LargeFacesAreNotLeftOut) {
+    Points xyz = lattice(4, 0);
+    for (double& x : xyz) x *= 0.9e154;
+    OwnDiagram d(xyz);
+    const std::size_t before = d->face_count();
+    drop_small_faces(*d, 0, 1e-9);
+    EXPECT_EQ(d->face_count(), before);
+}
+
 TEST(Voronoi, NormalsPointFromTheFirstSideToTheSecond) {
     const Points xyz = uniform(40, 8), planes = box(0, 1);
     OwnDiagram d(xyz, planes);

@@ -87,8 +87,8 @@ class Voronoi {
         return values;
     }
 
-    /** Leaves out the faces that are smaller than an area, or than a share of the area of one of
-     *  each of their cells; mgdt_voronoi_drop_small_faces(). @throw OutOfMemory, Error */
+    /** Leaves out the faces that are smaller than an area, or than a share of the area of each of
+     *  their cells; mgdt_voronoi_drop_small_faces(). @throw OutOfMemory, Error */
     void drop_small_faces(double area, double relative = 0) {
         require(mgdt_voronoi_drop_small_faces(handle_.get(), area, relative));
     }
