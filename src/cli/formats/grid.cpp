@@ -20,6 +20,7 @@ VtkArray numbers(std::uint64_t most, const char* name, const std::vector<std::in
 
 std::vector<VtkArray> arrays_of(const std::vector<Field>& fields) {
     std::vector<VtkArray> arrays;
+    arrays.reserve(fields.size() + 1);  // the numbers of points may follow
     for (const Field& f : fields)
         arrays.push_back(vtk_doubles(to_xml(f.name), f.components, f.values));
     return arrays;
