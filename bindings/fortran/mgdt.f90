@@ -164,6 +164,8 @@ module mgdt
             locate_points_i64_2
         generic :: locate_points => locate_points_i32_1, locate_points_i32_2, &
             locate_points_i64_1, locate_points_i64_2
+        procedure, private :: traverse_segment_i32, traverse_segment_i64
+        generic :: traverse_segment => traverse_segment_i32, traverse_segment_i64
         procedure, private :: nearest_vertex_i32, nearest_vertex_i64
         generic :: nearest_vertex => nearest_vertex_i32, nearest_vertex_i64
         procedure, private :: nearest_vertices_i32_1, nearest_vertices_i32_2, &
@@ -902,6 +904,30 @@ module mgdt
             real(real64), contiguous, intent(in) :: xyz(:, :)
             integer(int64), contiguous, intent(inout) :: tetrahedra(:)
             real(real64), contiguous, intent(inout), optional, target :: weights(:, :)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! The tetrahedra that the segment from a to b passes through, in order: `count` elements of
+        ! tetrahedra are set, and count + 1 of parameters, which holds one more. Tetrahedron i is entered
+        ! at a + parameters(i)*(b - a) and left at a + parameters(i + 1)*(b - a). If the arrays are too
+        ! small, the status is mgdt_err_buffer_too_small, and count says how many are needed. Since 1.3.
+        module subroutine traverse_segment_i32(self, a, b, tetrahedra, parameters, count, stat, &
+                                               errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            real(real64), intent(in) :: a(3), b(3)
+            integer(int32), contiguous, intent(inout) :: tetrahedra(:)
+            real(real64), contiguous, intent(inout), target :: parameters(:)
+            integer(int32), intent(inout) :: count
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine traverse_segment_i64(self, a, b, tetrahedra, parameters, count, stat, &
+                                               errmsg)
+            class(mgdt_triangulation), intent(in) :: self
+            real(real64), intent(in) :: a(3), b(3)
+            integer(int64), contiguous, intent(inout) :: tetrahedra(:)
+            real(real64), contiguous, intent(inout), target :: parameters(:)
+            integer(int64), intent(inout) :: count
             integer, intent(out), optional :: stat
             character(*), intent(inout), optional :: errmsg
         end subroutine

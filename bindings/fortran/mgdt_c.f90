@@ -739,6 +739,35 @@ module mgdt_c
         end function
     end interface
 
+    interface c_traverse_segment
+        function c_traverse_segment_i32(t, a, b, capacity, tetrahedra, parameters, count) &
+            result(status) &
+            bind(c, name='mgdt_traverse_segment_i32')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            real(c_double), intent(in) :: a(3)
+            real(c_double), intent(in) :: b(3)
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: tetrahedra(*)
+            type(c_ptr), value :: parameters
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: status
+        end function
+        function c_traverse_segment_i64(t, a, b, capacity, tetrahedra, parameters, count) &
+            result(status) &
+            bind(c, name='mgdt_traverse_segment')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: t
+            real(c_double), intent(in) :: a(3)
+            real(c_double), intent(in) :: b(3)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: tetrahedra(*)
+            type(c_ptr), value :: parameters
+            integer(c_int64_t), intent(inout) :: count
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
     interface c_nearest_vertex
         function c_nearest_vertex_i32(t, xyz, vertex) result(status) &
             bind(c, name='mgdt_nearest_vertex_i32')

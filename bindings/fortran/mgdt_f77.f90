@@ -860,6 +860,25 @@ subroutine mglocw(h, n, xyz, itet, w, ierr)
     ierr = c_locate_points(handle_of(h), int(n, c_int64_t), xyz, itet, c_loc(w))
 end subroutine
 
+! The N tetrahedra that the segment from A(3) to B(3) passes through, ITET(MAXT), and the parameters at
+! which it passes from one to the next, T(MAXT+1), of which N+1 are set. If MAXT is too small, IERR is
+! MGEBUF and N is the number that is needed. Since 1.3.
+subroutine mgseg(h, a, b, maxt, itet, t, n, ierr)
+    use mgdt_f77_support
+    implicit none
+    integer, intent(in) :: h(4)
+    real(c_double), intent(in) :: a(3)
+    real(c_double), intent(in) :: b(3)
+    integer, intent(in) :: maxt
+    integer, intent(inout) :: itet(*)
+    real(c_double), intent(inout), target :: t(*)
+    integer, intent(inout) :: n
+    integer, intent(inout) :: ierr
+
+    if (integers_differ(h, ierr, maxt)) return
+    ierr = c_traverse_segment(handle_of(h), a, b, int(maxt, c_int64_t), itet, c_loc(t), n)
+end subroutine
+
 ! The vertex nearest to P(3).
 subroutine mgnear(h, p, ivert, ierr)
     use mgdt_f77_support

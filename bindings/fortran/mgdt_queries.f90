@@ -164,6 +164,38 @@ contains
         if (.not. fit) call report(procedure, status, message, stat, errmsg)
     end function
 
+    module procedure traverse_segment_i32
+        type(c_ptr) :: handle, numbers
+        integer(c_int32_t) :: status
+        integer(c_int64_t) :: room
+
+        ! The arrays hold as many tetrahedra as both have room for.
+        room = max(0_c_int64_t, min(size(tetrahedra, kind=c_int64_t), &
+                                    size(parameters, kind=c_int64_t) - 1))
+        numbers = c_null_ptr
+        if (size(parameters) > 0) numbers = c_loc(parameters)
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) &
+            status = c_traverse_segment(handle, a, b, room, tetrahedra, numbers, count)
+        call finish(handle, 'traverse_segment', status, stat, errmsg, owned=self%handle)
+    end procedure
+
+    module procedure traverse_segment_i64
+        type(c_ptr) :: handle, numbers
+        integer(c_int32_t) :: status
+        integer(c_int64_t) :: room
+
+        ! The arrays hold as many tetrahedra as both have room for.
+        room = max(0_c_int64_t, min(size(tetrahedra, kind=c_int64_t), &
+                                    size(parameters, kind=c_int64_t) - 1))
+        numbers = c_null_ptr
+        if (size(parameters) > 0) numbers = c_loc(parameters)
+        call borrow(self%handle, handle, status)
+        if (status == mgdt_ok) &
+            status = c_traverse_segment(handle, a, b, room, tetrahedra, numbers, count)
+        call finish(handle, 'traverse_segment', status, stat, errmsg, owned=self%handle)
+    end procedure
+
     module procedure nearest_vertex_i32
         type(c_ptr) :: handle
         integer(c_int32_t) :: status

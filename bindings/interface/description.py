@@ -77,6 +77,8 @@ LENGTHS = {
                            "out": "3*n_fields*point_count"},
     "mgdt_locate": {"xyz": "3", "tetrahedron": "1"},
     "mgdt_locate_points": {"xyz": "3*n", "tetrahedra": "n", "weights": "?4*n"},
+    "mgdt_traverse_segment": {"a": "3", "b": "3", "tetrahedra": "capacity",
+                              "parameters": "?capacity+1", "count": "1"},
     "mgdt_nearest_vertex": {"xyz": "3", "vertex": "1"},
     "mgdt_nearest_vertices": {"xyz": "3*n", "vertices": "n"},
     "mgdt_get_stat": {"value": "1"},

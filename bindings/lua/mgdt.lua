@@ -703,6 +703,27 @@ function Triangulation:locate_points(points, n)
 end
 jit.off(Triangulation.locate_points)
 
+--- The tetrahedra that the segment from a to b, {x, y, z} each, passes through, in order; the
+--- parameters between them, tetrahedron k from parameters[k] to parameters[k + 1]; and their number.
+--- Since 1.3.
+function Triangulation:traverse_segment(a, b)
+    local handle = handle_of(self)
+    local from = ffi.new("double[3]", real(a[1], "x"), real(a[2], "y"), real(a[3], "z"))
+    local to = ffi.new("double[3]", real(b[1], "x"), real(b[2], "y"), real(b[3], "z"))
+    local count = ffi.new("int32_t[1]")
+    -- Enough for most segments; the count says what others need.
+    local room = 128
+    while true do
+        local found, parameters = ffi.new("int32_t[?]", room), ffi.new("double[?]", room + 1)
+        local value = C.mgdt_traverse_segment_i32(handle, from, to, room, found, parameters, count)
+        if value ~= status.buffer_too_small then
+            ensure(handle, value)
+            return found, parameters, count[0]
+        end
+        room = count[0]
+    end
+end
+
 --- The vertices nearest to many points (given as for insert()): an array, and the number of points.
 --- Since 1.2.
 function Triangulation:nearest_points(points, n)

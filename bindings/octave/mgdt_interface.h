@@ -76,6 +76,8 @@
     F(locate_i32);                    \
     F(locate_points);                 \
     F(locate_points_i32);             \
+    F(traverse_segment);              \
+    F(traverse_segment_i32);          \
     F(nearest_vertex);                \
     F(nearest_vertex_i32);            \
     F(nearest_vertices);              \

@@ -428,6 +428,33 @@ static mxArray* alpha_surface(const mgdt_triangulation* t, const mxArray* alpha2
     return rows(v, count, 3);
 }
 
+static const double* one_point(const mxArray* matrix) {
+    if (!matrix || !mxIsDouble(matrix) || mxIsComplex(matrix) || mxGetNumberOfElements(matrix) != 3)
+        bad_argument("the ends must have 3 coordinates each, as doubles");
+    return mxGetPr(matrix);
+}
+
+static void traverse_segment(const mgdt_triangulation* t, const mxArray* from, const mxArray* to,
+                             mxArray** plhs) {
+    /* Enough for most segments; the count says what others need. */
+    const double *const a = one_point(from), *const b = one_point(to);
+    int64_t capacity = 128, count = 0, *found;
+    double* parameters;
+    mgdt_status status;
+    for (;;) {
+        found = room(capacity, sizeof *found);
+        parameters = room(capacity + 1, sizeof *parameters);
+        status = mgdt.traverse_segment(t, a, b, capacity, found, parameters, &count);
+        if (status != MGDT_ERR_BUFFER_TOO_SMALL) break;
+        mxFree(found);
+        mxFree(parameters);
+        capacity = count;
+    }
+    ensure(t, status);
+    plhs[0] = rows(found, count, 1);
+    plhs[1] = rows_of_doubles(parameters, count == 0 ? 0 : count + 1, 1);
+}
+
 /* A matrix with a row for each point. */
 static mxArray* cell_measures(const mgdt_triangulation* t, int32_t measure, const mxArray* matrix) {
     const int width = measure == MGDT_MEASURE_CENTROID ? 3 : 1;
@@ -820,6 +847,9 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         plhs[0] = gradients(s->t, first);
     } else if (strcmp(command, "locate") == 0) {
         locate(s->t, first, nlhs, plhs);
+    } else if (strcmp(command, "traverse_segment") == 0) {
+        if (nlhs != 2) bad_argument("there are two results");
+        traverse_segment(s->t, first, second, plhs);
     } else if (strcmp(command, "nearest") == 0) {
         plhs[0] = nearest(s->t, first);
     } else if (strcmp(command, "check") == 0) {

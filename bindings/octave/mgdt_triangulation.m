@@ -271,6 +271,13 @@ classdef mgdt_triangulation < handle
       end
     end
 
+    % The tetrahedra that the segment from a to b passes through, in order, n x 1, and the parameters
+    % between them: tetrahedron k is entered at a + parameters(k) * (b - a) and left at
+    % a + parameters(k+1) * (b - a). Since 1.3.
+    function [tetrahedra, parameters] = traverse_segment (t, a, b)
+      [tetrahedra, parameters] = mgdt_mex ("traverse_segment", t.handle (), a, b);
+    end
+
     % Vertices nearest to the points of an n x 3 matrix, n x 1, NaN if there are none: as dsearchn.
     function v = nearest (t, points)
       v = mgdt_mex ("nearest", t.handle (), points);

@@ -842,6 +842,36 @@ MGDT_API mgdt_status mgdt_locate_points_i32(const mgdt_triangulation* t, int64_t
                                             const double* xyz, int32_t* tetrahedra,
                                             double* weights);
 
+/** Finds the tetrahedra that the segment from a to b passes through, in order, exactly. It tracks
+ *  particles and casts rays. Tetrahedron i is entered at a + parameters[i] (b - a) and left at
+ *  a + parameters[i + 1] (b - a). The part of the segment inside the hull runs from parameters[0],
+ *  which is 0 if a is inside, to parameters[count], which is 1 if b is inside. Each parameter is
+ *  correctly rounded. A tetrahedron that the segment meets in one point is left out. Where the
+ *  segment runs in a facet or an edge, the result names a tetrahedron beside it, chosen as if the
+ *  segment were displaced by an infinitesimal vector; the choice depends on the points and their
+ *  indices alone. If a and b are equal, the result is the tetrahedron that mgdt_locate() finds,
+ *  with the parameters 0 and 1.
+ *  @param a, b             3 coordinates each
+ *  @param capacity         elements in tetrahedra, at least 0
+ *  @param[out] tetrahedra  the numbers of the tetrahedra; may be NULL if there are none
+ *  @param[out] parameters  NULL, or capacity + 1 elements, of which count + 1 are written, or none
+ *                          if count is 0
+ *  @param[out] count       the number of tetrahedra; written also if tetrahedra is too small for
+ *                          them; 0 if the segment misses the hull or touches it in one point, or
+ *                          if the points do not span space
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (capacity is negative),
+ *  MGDT_ERR_NOT_FINITE, MGDT_ERR_BUFFER_TOO_SMALL, MGDT_ERR_INDEX_RANGE, MGDT_ERR_OUT_OF_MEMORY
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_traverse_segment(const mgdt_triangulation* t, const double* a,
+                                           const double* b, int64_t capacity, int64_t* tetrahedra,
+                                           double* parameters, int64_t* count);
+/** @copydoc mgdt_traverse_segment
+ *  @since 1.3 */
+MGDT_API mgdt_status mgdt_traverse_segment_i32(const mgdt_triangulation* t, const double* a,
+                                               const double* b, int64_t capacity,
+                                               int32_t* tetrahedra, double* parameters,
+                                               int32_t* count);
+
 /** Finds the vertex nearest to a point, exactly. If several are equally near, it is the one with
  *  the lowest index. The vertices need not span space.
  *  @param xyz          3 coordinates

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "capi/counts.hpp"
@@ -6,6 +8,7 @@
 #include "capi/places.hpp"
 #include "query/check.hpp"
 #include "query/locate_points.hpp"
+#include "query/segment_walk.hpp"
 
 using namespace mgdt;
 
@@ -38,6 +41,38 @@ void nearest(const mgdt_triangulation* t, int64_t n, const double* xyz, Int* ver
         require_range<Int>(static_cast<std::uint64_t>(point_count(t->core)), t);
         nearest_vertices(view_of(team, t, false), locator(t), places, vertices);
     });
+}
+
+// Copies an end of a segment. Throws if a coordinate is not finite.
+void copy_end(const double* from, const char* name, double (&to)[3]) {
+    require_pointer(from, name);
+    std::copy_n(from, 3, to);
+    for (int k = 0; k < 3; ++k)
+        if (!std::isfinite(to[k]))
+            fail(MGDT_ERR_NOT_FINITE, "coordinate %c of %s is not finite", "xyz"[k], name);
+}
+
+template <class Int>
+void traverse(const mgdt_triangulation* t, const double* a, const double* b, int64_t capacity,
+              Int* tetrahedra, double* parameters, Int* count) {
+    double ends[2][3];
+    copy_end(a, "a", ends[0]);
+    copy_end(b, "b", ends[1]);
+    require_pointer(count, "count");
+    require_capacity(capacity, 0, "tetrahedra");
+    require_range<Int>(static_cast<std::uint64_t>(tetrahedron_count(t->core)), t);
+    const Traversal way = traverse_segment(locator(t), ends[0], ends[1], t->core.allocator());
+    const std::size_t found = way.tetrahedra.size();
+    *count = static_cast<Int>(found);
+    require_capacity(capacity, found, "tetrahedra");
+    if (found == 0) return;
+    require_pointer(tetrahedra, "tetrahedra");
+    Team team(1);
+    const ExportView view = view_of(team, t, true);
+    for (std::size_t i = 0; i < found; ++i)
+        tetrahedra[i] = static_cast<Int>(view.numbering->number(way.tetrahedra[i])) +
+                        static_cast<Int>(view.base);
+    if (parameters) std::copy_n(way.parameters.data(), found + 1, parameters);
 }
 
 }  // namespace
@@ -81,6 +116,19 @@ extern "C" mgdt_status mgdt_nearest_vertices(const mgdt_triangulation* t, int64_
 extern "C" mgdt_status mgdt_nearest_vertices_i32(const mgdt_triangulation* t, int64_t n,
                                                  const double* xyz, int32_t* vertices) {
     return guard(t, [&] { nearest(t, n, xyz, vertices); });
+}
+
+extern "C" mgdt_status mgdt_traverse_segment(const mgdt_triangulation* t, const double* a,
+                                             const double* b, int64_t capacity, int64_t* tetrahedra,
+                                             double* parameters, int64_t* count) {
+    return guard(t, [&] { traverse(t, a, b, capacity, tetrahedra, parameters, count); });
+}
+
+extern "C" mgdt_status mgdt_traverse_segment_i32(const mgdt_triangulation* t, const double* a,
+                                                 const double* b, int64_t capacity,
+                                                 int32_t* tetrahedra, double* parameters,
+                                                 int32_t* count) {
+    return guard(t, [&] { traverse(t, a, b, capacity, tetrahedra, parameters, count); });
 }
 
 extern "C" mgdt_status mgdt_check(const mgdt_triangulation* t, int32_t level) {

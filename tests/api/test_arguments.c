@@ -86,6 +86,10 @@ static void null_handles(void) {
     CHECK_EQUAL(mgdt_get_spanning_tree(NULL, 1, &i, &i), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_get_spanning_tree_i32(NULL, 1, &j, &j), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate(NULL, simplex, &i), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_traverse_segment(NULL, simplex, simplex, 1, &i, NULL, &i),
+                MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_traverse_segment_i32(NULL, simplex, simplex, 1, &j, NULL, &j),
+                MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate_points(NULL, 1, simplex, &i, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate_points_i32(NULL, 1, simplex, &j, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_nearest_vertex(NULL, simplex, &i), MGDT_ERR_NULL_POINTER);
@@ -147,6 +151,17 @@ static void null_arrays(const mgdt_triangulation* t) {
     CHECK_EQUAL(mgdt_locate_i32(t, NULL, j), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate_i32(t, simplex, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate_i32(NULL, simplex, j), MGDT_ERR_NULL_POINTER);
+    {
+        const double *const a = simplex, *const b = simplex + 3;
+        CHECK_EQUAL(mgdt_traverse_segment(t, NULL, b, 4, i, &d, i), MGDT_ERR_NULL_POINTER);
+        CHECK_EQUAL(mgdt_traverse_segment(t, a, NULL, 4, i, &d, i), MGDT_ERR_NULL_POINTER);
+        CHECK_EQUAL(mgdt_traverse_segment(t, a, b, 4, NULL, &d, i), MGDT_ERR_NULL_POINTER);
+        CHECK_EQUAL(mgdt_traverse_segment(t, a, b, 4, i, NULL, NULL), MGDT_ERR_NULL_POINTER);
+        CHECK_EQUAL(mgdt_traverse_segment_i32(t, NULL, b, 4, j, &d, j), MGDT_ERR_NULL_POINTER);
+        CHECK_EQUAL(mgdt_traverse_segment_i32(t, a, NULL, 4, j, &d, j), MGDT_ERR_NULL_POINTER);
+        CHECK_EQUAL(mgdt_traverse_segment_i32(t, a, b, 4, NULL, &d, j), MGDT_ERR_NULL_POINTER);
+        CHECK_EQUAL(mgdt_traverse_segment_i32(t, a, b, 4, j, NULL, NULL), MGDT_ERR_NULL_POINTER);
+    }
     CHECK_EQUAL(mgdt_locate_points(t, 1, NULL, i, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate_points(t, 1, simplex, NULL, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_locate_points_i32(t, 1, NULL, j, NULL), MGDT_ERR_NULL_POINTER);
@@ -265,6 +280,11 @@ static void not_finite(mgdt_triangulation* t) {
         CHECK_EQUAL(mgdt_nearest_vertex(t, q + 3, out), MGDT_ERR_NOT_FINITE);
         CHECK_EQUAL(mgdt_nearest_vertices(t, 2, q, out), MGDT_ERR_NOT_FINITE);
         CHECK_ERROR(t, "point 1");
+        CHECK_EQUAL(mgdt_traverse_segment(t, q + 3, q, 1, out, weights, out), MGDT_ERR_NOT_FINITE);
+        CHECK_ERROR(t, "coordinate y of a is not finite");
+        CHECK_EQUAL(mgdt_traverse_segment_i32(t, q, q + 3, 1, out32, weights, out32),
+                    MGDT_ERR_NOT_FINITE);
+        CHECK_ERROR(t, "of b is not finite");
         CHECK_EQUAL(mgdt_locate_points(t, 2, q, out, weights), MGDT_ERR_NOT_FINITE);
         CHECK_ERROR(t, "1");
         CHECK_EQUAL(mgdt_locate_points_i32(t, 2, q, out32, weights), MGDT_ERR_NOT_FINITE);
@@ -291,6 +311,9 @@ static void counts(mgdt_triangulation* t) {
     CHECK_EQUAL(mgdt_insert_points(t, 0, NULL), MGDT_OK);
     CHECK_EQUAL(mgdt_insert_points_strided(t, 0, NULL, NULL, NULL, 1), MGDT_OK);
     CHECK_EQUAL(mgdt_locate_points(t, -1, simplex, &out, NULL), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_traverse_segment(t, simplex, simplex + 3, -1, &out, NULL, &out),
+                MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_ERROR(t, "-1");
     /* More points than can be numbered; the count must be looked at before the points are. */
     CHECK_EQUAL(mgdt_insert_points(t, INT64_MAX, simplex), MGDT_ERR_TOO_LARGE);
     CHECK_EQUAL(mgdt_insert_points(t, INT64_C(1) << 33, simplex), MGDT_ERR_TOO_LARGE);
@@ -364,6 +387,8 @@ static void empty(void) {
     CHECK_EQUAL(mgdt_check(t, MGDT_CHECK_CANONICAL), MGDT_OK);
     CHECK_EQUAL(mgdt_locate(t, simplex, &out), MGDT_OK);
     CHECK_EQUAL(out, -1);
+    CHECK_EQUAL(mgdt_traverse_segment(t, simplex, simplex + 3, 0, NULL, NULL, &out), MGDT_OK);
+    CHECK_EQUAL(out, 0);
     out = 5;
     CHECK_EQUAL(mgdt_nearest_vertex(t, simplex, &out), MGDT_OK);
     CHECK_EQUAL(out, -1);

@@ -142,6 +142,10 @@ static void read_while_it_changes(guest* g) {
     expect_refused(g, mgdt_get_gradients(t, 1, w, w), "mgdt_get_gradients()");
     expect_refused(g, mgdt_locate(t, g->xyz, a), "mgdt_locate()");
     expect_refused(g, mgdt_locate_i32(t, g->xyz, c), "mgdt_locate_i32()");
+    expect_refused(g, mgdt_traverse_segment(t, g->xyz, g->xyz + 3, 1, a, w, b),
+                   "mgdt_traverse_segment()");
+    expect_refused(g, mgdt_traverse_segment_i32(t, g->xyz, g->xyz + 3, 1, c, w, d),
+                   "mgdt_traverse_segment_i32()");
     expect_refused(g, mgdt_locate_points(t, 1, g->xyz, a, w), "mgdt_locate_points()");
     expect_refused(g, mgdt_locate_points_i32(t, 1, g->xyz, c, w), "mgdt_locate_points_i32()");
     expect_refused(g, mgdt_nearest_vertex(t, g->xyz, a), "mgdt_nearest_vertex()");

@@ -213,6 +213,7 @@ static mgdt_status export_all(const mgdt_triangulation* t, int64_t* v, int64_t* 
     TRY(mgdt_get_spanning_tree(t, size, v, list));
     TRY(mgdt_locate(t, q, v));
     TRY(mgdt_locate_points(t, 2, q, v, weights));
+    TRY(mgdt_traverse_segment(t, q, q + 3, size, v, NULL, list));
     TRY(mgdt_nearest_vertex(t, q, v));
     TRY(mgdt_nearest_vertices(t, 2, q, v));
     TRY(mgdt_check(t, MGDT_CHECK_CANONICAL));

@@ -40,6 +40,8 @@ using bench::median;
 
 // Calls of each kind that are made one at a time.
 constexpr std::size_t single_calls = 20000;
+// Segments, from each of as many places to the next one.
+constexpr std::size_t segments = 200;
 
 template <class Body>
 double microseconds_each(std::size_t count, Body body) {
@@ -222,7 +224,7 @@ using Library = std::vector<double> Figure::*;
 
 struct Figures {
     Figure triangulate, insert_random, insert_local, locate_points, locate, nearest, export_64,
-        export_32, export_canonical, nearest_many;
+        export_32, export_canonical, nearest_many, traverse;
 };
 
 /// What the calls answered, to compare the libraries by.
@@ -230,10 +232,11 @@ struct Answers {
     std::size_t outside = 0;  // the hull
     double nearest = 0;       // x of nearest vertices, summed
     std::size_t tetrahedra = 0;
+    std::size_t passages = 0;  // of segments through tetrahedra
 
     bool operator!=(const Answers& other) const {
         return outside != other.outside || nearest != other.nearest ||
-               tetrahedra != other.tetrahedra;
+               tetrahedra != other.tetrahedra || passages != other.passages;
     }
 };
 
@@ -268,6 +271,18 @@ void time_queries(const mgdt_triangulation* t, const Input& input, Figures& f, A
             require(mgdt_locate(t, &input.to_locate[3 * i], &found[i]), "mgdt_locate");
     }));
     for (std::size_t i = 0; i < single_calls; ++i) answers.outside += found[i] < 0;
+    std::vector<double> parameters(found.size() + 1);
+    const double whole = microseconds_each(1, [&] {
+        for (std::size_t i = 0; i < segments; ++i) {
+            std::int64_t passed = 0;
+            require(mgdt_traverse_segment(t, &input.to_locate[3 * i], &input.to_locate[3 * i + 3],
+                                          static_cast<std::int64_t>(found.size()), found.data(),
+                                          parameters.data(), &passed),
+                    "mgdt_traverse_segment");
+            answers.passages += static_cast<std::size_t>(passed);
+        }
+    });
+    f.traverse.mgdt.push_back(whole / static_cast<double>(answers.passages));
     f.nearest_many.mgdt.push_back(microseconds_each(input.size(), [&] {
         require(mgdt_nearest_vertices(t, static_cast<std::int64_t>(input.size()),
                                       input.queries.data(), found.data()),
@@ -313,6 +328,13 @@ void time_queries(const Triangulation& t, const Input& input, Library library, F
         for (std::size_t i = 0; i < places.size(); ++i) cells[i] = t.locate(places[i]);
     }));
     for (const auto c : cells) answers.outside += t.is_infinite(c);
+    const double whole = microseconds_each(1, [&] {
+        for (std::size_t i = 0; i < segments; ++i) {
+            auto c = t.segment_traverser_cells_begin(places[i], places[i + 1]);
+            for (; c != t.segment_traverser_cells_end(); ++c) answers.passages += !t.is_infinite(c);
+        }
+    });
+    (f.traverse.*library).push_back(whole / static_cast<double>(answers.passages));
     places = to_points(input.to_approach);
     std::vector<typename Triangulation::Vertex_handle> vertices(places.size());
     (f.nearest.*library).push_back(microseconds_each(places.size(), [&] {
@@ -387,6 +409,7 @@ void print(const Figures& f) {
     row("export, canonical, 64 bits, a point", f.export_canonical);
     row("locate as many points, a point", f.locate_points);
     row("locate, a call", f.locate);
+    row("traverse segment, a tetrahedron", f.traverse);
     row("nearest vertex, a call", f.nearest);
     row("nearest of as many points, a point", f.nearest_many);
     row("insert one anywhere, a call", f.insert_random);

@@ -148,6 +148,12 @@ int main() {
         if (static_cast<std::int64_t>(t.alpha_surface(1e9).size()) != t.hull_facet_count())
             return 6;
         if (t.alpha_surface<std::int32_t>(0).size() != 0) return 6;
+        {
+            const auto way = t.traverse_segment<std::int32_t>({-9, -9, -9.5}, {9, 9, 9});
+            const auto again = t.traverse_segment({-9, -9, -9.5}, {9, 9, 9});
+            if (way.tetrahedra.empty() || way.parameters != again.parameters) return 6;
+            if (way.parameters.size() != way.tetrahedra.size() + 1) return 6;
+        }
         for (const double volume : t.tetrahedron_measures(mgdt::TetrahedronMeasure::volume))
             if (!(volume > 0)) return 6;
         if (t.cell_measures(mgdt::Measure::faces).size() != 10) return 6;

@@ -90,6 +90,7 @@ void expect_moved_from(Triangulation& t) {
     null([&] { (void)c.vertex_neighbors(); });
     null([&] { (void)c.circumspheres(); });
     null([&] { (void)c.tetrahedron_measures(mgdt::TetrahedronMeasure::volume); });
+    null([&] { (void)c.traverse_segment({0, 0, 0}, {1, 1, 1}); });
     null([&] { (void)c.cell_measures(mgdt::Measure::volume); });
     null([&] {
         (void)c.interpolate(mgdt::Method::linear, mgdt::Outside::none, mgdt::Span<const double>(),

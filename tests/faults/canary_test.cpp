@@ -156,6 +156,16 @@ std::vector<Wanted> of_rows(T t) {
             {row_count(t), sizeof(Int), false, false},
             {row_count(t), sizeof(double), false, false}};
 }
+constexpr double segment[6] = {-0.5, -0.4, -0.3, 1.2, 1.3, 1.4};
+template <class Int, mgdt_status (*Traverse)(T, const double*, const double*, std::int64_t, Int*,
+                                             double*, Int*)>
+std::vector<Wanted> of_segment(T t) {
+    Int count = 0;
+    (void)Traverse(t, segment, segment + 3, 0, nullptr, nullptr, &count);
+    return {{count, sizeof(Int), true, false},
+            {count == 0 ? 0 : count + 1, sizeof(double), false, true},
+            {1, sizeof(Int), false, false, true}};
+}
 template <class Int>
 std::vector<Wanted> of_places(T) {
     return {{queries, sizeof(Int), false, false}};
@@ -184,6 +194,17 @@ std::vector<Wanted> of_one(T) {
             [](mgdt_triangulation* t, const Given& g) {                      \
                 return function(t, g.capacity[0], static_cast<Int*>(g.array[0]), \
                                 static_cast<Int*>(g.array[1]));              \
+            } \
+    }
+
+#define SEGMENT(function, Int)                                                         \
+    {                                                                                  \
+#function, of_segment<Int, function>,                                                \
+            [](mgdt_triangulation* t, const Given& g) {                              \
+                return function(t, segment, segment + 3, g.capacity[0],              \
+                                static_cast<Int*>(g.array[0]),                       \
+                                static_cast<double*>(g.array[1]),                    \
+                                static_cast<Int*>(g.array[2]));                      \
             } \
     }
 
@@ -327,6 +348,8 @@ const Function functions[] = {
                                        static_cast<std::int32_t*>(g.array[0]),
                                        static_cast<double*>(g.array[1]));
      }},
+    SEGMENT(mgdt_traverse_segment, std::int64_t),
+    SEGMENT(mgdt_traverse_segment_i32, std::int32_t),
     {"mgdt_nearest_vertex", of_one<std::int64_t>,
      [](mgdt_triangulation* t, const Given& g) {
          return mgdt_nearest_vertex(t, query_points(), static_cast<std::int64_t*>(g.array[0]));

@@ -393,6 +393,11 @@ inline constexpr Call calls[] = {
      }},
     {"locate", [](mgdt_triangulation* t,
                   Output& o) { return mgdt_locate(t, o.queries.data(), o.found.data()); }},
+    {"traverse_segment",
+     [](mgdt_triangulation* t, Output& o) {
+         return mgdt_traverse_segment(t, o.queries.data(), o.queries.data() + 3, o.size(),
+                                      o.v.data(), nullptr, o.list.data());
+     }},
     {"locate_points",
      [](mgdt_triangulation* t, Output& o) {
          return mgdt_locate_points(t, count(o.queries), o.queries.data(), o.found.data(),

@@ -255,6 +255,10 @@ void read_all(Meter& meter, const mgdt_triangulation* t, const Points& queries) 
           [&] { return mgdt_nearest_vertices(t, n, queries.data(), v.data()); });
     for (std::size_t i = 0; i < queries.size(); i += 3 * (1 + queries.size() / 45)) {
         meter("mgdt_locate", [&] { return mgdt_locate(t, &queries[i], v.data()); });
+        meter("mgdt_traverse_segment", [&] {
+            return mgdt_traverse_segment(t, &queries[i], queries.data(), size, v.data(), nullptr,
+                                         list.data());
+        });
         meter("mgdt_nearest_vertex", [&] { return mgdt_nearest_vertex(t, &queries[i], v.data()); });
     }
     meter("mgdt_check", [&] { return mgdt_check(t, MGDT_CHECK_CANONICAL); });

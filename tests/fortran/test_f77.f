@@ -496,6 +496,16 @@
         YES = YES .AND. IN2(I) .EQ. IV
    70 CONTINUE
       CALL EXPECT(YES, 'nearest vertices')
+      CALL MGSEG(H, XYZ(1, 1), XYZ(1, N - 1), N, IN2, W, L, IERR)
+      CALL GOOD(H, IERR, 'MGSEG')
+      YES = .FALSE.
+      DO 80 I = 1, 4
+        YES = YES .OR. ITET(I, IN2(1)) .EQ. 1
+   80 CONTINUE
+      CALL EXPECT(YES .AND. L .GT. 1 .AND. W(1, 1) .EQ. 0, 'a segment')
+      CALL MGSEG(H, XYZ(1, 1), XYZ(1, N - 1), 0, IN2, W, I, IERR)
+      CALL BAD(H, IERR, MGEBUF, 'needed')
+      CALL EXPECT(I .EQ. L, 'the room that a segment needs')
       CALL MGFREE(H, IERR)
       END
 

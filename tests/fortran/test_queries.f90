@@ -21,6 +21,7 @@ program test_queries
     probes = 1.25_real64*probes - 0.1250123_real64
 
     call test_locate_points()
+    call test_traverse_segment()
     call test_sections()
     call test_nearest()
     call test_getters()
@@ -68,6 +69,35 @@ contains
         end do
         call expect(right, 'weights give the probe back')
         call expect(alike, 'one by one')
+    end subroutine
+
+    subroutine test_traverse_segment()
+        integer(int32) :: way(400), few(3), passed
+        integer(int64) :: way_64(400), passed_64
+        real(real64) :: at(401), at_64(401), middle(3)
+        real(real64), parameter :: a(3) = [-0.5_real64, -0.3_real64, -0.4_real64]
+        real(real64), parameter :: b(3) = [1.5_real64, 1.4_real64, 1.45_real64]
+        character(256) :: msg
+        integer(int32) :: found
+        integer :: i, stat
+
+        call t%traverse_segment(a, b, way, at, passed)
+        call t%traverse_segment(a, b, way_64, at_64, passed_64)
+        call expect(passed > 5 .and. passed_64 == passed, 'tetrahedra on the way')
+        call expect(all(way(:passed) == way_64(:passed)) .and. &
+                    all(abs(at(:passed + 1) - at_64(:passed + 1)) <= 0), 'both kinds')
+        do i = 1, passed
+            middle = a + (b - a)*(at(i) + at(i + 1))/2
+            call t%locate(middle, found)
+            if (at(i + 1) - at(i) > 1e-9_real64) call expect(found == way(i), 'the middle of a piece')
+        end do
+        call t%traverse_segment(a, b, few, at, found, stat, msg)
+        call expect_error(stat, mgdt_err_buffer_too_small, msg, 'holds 3 elements')
+        call expect(found == passed, 'the count is known all the same')
+        call t%traverse_segment(a, b, way, at(:3), found, stat, msg)
+        call expect_error(stat, mgdt_err_buffer_too_small, msg, 'holds 2 elements')
+        call t%traverse_segment(a, -2 + a, way(:0), at(:0), passed)
+        call expect(passed == 0, 'a segment outside')
     end subroutine
 
     logical function is_inside(p)

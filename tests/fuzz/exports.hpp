@@ -70,7 +70,7 @@ struct Exports {
     int base = 0, dimension = -1;
     std::int64_t points = 0, vertices = 0;
     Indices tetrahedra, neighbors, hull, edges, map, offsets, list, neighbor_offsets, neighbor_list;
-    Indices gabriel, tree;
+    Indices gabriel, tree, segment;
     std::vector<double> centers, squares, volumes, faces, alphas;
 
     Exports(const mgdt_triangulation* t, int index_base, std::size_t margin)
@@ -93,6 +93,7 @@ struct Exports {
         tree = take_graph(t, mgdt_get_spanning_tree, mgdt_get_spanning_tree_i32, margin);
         take_circumcenters(t, margin);
         take_measures(t, margin);
+        take_segment(t, margin);
         take_cells(t, margin);
         take_values(t, margin);
         for (Indices* array : {&tetrahedra, &neighbors, &hull, &edges, &map, &offsets, &list,
@@ -106,7 +107,8 @@ struct Exports {
                edges == o.edges && map == o.map && offsets == o.offsets && list == o.list &&
                neighbor_offsets == o.neighbor_offsets && neighbor_list == o.neighbor_list &&
                centers == o.centers && squares == o.squares && volumes == o.volumes &&
-               faces == o.faces && alphas == o.alphas && gabriel == o.gabriel && tree == o.tree;
+               faces == o.faces && alphas == o.alphas && gabriel == o.gabriel && tree == o.tree &&
+               segment == o.segment;
     }
     std::size_t count() const { return tetrahedra.size() / 4; }
     bool is_in(std::size_t point) const { return map[point] >= 0; }
@@ -224,6 +226,33 @@ struct Exports {
             FUZZ_REQUIRE(least[i] >= 0 && least[i] <= 1.2309595 && largest[i] >= 1.2309594 &&
                              largest[i] <= 3.1415927,
                          "angles");
+    }
+
+    // A segment between two centres of circumspheres.
+    void take_segment(const mgdt_triangulation* t, std::size_t margin) {
+        if (count() == 0) return;
+        const double a[3] = {centers[0], centers[1], centers[2]},
+                     b[3] = {centers[centers.size() - 3], centers[centers.size() - 2],
+                             centers[centers.size() - 1]};
+        for (const double x : {a[0], a[1], a[2], b[0], b[1], b[2]})
+            if (!std::isfinite(x)) return;
+        std::int64_t found = -1;
+        const mgdt_status short_of = mgdt_traverse_segment(t, a, b, 0, nullptr, nullptr, &found);
+        FUZZ_REQUIRE(short_of == (found > 0 ? MGDT_ERR_BUFFER_TOO_SMALL : MGDT_OK), error_of(t));
+        if (found == 0) return;
+        Exact<std::int64_t> way(static_cast<std::size_t>(found), margin);
+        Exact<double> parameters(static_cast<std::size_t>(found) + 1, margin);
+        FUZZ_REQUIRE(
+            mgdt_traverse_segment(t, a, b, found, way.data(), parameters.data(), &found) == MGDT_OK,
+            error_of(t));
+        const Indices passed = way.take();
+        const std::vector<double> at = parameters.take();
+        FUZZ_REQUIRE(at.front() >= 0 && at.back() <= 1 && std::is_sorted(at.begin(), at.end()),
+                     "the parameters of a segment");
+        for (const std::int64_t k : passed)
+            FUZZ_REQUIRE(k >= base && k < base + static_cast<std::int64_t>(count()),
+                         "a tetrahedron of a segment");
+        segment = passed;
     }
 
     // Faces have no larger alphas than what they are faces of, and the hull is the last surface.

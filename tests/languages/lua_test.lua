@@ -256,6 +256,14 @@ test("location and nearest vertices", function()
         equal(tonumber(nearest[k]), best, "the reference's nearest vertex")
     end
     assert(outside > 10 and outside < count - 10, "queries on both sides of the hull")
+    local segment, way = read("segment", "double"), read("way", "int64_t")
+    local a, b = { segment[0], segment[1], segment[2] }, { segment[3], segment[4], segment[5] }
+    local passed, parameters, passages = t:traverse_segment(a, b)
+    for k = 0, passages - 1 do equal(passed[k], tonumber(way[k]), "a tetrahedron on the way") end
+    same(parameters, read("way_parameters", "double"), passages + 1, "the parameters")
+    equal(select(3, t:traverse_segment({ 5, 5, 5 }, { 6, 6, 6 })), 0, "a segment outside")
+    refused("not_finite", { "x of a" }, t.traverse_segment, t, { 0 / 0, 0, 0 }, b)
+    refused("invalid_argument", { "z is nil" }, t.traverse_segment, t, { 0, 0 }, b)
     local all, number = t:nearest_points(queries)
     equal(number, count, "places")
     for k = 0, count - 1 do equal(all[k], tonumber(nearest[k]), "one of many nearest vertices") end

@@ -239,6 +239,14 @@ function location (folder)
   assert (weights, their_weights, 1e-9);
   nearest = t.nearest (queries);
   assert (nearest, read (folder, "nearest", "int64", 1) + 1);
+  segment = read (folder, "segment", "double", 3);
+  [way, parameters] = t.traverse_segment (segment(1, :), segment(2, :));
+  assert (way, read (folder, "way", "int64", 1) + 1);
+  assert (parameters, read (folder, "way_parameters", "double", 1));
+  [way, parameters] = t.traverse_segment ([5 5 5], [6 6 6]);
+  assert (isempty (way) && isempty (parameters));
+  refused ("mgdt:not_finite", {"x of a"}, @() t.traverse_segment ([NaN 0 0], [1 1 1]));
+  refused ("mgdt:invalid_argument", {"3 coordinates"}, @() t.traverse_segment ([0 0 0], 1));
   assert (nearest, dsearchn (points(1:1000, :), queries));
   assert (mgdt_triangulation ().nearest ([0 0 0]), NaN);
   assert (mgdt_triangulation ().locate ([0 0 0]), NaN);

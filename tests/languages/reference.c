@@ -110,6 +110,7 @@ int main(int argc, char** argv) {
     static double weights[4 * queries];
     static const double box[24] = {1, 0,  0, 2, -1, 0, 0, 1, 0, 1, 0,  2,
                                    0, -1, 0, 1, 0,  0, 1, 2, 0, 0, -1, 1};
+    static const double segment[6] = {-0.5, -0.3, -0.4, 1.5, 1.4, 1.45};
     static int64_t located[queries], nearest[queries];
     const int64_t n = random_points + repeated_points;
     uint64_t state = 20140090;
@@ -213,6 +214,18 @@ int main(int argc, char** argv) {
     }
     free(values);
 
+    {
+        static int64_t way[random_points];
+        static double parameters[random_points + 1];
+        int64_t passed;
+        require(
+            mgdt_traverse_segment(t, segment, segment + 3, random_points, way, parameters, &passed),
+            t);
+        if (passed < 20) stop("a segment through few tetrahedra");
+        write_file("segment", segment, 6);
+        write_file("way", way, passed);
+        write_file("way_parameters", parameters, passed + 1);
+    }
     require(mgdt_locate_points(t, queries, asked, located, weights), t);
     for (i = 0; i < queries; ++i) require(mgdt_nearest_vertex(t, asked + 3 * i, &nearest[i]), t);
     write_file("queries", asked, 3 * queries);

@@ -229,6 +229,11 @@ class MgdtTest < Minitest::Test
       best = distinct.each_index.min_by { |k| distinct[k].zip(q).sum { |a, b| (a - b)**2 } }
       assert_equal [best, best], [t.nearest(q), reference]
     end
+    a, b = self.class.doubles("segment").each_slice(3).to_a
+    assert_equal [self.class.integers("way"), self.class.doubles("way_parameters")], t.traverse_segment(a, b)
+    assert_equal [[], []], t.traverse_segment([5, 5, 5], [6, 6, 6])
+    refused(Mgdt::NotFinite, "x of a") { t.traverse_segment([NAN, 0, 0], b) }
+    refused(Mgdt::InvalidArgument, "one point") { t.traverse_segment([a, b], b) }
     assert_equal self.class.integers("nearest"), t.nearest_points(queries)
     assert_equal [nil], Mgdt::Triangulation.new.nearest_points([[0, 0, 0]])
     assert_equal [[], []], t.locate_points([])

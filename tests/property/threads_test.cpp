@@ -230,6 +230,19 @@ std::vector<std::int64_t> everything(const mgdt_triangulation* t) {
     EXPECT_EQ(mgdt_get_circumcenters(t, mgdt_tetrahedron_count(t), reals.data(),
                                      reals.data() + 3 * mgdt_tetrahedron_count(t)),
               MGDT_OK);
+    {
+        const double a[3] = {-0.1, 0.2, 0.3}, b[3] = {1.1, 0.7, 0.4};
+        const auto room = static_cast<std::size_t>(mgdt_tetrahedron_count(t));
+        std::vector<std::int64_t> way(room);
+        std::vector<double> parameters(room + 1);
+        std::int64_t passed = 0;
+        EXPECT_EQ(mgdt_traverse_segment(t, a, b, static_cast<std::int64_t>(room), way.data(),
+                                        parameters.data(), &passed),
+                  MGDT_OK);
+        way.resize(static_cast<std::size_t>(passed));
+        append(way);
+        reals.insert(reals.end(), parameters.begin(), parameters.begin() + passed);
+    }
     std::vector<double> ratios(static_cast<std::size_t>(mgdt_tetrahedron_count(t)));
     EXPECT_EQ(mgdt_get_tetrahedron_measures(t, MGDT_TETRAHEDRON_RADIUS_RATIO,
                                             mgdt_tetrahedron_count(t), ratios.data()),

@@ -35,6 +35,32 @@ class Location(unittest.TestCase):
         np.testing.assert_array_equal(tri.locate(np.asfortranarray(places))[1], weights)
         np.testing.assert_array_equal(tri.locate(places[::2, ::-1])[0], found[::2, ::-1])
 
+    def test_segments(self):
+        tri = mgdt.Delaunay(random_points(3000, 1))
+        a, b = np.array([4.9, 0.2, -0.9]), np.array([6.1, 1.7, 1.6])
+        simplices, parameters = tri.traverse_segment(a, b)
+        self.assertEqual((simplices.dtype, parameters.dtype), (np.int32, np.float64))
+        self.assertEqual(len(parameters), len(simplices) + 1)
+        self.assertGreater(len(simplices), 20)
+        self.assertTrue((np.diff(parameters) > 0).all())
+        middles = a + (b - a) * ((parameters[1:] + parameters[:-1]) / 2)[:, np.newaxis]
+        np.testing.assert_array_equal(tri.find_simplex(middles), simplices)
+        # Each one is a neighbour of the one before.
+        self.assertTrue((tri.neighbors[simplices[:-1]] == simplices[1:, np.newaxis]).any(axis=1).all())
+        # More than there is room for at first.
+        line = mgdt.Delaunay(np.vstack([np.column_stack([np.zeros(300), np.zeros(300), np.arange(300.0)]),
+                                        [[1, 0, 0], [0, 1, 0], [-1, -1, 0]]]))
+        self.assertGreater(len(line.traverse_segment([0.01, 0.01, 0], [0.01, 0.01, 299])[0]), 250)
+        # Along an edge of a lattice's hull.
+        simplices, parameters = mgdt.Delaunay(grid(4)).traverse_segment([-1, 0, 0], [4, 0, 0])
+        self.assertEqual((parameters[0], parameters[-1]), (0.2, 0.8))
+        for array in tri.traverse_segment([2, 2, 2], [3, 3, 3.5]):
+            self.assertEqual(len(array), 0)
+        with self.assertRaisesRegex(ValueError, "a must be one point"):
+            tri.traverse_segment([[0, 0, 0]], b)
+        with self.assertRaisesRegex(ValueError, "a coordinate of b is not finite"):
+            tri.traverse_segment(a, [0, np.inf, 0])
+
     def test_more_than_a_block(self):
         tri = mgdt.Delaunay(random_points(300, 3))
         places = random_points((1 << 20) + 1000, 4)

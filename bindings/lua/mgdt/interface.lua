@@ -99,6 +99,12 @@ int32_t mgdt_locate_points(const mgdt_triangulation *t, int64_t n, const double 
                            int64_t *tetrahedra, double *weights);
 int32_t mgdt_locate_points_i32(const mgdt_triangulation *t, int64_t n, const double *xyz,
                                int32_t *tetrahedra, double *weights);
+int32_t mgdt_traverse_segment(const mgdt_triangulation *t, const double *a, const double *b,
+                              int64_t capacity, int64_t *tetrahedra, double *parameters,
+                              int64_t *count);
+int32_t mgdt_traverse_segment_i32(const mgdt_triangulation *t, const double *a, const double *b,
+                                  int64_t capacity, int32_t *tetrahedra, double *parameters,
+                                  int32_t *count);
 int32_t mgdt_nearest_vertex(const mgdt_triangulation *t, const double *xyz, int64_t *vertex);
 int32_t mgdt_nearest_vertex_i32(const mgdt_triangulation *t, const double *xyz, int32_t *vertex);
 int32_t mgdt_nearest_vertices(const mgdt_triangulation *t, int64_t n, const double *xyz,

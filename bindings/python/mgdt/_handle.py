@@ -328,6 +328,23 @@ class Handle:
             self._call("mgdt_locate_points_i32", len(block), address(block), address(out[begin:]), to)
         return out
 
+    def traverse_segment(self, a: FloatArray, b: FloatArray) -> tuple[IndexArray, FloatArray]:
+        count = np.empty(1, dtype=np.int32)
+        # Enough for most segments; the count says what others need.
+        room = 128
+        for _ in range(2):
+            found, parameters = np.empty(room, dtype=np.int32), np.empty(room + 1)
+            status = self._library.mgdt_traverse_segment_i32(
+                self._pointer, address(a), address(b), room, address(found), address(parameters), address(count)
+            )
+            if status != _errors.BUFFER_TOO_SMALL:
+                break
+            room = count[0]
+        if status != _errors.OK:
+            raise _errors.make(status, self._message(status))
+        n = count[0]
+        return found[:n].copy(), parameters[: n + 1 if n else 0].copy()
+
     def locate_finite(
         self,
         places: FloatArray,

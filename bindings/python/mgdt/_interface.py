@@ -93,6 +93,14 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "mgdt_locate_i32": (c_int32, [c_void_p, c_void_p, c_void_p]),
     "mgdt_locate_points": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p, c_void_p]),
     "mgdt_locate_points_i32": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p, c_void_p]),
+    "mgdt_traverse_segment": (
+        c_int32,
+        [c_void_p, c_void_p, c_void_p, c_int64, c_void_p, c_void_p, c_void_p],
+    ),
+    "mgdt_traverse_segment_i32": (
+        c_int32,
+        [c_void_p, c_void_p, c_void_p, c_int64, c_void_p, c_void_p, c_void_p],
+    ),
     "mgdt_nearest_vertex": (c_int32, [c_void_p, c_void_p, c_void_p]),
     "mgdt_nearest_vertex_i32": (c_int32, [c_void_p, c_void_p, c_void_p]),
     "mgdt_nearest_vertices": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p]),

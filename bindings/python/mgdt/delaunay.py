@@ -568,6 +568,42 @@ class Delaunay(GrowingTriangulation):
 
         return self._read(find, len(places) >= _LONG_LOCATION)
 
+    def traverse_segment(self, a: ArrayLike, b: ArrayLike) -> tuple[IndexArray, FloatArray]:
+        """Finds the simplices that the segment from `a` to `b` passes through, in order, exactly.
+
+        Parameters
+        ----------
+        a, b : array_like of float, shape (3,)
+
+        Returns
+        -------
+        simplices : ndarray of int32, shape (m,)
+            Empty if the segment misses the hull.
+        parameters : ndarray of float64, shape (m + 1,), or (0,) if m is 0
+            The segment enters ``simplices[k]`` at ``a + parameters[k] * (b - a)`` and leaves it at
+            ``a + parameters[k + 1] * (b - a)``. Each parameter is correctly rounded.
+
+        Notes
+        -----
+        A simplex that the segment meets in one point is left out. Where the segment runs in a facet
+        or an edge, one simplex beside it is named. Not in SciPy. Since 1.3.
+        """
+        ends = []
+        for name, point in (("a", a), ("b", b)):
+            places, shape = as_places(point, name)
+            if shape != ():
+                raise ValueError(f"{name} must be one point, shape (3,)")
+            if not np.isfinite(places).all():
+                raise ValueError(f"a coordinate of {name} is not finite")
+            ends.append(places)
+
+        def find(
+            handle: Handle, _: Callable[[], bool]
+        ) -> tuple[IndexArray, FloatArray]:
+            return handle.traverse_segment(ends[0], ends[1])
+
+        return self._read(find, False)
+
     def nearest_vertex(self, points: ArrayLike) -> IndexArray:
         """Finds the vertices nearest to places, exactly; of several as near the lowest index.
 

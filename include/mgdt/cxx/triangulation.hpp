@@ -462,6 +462,34 @@ class Triangulation {
             too_small("weights", points.count());
         locate_into(points, detail::flat<1>(out), detail::pointer<double>(weights));
     }
+    /** The tetrahedra that the segment from a to b passes through, in order;
+     *  mgdt_traverse_segment(). @since 1.3 */
+    template <class Int = std::int64_t>
+    [[nodiscard]] Traversal<Int> traverse_segment(const Point& a, const Point& b) const {
+        static_assert(detail::is_index_v<Int>, "indices are std::int64_t or std::int32_t");
+        Traversal<Int> way;
+        // Most segments fit. If one does not, the count says how much room it needs.
+        Int count = 128;
+        for (;;) {
+            const Int room = count;
+            way.tetrahedra.resize(static_cast<std::size_t>(room));
+            way.parameters.resize(static_cast<std::size_t>(room) + 1);
+            const auto get = [&](auto function) {
+                return function(handle_.get(), a.data(), b.data(), room, way.tetrahedra.data(),
+                                way.parameters.data(), &count);
+            };
+            mgdt_status status;
+            if constexpr (std::is_same_v<Int, std::int64_t>)
+                status = get(mgdt_traverse_segment);
+            else
+                status = get(mgdt_traverse_segment_i32);
+            if (status == MGDT_ERR_BUFFER_TOO_SMALL) continue;
+            require(status);
+            way.tetrahedra.resize(static_cast<std::size_t>(count));
+            way.parameters.resize(count == 0 ? 0 : static_cast<std::size_t>(count) + 1);
+            return way;
+        }
+    }
     /** The vertex nearest to a point, or none; mgdt_nearest_vertex(). */
     [[nodiscard]] std::int64_t nearest_vertex(const Point& xyz) const {
         std::int64_t found = 0;

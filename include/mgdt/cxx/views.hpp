@@ -177,6 +177,15 @@ struct Circumspheres {
     std::vector<double> squared_radii{};
 };
 
+/** The tetrahedra that a segment passes through, and the parameters between them: tetrahedron i is
+ *  entered at parameters[i] and left at parameters[i + 1]. See mgdt_traverse_segment(). @since 1.3
+ */
+template <class Int>
+struct Traversal {
+    std::vector<Int> tetrahedra{};    /**< Their numbers, in order. */
+    std::vector<double> parameters{}; /**< One more than tetrahedra; none if there are none. */
+};
+
 /** The result of locate() with weights; see mgdt_locate_points(). */
 template <class Int>
 struct Located {

@@ -76,6 +76,8 @@ module Mgdt
     [:mgdt_locate_i32, %i[pointer pointer pointer], :int32, false],
     [:mgdt_locate_points, %i[pointer int64 pointer pointer pointer], :int32, true],
     [:mgdt_locate_points_i32, %i[pointer int64 pointer pointer pointer], :int32, true],
+    [:mgdt_traverse_segment, %i[pointer pointer pointer int64 pointer pointer pointer], :int32, true],
+    [:mgdt_traverse_segment_i32, %i[pointer pointer pointer int64 pointer pointer pointer], :int32, true],
     [:mgdt_nearest_vertex, %i[pointer pointer pointer], :int32, false],
     [:mgdt_nearest_vertex_i32, %i[pointer pointer pointer], :int32, false],
     [:mgdt_nearest_vertices, %i[pointer int64 pointer pointer], :int32, true],

@@ -392,6 +392,29 @@ module Mgdt
        weights.read_array_of_double(4 * given.count).each_slice(4).to_a]
     end
 
+    # The tetrahedra that the segment from a to b, [x, y, z] each, passes through, in order, and the
+    # parameters between them: tetrahedron k is entered at a + parameters[k] * (b - a) and left at
+    # a + parameters[k + 1] * (b - a). Since 1.3.
+    def traverse_segment(a, b)
+      from, to = [a, b].map { |point| one_point(point).data }
+      count = FFI::MemoryPointer.new(:int64)
+      with_handle do |handle|
+        # Enough for most segments; the count says what others need.
+        room = 128
+        loop do
+          found = FFI::MemoryPointer.new(:int64, room)
+          parameters = FFI::MemoryPointer.new(:double, room + 1)
+          status = Library.mgdt_traverse_segment(handle, from, to, room, found, parameters, count)
+          n = count.read_int64
+          if status != TOO_SMALL
+            ensure_good(handle, status)
+            break [found.read_array_of_int64(n), parameters.read_array_of_double(n.zero? ? 0 : n + 1)]
+          end
+          room = n
+        end
+      end
+    end
+
     # The vertices nearest to many points at once, given as for insert: an Array, nil in an empty
     # triangulation. Since 1.2.
     def nearest_points(points, count = nil)
@@ -635,12 +658,16 @@ module Mgdt
       return answer # rubocop:disable Lint/EnsureReturn
     end
 
-    def find(function, point)
+    def one_point(point)
       given = Points.new(point)
       raise argument("one point is asked for, not #{given.count}") unless given.count == 1
 
+      given
+    end
+
+    def find(function, point)
       out = FFI::MemoryPointer.new(:int64)
-      call(function, given.data, out)
+      call(function, one_point(point).data, out)
       number = out.read_int64
       number == @index_base - 1 ? nil : number
     end

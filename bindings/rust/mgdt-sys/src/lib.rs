@@ -391,6 +391,24 @@ extern "C" {
         tetrahedra: *mut i32,
         weights: *mut f64,
     ) -> mgdt_status;
+    pub fn mgdt_traverse_segment(
+        t: *const mgdt_triangulation,
+        a: *const f64,
+        b: *const f64,
+        capacity: i64,
+        tetrahedra: *mut i64,
+        parameters: *mut f64,
+        count: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_traverse_segment_i32(
+        t: *const mgdt_triangulation,
+        a: *const f64,
+        b: *const f64,
+        capacity: i64,
+        tetrahedra: *mut i32,
+        parameters: *mut f64,
+        count: *mut i32,
+    ) -> mgdt_status;
     pub fn mgdt_nearest_vertex(
         t: *const mgdt_triangulation,
         xyz: *const f64,

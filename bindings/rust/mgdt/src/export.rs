@@ -528,6 +528,41 @@ impl Triangulation {
         })
     }
 
+    /// The tetrahedra that the segment from a to b passes through, in order, and the parameters
+    /// between them: tetrahedron k is entered at a + parameters\[k\] (b - a) and left at
+    /// a + parameters\[k + 1\] (b - a). Since 1.3.
+    pub fn traverse_segment(
+        &self,
+        a: [f64; 3],
+        b: [f64; 3],
+    ) -> Result<(Vec<usize>, Vec<f64>), Error> {
+        // Enough for most segments; the count says what others need.
+        let mut count = 128;
+        loop {
+            let room = count;
+            let mut found = vec![0_i64; room as usize];
+            let mut parameters = vec![0.0; room as usize + 1];
+            let status = unsafe {
+                sys::mgdt_traverse_segment(
+                    self.raw(),
+                    a.as_ptr(),
+                    b.as_ptr(),
+                    room,
+                    found.as_mut_ptr(),
+                    parameters.as_mut_ptr(),
+                    &mut count,
+                )
+            };
+            if status == sys::MGDT_ERR_BUFFER_TOO_SMALL {
+                continue;
+            }
+            self.ensure(status)?;
+            found.truncate(count as usize);
+            parameters.truncate(if count == 0 { 0 } else { count as usize + 1 });
+            return Ok((found.into_iter().map(|k| k as usize).collect(), parameters));
+        }
+    }
+
     /// The vertex nearest to a point, exactly; of several as near, the lowest number. None if the
     /// triangulation is empty.
     pub fn nearest_vertex(&self, point: [f64; 3]) -> Result<Option<usize>, Error> {

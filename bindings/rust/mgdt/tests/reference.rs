@@ -307,6 +307,14 @@ fn location_and_nearest_vertices() {
     let found = t.locate_points(&queries).unwrap();
     let outside = found.iter().filter(|l| l.is_none()).count();
     assert!(outside > 10 && outside < queries.len() - 10);
+    let ends = places("segment");
+    let (way, parameters) = t.traverse_segment(ends[0], ends[1]).unwrap();
+    assert!(way.iter().map(|&k| k as i64).eq(integers("way")));
+    assert_eq!(parameters, doubles("way_parameters"));
+    assert_eq!(
+        t.traverse_segment([5.0; 3], [6.0; 3]).unwrap(),
+        (vec![], vec![])
+    );
     let tetrahedra = t.tetrahedra().unwrap();
     for (k, location) in found.iter().enumerate() {
         assert_eq!(number(location.map(|l| l.tetrahedron)), located[k]);
