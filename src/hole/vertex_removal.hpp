@@ -3,19 +3,11 @@
 // tetrahedra of the Delaunay triangulation of the remaining points.
 //
 // All vertices of these tetrahedra are in the link of the removed vertex, that is among the other
-// vertices of its star. So the hole is filled facet by facet, inwards from its boundary. The
-// tetrahedron at a facet joins the facet to an apex: a vertex of the link on the inner side of the
-// facet. The circumsphere of this tetrahedron has no vertex of the link inside, so one pass over
-// the link finds the apex: a vertex inside the sphere of the best candidate becomes the best. If no
-// vertex is on the inner side, the facet is on the hull and gets a ghost. The kernel's
-// find_apex() finds the apex with vector instructions where floating-point arithmetic decides.
-// Elsewhere exact predicates decide, and the perturbation leaves exactly one apex. Filling facet by
-// facet takes time quadratic in the size of the link. A large link is therefore triangulated by
-// itself, and its tetrahedra inside the hole are copied. docs/theory.md, "Removing a vertex",
-// proves that the result is the triangulation of all remaining points.
+// vertices of its star. docs/theory.md, "Removing a vertex", proves that the result is the
+// triangulation of all remaining points.
 #pragma once
 
-#include "kernel/kernel.hpp"
+#include "hole/filling.hpp"
 #include "platform/number_table.hpp"
 
 namespace mgdt {
@@ -51,60 +43,29 @@ class VertexRemoval {
     TetId undo(Mesh& mesh) noexcept;
 
   private:
-    // The local number of a vertex in the link.
-    using Number = std::uint32_t;
-    // A tetrahedron that fills the hole, with its vertices in the order of the record. n[i] is the
-    // facet code on the other side of the facet opposite vertex i: of a neighbour outside the hole
-    // if is_outside[i], otherwise of a tetrahedron in `filling_`.
-    struct Filling {
-        Number v[4];
-        FacetCode n[4];
-        bool is_outside[4];
-        Sphere sphere;
-    };
-    // A facet of the hole or of the filling, oriented for the tetrahedron on its inner side:
-    // (apex, v[0], v[1], v[2]) is positively oriented.
-    struct Facet {
-        Number v[3];
-        FacetCode behind;  // the facet code on the other side, as in Filling
-        bool is_outside, is_closed;
+    // A facet of the star's boundary, see Filling::add_boundary().
+    struct BoundaryFacet {
+        Filling::Number v[3];
+        FacetCode behind;
     };
 
     void find_star(Mesh& mesh, VertexId v, TetId t);
     void number_link(const Mesh& mesh, VertexId v);
-    LinkColumns columns_of_link(const Mesh& mesh);
-    Number number_of(VertexId v) const noexcept;
-    void begin_filling(const Mesh& mesh);
-    void end_filling(Mesh& mesh);
-    void add_boundary(const Mesh& mesh);
-    Buffer<FacetCode> boundary_in(const Mesh& triangulated_link);
-    // The local number in the link for vertex u of the link's triangulation.
-    Number number_in(const Mesh& triangulated_link, VertexId u) const noexcept {
-        if (u == infinite_vertex) return infinite_;
-        const std::uint32_t i = triangulated_link.vertices[u].index;
-        return i < infinite_ ? i : i + 1;
-    }
-    // Adds a facet. When it is added for the second time, links the tetrahedra on its two sides.
-    void join(const Number (&v)[3], FacetCode behind, bool is_outside);
-    ApexResult apex_of(const Mesh& mesh, const Facet& facet) const;
-    Sphere ghost_sphere(const Mesh& mesh, const Facet& facet) const;
-    void close(const Mesh& mesh, std::size_t facet, ApexResult apex);
-    const double* point(const Mesh& mesh, Number k) const noexcept { return mesh.point(link_[k]); }
+    void begin_filling();
+    void make_room(Mesh& mesh);
 
     Buffer<TetId> star_;
-    Buffer<VertexId> link_;   // the vertex of each local number
-    Buffer<double> columns_;  // the columns of LinkColumns
-    NumberTable numbers_;     // the local number of each vertex
-    Buffer<Facet> facets_;
-    NumberTable numbers_of_facets_;  // the number of each facet, by its vertices
-    Buffer<Filling> filling_;
+    Buffer<VertexId> link_;  // the vertex of each local number
+    NumberTable numbers_;    // the local number of each vertex
+    Buffer<BoundaryFacet> boundary_;
+    Filling filling_;
     Buffer<FacetCode> slots_;
     Buffer<Tetrahedron> kept_;
     VertexId vertex_ = infinite_vertex;  // the vertex to remove
     TetId a_ghost_ = no_tetrahedron;     // Mesh::a_ghost when the star was saved
-    std::size_t ghosts_gone_ = 0, ghosts_made_ = 0;
-    Number infinite_ =
-        no_index;  // the local number of the vertex at infinity, if it is in the link
+    std::size_t ghosts_gone_ = 0;
+    // The local number of the vertex at infinity, if it is in the link.
+    Filling::Number infinite_ = no_index;
     bool leaves_space_ = true;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// find_apex() finds the apex of a facet in the hole of a removed vertex, if floating-point
-// arithmetic decides (hole/vertex_removal.hpp). The implementation in each island with vectors
-// tests several vertices of the link at a time.
+// find_apex() finds the apex of a facet of a hole, if floating-point arithmetic decides
+// (hole/filling.hpp). The implementation in each island with vectors tests several vertices at a
+// time.
 #pragma once
 
 #include "kernel/circumsphere.hpp"

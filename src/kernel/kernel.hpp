@@ -30,18 +30,20 @@ struct LocationWalk {
     std::size_t steps_taken;  // counted by the caller of locate_step()
 };
 
-// The coordinates of the link of a removed vertex, as columns by local number. Their length is a
-// multiple of four.
-struct LinkColumns {
+// The coordinates of the vertices around a hole, as columns by local number. Their length is a
+// multiple of four. The elements of the vertex at infinity and of padding are NaN.
+struct HoleColumns {
+    static constexpr std::size_t most = 128;
+
     const double *x, *y, *z;
-    double* skipped;  // -0.0 for the vertex at infinity and for padding, otherwise 0.0
-    std::size_t size;
+    std::size_t size;                  // at most `most`
+    std::uint64_t skipped[most / 64];  // a bit for each element that is NaN
 };
 
 // The vertex that makes a tetrahedron with a facet of the hole, and the sphere of that tetrahedron
 // relative to the first vertex of the facet.
 struct ApexResult {
-    std::uint32_t number;  // the local number in the link, or one of the two constants below
+    std::uint32_t number;  // a local number, or one of the two constants below
     Sphere sphere;
 };
 inline constexpr std::uint32_t infinite_apex = no_index - 1;  // the facet is on the hull
@@ -77,8 +79,8 @@ struct Kernel {
     const char* isa;
     KernelCalls with_spheres;     // for a mesh that stores spheres
     KernelCalls without_spheres;  // for a mesh in compact storage
-    // Finds the apex of a facet. All vertices of the link must be in the normal range.
-    ApexResult (*find_apex)(const LinkColumns& link, const std::uint32_t (&facet)[3]);
+    // Finds the apex of a facet. All vertices around the hole must be in the normal range.
+    ApexResult (*find_apex)(const HoleColumns& vertices, const std::uint32_t (&facet)[3]);
 
     const KernelCalls& on(const Mesh& mesh) const noexcept {
         return mesh.tetrahedra.has_spheres() ? with_spheres : without_spheres;

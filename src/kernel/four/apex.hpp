@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the apex of a facet, testing four vertices of the link at a time: see kernel/apex.hpp.
+// Finds the apex of a facet, testing four vertices at a time: see kernel/apex.hpp.
 #pragma once
 
 #include "kernel/four.hpp"
@@ -14,9 +14,9 @@ inline namespace MGDT_ISLAND {
 // facet. The vertex with the least computed number is a candidate. It is the apex if the powers of
 // all other vertices with respect to the candidate's sphere are positive by more than their error
 // bounds.
-inline ApexResult find_apex(const LinkColumns& link, const std::uint32_t (&facet)[3]) {
+inline ApexResult find_apex(const HoleColumns& vertices, const std::uint32_t (&facet)[3]) {
     const auto corner = [&](std::uint32_t k) {
-        return PointColumns<double>{link.x[k], link.y[k], link.z[k]};
+        return PointColumns<double>{vertices.x[k], vertices.y[k], vertices.z[k]};
     };
     const PointColumns<double> a = corner(facet[0]), b = corner(facet[1]), c = corner(facet[2]);
     const LocalVertex rb = local_vertex(b.x - a.x, b.y - a.y, b.z - a.z),
@@ -33,32 +33,31 @@ inline ApexResult find_apex(const LinkColumns& link, const std::uint32_t (&facet
     const double wx = (ny * pz - nz * py) * -scale, wy = (nz * px - nx * pz) * -scale,
                  wz = (nx * py - ny * px) * -scale;
 
-    for (const std::uint32_t k : facet) link.skipped[k] = -0.0;
-    struct Restore {
-        const LinkColumns& link;
-        const std::uint32_t (&facet)[3];
-        ~Restore() {
-            for (const std::uint32_t k : facet) link.skipped[k] = 0.0;
-        }
-    } restore{link, facet};
+    std::uint64_t skipped[] = {vertices.skipped[0], vertices.skipped[1]};
+    const auto skip = [&](std::uint32_t k) { skipped[k / 64] |= std::uint64_t{1} << (k % 64); };
+    for (const std::uint32_t k : facet) skip(k);
+    // A bit for each of four elements that counts.
+    const auto counted = [&](std::size_t begin) {
+        return static_cast<std::uint32_t>(~skipped[begin / 64] >> (begin % 64)) & 15;
+    };
 
     const Four none(infinity);
     std::uint32_t some_beyond = 0;
     Four least = none, at(0.0);
     Four k(0.0, 1.0, 2.0, 3.0);
     std::uint32_t open = 0;
-    for (std::size_t begin = 0; begin < link.size; begin += 4, k = k + Four(4.0)) {
-        const Four ux = Four::load(link.x + begin) - Four(a.x),
-                   uy = Four::load(link.y + begin) - Four(a.y),
-                   uz = Four::load(link.z + begin) - Four(a.z);
+    for (std::size_t begin = 0; begin < vertices.size; begin += 4, k = k + Four(4.0)) {
+        const Four ux = Four::load(vertices.x + begin) - Four(a.x),
+                   uy = Four::load(vertices.y + begin) - Four(a.y),
+                   uz = Four::load(vertices.z + begin) - Four(a.z);
         const Four side = multiply_add(uz, Four(nz), multiply_add(uy, Four(ny), ux * Four(nx)));
         const Four bound =
             Four(side_bound) * larger(magnitude(ux), larger(magnitude(uy), magnitude(uz)));
         const Four square = multiply_add(uz, uz, multiply_add(uy, uy, ux * ux));
         const Four dot = multiply_add(uz, Four(wz), multiply_add(uy, Four(wy), ux * Four(wx)));
-        const FourSigns skipped = Four::load(link.skipped + begin).signs();
-        open |= ~((magnitude(side) > bound).bits() | skipped.bits()) & 15;
-        const FourMask is_beyond = where(skipped, Four(0.0), side) > bound;
+        open |= ~(magnitude(side) > bound).bits() & counted(begin);
+        // False for the corners of the facet, where the error bound covers all of the side.
+        const FourMask is_beyond = side > bound;
         some_beyond |= is_beyond.bits();
         const Four order = where(is_beyond, (square - dot) / side, none);
         const FourMask is_less = least > order;
@@ -78,23 +77,21 @@ inline ApexResult find_apex(const LinkColumns& link, const std::uint32_t (&facet
     const PointColumns<double> e = corner(apex);
     set_sphere(rc, rb, local_vertex(e.x - a.x, e.y - a.y, e.z - a.z), result.sphere);
     const Sphere& s = result.sphere;
-    link.skipped[apex] = -0.0;
+    skip(apex);
     const Four quadratic(proved_bounds.quadratic * unit_roundoff);
-    std::uint32_t outside = 15;
-    for (std::size_t begin = 0; begin < link.size; begin += 4) {
-        const Four ux = Four::load(link.x + begin) - Four(a.x),
-                   uy = Four::load(link.y + begin) - Four(a.y),
-                   uz = Four::load(link.z + begin) - Four(a.z);
+    std::uint32_t inside = 0;
+    for (std::size_t begin = 0; begin < vertices.size; begin += 4) {
+        const Four ux = Four::load(vertices.x + begin) - Four(a.x),
+                   uy = Four::load(vertices.y + begin) - Four(a.y),
+                   uz = Four::load(vertices.z + begin) - Four(a.z);
         const Four square = multiply_add(uz, uz, multiply_add(uy, uy, ux * ux));
         const Four dot =
             multiply_add(uz, Four(s.w[2]), multiply_add(uy, Four(s.w[1]), ux * Four(s.w[0])));
         const Four error = multiply_add(Four(s.e), magnitude(ux) + magnitude(uy) + magnitude(uz),
                                         quadratic * square);
-        outside &=
-            ((square - dot) > error).bits() | Four::load(link.skipped + begin).signs().bits();
+        inside |= ~((square - dot) > error).bits() & counted(begin);
     }
-    link.skipped[apex] = 0.0;
-    if (outside != 15) result.number = no_apex;
+    if (inside != 0) result.number = no_apex;
     return result;
 }
 

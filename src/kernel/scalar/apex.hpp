@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Without vectors, find_apex() leaves the test of the vertices to VertexRemoval. See
-// kernel/apex.hpp.
+// Without vectors, find_apex() leaves the test of the vertices to Filling. See kernel/apex.hpp.
 #pragma once
 
 namespace mgdt {
 inline namespace MGDT_ISLAND {
 
-inline ApexResult find_apex(const LinkColumns&, const std::uint32_t (&)[3]) {
+inline ApexResult find_apex(const HoleColumns&, const std::uint32_t (&)[3]) {
     return {no_apex, {}};
 }
 
