@@ -910,7 +910,8 @@ module mgdt
         ! The tetrahedra that the segment from a to b passes through, in order: `count` elements of
         ! tetrahedra are set, and count + 1 of parameters, which holds one more. Tetrahedron i is entered
         ! at a + parameters(i)*(b - a) and left at a + parameters(i + 1)*(b - a). If the arrays are too
-        ! small, the status is mgdt_err_buffer_too_small, and count says how many are needed. Since 1.3.
+        ! small, the status is mgdt_err_buffer_too_small, nothing is written to them, and count is the
+        ! number of tetrahedra all the same. Since 1.3.
         module subroutine traverse_segment_i32(self, a, b, tetrahedra, parameters, count, stat, &
                                                errmsg)
             class(mgdt_triangulation), intent(in) :: self

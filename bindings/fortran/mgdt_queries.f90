@@ -167,32 +167,42 @@ contains
     module procedure traverse_segment_i32
         type(c_ptr) :: handle, numbers
         integer(c_int32_t) :: status
-        integer(c_int64_t) :: room
+        integer(c_int64_t) :: room, room_for_parameters
 
-        ! The arrays hold as many tetrahedra as both have room for.
-        room = max(0_c_int64_t, min(size(tetrahedra, kind=c_int64_t), &
-                                    size(parameters, kind=c_int64_t) - 1))
+        room = size(tetrahedra, kind=c_int64_t)
+        room_for_parameters = size(parameters, kind=c_int64_t)
         numbers = c_null_ptr
-        if (size(parameters) > 0) numbers = c_loc(parameters)
+        if (room_for_parameters > 0) numbers = c_loc(parameters)
         call borrow(self%handle, handle, status)
         if (status == mgdt_ok) &
-            status = c_traverse_segment(handle, a, b, room, tetrahedra, numbers, count)
+            status = c_traverse_segment(handle, a, b, min(room, max(room_for_parameters - 1, 0_c_int64_t)), &
+                                        tetrahedra, numbers, count)
+        if (status == mgdt_err_buffer_too_small .and. room >= count) then
+            call report('traverse_segment', status, 'parameters holds '//decimal(room_for_parameters)// &
+                        ' elements; '//decimal(count + 1_int64)//' are needed', stat, errmsg)
+            return
+        end if
         call finish(handle, 'traverse_segment', status, stat, errmsg, owned=self%handle)
     end procedure
 
     module procedure traverse_segment_i64
         type(c_ptr) :: handle, numbers
         integer(c_int32_t) :: status
-        integer(c_int64_t) :: room
+        integer(c_int64_t) :: room, room_for_parameters
 
-        ! The arrays hold as many tetrahedra as both have room for.
-        room = max(0_c_int64_t, min(size(tetrahedra, kind=c_int64_t), &
-                                    size(parameters, kind=c_int64_t) - 1))
+        room = size(tetrahedra, kind=c_int64_t)
+        room_for_parameters = size(parameters, kind=c_int64_t)
         numbers = c_null_ptr
-        if (size(parameters) > 0) numbers = c_loc(parameters)
+        if (room_for_parameters > 0) numbers = c_loc(parameters)
         call borrow(self%handle, handle, status)
         if (status == mgdt_ok) &
-            status = c_traverse_segment(handle, a, b, room, tetrahedra, numbers, count)
+            status = c_traverse_segment(handle, a, b, min(room, max(room_for_parameters - 1, 0_c_int64_t)), &
+                                        tetrahedra, numbers, count)
+        if (status == mgdt_err_buffer_too_small .and. room >= count) then
+            call report('traverse_segment', status, 'parameters holds '//decimal(room_for_parameters)// &
+                        ' elements; '//decimal(count + 1_int64)//' are needed', stat, errmsg)
+            return
+        end if
         call finish(handle, 'traverse_segment', status, stat, errmsg, owned=self%handle)
     end procedure
 

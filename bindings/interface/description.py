@@ -24,8 +24,8 @@ class Description:
     """What the generator has to be told of a header."""
 
     header: str  # its name
-    # The length of each array that a function takes or fills, in elements: a number, or a product of
-    # numbers, of the function's counts and of what functions count. "1" is a single value. A "?" in
+    # The length of each array that a function takes or fills, in elements: a number, or a product or
+    # sum of numbers, of the function's counts and of what functions count. "1" is a single value. A "?" in
     # front means that NULL is allowed; "stride" an address from which the library goes on by a stride;
     # "text" a string that ends with NUL. Twins, whose names end with _i32, have the arrays of the
     # function that they twin.

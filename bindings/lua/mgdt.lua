@@ -673,6 +673,12 @@ end
 
 -- ------------------------------------------------------------------------------------ queries
 
+local function place(point, what)
+    if type(point) ~= "table" then bad_argument("%s is %s; it must be a table {x, y, z}", what, tostring(point)) end
+    return ffi.new("double[3]", real(point[1], "x of " .. what), real(point[2], "y of " .. what),
+        real(point[3], "z of " .. what))
+end
+
 local function one(self, ask, x, y, z)
     local handle = handle_of(self)
     local xyz = ffi.new("double[3]", real(x, "x"), real(y, "y"), real(z, "z"))
@@ -708,8 +714,7 @@ jit.off(Triangulation.locate_points)
 --- Since 1.3.
 function Triangulation:traverse_segment(a, b)
     local handle = handle_of(self)
-    local from = ffi.new("double[3]", real(a[1], "x"), real(a[2], "y"), real(a[3], "z"))
-    local to = ffi.new("double[3]", real(b[1], "x"), real(b[2], "y"), real(b[3], "z"))
+    local from, to = place(a, "a"), place(b, "b")
     local count = ffi.new("int32_t[1]")
     -- Enough for most segments; the count says what others need.
     local room = 128

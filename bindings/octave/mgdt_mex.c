@@ -429,8 +429,9 @@ static mxArray* alpha_surface(const mgdt_triangulation* t, const mxArray* alpha2
 }
 
 static const double* one_point(const mxArray* matrix) {
-    if (!matrix || !mxIsDouble(matrix) || mxIsComplex(matrix) || mxGetNumberOfElements(matrix) != 3)
-        bad_argument("the ends must have 3 coordinates each, as doubles");
+    if (!matrix || !mxIsDouble(matrix) || mxIsComplex(matrix) || mxIsSparse(matrix) ||
+        mxGetNumberOfElements(matrix) != 3)
+        bad_argument("the ends must have 3 coordinates each, as full vectors of doubles");
     return mxGetPr(matrix);
 }
 

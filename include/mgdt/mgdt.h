@@ -842,25 +842,34 @@ MGDT_API mgdt_status mgdt_locate_points_i32(const mgdt_triangulation* t, int64_t
                                             const double* xyz, int32_t* tetrahedra,
                                             double* weights);
 
-/** Finds the tetrahedra that the segment from a to b passes through, in order, exactly. It tracks
- *  particles and casts rays. Tetrahedron i is entered at a + parameters[i] (b - a) and left at
- *  a + parameters[i + 1] (b - a). The part of the segment inside the hull runs from parameters[0],
- *  which is 0 if a is inside, to parameters[count], which is 1 if b is inside. Each parameter is
- *  correctly rounded. A tetrahedron that the segment meets in one point is left out. Where the
- *  segment runs in a facet or an edge, the result names a tetrahedron beside it, chosen as if the
- *  segment were displaced by an infinitesimal vector; the choice depends on the points and their
- *  indices alone. If a and b are equal, the result is the tetrahedron that mgdt_locate() finds,
- *  with the parameters 0 and 1.
+/** Finds the tetrahedra that the segment from a to b passes through, in order, exactly. This serves
+ *  to track particles and to cast rays. Tetrahedron i is entered at a + parameters[i] (b - a) and
+ *  left at a + parameters[i + 1] (b - a). The part of the segment inside the hull runs from
+ *  parameters[0], which is 0 if a is inside, to parameters[count], which is 1 if b is inside. Each
+ *  parameter is correctly rounded, so consecutive ones may be equal.
+ *
+ *  A tetrahedron that the segment meets in one point is left out; where the segment passes through
+ *  a vertex or an edge, consecutive tetrahedra need not be neighbours. Where the segment runs in a
+ *  facet or an edge, the result names a tetrahedron beside it, chosen as if the segment were
+ *  displaced by an infinitesimal vector; the choice depends on the points and their indices alone.
+ *  If a and b are equal, the result is the tetrahedron that mgdt_locate() finds, with the
+ *  parameters 0 and 1.
+ *
+ *  The time is that of a location and about half a microsecond per tetrahedron. At a vertex, all
+ *  tetrahedra around it are visited.
  *  @param a, b             3 coordinates each
- *  @param capacity         elements in tetrahedra, at least 0
- *  @param[out] tetrahedra  the numbers of the tetrahedra; may be NULL if there are none
+ *  @param capacity         elements in tetrahedra, at least 0. With 0 the call asks for the count
+ *                          alone and returns MGDT_ERR_BUFFER_TOO_SMALL, unless the count is 0
+ *  @param[out] tetrahedra  the numbers of the tetrahedra; may be NULL if capacity or the count is 0
  *  @param[out] parameters  NULL, or capacity + 1 elements, of which count + 1 are written, or none
- *                          if count is 0
- *  @param[out] count       the number of tetrahedra; written also if tetrahedra is too small for
- *                          them; 0 if the segment misses the hull or touches it in one point, or
- *                          if the points do not span space
+ *                          if count is 0 or capacity is too small
+ *  @param[out] count       the number of tetrahedra; written also if capacity is too small. It is 0
+ *                          if the segment misses the hull, if different a and b have one point in
+ *                          the hull (for example because a is on the hull and b outside), or if the
+ *                          points do not span space
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (capacity is negative),
- *  MGDT_ERR_NOT_FINITE, MGDT_ERR_BUFFER_TOO_SMALL, MGDT_ERR_INDEX_RANGE, MGDT_ERR_OUT_OF_MEMORY
+ *  MGDT_ERR_NOT_FINITE, MGDT_ERR_BUFFER_TOO_SMALL, MGDT_ERR_INDEX_RANGE (the numbers of all
+ *  tetrahedra do not fit), MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_traverse_segment(const mgdt_triangulation* t, const double* a,
                                            const double* b, int64_t capacity, int64_t* tetrahedra,

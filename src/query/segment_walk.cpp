@@ -2,6 +2,7 @@
 #include "query/segment_walk.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
 
 #include "mesh/star_traversal.hpp"
@@ -237,7 +238,7 @@ void SegmentWalk::run(Passed passed) {
 }
 
 // a may be on the boundary of the tetrahedron, and the segment may begin in another one that
-// contains a.
+// contains a, or in none if it leaves the hull at a.
 bool SegmentWalk::start_inside(TetId containing, unsigned& exit) {
     VisitQueue around(allocator_);
     around.clear();
@@ -271,6 +272,7 @@ bool SegmentWalk::start_outside(TetId ghost, unsigned& entry) {
         const unsigned char* const f = outer_face[entry];
         unsigned from = 0;  // the corner opposite the edge that the walk crosses
         while (from < 2 && at_.side(f[(from + 1) % 3], f[(from + 2) % 3]) >= 0) ++from;
+        assert(at_.side(f[(from + 1) % 3], f[(from + 2) % 3]) < 0 && "all edges are on one side");
         const Tetrahedron& here = mesh_.tetrahedra[ghost];
         const VertexId opposite = at_.corner(f[from]).v;
         ghost = tetrahedron_of(here.n[std::find(here.v, here.v + 4, opposite) - here.v]);

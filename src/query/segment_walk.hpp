@@ -18,9 +18,9 @@ struct Traversal {
 // a and b are finite, in the caller's scale. If they are equal, the result is a tetrahedron that
 // contains them, if there is one.
 //
-// Where the segment runs in facets or edges, it passes through the tetrahedra that it would pass
-// through if it were displaced by an infinitesimal vector. See docs/theory.md, "Walks along a
-// segment".
+// Where the segment meets vertices or edges or runs in facets, the tetrahedra are those that it
+// would pass through if it were displaced by an infinitesimal vector, without those that the
+// segment itself meets in one point. See docs/theory.md, "Walks along a segment".
 Traversal traverse_segment(const Locator& where, const double* a, const double* b,
                            Allocator& allocator);
 

@@ -95,7 +95,7 @@ contains
         call expect_error(stat, mgdt_err_buffer_too_small, msg, 'holds 3 elements')
         call expect(found == passed, 'the count is known all the same')
         call t%traverse_segment(a, b, way, at(:3), found, stat, msg)
-        call expect_error(stat, mgdt_err_buffer_too_small, msg, 'holds 2 elements')
+        call expect_error(stat, mgdt_err_buffer_too_small, msg, 'parameters holds 3 elements')
         call t%traverse_segment(a, -2 + a, way(:0), at(:0), passed)
         call expect(passed == 0, 'a segment outside')
     end subroutine

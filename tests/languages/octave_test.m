@@ -247,6 +247,7 @@ function location (folder)
   assert (isempty (way) && isempty (parameters));
   refused ("mgdt:not_finite", {"x of a"}, @() t.traverse_segment ([NaN 0 0], [1 1 1]));
   refused ("mgdt:invalid_argument", {"3 coordinates"}, @() t.traverse_segment ([0 0 0], 1));
+  refused ("mgdt:invalid_argument", {"full vectors"}, @() t.traverse_segment (sparse ([0.5 0.25 0]), [1 1 1]));
   assert (nearest, dsearchn (points(1:1000, :), queries));
   assert (mgdt_triangulation ().nearest ([0 0 0]), NaN);
   assert (mgdt_triangulation ().locate ([0 0 0]), NaN);

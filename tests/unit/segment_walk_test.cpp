@@ -277,7 +277,7 @@ TEST(SegmentWalk, TakesAnyDoubles) {
         walks.check(walks.point(i), walks.point(i + 1));
 }
 
-// The same result for every order of insertion and number of threads, ties included.
+// The same result for another order of insertion and another history, ties included.
 TEST(SegmentWalk, DependsOnThePointsAlone) {
     const std::vector<double> xyz = lattice(9);
     Triangulation one, other;

@@ -583,6 +583,11 @@ class Delaunay(GrowingTriangulation):
             The segment enters ``simplices[k]`` at ``a + parameters[k] * (b - a)`` and leaves it at
             ``a + parameters[k + 1] * (b - a)``. Each parameter is correctly rounded.
 
+        Raises
+        ------
+        ValueError
+            If a coordinate is NaN or infinite.
+
         Notes
         -----
         A simplex that the segment meets in one point is left out. Where the segment runs in a facet
