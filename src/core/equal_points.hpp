@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds which points share a vertex, for a call that removes or moves some of them.
+// Finds which points share a vertex, for a call that removes or moves several of them. See also
+// EqualPointLists, for calls with one point.
 #pragma once
 
 #include "mesh/tetrahedron.hpp"

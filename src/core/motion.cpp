@@ -41,6 +41,7 @@ struct MovedPoints {
 // Triangulates all points anew: the moved points from `first` on at their new coordinates, all
 // other points where they are now.
 void rebuild_moved(State& state, const MovedPoints& moved, std::size_t first) {
+    state.points.equals.forget();
     const std::size_t n = moved.size();
     Batch all(state.allocator);
     {
@@ -67,6 +68,7 @@ class Motion {
     Motion(State& state, const MovedPoints& moved)
         : state_(state),
           moved_(moved),
+          is_alone_(moved.size() == 1 && state.statistics.duplicates != 0),
           equal_points_(state.allocator, state.mesh.vertices.size()),
           gaps_(state.allocator),
           budget_(removal_budget(state)) {}
@@ -84,9 +86,15 @@ class Motion {
                             std::size_t left);
     void split_off(VertexId v, std::uint32_t point, const double (&p)[3], std::uint32_t other);
     Insertion insert(VertexId q, TetId start);
+    // Enters that a point comes to a vertex with other points. Throws std::bad_alloc.
+    void join(VertexId v, std::uint32_t point) {
+        equal_points_.join(v, point);
+        state_.points.equals.forget();
+    }
 
     State& state_;
     const MovedPoints& moved_;
+    const bool is_alone_;  // one point is moved, and some points are equal
     EqualPoints equal_points_;
     Buffer<VertexId> gaps_;  // numbers of vertices that were removed
     RemovalBudget budget_;
@@ -96,7 +104,9 @@ class Motion {
 void Motion::one_by_one() {
     const std::size_t n = moved_.size();
     gaps_.reserve(n);
-    if (are_equals_among(state_, moved_.points))
+    if (is_alone_)
+        state_.points.equals.update(state_.points.map, state_.mesh.vertices);
+    else if (are_equals_among(state_, moved_.points))
         equal_points_.find(state_.points.map, moved_.points);
     state_.progress.change_one_by_one(
         0, n, moved_.list_size,
@@ -124,7 +134,10 @@ bool Motion::try_to_move(std::size_t k) {
     moved_.coordinates(k, state_.mesh.scale, p);
     if (!in_normal_range(p)) state_.mesh.has_extremes = true;
     const VertexId v = state_.points.map[point];
-    const std::uint32_t other = equal_points_.least_other(state_.points.map, v, point);
+    const std::uint32_t other =
+        is_alone_
+            ? state_.points.equals.least_other(state_.points.map, state_.mesh.vertices[v], v, point)
+            : equal_points_.least_other(state_.points.map, v, point);
     if (other != no_index)
         split_off(v, point, p, other);
     else if (!try_to_move_vertex(v, point, p, moved_.size() - k))
@@ -160,7 +173,7 @@ bool Motion::try_to_move_vertex(VertexId v, std::uint32_t point, const double (&
     try {
         const Insertion result = insert(v, state_.walk_starts.last);
         if (result.duplicate != infinite_vertex) {
-            equal_points_.join(result.duplicate, point);
+            join(result.duplicate, point);
             gaps_.push_back(v);
             state_.note_repeat(v, result.duplicate);
             --state_.statistics.points_inserted;
@@ -190,7 +203,7 @@ void Motion::split_off(VertexId v, std::uint32_t point, const double (&p)[3], st
     Insertion result;
     try {
         result = insert(q, Locator{mesh, state_.calls(), nullptr}.tetrahedron_of(v));
-        if (result.duplicate != infinite_vertex) equal_points_.join(result.duplicate, point);
+        if (result.duplicate != infinite_vertex) join(result.duplicate, point);
     } catch (...) {
         mesh.vertices.pop_back();
         mesh.vertex_hint.pop_back();
@@ -245,6 +258,7 @@ void move_points(State& state, const Buffer<std::uint32_t>& points, const double
     state.numbering.forget();
     state.walk_starts.expect_changes(size);
     state.set_scale(scale_for(state, size, axis, 3));
+    if (size > 1) state.points.equals.forget();
     const bool is_one_by_one = state.mesh.live_count() != 0 && !is_rebuild_faster(state, size);
     if (is_one_by_one || !try_to_rebuild(state, [&] { rebuild_moved(state, moved, 0); }))
         Motion(state, moved).one_by_one();

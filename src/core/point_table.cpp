@@ -9,6 +9,7 @@ namespace mgdt {
 
 void PointTable::clear() noexcept {
     map.clear();
+    equals.forget();
     held.clear();
     basis.clear();
     exponents = ExponentRange();

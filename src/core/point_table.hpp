@@ -4,12 +4,14 @@
 
 #include "core/affine_basis.hpp"
 #include "core/degenerate_points.hpp"
+#include "core/equal_point_lists.hpp"
 #include "mesh/scale.hpp"
 
 namespace mgdt {
 
 struct PointTable {
-    explicit PointTable(Allocator& allocator) noexcept : map(allocator), held(allocator) {}
+    explicit PointTable(Allocator& allocator) noexcept
+        : map(allocator), equals(allocator), held(allocator) {}
 
     // -1 without points, 0 to 2 for points that do not span space, else 3.
     int dimension() const noexcept { return basis.dimension(); }
@@ -21,6 +23,7 @@ struct PointTable {
 
     // The vertex of each point; infinite_vertex if the point is not in the triangulation.
     Buffer<VertexId> map;
+    EqualPointLists equals;
     // The vertices while all points are in a plane, on a line or at one place. These vertices are
     // held until further points span space with them.
     DegeneratePoints held;

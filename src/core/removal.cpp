@@ -16,10 +16,14 @@ class Removal {
   public:
     Removal(State& state, const Buffer<std::uint32_t>& points)
         : state_(state),
+          is_alone_(points.size() == 1 && state.statistics.duplicates != 0),
           equal_points_(state.allocator, state.mesh.vertices.size()),
           gaps_(state.allocator) {
         gaps_.reserve(points.size());
-        if (are_equals_among(state, points)) equal_points_.find(state.points.map, points);
+        if (is_alone_)
+            state.points.equals.update(state.points.map, state.mesh.vertices);
+        else if (are_equals_among(state, points))
+            equal_points_.find(state.points.map, points);
     }
     ~Removal() { close_gaps(state_, gaps_); }
     Removal(const Removal&) = delete;
@@ -38,6 +42,7 @@ class Removal {
 
   private:
     State& state_;
+    const bool is_alone_;  // one point is removed, and some points are equal
     EqualPoints equal_points_;
     Buffer<VertexId> gaps_;  // numbers of vertices that were removed
 };
@@ -46,7 +51,9 @@ bool Removal::try_to_take_out(std::uint32_t point, RemovalBudget* budget, std::s
     Mesh& mesh = state_.mesh;
     VertexRemoval& vertex = state_.vertex_removal;
     const VertexId v = state_.points.map[point];
-    const std::uint32_t other = equal_points_.least_other(state_.points.map, v, point);
+    const std::uint32_t other =
+        is_alone_ ? state_.points.equals.least_other(state_.points.map, mesh.vertices[v], v, point)
+                  : equal_points_.least_other(state_.points.map, v, point);
     if (other != no_index) {
         std::uint32_t& stand_in = mesh.vertices[v].index;
         if (stand_in == point) stand_in = other;

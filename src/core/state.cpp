@@ -53,6 +53,7 @@ void State::shrink() noexcept {
         part->reset();
     points.held.clear();
     points.map.shrink();
+    points.equals.forget();
     mesh.shrink();
 }
 

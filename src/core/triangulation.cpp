@@ -23,6 +23,7 @@ void Triangulation::move(const Buffer<std::uint32_t>& points, const double* xyz)
 
 void Triangulation::forget_absent_points() noexcept {
     forget_numbering();
+    state_.points.equals.forget();
     Buffer<VertexId>& map = state_.points.map;
     Buffer<Vertex>& vertices = state_.mesh.vertices;
     std::uint32_t next = 0;

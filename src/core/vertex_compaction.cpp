@@ -77,6 +77,25 @@ void renumber_points(State& state, Team& team, std::size_t end, std::size_t firs
                });
 }
 
+// Does the same for the points at the vertices that closed gaps.
+void renumber_points_at(State& state, Team& team, const Buffer<VertexId>& gaps,
+                        std::size_t end) noexcept {
+    Buffer<VertexId>& map = state.points.map;
+    const EqualPointLists& equals = state.points.equals;
+    const bool are_listed = equals.have_all(map.size());
+    for (const VertexId gap : gaps) {
+        if (gap >= end) continue;
+        const Vertex& vertex = state.mesh.vertices[gap];
+        const VertexId before = map[vertex.index];
+        if (vertex.moved_to != has_equals)
+            map[vertex.index] = gap;
+        else if (are_listed)
+            equals.for_each(map, vertex, before, [&](std::uint32_t i) { map[i] = gap; });
+        else
+            return renumber_points(state, team, end, 0);
+    }
+}
+
 }  // namespace
 
 void compact_vertices(State& state, Team& team, std::size_t begin,
@@ -125,12 +144,7 @@ void close_gaps(State& state, Buffer<VertexId>& gaps) noexcept {
     Team team;
     if (moved > 0) {
         renumber_moved(state, team, end, moved);
-        if (state.statistics.duplicates == 0) {
-            for (const VertexId gap : gaps)
-                if (gap < end) state.points.map[state.mesh.vertices[gap].index] = gap;
-        } else {
-            renumber_points(state, team, end, 0);
-        }
+        renumber_points_at(state, team, gaps, end);
     }
     state.mesh.vertices.resize_within_capacity(end);
     if (!hints.empty()) hints.resize_within_capacity(end);

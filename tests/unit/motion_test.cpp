@@ -114,6 +114,62 @@ TEST(MotionOfEqualPoints, JoinAndPart) {
     EXPECT_EQ(t->vertex_count(), 200u);
 }
 
+// Points at a few places leave, move and come one by one, between calls with several points.
+TEST(MotionOfEqualPoints, OneByOne) {
+    Random random(11);
+    const Points places = lattice(3);
+    const auto some_place = [&] { return 3 * (random() % (places.size() / 3)); };
+    Points xyz;
+    const auto t = empty();
+    t->hooks().vertices_per_rebuild = 0;
+    const auto come = [&](std::size_t n) {
+        Points more;
+        for (std::size_t i = 0; i < n; ++i) {
+            const auto at = static_cast<std::ptrdiff_t>(some_place());
+            more.insert(more.end(), places.begin() + at, places.begin() + at + 3);
+        }
+        insert(*t, more);
+        xyz.insert(xyz.end(), more.begin(), more.end());
+    };
+    come(150);
+    std::size_t shared = 0;
+    for (int step = 0; step < 500; ++step) {
+        std::vector<std::uint32_t> in = points_in(*t);
+        std::shuffle(in.begin(), in.end(), random);
+        shared += in.size() - t->vertex_count();
+        const std::size_t several = step % 25 == 24 ? 5 : 1;
+        switch (random() % 4) {
+            case 0:
+                come(several);
+                break;
+            case 1:
+            case 2:
+                in.resize(several);
+                remove(*t, in);
+                break;
+            default: {
+                in.resize(several);
+                Points to;
+                for (std::size_t i = 0; i < several; ++i) {
+                    const auto at = static_cast<std::ptrdiff_t>(some_place());
+                    to.insert(to.end(), places.begin() + at, places.begin() + at + 3);
+                }
+                move_to(*t, xyz, in, to);
+            }
+        }
+        if (t->point_map().size() % 100 == 99) come(20);
+        if (step % 10 != 0) continue;
+        expect_as_fresh(*t, xyz);
+        for (const std::uint32_t i : points_in(*t)) {
+            const Vertex& vertex = t->mesh().vertices[t->point_map()[i]];
+            ASSERT_TRUE(std::equal(vertex.x, vertex.x + 3, &xyz[3 * i]));
+            ASSERT_LE(vertex.index, i);
+        }
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(shared, 10000u);
+}
+
 // Each allocation fails in turn: the points before have moved, the others have not.
 TEST(MotionWithoutMemory, LeavesEachPointInOnePlace) {
     std::size_t& left = LimitedBlocks::left;
