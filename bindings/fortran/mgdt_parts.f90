@@ -10,7 +10,7 @@
 ! On ranks build, check and destroy are collective; a failure on one rank is one on all, with the same
 ! message.
 module mgdt_parts
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_funloc, &
+    use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_funloc, &
                                            c_int32_t, c_int64_t, c_loc, c_null_funptr, &
                                            c_null_ptr, c_ptr
     use, intrinsic :: iso_fortran_env, only: error_unit, int32, int64, real64
@@ -19,7 +19,7 @@ module mgdt_parts
     use mgdt_constants
     use mgdt_parts_c
     use mgdt_parts_constants
-    use mgdt_support, only: c_text, decimal, report, text_of, to_c
+    use mgdt_support, only: c_text, decimal, finish_on, report, to_c
     implicit none
     private
 
@@ -564,7 +564,7 @@ contains
         if (present(part)) number = to_c(part)
     end function
 
-    ! The end of a call. The message is the library's, if there is none here.
+    ! The end of a call.
     subroutine finish(self, procedure, status, stat, errmsg, reason)
         class(mgdt_parts_triangulation), intent(in) :: self
         character(*), intent(in) :: procedure
@@ -572,19 +572,8 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         character(*), intent(in), optional :: reason
-        character(:), allocatable :: message
-        character(kind=c_char) :: buffer(256)
 
-        message = ''
-        if (status == mgdt_err_null_pointer .and. .not. c_associated(self%handle)) then
-            message = 'the triangulation has not been created'
-        else if (present(reason)) then
-            message = reason
-        else if (status /= mgdt_ok .and. status /= mgdt_err_index_range) then
-            if (c_parts_get_error(self%handle, size(buffer, kind=c_int64_t), buffer) == mgdt_ok) &
-                message = text_of(buffer)
-        end if
-        if (status /= mgdt_ok .and. message == '') message = c_text(c_status_string(status))
-        call report(procedure, status, message, stat, errmsg)
+        call finish_on(self%handle, 'triangulation', c_parts_get_error, mgdt_err_index_range, procedure, status, stat, &
+                       errmsg, reason)
     end subroutine
 end module mgdt_parts

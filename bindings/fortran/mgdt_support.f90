@@ -5,10 +5,20 @@ module mgdt_support
                                            c_int64_t, c_null_char, c_ptr
     use, intrinsic :: iso_fortran_env, only: error_unit, int32, int64
     use mgdt_c, only: c_create, c_destroy, c_get_error, c_set_index_base, c_status_string, c_strlen
-    use mgdt_constants, only: mgdt_err_index_range, mgdt_ok
+    use mgdt_constants, only: mgdt_err_index_range, mgdt_err_null_pointer, mgdt_ok
     implicit none
     private
-    public :: to_c, c_text, text_of, last_message, make, borrow, finish, report, narrow, decimal
+    public :: to_c, c_text, text_of, last_message, make, borrow, finish, finish_on, report, narrow, decimal
+
+    abstract interface
+        function c_get_message(handle, capacity, buffer) result(status) bind(c)
+            import :: c_char, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: handle
+            integer(c_int64_t), value :: capacity
+            character(kind=c_char), intent(inout) :: buffer(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
 
 contains
 
@@ -44,11 +54,19 @@ contains
     function last_message(handle) result(text)
         type(c_ptr), intent(in) :: handle
         character(:), allocatable :: text
+
+        text = message_of(handle, c_get_error)
+    end function
+
+    ! The message that get_error gives; empty if there is none.
+    function message_of(handle, get_error) result(text)
+        type(c_ptr), intent(in) :: handle
+        procedure(c_get_message) :: get_error
+        character(:), allocatable :: text
         character(kind=c_char) :: buffer(256)
 
         text = ''
-        if (c_get_error(handle, size(buffer, kind=c_int64_t), buffer) == mgdt_ok) &
-            text = text_of(buffer)
+        if (get_error(handle, size(buffer, kind=c_int64_t), buffer) == mgdt_ok) text = text_of(buffer)
     end function
 
     ! What is in a buffer of C's, up to its NUL.
@@ -104,6 +122,32 @@ contains
         if (present(owned)) then
             if (.not. c_associated(owned)) call c_destroy(handle)
         end if
+        call report(procedure, status, message, stat, errmsg)
+    end subroutine
+
+    ! The end of every call on a handle of another kind, which get_error has messages of. `what` names
+    ! the object. The message is `reason` if it is there. The handle has none for the status
+    ! `not_of_handle`.
+    subroutine finish_on(handle, what, get_error, not_of_handle, procedure, status, stat, errmsg, reason)
+        type(c_ptr), intent(in) :: handle
+        character(*), intent(in) :: what, procedure
+        procedure(c_get_message) :: get_error
+        integer, intent(in) :: not_of_handle
+        integer(c_int32_t), intent(in) :: status
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        character(*), intent(in), optional :: reason
+        character(:), allocatable :: message
+
+        message = ''
+        if (status == mgdt_err_null_pointer .and. .not. c_associated(handle)) then
+            message = 'the '//what//' has not been created'
+        else if (present(reason)) then
+            message = reason
+        else if (status /= mgdt_ok .and. status /= not_of_handle) then
+            message = message_of(handle, get_error)
+        end if
+        if (status /= mgdt_ok .and. message == '') message = c_text(c_status_string(status))
         call report(procedure, status, message, stat, errmsg)
     end subroutine
 

@@ -8,13 +8,13 @@
 ! faces and points are numbered from the index base that the triangulation had, 1 unless
 ! set_index_base() changed it. Arrays are allocated by the call that fills them. Since 1.3.
 module mgdt_voronoi
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_int32_t, c_int64_t, &
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_int64_t, &
                                            c_loc, c_null_ptr, c_ptr
     use, intrinsic :: iso_fortran_env, only: error_unit, int32, int64, real64
     use mgdt, only: mgdt_triangulation
     use mgdt_c
     use mgdt_constants
-    use mgdt_support, only: borrow, c_text, decimal, last_message, report, text_of, to_c
+    use mgdt_support, only: borrow, c_text, decimal, finish_on, last_message, report, to_c
     implicit none
     private
 
@@ -321,7 +321,7 @@ contains
         end select
     end function
 
-    ! The end of a call. The message is the library's, if there is none here.
+    ! The end of a call.
     subroutine finish(self, procedure, status, stat, errmsg, reason)
         class(mgdt_voronoi_diagram), intent(in) :: self
         character(*), intent(in) :: procedure
@@ -329,19 +329,8 @@ contains
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         character(*), intent(in), optional :: reason
-        character(:), allocatable :: message
-        character(kind=c_char) :: buffer(256)
 
-        message = ''
-        if (status == mgdt_err_null_pointer .and. .not. c_associated(self%handle)) then
-            message = 'the diagram has not been created'
-        else if (present(reason)) then
-            message = reason
-        else if (status /= mgdt_ok .and. status /= mgdt_err_out_of_memory) then
-            if (c_voronoi_get_error(self%handle, size(buffer, kind=c_int64_t), buffer) == mgdt_ok) &
-                message = text_of(buffer)
-        end if
-        if (status /= mgdt_ok .and. message == '') message = c_text(c_status_string(status))
-        call report(procedure, status, message, stat, errmsg)
+        call finish_on(self%handle, 'diagram', c_voronoi_get_error, mgdt_err_out_of_memory, procedure, status, stat, &
+                       errmsg, reason)
     end subroutine
 end module mgdt_voronoi

@@ -122,23 +122,23 @@ void export_facet_alphas(const ExportView& view, double* out) {
 
 void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_map, double* out) {
     const Mesh& mesh = view.mesh;
-    const VertexIndices indices(view.team, mesh, view.allocator);
-    const EdgeLists edges(view, point_map.size(),
-                          edges_from_lesser(mesh, [&](VertexId v) { return indices[v]; }));
+    // The edges are listed by vertex numbers, which are near each other in memory for near
+    // vertices.
+    const EdgeLists edges(view, mesh.vertices.size(),
+                          edges_from_lesser(mesh, [](VertexId v) { return v; }));
     struct List {
-        std::size_t position, size;
-        const std::uint32_t* others;
+        std::size_t position;
+        const VertexId *begin, *end;
     };
-    Buffer<List> lists(view.allocator, point_map.size());
-    edges.write(
-        [&](std::size_t k, std::size_t position, const std::uint32_t* others, std::size_t size) {
-            lists[k] = {position, size, others};
-        });
-    const auto position_of = [&](std::uint32_t a, std::uint32_t b) {
+    Buffer<List> lists(view.allocator, mesh.vertices.size());
+    edges.write([&](std::size_t v, std::size_t position, const VertexId* others, std::size_t size) {
+        lists[v] = {position, others, others + size};
+    });
+    const auto position_of = [&](VertexId a, VertexId b) {
         const List& list = lists[std::min(a, b)];
-        const std::uint32_t* const at =
-            std::lower_bound(list.others, list.others + list.size, std::max(a, b));
-        return list.position + static_cast<std::size_t>(at - list.others);
+        return list.position +
+               static_cast<std::size_t>(std::lower_bound(list.begin, list.end, std::max(a, b)) -
+                                        list.begin);
     };
     // The bits of non-negative doubles, read as integers, have the same order as the doubles.
     const auto bits_of = [](double x) {
@@ -154,53 +154,49 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
                             least[e].store(bits_of(infinite_alpha), std::memory_order_relaxed);
                     });
     const Buffer<double> alphas = alphas_by_slot(view);
+    const auto add_facet = [&](TetId, unsigned, const VertexId(&v)[3], double alpha) {
+        const unsigned obtuse =
+            obtuse_corner({mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])});
+        for (unsigned i = 0; i < 3; ++i) {
+            const std::size_t e = position_of(v[(i + 1) % 3], v[(i + 2) % 3]);
+            if (i == obtuse) is_attached[e].store(1, std::memory_order_relaxed);
+            std::uint64_t known = least[e].load(std::memory_order_relaxed);
+            while (
+                bits_of(alpha) < known &&
+                !least[e].compare_exchange_weak(known, bits_of(alpha), std::memory_order_relaxed)) {
+            }
+        }
+    };
     view.team.split(mesh.tetrahedra.size(), slots_per_thread,
                     [&](std::size_t begin, std::size_t end, unsigned) {
-                        for_each_facet(
-                            view, alphas, begin, end,
-                            [&](TetId, unsigned, const VertexId(&v)[3], double alpha) {
-                                const unsigned obtuse = obtuse_corner(
-                                    {mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])});
-                                for (unsigned i = 0; i < 3; ++i) {
-                                    const std::size_t e = position_of(indices[v[(i + 1) % 3]],
-                                                                      indices[v[(i + 2) % 3]]);
-                                    if (i == obtuse)
-                                        is_attached[e].store(1, std::memory_order_relaxed);
-                                    std::uint64_t known = least[e].load(std::memory_order_relaxed);
-                                    while (bits_of(alpha) < known &&
-                                           !least[e].compare_exchange_weak(
-                                               known, bits_of(alpha), std::memory_order_relaxed)) {
-                                    }
-                                }
-                            });
+                        for_each_facet(view, alphas, begin, end, add_facet);
                     });
-    const auto alpha_at = [&](std::size_t position, std::uint32_t k, std::uint32_t other) {
+    const auto alpha_at = [&](std::size_t position, VertexId a, VertexId b) {
         double alpha;
         const std::uint64_t bits = least[position].load(std::memory_order_relaxed);
         std::memcpy(&alpha, &bits, sizeof bits);
         if (is_attached[position].load(std::memory_order_relaxed) != 0) return alpha;
-        return std::fmin(alpha, edge_radius2(mesh.point(point_map[k]), mesh.point(point_map[other]),
-                                             mesh.scale));
+        return std::fmin(alpha, edge_radius2(mesh.point(a), mesh.point(b), mesh.scale));
     };
-    if (view.canonical) {
-        edges.write([&](std::size_t k, std::size_t position, const std::uint32_t* others,
-                        std::size_t size) {
-            for (std::size_t i = 0; i < size; ++i)
-                out[position + i] =
-                    alpha_at(position + i, static_cast<std::uint32_t>(k), others[i]);
-        });
+    if (!view.canonical) {
+        // The export is in the order of these lists.
+        edges.write(
+            [&](std::size_t v, std::size_t position, const VertexId* others, std::size_t size) {
+                for (std::size_t i = 0; i < size; ++i)
+                    out[position + i] = alpha_at(position + i, static_cast<VertexId>(v), others[i]);
+            });
         return;
     }
-    Buffer<std::int32_t> ends(view.allocator, 2 * edges.size());
-    export_edges({view.team, mesh, view.numbering, view.allocator, 0, false}, ends.data());
-    view.team.split(edges.size(), slots_per_thread,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                        for (std::size_t e = begin; e < end; ++e) {
-                            const auto a = static_cast<std::uint32_t>(ends[2 * e]),
-                                       b = static_cast<std::uint32_t>(ends[2 * e + 1]);
-                            out[e] = alpha_at(position_of(a, b), a, b);
-                        }
-                    });
+    const VertexIndices indices(view.team, mesh, view.allocator);
+    const EdgeLists sorted(view, point_map.size(),
+                           edges_from_lesser(mesh, [&](VertexId v) { return indices[v]; }));
+    sorted.write(
+        [&](std::size_t k, std::size_t position, const std::uint32_t* others, std::size_t size) {
+            for (std::size_t i = 0; i < size; ++i) {
+                const VertexId a = point_map[k], b = point_map[others[i]];
+                out[position + i] = alpha_at(position_of(a, b), a, b);
+            }
+        });
 }
 
 void export_vertex_alphas(const ExportView& view, std::size_t points, double* out) {
