@@ -416,10 +416,11 @@ MGDT_API mgdt_status mgdt_set_progress(mgdt_triangulation* t, mgdt_progress_fn f
 MGDT_API mgdt_status mgdt_get_progress(const mgdt_triangulation* t, mgdt_progress_fn* fn,
                                        void** user);
 
-/** Asks the insertion, removal or move that is running on the handle to stop soon. That call then
- *  returns MGDT_ERR_CANCELLED; if it finishes first, the request is dropped. If none is running,
- *  the request stays pending: it stops the next such call that is given points, unless mgdt_clear()
- *  comes first. Any thread and any signal handler may call this function.
+/** Asks the insertion, removal or move that is running on the handle to stop soon, or, since 1.3,
+ *  mgdt_voronoi_create(). That call then returns MGDT_ERR_CANCELLED; if it finishes first, the
+ *  request is dropped. If none is running, the request stays pending: it stops the next such call
+ *  that is given points, or the next mgdt_voronoi_create(), unless mgdt_clear() comes first. Any
+ *  thread and any signal handler may call this function.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER
  *  @since 1.0 */
 MGDT_API mgdt_status mgdt_cancel(mgdt_triangulation* t);

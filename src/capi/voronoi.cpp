@@ -35,7 +35,8 @@ void build(const mgdt_triangulation* t, std::int64_t n_planes, const double* pla
                              v.allocator, v.index_base,   t->core.settings().canonical_output};
     if (t->core.vertex_count() > 0) {
         const Region region(v.allocator, n, planes, view.mesh, view.base);
-        build_voronoi(view, region, points, v.diagram);
+        const Progress::Call call = t->core.call_to_cancel();
+        build_voronoi(view, region, points, t->core.stop_request(), v.diagram);
     } else {
         make_empty(points, v.diagram);
     }

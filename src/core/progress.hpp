@@ -9,6 +9,7 @@
 #include "core/settings.hpp"
 #include "platform/atomic.hpp"
 #include "platform/error.hpp"
+#include "platform/stop_request.hpp"
 
 namespace mgdt {
 
@@ -25,6 +26,7 @@ class Progress {
     // Asks the running call to stop. Any thread may call this function.
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
     void forget_request() noexcept { cancelled_.store(false, std::memory_order_relaxed); }
+    StopRequest stop_request() const noexcept { return StopRequest(cancelled_); }
     bool is_cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
     // Tells the caller that `done` of `total` points are done. The caller may cancel.
     void report(std::size_t done, std::size_t total);

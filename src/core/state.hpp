@@ -48,7 +48,7 @@ struct State {
     WalkStarts walk_starts;
     mutable Cached<Numbering> numbering;  // the numbers of tetrahedra in exports
     Statistics statistics;
-    Progress progress;
+    mutable Progress progress;
     // Working memory that is kept from one call to the next.
     Workspace workspace;
     VertexRemoval vertex_removal;

@@ -269,7 +269,7 @@ bool Assembly::measure_cell(std::size_t cell, double& volume, double* centroid) 
     return true;
 }
 
-void Assembly::measure_cells(AtomicArray<TetId>& first) {
+void Assembly::measure_cells(AtomicArray<TetId>& first, const StopRequest& stop) {
     VoronoiDiagram& d = diagram_;
     const std::size_t points = vertex_of_.size();
     d.volumes.resize(points, 0.0);
@@ -278,6 +278,7 @@ void Assembly::measure_cells(AtomicArray<TetId>& first) {
     view_.team.split(points, cells_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
         CellMeasurer measurer(view_.allocator);
         for (std::size_t cell = begin; cell < end; ++cell) {
+            stop.poll_in_step(cell);
             const VertexId v = vertex_of_[cell];
             if (v == infinite_vertex) continue;
             double* const centroid = d.cell_centroids.begin() + 3 * cell;

@@ -6,6 +6,7 @@
 #include "dual/region.hpp"
 #include "parallel/atomic_array.hpp"
 #include "platform/objects.hpp"
+#include "platform/stop_request.hpp"
 #include "voronoi/circumcenters.hpp"
 #include "voronoi/cut_corners.hpp"
 #include "voronoi/found_faces.hpp"
@@ -24,7 +25,7 @@ class Assembly {
     void number_corners();
     void list_cells();
     // `first` has a tetrahedron of each vertex.
-    void measure_cells(AtomicArray<TetId>& first);
+    void measure_cells(AtomicArray<TetId>& first, const StopRequest& stop);
 
   private:
     // The faces that contain an item; `item` becomes its position among them.

@@ -9,7 +9,7 @@ namespace mgdt {
 
 CutFaces::CutFaces(const ExportView& view, const VertexIndices& indices, const Region& region,
                    const Circumcenters& centers, AtomicArray<std::uint8_t>& is_cut,
-                   CutCorners& corners, AtomicArray<TetId>& first)
+                   CutCorners& corners, AtomicArray<TetId>& first, const StopRequest& stop)
     : view_(view),
       mesh_(view.mesh),
       indices_(indices),
@@ -17,7 +17,8 @@ CutFaces::CutFaces(const ExportView& view, const VertexIndices& indices, const R
       centers_(centers),
       is_cut_(is_cut),
       corners_(corners),
-      first_(first) {}
+      first_(first),
+      stop_(stop) {}
 
 // A cell may be cut if one of its corners is not certainly inside the region.
 void CutFaces::mark() {
@@ -53,6 +54,7 @@ void CutFaces::find_cycles(PerMember<Cycles>& cycles) {
             CellFaces faces(view_.allocator);
             Cycles& of_member = cycles[member];
             for (std::size_t i = begin; i < end; ++i) {
+                stop_.poll_in_step(i);
                 const VertexId v = cut[i];
                 const std::uint32_t index = indices_[v];
                 link.gather(mesh_, v, first_[v].load(std::memory_order_relaxed));
@@ -86,7 +88,9 @@ void CutFaces::find_cycles(PerMember<Cycles>& cycles) {
 // Finds the corners; corner i of a cycle is before edge i. Edges of a cell that no plane cuts may
 // have no length; then two consecutive corners are one.
 void CutFaces::find_corners(Cycles& cycles, FoundFaces& found) {
-    for (Cycle& cycle : cycles.faces) {
+    for (std::size_t f = 0; f < cycles.faces.size(); ++f) {
+        stop_.poll_in_step(f);
+        Cycle& cycle = cycles.faces[f];
         FoundFace face = {};
         face.sides[0] = cycle.sides[0];
         face.sides[1] = cycle.sides[1];
@@ -133,6 +137,7 @@ void CutFaces::measure(const Cycles& cycles, FoundFaces& found) {
             HalfSpaces half_spaces(view_.allocator);
             Buffer<const SplitPoint*> points(view_.allocator);
             for (std::size_t f = begin; f < end; ++f) {
+                stop_.poll_in_step(f);
                 const Cycle& cycle = cycles.faces[f];
                 if (cycle.face == no_face) continue;
                 FoundFace& face = found.faces[cycle.face];
@@ -157,6 +162,7 @@ void CutFaces::find(PerMember<FoundFaces>& found) {
     PerMember<Cycles> cycles(view_.team, view_.allocator, std::ref(view_.allocator));
     find_cycles(cycles);
     for (std::size_t id = 0; id < mesh_.tetrahedra.size(); ++id) {
+        stop_.poll_in_step(id);
         const Tetrahedron& t = mesh_.tetrahedra[id];
         if (t.is_dead() || t.is_ghost()) continue;
         bool may_be_cut = false;

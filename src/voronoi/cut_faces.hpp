@@ -4,6 +4,7 @@
 
 #include "dual/cell_measurer.hpp"
 #include "parallel/per_member.hpp"
+#include "platform/stop_request.hpp"
 #include "voronoi/cut_corners.hpp"
 
 namespace mgdt {
@@ -12,7 +13,7 @@ class CutFaces {
   public:
     CutFaces(const ExportView& view, const VertexIndices& indices, const Region& region,
              const Circumcenters& centers, AtomicArray<std::uint8_t>& is_cut, CutCorners& corners,
-             AtomicArray<TetId>& first);
+             AtomicArray<TetId>& first, const StopRequest& stop);
 
     // Sets the marks of the vertices whose cells may be cut.
     void mark();
@@ -46,6 +47,7 @@ class CutFaces {
     AtomicArray<std::uint8_t>& is_cut_;
     CutCorners& corners_;
     AtomicArray<TetId>& first_;
+    const StopRequest& stop_;
 };
 
 }  // namespace mgdt

@@ -11,7 +11,8 @@
 namespace mgdt {
 
 void build_voronoi(const ExportView& view, const Region& region, std::size_t points,
-                   VoronoiDiagram& diagram) {
+                   const StopRequest& stop, VoronoiDiagram& diagram) {
+    stop.poll();
     const Mesh& mesh = view.mesh;
     const VertexIndices indices(view.team, mesh, view.allocator);
     Buffer<VertexId> vertex_of(view.allocator);
@@ -30,16 +31,18 @@ void build_voronoi(const ExportView& view, const Region& region, std::size_t poi
     CutCorners corners(view, indices, region, centers, vertex_of);
     PerMember<FoundFaces> found(view.team, view.allocator, std::ref(view.allocator));
     if (region.is_bounded()) {
-        CutFaces cut(view, indices, region, centers, is_cut, corners, first);
+        CutFaces cut(view, indices, region, centers, is_cut, corners, first, stop);
         cut.mark();
         cut.find(found);
     }
-    WholeFaces(view, indices, centers, is_cut).find(found);
+    WholeFaces(view, indices, centers, is_cut, stop).find(found);
     Assembly assembly(view, vertex_of, region, centers, corners, found, diagram);
     assembly.sort_faces();
+    stop.poll();
     assembly.number_corners();
+    stop.poll();
     assembly.list_cells();
-    assembly.measure_cells(first);
+    assembly.measure_cells(first, stop);
 }
 
 }  // namespace mgdt

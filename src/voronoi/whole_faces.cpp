@@ -133,6 +133,7 @@ void WholeFaces::find(PerMember<FoundFaces>& found) {
                          Finder finder(*this, found[member]);
                          found[member].make_room(end - begin);
                          for (std::size_t id = begin; id < end; ++id) {
+                             stop_.poll_in_step(id);
                              const Tetrahedron& t = mesh.tetrahedra[id];
                              mesh.tetrahedra.prefetch(id + ahead);
                              unsigned left = owned_edges(t, static_cast<TetId>(id));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "parallel/per_member.hpp"
+#include "platform/stop_request.hpp"
 #include "voronoi/circumcenters.hpp"
 #include "voronoi/found_faces.hpp"
 
@@ -14,8 +15,8 @@ namespace mgdt {
 class WholeFaces {
   public:
     WholeFaces(const ExportView& view, const VertexIndices& indices, const Circumcenters& centers,
-               AtomicArray<std::uint8_t>& is_cut)
-        : view_(view), indices_(indices), centers_(centers), is_cut_(is_cut) {}
+               AtomicArray<std::uint8_t>& is_cut, const StopRequest& stop)
+        : view_(view), indices_(indices), centers_(centers), is_cut_(is_cut), stop_(stop) {}
 
     // Each member of the team appends the faces that it finds to its own.
     void find(PerMember<FoundFaces>& found);
@@ -27,6 +28,7 @@ class WholeFaces {
     const VertexIndices& indices_;
     const Circumcenters& centers_;
     AtomicArray<std::uint8_t>& is_cut_;
+    const StopRequest& stop_;
 };
 
 }  // namespace mgdt

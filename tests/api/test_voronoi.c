@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT
  * The Voronoi diagram as an object. */
+#define _POSIX_C_SOURCE 200112L
 #include <math.h>
 #include <mgdt/mgdt_voronoi.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../aligned.h"
 #include "check.h"
 
 static const double cube[24] = {1, 0,  0, 1, -1, 0, 0, 0, 0, 1, 0,  1,
@@ -278,7 +280,73 @@ static void memory_limit(void) {
     free(xyz);
 }
 
+/* An allocator that asks to cancel at one of its calls. */
+typedef struct {
+    mgdt_triangulation* t;
+    int64_t blocks, calls, cancel_at;
+} canceller;
+
+static void* allocate_or_cancel(size_t size, size_t align, void* user) {
+    canceller* const c = user;
+    void* const p = allocate_aligned(size, align);
+    if (++c->calls == c->cancel_at) mgdt_cancel(c->t);
+    if (p != NULL) ++c->blocks;
+    return p;
+}
+
+static void release(void* p, size_t size, size_t align, void* user) {
+    (void)size;
+    (void)align;
+    --((canceller*)user)->blocks;
+    free_aligned(p);
+}
+
+/* A request stops the diagram wherever it comes, and nothing else. */
+static void cancelled(void) {
+    double* const xyz = random_points(1500, 0, 4);
+    canceller c = {NULL, 0, 0, 0};
+    mgdt_voronoi* v = NULL;
+    int64_t before, all, stopped = 0, planes;
+    CHECK_EQUAL(mgdt_create_with_allocator(allocate_or_cancel, release, &c, &c.t), MGDT_OK);
+    CHECK_EQUAL(mgdt_insert_points(c.t, 1500, xyz), MGDT_OK);
+    for (planes = 0; planes <= 6; planes += 6) {
+        c.calls = 0;
+        c.cancel_at = 0;
+        v = diagram_of(c.t, planes, cube);
+        mgdt_voronoi_destroy(v);
+        all = c.calls;
+        before = c.blocks;
+        for (c.cancel_at = 1; c.cancel_at <= all; c.cancel_at += 1 + all / 40) {
+            mgdt_status status;
+            c.calls = 0;
+            status = mgdt_voronoi_create(c.t, planes, cube, &v);
+            CHECK(status == MGDT_OK || status == MGDT_ERR_CANCELLED);
+            CHECK((status == MGDT_OK) == (v != NULL));
+            if (status == MGDT_ERR_CANCELLED) {
+                ++stopped;
+                CHECK_ERROR(c.t, "cancelled");
+            }
+            mgdt_voronoi_destroy(v);
+            CHECK_EQUAL(c.blocks, before);
+        }
+    }
+    CHECK(stopped > 20);
+    c.cancel_at = 0;
+    /* A request that comes before the call. */
+    CHECK_EQUAL(mgdt_cancel(c.t), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_create(c.t, 6, cube, &v), MGDT_ERR_CANCELLED);
+    CHECK(v == NULL);
+    v = diagram_of(c.t, 6, cube);
+    mgdt_voronoi_destroy(v);
+    CHECK_EQUAL(mgdt_insert_points(c.t, 10, xyz), MGDT_OK);
+    CHECK_EQUAL(mgdt_check(c.t, MGDT_CHECK_CANONICAL), MGDT_OK);
+    mgdt_destroy(c.t);
+    CHECK_EQUAL(c.blocks, 0);
+    free(xyz);
+}
+
 void test_voronoi(void) {
+    cancelled();
     fits_together();
     index_base();
     arguments();
