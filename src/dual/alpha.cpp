@@ -120,6 +120,25 @@ void export_facet_alphas(const ExportView& view, double* out) {
                     });
 }
 
+namespace {
+
+// Writes the alphas of all edges in the order of the caller's indices. The function is not inlined,
+// so that its lists are not on the stack while circumcentres are computed.
+template <class AlphaOf>
+MGDT_NOT_INLINE void write_by_index(const ExportView& view, const Buffer<VertexId>& point_map,
+                                    double* out, AlphaOf alpha_of) {
+    const VertexIndices indices(view.team, view.mesh, view.allocator);
+    const EdgeLists edges(view, point_map.size(),
+                          edges_from_lesser(view.mesh, [&](VertexId v) { return indices[v]; }));
+    edges.write(
+        [&](std::size_t k, std::size_t position, const std::uint32_t* others, std::size_t size) {
+            for (std::size_t i = 0; i < size; ++i)
+                out[position + i] = alpha_of(point_map[k], point_map[others[i]]);
+        });
+}
+
+}  // namespace
+
 void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_map, double* out) {
     const Mesh& mesh = view.mesh;
     // The edges are listed by vertex numbers, which are near each other in memory for near
@@ -187,16 +206,8 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
             });
         return;
     }
-    const VertexIndices indices(view.team, mesh, view.allocator);
-    const EdgeLists sorted(view, point_map.size(),
-                           edges_from_lesser(mesh, [&](VertexId v) { return indices[v]; }));
-    sorted.write(
-        [&](std::size_t k, std::size_t position, const std::uint32_t* others, std::size_t size) {
-            for (std::size_t i = 0; i < size; ++i) {
-                const VertexId a = point_map[k], b = point_map[others[i]];
-                out[position + i] = alpha_at(position_of(a, b), a, b);
-            }
-        });
+    write_by_index(view, point_map, out,
+                   [&](VertexId a, VertexId b) { return alpha_at(position_of(a, b), a, b); });
 }
 
 void export_vertex_alphas(const ExportView& view, std::size_t points, double* out) {

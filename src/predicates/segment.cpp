@@ -30,7 +30,7 @@ int change_of_orientation_integer(const double* a, const double* b, const double
 namespace {
 
 // Whether no operation on differences of the coordinates overflows or underflows.
-bool is_in_range(const double* p) {
+bool has_normal_differences(const double* p) {
     const auto fits = [](double x) {
         const double size = std::fabs(x);
         return size == 0 || (size >= 0x1p-150 && size <= 0x1p150);
@@ -39,12 +39,13 @@ bool is_in_range(const double* p) {
 }
 
 // A scalar product of a normal, and the sum of the magnitudes of its terms.
-struct Determinant {
+struct NormalProduct {
     Twofold value;
     double size;
 };
-MGDT_PREDICATES_INLINE Determinant determinant(const Vector<Twofold>& normal,
-                                               const double (&sizes)[3], const Vector<Twofold>& d) {
+MGDT_PREDICATES_INLINE NormalProduct product_of(const Vector<Twofold>& normal,
+                                                const double (&sizes)[3],
+                                                const Vector<Twofold>& d) {
     return {dot(normal, d),
             (sizes[0] * std::fabs(d.x[0].high) + sizes[1] * std::fabs(d.x[1].high)) +
                 sizes[2] * std::fabs(d.x[2].high)};
@@ -55,7 +56,7 @@ MGDT_PREDICATES_INLINE Determinant determinant(const Vector<Twofold>& normal,
 bool crossing_parameter_twofold(const double* a, const double* b, const double* const (&p)[3],
                                 double& t, double bound) {
     for (const double* const x : {a, b, p[0], p[1], p[2]})
-        if (!is_in_range(x)) return false;
+        if (!has_normal_differences(x)) return false;
     const Vector<Twofold> e = difference<Twofold>(p[1], p[0]), f = difference<Twofold>(p[2], p[0]),
                           normal = mgdt::cross(e, f);
     double sizes[3];  // of the terms of the normal's coordinates
@@ -63,8 +64,8 @@ bool crossing_parameter_twofold(const double* a, const double* b, const double* 
         constexpr std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
         sizes[k] = std::fabs(e.x[l].high * f.x[m].high) + std::fabs(e.x[m].high * f.x[l].high);
     });
-    const Determinant distance = determinant(normal, sizes, difference<Twofold>(p[0], a)),
-                      whole = determinant(normal, sizes, difference<Twofold>(b, a));
+    const NormalProduct distance = product_of(normal, sizes, difference<Twofold>(p[0], a)),
+                        whole = product_of(normal, sizes, difference<Twofold>(b, a));
     const double unit = bound * rounding_of<Twofold>;
     const double least = std::fabs(whole.value.high) * (1 - 0x1p-40) - unit * whole.size;
     if (!(least > 0)) return false;
