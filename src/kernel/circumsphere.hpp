@@ -17,6 +17,7 @@
 
 #include "kernel/island.hpp"
 #include "mesh/tetrahedron.hpp"
+#include "predicates/normal_range.hpp"
 
 namespace mgdt {
 
@@ -39,15 +40,6 @@ inline constexpr double unit_roundoff = 0x1p-53;
 inline constexpr double kept_roundoff = 0x1.00004p-21;
 // As the bound of a sphere, infinity leaves every test to the exact predicates.
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// Whether a coordinate is in the range in which the filters are proved.
-inline bool in_normal_range(double x) {
-    const double magnitude = std::fabs(x);
-    return magnitude == 0 || (magnitude >= 0x1p-150 && magnitude <= 0x1p150);
-}
-inline bool in_normal_range(const double* x) {
-    return in_normal_range(x[0]) && in_normal_range(x[1]) && in_normal_range(x[2]);
-}
 
 // A point whose powers are computed. `quadratic` is infinite for a point outside the normal range.
 struct Query {

@@ -4,6 +4,7 @@
 // operands. See docs/theory.md, "Numbers with bounds".
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -87,7 +88,7 @@ struct BoundedFloat {
     MGDT_NOT_INLINE static BoundedFloat normalized(Real value, double error, std::int64_t block) {
         if (nearest_double(value) == 0 && error == 0) return {to_real<Real>(0), 0, 0};
         if (!(error <= std::numeric_limits<double>::max())) return unknown();
-        const auto larger = [&] { return std::fmax(std::fabs(nearest_double(value)), error); };
+        const auto larger = [&] { return std::max(std::fabs(nearest_double(value)), error); };
         // No operation gives a magnitude of 2^384 or more, so one division is enough.
         if (larger() >= most) {
             value = scaled_by(value, 1 / one_block);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "predicates/circumcenter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,6 +9,7 @@
 #include "predicates/determinants.hpp"
 #include "predicates/differences.hpp"
 #include "predicates/filter.hpp"
+#include "predicates/normal_range.hpp"
 #include "predicates/quotient.hpp"
 #include "predicates/twofold.hpp"
 
@@ -16,7 +18,7 @@ namespace exact {
 namespace {
 
 MGDT_PREDICATES_INLINE double largest_of_three(const double (&v)[3]) {
-    return std::fmax(std::fmax(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
+    return std::max(std::max(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
 }
 
 // The position of a vertex relative to the first vertex.
@@ -50,21 +52,6 @@ MGDT_PREDICATES_INLINE double residual(const Row& r, const double (&w)[3]) {
     return all.high + (rest + (first.low + all.low));
 }
 
-// Rounds high + low to the nearest double. Returns false if an error of `error` in low could change
-// the result.
-MGDT_PREDICATES_INLINE bool nearest(const Twofold& v, double error, double& x) {
-    x = v.high + (v.low + error);
-    return x == v.high + (v.low - error);
-}
-
-MGDT_PREDICATES_INLINE bool is_in_range(const double* p) {
-    const auto fits = [](double x) {
-        const double size = std::fabs(x);
-        return size == 0 || (size >= 0x1p-150 && size <= 0x1p150);
-    };
-    return fits(p[0]) && fits(p[1]) && fits(p[2]);
-}
-
 // Multiplies x by 2^exponent. Returns false if that is not exact.
 MGDT_PREDICATES_INLINE bool scale_exactly(double& x, int exponent) {
     if (exponent == 0 || x == 0) return true;
@@ -95,7 +82,7 @@ struct DoubledOffset {
 MGDT_PREDICATES_INLINE bool solve(const double* const (&p)[4], const CircumcenterBounds& bounds,
                                   DoubledOffset& result) {
     for (const double* const x : p)
-        if (!is_in_range(x)) return false;
+        if (!in_normal_range(x)) return false;
     const Row r[3] = {row(p[1], p[0]), row(p[2], p[0]), row(p[3], p[0])};
     double cross[3][3];
     each<3>([&](auto i) {
@@ -167,16 +154,16 @@ bool circumcenter_refined(const double* const (&p)[4], int scale, Circumcenter& 
     each<3>([&](auto k) {
         w[k] = Twofold::sum(offset.rough[k], offset.correction[k]);
         const Twofold x = position(p[0], offset, k);
-        is_known &= nearest(x, position_error(offset, x), c.x[k]);
+        is_known &= round_if_certain(x, position_error(offset, x), c.x[k]);
         is_known &= scale_exactly(c.x[k], -scale);
         square[k] = Twofold::product(w[k].high, w[k].high);
         rest += square[k].low + 2 * w[k].high * w[k].low;
     });
     const Twofold first = Twofold::sum(square[0].high, square[1].high);
     const Twofold all = Twofold::sum(first.high, square[2].high);
-    is_known &= nearest({all.high, rest + (first.low + all.low)},
-                        (8 * size + 4 * error) * error + 100 * half_ulp * half_ulp * size * size,
-                        c.radius2);
+    is_known &= round_if_certain(
+        {all.high, rest + (first.low + all.low)},
+        (8 * size + 4 * error) * error + 100 * half_ulp * half_ulp * size * size, c.radius2);
     c.radius2 *= 0.25;
     return is_known && scale_exactly(c.radius2, -2 * scale);
 }
@@ -315,7 +302,7 @@ SplitPoint split_circumcenter(const double* const (&p)[4], double factor) {
     for (int k = 0; k < 3; ++k) {
         x[k] = exact::position(p[0], w, k);
         error[k] = exact::position_error(w, x[k]);
-        is_known &= exact::nearest(x[k], error[k], nearest[k]);
+        is_known &= round_if_certain(x[k], error[k], nearest[k]);
     }
     return is_known ? split(x, error, nearest, factor) : split(x, error, circumcenter(p).x, factor);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "predicates/facet_sphere.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "predicates/bounded_float.hpp"
@@ -165,7 +166,7 @@ double edge_radius2(const double* a, const double* b, int scale) {
         // If the difference overflows, it is computed from halves. A half that has to be rounded is
         // too small to matter.
         half[k] = std::isfinite(half[k]) ? 0.5 * half[k] : 0.5 * a[k] - 0.5 * b[k];
-        largest = std::fmax(largest, std::fabs(half[k]));
+        largest = std::max(largest, std::fabs(half[k]));
     }
     // Scaling brings the largest difference near 1, so that its square is in the range of doubles.
     const int exponent = largest > 0 ? std::ilogb(largest) : 0;

@@ -6,6 +6,7 @@
 #include "predicates/bounded_float.hpp"
 #include "predicates/determinants.hpp"
 #include "predicates/differences.hpp"
+#include "predicates/normal_range.hpp"
 #include "predicates/quotient.hpp"
 #include "predicates/vector.hpp"
 
@@ -29,15 +30,6 @@ int change_of_orientation_integer(const double* a, const double* b, const double
 
 namespace {
 
-// Whether no operation on differences of the coordinates overflows or underflows.
-bool has_normal_differences(const double* p) {
-    const auto fits = [](double x) {
-        const double size = std::fabs(x);
-        return size == 0 || (size >= 0x1p-150 && size <= 0x1p150);
-    };
-    return fits(p[0]) && fits(p[1]) && fits(p[2]);
-}
-
 // A scalar product of a normal, and the sum of the magnitudes of its terms.
 struct NormalProduct {
     Twofold value;
@@ -56,7 +48,7 @@ MGDT_PREDICATES_INLINE NormalProduct product_of(const Vector<Twofold>& normal,
 bool crossing_parameter_twofold(const double* a, const double* b, const double* const (&p)[3],
                                 double& t, double bound) {
     for (const double* const x : {a, b, p[0], p[1], p[2]})
-        if (!has_normal_differences(x)) return false;
+        if (!in_normal_range(x)) return false;
     const Vector<Twofold> e = difference<Twofold>(p[1], p[0]), f = difference<Twofold>(p[2], p[0]),
                           normal = mgdt::cross(e, f);
     double sizes[3];  // of the terms of the normal's coordinates
@@ -75,8 +67,7 @@ bool crossing_parameter_twofold(const double* a, const double* b, const double* 
     const double error =
         (unit * (distance.size + size * whole.size) / least + rounding_of<Twofold> * size) *
         (1 + 0x1p-40);
-    t = quotient.high + (quotient.low + error);
-    return t == quotient.high + (quotient.low - error);
+    return round_if_certain(quotient, error, t);
 }
 
 bool crossing_parameter_bounded(const double* a, const double* b, const double* const (&p)[3],

@@ -44,4 +44,11 @@ struct Twofold {
     }
 };
 
+// Rounds x to the nearest double. Returns false if an error of `error` in x could change the
+// result.
+MGDT_PREDICATES_INLINE bool round_if_certain(const Twofold& x, double error, double& rounded) {
+    rounded = x.high + (x.low + error);
+    return rounded == x.high + (x.low - error);
+}
+
 }  // namespace mgdt

@@ -55,6 +55,10 @@ struct Vector {
 };
 
 template <class Real>
+Vector<Real> to_vector(const Vector<double>& a) {
+    return {{to_real<Real>(a.x[0]), to_real<Real>(a.x[1]), to_real<Real>(a.x[2])}};
+}
+template <class Real>
 Vector<Real> scaled_by(const Vector<Real>& a, double factor) {
     return {{scaled_by(a.x[0], factor), scaled_by(a.x[1], factor), scaled_by(a.x[2], factor)}};
 }
