@@ -75,9 +75,9 @@ void for_each_facet(const ExportView& view, const Buffer<double>& alphas, std::s
             std::sort(v, v + 3, [&](VertexId a, VertexId b) {
                 return mesh.vertices[a].index < mesh.vertices[b].index;
             });
-            double alpha = std::fmin(alphas[id], alphas[beyond]);
+            double alpha = std::min(alphas[id], alphas[beyond]);
             if (!is_attached(mesh, v, t, face, mesh.tetrahedra[beyond]))
-                alpha = std::fmin(
+                alpha = std::min(
                     alpha, facet_radius2({mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])},
                                          mesh.scale));
             f(static_cast<TetId>(id), face, v, alpha);
@@ -195,7 +195,7 @@ void export_edge_alphas(const ExportView& view, const Buffer<VertexId>& point_ma
         const std::uint64_t bits = least[position].load(std::memory_order_relaxed);
         std::memcpy(&alpha, &bits, sizeof bits);
         if (is_attached[position].load(std::memory_order_relaxed) != 0) return alpha;
-        return std::fmin(alpha, edge_radius2(mesh.point(a), mesh.point(b), mesh.scale));
+        return std::min(alpha, edge_radius2(mesh.point(a), mesh.point(b), mesh.scale));
     };
     if (!view.canonical) {
         // The export is in the order of these lists.

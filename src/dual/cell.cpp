@@ -31,7 +31,7 @@ void Cell::set_sides(const Mesh& mesh, VertexId v, const Link& link) {
             continue;
         }
         sides_[i].normal = difference<double>(neighbor.x, origin);
-        for (const double x : sides_[i].normal.x) largest = std::fmax(largest, std::fabs(x));
+        for (const double x : sides_[i].normal.x) largest = std::max(largest, std::fabs(x));
     }
     is_ordinary_ = largest <= std::numeric_limits<double>::max();
     factor_ = !is_ordinary_                             ? 0x1p-1022
@@ -97,14 +97,14 @@ void Cell::set_corner(const Mesh& mesh, VertexId v, const Link& link, std::size_
                       offset);
         for (int k = 0; k < 3; ++k) {
             constexpr double most = 0x1p300;
-            corner.x.x[k] = std::fmax(-most, std::fmin(most, offset[k] * factor_));
+            corner.x.x[k] = std::max(-most, std::min(most, offset[k] * factor_));
         }
         corner.size = length(corner.x);
         // The error is infinite if the corner is too far away for doubles.
         corner.error = corner.size < 0x1p299 ? 2 * center_offset_error * corner.size
                                              : std::numeric_limits<double>::infinity();
     }
-    radius_ = std::fmax(radius_, corner.size);
+    radius_ = std::max(radius_, corner.size);
 }
 
 }  // namespace mgdt

@@ -3,6 +3,8 @@
 // corners of each face in cyclic order. The sums do not depend on the order of the faces.
 #pragma once
 
+#include <algorithm>
+
 #include "dual/corner.hpp"
 #include "dual/order_free_sum.hpp"
 #include "platform/memory.hpp"
@@ -32,8 +34,8 @@ class ErrorBoundSum {
         }
         terms_.push_back(term);
         errors_.push_back(error);
-        largest_ = std::fmax(largest_, std::fabs(term));
-        largest_error_ = std::fmax(largest_error_, error);
+        largest_ = std::max(largest_, std::fabs(term));
+        largest_error_ = std::max(largest_error_, error);
     }
     double value() const { return order_free_sum(terms_.data(), terms_.size(), largest_); }
     double error() const { return order_free_sum(errors_.data(), errors_.size(), largest_error_); }
@@ -68,7 +70,7 @@ class FaceSums {
         extent_ = 0;
     }
     // Raises the extent of the cell to the distance of a corner from the vertex.
-    void reach(double distance) { extent_ = std::fmax(extent_, distance); }
+    void reach(double distance) { extent_ = std::max(extent_, distance); }
     // Adds the contribution of the triangle between the vertex and an edge of the face; edges are
     // counter-clockwise about the outward normal. The sums are 12 times the volume, twice the area
     // and 48 times the moment; see docs/theory.md, "Cells".
@@ -82,8 +84,8 @@ class FaceSums {
     // Whether the error is certainly below measure_error.
     template <Measure M>
     bool is_sure() const;
-    double volume() const { return std::fmax(sums_[0].value() / 12, 0); }
-    double area() const { return std::fmax(sums_[0].value() / 2, 0); }
+    double volume() const { return std::max(0.0, sums_[0].value() / 12); }
+    double area() const { return std::max(0.0, sums_[0].value() / 2); }
     // A coordinate of the centroid, relative to the vertex.
     double centroid(int axis) const { return sums_[1 + axis].value() / (4 * sums_[0].value()); }
 

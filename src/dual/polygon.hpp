@@ -2,6 +2,7 @@
 // Convex polygons in space, each a face of a cell, and their clipping by half-spaces.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include "dual/corner.hpp"
@@ -75,11 +76,11 @@ class Polygon {
     static void look_up(const Corner& corner, const Height& h, double& top, double& rise) {
         const double value = h.value;
         if (!corner.is_ideal)
-            top = std::fmax(top, value + h.error);
+            top = std::max(top, value + h.error);
         else if (value > 0)
             top = std::numeric_limits<double>::infinity();
         else if (value == 0)  // nearly parallel: slope <= 2 error / size, length <= 2 reach
-            rise = std::fmax(rise, 4 * h.error / corner.size);
+            rise = std::max(rise, 4 * h.error / corner.size);
     }
     static constexpr double lost_area = 0x1p200;
     // An upper bound on the area that is kept or removed wrongly if heights have errors up to
@@ -147,7 +148,7 @@ inline Corner Polygon::crossing(const Corner& in, const Height& of_in, const Cor
                        ? (of_in.error * e + of_out.error * d) / (w * (w - error_of_weight))
                        : lost;
     // The crossing of an edge with two finite ends stays between the ends.
-    if (!in.is_ideal && !out.is_ideal) slack = std::fmin(slack, 1);
+    if (!in.is_ideal && !out.is_ideal) slack = std::min(1.0, slack);
     c.error += move * slack;
     return c;
 }
@@ -165,7 +166,7 @@ inline bool Polygon::clip(const Side& side, std::uint32_t label) {
         if (std::fabs(h) > heights_[i].error)
             is_off = true;
         else if (!corners_[i].is_ideal)
-            doubt = std::fmax(doubt, heights_[i].error);
+            doubt = std::max(doubt, heights_[i].error);
     }
     if (doubt > 0) slack_ += doubt_area(doubt);
     if (rise > 0 && top + rise * reach_ > 0) slack_ += lost_area;
@@ -202,12 +203,12 @@ inline double Polygon::doubt_area(double doubt) const {
         if (corners_[i].is_ideal) return lost_area;
         if (height_of(i) < height_of(lowest)) lowest = i;
         if (height_of(i) > height_of(highest)) highest = i;
-        extent = std::fmax(extent, corners_[i].size);
+        extent = std::max(extent, corners_[i].size);
     }
     const double rise = height_of(highest) - height_of(lowest), whole = 4 * extent * extent;
     if (!(rise > 0)) return whole;
     const double slope = rise / length(corners_[highest].x - corners_[lowest].x);
-    return std::fmin(whole, 4 * extent * doubt / slope);
+    return std::min(whole, 4 * extent * doubt / slope);
 }
 
 template <class SideOf>

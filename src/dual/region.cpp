@@ -139,8 +139,8 @@ void Region::add_face(const ExactPolygon& polygon, HalfSpaces& half_spaces, cons
         double largest = 0;
         for (int axis = 0; axis < 3; ++axis) {
             corner.x[axis] = x.x[axis];
-            largest = std::fmax(largest, std::fabs(x.x[axis].high));
-            extent_ = std::fmax(extent_, 2 * std::fabs(x.x[axis].high - near[axis]));
+            largest = std::max(largest, std::fabs(x.x[axis].high));
+            extent_ = std::max(extent_, 2 * std::fabs(x.x[axis].high - near[axis]));
         }
         is_ordinary_ &= largest < most_ordinary;
         corner.error = 2 * HalfSpaces::corner_error * largest;
@@ -184,7 +184,7 @@ double Region::clearance(const double* point) const {
     double least = std::numeric_limits<double>::infinity();
     for (const Plane& plane : planes_) {
         const double depth = -plane.height(point) - plane.error(point);
-        least = std::fmin(least, depth / plane.size);
+        least = std::min(least, depth / plane.size);
     }
     return least * (least > 0 ? 1 - 4 * rounding_of<double> : 1);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/scale.hpp"
 
+#include <algorithm>
+
 namespace mgdt {
 namespace {
 
@@ -53,6 +55,10 @@ double scaled_by_two_factors(double x, int k) {
 }
 
 bool unscale(const double (&x)[3], int scale, double (&result)[3]) {
+    if (scale == 0) {
+        std::copy_n(x, 3, result);
+        return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+    }
     bool is_exact = true;
     for (int axis = 0; axis < 3; ++axis) {
         result[axis] = scaled(x[axis], -scale);

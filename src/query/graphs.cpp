@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "query/graphs.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "parallel/disjoint_sets.hpp"
@@ -102,7 +103,7 @@ Buffer<std::uint32_t> spanning_tree(const ExportView& view, const Buffer<VertexI
     }
     // Edges of the same length are taken in the order of their ends.
     std::sort(lengths.begin(), lengths.end(), [&](const Length& a, const Length& b) {
-        const double larger = std::fmax(a.square, b.square), difference = a.square - b.square;
+        const double larger = std::max(a.square, b.square), difference = a.square - b.square;
         if (larger > least_length && larger < most_length &&
             std::fabs(difference) > length_error * larger)
             return difference < 0;

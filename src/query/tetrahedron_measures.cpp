@@ -62,8 +62,7 @@ double extreme_angle(bool is_largest, const Angle& angle) {
     double extreme = angle(0, 1);
     for (int i = 0; i < 4; ++i) {
         for (int j = i + 1; j < 4; ++j)
-            extreme =
-                is_largest ? std::fmax(extreme, angle(i, j)) : std::fmin(extreme, angle(i, j));
+            extreme = is_largest ? std::max(extreme, angle(i, j)) : std::min(extreme, angle(i, j));
     }
     return extreme;
 }
@@ -134,7 +133,7 @@ bool exact::measure_in_doubles(const double* const (&p)[4], int scale, Tetrahedr
     // depend on the scale of the mesh.
     double largest = 0;
     for (int i = 1; i < 4; ++i)
-        for (int k = 0; k < 3; ++k) largest = std::fmax(largest, std::fabs(p[i][k] - p[0][k]));
+        for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(p[i][k] - p[0][k]));
     const int exponent = 1 + (std::isinf(largest) ? 1024 : std::ilogb(largest));
     Shape<double> shape;
     shape.set(p, [exponent](const double* a, const double* b) {
@@ -150,7 +149,7 @@ bool exact::measure_in_doubles(const double* const (&p)[4], int scale, Tetrahedr
     double square = 0;
     for (const Vector<double>* edge :
          {&shape.e01, &shape.e02, &shape.e03, &shape.e12, &shape.e13, &shape.e23})
-        square = std::fmax(square, dot(*edge, *edge));
+        square = std::max(square, dot(*edge, *edge));
     const double longest = std::sqrt(square), volume6 = std::fabs(shape.volume6);
     if (measure == TetrahedronMeasure::longest_edge) {
         x = std::ldexp(longest, unscaled);

@@ -63,13 +63,17 @@ void Assembly::prefetch_face(std::size_t item) const noexcept {
     prefetch(bytes);
     prefetch(bytes + 64);
 }
+void Assembly::prefetch_corners(std::size_t item) const noexcept {
+    const FoundFaces& from = member_of(item);
+    prefetch(from.corners.begin() + from.faces[item].begin());
+}
 
 // Sorts the faces by their sides, planes behind points.
 void Assembly::sort_faces() {
     const std::size_t points = vertex_of_.size();
     Buffer<std::uint32_t> ends(view_.allocator, points + 1);
     struct Item {
-        std::uint32_t side, item;
+        std::uint32_t side, item, size;
     };
     Buffer<Item> items(view_.allocator);
     const auto each = [&](std::size_t begin, std::size_t end, auto f) {
@@ -77,9 +81,11 @@ void Assembly::sort_faces() {
             std::size_t first = begin;
             const FoundFaces& from = member_of(first);
             const std::size_t n = std::min(end - begin, from.faces.size() - first);
-            for (std::size_t i = 0; i < n; ++i)
-                f(from.faces[first + i].sides[0],
-                  Item{from.faces[first + i].sides[1], static_cast<std::uint32_t>(begin + i)});
+            for (std::size_t i = 0; i < n; ++i) {
+                const FoundFace& face = from.faces[first + i];
+                f(face.sides[0], Item{face.sides[1], static_cast<std::uint32_t>(begin + i),
+                                      static_cast<std::uint32_t>(face.size())});
+            }
             begin += n;
         }
     };
@@ -93,7 +99,12 @@ void Assembly::sort_faces() {
                       [](const Item& a, const Item& b) { return a.side < b.side; });
     });
     set_size(order_, items.size());
-    for (std::size_t f = 0; f < items.size(); ++f) order_[f] = items[f].item;
+    set_size(diagram_.face_begin, items.size() + 1);
+    diagram_.face_begin[0] = 0;
+    for (std::size_t f = 0; f < items.size(); ++f) {
+        order_[f] = items[f].item;
+        diagram_.face_begin[f + 1] = diagram_.face_begin[f] + items[f].size;
+    }
     copy_faces();
 }
 
@@ -104,14 +115,16 @@ void Assembly::copy_faces() {
     set_size(d.face_sides, 2 * faces);
     set_size(d.areas, faces);
     set_size(d.face_centroids, 3 * faces);
-    set_size(d.face_begin, faces + 1);
+    set_size(d.face_corners, static_cast<std::size_t>(d.face_begin[faces]));
     const int scale = mesh_.scale;
     constexpr std::size_t ahead = 16;
     view_.team.split(faces, faces_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t f = begin; f < end; ++f) {
-            if (f + ahead < end) prefetch_face(order_[f + ahead]);
+            if (f + 2 * ahead < end) prefetch_face(order_[f + 2 * ahead]);
+            if (f + ahead < end) prefetch_corners(order_[f + ahead]);
             std::size_t i = order_[f];
-            const FoundFace& face = member_of(i).faces[i];
+            const FoundFaces& from = member_of(i);
+            const FoundFace& face = from.faces[i];
             d.face_sides[2 * f] = face.sides[0];
             const std::uint32_t other = face.sides[1];
             d.face_sides[2 * f + 1] =
@@ -119,27 +132,11 @@ void Assembly::copy_faces() {
                     ? other
                     : VoronoiDiagram::plane | region_.given(other & ~VoronoiDiagram::plane);
             d.areas[f] = scale == 0 ? face.area : std::ldexp(face.area, -2 * scale);
-            d.face_begin[f + 1] = face.size();
             const double* const a = mesh_.point(vertex_of_[face.sides[0]]);
             for (int k = 0; k < 3; ++k)
                 d.face_centroids[3 * f + static_cast<std::size_t>(k)] =
                     scaled(a[k] + face.centroid.x[k], -scale);
-        }
-    });
-    d.face_begin[0] = 0;
-    for (std::size_t f = 0; f < faces; ++f) d.face_begin[f + 1] += d.face_begin[f];
-    set_size(d.face_corners, static_cast<std::size_t>(d.face_begin[faces]));
-    view_.team.split(faces, faces_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
-        for (std::size_t f = begin; f < end; ++f) {
-            if (f + 2 * ahead < end) prefetch_face(order_[f + 2 * ahead]);
-            if (f + ahead < end) {
-                std::size_t next = order_[f + ahead];
-                const FoundFaces& of_next = member_of(next);
-                prefetch(of_next.corners.begin() + of_next.faces[next].begin());
-            }
-            std::size_t i = order_[f];
-            const FoundFaces& from = member_of(i);
-            std::copy_n(from.corners.begin() + from.faces[i].begin(), from.faces[i].size(),
+            std::copy_n(from.corners.begin() + face.begin(), face.size(),
                         d.face_corners.begin() + d.face_begin[f]);
         }
     });
@@ -147,49 +144,85 @@ void Assembly::copy_faces() {
 
 // Numbers vertices and rays in the order in which faces name them.
 void Assembly::number_corners() {
-    Buffer<std::uint32_t> of_slot(view_.allocator), of_cut(view_.allocator);
+    Buffer<std::uint32_t> of_slot(view_.allocator), of_cut(view_.allocator),
+        corner_of(view_.allocator);
     constexpr std::uint32_t none = no_index;
     of_slot.resize(mesh_.tetrahedra.size(), none);
     of_cut.resize(cut_.size(), none);
-    for (std::uint32_t& corner : diagram_.face_corners) {
-        if ((corner & cut_corner) != 0) {
-            std::uint32_t& number = of_cut[corner & ~cut_corner];
-            if (number == none) number = add_vertex(corner);
-            corner = number;
-            continue;
+    Buffer<std::uint32_t>& corners = diagram_.face_corners;
+    const auto number_of = [&](std::uint32_t& number, std::uint32_t corner) {
+        if (number == none) {
+            number = static_cast<std::uint32_t>(corner_of.size());
+            corner_of.push_back(corner);
         }
-        if ((corner & ghost_corner) != 0) {
+        return number;
+    };
+    constexpr std::size_t ahead = 16;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (i + ahead < corners.size())
+            if (const std::uint32_t next = corners[i + ahead]; next < cut_corner)
+                prefetch(&of_slot[next]);
+        const std::uint32_t corner = corners[i];
+        if ((corner & cut_corner) != 0) {
+            corners[i] = number_of(of_cut[corner & ~cut_corner], corner);
+        } else if ((corner & ghost_corner) != 0) {
             const TetId slot = corner & ~ghost_corner;
             const Tetrahedron& ghost = mesh_.tetrahedra[slot];
             const TetId inner = tetrahedron_of(ghost.n[ghost.infinite_slot()]);
             std::uint32_t& number = of_slot[centers_.first_equal(slot)];
             if (number == none) number = add_ray(ghost, of_slot[centers_.first_equal(inner)]);
-            corner = number | VoronoiDiagram::ray;
-            continue;
+            corners[i] = number | VoronoiDiagram::ray;
+        } else {
+            corners[i] = number_of(of_slot[corner], corner);
         }
-        std::uint32_t& number = of_slot[corner];
-        if (number == none) number = add_vertex(corner);
-        corner = number;
+    }
+    set_vertices(corner_of);
+}
+
+void Assembly::set_vertices(const Buffer<std::uint32_t>& corner_of) {
+    Buffer<double>& vertices = diagram_.vertices;
+    set_size(vertices, 3 * corner_of.size());
+    constexpr std::size_t ahead = 16, vertices_per_thread = 65536;
+    view_.team.split(
+        corner_of.size(), vertices_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (i + ahead < end)
+                    if (const std::uint32_t next = corner_of[i + ahead]; next < cut_corner)
+                        centers_.prefetch(next);
+                const std::uint32_t corner = corner_of[i];
+                if (corner >= cut_corner) continue;
+                double x[3];
+                if (!unscale(centers_[corner].x, mesh_.scale, x)) {
+                    const VertexId(&v)[4] = mesh_.tetrahedra[corner].v;
+                    const Circumcenter center = circumcenter({mesh_.point(v[0]), mesh_.point(v[1]),
+                                                              mesh_.point(v[2]), mesh_.point(v[3])},
+                                                             mesh_.scale);
+                    std::copy_n(center.x, 3, x);
+                }
+                std::copy_n(x, 3, vertices.begin() + 3 * i);
+            }
+        });
+    // These share the memory of exact numbers.
+    if (cut_.size() == 0) return;
+    for (std::size_t i = 0; i < corner_of.size(); ++i) {
+        if (corner_of[i] < cut_corner) continue;
+        double x[3];
+        cut_.unscaled(corner_of[i], x);
+        std::copy_n(x, 3, vertices.begin() + 3 * i);
     }
 }
 
-std::uint32_t Assembly::add_vertex(std::uint32_t corner) {
-    const std::size_t number = diagram_.vertices.size() / 3;
-    double x[3];
-    if ((corner & cut_corner) != 0) {
-        cut_.unscaled(corner, x);
-    } else {
-        if (!unscale(centers_[corner].x, mesh_.scale, x)) {
-            const VertexId(&v)[4] = mesh_.tetrahedra[corner].v;
-            const Circumcenter center = circumcenter(
-                {mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3])},
-                mesh_.scale);
-            std::copy_n(center.x, 3, x);
-        }
+// Marks the cells none of whose faces has a ray. The rays of a face come last.
+void Assembly::find_bounded_cells() {
+    VoronoiDiagram& d = diagram_;
+    d.is_bounded.resize(vertex_of_.size());
+    for (std::size_t cell = 0; cell < vertex_of_.size(); ++cell)
+        d.is_bounded[cell] = vertex_of_[cell] != infinite_vertex ? 1 : 0;
+    for (std::size_t f = 0; f < order_.size(); ++f) {
+        if ((d.face_corners[d.face_begin[f + 1] - 1] & VoronoiDiagram::ray) == 0) continue;
+        for (const std::size_t side : {2 * f, 2 * f + 1})
+            if (!is_plane(d.face_sides[side])) d.is_bounded[d.face_sides[side]] = 0;
     }
-    diagram_.vertices.grow(3 * number + 3);
-    for (const double of : x) diagram_.vertices.push_back(of);
-    return static_cast<std::uint32_t>(number);
 }
 
 // Adds the ray from a vertex that leaves the hull through the facet of a ghost.
@@ -227,6 +260,14 @@ void Assembly::list_cells() {
         [&](std::size_t position, std::uint32_t face) { d.cell_faces[position] = face; });
 }
 
+void Assembly::prefetch_faces(std::size_t cell) const noexcept {
+    const VoronoiDiagram& d = diagram_;
+    for (std::uint64_t i = d.cell_begin[cell]; i < d.cell_begin[cell + 1]; ++i) {
+        prefetch(&order_[d.cell_faces[i]]);
+        prefetch(&d.face_sides[2 * std::size_t{d.cell_faces[i]}]);
+    }
+}
+
 // Adds the pyramids between a vertex and its faces. Returns false if the errors are too large.
 bool Assembly::measure_cell(std::size_t cell, double& volume, double* centroid) const {
     constexpr double u = rounding_of<double>;
@@ -255,7 +296,7 @@ bool Assembly::measure_cell(std::size_t cell, double& volume, double* centroid) 
         moment = moment + pyramid.volume * base;
         moment_error += std::fabs(pyramid.volume) * (base_error + (count + 8) * u * distance) +
                         pyramid.volume_error * (distance + base_error);
-        extent = std::fmax(extent, distance);
+        extent = std::max(extent, distance);
     }
     error += (count + 4) * u * magnitudes;
     // Products in this range have not lost digits by underflow.
@@ -269,20 +310,26 @@ bool Assembly::measure_cell(std::size_t cell, double& volume, double* centroid) 
     return true;
 }
 
-void Assembly::measure_cells(AtomicArray<TetId>& first, const StopRequest& stop) {
+// Vertices with near numbers mostly have near points, so their cells share faces that are in the
+// cache.
+void Assembly::measure_cells(AtomicArray<TetId>& first, const VertexIndices& indices,
+                             const StopRequest& stop) {
     VoronoiDiagram& d = diagram_;
-    const std::size_t points = vertex_of_.size();
+    const std::size_t points = vertex_of_.size(), vertices = mesh_.vertices.size();
     d.volumes.resize(points, 0.0);
     d.cell_centroids.resize(3 * points, 0.0);
-    d.is_bounded.resize(points, std::uint8_t{0});
-    view_.team.split(points, cells_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+    view_.team.split(vertices, cells_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
         CellMeasurer measurer(view_.allocator);
-        for (std::size_t cell = begin; cell < end; ++cell) {
-            stop.poll_in_step(cell);
-            const VertexId v = vertex_of_[cell];
-            if (v == infinite_vertex) continue;
+        constexpr std::size_t ahead = 4;
+        for (std::size_t v = begin == 0 ? 1 : begin; v < end; ++v) {
+            stop.poll_in_step(v);
+            if (v + 2 * ahead < end) {
+                const std::size_t cell = indices[static_cast<VertexId>(v + 2 * ahead)];
+                prefetch(&d.cell_faces[d.cell_begin[cell]]);
+            }
+            if (v + ahead < end) prefetch_faces(indices[static_cast<VertexId>(v + ahead)]);
+            const std::size_t cell = indices[static_cast<VertexId>(v)];
             double* const centroid = d.cell_centroids.begin() + 3 * cell;
-            d.is_bounded[cell] = is_bounded(cell) ? 1 : 0;
             if (d.is_bounded[cell] == 0) {
                 d.volumes[cell] = unbounded;
                 std::fill_n(centroid, 3, unbounded);
@@ -290,19 +337,12 @@ void Assembly::measure_cells(AtomicArray<TetId>& first, const StopRequest& stop)
             }
             if (measure_cell(cell, d.volumes[cell], centroid)) continue;
             const TetId of_cell = first[v].load(std::memory_order_relaxed);
-            measurer.measure(mesh_, v, of_cell, region_, Measure::volume, &d.volumes[cell]);
-            measurer.measure(mesh_, v, of_cell, region_, Measure::centroid, centroid);
+            measurer.measure(mesh_, static_cast<VertexId>(v), of_cell, region_, Measure::volume,
+                             &d.volumes[cell]);
+            measurer.measure(mesh_, static_cast<VertexId>(v), of_cell, region_, Measure::centroid,
+                             centroid);
         }
     });
-}
-
-// Whether no face of a cell has a ray. The rays of a face come last.
-bool Assembly::is_bounded(std::size_t cell) const {
-    const VoronoiDiagram& d = diagram_;
-    for (std::uint64_t i = d.cell_begin[cell]; i < d.cell_begin[cell + 1]; ++i)
-        if ((d.face_corners[d.face_begin[d.cell_faces[i] + 1] - 1] & VoronoiDiagram::ray) != 0)
-            return false;
-    return true;
 }
 
 }  // namespace mgdt

@@ -23,19 +23,22 @@ class Assembly {
     // The steps, in this order.
     void sort_faces();
     void number_corners();
+    void find_bounded_cells();
     void list_cells();
     // `first` has a tetrahedron of each vertex.
-    void measure_cells(AtomicArray<TetId>& first, const StopRequest& stop);
+    void measure_cells(AtomicArray<TetId>& first, const VertexIndices& indices,
+                       const StopRequest& stop);
 
   private:
     // The faces that contain an item; `item` becomes its position among them.
     const FoundFaces& member_of(std::size_t& item) const noexcept;
     void prefetch_face(std::size_t item) const noexcept;
+    void prefetch_corners(std::size_t item) const noexcept;
+    void prefetch_faces(std::size_t cell) const noexcept;
     void copy_faces();
-    std::uint32_t add_vertex(std::uint32_t corner);
+    void set_vertices(const Buffer<std::uint32_t>& corner_of);
     std::uint32_t add_ray(const Tetrahedron& ghost, std::uint32_t vertex);
     bool measure_cell(std::size_t cell, double& volume, double* centroid) const;
-    bool is_bounded(std::size_t cell) const;
 
     const ExportView& view_;
     const Mesh& mesh_;

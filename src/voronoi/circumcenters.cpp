@@ -29,7 +29,7 @@ Circumcenters::Circumcenters(const ExportView& view, const VertexIndices& indice
 void Circumcenters::set_factor(const ExportView& view) {
     double largest = 0;
     for (VertexId v = 1; v < view.mesh.vertices.size(); ++v)
-        for (int k = 0; k < 3; ++k) largest = std::fmax(largest, std::fabs(view.mesh.point(v)[k]));
+        for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(view.mesh.point(v)[k]));
     constexpr int most = 1000;
     factor_ = std::ldexp(1.0, -std::max(-most, std::min(most, std::ilogb(largest))));
 }

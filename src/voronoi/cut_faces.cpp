@@ -32,7 +32,7 @@ void CutFaces::mark() {
                                  const double(&x)[3] = centers_[static_cast<TetId>(id)].x;
                                  double largest = 0;
                                  for (const double of : x)
-                                     largest = std::fmax(largest, std::fabs(of));
+                                     largest = std::max(largest, std::fabs(of));
                                  if (region_.clearance(x) > 2 * rounding_of<double> * largest)
                                      continue;
                              }

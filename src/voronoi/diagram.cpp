@@ -10,7 +10,7 @@ namespace {
 // A vector divided by its length, whatever its magnitude.
 void normalize(const double (&way)[3], double* out) {
     const double largest =
-        std::fmax(std::fmax(std::fabs(way[0]), std::fabs(way[1])), std::fabs(way[2]));
+        std::max(std::max(std::fabs(way[0]), std::fabs(way[1])), std::fabs(way[2]));
     const int shift = -std::ilogb(largest);
     double x[3], squares = 0;
     for (int k = 0; k < 3; ++k) {
@@ -66,7 +66,7 @@ void drop_small_faces(VoronoiDiagram& d, double area, double relative) {
         }
     }
     const auto least = [&](std::uint32_t a, std::uint32_t b) {
-        return std::fmax(area, is_plane(b) ? share[a] : std::fmin(share[a], share[b]));
+        return std::max(area, is_plane(b) ? share[a] : std::min(share[a], share[b]));
     };
     // The new number of each face.
     constexpr std::uint32_t dropped = 0xFFFFFFFFu;

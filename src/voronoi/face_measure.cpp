@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "voronoi/face_measure.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "dual/face_sums.hpp"
@@ -13,6 +14,15 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double least_length = 0x1p-300, most_length = 0x1p300;
 // An error that does not matter, in units of the square of the distance between the two points.
 constexpr double tiny_area = 1e-14;
+// The error that an area in doubles may have. It is below measure_error, so that the bounds of a
+// cell, to which all its faces add, are below it too.
+constexpr double enough_in_doubles = 0.05 * measure_error;
+// What the normal and the result, which are doubles, add to an error. In doubles, the bounds
+// include it.
+template <class Real>
+constexpr double own_error = 0;
+template <>
+constexpr double own_error<Twofold> = normal_error + 4 * rounding_of<double>;
 
 }  // namespace
 
@@ -27,36 +37,41 @@ FacePlane bisector(const double* a, const double* b) {
     return plane;
 }
 
-bool is_accurate(const FaceMeasure& measure, const FacePlane& plane) {
-    return measure.area_error <= 0.9 * measure_error * measure.area ||
-           measure.area_error <= 0.9 * tiny_area * plane.spacing * plane.spacing;
+namespace {
+
+// The error is a small part of the area, or tiny beside the square of the distance between the two
+// points of the face.
+bool is_below(double error, double area, double part, const FacePlane& plane) {
+    return error <= part * area || error <= 0.9 * tiny_area * plane.spacing * plane.spacing;
 }
 
 // docs/theory.md, "Voronoi faces", derives the bounds.
-FaceMeasure measure_face(const double* a, const FacePlane& plane, const SplitPoint* const* corners,
-                         std::size_t n, double unit) {
-    constexpr double u = rounding_of<double>;
+template <class Real>
+FaceMeasure measure_in(const double* a, const FacePlane& plane, const SplitPoint* const* corners,
+                       std::size_t n, double unit) {
+    constexpr double u = rounding_of<Real>;
     FaceMeasure result = {0, infinite, {}, infinite};
     double farthest = 0, correction_error = 0;
     const auto relative = [&](std::size_t i) {
         const SplitPoint& corner = *corners[i];
-        Vector<double> y;
+        Vector<Real> y = difference<Real>(corner.x, a);
         for (int k = 0; k < 3; ++k)
-            y.x[k] = (corner.x[k] - a[k]) + static_cast<double>(corner.low[k]) * unit;
-        farthest = std::fmax(farthest, length(y));
-        correction_error = std::fmax(correction_error, static_cast<double>(corner.error));
+            y.x[k] = y.x[k] + to_real<Real>(static_cast<double>(corner.low[k]) * unit);
+        farthest = std::max(farthest, length(y));
+        correction_error = std::max(correction_error, static_cast<double>(corner.error));
         return y;
     };
-    const Vector<double> first = relative(0);
-    Vector<double> before = relative(1) - first;
+    const Vector<Real> first = relative(0), normal = to_vector<Real>(plane.normal);
+    Vector<Real> before = relative(1) - first;
     double length_before = length(before);
-    double doubled = 0, lengths = 0, products = 0;
-    Vector<double> moment = {};
+    Real doubled = to_real<Real>(0);
+    double lengths = 0, products = 0;
+    Vector<Real> moment = to_vector<Real>({});
     for (std::size_t i = 2; i < n; ++i) {
-        const Vector<double> here = relative(i) - first;
+        const Vector<Real> here = relative(i) - first;
         const double length_here = length(here);
-        const double weight = dot(plane.normal, cross(before, here));
-        doubled += weight;
+        const Real weight = dot(normal, cross(before, here));
+        doubled = doubled + weight;
         moment = moment + weight * (before + here);
         lengths += length_before + length_here;
         products += length_before * length_here;
@@ -68,21 +83,37 @@ FaceMeasure measure_face(const double* a, const FacePlane& plane, const SplitPoi
         return result;
     // An upper bound on the distance of each corner from where it should be.
     const double moved = 4 * u * farthest + 2 * correction_error * unit;
-    const double count = static_cast<double>(n);
-    const double error = 2 * moved * (lengths + 2 * count * moved) + (24 + count) * u * products;
+    const double count = static_cast<double>(n), sum = nearest_double(doubled);
+    const double error = 2 * moved * (lengths + 2 * count * moved) + (24 + count) * u * products +
+                         own_error<Real> * std::fabs(sum);
     if (!(error < infinite)) return result;
-    result.area = 0.5 * std::fmax(doubled, 0);
+    result.area = 0.5 * std::max(0.0, sum);
     result.area_error = 0.5 * error;
     const double extent = 2 * farthest + moved;
-    if (error < 0x1p-10 * doubled) {
-        result.centroid = first + (1 / (3 * doubled)) * moment;
-        result.centroid_error = 4 * moved + 4 * extent * (error / doubled);
+    if (error < 0x1p-10 * sum) {
+        const Vector<Real> centroid =
+            first + (to_real<Real>(1) / (to_real<Real>(3) * doubled)) * moment;
+        for (int k = 0; k < 3; ++k) result.centroid.x[k] = nearest_double(centroid.x[k]);
+        result.centroid_error = 4 * moved + 4 * extent * (error / sum) + own_error<Real> * farthest;
     } else {
         // The face is so small that any of its points serves.
-        result.centroid = first;
+        for (int k = 0; k < 3; ++k) result.centroid.x[k] = nearest_double(first.x[k]);
         result.centroid_error = extent;
     }
     return result;
+}
+
+}  // namespace
+
+bool is_accurate(const FaceMeasure& measure, const FacePlane& plane) {
+    return is_below(measure.area_error, measure.area, 0.9 * measure_error, plane);
+}
+
+FaceMeasure measure_face(const double* a, const FacePlane& plane, const SplitPoint* const* corners,
+                         std::size_t n, double unit) {
+    const FaceMeasure result = measure_in<double>(a, plane, corners, n, unit);
+    if (is_below(result.area_error, result.area, enough_in_doubles, plane)) return result;
+    return measure_in<Twofold>(a, plane, corners, n, unit);
 }
 
 namespace {
@@ -126,7 +157,7 @@ bool area_in(Numbers numbers, Allocator& allocator, HalfSpaces& half_spaces, std
     const bool is_small =
         half_spaces.is_bisector(0) && error < WideDouble(0.2 * tiny_area) * squared;
     if (!is_small && !(error < magnitude(value) * WideDouble(0.2 * measure_error))) return false;
-    area = std::fmax(value.in_double(), 0);
+    area = std::max(0.0, value.in_double());
     return true;
 }
 

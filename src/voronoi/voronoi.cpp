@@ -41,8 +41,9 @@ void build_voronoi(const ExportView& view, const Region& region, std::size_t poi
     stop.poll();
     assembly.number_corners();
     stop.poll();
+    assembly.find_bounded_cells();
     assembly.list_cells();
-    assembly.measure_cells(first, stop);
+    assembly.measure_cells(first, indices, stop);
 }
 
 }  // namespace mgdt

@@ -2,12 +2,29 @@
 #include "voronoi/whole_faces.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
+#include "platform/objects.hpp"
 #include "query/edge_lists.hpp"
 #include "voronoi/ring.hpp"
 
 namespace mgdt {
+
+namespace {
+
+constexpr std::size_t rings_at_once = 8;
+
+// The tetrahedra around an edge.
+struct Ring {
+    explicit Ring(Allocator& allocator) : steps(allocator) {}
+    RingStep next;
+    VertexId a, b;  // the ends of the edge, the first one with the lesser index
+    bool is_complete;
+    Buffer<RingStep> steps;
+};
+
+}  // namespace
 
 // What one thread needs.
 class WholeFaces::Finder {
@@ -17,68 +34,83 @@ class WholeFaces::Finder {
           indices_(of.indices_),
           centers_(of.centers_),
           found_(found),
-          ring_(of.view_.allocator),
+          rings_(of.view_.allocator, rings_at_once, std::ref(of.view_.allocator)),
           corners_(of.view_.allocator),
           points_(of.view_.allocator),
           half_spaces_(of.view_.allocator) {}
 
+    // Adds the face of an edge, now or in a later call.
     void add(TetId t, unsigned i, unsigned j);
+    // Adds the faces that have not been added yet.
+    void finish();
 
   private:
-    bool gather_ring(TetId t, unsigned i, unsigned j);
-    void turn_ring();
-    void set_corners();
-    FaceMeasure measure(const FacePlane& plane);
+    void gather_rings();
+    bool turn(Ring& ring) const;
+    void set_corners(const Ring& ring);
+    void add_face(Ring& ring);
+    FaceMeasure measure(const Ring& ring, const FacePlane& plane);
 
     const Mesh& mesh_;
     const VertexIndices& indices_;
     const Circumcenters& centers_;
     FoundFaces& found_;
-    VertexId a_ = 0, b_ = 0;  // the ends of the edge, the first one with the lesser index
-    bool is_bounded_ = true;
-    Buffer<RingStep> ring_;
+    Objects<Ring> rings_;
+    std::size_t count_ = 0;  // of the rings in use
     Buffer<std::uint32_t> corners_;
     Buffer<const SplitPoint*> points_;
     HalfSpaces half_spaces_;
 };
 
-// Gathers the tetrahedra around an edge. Returns false if t is not in the first of their slots, so
-// that each edge counts once.
-bool WholeFaces::Finder::gather_ring(TetId t, unsigned i, unsigned j) {
-    ring_.clear();
-    RingStep step = RingStep::first(t, i, j);
-    do {
-        ring_.push_back(step);
-        centers_.prefetch(step.t);
-        step = step.next(mesh_);
-        if (step.t < t) return false;
-    } while (step.t != t);
-    return true;
+// Each step around an edge waits for a tetrahedron from memory, so several rings proceed together.
+// A ring is complete if its first tetrahedron is in the first of its slots, so that each edge
+// counts once.
+void WholeFaces::Finder::gather_rings() {
+    Ring* active[rings_at_once];
+    std::size_t left = count_;
+    for (std::size_t r = 0; r < left; ++r) active[r] = &rings_[r];
+    while (left > 0)
+        for (std::size_t r = 0; r < left;) {
+            Ring& ring = *active[r];
+            const TetId first = ring.steps[0].t;
+            ring.next = ring.next.next(mesh_);
+            if (ring.next.t > first) {
+                centers_.prefetch(ring.next.t);
+                ring.steps.push_back(ring.next);
+                ++r;
+                continue;
+            }
+            ring.is_complete = ring.next.t == first;
+            active[r] = active[--left];
+        }
 }
 
 // Turns the ring so that its beginning does not depend on the order of the slots: behind the vertex
-// at infinity if the edge is on the hull, otherwise behind the vertex with the least index.
-void WholeFaces::Finder::turn_ring() {
+// at infinity if the edge is on the hull, otherwise behind the vertex with the least index. Returns
+// whether the face is bounded.
+bool WholeFaces::Finder::turn(Ring& ring) const {
+    Buffer<RingStep>& steps = ring.steps;
     std::size_t least = 0;
     const auto rank = [&](const RingStep& step) {
         const VertexId v = mesh_.tetrahedra[step.t].v[step.k];
         return v == infinite_vertex ? 0 : std::uint64_t{indices_[v]} + 1;
     };
-    std::uint64_t of_least = rank(ring_[0]);
-    for (std::size_t i = 1; i < ring_.size(); ++i)
-        if (const std::uint64_t of_i = rank(ring_[i]); of_i < of_least) {
+    std::uint64_t of_least = rank(steps[0]);
+    for (std::size_t i = 1; i < steps.size(); ++i)
+        if (const std::uint64_t of_i = rank(steps[i]); of_i < of_least) {
             of_least = of_i;
             least = i;
         }
-    is_bounded_ = of_least != 0;
-    std::rotate(ring_.begin(), ring_.begin() + least + (is_bounded_ ? 0 : 1), ring_.end());
+    const bool is_bounded = of_least != 0;
+    std::rotate(steps.begin(), steps.begin() + least + (is_bounded ? 0 : 1), steps.end());
+    return is_bounded;
 }
 
 // Of several consecutive tetrahedra with the same circumcentre, only the first one gives a corner.
-void WholeFaces::Finder::set_corners() {
+void WholeFaces::Finder::set_corners(const Ring& ring) {
     corners_.clear();
     std::uint32_t before = no_tetrahedron, first = no_tetrahedron;
-    for (const RingStep& step : ring_) {
+    for (const RingStep& step : ring.steps) {
         const std::uint32_t of_step = centers_.first_equal(step.t);
         if (of_step == before) continue;
         if (corners_.empty()) first = of_step;
@@ -88,37 +120,51 @@ void WholeFaces::Finder::set_corners() {
     if (corners_.size() > 1 && before == first) corners_.resize(corners_.size() - 1);
 }
 
-FaceMeasure WholeFaces::Finder::measure(const FacePlane& plane) {
-    if (!is_bounded_) {
-        constexpr double infinite = std::numeric_limits<double>::infinity();
-        return {infinite, infinite, {{infinite, infinite, infinite}}, infinite};
-    }
+FaceMeasure WholeFaces::Finder::measure(const Ring& ring, const FacePlane& plane) {
     points_.clear();
     for (const std::uint32_t slot : corners_) points_.push_back(&centers_[slot]);
-    const double* const a = mesh_.point(a_);
+    const double* const a = mesh_.point(ring.a);
     return measure_accurately(half_spaces_, a, plane, points_, 1 / centers_.factor(), [&] {
-        half_spaces_.add_nearer_side(mesh_.point(b_));
-        for (const RingStep& step : ring_)
+        half_spaces_.add_nearer_side(mesh_.point(ring.b));
+        for (const RingStep& step : ring.steps)
             half_spaces_.add_nearer_side(mesh_.point(mesh_.tetrahedra[step.t].v[step.l]));
-        return ring_.size();
+        return ring.steps.size();
     });
 }
 
 void WholeFaces::Finder::add(TetId t, unsigned i, unsigned j) {
     const Tetrahedron& first = mesh_.tetrahedra[t];
     if (indices_[first.v[i]] > indices_[first.v[j]]) std::swap(i, j);
-    a_ = first.v[i];
-    b_ = first.v[j];
-    if (!gather_ring(t, i, j)) return;
-    turn_ring();
-    set_corners();
+    Ring& ring = rings_[count_++];
+    ring.a = first.v[i];
+    ring.b = first.v[j];
+    ring.next = RingStep::first(t, i, j);
+    ring.steps.clear();
+    ring.steps.push_back(ring.next);
+    if (count_ == rings_.size()) finish();
+}
+
+void WholeFaces::Finder::finish() {
+    gather_rings();
+    for (std::size_t r = 0; r < count_; ++r)
+        if (rings_[r].is_complete) add_face(rings_[r]);
+    count_ = 0;
+}
+
+void WholeFaces::Finder::add_face(Ring& ring) {
+    const bool is_bounded = turn(ring);
+    set_corners(ring);
     if (corners_.size() < 3) return;
-    const FacePlane plane = bisector(mesh_.point(a_), mesh_.point(b_));
+    const FacePlane plane = bisector(mesh_.point(ring.a), mesh_.point(ring.b));
     FoundFace face;
-    face.sides[0] = indices_[a_];
-    face.sides[1] = indices_[b_];
+    face.sides[0] = indices_[ring.a];
+    face.sides[1] = indices_[ring.b];
     face.set_corners(found_.corners.size(), corners_.size());
-    face.set_measure(measure(plane), plane);
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    face.set_measure(
+        is_bounded ? measure(ring, plane)
+                   : FaceMeasure{infinite, infinite, {{infinite, infinite, infinite}}, infinite},
+        plane);
     found_.faces.push_back(face);
     for (const std::uint32_t slot : corners_)
         found_.corners.push_back(mesh_.tetrahedra[slot].is_ghost() ? slot | ghost_corner
@@ -136,6 +182,9 @@ void WholeFaces::find(PerMember<FoundFaces>& found) {
                              stop_.poll_in_step(id);
                              const Tetrahedron& t = mesh.tetrahedra[id];
                              mesh.tetrahedra.prefetch(id + ahead);
+                             if (id + ahead / 4 < end)
+                                 for (const FacetCode code : mesh.tetrahedra[id + ahead / 4].n)
+                                     mesh.tetrahedra.prefetch(tetrahedron_of(code));
                              unsigned left = owned_edges(t, static_cast<TetId>(id));
                              for (; left != 0; left &= left - 1) {
                                  const unsigned char* const at = edge_ends[lowest_bit(left)];
@@ -146,6 +195,7 @@ void WholeFaces::find(PerMember<FoundFaces>& found) {
                                      finder.add(static_cast<TetId>(id), at[0], at[1]);
                              }
                          }
+                         finder.finish();
                      });
 }
 
