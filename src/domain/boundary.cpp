@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "domain/boundary.hpp"
+
+namespace mgdt {
+
+Simplex Boundary::simplex(std::size_t i) const noexcept {
+    Simplex s = {};
+    const auto set = [&](int size, const Buffer<std::uint32_t>& from) {
+        s.size = size;
+        for (int k = 0; k < size; ++k) {
+            const std::uint32_t number =
+                from[static_cast<std::size_t>(size) * i + static_cast<std::size_t>(k)];
+            s.number[k] = number;
+            s.x[k] = points.begin() + 3 * std::size_t{number};
+        }
+        return s;
+    };
+    if (i < triangles.size() / 3) return set(3, triangles);
+    i -= triangles.size() / 3;
+    if (i < segments.size() / 2) return set(2, segments);
+    i -= segments.size() / 2;
+    return set(1, lone_points);
+}
+
+BoundingBox Boundary::box(std::size_t i) const noexcept {
+    const Simplex s = simplex(i);
+    BoundingBox box;
+    for (int k = 0; k < 3; ++k) box.low[k] = box.high[k] = s.x[0][k];
+    for (int c = 1; c < s.size; ++c)
+        for (int k = 0; k < 3; ++k) {
+            box.low[k] = std::min(box.low[k], s.x[c][k]);
+            box.high[k] = std::max(box.high[k], s.x[c][k]);
+        }
+    return box;
+}
+
+}  // namespace mgdt

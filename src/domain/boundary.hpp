@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What bounds a domain: triangles, segments, and points that belong to neither.
+#pragma once
+
+#include "domain/box_tree.hpp"
+#include "domain/simplex_pair.hpp"
+#include "platform/memory.hpp"
+
+namespace mgdt {
+
+struct Boundary {
+    explicit Boundary(Allocator& allocator)
+        : points(allocator), triangles(allocator), segments(allocator), lone_points(allocator) {}
+
+    // Simplices are numbered: first the triangles, then the segments, then the lone points.
+    std::size_t size() const noexcept {
+        return triangles.size() / 3 + segments.size() / 2 + lone_points.size();
+    }
+    Simplex simplex(std::size_t i) const noexcept;
+    BoundingBox box(std::size_t i) const noexcept;
+
+    Buffer<double> points;              // 3 coordinates for each point; no two points are equal
+    Buffer<std::uint32_t> triangles;    // 3 points for each
+    Buffer<std::uint32_t> segments;     // 2 points for each
+    Buffer<std::uint32_t> lone_points;  // the points that no triangle or segment has
+};
+
+}  // namespace mgdt

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// A tree of boxes, which finds all pairs of boxes that overlap.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "parallel/team.hpp"
+#include "platform/memory.hpp"
+
+namespace mgdt {
+
+// A box with its boundary, parallel to the axes.
+struct BoundingBox {
+    double low[3], high[3];
+
+    void include(const BoundingBox& other) {
+        for (int k = 0; k < 3; ++k) {
+            low[k] = std::min(low[k], other.low[k]);
+            high[k] = std::max(high[k], other.high[k]);
+        }
+    }
+    bool overlaps(const BoundingBox& other) const {
+        for (int k = 0; k < 3; ++k)
+            if (low[k] > other.high[k] || other.low[k] > high[k]) return false;
+        return true;
+    }
+};
+
+class BoxTree {
+  public:
+    // The boxes have to stay as they are. O(n log n).
+    BoxTree(Allocator& allocator, const Buffer<BoundingBox>& boxes);
+
+    // Calls f(i, j, member) for each two boxes i < j that overlap. The members of the team call it
+    // at the same time.
+    template <class F>
+    void for_each_pair(Team& team, F f) const;
+
+  private:
+    static constexpr std::uint32_t most_in_leaf = 6;
+
+    // A node has the boxes order_[begin] to order_[end - 1]. Its first child is the next node.
+    struct Node {
+        BoundingBox box;
+        std::uint32_t begin, end;
+        std::uint32_t second;  // the other child; 0 in a leaf
+    };
+    struct Pair {
+        std::uint32_t a, b;  // two nodes, or a node with itself
+    };
+    std::uint32_t make(std::uint32_t begin, std::uint32_t end);
+    // Replaces a pair of nodes by pairs of their children. Returns false if both are leaves.
+    bool divide(Pair pair, Buffer<Pair>& into) const;
+    template <class F>
+    void compare_leaves(Pair pair, F f) const;
+
+    Allocator& allocator_;
+    const Buffer<BoundingBox>& boxes_;
+    Buffer<std::uint32_t> order_;
+    Buffer<Node> nodes_;
+};
+
+template <class F>
+void BoxTree::compare_leaves(Pair pair, F f) const {
+    const Node &a = nodes_[pair.a], &b = nodes_[pair.b];
+    for (std::uint32_t i = a.begin; i < a.end; ++i)
+        for (std::uint32_t j = pair.a == pair.b ? i + 1 : b.begin; j < b.end; ++j)
+            if (const std::uint32_t k = order_[i], l = order_[j]; boxes_[k].overlaps(boxes_[l]))
+                f(std::min(k, l), std::max(k, l));
+}
+
+template <class F>
+void BoxTree::for_each_pair(Team& team, F f) const {
+    if (nodes_.empty()) return;
+    // Divides the pairs of nodes, level by level, until there are enough for the team.
+    constexpr std::size_t enough = 4096;
+    Buffer<Pair> pairs(allocator_), next(allocator_);
+    pairs.push_back({0, 0});
+    for (bool is_divided = true; is_divided && pairs.size() < enough;) {
+        is_divided = false;
+        next.clear();
+        for (const Pair& pair : pairs) {
+            if (divide(pair, next))
+                is_divided = true;
+            else
+                next.push_back(pair);
+        }
+        std::swap(pairs, next);
+    }
+    constexpr std::size_t pairs_per_thread = 64;
+    team.split(
+        pairs.size(), pairs_per_thread, [&](std::size_t begin, std::size_t end, unsigned member) {
+            Buffer<Pair> stack(allocator_);
+            for (std::size_t p = begin; p < end; ++p) {
+                stack.push_back(pairs[p]);
+                while (!stack.empty()) {
+                    const Pair pair = stack.back();
+                    stack.resize(stack.size() - 1);
+                    if (!divide(pair, stack))
+                        compare_leaves(pair,
+                                       [&](std::uint32_t i, std::uint32_t j) { f(i, j, member); });
+                }
+            }
+        });
+}
+
+}  // namespace mgdt

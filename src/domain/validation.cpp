@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "domain/validation.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "parallel/per_member.hpp"
+#include "platform/error.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+namespace {
+
+bool is_flat(const Simplex& s) {
+    if (s.size == 3) return collinear(s.x[0], s.x[1], s.x[2]);
+    return s.size == 2 && s.number[0] == s.number[1];
+}
+
+// Whether two triangles have the same corners.
+bool are_equal_triangles(const Simplex& a, const Simplex& b) {
+    return a.size == 3 && b.size == 3 && std::is_permutation(a.number, a.number + 3, b.number);
+}
+
+// What one thread has found.
+struct Found {
+    explicit Found(Allocator& allocator) : pairs(allocator) {}
+    std::size_t tests = 0;
+    Buffer<OffendingPair> pairs;
+};
+
+}  // namespace
+
+Buffer<OffendingPair> offending_pairs(const Boundary& boundary, Team& team, Allocator& allocator,
+                                      const StopRequest& stop) {
+    const std::size_t n = boundary.size();
+    constexpr std::size_t most = 0x7FFFFFFFu, simplices_per_thread = 4096;
+    if (n > most)
+        fail(MGDT_ERR_TOO_LARGE, "%zu facets and segments are more than can be numbered", n);
+    Buffer<BoundingBox> boxes(allocator, n);
+    Buffer<std::uint8_t> flat(allocator, n);
+    team.split(n, simplices_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t i = begin; i < end; ++i) {
+            boxes[i] = boundary.box(i);
+            flat[i] = is_flat(boundary.simplex(i)) ? 1 : 0;
+        }
+    });
+    PerMember<Found> found(team, allocator, std::ref(allocator));
+    const BoxTree tree(allocator, boxes);
+    tree.for_each_pair(team, [&](std::uint32_t i, std::uint32_t j, unsigned member) {
+        Found& of_member = found[member];
+        stop.poll_in_step(of_member.tests++);
+        if ((flat[i] | flat[j]) != 0) return;
+        const Simplex a = boundary.simplex(i), b = boundary.simplex(j);
+        if (are_equal_triangles(a, b) || !meet_in_common_face(a, b))
+            of_member.pairs.push_back({i, j});
+    });
+    Buffer<OffendingPair> pairs(allocator);
+    for (std::uint32_t i = 0; i < n; ++i)
+        if (flat[i] != 0) pairs.push_back({i, i});
+    for (const Found& of_member : found)
+        for (const OffendingPair& pair : of_member.pairs) pairs.push_back(pair);
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+}  // namespace mgdt
