@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "core/equal_points.hpp"
 #include "core/hole_filling.hpp"
 #include "core/insertion.hpp"
+#include "core/other_points.hpp"
 #include "core/rebuild.hpp"
 #include "core/removal.hpp"
 #include "core/stopwatch.hpp"
@@ -68,8 +68,7 @@ class Motion {
     Motion(State& state, const MovedPoints& moved)
         : state_(state),
           moved_(moved),
-          is_alone_(moved.size() == 1 && state.statistics.duplicates != 0),
-          equal_points_(state.allocator, state.mesh.vertices.size()),
+          others_(state, moved.points),
           gaps_(state.allocator),
           budget_(removal_budget(state)) {}
     ~Motion() { close_gaps(state_, gaps_); }
@@ -86,16 +85,10 @@ class Motion {
                             std::size_t left);
     void split_off(VertexId v, std::uint32_t point, const double (&p)[3], std::uint32_t other);
     Insertion insert(VertexId q, TetId start);
-    // Enters that a point comes to a vertex with other points. Throws std::bad_alloc.
-    void join(VertexId v, std::uint32_t point) {
-        equal_points_.join(v, point);
-        state_.points.equals.forget();
-    }
 
     State& state_;
     const MovedPoints& moved_;
-    const bool is_alone_;  // one point is moved, and some points are equal
-    EqualPoints equal_points_;
+    OtherPoints others_;
     Buffer<VertexId> gaps_;  // numbers of vertices that were removed
     RemovalBudget budget_;
     bool has_budget_ = true, is_too_slow_ = false;
@@ -104,10 +97,7 @@ class Motion {
 void Motion::one_by_one() {
     const std::size_t n = moved_.size();
     gaps_.reserve(n);
-    if (is_alone_)
-        state_.points.equals.update(state_.points.map, state_.mesh.vertices);
-    else if (are_equals_among(state_, moved_.points))
-        equal_points_.find(state_.points.map, moved_.points);
+    others_.find();
     state_.progress.change_one_by_one(
         0, n, moved_.list_size,
         [this](std::size_t k) { return std::size_t{moved_.positions_in_list[k]}; },
@@ -134,10 +124,7 @@ bool Motion::try_to_move(std::size_t k) {
     moved_.coordinates(k, state_.mesh.scale, p);
     if (!in_normal_range(p)) state_.mesh.has_extremes = true;
     const VertexId v = state_.points.map[point];
-    const std::uint32_t other =
-        is_alone_
-            ? state_.points.equals.least_other(state_.points.map, state_.mesh.vertices[v], v, point)
-            : equal_points_.least_other(state_.points.map, v, point);
+    const std::uint32_t other = others_.least(v, point);
     if (other != no_index)
         split_off(v, point, p, other);
     else if (!try_to_move_vertex(v, point, p, moved_.size() - k))
@@ -173,7 +160,7 @@ bool Motion::try_to_move_vertex(VertexId v, std::uint32_t point, const double (&
     try {
         const Insertion result = insert(v, state_.walk_starts.last);
         if (result.duplicate != infinite_vertex) {
-            join(result.duplicate, point);
+            others_.join(result.duplicate, point);
             gaps_.push_back(v);
             state_.note_repeat(v, result.duplicate);
             --state_.statistics.points_inserted;
@@ -203,7 +190,7 @@ void Motion::split_off(VertexId v, std::uint32_t point, const double (&p)[3], st
     Insertion result;
     try {
         result = insert(q, Locator{mesh, state_.calls(), nullptr}.tetrahedron_of(v));
-        if (result.duplicate != infinite_vertex) join(result.duplicate, point);
+        if (result.duplicate != infinite_vertex) others_.join(result.duplicate, point);
     } catch (...) {
         mesh.vertices.pop_back();
         mesh.vertex_hint.pop_back();

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/equal_points.hpp"
 #include "core/hole_filling.hpp"
+#include "core/other_points.hpp"
 #include "core/rebuild.hpp"
 #include "core/stopwatch.hpp"
 #include "core/vertex_compaction.hpp"
@@ -15,15 +15,9 @@ namespace {
 class Removal {
   public:
     Removal(State& state, const Buffer<std::uint32_t>& points)
-        : state_(state),
-          is_alone_(points.size() == 1 && state.statistics.duplicates != 0),
-          equal_points_(state.allocator, state.mesh.vertices.size()),
-          gaps_(state.allocator) {
+        : state_(state), others_(state, points), gaps_(state.allocator) {
         gaps_.reserve(points.size());
-        if (is_alone_)
-            state.points.equals.update(state.points.map, state.mesh.vertices);
-        else if (are_equals_among(state, points))
-            equal_points_.find(state.points.map, points);
+        others_.find();
     }
     ~Removal() { close_gaps(state_, gaps_); }
     Removal(const Removal&) = delete;
@@ -42,8 +36,7 @@ class Removal {
 
   private:
     State& state_;
-    const bool is_alone_;  // one point is removed, and some points are equal
-    EqualPoints equal_points_;
+    OtherPoints others_;
     Buffer<VertexId> gaps_;  // numbers of vertices that were removed
 };
 
@@ -51,9 +44,7 @@ bool Removal::try_to_take_out(std::uint32_t point, RemovalBudget* budget, std::s
     Mesh& mesh = state_.mesh;
     VertexRemoval& vertex = state_.vertex_removal;
     const VertexId v = state_.points.map[point];
-    const std::uint32_t other =
-        is_alone_ ? state_.points.equals.least_other(state_.points.map, mesh.vertices[v], v, point)
-                  : equal_points_.least_other(state_.points.map, v, point);
+    const std::uint32_t other = others_.least(v, point);
     if (other != no_index) {
         std::uint32_t& stand_in = mesh.vertices[v].index;
         if (stand_in == point) stand_in = other;
@@ -125,13 +116,6 @@ std::size_t remove_one_by_one(State& state, const Buffer<std::uint32_t>& points,
 }
 
 }  // namespace
-
-bool are_equals_among(const State& state, const Buffer<std::uint32_t>& points) noexcept {
-    return state.statistics.duplicates != 0 &&
-           std::any_of(points.begin(), points.end(), [&](std::uint32_t i) {
-               return state.mesh.vertices[state.points.map[i]].moved_to == has_equals;
-           });
-}
 
 bool is_rebuild_better(const State& state, const RemovalBudget& budget, std::size_t left) noexcept {
     return state.hooks.vertices_per_rebuild != 0 &&

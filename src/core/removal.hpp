@@ -12,8 +12,6 @@ namespace mgdt {
 // Removes the points with these indices, counted from 0. Throws as Triangulation::remove().
 void remove_points(State& state, const Buffer<std::uint32_t>& points);
 
-// Whether some of these points share a vertex with others, or have done so.
-bool are_equals_among(const State& state, const Buffer<std::uint32_t>& points) noexcept;
 // Whether a rebuild without the `left` points that are still to be removed is faster than filling
 // the hole of the vertex whose link was found.
 bool is_rebuild_better(const State& state, const RemovalBudget& budget, std::size_t left) noexcept;
