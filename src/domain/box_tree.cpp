@@ -3,8 +3,8 @@
 
 namespace mgdt {
 
-BoxTree::BoxTree(Allocator& allocator, const Buffer<BoundingBox>& boxes)
-    : allocator_(allocator), boxes_(boxes), order_(allocator), nodes_(allocator) {
+BoxTree::BoxTree(Allocator& allocator, const Buffer<BoundingBox>& boxes, const StopRequest& stop)
+    : allocator_(allocator), boxes_(boxes), stop_(stop), order_(allocator), nodes_(allocator) {
     const auto n = static_cast<std::uint32_t>(boxes.size());
     order_.resize(n);
     for (std::uint32_t i = 0; i < n; ++i) order_[i] = i;
@@ -13,6 +13,7 @@ BoxTree::BoxTree(Allocator& allocator, const Buffer<BoundingBox>& boxes)
 
 // Halves the boxes along the longest side of their common box. The depth is logarithmic.
 std::uint32_t BoxTree::make(std::uint32_t begin, std::uint32_t end) {
+    stop_.poll_in_step(nodes_.size());
     BoundingBox box = boxes_[order_[begin]];
     for (std::uint32_t i = begin + 1; i < end; ++i) box.include(boxes_[order_[i]]);
     const auto number = static_cast<std::uint32_t>(nodes_.size());

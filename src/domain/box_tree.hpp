@@ -7,6 +7,7 @@
 
 #include "parallel/team.hpp"
 #include "platform/memory.hpp"
+#include "platform/stop_request.hpp"
 
 namespace mgdt {
 
@@ -29,11 +30,13 @@ struct BoundingBox {
 
 class BoxTree {
   public:
-    // The boxes have to stay as they are. O(n log n).
-    BoxTree(Allocator& allocator, const Buffer<BoundingBox>& boxes);
+    // The boxes have to stay as they are. O(n log n). A request to stop ends this call and
+    // for_each_pair().
+    BoxTree(Allocator& allocator, const Buffer<BoundingBox>& boxes, const StopRequest& stop);
 
     // Calls f(i, j, member) for each two boxes i < j that overlap. The members of the team call it
-    // at the same time.
+    // at the same time. The time is usually O(n) and that of the calls. It may be more where large
+    // parts of the tree overlap although their boxes do not, as for crossing layers of wires.
     template <class F>
     void for_each_pair(Team& team, F f) const;
 
@@ -57,6 +60,7 @@ class BoxTree {
 
     Allocator& allocator_;
     const Buffer<BoundingBox>& boxes_;
+    const StopRequest stop_;
     Buffer<std::uint32_t> order_;
     Buffer<Node> nodes_;
 };
@@ -92,9 +96,11 @@ void BoxTree::for_each_pair(Team& team, F f) const {
     team.split(
         pairs.size(), pairs_per_thread, [&](std::size_t begin, std::size_t end, unsigned member) {
             Buffer<Pair> stack(allocator_);
+            std::size_t steps = 0;
             for (std::size_t p = begin; p < end; ++p) {
                 stack.push_back(pairs[p]);
                 while (!stack.empty()) {
+                    stop_.poll_in_step(steps++);
                     const Pair pair = stack.back();
                     stack.resize(stack.size() - 1);
                     if (!divide(pair, stack))

@@ -21,13 +21,6 @@ bool are_equal_triangles(const Simplex& a, const Simplex& b) {
     return a.size == 3 && b.size == 3 && std::is_permutation(a.number, a.number + 3, b.number);
 }
 
-// What one thread has found.
-struct Found {
-    explicit Found(Allocator& allocator) : pairs(allocator) {}
-    std::size_t tests = 0;
-    Buffer<OffendingPair> pairs;
-};
-
 }  // namespace
 
 Buffer<OffendingPair> offending_pairs(const Boundary& boundary, Team& team, Allocator& allocator,
@@ -44,21 +37,19 @@ Buffer<OffendingPair> offending_pairs(const Boundary& boundary, Team& team, Allo
             flat[i] = is_flat(boundary.simplex(i)) ? 1 : 0;
         }
     });
-    PerMember<Found> found(team, allocator, std::ref(allocator));
-    const BoxTree tree(allocator, boxes);
+    PerMember<Buffer<OffendingPair>> found(team, allocator, std::ref(allocator));
+    const BoxTree tree(allocator, boxes, stop);
     tree.for_each_pair(team, [&](std::uint32_t i, std::uint32_t j, unsigned member) {
-        Found& of_member = found[member];
-        stop.poll_in_step(of_member.tests++);
         if ((flat[i] | flat[j]) != 0) return;
         const Simplex a = boundary.simplex(i), b = boundary.simplex(j);
         if (are_equal_triangles(a, b) || !meet_in_common_face(a, b))
-            of_member.pairs.push_back({i, j});
+            found[member].push_back({i, j});
     });
     Buffer<OffendingPair> pairs(allocator);
     for (std::uint32_t i = 0; i < n; ++i)
         if (flat[i] != 0) pairs.push_back({i, i});
-    for (const Found& of_member : found)
-        for (const OffendingPair& pair : of_member.pairs) pairs.push_back(pair);
+    for (const Buffer<OffendingPair>& of_member : found)
+        for (const OffendingPair& pair : of_member) pairs.push_back(pair);
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }

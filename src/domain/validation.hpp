@@ -19,8 +19,8 @@ struct OffendingPair {
 
 // All pairs that offend, sorted: flat triangles; triangles with the same corners; and each two
 // simplices, neither of them flat, that do not meet in a common face. Repeated segments and
-// segments that are edges of triangles pass. The time is O(n log n) and a test for each pair whose
-// boxes overlap.
+// segments that are edges of triangles pass. The time is that of BoxTree and of a test for each
+// pair whose boxes overlap.
 Buffer<OffendingPair> offending_pairs(const Boundary& boundary, Team& team, Allocator& allocator,
                                       const StopRequest& stop);
 

@@ -325,7 +325,8 @@ void Assembly::measure_cells(AtomicArray<TetId>& first, const VertexIndices& ind
             stop.poll_in_step(v);
             if (v + 2 * ahead < end) {
                 const std::size_t cell = indices[static_cast<VertexId>(v + 2 * ahead)];
-                prefetch(&d.cell_faces[d.cell_begin[cell]]);
+                // The last cells may have no faces, so there may be no such item.
+                prefetch(d.cell_faces.begin() + d.cell_begin[cell]);
             }
             if (v + ahead < end) prefetch_faces(indices[static_cast<VertexId>(v + ahead)]);
             const std::size_t cell = indices[static_cast<VertexId>(v)];

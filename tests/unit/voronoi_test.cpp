@@ -184,6 +184,22 @@ TEST(Voronoi, RepeatsHaveNoCell) {
     check_cells(*d);
 }
 
+// A point may be outside of the region by less than rounding, and all of its cell with it. Here
+// that is the last cell.
+TEST(Voronoi, TheLastCellMayHaveNoFaces) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        Points xyz = uniform(20, seed);
+        for (const double x : {1 - 0x1p-53, .5, .5, 1 + 0x1p-52, .5, .5}) xyz.push_back(x);
+        OwnDiagram d(xyz, box(0, 1));
+        ASSERT_EQ(d->cell_begin[22], d->cell_begin[21]);
+        ASSERT_EQ(d->cell_begin[22], d->cell_faces.size());
+        EXPECT_EQ(d->volumes[21], 0);
+        double sum = 0;
+        for (const double volume : d->volumes) sum += volume;
+        EXPECT_NEAR(sum, 1, 1e-12);
+    }
+}
+
 // A rotated lattice is rounded: its cells have tiny faces, which are left out on both sides.
 TEST(Voronoi, SmallFacesCanBeLeftOut) {
     Points xyz = lattice(5, 0);
