@@ -24,13 +24,8 @@ Simplex Boundary::simplex(std::size_t i) const noexcept {
 
 BoundingBox Boundary::box(std::size_t i) const noexcept {
     const Simplex s = simplex(i);
-    BoundingBox box;
-    for (int k = 0; k < 3; ++k) box.low[k] = box.high[k] = s.x[0][k];
-    for (int c = 1; c < s.size; ++c)
-        for (int k = 0; k < 3; ++k) {
-            box.low[k] = std::min(box.low[k], s.x[c][k]);
-            box.high[k] = std::max(box.high[k], s.x[c][k]);
-        }
+    BoundingBox box(s.x[0]);
+    for (int c = 1; c < s.size; ++c) box.include(BoundingBox(s.x[c]));
     return box;
 }
 

@@ -15,6 +15,11 @@ namespace mgdt {
 struct BoundingBox {
     double low[3], high[3];
 
+    BoundingBox() = default;
+    explicit BoundingBox(const double* point) {
+        std::copy_n(point, 3, low);
+        std::copy_n(point, 3, high);
+    }
     void include(const BoundingBox& other) {
         for (int k = 0; k < 3; ++k) {
             low[k] = std::min(low[k], other.low[k]);
@@ -102,7 +107,7 @@ void BoxTree::for_each_pair(Team& team, F f) const {
                 while (!stack.empty()) {
                     stop_.poll_in_step(steps++);
                     const Pair pair = stack.back();
-                    stack.resize(stack.size() - 1);
+                    stack.pop_back();
                     if (!divide(pair, stack))
                         compare_leaves(pair,
                                        [&](std::uint32_t i, std::uint32_t j) { f(i, j, member); });

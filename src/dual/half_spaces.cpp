@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dual/half_spaces.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+
+#include "predicates/differences.hpp"
 
 namespace mgdt {
 namespace {
@@ -49,7 +50,7 @@ void HalfSpaces::add_nearer_side(const double* point) {
 
 void HalfSpaces::add_plane(const double* of, int scale) {
     sources_.push_back({of, true, scale});
-    const double largest = std::max(std::max(std::fabs(of[0]), std::fabs(of[1])), std::fabs(of[2]));
+    const double largest = exact::largest_of<0, 3>(of);
     // Scales normals to lengths between 1 and 4.
     const int shift = -std::ilogb(largest);
     Side side;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "predicates/circumcenter.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -17,10 +16,6 @@ namespace mgdt {
 namespace exact {
 namespace {
 
-MGDT_PREDICATES_INLINE double largest_of_three(const double (&v)[3]) {
-    return std::max(std::max(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
-}
-
 // The position of a vertex relative to the first vertex.
 struct Row {
     double x[3], low[3];  // the rounded difference, and the rounding error
@@ -34,7 +29,7 @@ MGDT_PREDICATES_INLINE Row row(const double* p, const double* origin) {
         r.x[k] = d.high;
         r.low[k] = d.low;
     });
-    r.largest = largest_of_three(r.x);
+    r.largest = largest_of<0, 3>(r.x);
     return r;
 }
 
@@ -111,8 +106,8 @@ MGDT_PREDICATES_INLINE bool solve(const double* const (&p)[4], const Circumcente
     each<3>([&](auto i) { of[i] = residual(r[i], result.rough); });
     times_inverse(of, result.correction);
 
-    const double largest = largest_of_three(result.rough),
-                 change = largest_of_three(result.correction);
+    const double largest = largest_of<0, 3>(result.rough),
+                 change = largest_of<0, 3>(result.correction);
     double sum = 0, rests = 0;
     each<3>([&](auto i) {
         const double others = r[(i + 1) % 3].largest * r[(i + 2) % 3].largest;

@@ -179,6 +179,19 @@ void Assembly::number_corners() {
     set_vertices(corner_of);
 }
 
+// Writes a circumcentre without the mesh's scale, rounded to the nearest doubles.
+void Assembly::write_circumcenter(TetId t, double* out) const {
+    double x[3];
+    if (unscale(centers_[t].x, mesh_.scale, x)) {
+        std::copy_n(x, 3, out);
+        return;
+    }
+    const VertexId(&v)[4] = mesh_.tetrahedra[t].v;
+    const Circumcenter center = circumcenter(
+        {mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3])}, mesh_.scale);
+    std::copy_n(center.x, 3, out);
+}
+
 void Assembly::set_vertices(const Buffer<std::uint32_t>& corner_of) {
     Buffer<double>& vertices = diagram_.vertices;
     set_size(vertices, 3 * corner_of.size());
@@ -190,19 +203,10 @@ void Assembly::set_vertices(const Buffer<std::uint32_t>& corner_of) {
                     if (const std::uint32_t next = corner_of[i + ahead]; next < cut_corner)
                         centers_.prefetch(next);
                 const std::uint32_t corner = corner_of[i];
-                if (corner >= cut_corner) continue;
-                double x[3];
-                if (!unscale(centers_[corner].x, mesh_.scale, x)) {
-                    const VertexId(&v)[4] = mesh_.tetrahedra[corner].v;
-                    const Circumcenter center = circumcenter({mesh_.point(v[0]), mesh_.point(v[1]),
-                                                              mesh_.point(v[2]), mesh_.point(v[3])},
-                                                             mesh_.scale);
-                    std::copy_n(center.x, 3, x);
-                }
-                std::copy_n(x, 3, vertices.begin() + 3 * i);
+                if (corner < cut_corner) write_circumcenter(corner, vertices.begin() + 3 * i);
             }
         });
-    // These share the memory of exact numbers.
+    // One thread writes the corners at the region, since they share the memory of exact numbers.
     if (cut_.size() == 0) return;
     for (std::size_t i = 0; i < corner_of.size(); ++i) {
         if (corner_of[i] < cut_corner) continue;
@@ -320,16 +324,16 @@ void Assembly::measure_cells(AtomicArray<TetId>& first, const VertexIndices& ind
     d.cell_centroids.resize(3 * points, 0.0);
     view_.team.split(vertices, cells_per_thread, [&](std::size_t begin, std::size_t end, unsigned) {
         CellMeasurer measurer(view_.allocator);
-        constexpr std::size_t ahead = 4;
-        for (std::size_t v = begin == 0 ? 1 : begin; v < end; ++v) {
+        constexpr VertexId ahead = 4;
+        for (auto v = static_cast<VertexId>(std::max<std::size_t>(begin, 1)); v < end; ++v) {
             stop.poll_in_step(v);
             if (v + 2 * ahead < end) {
-                const std::size_t cell = indices[static_cast<VertexId>(v + 2 * ahead)];
+                const std::size_t cell = indices[v + 2 * ahead];
                 // The last cells may have no faces, so there may be no such item.
                 prefetch(d.cell_faces.begin() + d.cell_begin[cell]);
             }
-            if (v + ahead < end) prefetch_faces(indices[static_cast<VertexId>(v + ahead)]);
-            const std::size_t cell = indices[static_cast<VertexId>(v)];
+            if (v + ahead < end) prefetch_faces(indices[v + ahead]);
+            const std::size_t cell = indices[v];
             double* const centroid = d.cell_centroids.begin() + 3 * cell;
             if (d.is_bounded[cell] == 0) {
                 d.volumes[cell] = unbounded;
@@ -338,10 +342,8 @@ void Assembly::measure_cells(AtomicArray<TetId>& first, const VertexIndices& ind
             }
             if (measure_cell(cell, d.volumes[cell], centroid)) continue;
             const TetId of_cell = first[v].load(std::memory_order_relaxed);
-            measurer.measure(mesh_, static_cast<VertexId>(v), of_cell, region_, Measure::volume,
-                             &d.volumes[cell]);
-            measurer.measure(mesh_, static_cast<VertexId>(v), of_cell, region_, Measure::centroid,
-                             centroid);
+            measurer.measure(mesh_, v, of_cell, region_, Measure::volume, &d.volumes[cell]);
+            measurer.measure(mesh_, v, of_cell, region_, Measure::centroid, centroid);
         }
     });
 }

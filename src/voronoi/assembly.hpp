@@ -36,6 +36,7 @@ class Assembly {
     void prefetch_corners(std::size_t item) const noexcept;
     void prefetch_faces(std::size_t cell) const noexcept;
     void copy_faces();
+    void write_circumcenter(TetId t, double* out) const;
     void set_vertices(const Buffer<std::uint32_t>& corner_of);
     std::uint32_t add_ray(const Tetrahedron& ghost, std::uint32_t vertex);
     bool measure_cell(std::size_t cell, double& volume, double* centroid) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "predicates/differences.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
@@ -29,7 +30,7 @@ Circumcenters::Circumcenters(const ExportView& view, const VertexIndices& indice
 void Circumcenters::set_factor(const ExportView& view) {
     double largest = 0;
     for (VertexId v = 1; v < view.mesh.vertices.size(); ++v)
-        for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(view.mesh.point(v)[k]));
+        largest = std::max(largest, exact::largest_of<0, 3>(view.mesh.point(v)));
     constexpr int most = 1000;
     factor_ = std::ldexp(1.0, -std::max(-most, std::min(most, std::ilogb(largest))));
 }

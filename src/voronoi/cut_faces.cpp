@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "predicates/differences.hpp"
+
 namespace mgdt {
 
 CutFaces::CutFaces(const ExportView& view, const VertexIndices& indices, const Region& region,
@@ -30,9 +32,7 @@ void CutFaces::mark() {
                              if (t.is_dead()) continue;
                              if (!t.is_ghost()) {
                                  const double(&x)[3] = centers_[static_cast<TetId>(id)].x;
-                                 double largest = 0;
-                                 for (const double of : x)
-                                     largest = std::max(largest, std::fabs(of));
+                                 const double largest = exact::largest_of<0, 3>(x);
                                  if (region_.clearance(x) > 2 * rounding_of<double> * largest)
                                      continue;
                              }

@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "predicates/differences.hpp"
+
 namespace mgdt {
 namespace {
 
 // A vector divided by its length, whatever its magnitude.
 void normalize(const double (&way)[3], double* out) {
-    const double largest =
-        std::max(std::max(std::fabs(way[0]), std::fabs(way[1])), std::fabs(way[2]));
+    const double largest = exact::largest_of<0, 3>(way);
     const int shift = -std::ilogb(largest);
     double x[3], squares = 0;
     for (int k = 0; k < 3; ++k) {

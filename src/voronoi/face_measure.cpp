@@ -17,8 +17,8 @@ constexpr double tiny_area = 1e-14;
 // The error that an area in doubles may have. It is below measure_error, so that the bounds of a
 // cell, to which all its faces add, are below it too.
 constexpr double enough_in_doubles = 0.05 * measure_error;
-// What the normal and the result, which are doubles, add to an error. In doubles, the bounds
-// include it.
+// The relative error that the normal and the result add, as both are doubles. The bounds of a sum
+// in doubles include it.
 template <class Real>
 constexpr double own_error = 0;
 template <>

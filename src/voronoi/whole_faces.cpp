@@ -18,7 +18,6 @@ constexpr std::size_t rings_at_once = 8;
 // The tetrahedra around an edge.
 struct Ring {
     explicit Ring(Allocator& allocator) : steps(allocator) {}
-    RingStep next;
     VertexId a, b;  // the ends of the edge, the first one with the lesser index
     bool is_complete;
     Buffer<RingStep> steps;
@@ -73,14 +72,14 @@ void WholeFaces::Finder::gather_rings() {
         for (std::size_t r = 0; r < left;) {
             Ring& ring = *active[r];
             const TetId first = ring.steps[0].t;
-            ring.next = ring.next.next(mesh_);
-            if (ring.next.t > first) {
-                centers_.prefetch(ring.next.t);
-                ring.steps.push_back(ring.next);
+            const RingStep next = ring.steps.back().next(mesh_);
+            if (next.t > first) {
+                centers_.prefetch(next.t);
+                ring.steps.push_back(next);
                 ++r;
                 continue;
             }
-            ring.is_complete = ring.next.t == first;
+            ring.is_complete = next.t == first;
             active[r] = active[--left];
         }
 }
@@ -138,9 +137,8 @@ void WholeFaces::Finder::add(TetId t, unsigned i, unsigned j) {
     Ring& ring = rings_[count_++];
     ring.a = first.v[i];
     ring.b = first.v[j];
-    ring.next = RingStep::first(t, i, j);
     ring.steps.clear();
-    ring.steps.push_back(ring.next);
+    ring.steps.push_back(RingStep::first(t, i, j));
     if (count_ == rings_.size()) finish();
 }
 
