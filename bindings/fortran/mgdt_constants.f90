@@ -38,6 +38,12 @@ module mgdt_constants
     integer, parameter :: mgdt_err_transport = 50
     ! mgdt_check() found a defect.
     integer, parameter :: mgdt_err_check_failed = 60
+    ! Facets, segments or points of a domain cross or touch where they must not, or are flat. Since
+    ! 1.3.
+    integer, parameter :: mgdt_err_invalid_boundary = 70
+    ! The mesh of a domain needs points nearer to each other than double precision allows. Since
+    ! 1.3.
+    integer, parameter :: mgdt_err_resolution = 71
     ! A defect of mgdt itself; please report it.
     integer, parameter :: mgdt_err_internal = 90
 

@@ -121,6 +121,8 @@
     E(BUSY, busy)                         \
     E(TRANSPORT, transport)               \
     E(CHECK_FAILED, check_failed)         \
+    E(INVALID_BOUNDARY, invalid_boundary) \
+    E(RESOLUTION, resolution)             \
     E(INTERNAL, internal)
 
 #endif /* MGDT_OCTAVE_INTERFACE_H */

@@ -116,7 +116,13 @@ enum {
     /** A function of an mgdt_transport reported a failure. Since 1.2. */
     MGDT_ERR_TRANSPORT = 50,
     MGDT_ERR_CHECK_FAILED = 60, /**< mgdt_check() found a defect. */
-    MGDT_ERR_INTERNAL = 90      /**< A defect of mgdt itself; please report it. */
+    /** Facets, segments or points of a domain cross or touch where they must not, or are flat.
+     *  Since 1.3. */
+    MGDT_ERR_INVALID_BOUNDARY = 70,
+    /** The mesh of a domain needs points nearer to each other than double precision allows. Since
+     *  1.3. */
+    MGDT_ERR_RESOLUTION = 71,
+    MGDT_ERR_INTERNAL = 90 /**< A defect of mgdt itself; please report it. */
 };
 
 /** Order schemes: in which order the points of one call are inserted. The time depends on the

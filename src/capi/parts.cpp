@@ -153,7 +153,7 @@ void build(mgdt_parts& p, const Parts::Visit* visit) {
     }
     p.passes_through = passes_through;
     p.triangulation->set_threads(p.threads);
-    PartsProgress progress(p.progress, p.progress_user, p.cancelled);
+    StageProgress progress(p.progress, p.progress_user, p.cancelled);
     const std::int64_t* const* const all_ids = p.has_ids ? ids.data() : nullptr;
     p.keeps_tetrahedra = visit == nullptr;
     if (visit)

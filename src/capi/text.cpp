@@ -100,6 +100,10 @@ extern "C" const char* mgdt_status_string(mgdt_status s) {
             return "the transport between parts failed";
         case MGDT_ERR_CHECK_FAILED:
             return "the check found a defect";
+        case MGDT_ERR_INVALID_BOUNDARY:
+            return "facets, segments or points of the domain cross, touch or are flat";
+        case MGDT_ERR_RESOLUTION:
+            return "the mesh needs points nearer to each other than double precision allows";
         case MGDT_ERR_INTERNAL:
             return "internal error";
         default:

@@ -52,7 +52,7 @@ void Part::begin(PartId self, std::int64_t first, const PartPoint* own, std::siz
     }
 }
 
-void Part::insert(const PartPoint* points, std::size_t n, PartsProgress& progress, std::size_t i,
+void Part::insert(const PartPoint* points, std::size_t n, StageProgress& progress, std::size_t i,
                   std::size_t shares) {
     // A part without own points has no tetrahedra to contribute, so it needs no other points.
     if (own_ == 0) return;

@@ -6,10 +6,10 @@
 
 #include <optional>
 
+#include "core/stage_progress.hpp"
 #include "core/triangulation.hpp"
 #include "parts/boxes.hpp"
 #include "parts/part_point.hpp"
-#include "parts/progress.hpp"
 
 namespace mgdt {
 
@@ -30,7 +30,7 @@ class Part {
     void begin(PartId self, std::int64_t first, const PartPoint* own, std::size_t n);
     // Inserts points of other parts; some of these points may be known already. The progress of
     // the insertion is share i of `shares` of the current stage.
-    void insert(const PartPoint* points, std::size_t n, PartsProgress& progress, std::size_t i,
+    void insert(const PartPoint* points, std::size_t n, StageProgress& progress, std::size_t i,
                 std::size_t shares);
     // Frees the triangulation. The next insertion triangulates all points again.
     void forget_triangulation() {

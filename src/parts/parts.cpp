@@ -31,7 +31,7 @@ std::size_t Parts::bytes() const {
 }
 
 void Parts::build(const GivenPoints* given, const std::int64_t* const* ids,
-                  PartsProgress& progress) {
+                  StageProgress& progress) {
     settle(given, ids, progress);
     const PartId local = collective_.local_parts();
     Objects<Mail> received(allocator_, local, std::ref(allocator_));
@@ -47,7 +47,7 @@ void Parts::build(const GivenPoints* given, const std::int64_t* const* ids,
 }
 
 void Parts::build_each(const GivenPoints* given, const std::int64_t* const* ids,
-                       PartsProgress& progress, const Visit& visit) {
+                       StageProgress& progress, const Visit& visit) {
     settle(given, ids, progress);
     const PartId parts = collective_.parts();
     Objects<Mail> received(allocator_, parts, std::ref(allocator_));
@@ -68,7 +68,7 @@ void Parts::build_each(const GivenPoints* given, const std::int64_t* const* ids,
 }
 
 void Parts::settle(const GivenPoints* given, const std::int64_t* const* ids,
-                   PartsProgress& progress) {
+                   StageProgress& progress) {
     progress.enter(0, 0.1);
     homes_.divide(collective_, given);
     progress.report(0.5);
@@ -77,7 +77,7 @@ void Parts::settle(const GivenPoints* given, const std::int64_t* const* ids,
     if (ids) require_distinct_ids(collective_, given, ids, vertices_of_given_, allocator_);
 }
 
-void Parts::exchange(PartsProgress& progress, bool one_at_a_time, Objects<Mail>& received) {
+void Parts::exchange(StageProgress& progress, bool one_at_a_time, Objects<Mail>& received) {
     const PartId local = collective_.local_parts();
     progress.enter(0.1, one_at_a_time ? 0.5 : 0.7);
     gather_boxes();

@@ -21,13 +21,13 @@ class Parts {
     // Collective. The caller calls this function once, inside Collective::run(). Takes the points
     // of each local part, with finite coordinates, and their ids. Throws if different points have
     // the same id. If `ids` is null, the ids are consecutive numbers through all parts.
-    void build(const GivenPoints* given, const std::int64_t* const* ids, PartsProgress& progress);
+    void build(const GivenPoints* given, const std::int64_t* const* ids, StageProgress& progress);
     // Like build(), but with one triangulation in memory at a time. Calls visit(i) for each part i
     // while the triangulation of part i exists. At that time the owned tetrahedra have numbers,
     // the other tetrahedra have none. All parts must be local.
     using Visit = std::function<void(PartId)>;
     void build_each(const GivenPoints* given, const std::int64_t* const* ids,
-                    PartsProgress& progress, const Visit& visit);
+                    StageProgress& progress, const Visit& visit);
     // Collective. Checks the triangulation, and throws MGDT_ERR_CHECK_FAILED if it is not valid
     // (parts/check.cpp).
     void check(std::int32_t level);
@@ -46,10 +46,10 @@ class Parts {
     std::size_t bytes() const;
 
   private:
-    void settle(const GivenPoints* given, const std::int64_t* const* ids, PartsProgress& progress);
+    void settle(const GivenPoints* given, const std::int64_t* const* ids, StageProgress& progress);
     // Triangulates the own points of each local part with the skeleton. `received` gets the points
     // that the local parts need from other parts.
-    void exchange(PartsProgress& progress, bool one_at_a_time, Objects<Mail>& received);
+    void exchange(StageProgress& progress, bool one_at_a_time, Objects<Mail>& received);
     void gather_boxes();
 
     Allocator allocator_;

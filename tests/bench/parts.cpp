@@ -39,7 +39,7 @@ void run(const std::string& name, std::size_t each, mgdt::PartId parts) {
     mgdt::InProcess transport(parts);
     mgdt::Collective collective(transport);
     mgdt::Atomic<bool> cancelled{false};
-    mgdt::PartsProgress progress(nullptr, nullptr, cancelled);
+    mgdt::StageProgress progress(nullptr, nullptr, cancelled);
     mgdt::Parts all(collective, nullptr, nullptr, nullptr);
     const double of_parts = bench::processor_seconds(
         [&] { collective.run([&] { all.build(given.data(), nullptr, progress); }); });

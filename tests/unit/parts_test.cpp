@@ -79,7 +79,7 @@ struct Built {
     Parts all;
     Dealt dealt;
     Atomic<bool> cancelled{false};
-    PartsProgress progress;
+    StageProgress progress;
 };
 
 void expect_defect(Built& built) {
@@ -405,7 +405,7 @@ std::vector<OfProcess> in_processes(const Points& xyz, PartId parts, bool to_one
                 collective.run([&] {
                     Parts mine(collective, Memory::take, Memory::give_back, &memory);
                     Atomic<bool> cancelled{false};
-                    PartsProgress progress(nullptr, nullptr, cancelled);
+                    StageProgress progress(nullptr, nullptr, cancelled);
                     mine.build(&dealt.given[p], nullptr, progress);
                     const Part& part = mine.local(0);
                     all[p].own_points = part.own_count();
@@ -541,7 +541,7 @@ TEST(Parts, StopWhereTheTransportFails) {
             collective.run([&] {
                 Parts all(collective, nullptr, nullptr, nullptr);
                 Atomic<bool> cancelled{false};
-                PartsProgress progress(nullptr, nullptr, cancelled);
+                StageProgress progress(nullptr, nullptr, cancelled);
                 all.build(dealt.given.data(), nullptr, progress);
             });
             EXPECT_GT(calls, 20);

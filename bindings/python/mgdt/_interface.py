@@ -156,6 +156,8 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "busy": 41,
         "transport": 50,
         "check_failed": 60,
+        "invalid_boundary": 70,
+        "resolution": 71,
         "internal": 90,
     },
     "order": {

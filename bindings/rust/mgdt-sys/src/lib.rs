@@ -37,6 +37,8 @@ pub const MGDT_ERR_CANCELLED: mgdt_status = 40;
 pub const MGDT_ERR_BUSY: mgdt_status = 41;
 pub const MGDT_ERR_TRANSPORT: mgdt_status = 50;
 pub const MGDT_ERR_CHECK_FAILED: mgdt_status = 60;
+pub const MGDT_ERR_INVALID_BOUNDARY: mgdt_status = 70;
+pub const MGDT_ERR_RESOLUTION: mgdt_status = 71;
 pub const MGDT_ERR_INTERNAL: mgdt_status = 90;
 
 pub const MGDT_ORDER_AUTO: i32 = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reports the progress of a process to its caller, who may cancel all processes.
+// Reports the progress of a call that has stages to its caller, who may cancel it.
 #pragma once
 
 #include "core/triangulation.hpp"
@@ -7,9 +7,9 @@
 
 namespace mgdt {
 
-class PartsProgress {
+class StageProgress {
   public:
-    PartsProgress(mgdt_progress_fn tell, void* user, Atomic<bool>& cancelled)
+    StageProgress(mgdt_progress_fn tell, void* user, Atomic<bool>& cancelled)
         : tell_(tell), user_(user), cancelled_(cancelled) {}
 
     // Enters the next stage, in which the progress of the whole call goes from `from` to `to`.
@@ -43,7 +43,7 @@ class PartsProgress {
 
   private:
     struct Share {
-        PartsProgress& progress;
+        StageProgress& progress;
         double first, count;
     };
     struct Unset {

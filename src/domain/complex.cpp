@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "domain/complex.hpp"
+
+#include "domain/polygon.hpp"
+#include "platform/number_table.hpp"
+
+namespace mgdt {
+namespace {
+
+bool are_equal(const double* a, const double* b) {
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+void join_equal_points(const DomainInput& input, Complex& complex, Allocator& allocator) {
+    const std::size_t n = input.point_count();
+    NumberTable table(allocator);
+    table.clear(n);
+    complex.number_of_point.resize(n);
+    Buffer<double>& points = complex.boundary.points;
+    points.reserve(3 * n);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const double* const p = input.points.begin() + 3 * std::size_t{i};
+        const std::uint32_t number = table.number(hash_of_coordinates(p), [&](std::uint32_t other) {
+            return are_equal(points.begin() + 3 * std::size_t{other}, p);
+        });
+        complex.number_of_point[i] = number;
+        if (number < points.size() / 3) continue;
+        for (int k = 0; k < 3; ++k) points.push_back(p[k] + 0.0);
+        complex.point_of_number.push_back(i);
+    }
+}
+
+void divide_facets(const DomainInput& input, Complex& complex, Allocator& allocator) {
+    Buffer<std::uint32_t> corners(allocator);
+    Buffer<std::uint32_t>& triangles = complex.boundary.triangles;
+    for (std::uint32_t f = 0; f < input.facet_count(); ++f) {
+        corners.clear();
+        for (std::uint32_t i = input.facet_begin[f]; i < input.facet_begin[f + 1]; ++i)
+            corners.push_back(complex.number_of_point[input.corners[i]]);
+        if (!triangulate_polygon(complex.boundary.points.begin(), corners.begin(), corners.size(),
+                                 triangles))
+            complex.bad_facets.push_back(f);
+        while (complex.facet_of_triangle.size() < triangles.size() / 3) {
+            complex.facet_of_triangle.push_back(f);
+            complex.markers.push_back(input.facet_markers[f]);
+        }
+    }
+}
+
+}  // namespace
+
+Complex make_complex(const DomainInput& input, Allocator& allocator) {
+    Complex complex(allocator);
+    join_equal_points(input, complex, allocator);
+    divide_facets(input, complex, allocator);
+    Boundary& boundary = complex.boundary;
+    for (const std::uint32_t end : input.segments)
+        boundary.segments.push_back(complex.number_of_point[end]);
+    Buffer<std::uint8_t> is_used(allocator);
+    is_used.resize(boundary.points.size() / 3, std::uint8_t{0});
+    for (const std::uint32_t v : boundary.triangles) is_used[v] = 1;
+    for (const std::uint32_t v : boundary.segments) is_used[v] = 1;
+    for (std::uint32_t v = 0; v < is_used.size(); ++v)
+        if (is_used[v] == 0) boundary.lone_points.push_back(v);
+    return complex;
+}
+
+}  // namespace mgdt

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "domain/divided_segment.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace mgdt {
+
+DividedSegment::DividedSegment(const double* a, const double* b) noexcept {
+    // Coordinate i may have as many places after the binary point as a double of the magnitude of
+    // the larger end has.
+    int places[3], zeros[3];
+    for (int i = 0; i < 3; ++i) {
+        origin_[i] = static_cast<std::int64_t>(a[i]);
+        step_[i] = static_cast<std::int64_t>(b[i]) - origin_[i];
+        const double largest = std::max(std::fabs(a[i]), std::fabs(b[i]));
+        constexpr int significant_bits = 53;
+        places[i] = largest > 0 ? significant_bits - 1 - std::ilogb(largest) : most_room;
+        zeros[i] = 0;
+        if (step_[i] == 0) continue;
+        while ((step_[i] >> zeros[i] & 1) == 0) ++zeros[i];
+        room_ = std::min(room_, places[i] + zeros[i]);
+    }
+    assert(room_ > 0 && "the ends are not on the grid");
+    for (int i = 0; i < 3; ++i) {
+        shift_[i] = step_[i] == 0 ? 0 : std::max(0, room_ - zeros[i]);
+        // Multiplications, since shifts of negative numbers are not defined in C++17.
+        origin_[i] *= std::int64_t{1} << shift_[i];
+        step_[i] = step_[i] / (std::int64_t{1} << (room_ - shift_[i]));
+    }
+}
+
+void DividedSegment::point(std::uint32_t k, double* x) const noexcept {
+    for (int i = 0; i < 3; ++i)
+        x[i] = std::ldexp(static_cast<double>(origin_[i] + k * step_[i]), -shift_[i]);
+}
+
+}  // namespace mgdt

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Points of a segment that are doubles, exactly.
+#pragma once
+
+#include <cstdint>
+
+namespace mgdt {
+
+// A segment between two points of a RoundingGrid, both in steps, and those of its points that
+// divide it in 2^room equal parts. These are doubles.
+class DividedSegment {
+  public:
+    static constexpr int most_room = 30;
+
+    DividedSegment(const double* a, const double* b) noexcept;
+
+    std::uint32_t parts() const noexcept { return std::uint32_t{1} << room_; }
+    // The point a + k / parts() (b - a), exactly.
+    void point(std::uint32_t k, double* x) const noexcept;
+
+  private:
+    int room_ = most_room;
+    // Coordinate i of point k is (origin_[i] + k step_[i]) 2^-shift_[i].
+    std::int64_t origin_[3], step_[3];
+    int shift_[3];
+};
+
+}  // namespace mgdt

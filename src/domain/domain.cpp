@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "domain/domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "domain/mesh_check.hpp"
+
+namespace mgdt {
+namespace {
+
+const char* name_of(Offence::Kind kind) {
+    return kind == Offence::facet ? "facet" : kind == Offence::segment ? "segment" : "point";
+}
+
+// Calls a function when the scope ends.
+template <class F>
+struct AtEnd {
+    F f;
+    ~AtEnd() { f(); }
+};
+template <class F>
+AtEnd(F) -> AtEnd<F>;
+
+}  // namespace
+
+void Domain::clear() noexcept {
+    cancelled_.store(false, std::memory_order_relaxed);
+    forget_results();
+    input_ = DomainInput(allocator_);
+}
+
+void Domain::forget_results() noexcept {
+    offences_.reset();
+    mesh_ = DomainMesh(allocator_);
+    facet_counts_ = FacetCounts();
+    planar_facets_ = 0;
+}
+
+unsigned Domain::threads() const noexcept {
+    if (settings_.threads > 0)
+        return std::min(static_cast<unsigned>(settings_.threads), Team::most);
+    return std::min(std::max(1u, std::thread::hardware_concurrency()), Team::most);
+}
+
+void Domain::validate() {
+    const AtEnd forget_request{[&] { cancelled_.store(false, std::memory_order_relaxed); }};
+    forget_results();
+    require_valid(make_complex(input_, allocator_), "");
+}
+
+// Writes the pairs that offend as the caller's items, and throws if there are any.
+void Domain::require_valid(const Complex& complex, const char* where) {
+    const Boundary& boundary = complex.boundary;
+    Team team(threads());
+    const Buffer<OffendingPair> pairs =
+        offending_pairs(boundary, team, allocator_, StopRequest(cancelled_));
+    const auto item = [&](std::size_t i) -> Offence::Item {
+        const std::size_t triangles = boundary.triangles.size() / 3,
+                          segments = boundary.segments.size() / 2;
+        if (i < triangles) return {Offence::facet, complex.facet_of_triangle[i]};
+        i -= triangles;
+        if (i < segments) return {Offence::segment, static_cast<std::uint32_t>(i)};
+        const std::uint32_t number = boundary.lone_points[i - segments];
+        return {Offence::point, complex.point_of_number[number]};
+    };
+    for (const OffendingPair& pair : pairs) {
+        Offence offence = {item(pair.first), item(pair.second)};
+        if (offence.second < offence.first) std::swap(offence.first, offence.second);
+        offences_.push_back(offence);
+    }
+    for (const std::uint32_t f : complex.bad_facets)
+        offences_.push_back({{Offence::facet, f}, {Offence::facet, f}});
+    std::sort(offences_.begin(), offences_.end());
+    offences_.resize(static_cast<std::size_t>(std::unique(offences_.begin(), offences_.end()) -
+                                              offences_.begin()));
+    if (offences_.empty()) return;
+    const Offence& o = offences_[0];
+    const auto number = [&](const Offence::Item& i) {
+        return static_cast<long long>(i.index) + settings_.index_base;
+    };
+    if (o.first == o.second)
+        fail(MGDT_ERR_INVALID_BOUNDARY, "%s %lld is flat or no polygon%s; %zu pairs in all offend",
+             name_of(o.first.kind), number(o.first), where, offences_.size());
+    fail(MGDT_ERR_INVALID_BOUNDARY,
+         "%s %lld and %s %lld meet elsewhere than in common corners or edges%s; %zu pairs in all "
+         "offend",
+         name_of(o.first.kind), number(o.first), name_of(o.second.kind), number(o.second), where,
+         offences_.size());
+}
+
+void Domain::check() const {
+    check_mesh(input_, mesh_, settings_.index_base, allocator_);
+}
+
+// Rounds the points of a complex to a grid. What is valid before and not afterwards is finer than
+// the grid, and is refused.
+RoundingGrid Domain::round(Complex& complex) {
+    Buffer<double>& points = complex.boundary.points;
+    double largest = 0;
+    for (const double x : points) largest = std::max(largest, std::fabs(x));
+    const RoundingGrid grid(largest);
+    bool is_changed = false;
+    for (double& x : points) {
+        const double rounded = grid.round(x);
+        is_changed = is_changed || grid.unround(rounded) != x;
+        x = rounded;
+    }
+    if (!is_changed) return grid;
+    DomainInput rounded(allocator_);
+    for (const double x : points) rounded.points.push_back(x);
+    if (make_complex(rounded, allocator_).point_of_number.size() != points.size() / 3)
+        fail(MGDT_ERR_RESOLUTION,
+             "two points are nearer to each other than 2^-%d of the largest "
+             "coordinate",
+             RoundingGrid::bits);
+    require_valid(complex, " when points are rounded to 2^-36 of the largest coordinate");
+    return grid;
+}
+
+void Domain::build() {
+    StageProgress progress(settings_.progress, settings_.progress_user, cancelled_);
+    const AtEnd forget_request{[&] { cancelled_.store(false, std::memory_order_relaxed); }};
+    forget_results();
+    try {
+        run(progress);
+    } catch (...) {
+        // The offences stay: they tell why.
+        mesh_ = DomainMesh(allocator_);
+        throw;
+    }
+    progress.finish();
+}
+
+void Domain::run(StageProgress& progress) {
+    const StopRequest stop(cancelled_);
+    progress.enter(0, 0.1);
+    Complex complex = make_complex(input_, allocator_);
+    require_valid(complex, "");
+    const RoundingGrid grid = round(complex);
+    const PlanarFacets facets = find_planar_facets(complex.boundary, complex.markers, allocator_);
+    planar_facets_ = facets.facets.size();
+
+    Triangulation triangulation(Allocator::allocate_from, Allocator::release_to, &allocator_);
+    triangulation.settings().threads = settings_.threads;
+    Buffer<double> points(allocator_);
+    points.resize(complex.boundary.points.size());
+    std::copy_n(complex.boundary.points.begin(), points.size(), points.begin());
+    progress.enter(0.1, 0.4);
+    progress.watch(triangulation, 0, 1, [&] {
+        const double* const axis[3] = {points.begin(), points.begin() + 1, points.begin() + 2};
+        triangulation.insert(points.size() / 3, axis, 3);
+    });
+    Buffer<SteinerPoint> steiner(allocator_);
+    Buffer<Subsegment> subsegments(allocator_);
+    if (triangulation.dimension() == 3)
+        subsegments =
+            split_segments(triangulation, points, facets.segments, steiner, progress, stop);
+    progress.enter(0.8, 0.9);
+    ConstrainedMesh mesh(triangulation, points, allocator_);
+    triangulation.clear();
+    triangulation.shrink();
+    if (triangulation.dimension() == 3 || !subsegments.empty())
+        facet_counts_ = insert_facets(mesh, facets, subsegments, allocator_, stop);
+    progress.enter(0.9, 1);
+    Buffer<DomainInput::Place> regions(allocator_), holes(allocator_);
+    const auto round_places = [&](const Buffer<DomainInput::Place>& from,
+                                  Buffer<DomainInput::Place>& to) {
+        for (DomainInput::Place place : from) {
+            for (double& x : place.x) x = grid.scaled(x);
+            to.push_back(place);
+        }
+    };
+    round_places(input_.regions, regions);
+    round_places(input_.holes, holes);
+    const Regions found = find_regions(mesh, regions, holes, allocator_);
+    assemble({input_, complex, facets, grid, mesh, subsegments, steiner, found},
+             settings_.rounds_points, allocator_, mesh_);
+}
+
+}  // namespace mgdt

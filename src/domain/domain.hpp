@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// A domain: its boundary as the caller gives it, and the mesh of its inside. A build makes a
+// complex of distinct points (complex.cpp), refuses what crosses (validation.cpp), rounds the
+// points to a grid (rounding_grid.cpp), joins triangles in one plane (planar_facets.cpp), divides
+// the segments until all are edges of the Delaunay triangulation (segment_splitting.cpp), puts the
+// facets into a copy of it (facet_insertion.cpp), and keeps what is inside (regions.cpp).
+#pragma once
+
+#include "core/stage_progress.hpp"
+#include "domain/domain_mesh.hpp"
+#include "domain/validation.hpp"
+
+namespace mgdt {
+
+struct DomainSettings {
+    std::int32_t index_base = 0, threads = 1;
+    bool rounds_points = false;
+    mgdt_progress_fn progress = nullptr;
+    void* progress_user = nullptr;
+};
+
+// Two of the caller's facets, segments or points that do not meet in a common face. A bad one is
+// paired with itself.
+struct Offence {
+    enum Kind : std::uint32_t { facet, segment, point };
+    struct Item {
+        Kind kind;
+        std::uint32_t index;
+        friend bool operator<(const Item& a, const Item& b) {
+            return a.kind != b.kind ? a.kind < b.kind : a.index < b.index;
+        }
+        friend bool operator==(const Item& a, const Item& b) {
+            return a.kind == b.kind && a.index == b.index;
+        }
+    };
+    Item first, second;
+    friend bool operator<(const Offence& a, const Offence& b) {
+        return a.first == b.first ? a.second < b.second : a.first < b.first;
+    }
+    friend bool operator==(const Offence& a, const Offence& b) {
+        return a.first == b.first && a.second == b.second;
+    }
+};
+
+class Domain {
+  public:
+    Domain(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user)
+        : allocator_(alloc, release, user),
+          input_(allocator_),
+          offences_(allocator_),
+          mesh_(allocator_) {}
+
+    // Finds all offences. Throws MGDT_ERR_INVALID_BOUNDARY if there are any.
+    void validate();
+    // Validates and makes the mesh. Throws Error and std::bad_alloc; there is no mesh then.
+    void build();
+    // Throws MGDT_ERR_CHECK_FAILED if the mesh has a defect.
+    void check() const;
+    // Removes everything but the settings.
+    void clear() noexcept;
+    // Removes the mesh and the offences.
+    void forget_results() noexcept;
+    void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+
+    Allocator& allocator() const noexcept { return allocator_; }
+    DomainSettings& settings() noexcept { return settings_; }
+    const DomainSettings& settings() const noexcept { return settings_; }
+    DomainInput& input() noexcept { return input_; }
+    const DomainInput& input() const noexcept { return input_; }
+    const Buffer<Offence>& offences() const noexcept { return offences_; }
+    const DomainMesh& mesh() const noexcept { return mesh_; }
+    const FacetCounts& facet_counts() const noexcept { return facet_counts_; }
+    std::size_t planar_facets() const noexcept { return planar_facets_; }
+
+  private:
+    void run(StageProgress& progress);
+    void require_valid(const Complex& complex, const char* where);
+    RoundingGrid round(Complex& complex);
+    unsigned threads() const noexcept;
+
+    mutable Allocator allocator_;
+    DomainSettings settings_;
+    DomainInput input_;
+    Buffer<Offence> offences_;
+    DomainMesh mesh_;
+    FacetCounts facet_counts_;
+    std::size_t planar_facets_ = 0;
+    Atomic<bool> cancelled_{false};
+};
+
+}  // namespace mgdt

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The mesh of a domain, as the caller reads it.
+#pragma once
+
+#include "domain/complex.hpp"
+#include "domain/facet_insertion.hpp"
+#include "domain/regions.hpp"
+#include "domain/rounding_grid.hpp"
+
+namespace mgdt {
+
+struct DomainMesh {
+    static constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+    explicit DomainMesh(Allocator& allocator)
+        : points(allocator),
+          exact_points(allocator),
+          tetrahedra(allocator),
+          neighbors(allocator),
+          regions(allocator),
+          region_markers(allocator),
+          faces(allocator),
+          face_tetrahedra(allocator),
+          face_facets(allocator),
+          face_markers(allocator),
+          segments(allocator),
+          segment_sources(allocator),
+          segment_markers(allocator),
+          steiner_edges(allocator),
+          steiner_parameters(allocator) {}
+
+    std::size_t tetrahedron_count() const noexcept { return tetrahedra.size() / 4; }
+
+    // The caller's points come first, then the Steiner points.
+    Buffer<double> points;
+    Buffer<double> exact_points;            // those on the grid, in steps
+    Buffer<std::uint32_t> tetrahedra;       // 4 corners, positively oriented
+    Buffer<std::uint32_t> neighbors;        // 4: the one opposite each corner, or `none`
+    Buffer<std::uint32_t> regions;          // of each tetrahedron
+    Buffer<std::int32_t> region_markers;    // of each region
+    Buffer<std::uint32_t> faces;            // 3 corners; oriented like the facet
+    Buffer<std::uint32_t> face_tetrahedra;  // 2: the one that the normal points to, and the other
+    Buffer<std::uint32_t> face_facets;      // the caller's facet
+    Buffer<std::int32_t> face_markers;
+    Buffer<std::uint32_t> segments;         // 2 ends
+    Buffer<std::uint32_t> segment_sources;  // the caller's segment, or `none`
+    Buffer<std::int32_t> segment_markers;
+    Buffer<std::uint32_t> steiner_edges;  // for each Steiner point the 2 ends of its edge
+    Buffer<double> steiner_parameters;    // and its parameter t on the edge
+    bool is_rounded = false;              // whether the caller's points are rounded to the grid
+};
+
+// What the stages of a build have found.
+struct DomainParts {
+    const DomainInput& input;
+    const Complex& complex;
+    const PlanarFacets& facets;
+    const RoundingGrid& grid;
+    const ConstrainedMesh& mesh;
+    const Buffer<Subsegment>& subsegments;
+    const Buffer<SteinerPoint>& steiner;
+    const Regions& regions;
+};
+
+// Writes the tetrahedra inside of the domain, the faces and the segments, in the order of their
+// corners: a function of the points, facets and segments alone. Chooses the caller's coordinates if
+// all tetrahedra are positive with them, unless `rounds` is set.
+void assemble(const DomainParts& parts, bool rounds, Allocator& allocator, DomainMesh& out);
+
+}  // namespace mgdt

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "domain/facet_insertion.hpp"
+
+#include <algorithm>
+
+#include "domain/cavity_filling.hpp"
+
+namespace mgdt {
+namespace {
+
+class FacetInsertion {
+  public:
+    FacetInsertion(ConstrainedMesh& mesh, const PlanarFacets& facets,
+                   const Buffer<Subsegment>& subsegments, Allocator& allocator)
+        : mesh_(mesh),
+          facets_(facets),
+          subsegments_(subsegments),
+          ends_(allocator),
+          first_part_(allocator),
+          walk_(mesh, ends_, allocator),
+          filling_(mesh, allocator),
+          crossed_(allocator),
+          component_(allocator) {
+        first_part_.resize(facets.segments.size() / 2, 0u);
+        for (std::uint32_t i = static_cast<std::uint32_t>(subsegments.size()); i-- > 0;)
+            first_part_[subsegments[i].segment] = i;
+        for (const Subsegment& s : subsegments) ends_.add(s.ends[0], s.ends[1]);
+    }
+
+    void insert(std::uint32_t facet, FacetCounts& counts) {
+        const std::uint32_t(&corner)[3] = facets_.facets[facet].corner;
+        const Subsegment& first = subsegments_[first_part_[segment(corner[0], corner[1])]];
+        walk_.run(corner, first.ends[0], first.ends[1]);
+        for (const std::uint32_t face : walk_.faces()) mesh_.mark(face, facet);
+        if (walk_.crossed().empty()) return;
+        ++counts.missing;
+        crossed_.clear();
+        for (const std::uint32_t t : walk_.crossed()) crossed_.push_back(t);
+        std::sort(crossed_.begin(), crossed_.end());
+        while (!crossed_.empty()) {
+            take_component();
+            filling_.replace(walk_, facet, component_);
+            ++counts.cavities;
+            counts.largest_cavity = std::max(counts.largest_cavity, component_.size());
+        }
+    }
+
+  private:
+    // The number of a segment.
+    std::uint32_t segment(std::uint32_t a, std::uint32_t b) const {
+        if (a > b) std::swap(a, b);
+        std::size_t low = 0, high = facets_.segments.size() / 2;
+        while (low < high) {
+            const std::size_t middle = low + (high - low) / 2;
+            const std::uint32_t* const s = facets_.segments.begin() + 2 * middle;
+            if (s[0] < a || (s[0] == a && s[1] < b))
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        return static_cast<std::uint32_t>(low);
+    }
+
+    // Moves crossed tetrahedra that are connected by crossed faces to component_.
+    void take_component() {
+        component_.clear();
+        component_.push_back(crossed_.back());
+        crossed_.pop_back();
+        for (std::size_t i = 0; i < component_.size(); ++i) {
+            const ConstrainedMesh::Tetrahedron& t = mesh_.tetrahedra[component_[i]];
+            for (unsigned face = 0; face < 4; ++face) {
+                bool has_above = false, has_below = false;
+                for (unsigned k = 0; k < 4; ++k) {
+                    if (k == face) continue;
+                    const int side = walk_.side(t.v[k]);
+                    has_above = has_above || side > 0;
+                    has_below = has_below || side < 0;
+                }
+                if (!has_above || !has_below) continue;
+                const std::uint32_t next = t.n[face] / 4;
+                std::uint32_t* const at = std::lower_bound(crossed_.begin(), crossed_.end(), next);
+                if (at == crossed_.end() || *at != next) continue;
+                component_.push_back(next);
+                std::copy(at + 1, crossed_.end(), at);
+                crossed_.pop_back();
+            }
+        }
+    }
+
+    ConstrainedMesh& mesh_;
+    const PlanarFacets& facets_;
+    const Buffer<Subsegment>& subsegments_;
+    PairTable ends_;
+    Buffer<std::uint32_t> first_part_;  // the first subsegment of each segment
+    FacetWalk walk_;
+    CavityFilling filling_;
+    Buffer<std::uint32_t> crossed_, component_;
+};
+
+}  // namespace
+
+FacetCounts insert_facets(ConstrainedMesh& mesh, const PlanarFacets& facets,
+                          const Buffer<Subsegment>& subsegments, Allocator& allocator,
+                          const StopRequest& stop) {
+    FacetCounts counts;
+    FacetInsertion insertion(mesh, facets, subsegments, allocator);
+    for (std::uint32_t f = 0; f < facets.facets.size(); ++f) {
+        stop.poll_in_step(f);
+        insertion.insert(f, counts);
+    }
+    return counts;
+}
+
+}  // namespace mgdt

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Numbers for unordered pairs of points, such as the ends of edges.
+#pragma once
+
+#include <algorithm>
+
+#include "platform/number_table.hpp"
+
+namespace mgdt {
+
+// Gives pairs the numbers 0, 1, 2, ... in the order in which they are added.
+class PairTable {
+  public:
+    static constexpr std::uint32_t none = NumberTable::none;
+
+    explicit PairTable(Allocator& allocator) : pairs_(allocator), table_(allocator) {
+        table_.clear(0);
+    }
+
+    std::size_t size() const noexcept { return pairs_.size(); }
+    // The number of a pair, which is size() before the call if the pair is new.
+    std::uint32_t add(std::uint32_t a, std::uint32_t b) {
+        const Pair pair = {std::min(a, b), std::max(a, b)};
+        table_.reserve(pairs_.size() + 1);
+        pairs_.grow(pairs_.size() + 1);
+        const std::uint32_t number =
+            table_.number(hash(pair), [&](std::uint32_t i) { return is_same(pairs_[i], pair); });
+        if (number == pairs_.size()) pairs_.push_back(pair);
+        return number;
+    }
+    // The number of a pair, or `none`.
+    std::uint32_t find(std::uint32_t a, std::uint32_t b) const noexcept {
+        const Pair pair = {std::min(a, b), std::max(a, b)};
+        return table_.find(hash(pair), [&](std::uint32_t i) { return is_same(pairs_[i], pair); });
+    }
+
+  private:
+    struct Pair {
+        std::uint32_t a, b;
+    };
+    static bool is_same(const Pair& one, const Pair& other) noexcept {
+        return one.a == other.a && one.b == other.b;
+    }
+    static std::uint32_t hash(const Pair& pair) noexcept {
+        std::uint64_t h = (std::uint64_t{pair.a} << 32 | pair.b) * 0x9E3779B97F4A7C15u;
+        h ^= h >> 29;
+        return static_cast<std::uint32_t>(h ^ h >> 32);
+    }
+
+    Buffer<Pair> pairs_;
+    NumberTable table_;
+};
+
+}  // namespace mgdt

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "domain/planar_facets.hpp"
+
+#include <algorithm>
+
+#include "parallel/disjoint_sets.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+namespace {
+
+constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+// An edge of a triangle, or a segment that the caller gave, whose `place` is `none`.
+struct Edge {
+    std::uint32_t a, b;   // the ends, a < b
+    std::uint32_t place;  // 3 times the triangle, plus the corner opposite the edge
+
+    friend bool operator<(const Edge& e, const Edge& f) {
+        return e.a != f.a ? e.a < f.a : e.b != f.b ? e.b < f.b : e.place < f.place;
+    }
+};
+
+Buffer<Edge> sorted_edges(const Boundary& boundary, Allocator& allocator) {
+    const std::size_t corners = boundary.triangles.size(), ends = boundary.segments.size();
+    Buffer<Edge> edges(allocator, corners + ends / 2);
+    const auto edge = [](std::uint32_t a, std::uint32_t b, std::uint32_t place) {
+        return Edge{std::min(a, b), std::max(a, b), place};
+    };
+    for (std::size_t i = 0; i < corners; ++i) {
+        const std::uint32_t* const v = boundary.triangles.begin() + i / 3 * 3;
+        edges[i] = edge(v[(i + 1) % 3], v[(i + 2) % 3], static_cast<std::uint32_t>(i));
+    }
+    for (std::size_t i = 0; i < ends; i += 2)
+        edges[corners + i / 2] = edge(boundary.segments[i], boundary.segments[i + 1], none);
+    std::sort(edges.begin(), edges.end());
+    return edges;
+}
+
+// Whether two triangles with a common edge are in one plane, on different sides of the edge.
+bool continue_each_other(const Boundary& boundary, const Edge& one, const Edge& other) {
+    const auto point = [&](std::uint32_t v) {
+        return boundary.points.begin() + 3 * std::size_t{v};
+    };
+    const double *const a = point(one.a), *const b = point(one.b),
+                        *const c = point(boundary.triangles[one.place]),
+                        *const d = point(boundary.triangles[other.place]);
+    return orientation(a, b, c, d) == 0 && side_of_edge(a, b, c, d) < 0;
+}
+
+}  // namespace
+
+PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int32_t>& markers,
+                                Allocator& allocator) {
+    PlanarFacets result(allocator);
+    const std::size_t triangles = boundary.triangles.size() / 3;
+    const Buffer<Edge> edges = sorted_edges(boundary, allocator);
+    DisjointSets sets(allocator, triangles);
+    Buffer<std::uint32_t> on_border(allocator);  // places of edges that are segments
+    for (std::size_t i = 0; i < edges.size();) {
+        std::size_t end = i + 1;
+        while (end < edges.size() && edges[end].a == edges[i].a && edges[end].b == edges[i].b)
+            ++end;
+        const bool joins = end - i == 2 && edges[i + 1].place != none &&
+                           markers[edges[i].place / 3] == markers[edges[i + 1].place / 3] &&
+                           continue_each_other(boundary, edges[i], edges[i + 1]);
+        if (joins) {
+            sets.join(edges[i].place / 3, edges[i + 1].place / 3);
+        } else {
+            result.segments.push_back(edges[i].a);
+            result.segments.push_back(edges[i].b);
+            for (std::size_t k = i; k < end; ++k)
+                if (edges[k].place != none) on_border.push_back(edges[k].place);
+        }
+        i = end;
+    }
+    result.of_triangle.resize(triangles);
+    for (std::uint32_t t = 0; t < triangles; ++t) {
+        const std::uint32_t least = sets.least(t);
+        if (least == t) {
+            result.of_triangle[t] = static_cast<std::uint32_t>(result.facets.size());
+            result.facets.push_back({{none, none, none}, t});
+        } else {
+            result.of_triangle[t] = result.of_triangle[least];
+        }
+    }
+    for (const std::uint32_t place : on_border) {
+        PlanarFacets::Facet& facet = result.facets[result.of_triangle[place / 3]];
+        const std::uint32_t* const v = boundary.triangles.begin() + place / 3 * 3;
+        if (facet.corner[0] == none)
+            for (std::uint32_t k = 0; k < 3; ++k) facet.corner[k] = v[(place + 1 + k) % 3];
+    }
+    return result;
+}
+
+}  // namespace mgdt

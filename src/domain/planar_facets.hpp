@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The planar facets of a boundary, which are unions of its triangles, and its segments.
+#pragma once
+
+#include "domain/boundary.hpp"
+
+namespace mgdt {
+
+// An edge of triangles is a segment unless it is in two triangles, which have the same marker, are
+// in one plane, exactly, and on different sides of the edge. Triangles that share an edge which is
+// no segment are parts of one facet. A facet is a polygon, which may have holes; all segments of
+// the boundary that meet it are on its border, or inside of it where the caller gave one there.
+struct PlanarFacets {
+    explicit PlanarFacets(Allocator& allocator)
+        : of_triangle(allocator), facets(allocator), segments(allocator) {}
+
+    struct Facet {
+        std::uint32_t corner[3];  // those of a triangle; the edge from 0 to 1 is a segment
+        std::uint32_t triangle;   // the least triangle of the facet
+    };
+
+    Buffer<std::uint32_t> of_triangle;  // the facet of each triangle
+    Buffer<Facet> facets;               // in the order of their least triangles
+    Buffer<std::uint32_t> segments;     // 2 points for each, the lesser first; sorted
+};
+
+// `markers` has the marker of each triangle. The segments of the boundary remain segments, without
+// repeats.
+PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int32_t>& markers,
+                                Allocator& allocator);
+
+}  // namespace mgdt

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "domain/regions.hpp"
+
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+namespace {
+
+constexpr std::uint32_t unknown = 0xFFFFFFFEu;
+
+class Flood {
+  public:
+    Flood(const ConstrainedMesh& mesh, Allocator& allocator)
+        : mesh_(mesh), regions_(allocator), stack_(allocator) {
+        regions_.of_tetrahedron.resize(mesh.tetrahedra.size(), unknown);
+    }
+
+    Regions run(const Buffer<DomainInput::Place>& regions,
+                const Buffer<DomainInput::Place>& holes) {
+        for (std::uint32_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
+            const ConstrainedMesh::Tetrahedron& tet = mesh_.tetrahedra[t];
+            for (unsigned i = 0; i < 4 && !tet.is_dead(); ++i)
+                if (tet.n[i] == ConstrainedMesh::no_face &&
+                    tet.facets[i] == ConstrainedMesh::no_facet)
+                    fill(t, Regions::outside);
+        }
+        for (const DomainInput::Place& hole : holes)
+            for_each_at(hole.x, [&](std::uint32_t t) { fill(t, Regions::outside); });
+        for (std::uint32_t t = 0; t < mesh_.tetrahedra.size(); ++t)
+            if (!mesh_.tetrahedra[t].is_dead() && regions_.of_tetrahedron[t] == unknown) {
+                fill(t, static_cast<std::uint32_t>(regions_.markers.size()));
+                regions_.markers.push_back(0);
+            }
+        for (const DomainInput::Place& region : regions)
+            for_each_at(region.x, [&](std::uint32_t t) {
+                const std::uint32_t at = regions_.of_tetrahedron[t];
+                if (at != Regions::outside) regions_.markers[at] = region.marker;
+            });
+        return std::move(regions_);
+    }
+
+  private:
+    void fill(std::uint32_t start, std::uint32_t region) {
+        const auto enter = [&](std::uint32_t t) {
+            if (regions_.of_tetrahedron[t] != unknown) return;
+            regions_.of_tetrahedron[t] = region;
+            stack_.push_back(t);
+        };
+        enter(start);
+        while (!stack_.empty()) {
+            const ConstrainedMesh::Tetrahedron& t = mesh_.tetrahedra[stack_.back()];
+            stack_.pop_back();
+            for (unsigned i = 0; i < 4; ++i)
+                if (t.n[i] != ConstrainedMesh::no_face && t.facets[i] == ConstrainedMesh::no_facet)
+                    enter(t.n[i] / 4);
+        }
+    }
+
+    // Calls f for each tetrahedron whose closure contains a place.
+    template <class F>
+    void for_each_at(const double* x, F f) const {
+        for (std::uint32_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
+            const ConstrainedMesh::Tetrahedron& tet = mesh_.tetrahedra[t];
+            if (tet.is_dead()) continue;
+            bool is_inside = true;
+            for (unsigned i = 0; i < 4 && is_inside; ++i) {
+                const unsigned char* const v = outer_face[i];
+                is_inside = orientation(x, mesh_.point(tet.v[v[0]]), mesh_.point(tet.v[v[1]]),
+                                        mesh_.point(tet.v[v[2]])) <= 0;
+            }
+            if (is_inside) f(t);
+        }
+    }
+
+    const ConstrainedMesh& mesh_;
+    Regions regions_;
+    Buffer<std::uint32_t> stack_;
+};
+
+}  // namespace
+
+Regions find_regions(const ConstrainedMesh& mesh, const Buffer<DomainInput::Place>& regions,
+                     const Buffer<DomainInput::Place>& holes, Allocator& allocator) {
+    return Flood(mesh, allocator).run(regions, holes);
+}
+
+}  // namespace mgdt

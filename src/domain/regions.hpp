@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The parts into which facets divide a mesh.
+#pragma once
+
+#include "domain/constrained_mesh.hpp"
+#include "domain/input.hpp"
+
+namespace mgdt {
+
+struct Regions {
+    static constexpr std::uint32_t outside = 0xFFFFFFFFu;
+
+    explicit Regions(Allocator& allocator) : of_tetrahedron(allocator), markers(allocator) {}
+
+    Buffer<std::uint32_t> of_tetrahedron;  // its region, or `outside`
+    Buffer<std::int32_t> markers;          // of each region
+};
+
+// Two tetrahedra with a common face are in one region unless the face is a part of a facet. What is
+// connected to the outside of the hull or to a hole is outside. `regions` and `holes` are in the
+// coordinates of the mesh. The marker of a region is that of the last place inside of it, or 0.
+Regions find_regions(const ConstrainedMesh& mesh, const Buffer<DomainInput::Place>& regions,
+                     const Buffer<DomainInput::Place>& holes, Allocator& allocator);
+
+}  // namespace mgdt

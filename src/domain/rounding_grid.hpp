@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The grid to which the points of a domain are rounded.
+#pragma once
+
+namespace mgdt {
+
+// The points of a domain are multiples of the grid's step, a power of two, at most 2^36 steps from
+// the origin. So a segment has many points whose coordinates are doubles, exactly
+// (docs/theory.md, "Points on segments").
+class RoundingGrid {
+  public:
+    static constexpr int bits = 36;
+
+    // The grid for points whose largest coordinate has this magnitude, which is finite.
+    explicit RoundingGrid(double largest) noexcept;
+
+    // The multiple of the step that is nearest to x, over the step: an integer.
+    double round(double x) const noexcept;
+    // x over the step.
+    double scaled(double x) const noexcept;
+    // The product of the step and a coordinate in steps.
+    double unround(double x) const noexcept;
+
+  private:
+    int exponent_;  // the step is 2^exponent_
+};
+
+}  // namespace mgdt

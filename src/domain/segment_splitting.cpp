@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "domain/segment_splitting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "domain/missing_segment.hpp"
+#include "domain/split_place.hpp"
+#include "mesh/star_traversal.hpp"
+
+namespace mgdt {
+namespace {
+
+class Splitting {
+  public:
+    Splitting(Triangulation& triangulation, Buffer<double>& points,
+              const Buffer<std::uint32_t>& segments, Buffer<SteinerPoint>& steiner,
+              StageProgress& progress, const StopRequest& stop)
+        : allocator_(triangulation.allocator()),
+          triangulation_(triangulation),
+          points_(points),
+          segments_(segments),
+          steiner_(steiner),
+          progress_(progress),
+          stop_(stop),
+          acute_(find_acute_ends(points, segments, allocator_)),
+          parts_(allocator_),
+          suspects_(allocator_),
+          splits_(allocator_),
+          round_of_point_(allocator_),
+          round_near_(allocator_),
+          is_waiting_(allocator_) {}
+
+    Buffer<Subsegment> run() {
+        const std::size_t n = segments_.size() / 2;
+        for (std::uint32_t s = 0; s < n; ++s) {
+            const DividedSegment divided = this->divided(s);
+            parts_.push_back({{segments_[2 * s], segments_[2 * s + 1]}, s, 0, divided.parts()});
+            suspects_.push_back(s);
+            is_waiting_.push_back(0);
+        }
+        round_of_point_.resize(points_.size() / 3, 0u);
+        round_near_.resize(points_.size() / 3, 0u);
+        for (std::uint32_t round = 1; find_splits(); ++round) {
+            choose_splits(round);
+            insert();
+            find_suspects(round);
+        }
+        std::sort(parts_.begin(), parts_.end(), [](const Subsegment& a, const Subsegment& b) {
+            return a.segment != b.segment ? a.segment < b.segment : a.k0 < b.k0;
+        });
+        return std::move(parts_);
+    }
+
+  private:
+    // Where to divide a subsegment that is no edge.
+    struct Split {
+        std::uint32_t part, reference, k;
+    };
+    const double* point(std::uint32_t v) const { return points_.begin() + 3 * std::size_t{v}; }
+    DividedSegment divided(std::uint32_t segment) const {
+        return {point(segments_[2 * std::size_t{segment}]),
+                point(segments_[2 * std::size_t{segment} + 1])};
+    }
+
+    // Fills splits_ with the suspects that are missing. Returns false if none is.
+    bool find_splits() {
+        splits_.clear();
+        MissingSegment search(triangulation_, allocator_);
+        std::size_t steps = 0;
+        for (const std::uint32_t part : suspects_) {
+            stop_.poll_in_step(steps++);
+            const Subsegment& s = parts_[part];
+            if (!search.find(s.ends[0], s.ends[1])) continue;
+            const std::uint32_t reference = search.reference();
+            splits_.push_back({part, reference, place(s, reference)});
+        }
+        return !splits_.empty();
+    }
+
+    std::uint32_t place(const Subsegment& s, std::uint32_t reference) const {
+        const std::uint32_t a = segments_[2 * std::size_t{s.segment}],
+                            b = segments_[2 * std::size_t{s.segment} + 1];
+        const std::uint32_t parts = divided(s.segment).parts();
+        if (s.k1 - s.k0 < 2)
+            fail(MGDT_ERR_RESOLUTION,
+                 "the segment between points %u and %u needs points nearer to each other than "
+                 "double precision allows",
+                 a, b);
+        return split_place(point(a), point(b), acute_[2 * std::size_t{s.segment}] != 0,
+                           acute_[2 * std::size_t{s.segment} + 1] != 0, point(reference), s.k0,
+                           s.k1, parts);
+    }
+
+    // Keeps of splits_ those that have no end and no reference point in common with an earlier one.
+    // The others wait for a later round.
+    void choose_splits(std::uint32_t round) {
+        suspects_.clear();
+        std::size_t kept = 0;
+        for (const Split& split : splits_) {
+            const Subsegment& s = parts_[split.part];
+            const std::uint32_t touched[3] = {s.ends[0], s.ends[1], split.reference};
+            if (std::any_of(touched, touched + 3,
+                            [&](std::uint32_t v) { return round_of_point_[v] == round; })) {
+                suspects_.push_back(split.part);
+                continue;
+            }
+            for (const std::uint32_t v : touched) round_of_point_[v] = round;
+            splits_[kept++] = split;
+        }
+        splits_.resize(kept);
+    }
+
+    void insert() {
+        first_new_ = static_cast<std::uint32_t>(points_.size() / 3);
+        for (const Split& split : splits_) {
+            Subsegment& s = parts_[split.part];
+            const auto middle = static_cast<std::uint32_t>(points_.size() / 3);
+            points_.resize(points_.size() + 3);
+            divided(s.segment).point(split.k, points_.end() - 3);
+            steiner_.push_back({s.segment, split.k});
+            round_of_point_.push_back(0);
+            round_near_.push_back(0);
+            is_waiting_.push_back(0);
+            const Subsegment second = {{middle, s.ends[1]}, s.segment, split.k, s.k1};
+            s.ends[1] = middle;
+            s.k1 = split.k;
+            suspects_.push_back(split.part);
+            suspects_.push_back(static_cast<std::uint32_t>(parts_.size()));
+            parts_.push_back(second);
+        }
+        const double* const first = point(first_new_);
+        const double* const axis[3] = {first, first + 1, first + 2};
+        // The number of rounds is not known, so each takes a part of what is left.
+        reached_ += (end_of_stage - reached_) / 16;
+        progress_.enter(reached_, reached_);
+        progress_.watch(triangulation_, 0, 1,
+                        [&] { triangulation_.insert(splits_.size(), axis, 3); });
+    }
+
+    // Adds the subsegments that may have become missing to those that wait or are new. If an
+    // insertion destroys an edge, both of its ends are on the boundary of the cavity and become
+    // neighbours of the new point. If a later insertion destroys such a connection, they are
+    // neighbours of its point. So the ends are neighbours of a new point in the end.
+    void find_suspects(std::uint32_t round) {
+        const Mesh& mesh = triangulation_.mesh();
+        const Locator where = {mesh, triangulation_.calls(), nullptr};
+        VisitQueue star(allocator_);
+        const auto count = static_cast<std::uint32_t>(points_.size() / 3);
+        for (std::uint32_t p = first_new_; p < count; ++p) {
+            const VertexId v = triangulation_.point_map()[p];
+            star.clear();
+            star.push(where.tetrahedron_of(v));
+            traverse_star(mesh, v, star,
+                          [&](FacetCode facet) { star.push(tetrahedron_of(facet)); });
+            for (std::size_t i = 0; i < star.size(); ++i)
+                for (const VertexId u : mesh.tetrahedra[star[i]].v)
+                    if (u != infinite_vertex) round_near_[mesh.vertices[u].index] = round;
+        }
+        for (const std::uint32_t part : suspects_) is_waiting_[part] = 1;
+        for (std::uint32_t part = 0; part < parts_.size(); ++part) {
+            const std::uint32_t* const ends = parts_[part].ends;
+            if (is_waiting_[part] != 0)
+                is_waiting_[part] = 0;
+            else if (round_near_[ends[0]] == round && round_near_[ends[1]] == round)
+                suspects_.push_back(part);
+        }
+    }
+
+    Allocator& allocator_;
+    Triangulation& triangulation_;
+    Buffer<double>& points_;
+    const Buffer<std::uint32_t>& segments_;
+    Buffer<SteinerPoint>& steiner_;
+    StageProgress& progress_;
+    const StopRequest stop_;
+    const Buffer<std::uint8_t> acute_;  // for each end of each segment
+    Buffer<Subsegment> parts_;
+    Buffer<std::uint32_t> suspects_;  // subsegments that may be missing
+    Buffer<Split> splits_;
+    Buffer<std::uint32_t> round_of_point_;  // the last round in which a point was touched
+    Buffer<std::uint32_t> round_near_;      // the last round in which it had a new neighbour
+    Buffer<std::uint8_t> is_waiting_;       // for each subsegment; all 0 between the steps
+    std::uint32_t first_new_ = 0;
+    double reached_ = 0.4;  // the progress of the build
+    static constexpr double end_of_stage = 0.8;
+};
+
+}  // namespace
+
+Buffer<Subsegment> split_segments(Triangulation& triangulation, Buffer<double>& points,
+                                  const Buffer<std::uint32_t>& segments,
+                                  Buffer<SteinerPoint>& steiner, StageProgress& progress,
+                                  const StopRequest& stop) {
+    return Splitting(triangulation, points, segments, steiner, progress, stop).run();
+}
+
+}  // namespace mgdt

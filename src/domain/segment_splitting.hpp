@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Divides the segments of a boundary until all parts are edges of the Delaunay triangulation.
+#pragma once
+
+#include "core/stage_progress.hpp"
+#include "core/triangulation.hpp"
+#include "domain/divided_segment.hpp"
+
+namespace mgdt {
+
+// A part of a segment, from point k0 to point k1 of its DividedSegment.
+struct Subsegment {
+    std::uint32_t ends[2];  // points; ends[0] is the one at k0
+    std::uint32_t segment;
+    std::uint32_t k0, k1;
+};
+
+// A point that was put on a segment: point k of its DividedSegment.
+struct SteinerPoint {
+    std::uint32_t segment, k;
+};
+
+// `points` are integers, three for each point (domain/rounding_grid.hpp), and `triangulation` has
+// these points and no others. The function puts points on the segments, in the triangulation and at
+// the end of `points`, and appends each to `steiner`. Returns all subsegments, sorted by their
+// segment and then from its first end to the second. No two segments meet except in common ends,
+// and no point is inside of one.
+//
+// The rules are those of Si and Gaertner (Meshing piecewise linear complexes by constrained
+// Delaunay tetrahedralizations, 2005), with sets of segments that do not touch in each round. The
+// result depends on the points and on the segments alone. Throws MGDT_ERR_RESOLUTION if a
+// segment has no point left at which it can be divided.
+Buffer<Subsegment> split_segments(Triangulation& triangulation, Buffer<double>& points,
+                                  const Buffer<std::uint32_t>& segments,
+                                  Buffer<SteinerPoint>& steiner, StageProgress& progress,
+                                  const StopRequest& stop);
+
+}  // namespace mgdt

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+// Meshes of domains: valid ones are meshed, checked and measured in rationals; invalid ones are
+// refused with all pairs.
+#include "domain/domain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <map>
+
+#include "domain/mesh_check.hpp"
+#include "surfaces.hpp"
+
+namespace mgdt {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+
+void give(Domain& domain, const Surface& s) {
+    DomainInput& input = domain.input();
+    for (const double x : s.points) input.points.push_back(x);
+    input.facet_begin.push_back(0);
+    for (std::size_t f = 0; f < s.facets.size(); ++f) {
+        for (const std::uint32_t v : s.facets[f]) input.corners.push_back(v);
+        input.facet_begin.push_back(static_cast<std::uint32_t>(input.corners.size()));
+        input.facet_markers.push_back(s.markers[f]);
+    }
+    for (std::size_t i = 0; i < s.segments.size(); ++i) {
+        input.segments.push_back(s.segments[i]);
+        if (i % 2 == 0) input.segment_markers.push_back(static_cast<std::int32_t>(i));
+    }
+    for (std::size_t i = 0; i < s.holes.size(); i += 3)
+        input.holes.push_back({{s.holes[i], s.holes[i + 1], s.holes[i + 2]}, 0});
+}
+
+Rational determinant(const double* a, const double* b, const double* c) {
+    const Rational x[3][3] = {{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}};
+    return x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) -
+           x[0][1] * (x[1][0] * x[2][2] - x[1][2] * x[2][0]) +
+           x[0][2] * (x[1][0] * x[2][1] - x[1][1] * x[2][0]);
+}
+
+// Six times the volume of each region: by its tetrahedra, and by the faces of its boundary.
+void expect_equal_volumes(const DomainMesh& m) {
+    std::map<std::uint32_t, Rational> inside, around;
+    const auto point = [&](std::uint32_t v) { return m.points.begin() + 3 * std::size_t{v}; };
+    for (std::size_t t = 0; t < m.tetrahedron_count(); ++t) {
+        const std::uint32_t* const v = m.tetrahedra.begin() + 4 * t;
+        inside[m.regions[t]] += determinant(point(v[1]), point(v[2]), point(v[3])) -
+                                determinant(point(v[0]), point(v[2]), point(v[3])) +
+                                determinant(point(v[0]), point(v[1]), point(v[3])) -
+                                determinant(point(v[0]), point(v[1]), point(v[2]));
+    }
+    for (std::size_t f = 0; f < m.face_facets.size(); ++f) {
+        const std::uint32_t* const v = m.faces.begin() + 3 * f;
+        const Rational part = determinant(point(v[0]), point(v[1]), point(v[2]));
+        const std::uint32_t front = m.face_tetrahedra[2 * f], back = m.face_tetrahedra[2 * f + 1];
+        // A normal that points out of a region counts positively.
+        if (back != DomainMesh::none) around[m.regions[back]] += part;
+        if (front != DomainMesh::none) around[m.regions[front]] -= part;
+    }
+    EXPECT_EQ(inside, around);
+}
+
+double volume(const DomainMesh& m) {
+    Rational sum = 0;
+    const auto point = [&](std::uint32_t v) { return m.points.begin() + 3 * std::size_t{v}; };
+    for (std::size_t f = 0; f < m.face_facets.size(); ++f) {
+        const std::uint32_t* const v = m.faces.begin() + 3 * f;
+        const Rational part = determinant(point(v[0]), point(v[1]), point(v[2]));
+        if (m.face_tetrahedra[2 * f + 1] != DomainMesh::none) sum += part;
+        if (m.face_tetrahedra[2 * f] != DomainMesh::none) sum -= part;
+    }
+    return static_cast<double>(sum / 6);
+}
+
+TEST(Domain, MeshesAllTestSurfaces) {
+    for (const Surface& s : test_surfaces()) {
+        SCOPED_TRACE(s.name);
+        Domain domain(nullptr, nullptr, nullptr);
+        give(domain, s);
+        try {
+            domain.build();
+            domain.check();
+        } catch (const Error& e) {
+            ADD_FAILURE() << e.message;
+            continue;
+        }
+        const DomainMesh& m = domain.mesh();
+        EXPECT_GT(m.tetrahedron_count(), 0u);
+        expect_equal_volumes(m);
+        if (s.regions > 0) {
+            EXPECT_EQ(m.region_markers.size(), s.regions);
+        }
+        if (s.volume >= 0) {
+            EXPECT_NEAR(volume(m), s.volume, 1e-9 * s.volume);
+        }
+    }
+}
+
+// The statuses and messages of calls that fail.
+template <class Call>
+Error error_of(Call call) {
+    try {
+        call();
+    } catch (const Error& e) {
+        return e;
+    }
+    return {MGDT_OK, ""};
+}
+
+bool is_valid(const DomainInput& input) {
+    Allocator allocator;
+    Atomic<bool> flag{false};
+    Team team;
+    const Complex complex = make_complex(input, allocator);
+    return complex.bad_facets.empty() &&
+           offending_pairs(complex.boundary, team, allocator, StopRequest(flag)).empty();
+}
+
+// Random triangles and segments that do not cross, on small lattices, where nearly everything is
+// degenerate, and in general position.
+TEST(Domain, MeshesRandomComplexes) {
+    for (unsigned seed = 0; seed < 150; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(seed);
+        const auto below = [&](int n) {
+            return static_cast<int>(random() % static_cast<unsigned>(n));
+        };
+        const int n = 2 + below(5), points = 4 + below(30), tries = 1 + below(50), kind = below(3);
+        Domain domain(nullptr, nullptr, nullptr);
+        DomainInput& input = domain.input();
+        for (int i = 0; i < 3 * points; ++i)
+            input.points.push_back(kind == 0   ? below(n)
+                                   : kind == 1 ? below(n) + (below(3) == 0 ? 1e-3 * below(1000) : 0)
+                                               : 1e-5 * n * below(100000));
+        input.facet_begin.push_back(0);
+        for (int k = 0; k < tries; ++k) {
+            const bool is_segment = below(6) == 0;
+            std::uint32_t v[3];
+            for (std::uint32_t& of : v) of = static_cast<std::uint32_t>(below(points));
+            Buffer<std::uint32_t>& to = is_segment ? input.segments : input.corners;
+            Buffer<std::int32_t>& markers =
+                is_segment ? input.segment_markers : input.facet_markers;
+            const std::size_t before = to.size();
+            for (int i = 0; i < (is_segment ? 2 : 3); ++i) to.push_back(v[i]);
+            markers.push_back(below(2));
+            if (!is_segment) input.facet_begin.push_back(static_cast<std::uint32_t>(to.size()));
+            if (is_valid(input)) continue;
+            to.resize(before);
+            markers.pop_back();
+            if (!is_segment) input.facet_begin.pop_back();
+        }
+        const Error error = error_of([&] {
+            domain.build();
+            domain.check();
+        });
+        EXPECT_EQ(error.status, MGDT_OK) << error.message;
+        expect_equal_volumes(domain.mesh());
+    }
+}
+
+TEST(Domain, DoesNotDependOnTheOrderOfItsFacets) {
+    Surface s = chazelle(3);
+    Domain domain(nullptr, nullptr, nullptr), other(nullptr, nullptr, nullptr);
+    give(domain, s);
+    std::reverse(s.facets.begin(), s.facets.end());
+    give(other, s);
+    domain.build();
+    other.build();
+    const auto list = [](const Buffer<std::uint32_t>& of) {
+        return std::vector<std::uint32_t>(of.begin(), of.end());
+    };
+    EXPECT_EQ(list(domain.mesh().tetrahedra), list(other.mesh().tetrahedra));
+    EXPECT_GT(domain.mesh().steiner_parameters.size(), 0u);
+}
+
+TEST(Domain, NamesAllThatCrosses) {
+    Surface s = cube();
+    const std::uint32_t a = s.point(0.5, 0.25, 0.5), b = s.point(0.5, 0.3, 2),
+                        c = s.point(0.4, 0.7, 0.5);
+    s.facet({a, b, c});
+    s.facet({0, 1, 0});
+    s.segments = {a, s.point(3, 0.25, 0.5)};
+    s.point(1, 0.4, 0.8);
+    Domain domain(nullptr, nullptr, nullptr);
+    give(domain, s);
+    const Error error = error_of([&] { domain.build(); });
+    EXPECT_EQ(error.status, MGDT_ERR_INVALID_BOUNDARY);
+    EXPECT_STREQ(error.message,
+                 "facet 1 and facet 6 meet elsewhere than in common corners or edges; 4 pairs in "
+                 "all offend");
+    const auto has = [&](Offence::Item x, Offence::Item y) {
+        return std::count(domain.offences().begin(), domain.offences().end(), Offence{x, y});
+    };
+    EXPECT_EQ(domain.offences().size(), 4u);
+    EXPECT_TRUE(has({Offence::facet, 1}, {Offence::facet, 6}));
+    EXPECT_TRUE(has({Offence::facet, 7}, {Offence::facet, 7}));
+    EXPECT_TRUE(has({Offence::facet, 5}, {Offence::segment, 0}));
+    EXPECT_TRUE(has({Offence::facet, 5}, {Offence::point, 12}));
+    EXPECT_EQ(domain.mesh().tetrahedron_count(), 0u);
+}
+
+TEST(Domain, RefusesWhatTheGridCannotHold) {
+    Surface s = cube();
+    s.point(0.5, 0.5, 0.5);
+    s.point(0.5 + 1e-15, 0.5, 0.5);
+    Domain domain(nullptr, nullptr, nullptr);
+    give(domain, s);
+    EXPECT_EQ(error_of([&] { domain.build(); }).status, MGDT_ERR_RESOLUTION);
+}
+
+TEST(Domain, OfPointsInAPlaneIsEmpty) {
+    Surface s("square");
+    for (int i = 0; i < 4; ++i) s.point(i / 2, i % 2, 0);
+    s.facet({0, 1, 3, 2});
+    Domain domain(nullptr, nullptr, nullptr);
+    give(domain, s);
+    domain.build();
+    domain.check();
+    EXPECT_EQ(domain.mesh().tetrahedron_count(), 0u);
+    Domain nothing(nullptr, nullptr, nullptr);
+    nothing.build();
+    nothing.check();
+}
+
+// Coordinates at the ends of the range of doubles.
+TEST(Domain, MeshesLargeAndSmallCoordinates) {
+    for (const double size : {1e300, 1e-300, 0x1p1023, 0x1p-1000}) {
+        Surface s = schoenhardt(0.5);
+        for (double& x : s.points) x *= size;
+        Domain domain(nullptr, nullptr, nullptr);
+        give(domain, s);
+        domain.build();
+        domain.check();
+        EXPECT_GT(domain.mesh().tetrahedron_count(), 0u);
+    }
+}
+
+// The check finds every change of a single number of a mesh.
+TEST(Domain, CheckFindsChanges) {
+    Domain domain(nullptr, nullptr, nullptr);
+    Surface s = schoenhardt(0.5);
+    s.markers[3] = 7;
+    give(domain, s);
+    domain.build();
+    Allocator allocator;
+    const auto expect_found = [&](auto& array, std::size_t i, auto value) {
+        const auto before = array[i];
+        if (before == value) return;
+        array[i] = value;
+        EXPECT_EQ(error_of([&] { check_mesh(domain.input(), domain.mesh(), 0, allocator); }).status,
+                  MGDT_ERR_CHECK_FAILED)
+            << i;
+        array[i] = before;
+    };
+    DomainMesh& m = const_cast<DomainMesh&>(domain.mesh());
+    for (Buffer<std::uint32_t>* const of :
+         {&m.tetrahedra, &m.neighbors, &m.faces, &m.face_tetrahedra, &m.face_facets, &m.segments,
+          &m.steiner_edges})
+        for (std::size_t i = 0; i < of->size(); ++i) {
+            expect_found(*of, i, (*of)[i] + 1);
+            expect_found(*of, i, (*of)[i] == 0 ? 1u : 0u);
+            expect_found(*of, i, DomainMesh::none);
+        }
+    for (std::size_t i = 0; i < m.steiner_parameters.size(); ++i)
+        expect_found(m.steiner_parameters, i, m.steiner_parameters[i] / 2);
+    for (std::size_t i = 0; i < m.points.size(); ++i) expect_found(m.points, i, 1e9);
+    for (std::size_t i = 0; i < m.exact_points.size(); ++i) expect_found(m.exact_points, i, 3.0);
+    for (std::size_t i = 0; i < m.face_markers.size(); ++i) expect_found(m.face_markers, i, 3);
+    check_mesh(domain.input(), domain.mesh(), 0, allocator);
+}
+
+}  // namespace
+}  // namespace mgdt
