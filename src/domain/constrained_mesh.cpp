@@ -75,7 +75,7 @@ std::uint32_t ConstrainedMesh::add(std::uint32_t a, std::uint32_t b, std::uint32
     return t;
 }
 
-void ConstrainedMesh::remove(std::uint32_t tetrahedron) noexcept {
+void ConstrainedMesh::remove(std::uint32_t tetrahedron) {
     tetrahedra[tetrahedron].v[0] = no_index;
     free_slots.push_back(tetrahedron);
 }

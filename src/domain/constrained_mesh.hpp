@@ -57,7 +57,7 @@ struct ConstrainedMesh {
     }
     // Adds a tetrahedron in a free slot. Its faces have no neighbours yet and are on no facet.
     std::uint32_t add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
-    void remove(std::uint32_t tetrahedron) noexcept;
+    void remove(std::uint32_t tetrahedron);
 
     const Buffer<double>& points;
     Buffer<Tetrahedron> tetrahedra;

@@ -34,8 +34,42 @@ void Domain::clear() noexcept {
 void Domain::forget_results() noexcept {
     offences_.reset();
     mesh_ = DomainMesh(allocator_);
+    has_mesh_ = false;
     facet_counts_ = FacetCounts();
     planar_facets_ = 0;
+}
+
+void Domain::set_points(Buffer<double>&& points) noexcept {
+    forget_results();
+    for (Buffer<std::uint32_t>* const of : {&input_.facet_begin, &input_.corners, &input_.segments})
+        of->reset();
+    input_.facet_markers.reset();
+    input_.segment_markers.reset();
+    input_.points = std::move(points);
+}
+
+void Domain::set_facets(Buffer<std::uint32_t>&& begin, Buffer<std::uint32_t>&& corners,
+                        Buffer<std::int32_t>&& markers) noexcept {
+    forget_results();
+    input_.facet_begin = std::move(begin);
+    input_.corners = std::move(corners);
+    input_.facet_markers = std::move(markers);
+}
+
+void Domain::set_segments(Buffer<std::uint32_t>&& ends, Buffer<std::int32_t>&& markers) noexcept {
+    forget_results();
+    input_.segments = std::move(ends);
+    input_.segment_markers = std::move(markers);
+}
+
+void Domain::add_region(const DomainInput::Place& place) {
+    input_.regions.push_back(place);
+    forget_results();
+}
+
+void Domain::add_hole(const DomainInput::Place& place) {
+    input_.holes.push_back(place);
+    forget_results();
 }
 
 unsigned Domain::threads() const noexcept {
@@ -130,6 +164,7 @@ void Domain::build() {
         mesh_ = DomainMesh(allocator_);
         throw;
     }
+    has_mesh_ = true;
     progress.finish();
 }
 

@@ -50,6 +50,14 @@ class Domain {
           offences_(allocator_),
           mesh_(allocator_) {}
 
+    // Setting points removes facets and segments; every change removes the results.
+    void set_points(Buffer<double>&& points) noexcept;
+    void set_facets(Buffer<std::uint32_t>&& begin, Buffer<std::uint32_t>&& corners,
+                    Buffer<std::int32_t>&& markers) noexcept;
+    void set_segments(Buffer<std::uint32_t>&& ends, Buffer<std::int32_t>&& markers) noexcept;
+    void add_region(const DomainInput::Place& place);
+    void add_hole(const DomainInput::Place& place);
+
     // Finds all offences. Throws MGDT_ERR_INVALID_BOUNDARY if there are any.
     void validate();
     // Validates and makes the mesh. Throws Error and std::bad_alloc; there is no mesh then.
@@ -68,6 +76,8 @@ class Domain {
     DomainInput& input() noexcept { return input_; }
     const DomainInput& input() const noexcept { return input_; }
     const Buffer<Offence>& offences() const noexcept { return offences_; }
+    // Whether the last build has succeeded and nothing was changed since.
+    bool has_mesh() const noexcept { return has_mesh_; }
     const DomainMesh& mesh() const noexcept { return mesh_; }
     const FacetCounts& facet_counts() const noexcept { return facet_counts_; }
     std::size_t planar_facets() const noexcept { return planar_facets_; }
@@ -83,6 +93,7 @@ class Domain {
     DomainInput input_;
     Buffer<Offence> offences_;
     DomainMesh mesh_;
+    bool has_mesh_ = false;
     FacetCounts facet_counts_;
     std::size_t planar_facets_ = 0;
     Atomic<bool> cancelled_{false};

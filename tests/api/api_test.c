@@ -139,7 +139,8 @@ int main(void) {
                   {"memory", test_memory},     {"parts", test_parts},
                   {"progress", test_progress}, {"environment", test_environment},
                   {"isa", test_isa},           {"compact", test_compact},
-                  {"busy", test_busy},         {"voronoi", test_voronoi}};
+                  {"busy", test_busy},         {"voronoi", test_voronoi},
+                  {"domain", test_domain}};
     size_t g;
     for (g = 0; g < sizeof groups / sizeof groups[0]; ++g) {
         const int passed_before = passed, failed_before = failed;

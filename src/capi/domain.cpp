@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+// Creation, options and input of a domain, and the calls that make its mesh.
+#include <algorithm>
+
+#include "capi/domain_handle.hpp"
+#include "core/point_scan.hpp"
+
+using namespace mgdt;
+
+namespace {
+
+constexpr std::size_t domain_size = sizeof(mgdt_domain), domain_align = alignof(mgdt_domain);
+// Indices have 32 bits, and the greatest is no index.
+constexpr std::size_t most_items = 0x7FFFFFFF;
+
+// create() and destroy() are not inlined, for the reason at run_inside() in guard.hpp.
+MGDT_NOT_INLINE mgdt_status create(mgdt_alloc_fn alloc, mgdt_free_fn release, void* user,
+                                   mgdt_domain** out) noexcept {
+    const FpEnvironment environment;
+    void* const memory = Allocator::obtain(alloc, user, domain_size, domain_align);
+    if (!memory) return MGDT_ERR_OUT_OF_MEMORY;
+    auto* const d = new (memory) mgdt_domain(alloc, release, user);
+    d->domain.allocator().count(domain_size);
+    *out = d;
+    return MGDT_OK;
+}
+
+MGDT_NOT_INLINE void destroy(mgdt_domain* d) noexcept {
+    const FpEnvironment environment;
+    const mgdt_free_fn release = d->domain.allocator().release_function();
+    void* const user = d->domain.allocator().user();
+    d->~mgdt_domain();
+    Allocator::give_back(release, user, d, domain_size, domain_align);
+}
+
+std::size_t require_items(std::int64_t n, std::size_t each, const char* of) {
+    const std::size_t count = require_count(n, of);
+    if (count > most_items / each)
+        fail(MGDT_ERR_TOO_LARGE, "%zu %s are more than can be numbered", count, of);
+    return count;
+}
+
+void set_points(Domain& d, std::int64_t n, const double* xyz) {
+    const std::size_t count = require_items(n, 3, "points");
+    if (count > 0) require_pointer(xyz, "xyz");
+    for (std::size_t i = 0; i < 3 * count; ++i)
+        require_finite(xyz[i], i % 3, static_cast<long long>(i / 3) + d.settings().index_base);
+    Buffer<double> points(d.allocator());
+    points.resize(3 * count);
+    std::copy_n(xyz, 3 * count, points.begin());
+    d.set_points(std::move(points));
+}
+
+// The point with an index of the caller's, which is `what` number i.
+std::uint32_t point_at(const Domain& d, std::int64_t index, const char* what, std::size_t i) {
+    const std::int64_t base = d.settings().index_base;
+    const std::size_t points = d.input().point_count();
+    if (index < base || static_cast<std::uint64_t>(index - base) >= points)
+        fail(MGDT_ERR_INVALID_ARGUMENT, "%s %lld has the corner %lld; there are %zu points", what,
+             static_cast<long long>(i) + static_cast<long long>(base),
+             static_cast<long long>(index), points);
+    return static_cast<std::uint32_t>(index - base);
+}
+
+Buffer<std::int32_t> copy_of_markers(Domain& d, std::size_t n, const std::int32_t* markers) {
+    Buffer<std::int32_t> copy(d.allocator());
+    copy.resize(n, 0);
+    if (markers) std::copy_n(markers, n, copy.begin());
+    return copy;
+}
+
+void set_facets(Domain& d, std::int64_t n, const std::int64_t* offsets, const std::int64_t* corners,
+                const std::int32_t* markers) {
+    const std::size_t count = require_items(n, 3, "facets");
+    if (count > 0) require_pointer(corners, "corners");
+    const std::int64_t base = d.settings().index_base;
+    const auto begin_of = [&](std::size_t f) {
+        if (!offsets) return 3 * static_cast<std::int64_t>(f);
+        return offsets[f] < base ? std::int64_t{-1} : offsets[f] - base;
+    };
+    Buffer<std::uint32_t> begin(d.allocator()), points(d.allocator());
+    begin.resize(count + 1);
+    for (std::size_t f = 0; f < count; ++f) {
+        const std::int64_t from = begin_of(f), to = begin_of(f + 1);
+        if (from < 0 || to - from < 3 || (f == 0 && from != 0))
+            fail(MGDT_ERR_INVALID_ARGUMENT,
+                 "facet %lld has offsets from %lld to %lld; the first is %lld, and a facet has at "
+                 "least three corners",
+                 static_cast<long long>(f) + base, static_cast<long long>(from + base),
+                 static_cast<long long>(to + base), static_cast<long long>(base));
+        if (static_cast<std::uint64_t>(to) > most_items)
+            fail(MGDT_ERR_TOO_LARGE, "%lld corners are more than can be numbered",
+                 static_cast<long long>(to));
+        begin[f] = static_cast<std::uint32_t>(from);
+        for (std::int64_t i = from; i < to; ++i)
+            points.push_back(point_at(d, corners[i], "facet", f));
+    }
+    begin[count] = static_cast<std::uint32_t>(points.size());
+    Buffer<std::int32_t> copy = copy_of_markers(d, count, markers);
+    d.set_facets(std::move(begin), std::move(points), std::move(copy));
+}
+
+void set_segments(Domain& d, std::int64_t n, const std::int64_t* ends,
+                  const std::int32_t* markers) {
+    const std::size_t count = require_items(n, 2, "segments");
+    if (count > 0) require_pointer(ends, "ends");
+    Buffer<std::uint32_t> points(d.allocator());
+    points.resize(2 * count);
+    for (std::size_t i = 0; i < 2 * count; ++i) points[i] = point_at(d, ends[i], "segment", i / 2);
+    Buffer<std::int32_t> copy = copy_of_markers(d, count, markers);
+    d.set_segments(std::move(points), std::move(copy));
+}
+
+DomainInput::Place place(const double* xyz, std::int32_t marker) {
+    require_pointer(xyz, "xyz");
+    for (std::size_t k = 0; k < 3; ++k)
+        if (!std::isfinite(xyz[k]))
+            fail(MGDT_ERR_NOT_FINITE, "coordinate %c of the place is not finite", "xyz"[k]);
+    return {{xyz[0], xyz[1], xyz[2]}, marker};
+}
+
+void set_option(Domain& d, std::int32_t option, std::int64_t value) {
+    const auto require = [&](bool is_in_range) {
+        if (!is_in_range)
+            fail(MGDT_ERR_INVALID_ARGUMENT, "%lld is out of the range of option %d",
+                 static_cast<long long>(value), static_cast<int>(option));
+    };
+    switch (option) {
+        case MGDT_DOMAIN_INDEX_BASE:
+            require(value == 0 || value == 1);
+            d.settings().index_base = static_cast<std::int32_t>(value);
+            break;
+        case MGDT_DOMAIN_THREADS:
+            require(value >= 0 && value <= std::numeric_limits<std::int32_t>::max());
+            d.settings().threads = static_cast<std::int32_t>(value);
+            break;
+        case MGDT_DOMAIN_MEMORY_LIMIT:
+            require(value >= 0);
+            d.allocator().set_limit(limit_of(value));
+            break;
+        case MGDT_DOMAIN_ROUND_POINTS:
+            require(value == 0 || value == 1);
+            d.settings().rounds_points = value != 0;
+            break;
+        default:
+            fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));
+    }
+}
+
+std::int64_t option_of(const Domain& d, std::int32_t option) {
+    switch (option) {
+        case MGDT_DOMAIN_INDEX_BASE:
+            return d.settings().index_base;
+        case MGDT_DOMAIN_THREADS:
+            return d.settings().threads;
+        case MGDT_DOMAIN_MEMORY_LIMIT:
+            return static_cast<std::int64_t>(d.allocator().limit());
+        case MGDT_DOMAIN_ROUND_POINTS:
+            return d.settings().rounds_points ? 1 : 0;
+        default:
+            fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));
+    }
+}
+
+}  // namespace
+
+extern "C" mgdt_status mgdt_domain_create(mgdt_domain** out) {
+    return mgdt_domain_create_with_allocator(nullptr, nullptr, nullptr, out);
+}
+
+extern "C" mgdt_status mgdt_domain_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release,
+                                                         void* user, mgdt_domain** out) {
+    if (!out) return MGDT_ERR_NULL_POINTER;
+    *out = nullptr;
+    if ((alloc == nullptr) != (release == nullptr)) return MGDT_ERR_INVALID_ARGUMENT;
+    const CancellationDisabled uninterrupted;
+    return create(alloc, release, user, out);
+}
+
+extern "C" void mgdt_domain_destroy(mgdt_domain* d) {
+    destroy_if_free(d, destroy);
+}
+
+extern "C" mgdt_status mgdt_domain_clear(mgdt_domain* d) {
+    return guard(d, [&] { d->domain.clear(); });
+}
+
+extern "C" mgdt_status mgdt_domain_set_option(mgdt_domain* d, int32_t option, int64_t value) {
+    return guard(d, [&] { set_option(d->domain, option, value); });
+}
+
+extern "C" mgdt_status mgdt_domain_get_option(const mgdt_domain* d, int32_t option,
+                                              int64_t* value) {
+    return guard_short(d, [&] {
+        require_pointer(value, "value");
+        *value = option_of(d->domain, option);
+    });
+}
+
+extern "C" mgdt_status mgdt_domain_set_progress(mgdt_domain* d, mgdt_progress_fn fn, void* user) {
+    return guard(d, [&] {
+        d->domain.settings().progress = fn;
+        d->domain.settings().progress_user = user;
+    });
+}
+
+extern "C" mgdt_status mgdt_domain_cancel(mgdt_domain* d) {
+    if (!d) return MGDT_ERR_NULL_POINTER;
+    d->domain.cancel();
+    return MGDT_OK;
+}
+
+extern "C" mgdt_status mgdt_domain_set_points(mgdt_domain* d, int64_t n, const double* xyz) {
+    return guard(d, [&] { set_points(d->domain, n, xyz); });
+}
+
+extern "C" mgdt_status mgdt_domain_set_facets(mgdt_domain* d, int64_t n, const int64_t* offsets,
+                                              const int64_t* corners, const int32_t* markers) {
+    return guard(d, [&] { set_facets(d->domain, n, offsets, corners, markers); });
+}
+
+extern "C" mgdt_status mgdt_domain_set_segments(mgdt_domain* d, int64_t n, const int64_t* ends,
+                                                const int32_t* markers) {
+    return guard(d, [&] { set_segments(d->domain, n, ends, markers); });
+}
+
+extern "C" mgdt_status mgdt_domain_add_region(mgdt_domain* d, const double* xyz, int32_t marker) {
+    return guard(d, [&] { d->domain.add_region(place(xyz, marker)); });
+}
+
+extern "C" mgdt_status mgdt_domain_add_hole(mgdt_domain* d, const double* xyz) {
+    return guard(d, [&] { d->domain.add_hole(place(xyz, 0)); });
+}
+
+extern "C" mgdt_status mgdt_domain_validate(mgdt_domain* d) {
+    return guard(d, [&] { d->domain.validate(); });
+}
+
+extern "C" mgdt_status mgdt_domain_build(mgdt_domain* d) {
+    return guard(d, [&] { d->domain.build(); });
+}
+
+extern "C" mgdt_status mgdt_domain_check(const mgdt_domain* d) {
+    return guard(d, [&] {
+        if (!d->domain.has_mesh()) fail(MGDT_ERR_INVALID_ARGUMENT, "there is no mesh to check");
+        d->domain.check();
+    });
+}
+
+extern "C" mgdt_status mgdt_domain_get_error(const mgdt_domain* d, int64_t capacity, char* buffer) {
+    return get_message(d, capacity, buffer);
+}
