@@ -108,6 +108,28 @@ struct RelaxOptions {
 };
 int relax(const RelaxOptions& options);
 
+struct MeshOptions {
+    InputOptions input;
+    OutputOptions output;
+    std::vector<double> holes;    // three numbers for each
+    std::vector<double> regions;  // three numbers and the marker for each
+    bool check = false;
+    bool rounded = false;  // write rounded points, which facets cover exactly
+    int threads = 1;
+    std::uint64_t memory_limit = 0;  // bytes, 0 for none
+    bool quiet = false;
+};
+int mesh_surface(const MeshOptions& options);
+
+struct ValidateOptions {
+    InputOptions input;
+    OutputOptions output;  // a .vtp file of what offends, or empty
+    int threads = 1;
+    std::uint64_t memory_limit = 0;
+    bool quiet = false;
+};
+int validate_surface(const ValidateOptions& options);
+
 // Reads an input. `format` receives the format of the input.
 Mesh read_input(const InputOptions& options, const Format** format = nullptr);
 

@@ -260,6 +260,54 @@ void add_relax(CLI::App& app, RelaxOptions& options) {
     app.footer(formats_footer() + "\n" + exit_codes);
 }
 
+void add_facets_input(CLI::App& app, InputOptions& options) {
+    app.add_option("input", options.path, "Surface; - for standard input")
+        ->required()
+        ->type_name("FILE");
+    app.add_option("--from", options.from, "Format of the input")->type_name("FORMAT");
+}
+
+void add_limits(CLI::App& app, int& threads, std::uint64_t& memory_limit, bool& quiet) {
+    app.add_option("--threads", threads, "Threads; 0 for all cores (default 1)")
+        ->check(CLI::Range(0, 1 << 20))
+        ->type_name("N");
+    app.add_option("--memory-limit", memory_limit, "Most memory, such as 500MB or 4GB")
+        ->transform(CLI::AsSizeValue(false))
+        ->type_name("SIZE");
+    app.add_flag("-q,--quiet", quiet, "Print nothing but errors");
+}
+
+void add_mesh(CLI::App& app, MeshOptions& options) {
+    add_facets_input(app, options.input);
+    add_output(app, options.output, true);
+    add_index_base(app, options.output);
+    add_compress(app, options.output);
+    app.add_option("--hole", options.holes,
+                   "Leave what facets enclose around this place empty; may be repeated")
+        ->delimiter(',')
+        ->type_name("X,Y,Z");
+    app.add_option("--region", options.regions,
+                   "Give the tetrahedra around this place a marker; may be repeated")
+        ->delimiter(',')
+        ->type_name("X,Y,Z,N");
+    app.add_flag("--check", options.check, "Prove the mesh before writing");
+    app.add_flag("--rounded", options.rounded,
+                 "Write points rounded to 2^-36 of the largest coordinate, so that facets are "
+                 "covered exactly");
+    add_limits(app, options.threads, options.memory_limit, options.quiet);
+    app.footer(formats_footer() + "\n" + exit_codes);
+}
+
+void add_validate(CLI::App& app, ValidateOptions& options) {
+    add_facets_input(app, options.input);
+    app.add_option("-o,--output", options.output.path,
+                   "Write what offends too, as .vtp for ParaView")
+        ->type_name("FILE");
+    add_compress(app, options.output);
+    add_limits(app, options.threads, options.memory_limit, options.quiet);
+    app.footer(formats_footer() + "\n" + exit_codes);
+}
+
 int run(const std::vector<std::string>& words) {
     CLI::App app("Exact 3D Delaunay triangulation of any set of points.", "mgdt");
     app.set_version_flag(
@@ -383,6 +431,16 @@ int run(const std::vector<std::string>& words) {
         "relax", "Read points, move them to the centroids of their cells, write them.");
     add_relax(*relax_app, r);
 
+    MeshOptions m;
+    CLI::App* mesh_app =
+        app.add_subcommand("mesh", "Read a closed surface, write tetrahedra that fill it.");
+    add_mesh(*mesh_app, m);
+
+    ValidateOptions a;
+    CLI::App* validate_app = app.add_subcommand(
+        "validate", "Read a surface, list all facets that cross or touch where they must not.");
+    add_validate(*validate_app, a);
+
     if (words.size() > 1 && words[1].substr(0, 1) != "-") require_command(app, words[1]);
     try {
         // CLI11 takes arguments in reverse order.
@@ -402,6 +460,8 @@ int run(const std::vector<std::string>& words) {
     if (*surface_app) return write_alpha_surface(s);
     if (*hull_app) return write_hull(h);
     if (*relax_app) return relax(r);
+    if (*mesh_app) return mesh_surface(m);
+    if (*validate_app) return validate_surface(a);
     return info(i);
 }
 

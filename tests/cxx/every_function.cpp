@@ -95,12 +95,63 @@ bool calls_voronoi(const std::vector<mgdt::Point>& points) {
     return !whole && again && again.handle() != nullptr;
 }
 
+// Whether a domain, a tetrahedron with a point inside, does what it is asked.
+bool calls_domain() {
+    const std::vector<mgdt::Point> points{
+        {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.25, 0.25, 0.25}};
+    const std::vector<std::int64_t> corners{0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
+    int heard = 0;
+    mgdt::Domain domain;
+    domain.set_option(mgdt::DomainOption::threads, 2);
+    if (domain.option(mgdt::DomainOption::threads) != 2) return false;
+    domain.set_progress([&](double) { ++heard; });
+    domain.set_points(points);
+    domain.set_facets(std::vector<std::int64_t>{0, 3, 6, 9, 12}, corners,
+                      std::vector<std::int32_t>{1, 2, 3, 4});
+    domain.set_triangles(corners);
+    domain.set_segments(std::vector<std::int64_t>{0, 4});
+    domain.add_region({0.1, 0.1, 0.1}, 9);
+    domain.validate();
+    domain.build();
+    domain.check();
+    domain.clear_progress();
+    if (heard == 0 || domain.number(mgdt::DomainNumber::tetrahedra) != 4) return false;
+    if (domain.array(mgdt::DomainArray::tetrahedra).size() != 16) return false;
+    if (domain.array<std::int32_t>(mgdt::DomainArray::region_markers).at(0) != 9) return false;
+    if (domain.points() != points || !domain.steiner_parameters().empty()) return false;
+    domain.add_hole({0.1, 0.1, 0.1});
+    domain.build();
+    if (domain.number(mgdt::DomainNumber::tetrahedra) != 0) return false;
+    try {
+        domain.set_triangles(corners, std::vector<std::int32_t>{1});
+        return false;
+    } catch (const mgdt::Error& e) {
+        if (e.status() != MGDT_ERR_INVALID_ARGUMENT) return false;
+    }
+    domain.set_triangles(std::vector<std::int64_t>{0, 1, 1});
+    try {
+        domain.build();
+        return false;
+    } catch (const mgdt::Error& e) {
+        if (e.status() != MGDT_ERR_INVALID_BOUNDARY || domain.last_error() != e.what())
+            return false;
+    }
+    if (domain.array(mgdt::DomainArray::offending_pairs).size() != 8) return false;
+    domain.cancel();
+    domain.clear();
+    mgdt::Domain other;
+    swap(domain, other);
+    mgdt::Domain again(domain.release());
+    return !domain && again && again.handle() != nullptr;
+}
+
 }  // namespace
 
 int main() {
     try {
         if (!calls_parts({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 2}})) return 30;
         if (!calls_voronoi({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 2}})) return 31;
+        if (!calls_domain()) return 32;
         Heap heap;
         mgdt::Triangulation t(heap), other;
         t.set_order_scheme(mgdt::order_from_name("brio"));

@@ -7,5 +7,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::guess(bytes);
     if (const auto mesh = fuzz::read(mgdt::cli::ply_format(), bytes))
         fuzz::points_return(mgdt::cli::ply_format(), mesh->points);
+    mgdt::cli::ReadOptions with_facets;
+    with_facets.has_facets = true;
+    fuzz::read(mgdt::cli::ply_format(), bytes, "", with_facets);
     return 0;
 }

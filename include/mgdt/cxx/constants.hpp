@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT
- * The constants of mgdt.h, mgdt_parts.h and mgdt_voronoi.h as enum classes, and their names. Part
- * of mgdt/mgdt.hpp, which includes it. */
+ * The constants of mgdt.h, mgdt_domain.h, mgdt_parts.h and mgdt_voronoi.h as enum classes, and
+ * their names. Part of mgdt/mgdt.hpp, which includes it. */
 #ifndef MGDT_CXX_CONSTANTS_HPP
 #define MGDT_CXX_CONSTANTS_HPP
 
 #include <cstdint>
 
 #include "../mgdt.h"
+#include "../mgdt_domain.h"
 #include "../mgdt_parts.h"
 #include "../mgdt_voronoi.h"
 
@@ -134,6 +135,57 @@ enum class VoronoiNumbers : std::int32_t {
     face_centroids = MGDT_VORONOI_FACE_CENTROIDS,
     cell_volumes = MGDT_VORONOI_CELL_VOLUMES,
     cell_centroids = MGDT_VORONOI_CELL_CENTROIDS
+};
+
+/** What an element of the offending pairs of a domain is; see MGDT_DOMAIN_KIND_FACET.
+ *  @since 1.3 */
+enum class DomainKind : std::int32_t {
+    facet = MGDT_DOMAIN_KIND_FACET,
+    segment = MGDT_DOMAIN_KIND_SEGMENT,
+    point = MGDT_DOMAIN_KIND_POINT
+};
+
+/** Options of a domain; see MGDT_DOMAIN_INDEX_BASE and its neighbours. @since 1.3 */
+enum class DomainOption : std::int32_t {
+    index_base = MGDT_DOMAIN_INDEX_BASE,
+    threads = MGDT_DOMAIN_THREADS,
+    memory_limit = MGDT_DOMAIN_MEMORY_LIMIT,
+    round_points = MGDT_DOMAIN_ROUND_POINTS
+};
+
+/** Numbers of a domain; see MGDT_DOMAIN_GIVEN_POINTS and its neighbours. @since 1.3 */
+enum class DomainNumber : std::int32_t {
+    given_points = MGDT_DOMAIN_GIVEN_POINTS,
+    given_facets = MGDT_DOMAIN_GIVEN_FACETS,
+    given_segments = MGDT_DOMAIN_GIVEN_SEGMENTS,
+    memory_bytes = MGDT_DOMAIN_MEMORY_BYTES,
+    steiner_points = MGDT_DOMAIN_STEINER_POINTS,
+    tetrahedra = MGDT_DOMAIN_TETRAHEDRA,
+    regions = MGDT_DOMAIN_REGIONS,
+    faces = MGDT_DOMAIN_FACES,
+    is_rounded = MGDT_DOMAIN_IS_ROUNDED,
+    planar_facets = MGDT_DOMAIN_PLANAR_FACETS,
+    missing_facets = MGDT_DOMAIN_MISSING_FACETS,
+    cavities = MGDT_DOMAIN_CAVITIES,
+    largest_cavity = MGDT_DOMAIN_LARGEST_CAVITY
+};
+
+/** Arrays of integers of a domain; see MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS and its neighbours.
+ *  @since 1.3 */
+enum class DomainArray : std::int32_t {
+    offending_pairs = MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS,
+    tetrahedra = MGDT_DOMAIN_ARRAY_TETRAHEDRA,
+    neighbors = MGDT_DOMAIN_ARRAY_NEIGHBORS,
+    regions = MGDT_DOMAIN_ARRAY_REGIONS,
+    region_markers = MGDT_DOMAIN_ARRAY_REGION_MARKERS,
+    faces = MGDT_DOMAIN_ARRAY_FACES,
+    face_tetrahedra = MGDT_DOMAIN_ARRAY_FACE_TETRAHEDRA,
+    face_facets = MGDT_DOMAIN_ARRAY_FACE_FACETS,
+    face_markers = MGDT_DOMAIN_ARRAY_FACE_MARKERS,
+    segments = MGDT_DOMAIN_ARRAY_SEGMENTS,
+    segment_sources = MGDT_DOMAIN_ARRAY_SEGMENT_SOURCES,
+    segment_markers = MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS,
+    steiner_edges = MGDT_DOMAIN_ARRAY_STEINER_EDGES
 };
 
 /** Options of parts; see MGDT_PARTS_INDEX_BASE and its neighbours. @since 1.2 */

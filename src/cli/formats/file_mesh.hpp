@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/file_identity.hpp"
+#include "cli/formats/file_facets.hpp"
 
 namespace mgdt::cli {
 
@@ -36,9 +37,11 @@ struct Mesh {
     // leave_out_mid_side_nodes() removes and counts them.
     std::vector<MeshIndex> mid_side;
     std::size_t mid_side_nodes = 0;
-    std::vector<Field> fields;         // values at the points
-    std::string detail;                // version and encoding, for people
-    std::vector<FileIdentity> inputs;  // the files that were read
+    std::vector<Field> fields;          // values at the points
+    FileFacets facets;                  // if they are asked for
+    std::vector<std::int32_t> regions;  // the marker of each tetrahedron; or empty
+    std::string detail;                 // version and encoding, for people
+    std::vector<FileIdentity> inputs;   // the files that were read
 
     std::size_t point_count() const { return points.size() / 3; }
     std::size_t tetrahedron_count() const { return tetrahedra.size() / 4; }

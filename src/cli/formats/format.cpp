@@ -31,14 +31,31 @@ std::string names() {
     return fmt::format("{}", fmt::join(list, ", "));
 }
 
+// Throws if a facet has a corner that is no point, or fewer than three corners.
+void require_corners(const Mesh& mesh, const Source& source) {
+    const FileFacets& facets = mesh.facets;
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        if (facets.begin[f + 1] - facets.begin[f] < 3)
+            source.fail(fmt::format("face {} has fewer than three corners", f));
+        for (auto i = facets.begin[f]; i < facets.begin[f + 1]; ++i) {
+            const std::int64_t corner = facets.corners[static_cast<std::size_t>(i)];
+            if (corner < 0 || corner >= static_cast<std::int64_t>(mesh.point_count()))
+                source.fail(
+                    fmt::format("face {} has the corner {}, counted from 0, but there are "
+                                "{} vertices",
+                                f, corner, mesh.point_count()));
+        }
+    }
+}
+
 }  // namespace
 
 const std::vector<const Format*>& all_formats() {
     static const std::vector<const Format*> formats = {
-        &text_format(),         &csv_format(),   &npy_format(), &raw_format(),    &ply_format(),
-        &obj_format(),          &off_format(),   &stl_format(), &tetgen_format(), &gmsh_format(),
-        &gmsh2_format(),        &vtu_format(),   &vtp_format(), &vtk_format(),    &medit_format(),
-        &medit_binary_format(), &abaqus_format()};
+        &text_format(),  &csv_format(),          &npy_format(),   &raw_format(),    &ply_format(),
+        &obj_format(),   &off_format(),          &stl_format(),   &tetgen_format(), &poly_format(),
+        &gmsh_format(),  &gmsh2_format(),        &vtu_format(),   &vtp_format(),    &vtk_format(),
+        &medit_format(), &medit_binary_format(), &abaqus_format()};
     return formats;
 }
 
@@ -94,6 +111,7 @@ Mesh read_mesh(const Format& format, const Source& source, const ReadOptions& op
                                 mesh.point_count(), mesh.tetrahedron_count(), most_in_mesh));
     }
     leave_out_mid_side_nodes(mesh);
+    require_corners(mesh, source);
     return mesh;
 }
 

@@ -22,6 +22,7 @@ struct ReadOptions {
     const char* columns_option = "--columns";  // the option that chooses them, for messages
     // Whether fields are read too: those with these names, or all if there are no names.
     bool has_fields = false;
+    bool has_facets = false;  // whether facets are read too
     std::vector<std::string> field_names;
 };
 
@@ -69,6 +70,8 @@ struct Format {
     // arrays need not be in memory at the same time. nullptr if the format has no neighbours.
     void (*write_neighbors)(const std::vector<MeshIndex>& neighbors, const std::string& path,
                             OutputSet& outputs, const WriteOptions& options) = nullptr;
+    // Whether read() reads facets.
+    bool has_facets = false;
     // Writes triangles; nullptr if the format does not have them.
     void (*write_surface)(const Surface& surface, OutputFile& out,
                           const WriteOptions& options) = nullptr;
@@ -80,6 +83,7 @@ const Format& npy_format();
 const Format& raw_format();
 const Format& ply_format();
 const Format& tetgen_format();
+const Format& poly_format();
 const Format& gmsh_format();
 const Format& gmsh2_format();
 const Format& vtu_format();

@@ -53,6 +53,12 @@ void write_grid(const Grid& grid, OutputFile& out) {
     std::vector<VtkArray> of_points = arrays_of(grid.fields);
     if (grid.ids != nullptr) of_points.push_back(numbers(~std::uint64_t{0}, "point", *grid.ids));
     if (!of_points.empty()) file.sections.push_back({"PointData", of_points});
+    if (grid.regions != nullptr)
+        file.sections.push_back(
+            {"CellData",
+             {vtk_array<std::int32_t>("Int32", "Name=\"region\"", cells, [&](std::uint64_t i) {
+                 return (*grid.regions)[static_cast<std::size_t>(i)];
+             })}});
     write_vtk_file(file, out);
 }
 
@@ -74,6 +80,38 @@ void write_polyhedra(const Polyhedra& polyhedra, OutputFile& out) {
           numbers(std::max<std::uint64_t>(points, polyhedra.faces.size()), "faces",
                   polyhedra.faces),
           numbers(polyhedra.faces.size(), "faceoffsets", polyhedra.face_offsets)}});
+    write_vtk_file(file, out);
+}
+
+// VTK numbers the cells of a file in the order of vertices, lines, polygons.
+void write_vtk_facets(const VtkFacets& facets, bool is_compressed, OutputFile& out) {
+    const std::uint64_t points = facets.points.size() / 3, vertices = facets.vertices.size(),
+                        lines = facets.lines.size() / 2, polygons = facets.offsets.size();
+    const std::size_t before = static_cast<std::size_t>(vertices + lines);
+    std::vector<std::int64_t> numbers_of(before, -1), pairs_of(before, 0);
+    numbers_of.insert(numbers_of.end(), facets.facets.begin(), facets.facets.end());
+    pairs_of.insert(pairs_of.end(), facets.pairs.begin(), facets.pairs.end());
+    VtkFile file = {"PolyData",
+                    fmt::format("NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" "
+                                "NumberOfStrips=\"0\" NumberOfPolys=\"{}\"",
+                                points, vertices, lines, polygons),
+                    {},
+                    is_compressed};
+    const auto rows = [](std::uint64_t count, std::uint64_t size) {
+        return vtk_integers(count * size, "offsets", count,
+                            [size](std::uint64_t i) { return size * (i + 1); });
+    };
+    file.sections.push_back({"CellData",
+                             {numbers(~std::uint64_t{0}, "facet", numbers_of),
+                              numbers(~std::uint64_t{0}, "pairs", pairs_of)}});
+    file.sections.push_back({"Points", {vtk_doubles("Points", 3, facets.points)}});
+    file.sections.push_back(
+        {"Verts", {numbers(points, "connectivity", facets.vertices), rows(vertices, 1)}});
+    file.sections.push_back(
+        {"Lines", {numbers(points, "connectivity", facets.lines), rows(lines, 2)}});
+    file.sections.push_back({"Polys",
+                             {numbers(points, "connectivity", facets.corners),
+                              numbers(facets.corners.size(), "offsets", facets.offsets)}});
     write_vtk_file(file, out);
 }
 

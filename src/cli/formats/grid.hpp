@@ -21,6 +21,8 @@ struct Grid {
     const std::vector<Field>& fields;      // of the points
     const std::vector<std::int64_t>* ids;  // an id for each point, as an array "point"; or nullptr
     bool is_compressed = false;
+    // A number for each cell, as an array "region"; or nullptr.
+    const std::vector<std::int32_t>* regions = nullptr;
 };
 
 void write_grid(const Grid& grid, OutputFile& out);
@@ -40,6 +42,19 @@ struct Polyhedra {
 };
 
 void write_polyhedra(const Polyhedra& polyhedra, OutputFile& out);
+
+// Polygons with their numbers, and lines and points beside them.
+struct VtkFacets {
+    std::vector<double> points;          // x y z of each point
+    std::vector<std::int64_t> vertices;  // points that are shown
+    std::vector<std::int64_t> lines;     // 2 points for each
+    std::vector<std::int64_t> corners;   // of the polygons
+    std::vector<std::int64_t> offsets;   // where the corners of each polygon end
+    std::vector<std::int64_t> facets,
+        pairs;  // for each polygon: its number, and in how many pairs it is
+};
+
+void write_vtk_facets(const VtkFacets& facets, bool is_compressed, OutputFile& out);
 
 void write_vtk_surface(const Surface& surface, bool is_compressed, OutputFile& out);
 

@@ -24,7 +24,8 @@ struct Property {
     bool list = false;
     Type count = Type::u8;  // the type of the length, if this is a list
     Type type = Type::f32;
-    int axis = -1;  // 0, 1 or 2 for x, y or z of the vertices
+    int axis = -1;         // 0, 1 or 2 for x, y or z of the vertices
+    bool corners = false;  // the list of a face's vertices
 };
 
 struct Element {
@@ -32,6 +33,7 @@ struct Element {
     std::uint64_t count = 0;
     std::vector<Property> properties;
     bool vertices = false;
+    bool faces = false;
 
     std::size_t least_bytes() const {
         std::size_t sum = 0;
@@ -95,6 +97,8 @@ void parse_property(const LineReader& lines, Fields& fields, Element& element) {
             if (other.axis == property.axis) lines.fail(fmt::format("{} comes twice", quote(name)));
         }
     }
+    property.corners =
+        element.faces && property.list && (name == "vertex_indices" || name == "vertex_index");
     element.properties.push_back(property);
     if (element.properties.size() > 4096) lines.fail("more than 4096 properties");
 }
@@ -133,6 +137,7 @@ Header parse_header(LineReader& lines) {
             element.count = static_cast<std::uint64_t>(
                 fields.integer("the element's count", 0, std::int64_t{1} << 62));
             element.vertices = element.name == "vertex";
+            element.faces = element.name == "face";
             if (element.vertices) ++vertex_elements;
             header.elements.push_back(std::move(element));
             if (header.elements.size() > 4096) lines.fail("more than 4096 elements");
@@ -155,7 +160,9 @@ Header parse_header(LineReader& lines) {
     return header;
 }
 
-void read_ascii(LineReader& lines, const Element& element, std::vector<double>& points) {
+void read_ascii(LineReader& lines, const Element& element, bool has_facets, Mesh& mesh) {
+    std::vector<double>& points = mesh.points;
+    const bool is_read = element.vertices || (element.faces && has_facets);
     // Each property takes at least a digit and a separator.
     if (element.properties.empty()) return;
     if (element.count > lines.bytes_left() / (2 * element.properties.size()) + 1) {
@@ -170,20 +177,26 @@ void read_ascii(LineReader& lines, const Element& element, std::vector<double>& 
             lines.fail(fmt::format("the file ends after {} of {} entries of element {}", i,
                                    element.count, quote(element.name)));
         }
-        if (!element.vertices) continue;
+        if (!is_read) continue;
         Fields fields(lines);
         double xyz[3] = {};
         for (const Property& p : element.properties) {
             if (p.list) {
                 const std::int64_t n = fields.integer("the length of a list", 0, 0x7FFFFFFF);
-                for (std::int64_t k = 0; k < n; ++k) fields.word("an item of a list");
+                for (std::int64_t k = 0; k < n; ++k) {
+                    if (p.corners)
+                        mesh.facets.corners.push_back(fields.integer("a corner of a face"));
+                    else
+                        fields.word("an item of a list");
+                }
+                if (p.corners) mesh.facets.end_facet();
             } else if (p.axis >= 0) {
                 xyz[p.axis] = fields.number("coordinate");
             } else {
                 fields.word("a property");
             }
         }
-        points.insert(points.end(), xyz, xyz + 3);
+        if (element.vertices) points.insert(points.end(), xyz, xyz + 3);
     }
 }
 
@@ -209,7 +222,13 @@ double read_scalar(ByteReader& bytes, Type type) {
     return 0;
 }
 
-void read_binary(ByteReader& bytes, const Element& element, std::vector<double>& points) {
+// A corner of a face; -1, which is no point, for a number that cannot be one.
+std::int64_t corner_of(double x) {
+    return x >= 0 && x <= static_cast<double>(most_in_mesh) ? static_cast<std::int64_t>(x) : -1;
+}
+
+void read_binary(ByteReader& bytes, const Element& element, bool has_facets, Mesh& mesh) {
+    std::vector<double>& points = mesh.points;
     const std::size_t least = element.least_bytes();
     if (least == 0) return;
     const std::string what = fmt::format("entries of element {}", quote(element.name));
@@ -225,7 +244,14 @@ void read_binary(ByteReader& bytes, const Element& element, std::vector<double>&
             if (p.list) {
                 const double n = read_scalar(bytes, p.count);
                 if (n < 0) bytes.fail(fmt::format("a list of length {}", n));
-                bytes.skip(static_cast<std::uint64_t>(n), size_of(p.type), "items of a list");
+                if (!p.corners || !has_facets) {
+                    bytes.skip(static_cast<std::uint64_t>(n), size_of(p.type), "items of a list");
+                    continue;
+                }
+                bytes.need(static_cast<std::uint64_t>(n), size_of(p.type), "corners of a face");
+                for (double k = 0; k < n; ++k)
+                    mesh.facets.corners.push_back(corner_of(read_scalar(bytes, p.type)));
+                mesh.facets.end_facet();
             } else if (p.axis >= 0) {
                 xyz[p.axis] = read_scalar(bytes, p.type);
             } else {
@@ -236,20 +262,20 @@ void read_binary(ByteReader& bytes, const Element& element, std::vector<double>&
     }
 }
 
-Mesh read_ply(const Source& source, const ReadOptions&) {
+Mesh read_ply(const Source& source, const ReadOptions& options) {
     LineReader lines(source);
     const Header header = parse_header(lines);
     Mesh mesh;
     if (header.encoding == Encoding::ascii) {
         mesh.detail = "ascii";
-        for (const Element& e : header.elements) read_ascii(lines, e, mesh.points);
+        for (const Element& e : header.elements) read_ascii(lines, e, options.has_facets, mesh);
         if (lines.next_with_text(no_comment))
             lines.fail("text after the last element; correct the counts");
     } else {
         const bool big = header.encoding == Encoding::big;
         mesh.detail = big ? "binary, big endian" : "binary, little endian";
         ByteReader bytes(source, lines.offset(), big);
-        for (const Element& e : header.elements) read_binary(bytes, e, mesh.points);
+        for (const Element& e : header.elements) read_binary(bytes, e, options.has_facets, mesh);
         if (bytes.left() > 0) {
             bytes.fail(
                 fmt::format("{} bytes after the last element; correct the counts", bytes.left()));
@@ -292,6 +318,7 @@ const Format& ply_format() {
                     write_ply_points,
                     nullptr};
         f.write_surface = write_surface;
+        f.has_facets = true;
         return f;
     }();
     return format;

@@ -9,30 +9,65 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "cli/errors.hpp"
 #include "cli/formats/bytes.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/formats/lines.hpp"
+#include "cli/formats/number.hpp"
 #include "cli/formats/text_rows.hpp"
 
 namespace mgdt::cli {
 namespace {
 
-Mesh read_obj(const Source& source, const ReadOptions&) {
+// A corner of a face: a vertex, counted from 1, or backwards from the last one if it is negative;
+// texture and normal may follow after slashes.
+std::int64_t obj_corner(const LineReader& lines, std::string_view word, std::size_t vertices) {
+    word = word.substr(0, word.find('/'));
+    std::int64_t number = 0;
+    if (!parse_integer(word, number) || number == 0)
+        lines.fail(fmt::format("{} is no vertex of a face", quote(word)));
+    return number > 0 ? number - 1 : static_cast<std::int64_t>(vertices) + number;
+}
+
+Mesh read_obj(const Source& source, const ReadOptions& options) {
     Mesh mesh;
     mesh.detail = "text";
     LineReader lines(source);
     while (lines.next_with_text()) {
         Fields fields(lines);
         const std::string_view keyword = fields.word("a keyword");
-        if (keyword == "f") ++mesh.other_cells;
+        if (keyword == "f") {
+            ++mesh.other_cells;
+            std::string_view word;
+            while (options.has_facets && fields.next(word))
+                mesh.facets.corners.push_back(obj_corner(lines, word, mesh.point_count()));
+            if (options.has_facets) mesh.facets.end_facet();
+        }
         if (keyword != "v") continue;
         for (int k = 0; k < 3; ++k) mesh.points.push_back(fields.number("coordinate"));
     }
     if (mesh.points.empty()) source.fail("has no vertices, which are lines that begin with v");
     return mesh;
+}
+
+// One line per face: the number of its corners, the corners, and perhaps a colour.
+void read_off_faces(LineReader& lines, Mesh& mesh) {
+    if (mesh.other_cells > (lines.bytes_left() + 1) / 4)
+        lines.fail(fmt::format("{} faces announced, but only {} bytes follow", mesh.other_cells,
+                               lines.bytes_left()));
+    const auto last = static_cast<std::int64_t>(mesh.point_count()) - 1;
+    for (std::size_t i = 0; i < mesh.other_cells; ++i) {
+        if (!lines.next_with_text())
+            lines.fail(fmt::format("the file ends after {} of {} faces", i, mesh.other_cells));
+        Fields fields(lines);
+        const std::int64_t n = fields.integer("the number of corners", 3, 0x7FFFFFFF);
+        for (std::int64_t k = 0; k < n; ++k)
+            mesh.facets.corners.push_back(fields.integer("corner", 0, last));
+        mesh.facets.end_facet();
+    }
 }
 
 bool sniff_off(std::string_view bytes) {
@@ -41,7 +76,7 @@ bool sniff_off(std::string_view bytes) {
 
 // Geomview's manual, "OFF files": the word OFF, preceded by letters for further data of the
 // vertices; the numbers of vertices, faces and edges; then one line per vertex.
-Mesh read_off(const Source& source, const ReadOptions&) {
+Mesh read_off(const Source& source, const ReadOptions& options) {
     Mesh mesh;
     mesh.detail = "text";
     LineReader lines(source);
@@ -74,6 +109,7 @@ Mesh read_off(const Source& source, const ReadOptions&) {
         Fields fields(lines);
         for (int k = 0; k < 3; ++k) mesh.points.push_back(fields.number("coordinate"));
     }
+    if (options.has_facets) read_off_faces(lines, mesh);
     return mesh;
 }
 
@@ -95,22 +131,28 @@ struct HashOfCorner {
 // Collects distinct corners.
 class Corners {
   public:
-    explicit Corners(Mesh& mesh) : mesh_(mesh) {}
+    Corners(Mesh& mesh, bool has_facets) : mesh_(mesh), has_facets_(has_facets) {}
+    // Adds the corner of a triangle.
     void add(Corner c) {
         for (double& x : c) x += 0.0;  // turns -0 into 0
-        if (seen_.insert(c).second) mesh_.points.insert(mesh_.points.end(), c.begin(), c.end());
+        const auto [at, is_new] = seen_.emplace(c, static_cast<std::int64_t>(mesh_.point_count()));
+        if (is_new) mesh_.points.insert(mesh_.points.end(), c.begin(), c.end());
+        if (!has_facets_) return;
+        mesh_.facets.corners.push_back(at->second);
+        if (mesh_.facets.corners.size() % 3 == 0) mesh_.facets.end_facet();
     }
 
   private:
     Mesh& mesh_;
-    std::unordered_set<Corner, HashOfCorner> seen_;
+    const bool has_facets_;
+    std::unordered_map<Corner, std::int64_t, HashOfCorner> seen_;  // the point of each corner
 };
 
 constexpr std::size_t head_bytes = 84, triangle_bytes = 50;
 
-Mesh read_stl(const Source& source, const ReadOptions&) {
+Mesh read_stl(const Source& source, const ReadOptions& options) {
     Mesh mesh;
-    Corners corners(mesh);
+    Corners corners(mesh, options.has_facets);
     // Text begins with "solid", and so do some binary headers; the size of the file decides.
     if (source.bytes.size() >= head_bytes) {
         ByteReader bytes(source, head_bytes - 4, false);
@@ -149,6 +191,7 @@ Mesh read_stl(const Source& source, const ReadOptions&) {
         corners.add(c);
     }
     if (!has_ended) source.fail("has no endsolid; the file is cut short");
+    if (mesh.facets.corners.size() % 3 != 0) source.fail("a facet does not have three vertices");
     return mesh;
 }
 
@@ -253,6 +296,7 @@ const Format& obj_format() {
                     false,   nullptr,  read_obj,
                     nullptr, nullptr};
         f.write_surface = write_obj;
+        f.has_facets = true;
         return f;
     }();
     return format;
@@ -264,6 +308,7 @@ const Format& off_format() {
                     false,   sniff_off, read_off,
                     nullptr, nullptr};
         f.write_surface = write_off;
+        f.has_facets = true;
         return f;
     }();
     return format;
@@ -275,6 +320,7 @@ const Format& stl_format() {
                     true,    nullptr,  read_stl,
                     nullptr, nullptr};
         f.write_surface = write_stl;
+        f.has_facets = true;
         return f;
     }();
     return format;

@@ -10,6 +10,7 @@
 #include "cli/errors.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/formats/lines.hpp"
+#include "cli/formats/tetgen_nodes.hpp"
 #include "cli/formats/text_rows.hpp"
 #include "cli/system.hpp"
 
@@ -19,7 +20,9 @@ namespace {
 constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
 
 std::string with_ending(const std::string& path, const char* ending) {
-    return without_extension(path, tetgen_format()) + ending;
+    for (const Format* const format : {&tetgen_format(), &poly_format()})
+        if (std::string stem = without_extension(path, *format); stem != path) return stem + ending;
+    return path + ending;
 }
 
 // The path of the file that belongs to an .ele file; the compressed one if the plain one does not
@@ -62,35 +65,6 @@ void expect_end(LineReader& lines, std::int64_t count) {
     if (lines.next_with_text()) {
         lines.fail(fmt::format("text after the {} lines announced; correct the count", count));
     }
-}
-
-// Returns the number of the first point.
-std::int64_t read_nodes(const Source& source, std::vector<double>& points) {
-    LineReader lines(source);
-    first_line(lines);
-    Fields head(lines);
-    const std::int64_t count = head.integer("the number of points", 0, any);
-    const std::int64_t dimension = integer_or(3, head, "the dimension");
-    if (dimension != 3) lines.fail(fmt::format("dimension {}; 3 is needed", dimension));
-    check_count(lines, count, 4);
-    points.reserve(3 * static_cast<std::size_t>(count));
-    std::int64_t base = 0;
-    for (std::int64_t i = 0; i < count; ++i) {
-        next_line(lines, i, count);
-        Fields fields(lines);
-        const std::int64_t number = fields.integer("the point's number");
-        if (i == 0) {
-            if (number != 0 && number != 1) {
-                lines.fail(fmt::format("the first point has number {}; it must be 0 or 1", number));
-            }
-            base = number;
-        } else if (number != i + base) {
-            lines.fail(fmt::format("point number {}; {} is next", number, i + base));
-        }
-        for (int k = 0; k < 3; ++k) points.push_back(fields.number("coordinate"));
-    }
-    expect_end(lines, count);
-    return base;
 }
 
 void read_elements(const Source& source, std::int64_t base, Mesh& mesh) {
@@ -199,6 +173,43 @@ void write_neighbors(const std::vector<MeshIndex>& neighbors, const std::string&
 }
 
 }  // namespace
+
+std::int64_t read_node_rows(LineReader& lines, std::vector<double>& points) {
+    Fields head(lines);
+    const std::int64_t count = head.integer("the number of points", 0, any);
+    const std::int64_t dimension = integer_or(3, head, "the dimension");
+    if (dimension != 3) lines.fail(fmt::format("dimension {}; 3 is needed", dimension));
+    check_count(lines, count, 4);
+    points.reserve(3 * static_cast<std::size_t>(count));
+    std::int64_t base = 0;
+    for (std::int64_t i = 0; i < count; ++i) {
+        next_line(lines, i, count);
+        Fields fields(lines);
+        const std::int64_t number = fields.integer("the point's number");
+        if (i == 0) {
+            if (number != 0 && number != 1) {
+                lines.fail(fmt::format("the first point has number {}; it must be 0 or 1", number));
+            }
+            base = number;
+        } else if (number != i + base) {
+            lines.fail(fmt::format("point number {}; {} is next", number, i + base));
+        }
+        for (int k = 0; k < 3; ++k) points.push_back(fields.number("coordinate"));
+    }
+    return base;
+}
+
+std::int64_t read_nodes(const Source& source, std::vector<double>& points) {
+    LineReader lines(source);
+    first_line(lines);
+    const std::int64_t base = read_node_rows(lines, points);
+    expect_end(lines, static_cast<std::int64_t>(points.size() / 3));
+    return base;
+}
+
+std::string beside_node_file(const Source& source) {
+    return beside(source, ".node");
+}
 
 const Format& tetgen_format() {
     static const Format format = {"tetgen",

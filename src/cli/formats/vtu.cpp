@@ -423,9 +423,9 @@ Mesh read_vtu(const Source& source, const ReadOptions& options) {
 
 void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
                 const WriteOptions& options) {
-    write_grid(
-        {mesh.points, &mesh.tetrahedra, 4, vtk_tetra, mesh.fields, nullptr, options.compress},
-        outputs.open(path));
+    write_grid({mesh.points, &mesh.tetrahedra, 4, vtk_tetra, mesh.fields, nullptr, options.compress,
+                mesh.regions.empty() ? nullptr : &mesh.regions},
+               outputs.open(path));
 }
 
 // ParaView does not show points without cells, so each point is a cell if there are no tetrahedra.

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "cli/domain_program.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "cli/errors.hpp"
+
+namespace mgdt::cli {
+
+Mesh read_facets(InputOptions input) {
+    input.read.has_facets = true;
+    const Format* format = nullptr;
+    Mesh mesh = read_input(input, &format);
+    const std::string name = input_name(input.path);
+    if (!format->has_facets) {
+        std::vector<std::string> known;
+        for (const Format* const f : all_formats())
+            if (f->has_facets)
+                known.insert(known.end(), f->extensions.begin(), f->extensions.end());
+        throw Error(exit_usage, fmt::format("{}: facets are not read from {} files; they are read "
+                                            "from {}",
+                                            name, format->name, fmt::join(known, ", ")));
+    }
+    if (mesh.facets.size() == 0)
+        throw Error(exit_input, fmt::format("{}: there are no facets", name));
+    return mesh;
+}
+
+Domain make_domain(const Mesh& mesh, int threads, std::uint64_t memory_limit,
+                   const std::string& name) {
+    Domain domain;
+    try {
+        domain.set_option(DomainOption::threads, threads);
+        domain.set_option(DomainOption::memory_limit, static_cast<std::int64_t>(memory_limit));
+        domain.set_points(Points(mesh.points.data(), mesh.point_count()));
+        domain.set_facets(mesh.facets.begin, mesh.facets.corners, mesh.facets.markers);
+        domain.set_segments(mesh.facets.segments);
+        for (const FileFacets::Place& hole : mesh.facets.holes) domain.add_hole(hole.x);
+        for (const FileFacets::Place& region : mesh.facets.regions)
+            domain.add_region(region.x, region.marker);
+    } catch (...) {
+        rethrow_failure(name, domain.last_error());
+    }
+    return domain;
+}
+
+std::vector<OffendingPair> offending_pairs(const Domain& domain) {
+    const std::vector<std::int64_t> values = domain.array(DomainArray::offending_pairs);
+    std::vector<OffendingPair> pairs;
+    for (std::size_t i = 0; i < values.size(); i += 4)
+        pairs.push_back(
+            {{static_cast<DomainKind>(values[i]), static_cast<DomainKind>(values[i + 2])},
+             {values[i + 1], values[i + 3]}});
+    return pairs;
+}
+
+}  // namespace mgdt::cli
