@@ -136,7 +136,7 @@ bool calls_domain() {
         if (e.status() != MGDT_ERR_INVALID_BOUNDARY || domain.last_error() != e.what())
             return false;
     }
-    if (domain.array(mgdt::DomainArray::offending_pairs).size() != 8) return false;
+    if (domain.array(mgdt::DomainArray::offending_pairs).size() != 4) return false;
     domain.cancel();
     domain.clear();
     mgdt::Domain other;
