@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 # The handles of the C interface. A function that has one takes it first.
-HANDLES = ("mgdt_triangulation", "mgdt_parts", "mgdt_voronoi")
+HANDLES = ("mgdt_triangulation", "mgdt_parts", "mgdt_voronoi", "mgdt_domain")
 
 
 class Group(NamedTuple):
@@ -27,7 +27,7 @@ class Description:
     # The length of each array that a function takes or fills, in elements: a number, or a product or
     # sum of numbers, of the function's counts and of what functions count. "1" is a single value. A "?" in
     # front means that NULL is allowed; "stride" an address from which the library goes on by a stride;
-    # "text" a string that ends with NUL. Twins, whose names end with _i32, have the arrays of the
+    # "listed" an array whose lists another one describes; "text" a string that ends with NUL. Twins, whose names end with _i32, have the arrays of the
     # function that they twin.
     lengths: dict[str, dict[str, str]]
     groups: tuple[Group, ...] = ()  # of the enumerations, in their order

@@ -17,6 +17,7 @@ import header
 import rust
 import scripting
 from description import TRIANGULATION
+from domain import DOMAIN
 from parts import MPI, PARTS
 from voronoi import VORONOI
 
@@ -25,18 +26,18 @@ HEADERS = BINDINGS.parent / "include" / "mgdt"
 
 
 def read_all(folder: Path = HEADERS) -> list[header.Interface]:
-    """The interfaces of mgdt.h, mgdt_parts.h, mgdt_mpi.h and mgdt_voronoi.h."""
+    """The interfaces of mgdt.h, mgdt_parts.h, mgdt_mpi.h, mgdt_voronoi.h and mgdt_domain.h."""
     found: list[header.Interface] = []
-    for description in (TRIANGULATION, PARTS, MPI, VORONOI):
+    for description in (TRIANGULATION, PARTS, MPI, VORONOI, DOMAIN):
         found.append(header.read(folder / description.header, description, found))
     return found
 
 
 def all_files(interfaces: list[header.Interface]) -> dict[str, str]:
     """The files by their names below the folder of the bindings."""
-    triangulation, parts, mpi, voronoi = interfaces
+    triangulation, parts, mpi, voronoi, domain = interfaces
     both = triangulation.joined(voronoi)
-    return {**fortran.files(both, parts, mpi), **rust.files(both), **scripting.files(both, parts)}
+    return {**fortran.files(both, parts, mpi), **rust.files(both), **scripting.files(both, parts, domain)}
 
 
 def main() -> None:

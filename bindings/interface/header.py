@@ -209,7 +209,7 @@ def _describe(function: Function, description: Description, counted: set[str],
             raise DescriptionError(f"{function.name}: its description has no length of {p.name}")
         p.may_be_null = length.startswith("?")
         p.length = length.lstrip("?")
-        factors = set(re.split(r"[*+]", p.length)) - {"text", "stride"}
+        factors = set(re.split(r"[*+]", p.length)) - {"text", "stride", "listed"}
         unknown = [f for f in sorted(factors) if not f.isdigit() and f not in counts | counted]
         if unknown:
             raise DescriptionError(f"{function.name}: the length of {p.name} is {p.length}, "

@@ -11,7 +11,7 @@ from header import Callback, Function, Interface, Parameter, Record
 
 WIDTH = 100
 ORIGIN = "Generated from the headers of mgdt by bindings/interface/generate.py."
-PARTS_ORIGIN = "Generated from mgdt/mgdt_parts.h by bindings/interface/generate.py."
+ONE_ORIGIN = "Generated from mgdt/%s by bindings/interface/generate.py."
 
 
 def wrapped(begin: str, items: list[str], end: str, indent: str) -> str:
@@ -148,10 +148,10 @@ def python(interface: Interface, of_others: Optional[Interface] = None) -> str:
                                "c_uint64", "c_void_p") if re.search(rf"\b{name}\b", code)]
     used = sorted({ctypes_type(p) for f in interface.functions for p in f.parameters if p.is_callback}
                   - {ctypes_type(Parameter("", c.name, 0, False)) for c in interface.callbacks})
-    return (f"# SPDX-License-Identifier: MIT\n# {PARTS_ORIGIN if of_others else ORIGIN}\n"
+    return (f"# SPDX-License-Identifier: MIT\n# {ONE_ORIGIN % interface.header if of_others else ORIGIN}\n"
             f'"""The functions of {interface.header} for ctypes. Arrays are passed as addresses."""\n\n'
-            "from __future__ import annotations\n\nimport ctypes\n"
-            f"from ctypes import {', '.join(names)}\nfrom typing import Any\n\n"
+            "from __future__ import annotations\n\n"
+            + ("import ctypes\n" if "ctypes." in code else "") + f"from ctypes import {', '.join(names)}\nfrom typing import Any\n\n"
             + (f"from ._interface import {', '.join(used)}\n\n" if of_others else "") + code + "}\n")
 
 
@@ -174,9 +174,10 @@ def octave(interface: Interface) -> str:
             + macro("MGDT_ERRORS(E)", errors) + "\n#endif /* MGDT_OCTAVE_INTERFACE_H */\n")
 
 
-def files(interface: Interface, parts: Interface) -> dict[str, str]:
+def files(interface: Interface, parts: Interface, domain: Interface) -> dict[str, str]:
     return {"lua/mgdt/interface.lua": lua(interface),
             "ruby/lib/mgdt/interface.rb": ruby(interface),
             "python/mgdt/_interface.py": python(interface),
             "python/mgdt/_parts_interface.py": python(parts, interface),
+            "python/mgdt/_domain_interface.py": python(domain, interface),
             "octave/mgdt_interface.h": octave(interface)}

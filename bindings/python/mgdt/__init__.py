@@ -19,6 +19,7 @@ from ._errors import (
 from ._insertion import CANCEL
 from .alpha import AlphaShape
 from .delaunay import Delaunay
+from .domain import DomainMesh, InvalidBoundary, OffendingPair, offending_pairs
 from .interpolation import Interpolator
 from .parallel import ParallelDelaunay
 from .scattered import (
@@ -37,12 +38,15 @@ __all__ = [
     "Cancelled",
     "CheckFailed",
     "Delaunay",
+    "DomainMesh",
     "Error",
     "Interpolator",
+    "InvalidBoundary",
     "LinearNDInterpolator",
     "NaturalNeighborInterpolator",
     "NearestNDInterpolator",
     "ORDER_SCHEMES",
+    "OffendingPair",
     "OutOfMemoryError",
     "ParallelDelaunay",
     "QhullError",
@@ -51,6 +55,7 @@ __all__ = [
     "griddata",
     "library_path",
     "library_version",
+    "offending_pairs",
 ]
 
 __version__ = "1.3.0"

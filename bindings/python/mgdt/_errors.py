@@ -18,6 +18,7 @@ TOO_LARGE = _STATUS["too_large"]
 CANCELLED = _STATUS["cancelled"]
 BUSY = _STATUS["busy"]
 CHECK_FAILED = _STATUS["check_failed"]
+INVALID_BOUNDARY = _STATUS["invalid_boundary"]
 
 
 class Error(Exception):

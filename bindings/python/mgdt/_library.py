@@ -8,7 +8,7 @@ import ctypes.util
 import os
 from typing import Iterator
 
-from . import _interface, _parts_interface
+from . import _domain_interface, _interface, _parts_interface
 from ._interface import PROGRESS
 
 ABI_VERSION = 1
@@ -23,7 +23,7 @@ BUNDLED_NAMES = ("libmgdt.so.1", "libmgdt.1.dylib")
 INSTALLED_NAME = "libmgdt.path"
 """The file in this package's folder in which ``meson install`` leaves the path of the library."""
 
-_FUNCTIONS = {**_interface.FUNCTIONS, **_parts_interface.FUNCTIONS}
+_FUNCTIONS = {**_interface.FUNCTIONS, **_parts_interface.FUNCTIONS, **_domain_interface.FUNCTIONS}
 
 NO_PROGRESS = PROGRESS(0)
 """NULL."""
@@ -70,7 +70,7 @@ def _declare(library: ctypes.CDLL) -> None:
         try:
             function = getattr(library, name)
         except AttributeError:
-            raise _Unsuitable(f"it has no function {name}, so it is no mgdt 1.2 or later") from None
+            raise _Unsuitable(f"it has no function {name}, so it is no mgdt 1.3 or later") from None
         function.restype = result
         function.argtypes = parameters
         if name == "mgdt_abi_version" and function() != ABI_VERSION:
