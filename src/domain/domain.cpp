@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "domain/mesh_check.hpp"
+#include "platform/objects.hpp"
 
 namespace mgdt {
 namespace {
@@ -177,7 +178,10 @@ void Domain::run(StageProgress& progress) {
     const PlanarFacets facets = find_planar_facets(complex.boundary, complex.markers, allocator_);
     planar_facets_ = facets.facets.size();
 
-    Triangulation triangulation(Allocator::allocate_from, Allocator::release_to, &allocator_);
+    // A triangulation is too large for the stack.
+    Objects<Triangulation> place(allocator_, 1, &Allocator::allocate_from, &Allocator::release_to,
+                                 static_cast<void*>(&allocator_));
+    Triangulation& triangulation = place[0];
     triangulation.settings().threads = settings_.threads;
     Buffer<double> points(allocator_);
     points.resize(complex.boundary.points.size());
@@ -196,7 +200,7 @@ void Domain::run(StageProgress& progress) {
     ConstrainedMesh mesh(triangulation, points, allocator_);
     triangulation.clear();
     triangulation.shrink();
-    if (triangulation.dimension() == 3 || !subsegments.empty())
+    if (!subsegments.empty())
         facet_counts_ = insert_facets(mesh, facets, subsegments, allocator_, stop);
     progress.enter(0.9, 1);
     Buffer<DomainInput::Place> regions(allocator_), holes(allocator_);

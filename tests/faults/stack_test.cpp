@@ -11,6 +11,7 @@
 #include "../property/handle.hpp"
 #include "../small.h"
 #include "degenerate_sets.hpp"
+#include "mgdt/mgdt_domain.h"
 #include "mgdt/mgdt_parts.h"
 #include "painted_stack.hpp"
 
@@ -368,6 +369,52 @@ void changes(Meter& meter) {
     }
 }
 
+// Blocks of cubes with all sides, and triangles of each set, most of which cross.
+void domains(Meter& meter) {
+    const auto meter_domain = [&](const Points& xyz, const std::vector<std::int64_t>& corners) {
+        mgdt_domain* d = nullptr;
+        ASSERT_EQ(mgdt_domain_create(&d), MGDT_OK);
+        meter("mgdt_domain_set_points",
+              [&] { return mgdt_domain_set_points(d, count(xyz), xyz.data()); });
+        const auto facets = static_cast<std::int64_t>(corners.size() / 3);
+        meter("mgdt_domain_set_facets",
+              [&] { return mgdt_domain_set_facets(d, facets, nullptr, corners.data(), nullptr); });
+        const mgdt_status status = mgdt_domain_validate(d);
+        meter(
+            "mgdt_domain_validate", [&] { return mgdt_domain_validate(d); }, status);
+        const mgdt_status built = mgdt_domain_build(d);
+        meter(
+            "mgdt_domain_build", [&] { return mgdt_domain_build(d); }, built);
+        if (built == MGDT_OK) meter("mgdt_domain_check", [&] { return mgdt_domain_check(d); });
+        mgdt_domain_destroy(d);
+        EXPECT_EQ(status == MGDT_OK, built == MGDT_OK || built == MGDT_ERR_RESOLUTION);
+    };
+    for (const Set& set : sets) {
+        SCOPED_TRACE(set.name);
+        const Points xyz = set.points(set.n);
+        std::vector<std::int64_t> corners;
+        for (std::int64_t i = 0; i + 2 < count(xyz) && i < 300; ++i)
+            for (std::int64_t k = 0; k < 3; ++k) corners.push_back(i + k);
+        meter_domain(xyz, corners);
+        meter_domain(xyz, {});
+    }
+    // The sides of cubes are squares of a lattice; every third cube is twisted.
+    Points xyz;
+    std::vector<std::int64_t> corners;
+    for (int cube = 0; cube < 60; ++cube) {
+        const std::int64_t first = count(xyz);
+        for (int z = 0; z < 2; ++z)
+            for (int i = 0; i < 3; ++i) {
+                const double turn = 2.0943951023931953 * i - (cube % 3 == 0 ? 0.5 : 0.0) * z;
+                for (const double x : {4.0 * cube + std::cos(turn), std::sin(turn), double(z)})
+                    xyz.push_back(x);
+            }
+        for (const int v : {0, 2, 1, 3, 4, 5, 0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4, 2, 0, 5, 0, 3, 5})
+            corners.push_back(first + v);
+    }
+    meter_domain(xyz, corners);
+}
+
 // Calls that are given up: deep in an insertion, and for what they were given.
 void failures(Meter& meter) {
     const Points xyz = nested(300);
@@ -492,6 +539,7 @@ void make_all_calls(Meter& meter) {
     parts(meter);
     small_sets(meter);
     changes(meter);
+    domains(meter);
     failures(meter);
     large_sets(meter);
 }
@@ -516,6 +564,7 @@ TEST(Stack, EndsThere) {
     Meter meter;
     if (is_small()) {
         parts(meter);
+        domains(meter);
         failures(meter);
     } else {
         make_all_calls(meter);
