@@ -2,9 +2,10 @@
 // Fills the part of a mesh that a facet crosses, on each side of the facet.
 #pragma once
 
-#include "domain/box_tree.hpp"
 #include "domain/facet_walk.hpp"
+#include "domain/open_faces.hpp"
 #include "domain/simplex_pair.hpp"
+#include "domain/vertex_triangulation.hpp"
 
 namespace mgdt {
 
@@ -14,10 +15,13 @@ class CavityFilling {
         : mesh_(mesh),
           boundary_(allocator),
           open_(allocator),
+          foreign_(allocator),
           corners_(allocator),
           candidates_(allocator),
+          inner_(allocator),
           crossed_(allocator),
-          two_sided_(allocator) {}
+          two_sided_(allocator),
+          delaunay_(allocator) {}
 
     // Replaces tetrahedra that a facet crosses and that are connected by faces which it crosses:
     // the constrained Delaunay triangulation of their vertices that has the facet. Marks the faces
@@ -25,39 +29,50 @@ class CavityFilling {
     void replace(FacetWalk& facet, std::uint32_t number, const Buffer<std::uint32_t>& crossed);
 
   private:
+    using Face = OpenFaces::Face;
     // What is behind a face that is a part of a facet and has the cavity on both sides.
     static constexpr std::uint32_t inside = 0xFFFFFFFEu;
+    // With more vertices on one side, their Delaunay triangulation proposes tetrahedra.
+    static constexpr std::size_t few_candidates = 48;
 
-    // A face of the cavity, or of the part that is not filled yet. A point inside of that part and
-    // the corners are positively oriented: (v[0], v[1], v[2], point).
-    struct Face {
-        std::uint32_t v[3];
-        std::uint32_t behind;  // the code of the face on the other side, no_face, or `inside`
-        std::uint32_t facet;   // the facet that the face is a part of, or no_facet
+    // A face of the cavity, with the side of the facet on which it is.
+    struct BoundaryFace {
+        Face face;
         bool is_above;
-        BoundingBox box;
+    };
+    // A face that is a part of a facet, with the code in a new tetrahedron on one side.
+    struct TwoSidedFace {
+        std::uint32_t v[3];  // the corners in ascending order
+        std::uint32_t code, facet;
+        friend bool operator<(const TwoSidedFace& a, const TwoSidedFace& b) {
+            return std::lexicographical_compare(a.v, a.v + 3, b.v, b.v + 3);
+        }
     };
 
     Face make_face(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t behind,
-                   std::uint32_t facet, bool is_above) const;
+                   std::uint32_t facet) const;
     void collect(FacetWalk& facet, const Buffer<std::uint32_t>& crossed);
     void fill(FacetWalk& facet, std::uint32_t number, bool above);
+    void open(const Face& face);
     std::uint32_t choose_apex(const Face& face);
-    bool fits(const Face& face, std::uint32_t apex) const;
-    bool crosses_open_face(const std::uint32_t (&v)[3], const Face& base) const;
+    bool fits(const Face& face, std::uint32_t apex, bool is_delaunay) const;
+    bool crosses(const std::uint32_t (&v)[3], const BoundingBox& box, const Face& other) const;
     void add_tetrahedron(FacetWalk& facet, std::uint32_t number, const Face& face,
                          std::uint32_t apex);
     void close(std::uint32_t code, const Face& open);
+    void add_two_sided(const std::uint32_t (&v)[3], std::uint32_t code, std::uint32_t facet);
     void join_sides();
     Simplex triangle(const std::uint32_t (&v)[3]) const;
 
     ConstrainedMesh& mesh_;
-    Buffer<Face> boundary_, open_;
-    Buffer<std::uint32_t> corners_, candidates_;
-    Buffer<std::uint32_t> crossed_;  // the tetrahedra that are replaced, sorted
-    // Faces that are parts of facets: `behind` is the code in the new tetrahedron on one side. The
-    // list has each of them twice, from both sides.
-    Buffer<Face> two_sided_;
+    Buffer<BoundaryFace> boundary_;
+    OpenFaces open_;
+    Buffer<std::uint32_t> foreign_;  // open faces that are not in the Delaunay triangulation
+    Buffer<std::uint32_t> corners_, candidates_, inner_;
+    Buffer<std::uint32_t> crossed_;   // the tetrahedra that are replaced, sorted
+    Buffer<TwoSidedFace> two_sided_;  // each face twice, from both sides
+    VertexTriangulation delaunay_;    // of the candidates, if there are many
+    bool has_delaunay_ = false;
 };
 
 }  // namespace mgdt

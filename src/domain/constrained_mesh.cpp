@@ -39,6 +39,7 @@ ConstrainedMesh::ConstrainedMesh(const Triangulation& triangulation, const Buffe
 
 std::uint32_t ConstrainedMesh::tetrahedron_at(std::uint32_t a, std::uint32_t b) {
     if (hints[a] == no_tetrahedron) return no_tetrahedron;
+    stamp_.grow(tetrahedra.size());
     stamp_.resize(tetrahedra.size(), 0u);
     ++search_;
     star_.clear();

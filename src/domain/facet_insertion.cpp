@@ -2,6 +2,7 @@
 #include "domain/facet_insertion.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "domain/cavity_filling.hpp"
 
@@ -20,7 +21,8 @@ class FacetInsertion {
           walk_(mesh, ends_, allocator),
           filling_(mesh, allocator),
           crossed_(allocator),
-          component_(allocator) {
+          component_(allocator),
+          is_taken_(allocator) {
         first_part_.resize(facets.segments.size() / 2, 0u);
         for (std::uint32_t i = static_cast<std::uint32_t>(subsegments.size()); i-- > 0;)
             first_part_[subsegments[i].segment] = i;
@@ -37,8 +39,11 @@ class FacetInsertion {
         crossed_.clear();
         for (const std::uint32_t t : walk_.crossed()) crossed_.push_back(t);
         std::sort(crossed_.begin(), crossed_.end());
-        while (!crossed_.empty()) {
-            take_component();
+        is_taken_.clear();
+        is_taken_.resize(crossed_.size(), std::uint8_t{0});
+        for (std::size_t i = 0; i < crossed_.size(); ++i) {
+            if (is_taken_[i] != 0) continue;
+            take_component(i);
             filling_.replace(walk_, facet, component_);
             ++counts.cavities;
             counts.largest_cavity = std::max(counts.largest_cavity, component_.size());
@@ -61,11 +66,15 @@ class FacetInsertion {
         return static_cast<std::uint32_t>(low);
     }
 
-    // Moves crossed tetrahedra that are connected by crossed faces to component_.
-    void take_component() {
+    // Collects the crossed tetrahedra that are connected with the one at a position by faces that
+    // the facet crosses, and takes them.
+    void take_component(std::size_t start) {
         component_.clear();
-        component_.push_back(crossed_.back());
-        crossed_.pop_back();
+        const auto take = [&](std::size_t at) {
+            is_taken_[at] = 1;
+            component_.push_back(crossed_[at]);
+        };
+        take(start);
         for (std::size_t i = 0; i < component_.size(); ++i) {
             const ConstrainedMesh::Tetrahedron& t = mesh_.tetrahedra[component_[i]];
             for (unsigned face = 0; face < 4; ++face) {
@@ -77,12 +86,12 @@ class FacetInsertion {
                     has_below = has_below || side < 0;
                 }
                 if (!has_above || !has_below) continue;
-                const std::uint32_t next = t.n[face] / 4;
-                std::uint32_t* const at = std::lower_bound(crossed_.begin(), crossed_.end(), next);
-                if (at == crossed_.end() || *at != next) continue;
-                component_.push_back(next);
-                std::copy(at + 1, crossed_.end(), at);
-                crossed_.pop_back();
+                const std::uint32_t* const found =
+                    std::lower_bound(crossed_.begin(), crossed_.end(), t.n[face] / 4);
+                const auto at = static_cast<std::size_t>(found - crossed_.begin());
+                assert(at < crossed_.size() && *found == t.n[face] / 4 &&
+                       "a facet crosses a face and not both tetrahedra");
+                if (is_taken_[at] == 0) take(at);
             }
         }
     }
@@ -95,6 +104,7 @@ class FacetInsertion {
     FacetWalk walk_;
     CavityFilling filling_;
     Buffer<std::uint32_t> crossed_, component_;
+    Buffer<std::uint8_t> is_taken_;  // for each of crossed_: whether it is in a component already
 };
 
 }  // namespace

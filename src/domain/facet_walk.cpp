@@ -16,6 +16,9 @@ void FacetWalk::run(const std::uint32_t (&corner)[3], std::uint32_t a, std::uint
     for (int k = 0; k < 3; ++k) plane_[k] = mesh_.point(corner[k]);
     ++walk_;
     signs_.resize(mesh_.points.size() / 3, Sign{0, 0});
+    // Cavities may have added tetrahedra.
+    stamps_.grow(mesh_.tetrahedra.size());
+    face_stamps_.grow(4 * mesh_.tetrahedra.size());
     stamps_.resize(mesh_.tetrahedra.size(), 0u);
     face_stamps_.resize(4 * mesh_.tetrahedra.size(), 0u);
     faces_.clear();

@@ -116,7 +116,8 @@ class Splitting {
         for (const Split& split : splits_) {
             Subsegment& s = parts_[split.part];
             const auto middle = static_cast<std::uint32_t>(points_.size() / 3);
-            points_.resize(points_.size() + 3);
+            points_.grow(points_.size() + 3);
+            points_.resize_within_capacity(points_.size() + 3);
             divided(s.segment).point(split.k, points_.end() - 3);
             steiner_.push_back({s.segment, split.k});
             round_of_point_.push_back(0);

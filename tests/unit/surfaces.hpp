@@ -351,6 +351,24 @@ inline Surface city(int n) {
     return s;
 }
 
+// A square among points on both sides of it, which is missing, and through which many edges pass.
+inline Surface square_in_a_cloud(int n) {
+    Surface s("square in a cloud");
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> place(-1, 1);
+    for (int i = 0; i < n; ++i) {
+        const double x = place(random), y = place(random), z = place(random);
+        s.point(x, y, 0.2 * z);
+    }
+    const double corner[3] = {3, 3, 3};
+    add_box(s, {-3, -3, -3}, corner);
+    const std::uint32_t a = s.point(-2, -2, 0), b = s.point(2, -2, 0), c = s.point(2, 2, 0),
+                        d = s.point(-2, 2, 0);
+    s.facet({a, b, c, d});
+    s.volume = 216;
+    return s;
+}
+
 // A prism over a star polygon with n tips.
 inline Surface star_prism(int n, double inner) {
     Surface s{"prism over a star"};
@@ -432,6 +450,7 @@ inline std::vector<Surface> test_surfaces() {
                                 spiky(3),
                                 spiky(20),
                                 city(6),
+                                square_in_a_cloud(500),
                                 star_prism(5, 0.4),
                                 star_prism(12, 0.1),
                                 divided_box(),
