@@ -218,13 +218,14 @@ MGDT_API mgdt_status mgdt_domain_set_segments(mgdt_domain* d, int64_t n, const i
                                               const int32_t* markers);
 
 /** Gives the region that contains a place a marker. The mesh is removed. A place outside of the
- *  domain has no effect.
+ *  domain has no effect; a place on a facet is in the regions on both of its sides.
  *  @param xyz  the 3 coordinates of a place inside of the region
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_FINITE, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_add_region(mgdt_domain* d, const double* xyz, int32_t marker);
 
-/** Makes what facets enclose around a place a hole, which is not filled. The mesh is removed.
+/** Makes what facets enclose around a place a hole, which is not filled. The mesh is removed. A
+ *  place on a facet makes both of its sides holes.
  *  @param xyz  the 3 coordinates of a place inside of the hole
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_FINITE, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
@@ -241,18 +242,20 @@ MGDT_API mgdt_status mgdt_domain_add_hole(mgdt_domain* d, const double* xyz);
 MGDT_API mgdt_status mgdt_domain_validate(mgdt_domain* d);
 
 /** Makes the mesh, in place of an earlier one. If facets enclose nothing, the mesh has no
- *  tetrahedra.
+ *  tetrahedra; if all points are in one plane, it has no faces and segments either.
  *  @return MGDT_OK or MGDT_ERR_NULL_POINTER. After any other status there is no mesh:
- *  MGDT_ERR_INVALID_BOUNDARY as for mgdt_domain_validate(), MGDT_ERR_RESOLUTION (points are nearer
- *  to each other than the grid to which they are rounded, or an edge would have to be divided more
- *  finely than doubles can), MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED, MGDT_ERR_OUT_OF_MEMORY
+ *  MGDT_ERR_INVALID_BOUNDARY as for mgdt_domain_validate(), MGDT_ERR_RESOLUTION (points or facets
+ *  are nearer to each other than the grid to which points are rounded, or an edge would have to be
+ *  divided more finely than doubles can), MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED,
+ *  MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_build(mgdt_domain* d);
 
-/** Checks the mesh, with exact arithmetic, against the points, facets and segments that were set:
- *  all tetrahedra are positive; every facet is covered by faces, once, and every segment by edges;
- *  regions end at facets; and the mesh is constrained Delaunay (docs/theory.md, "Meshes of
- *  domains").
+/** Checks the mesh, with exact arithmetic, against what was set: all tetrahedra are positive and do
+ *  not overlap; every facet is covered by faces, once, and every segment by edges; regions end at
+ *  facets, have the markers of the places in them and contain no holes; and the mesh is constrained
+ *  Delaunay (docs/theory.md, "Meshes of domains"). It does not find anew which of the parts that
+ *  facets enclose have to be filled.
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (there is no mesh),
  *  MGDT_ERR_CHECK_FAILED (the message says what is wrong and where), MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */

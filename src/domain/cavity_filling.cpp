@@ -78,6 +78,7 @@ void CavityFilling::fill(FacetWalk& facet, std::uint32_t number, bool above) {
     std::size_t made = 0;
     for (std::uint32_t i = 0; i < open_.size(); ++i) {
         if (!open_[i].is_open) continue;
+        stop_.poll_in_step(made);
         if (++made > most) fail(MGDT_ERR_INTERNAL, "a cavity is not filled; please report it");
         const Face face = open_[i];
         open_.close(i);

@@ -11,8 +11,9 @@ namespace mgdt {
 
 class CavityFilling {
   public:
-    CavityFilling(ConstrainedMesh& mesh, Allocator& allocator)
+    CavityFilling(ConstrainedMesh& mesh, Allocator& allocator, const StopRequest& stop)
         : mesh_(mesh),
+          stop_(stop),
           boundary_(allocator),
           open_(allocator),
           foreign_(allocator),
@@ -65,6 +66,7 @@ class CavityFilling {
     Simplex triangle(const std::uint32_t (&v)[3]) const;
 
     ConstrainedMesh& mesh_;
+    const StopRequest stop_;
     Buffer<BoundaryFace> boundary_;
     OpenFaces open_;
     Buffer<std::uint32_t> foreign_;  // open faces that are not in the Delaunay triangulation

@@ -2,6 +2,7 @@
 #include "domain/complex.hpp"
 
 #include "domain/polygon.hpp"
+#include "platform/error.hpp"
 #include "platform/number_table.hpp"
 
 namespace mgdt {
@@ -35,8 +36,12 @@ void divide_facets(const DomainInput& input, Complex& complex, Allocator& alloca
     Buffer<std::uint32_t>& triangles = complex.boundary.triangles;
     for (std::uint32_t f = 0; f < input.facet_count(); ++f) {
         corners.clear();
-        for (std::uint32_t i = input.facet_begin[f]; i < input.facet_begin[f + 1]; ++i)
-            corners.push_back(complex.number_of_point[input.corners[i]]);
+        for (std::uint32_t i = input.facet_begin[f]; i < input.facet_begin[f + 1]; ++i) {
+            // A corner that repeats the one before it is left out.
+            const std::uint32_t corner = complex.number_of_point[input.corners[i]];
+            if (corners.empty() || corners.back() != corner) corners.push_back(corner);
+        }
+        while (corners.size() > 1 && corners.back() == corners[0]) corners.pop_back();
         if (!triangulate_polygon(complex.boundary.points.begin(), corners.begin(), corners.size(),
                                  triangles))
             complex.bad_facets.push_back(f);
@@ -44,6 +49,9 @@ void divide_facets(const DomainInput& input, Complex& complex, Allocator& alloca
             complex.facet_of_triangle.push_back(f);
             complex.markers.push_back(input.facet_markers[f]);
         }
+        // Corners of triangles are numbered.
+        if (triangles.size() >= 0xFFFFFFFFu)
+            fail(MGDT_ERR_TOO_LARGE, "the facets have more triangles than can be numbered");
     }
 }
 

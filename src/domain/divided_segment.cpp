@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "domain/rounding_grid.hpp"
+
 namespace mgdt {
 
 DividedSegment::DividedSegment(const double* a, const double* b) noexcept {
@@ -16,7 +18,9 @@ DividedSegment::DividedSegment(const double* a, const double* b) noexcept {
         step_[i] = static_cast<std::int64_t>(b[i]) - origin_[i];
         const double largest = std::max(std::fabs(a[i]), std::fabs(b[i]));
         constexpr int significant_bits = 53;
-        places[i] = largest > 0 ? significant_bits - 1 - std::ilogb(largest) : most_room;
+        places[i] = RoundingGrid::places;
+        if (largest > 0)
+            places[i] = std::min(places[i], significant_bits - 1 - std::ilogb(largest));
         zeros[i] = 0;
         if (step_[i] == 0) continue;
         while ((step_[i] >> zeros[i] & 1) == 0) ++zeros[i];

@@ -82,11 +82,11 @@ unsigned Domain::threads() const noexcept {
 void Domain::validate() {
     const AtEnd forget_request{[&] { cancelled_.store(false, std::memory_order_relaxed); }};
     forget_results();
-    require_valid(make_complex(input_, allocator_), "");
+    require_valid(make_complex(input_, allocator_), MGDT_ERR_INVALID_BOUNDARY, "");
 }
 
 // Writes the pairs that offend as the caller's items, and throws if there are any.
-void Domain::require_valid(const Complex& complex, const char* where) {
+void Domain::require_valid(const Complex& complex, mgdt_status otherwise, const char* where) {
     const Boundary& boundary = complex.boundary;
     Team team(threads());
     const Buffer<OffendingPair> pairs =
@@ -100,25 +100,28 @@ void Domain::require_valid(const Complex& complex, const char* where) {
         const std::uint32_t number = boundary.lone_points[i - segments];
         return {Offence::point, complex.point_of_number[number]};
     };
+    Buffer<Offence> found(allocator_);
     for (const OffendingPair& pair : pairs) {
         Offence offence = {item(pair.first), item(pair.second)};
         if (offence.second < offence.first) std::swap(offence.first, offence.second);
-        offences_.push_back(offence);
+        found.push_back(offence);
     }
     for (const std::uint32_t f : complex.bad_facets)
-        offences_.push_back({{Offence::facet, f}, {Offence::facet, f}});
-    std::sort(offences_.begin(), offences_.end());
-    offences_.resize(static_cast<std::size_t>(std::unique(offences_.begin(), offences_.end()) -
-                                              offences_.begin()));
-    if (offences_.empty()) return;
+        found.push_back({{Offence::facet, f}, {Offence::facet, f}});
+    if (found.empty()) return;
+    std::sort(found.begin(), found.end());
+    found.resize(static_cast<std::size_t>(std::unique(found.begin(), found.end()) - found.begin()));
+    offences_ = std::move(found);
     const Offence& o = offences_[0];
     const auto number = [&](const Offence::Item& i) {
         return static_cast<long long>(i.index) + settings_.index_base;
     };
     if (o.first == o.second)
-        fail(MGDT_ERR_INVALID_BOUNDARY, "%s %lld is flat or no polygon%s; %zu pairs in all offend",
-             name_of(o.first.kind), number(o.first), where, offences_.size());
-    fail(MGDT_ERR_INVALID_BOUNDARY,
+        fail(otherwise, "%s %lld %s%s; %zu pairs in all offend", name_of(o.first.kind),
+             number(o.first),
+             o.first.kind == Offence::segment ? "has no length" : "is flat or no polygon", where,
+             offences_.size());
+    fail(otherwise,
          "%s %lld and %s %lld meet elsewhere than in common corners or edges%s; %zu pairs in all "
          "offend",
          name_of(o.first.kind), number(o.first), name_of(o.second.kind), number(o.second), where,
@@ -126,7 +129,7 @@ void Domain::require_valid(const Complex& complex, const char* where) {
 }
 
 void Domain::check() const {
-    check_mesh(input_, mesh_, settings_.index_base, allocator_);
+    check_mesh(input_, mesh_, settings_.index_base, threads(), allocator_);
 }
 
 // Rounds the points of a complex to a grid. What is valid before and not afterwards is finer than
@@ -150,7 +153,8 @@ RoundingGrid Domain::round(Complex& complex) {
              "two points are nearer to each other than 2^-%d of the largest "
              "coordinate",
              RoundingGrid::bits);
-    require_valid(complex, " when points are rounded to 2^-36 of the largest coordinate");
+    require_valid(complex, MGDT_ERR_RESOLUTION,
+                  " when points are rounded to 2^-36 of the largest coordinate");
     return grid;
 }
 
@@ -163,6 +167,8 @@ void Domain::build() {
     } catch (...) {
         // The offences stay: they tell why.
         mesh_ = DomainMesh(allocator_);
+        facet_counts_ = FacetCounts();
+        planar_facets_ = 0;
         throw;
     }
     has_mesh_ = true;
@@ -173,7 +179,7 @@ void Domain::run(StageProgress& progress) {
     const StopRequest stop(cancelled_);
     progress.enter(0, 0.1);
     Complex complex = make_complex(input_, allocator_);
-    require_valid(complex, "");
+    require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "");
     const RoundingGrid grid = round(complex);
     const PlanarFacets facets = find_planar_facets(complex.boundary, complex.markers, allocator_);
     planar_facets_ = facets.facets.size();
@@ -191,30 +197,44 @@ void Domain::run(StageProgress& progress) {
         const double* const axis[3] = {points.begin(), points.begin() + 1, points.begin() + 2};
         triangulation.insert(points.size() / 3, axis, 3);
     });
-    Buffer<SteinerPoint> steiner(allocator_);
-    Buffer<Subsegment> subsegments(allocator_);
+    DividedSegments segments(allocator_);
     if (triangulation.dimension() == 3)
-        subsegments =
-            split_segments(triangulation, points, facets.segments, steiner, progress, stop);
+        segments = split_segments(triangulation, points, facets.segments, progress, stop);
+    if (segments.stuck != DividedSegments::none) {
+        const auto end = [&](std::size_t k) {
+            const std::uint32_t v = facets.segments[2 * std::size_t{segments.stuck} + k];
+            return static_cast<long long>(complex.point_of_number[v]) + settings_.index_base;
+        };
+        fail(MGDT_ERR_RESOLUTION,
+             "the segment from point %lld to point %lld needs points nearer to each other than "
+             "double precision allows",
+             end(0), end(1));
+    }
     progress.enter(0.8, 0.9);
     ConstrainedMesh mesh(triangulation, points, allocator_);
     triangulation.clear();
     triangulation.shrink();
-    if (!subsegments.empty())
-        facet_counts_ = insert_facets(mesh, facets, subsegments, allocator_, stop);
+    if (!segments.parts.empty())
+        facet_counts_ = insert_facets(mesh, facets, segments.parts, allocator_, stop);
     progress.enter(0.9, 1);
     Buffer<DomainInput::Place> regions(allocator_), holes(allocator_);
     const auto round_places = [&](const Buffer<DomainInput::Place>& from,
                                   Buffer<DomainInput::Place>& to) {
         for (DomainInput::Place place : from) {
-            for (double& x : place.x) x = grid.scaled(x);
-            to.push_back(place);
+            // A place far outside would overflow.
+            constexpr double far = 0x1p40;
+            bool is_far = false;
+            for (double& x : place.x) {
+                x = grid.scaled(x);
+                is_far = is_far || !(std::fabs(x) < far);
+            }
+            if (!is_far) to.push_back(place);
         }
     };
     round_places(input_.regions, regions);
     round_places(input_.holes, holes);
     const Regions found = find_regions(mesh, regions, holes, allocator_);
-    assemble({input_, complex, facets, grid, mesh, subsegments, steiner, found},
+    assemble({input_, complex, facets, grid, mesh, segments.parts, segments.steiner, found},
              settings_.rounds_points, allocator_, mesh_);
 }
 

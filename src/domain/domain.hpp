@@ -84,7 +84,7 @@ class Domain {
 
   private:
     void run(StageProgress& progress);
-    void require_valid(const Complex& complex, const char* where);
+    void require_valid(const Complex& complex, mgdt_status otherwise, const char* where);
     RoundingGrid round(Complex& complex);
     unsigned threads() const noexcept;
 

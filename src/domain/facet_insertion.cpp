@@ -12,14 +12,15 @@ namespace {
 class FacetInsertion {
   public:
     FacetInsertion(ConstrainedMesh& mesh, const PlanarFacets& facets,
-                   const Buffer<Subsegment>& subsegments, Allocator& allocator)
+                   const Buffer<Subsegment>& subsegments, Allocator& allocator,
+                   const StopRequest& stop)
         : mesh_(mesh),
           facets_(facets),
           subsegments_(subsegments),
           ends_(allocator),
           first_part_(allocator),
           walk_(mesh, ends_, allocator),
-          filling_(mesh, allocator),
+          filling_(mesh, allocator, stop),
           crossed_(allocator),
           component_(allocator),
           is_taken_(allocator) {
@@ -113,7 +114,7 @@ FacetCounts insert_facets(ConstrainedMesh& mesh, const PlanarFacets& facets,
                           const Buffer<Subsegment>& subsegments, Allocator& allocator,
                           const StopRequest& stop) {
     FacetCounts counts;
-    FacetInsertion insertion(mesh, facets, subsegments, allocator);
+    FacetInsertion insertion(mesh, facets, subsegments, allocator, stop);
     for (std::uint32_t f = 0; f < facets.facets.size(); ++f) {
         stop.poll_in_step(f);
         insertion.insert(f, counts);

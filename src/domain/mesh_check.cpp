@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/affine_basis.hpp"
+#include "domain/pair_table.hpp"
+#include "domain/simplex_pair.hpp"
 #include "platform/error.hpp"
 #include "predicates/predicates.hpp"
 
@@ -45,11 +47,12 @@ struct DirectedEdge {
 
 class MeshCheck {
   public:
-    MeshCheck(const DomainInput& input, const DomainMesh& mesh, std::int32_t base,
+    MeshCheck(const DomainInput& input, const DomainMesh& mesh, std::int32_t base, unsigned threads,
               Allocator& allocator)
         : mesh_(mesh),
           allocator_(allocator),
           base_(base),
+          threads_(threads),
           input_(input),
           complex_(make_complex(input, allocator)),
           grid_(largest()),
@@ -66,6 +69,8 @@ class MeshCheck {
         if (is_flat()) return;
         check_facets();
         check_segments();
+        check_places();
+        check_embedding();
     }
 
   private:
@@ -384,47 +389,220 @@ class MeshCheck {
         return {nullptr, 0, false};
     }
 
+    // A part of a segment, and the caller's segment that it is a part of, or `none`.
+    struct Part {
+        std::uint32_t a, b, source;
+        friend bool operator<(const Part& p, const Part& q) {
+            return p.a != q.a ? p.a < q.a : p.b != q.b ? p.b < q.b : p.source < q.source;
+        }
+    };
+    static Part part(std::uint32_t a, std::uint32_t b, std::uint32_t source) {
+        return {std::min(a, b), std::max(a, b), source};
+    }
+
     // The parts of the segments are listed, and nothing else; every Steiner point is on a segment.
     void check_segments() {
-        struct Part {
-            std::uint32_t a, b;
-            bool operator<(const Part& p) const { return a != p.a ? a < p.a : b < p.b; }
-            bool operator!=(const Part& p) const { return a != p.a || b != p.b; }
-        };
-        Buffer<Part> expected(allocator_), found(allocator_);
-        const auto add = [](Buffer<Part>& to, std::uint32_t a, std::uint32_t b) {
-            to.push_back({std::min(a, b), std::max(a, b)});
-        };
+        Buffer<Part> given(allocator_), expected(allocator_), found(allocator_);
+        const Buffer<std::uint32_t>& ends = complex_.boundary.segments;
+        for (std::uint32_t i = 0; i < ends.size() / 2; ++i)
+            given.push_back(
+                part(index(ends[2 * std::size_t{i}]), index(ends[2 * std::size_t{i} + 1]), i));
+        std::sort(given.begin(), given.end());
         std::size_t steiner = 0;
         for (std::size_t s = 0; s < facets_.segments.size(); s += 2) {
             const std::uint32_t a = index(facets_.segments[s]), b = index(facets_.segments[s + 1]);
+            const Part whole = part(a, b, 0);
+            const Part* const of = std::lower_bound(given.begin(), given.end(), whole);
+            const bool is_given = of != given.end() && of->a == whole.a && of->b == whole.b;
+            const std::uint32_t source = is_given ? of->source : none;
             const Chain chain = this->chain(a, b);
             std::uint32_t from = chain.is_reversed ? b : a;
             for (std::size_t i = 0; i < chain.size; ++i) {
-                add(expected, from, chain.first[i].point);
+                expected.push_back(part(from, chain.first[i].point, source));
                 from = chain.first[i].point;
             }
-            add(expected, from, chain.is_reversed ? a : b);
+            expected.push_back(part(from, chain.is_reversed ? a : b, source));
             steiner += chain.size;
         }
         if (steiner != mesh_.steiner_parameters.size())
             fail(MGDT_ERR_CHECK_FAILED, "a Steiner point is on no segment");
-        for (std::size_t s = 0; s < mesh_.segments.size(); s += 2)
-            add(found, mesh_.segments[s], mesh_.segments[s + 1]);
+        for (std::size_t s = 0; s < mesh_.segment_sources.size(); ++s) {
+            const std::uint32_t source = mesh_.segment_sources[s];
+            if (source != none && source >= input_.segment_count())
+                fail(MGDT_ERR_CHECK_FAILED, "part %zu of segments is of no segment", s);
+            if (mesh_.segment_markers[s] != (source == none ? 0 : input_.segment_markers[source]))
+                fail(MGDT_ERR_CHECK_FAILED, "part %zu of segments has another marker", s);
+            found.push_back(part(mesh_.segments[2 * s], mesh_.segments[2 * s + 1], source));
+        }
         std::sort(expected.begin(), expected.end());
         std::sort(found.begin(), found.end());
         if (expected.size() != found.size())
             fail(MGDT_ERR_CHECK_FAILED, "there are %zu parts of segments, not %zu", found.size(),
                  expected.size());
         for (std::size_t i = 0; i < found.size(); ++i)
-            if (expected[i] != found[i])
+            if (expected[i] < found[i] || found[i] < expected[i])
                 fail(MGDT_ERR_CHECK_FAILED, "points %lld and %lld are no part of a segment",
                      number(found[i].a), number(found[i].b));
+    }
+
+    // No hole is in a tetrahedron, and regions have the markers of the places in them.
+    void check_places() const {
+        Buffer<std::int32_t> markers(allocator_);
+        markers.resize(mesh_.region_markers.size(), 0);
+        for (const DomainInput::Place& hole : input_.holes)
+            for_each_at(hole, [&](std::uint32_t t) {
+                fail(MGDT_ERR_CHECK_FAILED, "tetrahedron %lld is in a hole", number(t));
+            });
+        for (const DomainInput::Place& region : input_.regions)
+            for_each_at(region,
+                        [&](std::uint32_t t) { markers[mesh_.regions[t]] = region.marker; });
+        for (std::size_t r = 0; r < markers.size(); ++r)
+            if (markers[r] != mesh_.region_markers[r])
+                fail(MGDT_ERR_CHECK_FAILED, "region %lld has the marker %d, not %d", number(r),
+                     static_cast<int>(mesh_.region_markers[r]), static_cast<int>(markers[r]));
+    }
+
+    // Calls f for each tetrahedron whose closure contains a place.
+    template <class F>
+    void for_each_at(const DomainInput::Place& place, F f) const {
+        double x[3];
+        for (int k = 0; k < 3; ++k) x[k] = grid_.scaled(place.x[k]);
+        if (std::any_of(x, x + 3, [](double of) { return !(std::fabs(of) < 0x1p40); })) return;
+        for (std::uint32_t t = 0; t < mesh_.tetrahedron_count(); ++t)
+            if (least_side(t, x) >= 0) f(t);
+    }
+
+    // The least of the sides on which a place is of the faces of a tetrahedron: 1 if it is inside
+    // and 0 if it is on the boundary.
+    int least_side(std::uint32_t t, const double* x) const {
+        const std::uint32_t* const v = mesh_.tetrahedra.begin() + 4 * std::size_t{t};
+        int least = 1;
+        for (unsigned i = 0; i < 4 && least >= 0; ++i) {
+            const unsigned char* const f = outer_face[i];
+            least =
+                std::min(least, -orientation(x, exact(v[f[0]]), exact(v[f[1]]), exact(v[f[2]])));
+        }
+        return least;
+    }
+
+    Simplex simplex(const std::uint32_t* v, int size) const {
+        Simplex s = {};
+        s.size = size;
+        for (int k = 0; k < size; ++k) {
+            s.x[k] = exact(v[k]);
+            s.number[k] = v[k];
+        }
+        return s;
+    }
+
+    // No tetrahedron meets, except in common corners, edges and faces: a face with a side without a
+    // tetrahedron, a point that is no corner of a tetrahedron, and a part of a segment that is no
+    // edge of one. So tetrahedra do not overlap, and all that is inside the domain is in the mesh.
+    void check_embedding() {
+        const std::size_t n = mesh_.tetrahedron_count();
+        Buffer<Simplex> outside(allocator_);
+        collect_outside(outside);
+        Buffer<BoundingBox> boxes(allocator_);
+        const auto add_box = [&](const Simplex& s) {
+            BoundingBox box(s.x[0]);
+            for (int k = 1; k < s.size; ++k) box.include(BoundingBox(s.x[k]));
+            boxes.push_back(box);
+        };
+        for (std::size_t t = 0; t < n; ++t) {
+            const std::uint32_t* const v = mesh_.tetrahedra.begin() + 4 * t;
+            add_box(simplex(v, 3));
+            boxes.back().include(BoundingBox(exact(v[3])));
+        }
+        for (const Simplex& s : outside) add_box(s);
+        const Atomic<bool> never{false};
+        const BoxTree tree(allocator_, boxes, StopRequest(never));
+        Team team(threads_);
+        tree.for_each_pair(team, [&](std::uint32_t i, std::uint32_t j, unsigned) {
+            if (i >= n || j < n) return;
+            const Simplex& s = outside[j - n];
+            if (is_met(i, s))
+                fail(MGDT_ERR_CHECK_FAILED,
+                     "tetrahedron %lld meets the surroundings of the domain at point %lld",
+                     number(i), number(s.number[0]));
+        });
+    }
+
+    void collect_outside(Buffer<Simplex>& outside) {
+        for (std::size_t f = 0; f < mesh_.face_facets.size(); ++f)
+            if (mesh_.face_tetrahedra[2 * f] == none || mesh_.face_tetrahedra[2 * f + 1] == none)
+                outside.push_back(simplex(mesh_.faces.begin() + 3 * f, 3));
+        Buffer<std::uint8_t> is_corner(allocator_);
+        is_corner.resize(mesh_.points.size() / 3, std::uint8_t{0});
+        PairTable segments(allocator_);
+        for (std::size_t s = 0; s < mesh_.segments.size(); s += 2)
+            segments.add(mesh_.segments[s], mesh_.segments[s + 1]);
+        Buffer<std::uint8_t> is_edge(allocator_);
+        is_edge.resize(segments.size(), std::uint8_t{0});
+        for (std::size_t t = 0; t < mesh_.tetrahedra.size(); t += 4) {
+            const std::uint32_t* const v = mesh_.tetrahedra.begin() + t;
+            for (int i = 0; i < 4; ++i) {
+                is_corner[v[i]] = 1;
+                for (int k = 0; k < i; ++k)
+                    if (const std::uint32_t s = segments.find(v[i], v[k]); s != PairTable::none)
+                        is_edge[s] = 1;
+            }
+        }
+        for (std::size_t s = 0; s < mesh_.segments.size(); s += 2)
+            if (is_edge[segments.find(mesh_.segments[s], mesh_.segments[s + 1])] == 0)
+                outside.push_back(simplex(mesh_.segments.begin() + s, 2));
+        for (std::uint32_t p = 0; p < is_corner.size(); ++p) {
+            // Of equal points, the first one stands for all.
+            const bool is_first =
+                p >= input_.point_count() || index(complex_.number_of_point[p]) == p;
+            if (is_corner[p] == 0 && is_first) outside.push_back(simplex(&p, 1));
+        }
+    }
+
+    // Whether the plane of a face of the tetrahedron, or of a triangle, has the two on its sides
+    // and only common corners in it. Most pairs are apart in this way.
+    bool is_apart(const std::uint32_t* v, const Simplex& s) const {
+        const auto is_common = [&](std::uint32_t corner) {
+            return std::find(v, v + 4, corner) != v + 4;
+        };
+        for (unsigned i = 0; i < 4; ++i) {
+            const unsigned char* const f = outer_face[i];
+            int k = 0;
+            while (k < s.size &&
+                   (is_common(s.number[k])
+                        ? s.number[k] != v[i]
+                        : orientation(s.x[k], exact(v[f[0]]), exact(v[f[1]]), exact(v[f[2]])) > 0))
+                ++k;
+            if (k == s.size) return true;
+        }
+        if (s.size < 3) return false;
+        int sides[4];
+        for (int i = 0; i < 4; ++i) {
+            const bool is_corner = std::find(s.number, s.number + 3, v[i]) != s.number + 3;
+            sides[i] = orientation(s.x[0], s.x[1], s.x[2], exact(v[i]));
+            if (sides[i] == 0 && !is_corner) return false;
+        }
+        return *std::max_element(sides, sides + 4) <= 0 || *std::min_element(sides, sides + 4) >= 0;
+    }
+
+    // Whether a tetrahedron meets a simplex elsewhere than in a common corner, edge or face.
+    bool is_met(std::uint32_t t, const Simplex& s) const {
+        const std::uint32_t* const v = mesh_.tetrahedra.begin() + 4 * std::size_t{t};
+        if (is_apart(v, s)) return false;
+        bool is_inside = true;
+        for (unsigned i = 0; i < 4; ++i) {
+            const unsigned char* const f = outer_face[i];
+            const std::uint32_t corner[3] = {v[f[0]], v[f[1]], v[f[2]]};
+            if (!meet_in_common_face(simplex(corner, 3), s)) return true;
+        }
+        for (int k = 0; k < s.size && is_inside; ++k)
+            is_inside = least_side(t, s.x[k]) > 0 || std::find(v, v + 4, s.number[k]) != v + 4;
+        return is_inside && std::find(v, v + 4, s.number[0]) == v + 4;
     }
 
     const DomainMesh& mesh_;
     Allocator& allocator_;
     std::int64_t base_;
+    unsigned threads_;
     const DomainInput& input_;
     Complex complex_;
     RoundingGrid grid_;
@@ -436,8 +614,8 @@ class MeshCheck {
 }  // namespace
 
 void check_mesh(const DomainInput& input, const DomainMesh& mesh, std::int32_t index_base,
-                Allocator& allocator) {
-    MeshCheck(input, mesh, index_base, allocator).run();
+                unsigned threads, Allocator& allocator) {
+    MeshCheck(input, mesh, index_base, threads, allocator).run();
 }
 
 }  // namespace mgdt

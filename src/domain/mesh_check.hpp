@@ -10,11 +10,13 @@ namespace mgdt {
 // - every tetrahedron is positive, and neighbours share a face;
 // - every facet of the input is the union of faces that the mesh lists, exactly, and every segment
 //   the union of its parts;
-// - the regions end at these faces;
+// - the regions end at these faces, have the markers of the places in them, and contain no hole;
+// - tetrahedra do not overlap, and no point and no segment that is not of the mesh is inside of it;
 // - every other face is locally Delaunay, so that the mesh is the constrained Delaunay
 //   triangulation (docs/theory.md, "Meshes of domains").
-// The input is valid. The check uses nothing of what the build computed but the mesh.
+// Which of the parts that facets enclose are filled is not found anew. The input is valid. The
+// check uses nothing of what the build computed but the mesh.
 void check_mesh(const DomainInput& input, const DomainMesh& mesh, std::int32_t index_base,
-                Allocator& allocator);
+                unsigned threads, Allocator& allocator);
 
 }  // namespace mgdt

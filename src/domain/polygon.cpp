@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "domain/polygon.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "predicates/predicates.hpp"
@@ -20,13 +21,15 @@ class EarCutter {
 
     // Appends the triangles. Returns false if there is no ear.
     bool run(Buffer<std::uint32_t>& triangles) {
+        if (is_flat_) return false;
         while (left_.size() > 3) {
+            if (remove_spike()) continue;
             const std::size_t ear = best_ear();
             if (ear == left_.size()) return false;
             append(before(ear), ear, after(ear), triangles);
-            for (std::size_t i = ear; i + 1 < left_.size(); ++i) left_[i] = left_[i + 1];
-            left_.pop_back();
+            remove(ear);
         }
+        if (left_.size() < 3) return true;
         if (turn(0, 1, 2) <= 0) return false;
         append(0, 1, 2, triangles);
         return true;
@@ -39,6 +42,30 @@ class EarCutter {
     void append(std::size_t a, std::size_t b, std::size_t c,
                 Buffer<std::uint32_t>& triangles) const {
         for (const std::size_t i : {a, b, c}) triangles.push_back(left_[i]);
+    }
+
+    void remove(std::size_t i) {
+        for (; i + 1 < left_.size(); ++i) left_[i] = left_[i + 1];
+        left_.pop_back();
+    }
+
+    // Removes a corner with an edge to it and the same edge back, outside of the polygon on both
+    // sides. Ears leave such corners where a hole touches the border. Returns false if there is
+    // none.
+    bool remove_spike() {
+        for (std::size_t i = 0; i < left_.size(); ++i) {
+            const std::size_t a = before(i), b = after(i), p = before(a), n = after(b);
+            if (!is_same(a, b)) continue;
+            const bool is_inside = is_same(p, n) ? false
+                                   : turn(p, a, n) > 0
+                                       ? turn(a, n, i) > 0 && turn(a, i, p) > 0
+                                       : !(turn(a, p, i) >= 0 && turn(a, i, n) >= 0);
+            if (is_inside) continue;
+            remove(std::max(i, b));
+            remove(std::min(i, b));
+            return true;
+        }
+        return false;
     }
 
     // Chooses the axes so that the polygon turns left: by the largest component of the normal of
@@ -67,6 +94,7 @@ class EarCutter {
         u_ = (axis + 1) % 3;
         v_ = (axis + 2) % 3;
         if (normal[axis] < 0) std::swap(u_, v_);
+        is_flat_ = normal[axis] == 0;
     }
 
     // The sign of the area of a triangle in the plane: its orientation with a point above.
@@ -81,13 +109,24 @@ class EarCutter {
         return point(a)[u_] == point(b)[u_] && point(a)[v_] == point(b)[v_];
     }
 
+    // Whether corner k is at corner x of the triangle xyz and an edge of it goes into the triangle.
+    bool enters(std::size_t k, std::size_t x, std::size_t y, std::size_t z) const {
+        if (!is_same(k, x)) return false;
+        for (const std::size_t q : {before(k), after(k)})
+            if (turn(x, y, q) > 0 && turn(x, q, z) > 0) return true;
+        return false;
+    }
+
     // Whether the triangle at corner i is an ear: no other corner is in it, boundary included.
     bool is_ear(std::size_t i) const {
         const std::size_t a = before(i), c = after(i);
         if (turn(a, i, c) <= 0) return false;
         for (std::size_t k = 0; k < left_.size(); ++k) {
             if (k == a || k == i || k == c) continue;
-            if (is_same(k, a) || is_same(k, i) || is_same(k, c)) continue;
+            if (is_same(k, a) || is_same(k, i) || is_same(k, c)) {
+                if (enters(k, a, i, c) || enters(k, i, c, a) || enters(k, c, a, i)) return false;
+                continue;
+            }
             if (turn(a, i, k) >= 0 && turn(i, c, k) >= 0 && turn(c, a, k) >= 0) return false;
         }
         return true;
@@ -109,6 +148,7 @@ class EarCutter {
     const double* points_;
     Buffer<std::uint32_t> left_;  // the corners that are left
     int u_ = 0, v_ = 1;
+    bool is_flat_ = false;  // the corners are on a line, or the polygon crosses itself
 };
 
 }  // namespace

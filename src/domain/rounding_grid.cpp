@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "domain/rounding_grid.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mgdt {
 
+// The least multiples are not below the least double, 2^-1074.
 RoundingGrid::RoundingGrid(double largest) noexcept
-    : exponent_(largest > 0 ? std::ilogb(largest) + 1 - bits : 0) {}
+    : exponent_(largest > 0 ? std::max(std::ilogb(largest) + 1 - bits, -1074 + places) : 0) {}
 
 double RoundingGrid::round(double x) const noexcept {
-    return std::nearbyint(scaled(x)) + 0.0;
+    // 2^bits steps may be 2^1024, which is no double.
+    constexpr double most = 0x1p36 - 1;
+    const double rounded = std::nearbyint(scaled(x));
+    return std::min(std::max(rounded, -most), most) + 0.0;
 }
 
 double RoundingGrid::scaled(double x) const noexcept {

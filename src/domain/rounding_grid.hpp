@@ -10,6 +10,8 @@ namespace mgdt {
 class RoundingGrid {
   public:
     static constexpr int bits = 36;
+    // Points of segments are multiples of 2^-places steps, which are doubles as well.
+    static constexpr int places = 36;
 
     // The grid for points whose largest coordinate has this magnitude, which is finite.
     explicit RoundingGrid(double largest) noexcept;

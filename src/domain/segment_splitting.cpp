@@ -14,24 +14,24 @@ namespace {
 class Splitting {
   public:
     Splitting(Triangulation& triangulation, Buffer<double>& points,
-              const Buffer<std::uint32_t>& segments, Buffer<SteinerPoint>& steiner,
-              StageProgress& progress, const StopRequest& stop)
+              const Buffer<std::uint32_t>& segments, StageProgress& progress,
+              const StopRequest& stop)
         : allocator_(triangulation.allocator()),
           triangulation_(triangulation),
           points_(points),
           segments_(segments),
-          steiner_(steiner),
           progress_(progress),
           stop_(stop),
           acute_(find_acute_ends(points, segments, allocator_)),
-          parts_(allocator_),
+          result_(allocator_),
+          parts_(result_.parts),
           suspects_(allocator_),
           splits_(allocator_),
           round_of_point_(allocator_),
           round_near_(allocator_),
           is_waiting_(allocator_) {}
 
-    Buffer<Subsegment> run() {
+    DividedSegments run() {
         const std::size_t n = segments_.size() / 2;
         for (std::uint32_t s = 0; s < n; ++s) {
             const DividedSegment divided = this->divided(s);
@@ -41,7 +41,7 @@ class Splitting {
         }
         round_of_point_.resize(points_.size() / 3, 0u);
         round_near_.resize(points_.size() / 3, 0u);
-        for (std::uint32_t round = 1; find_splits(); ++round) {
+        for (std::uint32_t round = 1; find_splits() && result_.stuck == none; ++round) {
             choose_splits(round);
             insert();
             find_suspects(round);
@@ -49,10 +49,12 @@ class Splitting {
         std::sort(parts_.begin(), parts_.end(), [](const Subsegment& a, const Subsegment& b) {
             return a.segment != b.segment ? a.segment < b.segment : a.k0 < b.k0;
         });
-        return std::move(parts_);
+        return std::move(result_);
     }
 
   private:
+    static constexpr std::uint32_t none = DividedSegments::none;
+
     // Where to divide a subsegment that is no edge.
     struct Split {
         std::uint32_t part, reference, k;
@@ -72,6 +74,8 @@ class Splitting {
             stop_.poll_in_step(steps++);
             const Subsegment& s = parts_[part];
             if (!search.find(s.ends[0], s.ends[1])) continue;
+            if (s.k1 - s.k0 < 2) result_.stuck = s.segment;
+            if (result_.stuck != none) break;
             const std::uint32_t reference = search.reference();
             splits_.push_back({part, reference, place(s, reference)});
         }
@@ -79,17 +83,10 @@ class Splitting {
     }
 
     std::uint32_t place(const Subsegment& s, std::uint32_t reference) const {
-        const std::uint32_t a = segments_[2 * std::size_t{s.segment}],
-                            b = segments_[2 * std::size_t{s.segment} + 1];
-        const std::uint32_t parts = divided(s.segment).parts();
-        if (s.k1 - s.k0 < 2)
-            fail(MGDT_ERR_RESOLUTION,
-                 "the segment between points %u and %u needs points nearer to each other than "
-                 "double precision allows",
-                 a, b);
-        return split_place(point(a), point(b), acute_[2 * std::size_t{s.segment}] != 0,
-                           acute_[2 * std::size_t{s.segment} + 1] != 0, point(reference), s.k0,
-                           s.k1, parts);
+        const std::size_t i = 2 * std::size_t{s.segment};
+        return split_place(point(segments_[i]), point(segments_[i + 1]), acute_[i] != 0,
+                           acute_[i + 1] != 0, point(reference), s.k0, s.k1,
+                           divided(s.segment).parts());
     }
 
     // Keeps of splits_ those that have no end and no reference point in common with an earlier one.
@@ -119,7 +116,7 @@ class Splitting {
             points_.grow(points_.size() + 3);
             points_.resize_within_capacity(points_.size() + 3);
             divided(s.segment).point(split.k, points_.end() - 3);
-            steiner_.push_back({s.segment, split.k});
+            result_.steiner.push_back({s.segment, split.k});
             round_of_point_.push_back(0);
             round_near_.push_back(0);
             is_waiting_.push_back(0);
@@ -172,11 +169,11 @@ class Splitting {
     Triangulation& triangulation_;
     Buffer<double>& points_;
     const Buffer<std::uint32_t>& segments_;
-    Buffer<SteinerPoint>& steiner_;
     StageProgress& progress_;
     const StopRequest stop_;
     const Buffer<std::uint8_t> acute_;  // for each end of each segment
-    Buffer<Subsegment> parts_;
+    DividedSegments result_;
+    Buffer<Subsegment>& parts_;
     Buffer<std::uint32_t> suspects_;  // subsegments that may be missing
     Buffer<Split> splits_;
     Buffer<std::uint32_t> round_of_point_;  // the last round in which a point was touched
@@ -189,11 +186,10 @@ class Splitting {
 
 }  // namespace
 
-Buffer<Subsegment> split_segments(Triangulation& triangulation, Buffer<double>& points,
-                                  const Buffer<std::uint32_t>& segments,
-                                  Buffer<SteinerPoint>& steiner, StageProgress& progress,
-                                  const StopRequest& stop) {
-    return Splitting(triangulation, points, segments, steiner, progress, stop).run();
+DividedSegments split_segments(Triangulation& triangulation, Buffer<double>& points,
+                               const Buffer<std::uint32_t>& segments, StageProgress& progress,
+                               const StopRequest& stop) {
+    return Splitting(triangulation, points, segments, progress, stop).run();
 }
 
 }  // namespace mgdt

@@ -20,19 +20,27 @@ struct SteinerPoint {
     std::uint32_t segment, k;
 };
 
+// The parts of all segments, sorted by their segment and then from its first end to the second.
+struct DividedSegments {
+    static constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+    explicit DividedSegments(Allocator& allocator) : parts(allocator), steiner(allocator) {}
+
+    Buffer<Subsegment> parts;
+    Buffer<SteinerPoint> steiner;
+    // A segment that has no point left at which it can be divided; then the rest is not complete.
+    std::uint32_t stuck = none;
+};
+
 // `points` are integers, three for each point (domain/rounding_grid.hpp), and `triangulation` has
 // these points and no others. The function puts points on the segments, in the triangulation and at
-// the end of `points`, and appends each to `steiner`. Returns all subsegments, sorted by their
-// segment and then from its first end to the second. No two segments meet except in common ends,
-// and no point is inside of one.
+// the end of `points`. No two segments meet except in common ends, and no point is inside of one.
 //
 // The rules are those of Si and Gaertner (Meshing piecewise linear complexes by constrained
 // Delaunay tetrahedralizations, 2005), with sets of segments that do not touch in each round. The
-// result depends on the points and on the segments alone. Throws MGDT_ERR_RESOLUTION if a
-// segment has no point left at which it can be divided.
-Buffer<Subsegment> split_segments(Triangulation& triangulation, Buffer<double>& points,
-                                  const Buffer<std::uint32_t>& segments,
-                                  Buffer<SteinerPoint>& steiner, StageProgress& progress,
-                                  const StopRequest& stop);
+// result depends on the points and on the segments alone.
+DividedSegments split_segments(Triangulation& triangulation, Buffer<double>& points,
+                               const Buffer<std::uint32_t>& segments, StageProgress& progress,
+                               const StopRequest& stop);
 
 }  // namespace mgdt

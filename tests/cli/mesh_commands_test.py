@@ -65,6 +65,55 @@ def smesh(points, facets):
                                        for i, f in enumerate(facets)) + "0\n0\n"
 
 
+def gmsh2(points, facets):
+    types = {2: 1, 3: 2, 4: 3}
+    return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + f"{len(points)}\n" + "".join(
+        "{} {} {} {}\n".format(10 * i + 5, *p) for i, p in enumerate(points)) + \
+        f"$EndNodes\n$Elements\n{len(facets)}\n" + "".join(
+            f"{i + 1} {types[len(f)]} 2 {7 + i} 1 {' '.join(str(10 * v + 5) for v in f)}\n"
+            for i, f in enumerate(facets)) + "$EndElements\n"
+
+
+def gmsh4(points, facets):
+    rows = ["$MeshFormat", "4.1 0 8", "$EndMeshFormat", "$Entities", "1 0 1 0", "1 0 0 0 0",
+            "1 0 0 0 2 2 2 1 42 0", "$EndEntities", "$Nodes", f"1 {len(points)} 1 {len(points)}",
+            f"2 1 0 {len(points)}", *(str(i + 1) for i in range(len(points))),
+            *("{} {} {}".format(*p) for p in points), "$EndNodes", "$Elements",
+            f"1 {len(facets)} 1 {len(facets)}", f"2 1 3 {len(facets)}",
+            *(f"{i + 1} {' '.join(str(v + 1) for v in f)}" for i, f in enumerate(facets)), "$EndElements", ""]
+    return "\n".join(rows)
+
+
+def vtk(points, facets, data):
+    size = sum(len(f) + 1 for f in facets)
+    cells = "".join(f"{len(f)} {' '.join(map(str, f))}\n" for f in facets)
+    head = f"# vtk DataFile Version 3.0\nx\nASCII\nDATASET {data}\nPOINTS {len(points)} float\n" + "".join(
+        "{} {} {}\n".format(*p) for p in points)
+    if data == "POLYDATA":
+        return head + f"POLYGONS {len(facets)} {size}\n" + cells
+    return head + f"CELLS {len(facets)} {size}\n" + cells + f"CELL_TYPES {len(facets)}\n" + "9\n" * len(facets)
+
+
+def vtk_xml(points, facets, surface):
+    corners = " ".join(str(v) for f in facets for v in f)
+    ends = " ".join(str(4 * (i + 1)) for i in range(len(facets)))
+    types = "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">" + "9 " * len(facets) + "</DataArray>"
+    kind, section, count = ("PolyData", "Polys", "NumberOfPolys") if surface else \
+        ("UnstructuredGrid", "Cells", "NumberOfCells")
+    return (f'<VTKFile type="{kind}"><{kind}><Piece NumberOfPoints="{len(points)}" {count}="{len(facets)}">'
+            '<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">'
+            + " ".join(str(x) for p in points for x in p) +
+            f'</DataArray></Points><{section}><DataArray type="Int64" Name="connectivity" format="ascii">{corners}'
+            f'</DataArray><DataArray type="Int64" Name="offsets" format="ascii">{ends}</DataArray>'
+            + ("" if surface else types) + f"</{section}></Piece></{kind}></VTKFile>")
+
+
+def abaqus(points, facets):
+    return "*HEADING\nx\n*NODE\n" + "".join("{}, {}, {}, {}\n".format(i + 1, *p) for i, p in enumerate(points)) + \
+        "*ELEMENT, TYPE=S4R, ELSET=SKIN\n" + "".join(
+            f"{i + 1}, {', '.join(str(v + 1) for v in f)}\n" for i, f in enumerate(facets))
+
+
 # A box with a square tunnel: the ends are facets of two polygons with a hole. One region.
 POLY = """# a comment
 16 3 0 0
@@ -137,7 +186,10 @@ class Meshes(CliTest):
                   "backwards.obj": obj(CUBE, SQUARES, lambda v: str(v - 8)),
                   "text.stl": stl_text(CUBE, TRIANGLES), "binary.stl": stl_binary(CUBE, TRIANGLES),
                   "text.ply": ply_text(CUBE, SQUARES), "binary.ply": ply_binary(CUBE, SQUARES),
-                  "s.smesh": smesh(CUBE, SQUARES)}
+                  "s.smesh": smesh(CUBE, SQUARES), "two.msh": gmsh2(CUBE, SQUARES), "four.msh": gmsh4(CUBE, SQUARES),
+                  "poly.vtk": vtk(CUBE, SQUARES, "POLYDATA"), "grid.vtk": vtk(CUBE, SQUARES, "UNSTRUCTURED_GRID"),
+                  "s.vtu": vtk_xml(CUBE, SQUARES, False), "s.vtp": vtk_xml(CUBE, SQUARES, True),
+                  "s.inp": abaqus(CUBE, SQUARES)}
         for name, content in inputs.items():
             with self.subTest(name=name):
                 self.put(name, content)
@@ -148,6 +200,22 @@ class Meshes(CliTest):
                 self.assertRegex(said, r"(6|12) facets and 8 points meet in common corners and edges only\n$")
                 # Other commands read the points.
                 self.assertIn("8 points", self.mgdt("triangulate", name, "-o", "t.vtu").decode())
+
+    def test_markers_and_segments(self):
+        # Triangles of different groups keep their edges; so do lines.
+        self.put("g.msh", gmsh2(CUBE, TRIANGLES + [(0, 7)]))
+        said = self.mgdt("mesh", "g.msh", "-o", "g.ele", "--check").decode()
+        self.assertIn("12 facets, 8 points, ", said)
+        self.put("same.msh", gmsh4(CUBE, SQUARES))
+        self.assertIn("6 facets, 8 points, 0 added", self.mgdt("mesh", "same.msh", "-o", "g.ele", "--check").decode())
+
+    def test_own_surfaces(self):
+        self.mgdt("generate", "-q", "sphere", 200, "-o", "p.xyz")
+        for name in ("h.ply", "h.stl", "h.off", "h.obj", "h.vtp"):
+            self.mgdt("hull", "-q", "p.xyz", "-o", name)
+            self.assertIn("396 facets, 200 points", self.mgdt("mesh", name, "-o", "m.vtu", "--check").decode())
+        self.mgdt("hull", "-q", "p.xyz", "-o", "h.vtp", "--compress")
+        self.mgdt("mesh", "h.vtp", "-o", "m.vtu")
 
     def test_poly(self):
         self.put("tunnel.poly", POLY)
@@ -162,6 +230,31 @@ class Meshes(CliTest):
         self.assertEqual(self.get("n.ele"), self.get("m.ele"))
         self.mgdt("mesh", "tunnel.poly", "-o", "m.vtu")
         self.assertIn(b'Name="region"', self.get("m.vtu"))
+
+    def test_facets_with_several_holes(self):
+        """A slab with square holes, in each order: two of them are next to one corner."""
+        holes = [(0.5, 3), (3, 0.5), (5, 5), (8, 2)]
+        for order in (range(4), range(3, -1, -1), (1, 0, 3, 2)):
+            squares = [(0, 0, 10)] + [(*holes[k], 0.2) for k in order]
+            rows = [(x + s * dx, y + s * dy, z) for z in (0, 1) for x, y, s in squares
+                    for dx, dy in ((0, 0), (1, 0), (1, 1), (0, 1))]
+            facets = []
+            for z in (0, 1):
+                facets.append("5 4\n" + "".join(f"4 {' '.join(str(20 * z + 4 * k + i) for i in range(4))}\n"
+                                                 for k in range(5)) +
+                              "".join(f"{k} {x + s / 2} {y + s / 2} {z}\n" for k, (x, y, s) in enumerate(squares[1:])))
+            for k in range(5):
+                for i in range(4):
+                    a, b = 4 * k + i, 4 * k + (i + 1) % 4
+                    facets.append(f"1\n4 {a} {b} {20 + b} {20 + a}\n")
+            self.put("slab.poly", f"{len(rows)} 3\n" + "".join("{} {} {} {}\n".format(i, *r) for i, r in enumerate(rows)) +
+                     f"{len(facets)} 0\n" + "".join(facets) + "0\n")
+            self.mgdt("mesh", "slab.poly", "-o", "m.ele", "--check", "--index-base", 0)
+            self.assertAlmostEqual(self.volume("m"), 100 - 4 * 0.04, delta=1e-9)
+        # Polygons that cross.
+        self.put("bad.poly", "8 3\n0 0 0 0\n1 4 0 0\n2 4 4 0\n3 0 4 0\n4 1 1 0\n5 9 1 0\n6 9 2 0\n7 1 2 0\n1 0\n"
+                 "2 1\n4 0 1 2 3\n4 4 5 6 7\n0 2 1.5 0\n0\n")
+        self.mgdt("validate", "bad.poly", code=1)
 
     def test_holes_and_regions(self):
         inner = [tuple(0.5 + x / 2 for x in p) for p in CUBE]

@@ -9,5 +9,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         fuzz::mesh_returns(mgdt::cli::gmsh_format(), *mesh);
         fuzz::mesh_returns(mgdt::cli::gmsh2_format(), *mesh);
     }
+    mgdt::cli::ReadOptions with_facets;
+    with_facets.has_facets = true;
+    fuzz::read(mgdt::cli::gmsh_format(), bytes, "", with_facets);
     return 0;
 }

@@ -11,5 +11,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             fuzz::mesh_returns(mgdt::cli::vtu_format(), *mesh, {0, true});
     }
     fuzz::fields_return(mgdt::cli::vtu_format(), bytes);
+    mgdt::cli::ReadOptions with_facets;
+    with_facets.has_facets = true;
+    fuzz::read(mgdt::cli::vtu_format(), bytes, "", with_facets);
+    fuzz::read(mgdt::cli::vtp_format(), bytes, "", with_facets);
     return 0;
 }

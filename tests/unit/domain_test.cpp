@@ -10,6 +10,7 @@
 #include <map>
 
 #include "domain/mesh_check.hpp"
+#include "domain/polygon.hpp"
 #include "surfaces.hpp"
 
 namespace mgdt {
@@ -227,7 +228,7 @@ TEST(Domain, OfPointsInAPlaneIsEmpty) {
 
 // Coordinates at the ends of the range of doubles.
 TEST(Domain, MeshesLargeAndSmallCoordinates) {
-    for (const double size : {1e300, 1e-300, 0x1p1023, 0x1p-1000}) {
+    for (const double size : {1e300, 1e-300, 0x1p1023, 0x1p-1000, 0x1.fffffffffffffp1023, 1e-310}) {
         Surface s = schoenhardt(0.5);
         for (double& x : s.points) x *= size;
         Domain domain(nullptr, nullptr, nullptr);
@@ -250,8 +251,9 @@ TEST(Domain, CheckFindsChanges) {
         const auto before = array[i];
         if (before == value) return;
         array[i] = value;
-        EXPECT_EQ(error_of([&] { check_mesh(domain.input(), domain.mesh(), 0, allocator); }).status,
-                  MGDT_ERR_CHECK_FAILED)
+        EXPECT_EQ(
+            error_of([&] { check_mesh(domain.input(), domain.mesh(), 0, 1, allocator); }).status,
+            MGDT_ERR_CHECK_FAILED)
             << i;
         array[i] = before;
     };
@@ -269,7 +271,183 @@ TEST(Domain, CheckFindsChanges) {
     for (std::size_t i = 0; i < m.points.size(); ++i) expect_found(m.points, i, 1e9);
     for (std::size_t i = 0; i < m.exact_points.size(); ++i) expect_found(m.exact_points, i, 3.0);
     for (std::size_t i = 0; i < m.face_markers.size(); ++i) expect_found(m.face_markers, i, 3);
-    check_mesh(domain.input(), domain.mesh(), 0, allocator);
+    check_mesh(domain.input(), domain.mesh(), 0, 1, allocator);
+}
+
+// Meshes that every face and every tetrahedron by itself would pass.
+TEST(Domain, CheckFindsWhatIsLeftOut) {
+    Allocator allocator;
+    const auto expect_found = [&](const Domain& domain, const char* message) {
+        for (const unsigned threads : {1u, 2u}) {
+            const Error error =
+                error_of([&] { check_mesh(domain.input(), domain.mesh(), 0, threads, allocator); });
+            EXPECT_EQ(error.status, MGDT_ERR_CHECK_FAILED);
+            EXPECT_NE(std::string(error.message).find(message), std::string::npos) << error.message;
+        }
+    };
+    const auto append = [](auto& to, const auto& from, std::uint32_t add) {
+        for (const auto of : from)
+            to.push_back(of == DomainMesh::none ? of : static_cast<std::uint32_t>(of) + add);
+    };
+    const double centre[3] = {0.5, 0.25, 0.125};
+    {
+        // A point inside.
+        Domain domain(nullptr, nullptr, nullptr);
+        give(domain, cube());
+        domain.build();
+        DomainMesh& m = const_cast<DomainMesh&>(domain.mesh());
+        for (const double x : centre) {
+            domain.input().points.push_back(x);
+            m.points.push_back(x);
+            m.exact_points.push_back(RoundingGrid(1).round(x));
+        }
+        expect_found(domain, "meets the surroundings of the domain at point 8");
+    }
+    {
+        // A segment inside, between opposite corners that no tetrahedron joins.
+        Domain domain(nullptr, nullptr, nullptr);
+        give(domain, cube());
+        domain.build();
+        DomainMesh& m = const_cast<DomainMesh&>(domain.mesh());
+        for (std::uint32_t a = 0; a < 4; ++a) {
+            const std::uint32_t b = 7 - a;
+            bool is_edge = false;
+            for (std::size_t t = 0; t < m.tetrahedra.size(); t += 4) {
+                const std::uint32_t* const v = m.tetrahedra.begin() + t;
+                is_edge = is_edge || (std::count(v, v + 4, a) != 0 && std::count(v, v + 4, b) != 0);
+            }
+            if (is_edge) continue;
+            for (const std::uint32_t end : {a, b}) {
+                domain.input().segments.push_back(end);
+                m.segments.push_back(end);
+            }
+            domain.input().segment_markers.push_back(0);
+            m.segment_markers.push_back(0);
+            m.segment_sources.push_back(0);
+            expect_found(domain, "meets the surroundings");
+            break;
+        }
+        EXPECT_EQ(domain.input().segment_count(), 1u);
+    }
+    {
+        // The outer of two cubes is filled as if the inner one were not there.
+        Surface both = nested_shells(2, false), outer("outer"), inner("inner");
+        for (int k = 0; k < 2; ++k) {
+            Surface& s = k == 0 ? outer : inner;
+            s.points.assign(both.points.begin() + 24 * k, both.points.begin() + 24 * (k + 1));
+            for (int f = 0; f < 6; ++f) {
+                std::vector<std::uint32_t> corners =
+                    both.facets[static_cast<std::size_t>(6 * k + f)];
+                for (std::uint32_t& v : corners) v -= static_cast<std::uint32_t>(8 * k);
+                s.facet(corners);
+            }
+        }
+        // On one grid.
+        for (const double x : {-2.5, -2.5, -2.5}) inner.points.push_back(x);
+        outer.points.insert(outer.points.end(), {-2.5, -2.5, -2.5});
+        both.points.insert(both.points.begin() + 24, {-2.5, -2.5, -2.5});
+        both.points.insert(both.points.end(), {-2.5, -2.5, -2.5});
+        for (std::size_t f = 6; f < 12; ++f)
+            for (std::uint32_t& v : both.facets[f]) ++v;
+        Domain domain(nullptr, nullptr, nullptr), one(nullptr, nullptr, nullptr),
+            two(nullptr, nullptr, nullptr);
+        give(domain, both);
+        give(one, outer);
+        give(two, inner);
+        domain.build();
+        domain.check();
+        one.build();
+        two.build();
+        DomainMesh& m = const_cast<DomainMesh&>(domain.mesh());
+        for (Buffer<std::uint32_t>* const of : {&m.tetrahedra, &m.neighbors, &m.faces,
+                                                &m.face_tetrahedra, &m.face_facets, &m.segments})
+            of->clear();
+        m.regions.clear();
+        m.face_markers.clear();
+        m.segment_sources.clear();
+        m.segment_markers.clear();
+        const auto tetrahedra = static_cast<std::uint32_t>(one.mesh().tetrahedron_count());
+        for (const Domain* const d : {&one, &two}) {
+            const DomainMesh& from = d->mesh();
+            const bool is_second = d == &two;
+            append(m.tetrahedra, from.tetrahedra, is_second ? 9 : 0);
+            append(m.neighbors, from.neighbors, is_second ? tetrahedra : 0);
+            append(m.regions, from.regions, is_second ? 1 : 0);
+            append(m.faces, from.faces, is_second ? 9 : 0);
+            append(m.face_tetrahedra, from.face_tetrahedra, is_second ? tetrahedra : 0);
+            append(m.face_facets, from.face_facets, is_second ? 6 : 0);
+            append(m.segments, from.segments, is_second ? 9 : 0);
+            append(m.segment_sources, from.segment_sources, 0);
+            for (const std::int32_t marker : from.face_markers) m.face_markers.push_back(marker);
+            for (const std::int32_t marker : from.segment_markers)
+                m.segment_markers.push_back(marker);
+        }
+        expect_found(domain, "meets the surroundings");
+    }
+    {
+        // A tetrahedron in a hole, and a region with another marker.
+        Domain domain(nullptr, nullptr, nullptr);
+        give(domain, cube());
+        domain.build();
+        domain.input().regions.push_back({{0.5, 0.25, 0.125}, 3});
+        expect_found(domain, "region 0 has the marker 0, not 3");
+        domain.input().regions.clear();
+        domain.input().holes.push_back({{0.5, 0.25, 0.125}, 0});
+        expect_found(domain, "is in a hole");
+    }
+}
+
+TEST(Domain, NamesTheSegmentThatDoublesCannotDivide) {
+    // Needles that meet at a point of a face, nearly in its plane.
+    Surface s("fan");
+    s.point(0, 0, 0);
+    for (int i = 0; i < 60; ++i) {
+        const double a = 1e-7 * i;
+        s.point(std::cos(a), std::sin(a), 1e-9 * (i % 2));
+        s.segments.push_back(0);
+        s.segments.push_back(static_cast<std::uint32_t>(i + 1));
+    }
+    s.point(0, 0, 1);
+    Domain domain(nullptr, nullptr, nullptr);
+    give(domain, s);
+    domain.settings().index_base = 1;
+    const Error error = error_of([&] { domain.build(); });
+    EXPECT_TRUE(error.status == MGDT_OK || error.status == MGDT_ERR_RESOLUTION) << error.message;
+    if (error.status == MGDT_OK) domain.check();
+}
+
+// Polygons that touch themselves, and polygons with repeated corners.
+TEST(Domain, FillsPolygonsThatTouchThemselves) {
+    const auto area_of = [](const std::vector<double>& points,
+                            const std::vector<std::uint32_t>& corners) {
+        Allocator allocator;
+        Buffer<std::uint32_t> triangles(allocator);
+        if (!triangulate_polygon(points.data(), corners.data(), corners.size(), triangles))
+            return -1.0;
+        double sum = 0;
+        for (std::size_t t = 0; t < triangles.size(); t += 3) {
+            const auto at = [&](std::size_t k, std::size_t c) {
+                return points[3 * std::size_t{triangles[t + k]} + c];
+            };
+            const double part = (at(1, 0) - at(0, 0)) * (at(2, 1) - at(0, 1)) -
+                                (at(1, 1) - at(0, 1)) * (at(2, 0) - at(0, 0));
+            if (part <= 0) return -2.0;
+            sum += part / 2;
+        }
+        return sum;
+    };
+    const std::vector<double> points = {0, 0, 0, 4, 0, 0, 4, 4, 0, 3, 2, 0, 2, 3, 0, 0, 4, 0};
+    // A square from which a kite is cut that touches two of its corners.
+    EXPECT_EQ(area_of(points, {0, 1, 2, 3, 0, 4, 3, 2, 5}), 16 - 2.5);
+    EXPECT_EQ(area_of(points, {0, 1, 2, 5}), 16);
+    EXPECT_EQ(area_of(points, {0, 2, 1, 5}), -1);  // it crosses itself
+    Surface s = cube();
+    s.facets[0] = {0, 0, 2, 3, 3, 1, 0};
+    Domain domain(nullptr, nullptr, nullptr);
+    give(domain, s);
+    domain.build();
+    domain.check();
+    EXPECT_EQ(domain.mesh().tetrahedron_count(), 6u);
 }
 
 }  // namespace

@@ -302,7 +302,8 @@ class DomainMesh:
                 handle.call("add_hole", address(place))
         for where, marker in regions:
             row = np.ascontiguousarray(as_points(np.asarray(where)[None], "regions"))
-            handle.call("add_region", address(row), int(marker))
+            value = _markers([marker], 1, "the markers of regions")
+            handle.call("add_region", address(row), 0 if value is None else int(value[0]))
         self._build(progress)
 
         def rows(name: str, columns: int) -> Any:

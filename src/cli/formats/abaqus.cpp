@@ -63,6 +63,28 @@ int nodes_of(std::string_view type) {
     return std::all_of(rest.begin(), rest.end(), is_letter) ? nodes : 0;
 }
 
+// A shell, a membrane, a flat solid or a rigid facet, whose corners come first; 0 for other types.
+struct FacetType {
+    int nodes = 0, corners = 0;
+};
+FacetType facet_type(std::string_view type) {
+    constexpr std::string_view families[] = {"STRI", "SFM3D", "M3D", "R3D", "CPS", "CPE",
+                                             "CPEG", "CAX",   "DS",  "S",   "DC2D"};
+    std::size_t digits = type.find_first_of("0123456789");
+    // The name of a family may have a digit itself.
+    for (const std::string_view family : families)
+        if (type.substr(0, family.size()) == family && family.back() == 'D') digits = family.size();
+    if (digits == std::string_view::npos || std::find(std::begin(families), std::end(families),
+                                                      type.substr(0, digits)) == std::end(families))
+        return {};
+    const std::string_view number = type.substr(digits, type.substr(digits, 2) == "65" ? 2 : 1);
+    if (number == "3") return {3, 3};
+    if (number == "4") return {4, 4};
+    if (number == "6" || number == "65") return {6, 3};
+    if (number == "8") return {8, 4};
+    return {};
+}
+
 bool sniff(std::string_view bytes) {
     const std::string start =
         canonical(bytes.substr(0, std::min<std::size_t>(bytes.find('\n'), 100)));
@@ -75,11 +97,12 @@ class Reader {
     }
 
   public:
-    explicit Reader(const Source& source) : source_(source), lines_(source) {}
+    Reader(const Source& source, bool has_facets)
+        : source_(source), lines_(source), has_facets_(has_facets) {}
 
     Mesh read() {
         mesh_.detail = "text";
-        enum { nothing, nodes, tetrahedra, others } section = nothing;
+        enum { nothing, nodes, tetrahedra, facets, others } section = nothing;
         bool goes_on = false;  // whether the numbers of an ignored element continue
         while (next_line()) {
             if (text_[0] == '*') {
@@ -94,14 +117,21 @@ class Reader {
                     has_nodes_ = true;
                 }
                 if (is_element) {
-                    nodes_ = nodes_of(keyword.value_of("TYPE"));
+                    const std::string type = keyword.value_of("TYPE");
+                    nodes_ = nodes_of(type);
                     section = nodes_ > 0 ? tetrahedra : others;
                     mesh_.has_tetrahedra |= nodes_ > 0;
+                    facet_ = has_facets_ ? facet_type(type) : FacetType();
+                    if (facet_.nodes > 0) {
+                        section = facets;
+                        set_ = number_of_set(keyword.value_of("ELSET"));
+                    }
                 }
                 continue;
             }
             if (section == nodes) read_node();
             if (section == tetrahedra) read_tetrahedron();
+            if (section == facets) read_facet();
             if (section == others) {
                 mesh_.other_cells += goes_on ? 0 : 1;
                 goes_on = ends_with_comma();
@@ -191,9 +221,35 @@ class Reader {
         }
     }
 
+    void read_facet() {
+        may_go_on_ = true;
+        ++mesh_.other_cells;
+        split_line();
+        integer("the element's number");
+        for (int k = 0; k < facet_.nodes; ++k) {
+            const std::int64_t tag = integer("node");
+            if (k < facet_.corners) mesh_.facets.corners.push_back(numbers_.find(tag, fail()));
+        }
+        mesh_.facets.end_facet(set_);
+    }
+    // Sets are numbered from 1 in the order of their appearance; 0 stands for no set.
+    std::int32_t number_of_set(const std::string& name) {
+        if (name.empty()) return 0;
+        const auto found = std::find(sets_.begin(), sets_.end(), name);
+        if (found == sets_.end()) {
+            sets_.push_back(name);
+            return static_cast<std::int32_t>(sets_.size());
+        }
+        return static_cast<std::int32_t>(found - sets_.begin()) + 1;
+    }
+
     const Source& source_;
     LineReader lines_;
+    const bool has_facets_;
     Mesh mesh_;
+    FacetType facet_;
+    std::vector<std::string> sets_;
+    std::int32_t set_ = 0;  // the set of the facets in this section
     NodeNumbers numbers_;
     std::vector<std::string_view> words_;
     std::size_t at_ = 0;
@@ -202,8 +258,8 @@ class Reader {
     bool has_nodes_ = false, may_go_on_ = false;
 };
 
-Mesh read_abaqus(const Source& source, const ReadOptions&) {
-    return Reader(source).read();
+Mesh read_abaqus(const Source& source, const ReadOptions& options) {
+    return Reader(source, options.has_facets).read();
 }
 
 constexpr RowStyle numbered_from_one = {1, ", ", ", ", "\n"};
@@ -224,9 +280,13 @@ void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
 }  // namespace
 
 const Format& abaqus_format() {
-    static const Format format = {"abaqus",    {".inp"},  "input of Abaqus and CalculiX, C3D4",
-                                  false,       sniff,     read_abaqus,
-                                  write_nodes, write_mesh};
+    static const Format format = [] {
+        Format f = {"abaqus",    {".inp"},  "input of Abaqus and CalculiX, C3D4",
+                    false,       sniff,     read_abaqus,
+                    write_nodes, write_mesh};
+        f.has_facets = true;
+        return f;
+    }();
     return format;
 }
 

@@ -22,6 +22,10 @@ struct FileFacets {
     std::vector<Place> holes, regions;
 
     std::size_t size() const { return markers.size(); }
+    void add_facet(const std::int64_t* points, std::size_t count, std::int32_t marker = 0) {
+        corners.insert(corners.end(), points, points + count);
+        end_facet(marker);
+    }
     // Ends a facet whose corners were appended.
     void end_facet(std::int32_t marker = 0) {
         begin.push_back(static_cast<std::int64_t>(corners.size()));

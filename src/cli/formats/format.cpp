@@ -31,9 +31,16 @@ std::string names() {
     return fmt::format("{}", fmt::join(list, ", "));
 }
 
-// Throws if a facet has a corner that is no point, or fewer than three corners.
+// Throws if a facet has a corner that is no point, or fewer than three corners, or if an end of a
+// segment is no point.
 void require_corners(const Mesh& mesh, const Source& source) {
     const FileFacets& facets = mesh.facets;
+    for (const std::int64_t end : facets.segments)
+        if (end < 0 || end >= static_cast<std::int64_t>(mesh.point_count()))
+            source.fail(
+                fmt::format("a segment has the end {}, counted from 0, but there are {} "
+                            "vertices",
+                            end, mesh.point_count()));
     for (std::size_t f = 0; f < facets.size(); ++f) {
         if (facets.begin[f + 1] - facets.begin[f] < 3)
             source.fail(fmt::format("face {} has fewer than three corners", f));

@@ -4,8 +4,12 @@
 // Written as 4.1 binary, or as 2.2 text, which older programs read.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "cli/errors.hpp"
 #include "cli/formats/bytes.hpp"
@@ -246,11 +250,47 @@ bool is_tetrahedron(std::int64_t type) {
     return type == tetrahedron_type || type == 11 || (type >= 29 && type <= 31);
 }
 
-// Reads the nodes of one element, after its tag.
-void read_element(Reader& reader, std::int64_t type, int nodes, const Tags& tags, Mesh& mesh) {
+// The corners of a line, triangle or quadrangle of any order, which come first; 0 for other types.
+int corners_of(std::int64_t type) {
+    switch (type) {
+        case 1:
+        case 8:
+        case 26:
+        case 27:
+        case 28:
+            return 2;
+        case 2:
+        case 9:
+        case 20:
+        case 21:
+        case 22:
+        case 23:
+        case 24:
+        case 25:
+            return 3;
+        case 3:
+        case 10:
+        case 16:
+            return 4;
+        default:
+            return 0;
+    }
+}
+
+// Reads the nodes of one element, after its tag. `facets` receives those of facets, if it is not
+// null.
+void read_element(Reader& reader, std::int64_t type, int nodes, const Tags& tags,
+                  std::int32_t marker, FileFacets* facets, Mesh& mesh) {
+    const int corners = facets ? corners_of(type) : 0;
     if (!is_tetrahedron(type)) {
         ++mesh.other_cells;
-        reader.skip_words(nodes, reader.version() == 4 ? 8 : 4, "nodes");
+        std::int64_t corner[4];
+        for (int k = 0; k < corners; ++k) corner[k] = tags.find(reader.size("node tag"));
+        reader.skip_words(nodes - corners, reader.version() == 4 ? 8 : 4, "nodes");
+        if (corners == 2)
+            facets->segments.insert(facets->segments.end(), corner, corner + 2);
+        else if (corners > 2)
+            facets->add_facet(corner, static_cast<std::size_t>(corners), marker);
         return;
     }
     for (int k = 0; k < nodes; ++k)
@@ -267,7 +307,44 @@ int known_nodes(Reader& reader, std::int64_t type) {
     return nodes;
 }
 
-void read_elements_2(Reader& reader, const Tags& tags, Mesh& mesh) {
+std::int32_t marker_of(Reader& reader, std::int64_t group) {
+    if (group < std::numeric_limits<std::int32_t>::min() ||
+        group > std::numeric_limits<std::int32_t>::max())
+        reader.fail(fmt::format("the physical group {} does not fit 32 bits", group));
+    return static_cast<std::int32_t>(group);
+}
+
+// The first physical group of each entity of version 4.1, by its dimension and tag.
+using Groups = std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t>;
+
+Groups read_entities(Reader& reader) {
+    reader.row();
+    std::int64_t counts[4];
+    for (std::int64_t& count : counts) count = reader.size("the number of entities");
+    Groups groups;
+    for (std::int64_t dimension = 0; dimension < 4; ++dimension) {
+        reader.check_count(counts[dimension], "entities", 20, 4);
+        for (std::int64_t i = 0; i < counts[dimension]; ++i) {
+            reader.row();
+            const std::int64_t tag = reader.integer("the entity's tag");
+            // A point has its place, any other entity a box.
+            for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) reader.coordinate();
+            const std::int64_t n = reader.size("the number of physical groups");
+            reader.check_count(n, "physical groups", 4, 1);
+            for (std::int64_t k = 0; k < n; ++k) {
+                const std::int64_t group = reader.integer("physical group");
+                if (k == 0) groups.emplace(std::pair(dimension, tag), group);
+            }
+            if (dimension == 0) continue;
+            const std::int64_t bounds = reader.size("the number of bounding entities");
+            reader.check_count(bounds, "bounding entities", 4, 1);
+            for (std::int64_t k = 0; k < bounds; ++k) reader.integer("bounding entity");
+        }
+    }
+    return groups;
+}
+
+void read_elements_2(Reader& reader, const Tags& tags, FileFacets* facets, Mesh& mesh) {
     const std::int64_t count = reader.line_count("the number of elements");
     reader.check_count(count, "elements", 8, 4);
     std::int64_t seen = 0;
@@ -286,19 +363,27 @@ void read_elements_2(Reader& reader, const Tags& tags, Mesh& mesh) {
         const int nodes = known_nodes(reader, type);
         if (follow > count - seen) reader.fail("more elements than announced");
         for (std::int64_t i = 0; i < follow; ++i) {
+            // The first attribute is the physical group. In text, each is one word of the line, and
+            // the loop ends if there are too few.
+            std::int64_t group = 0;
             if (reader.binary()) {
-                reader.skip_words(1 + attributes, 4, "tags");
+                reader.skip_words(1, 4, "the element's tag");
+                if (attributes > 0) group = reader.integer("tag");
+                reader.skip_words(std::max<std::int64_t>(attributes - 1, 0), 4, "tags");
             } else {
-                // Each attribute is one word of the line; the loop ends if there are too few.
-                for (std::int64_t k = 0; k < attributes; ++k) reader.integer("tag");
+                for (std::int64_t k = 0; k < attributes; ++k) {
+                    const std::int64_t tag = reader.integer("tag");
+                    if (k == 0) group = tag;
+                }
             }
-            read_element(reader, type, nodes, tags, mesh);
+            read_element(reader, type, nodes, tags, marker_of(reader, group), facets, mesh);
         }
         seen += follow;
     }
 }
 
-void read_elements_4(Reader& reader, const Tags& tags, Mesh& mesh) {
+void read_elements_4(Reader& reader, const Tags& tags, const Groups& groups, FileFacets* facets,
+                     Mesh& mesh) {
     reader.row();
     const std::int64_t blocks = reader.size("the number of blocks");
     const std::int64_t total = reader.size("the number of elements");
@@ -309,8 +394,10 @@ void read_elements_4(Reader& reader, const Tags& tags, Mesh& mesh) {
     std::int64_t seen = 0;
     for (std::int64_t b = 0; b < blocks; ++b) {
         reader.row();
-        reader.integer("the entity's dimension");
-        reader.integer("the entity's tag");
+        const std::int64_t dimension = reader.integer("the entity's dimension"),
+                           entity = reader.integer("the entity's tag");
+        const auto group = groups.find({dimension, entity});
+        const std::int32_t marker = group == groups.end() ? 0 : marker_of(reader, group->second);
         const std::int64_t type = reader.integer("element type");
         const std::int64_t count = reader.size("the number of elements in the block");
         const int nodes = known_nodes(reader, type);
@@ -320,7 +407,7 @@ void read_elements_4(Reader& reader, const Tags& tags, Mesh& mesh) {
         for (std::int64_t i = 0; i < count; ++i) {
             reader.row();
             reader.size("element tag");
-            read_element(reader, type, nodes, tags, mesh);
+            read_element(reader, type, nodes, tags, marker, facets, mesh);
         }
     }
     if (seen != total) reader.fail(fmt::format("{} elements; {} are announced", seen, total));
@@ -331,11 +418,13 @@ bool sniff(std::string_view bytes) {
     return begin != std::string_view::npos && bytes.substr(begin, 11) == "$MeshFormat";
 }
 
-Mesh read_gmsh(const Source& source, const ReadOptions&) {
+Mesh read_gmsh(const Source& source, const ReadOptions& options) {
     Mesh mesh;
     Reader reader(source);
     reader.read_format(mesh);
     Tags tags(reader);
+    FileFacets* const facets = options.has_facets ? &mesh.facets : nullptr;
+    Groups groups;
     bool nodes = false, elements = false;
     std::string section;
     while (reader.enter(section)) {
@@ -346,8 +435,11 @@ Mesh read_gmsh(const Source& source, const ReadOptions&) {
             reader.leave(section);
         } else if (section == "Elements" && nodes && !elements) {
             elements = true;
-            reader.version() == 4 ? read_elements_4(reader, tags, mesh)
-                                  : read_elements_2(reader, tags, mesh);
+            reader.version() == 4 ? read_elements_4(reader, tags, groups, facets, mesh)
+                                  : read_elements_2(reader, tags, facets, mesh);
+            reader.leave(section);
+        } else if (section == "Entities" && facets && reader.version() == 4 && groups.empty()) {
+            groups = read_entities(reader);
             reader.leave(section);
         } else if (section == "Nodes" || section == "Elements") {
             reader.fail(fmt::format("${} comes twice or out of order", section));
@@ -411,15 +503,22 @@ void write_mesh_2(const Mesh& mesh, const std::string& path, OutputSet& outputs,
 }  // namespace
 
 const Format& gmsh_format() {
-    static const Format format = {"gmsh",  {".msh"},    "Gmsh 4.1 binary (reads 2.2 and 4.1)",
-                                  true,    sniff,       read_gmsh,
-                                  nullptr, write_mesh_4};
+    static const Format format = [] {
+        Format f = {"gmsh",  {".msh"},    "Gmsh 4.1 binary (reads 2.2 and 4.1)",
+                    true,    sniff,       read_gmsh,
+                    nullptr, write_mesh_4};
+        f.has_facets = true;
+        return f;
+    }();
     return format;
 }
 
 const Format& gmsh2_format() {
-    static const Format format = {"gmsh2", {},        "Gmsh 2.2 text", false,
-                                  nullptr, read_gmsh, nullptr,         write_mesh_2};
+    static const Format format = [] {
+        Format f = {"gmsh2", {}, "Gmsh 2.2 text", false, nullptr, read_gmsh, nullptr, write_mesh_2};
+        f.has_facets = true;
+        return f;
+    }();
     return format;
 }
 

@@ -29,7 +29,7 @@ class PlanarRegion {
         for (std::size_t i = 0; i < polygons_.size(); ++i) parents_.push_back(parent_of(i));
     }
 
-    void add_facets(const std::vector<std::array<double, 3>>& holes, std::int32_t marker,
+    bool add_facets(const std::vector<std::array<double, 3>>& holes, std::int32_t marker,
                     FileFacets& facets) {
         std::vector<bool> is_hole(polygons_.size());
         for (const std::array<double, 3>& hole : holes)
@@ -41,10 +41,12 @@ class PlanarRegion {
             std::vector<std::size_t> inside;
             for (std::size_t k = 0; k < polygons_.size(); ++k)
                 if (parents_[k] == i) inside.push_back(k);
-            while (!inside.empty()) join(loop, inside);
+            while (!inside.empty())
+                if (!join(loop, inside)) return false;
             facets.corners.insert(facets.corners.end(), loop.begin(), loop.end());
             facets.end_facet(marker);
         }
+        return true;
     }
 
   private:
@@ -129,8 +131,18 @@ class PlanarRegion {
         return true;
     }
 
+    // Whether the edge from a corner of the loop to b begins inside of the loop. A corner at which
+    // the loop comes by several times has several wedges.
+    bool leaves_inwards(const std::vector<std::int64_t>& loop, std::size_t i, Place2 b) const {
+        const Place2 a = at(loop[i]), next = at(loop[(i + 1) % loop.size()]),
+                     before = at(loop[(i + loop.size() - 1) % loop.size()]);
+        if (turn(before, a, next) > 0) return turn(a, b, before) > 0 && turn(a, next, b) > 0;
+        return !(turn(a, b, next) >= 0 && turn(a, before, b) >= 0);
+    }
+
     // Joins one of the polygons inside to the loop, by the shortest edge that crosses nothing.
-    void join(std::vector<std::int64_t>& loop, std::vector<std::size_t>& inside) const {
+    // Returns false if there is none.
+    bool join(std::vector<std::int64_t>& loop, std::vector<std::size_t>& inside) const {
         double least = std::numeric_limits<double>::infinity();
         std::size_t from = 0, which = 0, to = 0;
         for (std::size_t w = 0; w < inside.size(); ++w) {
@@ -139,7 +151,9 @@ class PlanarRegion {
                 for (std::size_t k = 0; k < p.size(); ++k) {
                     const Place2 a = at(loop[i]), b = at(p[k]);
                     const double length = std::hypot(a.u - b.u, a.v - b.v);
-                    if (length >= least || !is_free(loop[i], p[k], loop)) continue;
+                    if (length >= least || !leaves_inwards(loop, i, b) ||
+                        !is_free(loop[i], p[k], loop))
+                        continue;
                     if (!std::all_of(inside.begin(), inside.end(), [&](std::size_t other) {
                             return is_free(loop[i], p[k], polygons_[other]);
                         }))
@@ -150,6 +164,7 @@ class PlanarRegion {
                     to = k;
                 }
         }
+        if (least == std::numeric_limits<double>::infinity()) return false;
         // The inner polygon turns the other way.
         const std::vector<std::int64_t>& p = polygons_[inside[which]];
         std::vector<std::int64_t> walk;
@@ -158,6 +173,7 @@ class PlanarRegion {
         walk.push_back(loop[from]);
         loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(from) + 1, walk.begin(), walk.end());
         inside.erase(inside.begin() + static_cast<std::ptrdiff_t>(which));
+        return true;
     }
 
     const std::vector<double>& points_;
@@ -168,7 +184,7 @@ class PlanarRegion {
 
 }  // namespace
 
-void add_planar_region(const std::vector<double>& points,
+bool add_planar_region(const std::vector<double>& points,
                        std::vector<std::vector<std::int64_t>> polygons,
                        const std::vector<std::array<double, 3>>& holes, std::int32_t marker,
                        FileFacets& facets) {
@@ -178,11 +194,13 @@ void add_planar_region(const std::vector<double>& points,
                                   [](const std::vector<std::int64_t>& p) { return p.size() < 3; }),
                    polygons.end());
     if (polygons.size() > 1 || (polygons.size() == 1 && !holes.empty())) {
-        PlanarRegion(points, std::move(polygons)).add_facets(holes, marker, facets);
-    } else if (polygons.size() == 1) {
+        return PlanarRegion(points, std::move(polygons)).add_facets(holes, marker, facets);
+    }
+    if (polygons.size() == 1) {
         facets.corners.insert(facets.corners.end(), polygons[0].begin(), polygons[0].end());
         facets.end_facet(marker);
     }
+    return true;
 }
 
 }  // namespace mgdt::cli

@@ -3,6 +3,8 @@
 // NAME.smesh, whose facets are polygons. Points are in the file or in NAME.node.
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "cli/errors.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/formats/planar_region.hpp"
@@ -112,14 +114,16 @@ class PolyReader {
             for (double& c : x) c = line.number("coordinate");
             holes.push_back(x);
         }
-        add_planar_region(mesh_.points, std::move(polygons), holes, of, mesh_.facets);
+        if (!add_planar_region(mesh_.points, std::move(polygons), holes, of, mesh_.facets))
+            lines_.fail("the polygons of the facet cross");
     }
 
     void read_polygon_facet(bool has_marker) {
         Fields fields = next_line();
         std::vector<std::vector<std::int64_t>> polygons = {polygon(fields)};
-        add_planar_region(mesh_.points, std::move(polygons), {}, has_marker ? marker(fields) : 0,
-                          mesh_.facets);
+        const std::int32_t of = has_marker ? marker(fields) : 0;
+        // One polygon crosses no other one.
+        add_planar_region(mesh_.points, std::move(polygons), {}, of, mesh_.facets);
     }
 
     // The current line has the count.
@@ -134,8 +138,10 @@ class PolyReader {
             std::string_view word;
             if (has_markers && Fields(line).next(word)) {
                 const double value = line.number("the marker of the region");
-                if (!(std::abs(value) <= static_cast<double>(most_marker)))
-                    lines_.fail(fmt::format("the marker {} of a region is too large", value));
+                if (!(std::abs(value) <= static_cast<double>(most_marker)) ||
+                    value != std::floor(value))
+                    lines_.fail(
+                        fmt::format("the marker {} of a region is no 32-bit integer", value));
                 place.marker = static_cast<std::int32_t>(value);
             }
             places.push_back(place);

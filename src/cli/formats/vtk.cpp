@@ -205,7 +205,7 @@ Cells read_cells(Input& input) {
                                : read_list_of_cells(input, count, size);
 }
 
-void take_tetrahedra(const Cells& cells, Input& input, Mesh& mesh) {
+void take_cells(const Cells& cells, Input& input, bool has_facets, Mesh& mesh) {
     Words& words = input.words();
     const std::int64_t n = words.integer("the number of cell types", 0, Input::most);
     if (static_cast<std::uint64_t>(n) != cells.count())
@@ -228,7 +228,17 @@ void take_tetrahedra(const Cells& cells, Input& input, Mesh& mesh) {
             add_vtk_tetrahedron(nodes, count, mesh);
         else
             ++mesh.other_cells;
+        if (has_facets) add_vtk_facet(types[i], nodes, count, mesh.facets);
     }
+}
+
+// Reads the lines, polygons or strips of a surface, which are cells of one type.
+void take_surface_cells(Input& input, std::int64_t type, bool has_facets, Mesh& mesh) {
+    const Cells cells = read_cells(input);
+    mesh.other_cells += cells.count();
+    for (std::size_t i = 0; has_facets && i < cells.count(); ++i)
+        add_vtk_facet(type, cells.nodes.data() + cells.begin[i],
+                      cells.begin[i + 1] - cells.begin[i], mesh.facets);
 }
 
 // Skips the arrays of FIELD. Each has its name, components, tuples and type before its bytes.
@@ -254,7 +264,7 @@ void skip_fields(Input& input) {
     }
 }
 
-Mesh read_vtk(const Source& source, const ReadOptions&) {
+Mesh read_vtk(const Source& source, const ReadOptions& options) {
     Input input(source);
     Mesh mesh;
     mesh.detail = input.detail();
@@ -282,11 +292,15 @@ Mesh read_vtk(const Source& source, const ReadOptions&) {
         } else if (same(word, "VERTICES")) {
             read_cells(input);
         } else if (same(word, "LINES") || same(word, "POLYGONS") || same(word, "TRIANGLE_STRIPS")) {
-            mesh.other_cells += read_cells(input).count();
+            constexpr std::int64_t poly_line = 4, strip = 6, polygon = 7;
+            const std::int64_t type = same(word, "LINES")      ? poly_line
+                                      : same(word, "POLYGONS") ? polygon
+                                                               : strip;
+            take_surface_cells(input, type, options.has_facets, mesh);
         } else if (same(word, "CELL_TYPES")) {
             if (has_types) words.fail("CELL_TYPES come twice");
             has_types = true;
-            take_tetrahedra(cells, input, mesh);
+            take_cells(cells, input, options.has_facets, mesh);
         }
     }
     if (!has_points) source.fail("has no POINTS");
@@ -311,8 +325,12 @@ void write_mesh(const Mesh& mesh, const std::string& path, OutputSet& outputs,
 }  // namespace
 
 const Format& vtk_format() {
-    static const Format format = {"vtk",   {".vtk"},  "VTK's legacy files", false, sniff, read_vtk,
-                                  nullptr, write_mesh};
+    static const Format format = [] {
+        Format f = {"vtk",   {".vtk"},  "VTK's legacy files", false, sniff, read_vtk,
+                    nullptr, write_mesh};
+        f.has_facets = true;
+        return f;
+    }();
     return format;
 }
 

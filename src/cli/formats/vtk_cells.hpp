@@ -27,6 +27,50 @@ inline bool may_have_nodes(std::int64_t type, std::size_t nodes) {
     return !is_vtk_tetrahedron(type) || nodes >= 4;
 }
 
+// Adds a cell as facets or segments, if it is one-dimensional or flat. Of higher-order cells, the
+// corners are taken, which come first.
+inline void add_vtk_facet(std::int64_t type, const std::int64_t* nodes, std::size_t count,
+                          FileFacets& facets) {
+    constexpr std::int64_t line = 3, poly_line = 4, triangle = 5, strip = 6, polygon = 7, pixel = 8,
+                           quad = 9, quadratic_edge = 21, quadratic_triangle = 22,
+                           quadratic_quad = 23;
+    switch (type) {
+        case line:
+        case poly_line:
+            for (std::size_t k = 0; k + 1 < count; ++k)
+                facets.segments.insert(facets.segments.end(), nodes + k, nodes + k + 2);
+            break;
+        case quadratic_edge:
+            if (count >= 2) facets.segments.insert(facets.segments.end(), nodes, nodes + 2);
+            break;
+        case triangle:
+        case polygon:
+        case quad:
+            facets.add_facet(nodes, count);
+            break;
+        case quadratic_triangle:
+            if (count >= 3) facets.add_facet(nodes, 3);
+            break;
+        case quadratic_quad:
+            if (count >= 4) facets.add_facet(nodes, 4);
+            break;
+        case pixel:
+            if (count == 4) {
+                const std::int64_t around[4] = {nodes[0], nodes[1], nodes[3], nodes[2]};
+                facets.add_facet(around, 4);
+            }
+            break;
+        case strip:
+            for (std::size_t k = 0; k + 2 < count; ++k) {
+                const std::int64_t turn[3] = {nodes[k], nodes[k + 1 + k % 2], nodes[k + 2 - k % 2]};
+                facets.add_facet(turn, 3);
+            }
+            break;
+        default:
+            break;
+    }
+}
+
 // Adds the nodes of a tetrahedron, which are points of the mesh. Corners come first.
 inline void add_vtk_tetrahedron(const std::int64_t* nodes, std::size_t count, Mesh& mesh) {
     for (std::size_t k = 0; k < count; ++k) mesh.add_node(k, nodes[k]);

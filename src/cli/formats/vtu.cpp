@@ -102,12 +102,14 @@ std::string attribute(const Tag& tag, std::string_view name, const char* otherwi
 struct Layout {
     bool is_surface = false;  // PolyData: cells are lines and polygons
     std::uint64_t points = 0, cells = 0;
+    std::uint64_t lines = 0, strips = 0, polygons = 0;  // the cells of a surface
     // The bytes that may still be decoded; arrays that share bytes would let a small file fill the
     // memory.
     mutable std::uint64_t bytes_left = 0;
     ArrayEncoding encoding;  // of arrays in bytes; appended arrays may be in base64
     std::string compressor;
-    std::map<std::string, Tag> arrays;  // "points", "connectivity", "offsets", "types"
+    std::map<std::string, Tag>
+        arrays;  // "points", "connectivity", "offsets", "types"; "Polys offsets"
     std::vector<Tag> fields;
     std::size_t appended = none;  // the position after '_'
 };
@@ -149,18 +151,27 @@ Layout parse_layout(const Source& source) {
                 source.fail_at_byte(tag.begin, "more than one Piece; merge them first");
             layout.points = parse_count(source, tag, "NumberOfPoints");
             if (!layout.is_surface) layout.cells = parse_count(source, tag, "NumberOfCells");
-            for (const char* kind : {"NumberOfLines", "NumberOfStrips", "NumberOfPolys"}) {
-                if (layout.is_surface && tag.attributes.count(kind) != 0)
-                    layout.cells += parse_count(source, tag, kind);
-            }
-        } else if (tag.name == "Points" || tag.name == "Cells" || tag.name == "PointData") {
+            const auto count = [&](const char* kind, std::uint64_t& of) {
+                if (!layout.is_surface || tag.attributes.count(kind) == 0) return;
+                of = parse_count(source, tag, kind);
+                layout.cells += of;
+            };
+            count("NumberOfLines", layout.lines);
+            count("NumberOfStrips", layout.strips);
+            count("NumberOfPolys", layout.polygons);
+        } else if (tag.name == "Points" || tag.name == "Cells" || tag.name == "PointData" ||
+                   tag.name == "Lines" || tag.name == "Strips" || tag.name == "Polys") {
             section = tag.name;
-        } else if (tag.name == "/Points" || tag.name == "/Cells" || tag.name == "/PointData") {
+        } else if (tag.name == "/Points" || tag.name == "/Cells" || tag.name == "/PointData" ||
+                   tag.name == "/Lines" || tag.name == "/Strips" || tag.name == "/Polys") {
             section = "";
         } else if (tag.name == "DataArray" && section == "Points") {
             layout.arrays.emplace("points", tag);
         } else if (tag.name == "DataArray" && section == "Cells") {
             layout.arrays.emplace(attribute(tag, "Name", ""), tag);
+        } else if (tag.name == "DataArray" &&
+                   (section == "Lines" || section == "Strips" || section == "Polys")) {
+            layout.arrays.emplace(fmt::format("{} {}", section, attribute(tag, "Name", "")), tag);
         } else if (tag.name == "DataArray" && section == "PointData") {
             layout.fields.push_back(tag);
         } else if (tag.name == "AppendedData") {
@@ -363,17 +374,42 @@ bool sniff(std::string_view bytes) {
     return start.find("<VTKFile") != none;
 }
 
-// Reads the tetrahedra and counts other cells. `bytes` is an upper bound on the number of bytes in
-// the file.
-void read_cells(const Source& source, const Layout& layout, std::uint64_t bytes, Mesh& mesh) {
-    const auto types = read_array<Indices>(source, layout, "types", layout.cells);
-    const auto offsets = read_array<Indices>(source, layout, "offsets", layout.cells);
+// The vertices of all cells, of which the last one ends at offsets.back(). `bytes` is an upper
+// bound on the number of bytes in the file.
+std::vector<std::int64_t> read_vertices(const Source& source, const Layout& layout,
+                                        const char* name, const std::vector<std::int64_t>& offsets,
+                                        std::uint64_t bytes) {
     const std::int64_t length = offsets.empty() ? 0 : offsets.back();
     if (length < 0 || static_cast<std::uint64_t>(length) > bytes) {
         source.fail(fmt::format("the last cell's offset is {}", length));
     }
-    const auto vertices =
-        read_array<Indices>(source, layout, "connectivity", static_cast<std::uint64_t>(length));
+    return read_array<Indices>(source, layout, name, static_cast<std::uint64_t>(length));
+}
+
+// Reads the cells of one type of a surface as facets or segments.
+void read_surface_cells(const Source& source, const Layout& layout, const std::string& section,
+                        std::uint64_t count, std::int64_t type, std::uint64_t bytes,
+                        FileFacets& facets) {
+    const std::string offsets_name = section + " offsets",
+                      vertices_name = section + " connectivity";
+    const auto offsets = read_array<Indices>(source, layout, offsets_name.c_str(), count);
+    const auto vertices = read_vertices(source, layout, vertices_name.c_str(), offsets, bytes);
+    std::int64_t begin = 0;
+    for (const std::int64_t end : offsets) {
+        if (end < begin || end > static_cast<std::int64_t>(vertices.size()))
+            source.fail(fmt::format("{}: offset {} after {}", section, end, begin));
+        add_vtk_facet(type, vertices.data() + begin, static_cast<std::size_t>(end - begin), facets);
+        begin = end;
+    }
+}
+
+// Reads the tetrahedra and counts other cells, or reads them as facets.
+void read_cells(const Source& source, const Layout& layout, std::uint64_t bytes, bool has_facets,
+                Mesh& mesh) {
+    const auto types = read_array<Indices>(source, layout, "types", layout.cells);
+    const auto offsets = read_array<Indices>(source, layout, "offsets", layout.cells);
+    const std::int64_t length = offsets.empty() ? 0 : offsets.back();
+    const auto vertices = read_vertices(source, layout, "connectivity", offsets, bytes);
     mesh.has_tetrahedra = true;
     std::int64_t begin = 0;
     for (std::size_t i = 0; i < types.size(); ++i) {
@@ -384,6 +420,7 @@ void read_cells(const Source& source, const Layout& layout, std::uint64_t bytes,
         const auto nodes = static_cast<std::size_t>(end - begin);
         if (!is_vtk_tetrahedron(types[i])) {
             ++mesh.other_cells;
+            if (has_facets) add_vtk_facet(types[i], vertices.data() + begin, nodes, mesh.facets);
         } else if (!may_have_nodes(types[i], nodes)) {
             source.fail(fmt::format("cell {}: a tetrahedron of type {} with {} vertices", i,
                                     types[i], nodes));
@@ -415,9 +452,17 @@ Mesh read_vtu(const Source& source, const ReadOptions& options) {
     if (options.has_fields) mesh.fields = read_fields(source, layout, options);
     if (layout.is_surface) {
         mesh.other_cells = layout.cells;
+        if (options.has_facets) {
+            constexpr std::int64_t poly_line = 4, strip = 6, polygon = 7;
+            read_surface_cells(source, layout, "Lines", layout.lines, poly_line, bytes,
+                               mesh.facets);
+            read_surface_cells(source, layout, "Strips", layout.strips, strip, bytes, mesh.facets);
+            read_surface_cells(source, layout, "Polys", layout.polygons, polygon, bytes,
+                               mesh.facets);
+        }
         return mesh;
     }
-    read_cells(source, layout, bytes, mesh);
+    read_cells(source, layout, bytes, options.has_facets, mesh);
     return mesh;
 }
 
@@ -447,10 +492,14 @@ void write_surface(const Surface& surface, OutputFile& out, const WriteOptions& 
 }  // namespace
 
 const Format& vtu_format() {
-    static const Format format = {"vtu",       {".vtu"},   "VTK unstructured grid, for ParaView",
-                                  true,        sniff,      read_vtu,
-                                  nullptr,     write_mesh, nullptr,
-                                  write_fields};
+    static const Format format = [] {
+        Format f = {"vtu",       {".vtu"},   "VTK unstructured grid, for ParaView",
+                    true,        sniff,      read_vtu,
+                    nullptr,     write_mesh, nullptr,
+                    write_fields};
+        f.has_facets = true;
+        return f;
+    }();
     return format;
 }
 
@@ -460,6 +509,7 @@ const Format& vtp_format() {
                     true,    nullptr,  read_vtu,
                     nullptr, nullptr};
         f.write_surface = write_surface;
+        f.has_facets = true;
         return f;
     }();
     return format;
