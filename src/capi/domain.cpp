@@ -57,8 +57,8 @@ std::uint32_t point_at(const Domain& d, std::int64_t index, const char* what, st
     const std::size_t points = d.input().point_count();
     if (index < base || static_cast<std::uint64_t>(index - base) >= points)
         fail(MGDT_ERR_INVALID_ARGUMENT, "%s %lld has the corner %lld; there are %zu points", what,
-             static_cast<long long>(i) + static_cast<long long>(base),
-             static_cast<long long>(index), points);
+             static_cast<long long>(i) + d.settings().index_base, static_cast<long long>(index),
+             points);
     return static_cast<std::uint32_t>(index - base);
 }
 
@@ -78,6 +78,9 @@ void set_facets(Domain& d, std::int64_t n, const std::int64_t* offsets, const st
         if (!offsets) return 3 * static_cast<std::int64_t>(f);
         return offsets[f] < base ? std::int64_t{-1} : offsets[f] - base;
     };
+    const auto shown = [&](std::int64_t offset) {
+        return static_cast<long long>(offset) + d.settings().index_base;
+    };
     Buffer<std::uint32_t> begin(d.allocator()), points(d.allocator());
     begin.resize(count + 1);
     for (std::size_t f = 0; f < count; ++f) {
@@ -86,8 +89,8 @@ void set_facets(Domain& d, std::int64_t n, const std::int64_t* offsets, const st
             fail(MGDT_ERR_INVALID_ARGUMENT,
                  "facet %lld has offsets from %lld to %lld; the first is %lld, and a facet has at "
                  "least three corners",
-                 static_cast<long long>(f) + base, static_cast<long long>(from + base),
-                 static_cast<long long>(to + base), static_cast<long long>(base));
+                 static_cast<long long>(f) + d.settings().index_base, shown(from), shown(to),
+                 shown(0));
         if (static_cast<std::uint64_t>(to) > most_items)
             fail(MGDT_ERR_TOO_LARGE, "%lld corners are more than can be numbered",
                  static_cast<long long>(to));

@@ -8,8 +8,6 @@
 namespace mgdt {
 namespace {
 
-constexpr std::uint32_t none = DomainMesh::none;
-
 class Assembly {
   public:
     Assembly(const DomainParts& parts, Allocator& allocator, DomainMesh& out)
@@ -27,6 +25,8 @@ class Assembly {
     }
 
   private:
+    static constexpr std::uint32_t none = DomainMesh::none;
+
     // A tetrahedron or a face, to be sorted: its corners in ascending order, and where it is from.
     template <int n>
     struct Record {

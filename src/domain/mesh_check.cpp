@@ -13,8 +13,6 @@
 namespace mgdt {
 namespace {
 
-constexpr std::uint32_t none = DomainMesh::none;
-
 // The corners of a face in ascending order, and which face it is.
 struct Triple {
     std::uint32_t v[3];
@@ -74,6 +72,8 @@ class MeshCheck {
     }
 
   private:
+    static constexpr std::uint32_t none = DomainMesh::none;
+
     long long number(std::size_t i) const { return static_cast<long long>(i) + base_; }
     const double* exact(std::uint32_t v) const {
         return mesh_.exact_points.begin() + 3 * std::size_t{v};

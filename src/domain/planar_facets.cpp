@@ -9,9 +9,9 @@
 namespace mgdt {
 namespace {
 
-constexpr std::uint32_t none = 0xFFFFFFFFu;
+constexpr std::uint32_t no_place = 0xFFFFFFFFu;
 
-// An edge of a triangle, or a segment that the caller gave, whose `place` is `none`.
+// An edge of a triangle, or a segment that the caller gave, whose `place` is `no_place`.
 struct Edge {
     std::uint32_t a, b;   // the ends, a < b
     std::uint32_t place;  // 3 times the triangle, plus the corner opposite the edge
@@ -32,7 +32,7 @@ Buffer<Edge> sorted_edges(const Boundary& boundary, Allocator& allocator) {
         edges[i] = edge(v[(i + 1) % 3], v[(i + 2) % 3], static_cast<std::uint32_t>(i));
     }
     for (std::size_t i = 0; i < ends; i += 2)
-        edges[corners + i / 2] = edge(boundary.segments[i], boundary.segments[i + 1], none);
+        edges[corners + i / 2] = edge(boundary.segments[i], boundary.segments[i + 1], no_place);
     std::sort(edges.begin(), edges.end());
     return edges;
 }
@@ -61,7 +61,7 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
         std::size_t end = i + 1;
         while (end < edges.size() && edges[end].a == edges[i].a && edges[end].b == edges[i].b)
             ++end;
-        const bool joins = end - i == 2 && edges[i + 1].place != none &&
+        const bool joins = end - i == 2 && edges[i + 1].place != no_place &&
                            markers[edges[i].place / 3] == markers[edges[i + 1].place / 3] &&
                            continue_each_other(boundary, edges[i], edges[i + 1]);
         if (joins) {
@@ -70,7 +70,7 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
             result.segments.push_back(edges[i].a);
             result.segments.push_back(edges[i].b);
             for (std::size_t k = i; k < end; ++k)
-                if (edges[k].place != none) on_border.push_back(edges[k].place);
+                if (edges[k].place != no_place) on_border.push_back(edges[k].place);
         }
         i = end;
     }
@@ -79,7 +79,7 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
         const std::uint32_t least = sets.least(t);
         if (least == t) {
             result.of_triangle[t] = static_cast<std::uint32_t>(result.facets.size());
-            result.facets.push_back({{none, none, none}, t});
+            result.facets.push_back({{no_place, no_place, no_place}, t});
         } else {
             result.of_triangle[t] = result.of_triangle[least];
         }
@@ -87,7 +87,7 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
     for (const std::uint32_t place : on_border) {
         PlanarFacets::Facet& facet = result.facets[result.of_triangle[place / 3]];
         const std::uint32_t* const v = boundary.triangles.begin() + place / 3 * 3;
-        if (facet.corner[0] == none)
+        if (facet.corner[0] == no_place)
             for (std::uint32_t k = 0; k < 3; ++k) facet.corner[k] = v[(place + 1 + k) % 3];
     }
     return result;

@@ -6,8 +6,6 @@
 namespace mgdt {
 namespace {
 
-constexpr std::uint32_t unknown = 0xFFFFFFFEu;
-
 class Flood {
   public:
     Flood(const ConstrainedMesh& mesh, Allocator& allocator)
@@ -40,6 +38,8 @@ class Flood {
     }
 
   private:
+    static constexpr std::uint32_t unknown = 0xFFFFFFFEu;
+
     void fill(std::uint32_t start, std::uint32_t region) {
         const auto enter = [&](std::uint32_t t) {
             if (regions_.of_tetrahedron[t] != unknown) return;

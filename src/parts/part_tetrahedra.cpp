@@ -32,7 +32,7 @@ struct Numbered {
 };
 
 // One side of a facet: the vertices of the facet, and the number of the tetrahedron on this side.
-struct Side {
+struct FacetSide {
     Key<3> key;
     std::int64_t tetrahedron;
 };
@@ -282,7 +282,7 @@ class TetrahedraFinder {
         Objects<Buffer<std::uint64_t>> positions(allocator_, parts_.size(), std::ref(allocator_));
         for (PartId p = 0; p < parts_.size(); ++p) {
             PartTetrahedra& t = found_[p];
-            Post<Side> post(allocator_);
+            Post<FacetSide> post(allocator_);
             list_across(p);
             for (const PartTetrahedra::Across& a : t.across_) {
                 const auto i = static_cast<std::size_t>(a.side / 4);
@@ -291,7 +291,7 @@ class TetrahedraFinder {
             }
             post.put(all_.parts(), out_[p], &positions[p]);
         }
-        all_.exchange<Side>(out_, in_);
+        all_.exchange<FacetSide>(out_, in_);
         all_.each_local([&](PartId p) { answer_sides(in_[p], out_[p]); });
         all_.exchange<std::int64_t>(out_, in_);
         for (PartId p = 0; p < parts_.size(); ++p)
@@ -300,7 +300,7 @@ class TetrahedraFinder {
     }
     // Replies to each record with the tetrahedron on the other side of the facet, or -1.
     void answer_sides(const Mail& asked, Mail& reply) {
-        const Side* const sides = asked.records<Side>();
+        const FacetSide* const sides = asked.records<FacetSide>();
         const std::size_t n = asked.count();
         Buffer<std::size_t> order(allocator_, n);
         for (std::size_t k = 0; k < n; ++k) order[k] = k;
