@@ -172,7 +172,8 @@ class MeshCheck {
                      number(f));
             faces_.push_back(Triple(v[0], v[1], v[2], f));
             for (int side = 0; side < 2; ++side) {
-                const std::uint32_t t = mesh_.face_tetrahedra[2 * std::size_t{f} + side];
+                const std::uint32_t t =
+                    mesh_.face_tetrahedra[2 * std::size_t{f} + static_cast<std::size_t>(side)];
                 if (t == none) continue;
                 if (t >= mesh_.tetrahedron_count() || !is_on_side(v, t, side))
                     fail(MGDT_ERR_CHECK_FAILED, "face %lld is not a face of tetrahedron %lld",
