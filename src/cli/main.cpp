@@ -117,16 +117,21 @@ void add_compress(CLI::App& app, OutputOptions& options) {
     app.add_flag("--compress", options.write.compress, "Compress .vtu and .vtp files");
 }
 
+void add_limits(CLI::App& app, int& threads, std::uint64_t& memory_limit,
+                const char* memory = "Most memory, such as 500MB or 4GB") {
+    app.add_option("--threads", threads, "Threads; 0 for all cores (default 1)")
+        ->check(CLI::Range(0, 1 << 20))
+        ->type_name("N");
+    app.add_option("--memory-limit", memory_limit, memory)
+        ->transform(CLI::AsSizeValue(false))
+        ->type_name("SIZE");
+}
+
 void add_triangulation(CLI::App& app, TriangulationOptions& options) {
     app.add_option("--scheme", options.scheme, "Order of insertion: " + schemes())
         ->type_name("NAME");
-    app.add_option("--threads", options.threads, "Threads; 0 for all cores (default 1)")
-        ->check(CLI::Range(0, 1 << 20))
-        ->type_name("N");
-    app.add_option("--memory-limit", options.memory_limit,
-                   "Most memory of the triangulation, such as 500MB or 4GB")
-        ->transform(CLI::AsSizeValue(false))
-        ->type_name("SIZE");
+    add_limits(app, options.threads, options.memory_limit,
+               "Most memory of the triangulation, such as 500MB or 4GB");
     app.add_flag("--compact", options.compact,
                  "Three tenths less memory for the triangulation, in 20 to 40 percent more time");
     app.add_flag("-q,--quiet", options.quiet, "Print nothing but errors and what is asked for");
@@ -267,16 +272,6 @@ void add_facets_input(CLI::App& app, InputOptions& options) {
     app.add_option("--from", options.from, "Format of the input")->type_name("FORMAT");
 }
 
-void add_limits(CLI::App& app, int& threads, std::uint64_t& memory_limit, bool& quiet) {
-    app.add_option("--threads", threads, "Threads; 0 for all cores (default 1)")
-        ->check(CLI::Range(0, 1 << 20))
-        ->type_name("N");
-    app.add_option("--memory-limit", memory_limit, "Most memory, such as 500MB or 4GB")
-        ->transform(CLI::AsSizeValue(false))
-        ->type_name("SIZE");
-    app.add_flag("-q,--quiet", quiet, "Print nothing but errors");
-}
-
 void add_mesh(CLI::App& app, MeshOptions& options) {
     add_facets_input(app, options.input);
     add_output(app, options.output, true);
@@ -294,7 +289,8 @@ void add_mesh(CLI::App& app, MeshOptions& options) {
     app.add_flag("--rounded", options.rounded,
                  "Write points rounded to 2^-36 of the largest coordinate, so that facets are "
                  "covered exactly");
-    add_limits(app, options.threads, options.memory_limit, options.quiet);
+    add_limits(app, options.threads, options.memory_limit);
+    app.add_flag("-q,--quiet", options.quiet, "Print nothing but errors");
     app.footer(formats_footer() + "\n" + exit_codes);
 }
 
@@ -304,7 +300,8 @@ void add_validate(CLI::App& app, ValidateOptions& options) {
                    "Write what offends too, as .vtp for ParaView")
         ->type_name("FILE");
     add_compress(app, options.output);
-    add_limits(app, options.threads, options.memory_limit, options.quiet);
+    add_limits(app, options.threads, options.memory_limit);
+    app.add_flag("-q,--quiet", options.quiet, "Print nothing but errors");
     app.footer(formats_footer() + "\n" + exit_codes);
 }
 

@@ -61,14 +61,14 @@ VtkFacets facets_of(const std::vector<OffendingPair>& pairs, const Mesh& mesh) {
     return out;
 }
 
-void check_marker_count(std::size_t numbers, std::size_t each, const char* option) {
+void require_numbers(std::size_t numbers, std::size_t each, const char* option) {
     if (numbers % each != 0)
         throw Error(exit_usage, fmt::format("{} takes {} numbers", option, each));
 }
 
 void add_places(const MeshOptions& options, Mesh& mesh) {
-    check_marker_count(options.holes.size(), 3, "--hole");
-    check_marker_count(options.regions.size(), 4, "--region");
+    require_numbers(options.holes.size(), 3, "--hole");
+    require_numbers(options.regions.size(), 4, "--region");
     for (std::size_t i = 0; i < options.holes.size(); i += 3)
         mesh.facets.holes.push_back(
             {{options.holes[i], options.holes[i + 1], options.holes[i + 2]}, 0});

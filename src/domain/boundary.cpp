@@ -23,7 +23,10 @@ Simplex Boundary::simplex(std::size_t i) const noexcept {
 }
 
 BoundingBox Boundary::box(std::size_t i) const noexcept {
-    const Simplex s = simplex(i);
+    return box_of(simplex(i));
+}
+
+BoundingBox box_of(const Simplex& s) noexcept {
     BoundingBox box(s.x[0]);
     for (int c = 1; c < s.size; ++c) box.include(BoundingBox(s.x[c]));
     return box;

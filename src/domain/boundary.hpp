@@ -8,6 +8,9 @@
 
 namespace mgdt {
 
+// The box of the corners of a simplex.
+BoundingBox box_of(const Simplex& s) noexcept;
+
 struct Boundary {
     explicit Boundary(Allocator& allocator)
         : points(allocator), triangles(allocator), segments(allocator), lone_points(allocator) {}

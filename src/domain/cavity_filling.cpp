@@ -9,10 +9,7 @@ namespace mgdt {
 
 CavityFilling::Face CavityFilling::make_face(std::uint32_t a, std::uint32_t b, std::uint32_t c,
                                              std::uint32_t behind, std::uint32_t facet) const {
-    BoundingBox box(mesh_.point(a));
-    box.include(BoundingBox(mesh_.point(b)));
-    box.include(BoundingBox(mesh_.point(c)));
-    return {{a, b, c}, behind, facet, box, true};
+    return {{a, b, c}, behind, facet, box_of(triangle({a, b, c})), true};
 }
 
 Simplex CavityFilling::triangle(const std::uint32_t (&v)[3]) const {
@@ -33,12 +30,9 @@ void CavityFilling::replace(FacetWalk& facet, std::uint32_t number,
 void CavityFilling::collect(FacetWalk& facet, const Buffer<std::uint32_t>& crossed) {
     boundary_.clear();
     corners_.clear();
-    crossed_.clear();
-    for (const std::uint32_t t : crossed) crossed_.push_back(t);
-    std::sort(crossed_.begin(), crossed_.end());
     const auto is_crossed = [&](std::uint32_t face) {
         return face != ConstrainedMesh::no_face &&
-               std::binary_search(crossed_.begin(), crossed_.end(), face / 4);
+               std::binary_search(crossed.begin(), crossed.end(), face / 4);
     };
     for (const std::uint32_t t : crossed) {
         const ConstrainedMesh::Tetrahedron& tet = mesh_.tetrahedra[t];

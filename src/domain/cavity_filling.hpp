@@ -2,9 +2,9 @@
 // Fills the part of a mesh that a facet crosses, on each side of the facet.
 #pragma once
 
+#include "domain/boundary.hpp"
 #include "domain/facet_walk.hpp"
 #include "domain/open_faces.hpp"
-#include "domain/simplex_pair.hpp"
 #include "domain/vertex_triangulation.hpp"
 
 namespace mgdt {
@@ -20,13 +20,12 @@ class CavityFilling {
           corners_(allocator),
           candidates_(allocator),
           inner_(allocator),
-          crossed_(allocator),
           two_sided_(allocator),
           delaunay_(allocator) {}
 
-    // Replaces tetrahedra that a facet crosses and that are connected by faces which it crosses:
-    // the constrained Delaunay triangulation of their vertices that has the facet. Marks the faces
-    // that are now parts of it.
+    // Replaces tetrahedra, sorted, that a facet crosses and that are connected by faces which it
+    // crosses: the constrained Delaunay triangulation of their vertices that has the facet. Marks
+    // the faces that are now parts of it.
     void replace(FacetWalk& facet, std::uint32_t number, const Buffer<std::uint32_t>& crossed);
 
   private:
@@ -71,7 +70,6 @@ class CavityFilling {
     OpenFaces open_;
     Buffer<std::uint32_t> foreign_;  // open faces that are not in the Delaunay triangulation
     Buffer<std::uint32_t> corners_, candidates_, inner_;
-    Buffer<std::uint32_t> crossed_;   // the tetrahedra that are replaced, sorted
     Buffer<TwoSidedFace> two_sided_;  // each face twice, from both sides
     VertexTriangulation delaunay_;    // of the candidates, if there are many
     bool has_delaunay_ = false;

@@ -12,15 +12,16 @@ bool are_equal(const double* a, const double* b) {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-void join_equal_points(const DomainInput& input, Complex& complex, Allocator& allocator) {
-    const std::size_t n = input.point_count();
+// Sets the points of a complex, and their numbers.
+void join_equal_points(const Buffer<double>& given, Complex& complex, Allocator& allocator) {
+    const std::size_t n = given.size() / 3;
     NumberTable table(allocator);
     table.clear(n);
     complex.number_of_point.resize(n);
     Buffer<double>& points = complex.boundary.points;
     points.reserve(3 * n);
     for (std::uint32_t i = 0; i < n; ++i) {
-        const double* const p = input.points.begin() + 3 * std::size_t{i};
+        const double* const p = given.begin() + 3 * std::size_t{i};
         const std::uint32_t number = table.number(hash_of_coordinates(p), [&](std::uint32_t other) {
             return are_equal(points.begin() + 3 * std::size_t{other}, p);
         });
@@ -57,9 +58,15 @@ void divide_facets(const DomainInput& input, Complex& complex, Allocator& alloca
 
 }  // namespace
 
+bool are_distinct(const Buffer<double>& points, Allocator& allocator) {
+    Complex complex(allocator);
+    join_equal_points(points, complex, allocator);
+    return complex.point_of_number.size() == points.size() / 3;
+}
+
 Complex make_complex(const DomainInput& input, Allocator& allocator) {
     Complex complex(allocator);
-    join_equal_points(input, complex, allocator);
+    join_equal_points(input.points, complex, allocator);
     divide_facets(input, complex, allocator);
     Boundary& boundary = complex.boundary;
     for (const std::uint32_t end : input.segments)

@@ -24,6 +24,9 @@ struct Complex {
     Buffer<std::uint32_t> bad_facets;  // facets that are no polygons and have no triangles; sorted
 };
 
+// Whether no two points are equal.
+bool are_distinct(const Buffer<double>& points, Allocator& allocator);
+
 // Equal points become one. Facets are divided into triangles.
 Complex make_complex(const DomainInput& input, Allocator& allocator);
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/triangulation.hpp"
-#include "domain/pair_table.hpp"
 
 namespace mgdt {
 

@@ -34,6 +34,10 @@ void Domain::clear() noexcept {
 
 void Domain::forget_results() noexcept {
     offences_.reset();
+    forget_mesh();
+}
+
+void Domain::forget_mesh() noexcept {
     mesh_ = DomainMesh(allocator_);
     has_mesh_ = false;
     facet_counts_ = FacetCounts();
@@ -136,9 +140,7 @@ void Domain::check() const {
 // the grid, and is refused.
 RoundingGrid Domain::round(Complex& complex) {
     Buffer<double>& points = complex.boundary.points;
-    double largest = 0;
-    for (const double x : points) largest = std::max(largest, std::fabs(x));
-    const RoundingGrid grid(largest);
+    const RoundingGrid grid(points);
     bool is_changed = false;
     for (double& x : points) {
         const double rounded = grid.round(x);
@@ -146,9 +148,7 @@ RoundingGrid Domain::round(Complex& complex) {
         x = rounded;
     }
     if (!is_changed) return grid;
-    DomainInput rounded(allocator_);
-    for (const double x : points) rounded.points.push_back(x);
-    if (make_complex(rounded, allocator_).point_of_number.size() != points.size() / 3)
+    if (!are_distinct(points, allocator_))
         fail(MGDT_ERR_RESOLUTION,
              "two points are nearer to each other than 2^-%d of the largest "
              "coordinate",
@@ -166,9 +166,7 @@ void Domain::build() {
         run(progress);
     } catch (...) {
         // The offences stay: they tell why.
-        mesh_ = DomainMesh(allocator_);
-        facet_counts_ = FacetCounts();
-        planar_facets_ = 0;
+        forget_mesh();
         throw;
     }
     has_mesh_ = true;
@@ -218,21 +216,15 @@ void Domain::run(StageProgress& progress) {
         facet_counts_ = insert_facets(mesh, facets, segments.parts, allocator_, stop);
     progress.enter(0.9, 1);
     Buffer<DomainInput::Place> regions(allocator_), holes(allocator_);
-    const auto round_places = [&](const Buffer<DomainInput::Place>& from,
+    const auto scale_places = [&](const Buffer<DomainInput::Place>& from,
                                   Buffer<DomainInput::Place>& to) {
-        for (DomainInput::Place place : from) {
-            // A place far outside would overflow.
-            constexpr double far = 0x1p40;
-            bool is_far = false;
-            for (double& x : place.x) {
-                x = grid.scaled(x);
-                is_far = is_far || !(std::fabs(x) < far);
-            }
-            if (!is_far) to.push_back(place);
+        for (const DomainInput::Place& place : from) {
+            DomainInput::Place on_grid = place;
+            if (grid.scale_place(place.x, on_grid.x)) to.push_back(on_grid);
         }
     };
-    round_places(input_.regions, regions);
-    round_places(input_.holes, holes);
+    scale_places(input_.regions, regions);
+    scale_places(input_.holes, holes);
     const Regions found = find_regions(mesh, regions, holes, allocator_);
     assemble({input_, complex, facets, grid, mesh, segments.parts, segments.steiner, found},
              settings_.rounds_points, allocator_, mesh_);

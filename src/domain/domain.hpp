@@ -83,6 +83,7 @@ class Domain {
     std::size_t planar_facets() const noexcept { return planar_facets_; }
 
   private:
+    void forget_mesh() noexcept;
     void run(StageProgress& progress);
     void require_valid(const Complex& complex, mgdt_status otherwise, const char* where);
     RoundingGrid round(Complex& complex);

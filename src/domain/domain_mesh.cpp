@@ -205,6 +205,18 @@ class Assembly {
 
 }  // namespace
 
+int DomainMesh::side(std::uint32_t t, const double* x) const noexcept {
+    const auto corner = [&](unsigned i) {
+        return exact_points.begin() + 3 * std::size_t{tetrahedra[4 * std::size_t{t} + i]};
+    };
+    int least = 1;
+    for (unsigned i = 0; i < 4 && least >= 0; ++i) {
+        const unsigned char* const f = outer_face[i];
+        least = std::min(least, -orientation(x, corner(f[0]), corner(f[1]), corner(f[2])));
+    }
+    return least;
+}
+
 void assemble(const DomainParts& parts, bool rounds, Allocator& allocator, DomainMesh& out) {
     Assembly(parts, allocator, out).run(rounds);
 }

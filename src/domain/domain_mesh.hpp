@@ -30,6 +30,9 @@ struct DomainMesh {
           steiner_parameters(allocator) {}
 
     std::size_t tetrahedron_count() const noexcept { return tetrahedra.size() / 4; }
+    // 1 if a place, in steps of the grid, is inside of a tetrahedron, 0 if it is on the boundary,
+    // -1 if it is outside.
+    int side(std::uint32_t t, const double* x) const noexcept;
 
     // The caller's points come first, then the Steiner points.
     Buffer<double> points;

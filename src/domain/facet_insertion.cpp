@@ -45,6 +45,7 @@ class FacetInsertion {
         for (std::size_t i = 0; i < crossed_.size(); ++i) {
             if (is_taken_[i] != 0) continue;
             take_component(i);
+            std::sort(component_.begin(), component_.end());
             filling_.replace(walk_, facet, component_);
             ++counts.cavities;
             counts.largest_cavity = std::max(counts.largest_cavity, component_.size());
@@ -79,14 +80,7 @@ class FacetInsertion {
         for (std::size_t i = 0; i < component_.size(); ++i) {
             const ConstrainedMesh::Tetrahedron& t = mesh_.tetrahedra[component_[i]];
             for (unsigned face = 0; face < 4; ++face) {
-                bool has_above = false, has_below = false;
-                for (unsigned k = 0; k < 4; ++k) {
-                    if (k == face) continue;
-                    const int side = walk_.side(t.v[k]);
-                    has_above = has_above || side > 0;
-                    has_below = has_below || side < 0;
-                }
-                if (!has_above || !has_below) continue;
+                if (!walk_.crosses(t, face)) continue;
                 const std::uint32_t* const found =
                     std::lower_bound(crossed_.begin(), crossed_.end(), t.n[face] / 4);
                 const auto at = static_cast<std::size_t>(found - crossed_.begin());

@@ -12,6 +12,16 @@ int FacetWalk::side(std::uint32_t v) {
     return sign.side;
 }
 
+bool FacetWalk::crosses(const ConstrainedMesh::Tetrahedron& t, unsigned face) {
+    bool has_above = false, has_below = false;
+    for (unsigned k = 0; k < 4; ++k) {
+        if (k == face) continue;
+        has_above = has_above || side(t.v[k]) > 0;
+        has_below = has_below || side(t.v[k]) < 0;
+    }
+    return has_above && has_below;
+}
+
 void FacetWalk::run(const std::uint32_t (&corner)[3], std::uint32_t a, std::uint32_t b) {
     for (int k = 0; k < 3; ++k) plane_[k] = mesh_.point(corner[k]);
     ++walk_;
@@ -82,21 +92,15 @@ void FacetWalk::enter_face(std::uint32_t face) {
 // the plane if it has one.
 void FacetWalk::leave_tetrahedron(std::uint32_t t) {
     const ConstrainedMesh::Tetrahedron tet = mesh_.tetrahedra[t];
-    int sides[4];
     unsigned in_plane[4], count = 0, above = 0, below = 0;
     for (unsigned i = 0; i < 4; ++i) {
-        sides[i] = side(tet.v[i]);
-        if (sides[i] == 0) in_plane[count++] = i;
-        if (sides[i] > 0) above = i;
-        if (sides[i] < 0) below = i;
+        const int of = side(tet.v[i]);
+        if (of == 0) in_plane[count++] = i;
+        if (of > 0) above = i;
+        if (of < 0) below = i;
     }
     for (unsigned i = 0; i < 4; ++i) {
-        bool has_above = false, has_below = false;
-        for (unsigned k = 0; k < 4; ++k) {
-            has_above = has_above || (k != i && sides[k] > 0);
-            has_below = has_below || (k != i && sides[k] < 0);
-        }
-        if (!has_above || !has_below) continue;
+        if (!crosses(tet, i)) continue;
         if (tet.n[i] == ConstrainedMesh::no_face)
             fail(MGDT_ERR_INTERNAL, "a facet leaves the hull");
         enter_tetrahedron(tet.n[i] / 4);

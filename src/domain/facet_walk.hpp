@@ -29,6 +29,8 @@ class FacetWalk {
     const Buffer<std::uint32_t>& crossed() const noexcept { return crossed_; }
     // On which side of the plane a point is: the orientation of the corners and the point.
     int side(std::uint32_t v);
+    // Whether a face of a tetrahedron has corners strictly on both sides of the plane.
+    bool crosses(const ConstrainedMesh::Tetrahedron& t, unsigned face);
 
   private:
     void begin(std::uint32_t a, std::uint32_t b, std::uint32_t towards);

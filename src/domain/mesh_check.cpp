@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "core/affine_basis.hpp"
-#include "domain/pair_table.hpp"
-#include "domain/simplex_pair.hpp"
+#include "domain/embedding_check.hpp"
 #include "platform/error.hpp"
 #include "predicates/predicates.hpp"
 
@@ -53,7 +52,7 @@ class MeshCheck {
           threads_(threads),
           input_(input),
           complex_(make_complex(input, allocator)),
-          grid_(largest()),
+          grid_(input.points),
           facets_(allocator),
           faces_(allocator) {}
 
@@ -68,7 +67,7 @@ class MeshCheck {
         check_facets();
         check_segments();
         check_places();
-        check_embedding();
+        check_embedding(complex_, mesh_, static_cast<std::int32_t>(base_), threads_, allocator_);
     }
 
   private:
@@ -81,11 +80,6 @@ class MeshCheck {
     const double* point(std::uint32_t v) const { return mesh_.points.begin() + 3 * std::size_t{v}; }
     // The point that is returned for a distinct point of the complex.
     std::uint32_t index(std::uint32_t v) const { return complex_.point_of_number[v]; }
-    double largest() const {
-        double most = 0;
-        for (const double x : input_.points) most = std::max(most, std::fabs(x));
-        return most;
-    }
 
     void round() {
         for (double& x : complex_.boundary.points) x = grid_.round(x);
@@ -467,137 +461,9 @@ class MeshCheck {
     template <class F>
     void for_each_at(const DomainInput::Place& place, F f) const {
         double x[3];
-        for (int k = 0; k < 3; ++k) x[k] = grid_.scaled(place.x[k]);
-        if (std::any_of(x, x + 3, [](double of) { return !(std::fabs(of) < 0x1p40); })) return;
+        if (!grid_.scale_place(place.x, x)) return;
         for (std::uint32_t t = 0; t < mesh_.tetrahedron_count(); ++t)
-            if (least_side(t, x) >= 0) f(t);
-    }
-
-    // The least of the sides on which a place is of the faces of a tetrahedron: 1 if it is inside
-    // and 0 if it is on the boundary.
-    int least_side(std::uint32_t t, const double* x) const {
-        const std::uint32_t* const v = mesh_.tetrahedra.begin() + 4 * std::size_t{t};
-        int least = 1;
-        for (unsigned i = 0; i < 4 && least >= 0; ++i) {
-            const unsigned char* const f = outer_face[i];
-            least =
-                std::min(least, -orientation(x, exact(v[f[0]]), exact(v[f[1]]), exact(v[f[2]])));
-        }
-        return least;
-    }
-
-    Simplex simplex(const std::uint32_t* v, int size) const {
-        Simplex s = {};
-        s.size = size;
-        for (int k = 0; k < size; ++k) {
-            s.x[k] = exact(v[k]);
-            s.number[k] = v[k];
-        }
-        return s;
-    }
-
-    // No tetrahedron meets, except in common corners, edges and faces: a face with a side without a
-    // tetrahedron, a point that is no corner of a tetrahedron, and a part of a segment that is no
-    // edge of one. So tetrahedra do not overlap, and all that is inside the domain is in the mesh.
-    void check_embedding() {
-        const std::size_t n = mesh_.tetrahedron_count();
-        Buffer<Simplex> outside(allocator_);
-        collect_outside(outside);
-        Buffer<BoundingBox> boxes(allocator_);
-        const auto add_box = [&](const Simplex& s) {
-            BoundingBox box(s.x[0]);
-            for (int k = 1; k < s.size; ++k) box.include(BoundingBox(s.x[k]));
-            boxes.push_back(box);
-        };
-        for (std::size_t t = 0; t < n; ++t) {
-            const std::uint32_t* const v = mesh_.tetrahedra.begin() + 4 * t;
-            add_box(simplex(v, 3));
-            boxes.back().include(BoundingBox(exact(v[3])));
-        }
-        for (const Simplex& s : outside) add_box(s);
-        const Atomic<bool> never{false};
-        const BoxTree tree(allocator_, boxes, StopRequest(never));
-        Team team(threads_);
-        tree.for_each_pair(team, [&](std::uint32_t i, std::uint32_t j, unsigned) {
-            if (i >= n || j < n) return;
-            const Simplex& s = outside[j - n];
-            if (is_met(i, s))
-                fail(MGDT_ERR_CHECK_FAILED,
-                     "tetrahedron %lld meets the surroundings of the domain at point %lld",
-                     number(i), number(s.number[0]));
-        });
-    }
-
-    void collect_outside(Buffer<Simplex>& outside) {
-        for (std::size_t f = 0; f < mesh_.face_facets.size(); ++f)
-            if (mesh_.face_tetrahedra[2 * f] == none || mesh_.face_tetrahedra[2 * f + 1] == none)
-                outside.push_back(simplex(mesh_.faces.begin() + 3 * f, 3));
-        Buffer<std::uint8_t> is_corner(allocator_);
-        is_corner.resize(mesh_.points.size() / 3, std::uint8_t{0});
-        PairTable segments(allocator_);
-        for (std::size_t s = 0; s < mesh_.segments.size(); s += 2)
-            segments.add(mesh_.segments[s], mesh_.segments[s + 1]);
-        Buffer<std::uint8_t> is_edge(allocator_);
-        is_edge.resize(segments.size(), std::uint8_t{0});
-        for (std::size_t t = 0; t < mesh_.tetrahedra.size(); t += 4) {
-            const std::uint32_t* const v = mesh_.tetrahedra.begin() + t;
-            for (int i = 0; i < 4; ++i) {
-                is_corner[v[i]] = 1;
-                for (int k = 0; k < i; ++k)
-                    if (const std::uint32_t s = segments.find(v[i], v[k]); s != PairTable::none)
-                        is_edge[s] = 1;
-            }
-        }
-        for (std::size_t s = 0; s < mesh_.segments.size(); s += 2)
-            if (is_edge[segments.find(mesh_.segments[s], mesh_.segments[s + 1])] == 0)
-                outside.push_back(simplex(mesh_.segments.begin() + s, 2));
-        for (std::uint32_t p = 0; p < is_corner.size(); ++p) {
-            // Of equal points, the first one stands for all.
-            const bool is_first =
-                p >= input_.point_count() || index(complex_.number_of_point[p]) == p;
-            if (is_corner[p] == 0 && is_first) outside.push_back(simplex(&p, 1));
-        }
-    }
-
-    // Whether the plane of a face of the tetrahedron, or of a triangle, has the two on its sides
-    // and only common corners in it. Most pairs are apart in this way.
-    bool is_apart(const std::uint32_t* v, const Simplex& s) const {
-        const auto is_common = [&](std::uint32_t corner) {
-            return std::find(v, v + 4, corner) != v + 4;
-        };
-        for (unsigned i = 0; i < 4; ++i) {
-            const unsigned char* const f = outer_face[i];
-            int k = 0;
-            while (k < s.size &&
-                   (is_common(s.number[k])
-                        ? s.number[k] != v[i]
-                        : orientation(s.x[k], exact(v[f[0]]), exact(v[f[1]]), exact(v[f[2]])) > 0))
-                ++k;
-            if (k == s.size) return true;
-        }
-        if (s.size < 3) return false;
-        int sides[4];
-        for (int i = 0; i < 4; ++i) {
-            const bool is_corner = std::find(s.number, s.number + 3, v[i]) != s.number + 3;
-            sides[i] = orientation(s.x[0], s.x[1], s.x[2], exact(v[i]));
-            if (sides[i] == 0 && !is_corner) return false;
-        }
-        return *std::max_element(sides, sides + 4) <= 0 || *std::min_element(sides, sides + 4) >= 0;
-    }
-
-    // Whether a tetrahedron meets a simplex elsewhere than in a common corner, edge or face.
-    bool is_met(std::uint32_t t, const Simplex& s) const {
-        const std::uint32_t* const v = mesh_.tetrahedra.begin() + 4 * std::size_t{t};
-        if (is_apart(v, s)) return false;
-        bool is_inside = true;
-        for (unsigned i = 0; i < 4; ++i) {
-            const unsigned char* const f = outer_face[i];
-            const std::uint32_t corner[3] = {v[f[0]], v[f[1]], v[f[2]]};
-            if (!meet_in_common_face(simplex(corner, 3), s)) return true;
-        }
-        for (int k = 0; k < s.size && is_inside; ++k)
-            is_inside = least_side(t, s.x[k]) > 0 || std::find(v, v + 4, s.number[k]) != v + 4;
-        return is_inside && std::find(v, v + 4, s.number[0]) == v + 4;
+            if (mesh_.side(t, x) >= 0) f(t);
     }
 
     const DomainMesh& mesh_;

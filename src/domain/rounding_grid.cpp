@@ -5,6 +5,18 @@
 #include <cmath>
 
 namespace mgdt {
+namespace {
+
+double largest_magnitude(const Buffer<double>& coordinates) noexcept {
+    double largest = 0;
+    for (const double x : coordinates) largest = std::max(largest, std::fabs(x));
+    return largest;
+}
+
+}  // namespace
+
+RoundingGrid::RoundingGrid(const Buffer<double>& coordinates) noexcept
+    : RoundingGrid(largest_magnitude(coordinates)) {}
 
 // The least multiples are not below the least double, 2^-1074.
 RoundingGrid::RoundingGrid(double largest) noexcept
@@ -19,6 +31,16 @@ double RoundingGrid::round(double x) const noexcept {
 
 double RoundingGrid::scaled(double x) const noexcept {
     return std::ldexp(x, -exponent_);
+}
+
+bool RoundingGrid::scale_place(const double (&x)[3], double (&result)[3]) const noexcept {
+    constexpr double far = 0x1p40;
+    bool is_near = true;
+    for (int k = 0; k < 3; ++k) {
+        result[k] = scaled(x[k]);
+        is_near = is_near && std::fabs(result[k]) < far;
+    }
+    return is_near;
 }
 
 double RoundingGrid::unround(double x) const noexcept {

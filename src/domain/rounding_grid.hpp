@@ -2,6 +2,8 @@
 // The grid to which the points of a domain are rounded.
 #pragma once
 
+#include "platform/memory.hpp"
+
 namespace mgdt {
 
 // The points of a domain are multiples of the grid's step, a power of two, at most 2^36 steps from
@@ -13,6 +15,8 @@ class RoundingGrid {
     // Points of segments are multiples of 2^-places steps, which are doubles as well.
     static constexpr int places = 36;
 
+    // The grid for points with these coordinates.
+    explicit RoundingGrid(const Buffer<double>& coordinates) noexcept;
     // The grid for points whose largest coordinate has this magnitude, which is finite.
     explicit RoundingGrid(double largest) noexcept;
 
@@ -20,6 +24,9 @@ class RoundingGrid {
     double round(double x) const noexcept;
     // x over the step.
     double scaled(double x) const noexcept;
+    // Writes a place in steps. Returns false if it is so far from the grid that it is in no
+    // tetrahedron of a mesh; the rest of the computation could overflow.
+    bool scale_place(const double (&x)[3], double (&result)[3]) const noexcept;
     // The product of the step and a coordinate in steps.
     double unround(double x) const noexcept;
 
