@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Abaqus's input files, .inp, which CalculiX reads too: the nodes, and the elements of types such
-// as C3D4 and C3D10. Points keep the order of the file; numbers of nodes may be any positive
-// ones. Abaqus Analysis User's Manual, "Input syntax rules".
+// as C3D4 and C3D10, or such as S3 and M3D4 if facets are asked for. Points keep the order of the
+// file; numbers of nodes may be any positive ones. Abaqus Analysis User's Manual, "Input syntax
+// rules".
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Gmsh's .msh, versions 2.2 and 4.1, text and binary: the nodes and the tetrahedra. Points keep
+// Gmsh's .msh, versions 2.2 and 4.1, text and binary: the nodes and the tetrahedra and, if facets
+// are asked for, triangles, quadrangles and lines. Points keep
 // the order of the file; node tags may be any positive numbers.
 // Written as 4.1 binary, or as 2.2 text, which older programs read.
 #include <fmt/core.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // PLY, the Stanford polygon format: reads x, y and z of the element "vertex", in any scalar type,
-// in text or binary of either byte order. Other properties and elements are skipped.
+// in text or binary of either byte order, and the lists of vertices of the element "face" if facets
+// are asked for. Other properties and elements are skipped.
 #include <fmt/core.h>
 
 #include <array>
@@ -311,7 +312,7 @@ const Format& ply_format() {
     static const Format format = [] {
         Format f = {"ply",
                     {".ply"},
-                    "PLY, of which vertices are read",
+                    "PLY; vertices and facets are read",
                     true,
                     sniff,
                     read_ply,

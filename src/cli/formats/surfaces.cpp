@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Surfaces, of which the vertices are read: Wavefront's .obj (its lines v), Geomview's .off, and
+// Surfaces, of which the vertices and, if they are asked for, the facets are read: Wavefront's .obj
+// (its lines v and f), Geomview's .off, and
 // .stl in text or binary. An .stl file repeats the corners of each triangle; equal corners become
 // one point, at the first of them. Surfaces are written as text, and .stl in binary.
 #include <fmt/core.h>
@@ -292,7 +293,7 @@ void write_stl(const Surface& surface, OutputFile& out, const WriteOptions&) {
 
 const Format& obj_format() {
     static const Format format = [] {
-        Format f = {"obj",   {".obj"}, "Wavefront's OBJ, of which vertices are read",
+        Format f = {"obj",   {".obj"}, "Wavefront's OBJ; vertices and facets are read",
                     false,   nullptr,  read_obj,
                     nullptr, nullptr};
         f.write_surface = write_obj;
@@ -304,7 +305,7 @@ const Format& obj_format() {
 
 const Format& off_format() {
     static const Format format = [] {
-        Format f = {"off",   {".off"},  "Geomview's OFF, text, of which vertices are read",
+        Format f = {"off",   {".off"},  "Geomview's OFF, text; vertices and facets are read",
                     false,   sniff_off, read_off,
                     nullptr, nullptr};
         f.write_surface = write_off;
@@ -316,7 +317,7 @@ const Format& off_format() {
 
 const Format& stl_format() {
     static const Format format = [] {
-        Format f = {"stl",   {".stl"}, "STL, text or binary, of which vertices are read",
+        Format f = {"stl",   {".stl"}, "STL, text or binary; vertices and facets are read",
                     true,    nullptr,  read_stl,
                     nullptr, nullptr};
         f.write_surface = write_stl;

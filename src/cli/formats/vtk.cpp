@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // VTK's legacy files, .vtk, text and binary, versions 1 to 5.1: the points and the tetrahedra of an
-// unstructured grid, and the points of other datasets that list them. The VTK User's Guide, "VTK
+// unstructured grid, the points of other datasets that list them, and flat cells as facets if these
+// are asked for. The VTK User's Guide, "VTK
 // File Formats"; what version 5 changed, VTK's vtkDataReader. Written as version 3.0, text.
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // VTK's XML unstructured grid (.vtu), as ParaView reads it, and its surfaces (.vtp), of which the
-// points are read.
+// points are read, and the cells as facets if these are asked for.
 // Written with appended raw arrays, each compressed or with a 64-bit length before it; read in
 // every form but compression by other libraries than zlib. The fields are the arrays of numbers in
 // PointData.
@@ -505,7 +505,7 @@ const Format& vtu_format() {
 
 const Format& vtp_format() {
     static const Format format = [] {
-        Format f = {"vtp",   {".vtp"}, "VTK's surfaces, of which points are read",
+        Format f = {"vtp",   {".vtp"}, "VTK's surfaces; points and facets are read",
                     true,    nullptr,  read_vtu,
                     nullptr, nullptr};
         f.write_surface = write_surface;
