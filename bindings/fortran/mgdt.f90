@@ -74,6 +74,22 @@ module mgdt
               mgdt_voronoi_cell_bounded, mgdt_voronoi_vertices, mgdt_voronoi_ray_directions, &
               mgdt_voronoi_face_areas, mgdt_voronoi_face_normals, mgdt_voronoi_face_centroids, &
               mgdt_voronoi_cell_volumes, mgdt_voronoi_cell_centroids
+    public :: mgdt_domain_kind_facet, mgdt_domain_kind_segment, mgdt_domain_kind_point
+    public :: mgdt_domain_index_base, mgdt_domain_threads, mgdt_domain_memory_limit, &
+              mgdt_domain_round_points
+    public :: mgdt_domain_given_points, mgdt_domain_given_facets, mgdt_domain_given_segments, &
+              mgdt_domain_memory_bytes, mgdt_domain_steiner_points, mgdt_domain_tetrahedra, &
+              mgdt_domain_regions, mgdt_domain_faces, mgdt_domain_is_rounded, &
+              mgdt_domain_planar_facets, mgdt_domain_missing_facets, mgdt_domain_cavities, &
+              mgdt_domain_largest_cavity
+    public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_tetrahedra, &
+              mgdt_domain_array_neighbors, mgdt_domain_array_regions, &
+              mgdt_domain_array_region_markers, mgdt_domain_array_faces, &
+              mgdt_domain_array_face_tetrahedra, mgdt_domain_array_face_facets, &
+              mgdt_domain_array_face_markers, mgdt_domain_array_segments, &
+              mgdt_domain_array_segment_sources, mgdt_domain_array_segment_markers, &
+              mgdt_domain_array_steiner_edges, mgdt_domain_array_points, &
+              mgdt_domain_array_steiner_parameters
 
     ! A triangulation that grows as points are inserted. It frees what it holds when it goes out of
     ! scope or is deallocated. It cannot be copied: a = b stops the program, unless b was never

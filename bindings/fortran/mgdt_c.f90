@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: MIT
-! Generated from mgdt/mgdt.h, mgdt_voronoi.h by bindings/interface/generate.py.
+! Generated from mgdt/mgdt.h, mgdt_voronoi.h, mgdt_domain.h by bindings/interface/generate.py.
 !
 ! The C functions of mgdt as they stand in mgdt/mgdt.h, where they are documented. Module mgdt and
 ! mgdt_f77.f90 are built on these; programs rarely need them.
@@ -452,6 +452,147 @@ module mgdt_c
             character(kind=c_char), intent(inout) :: buffer(*)
             integer(c_int32_t) :: status
         end function
+        function c_domain_create(out) result(status) bind(c, name='mgdt_domain_create')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_create_with_allocator(alloc, release, user, out) result(status) &
+            bind(c, name='mgdt_domain_create_with_allocator')
+            import :: c_funptr, c_int32_t, c_ptr
+            type(c_funptr), value :: alloc
+            type(c_funptr), value :: release
+            type(c_ptr), value :: user
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: status
+        end function
+        subroutine c_domain_destroy(d) bind(c, name='mgdt_domain_destroy')
+            import :: c_ptr
+            type(c_ptr), value :: d
+        end subroutine
+        function c_domain_clear(d) result(status) bind(c, name='mgdt_domain_clear')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_set_option(d, option, value) result(status) &
+            bind(c, name='mgdt_domain_set_option')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t), value :: option
+            integer(c_int64_t), value :: value
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_get_option(d, option, value) result(status) &
+            bind(c, name='mgdt_domain_get_option')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t), value :: option
+            integer(c_int64_t), intent(inout) :: value
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_set_progress(d, fn, user) result(status) &
+            bind(c, name='mgdt_domain_set_progress')
+            import :: c_funptr, c_int32_t, c_ptr
+            type(c_ptr), value :: d
+            type(c_funptr), value :: fn
+            type(c_ptr), value :: user
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_cancel(d) result(status) bind(c, name='mgdt_domain_cancel')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_set_points(d, n, xyz) result(status) &
+            bind(c, name='mgdt_domain_set_points')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_set_facets(d, n, offsets, corners, markers) result(status) &
+            bind(c, name='mgdt_domain_set_facets')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int64_t), value :: n
+            type(c_ptr), value :: offsets
+            integer(c_int64_t), intent(in) :: corners(*)
+            type(c_ptr), value :: markers
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_set_segments(d, n, ends, markers) result(status) &
+            bind(c, name='mgdt_domain_set_segments')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int64_t), value :: n
+            integer(c_int64_t), intent(in) :: ends(*)
+            type(c_ptr), value :: markers
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_add_region(d, xyz, marker) result(status) &
+            bind(c, name='mgdt_domain_add_region')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: d
+            real(c_double), intent(in) :: xyz(3)
+            integer(c_int32_t), value :: marker
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_add_hole(d, xyz) result(status) bind(c, name='mgdt_domain_add_hole')
+            import :: c_double, c_int32_t, c_ptr
+            type(c_ptr), value :: d
+            real(c_double), intent(in) :: xyz(3)
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_validate(d) result(status) bind(c, name='mgdt_domain_validate')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_build(d) result(status) bind(c, name='mgdt_domain_build')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_check(d) result(status) bind(c, name='mgdt_domain_check')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_get_stat(d, key, value) result(status) &
+            bind(c, name='mgdt_domain_get_stat')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t), value :: key
+            integer(c_int64_t), intent(inout) :: value
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_get_size(d, array, size) result(status) &
+            bind(c, name='mgdt_domain_get_size')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), intent(inout) :: size
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_get_doubles(d, array, capacity, values) result(status) &
+            bind(c, name='mgdt_domain_get_doubles')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), value :: capacity
+            real(c_double), intent(inout) :: values(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_get_error(d, capacity, buffer) result(status) &
+            bind(c, name='mgdt_domain_get_error')
+            import :: c_char, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int64_t), value :: capacity
+            character(kind=c_char), intent(inout) :: buffer(*)
+            integer(c_int32_t) :: status
+        end function
     end interface
 
     interface c_remove_points
@@ -857,6 +998,27 @@ module mgdt_c
             bind(c, name='mgdt_voronoi_get_array')
             import :: c_int32_t, c_int64_t, c_ptr
             type(c_ptr), value :: v
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: values(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_domain_get_array
+        function c_domain_get_array_i32(d, array, capacity, values) result(status) &
+            bind(c, name='mgdt_domain_get_array_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: values(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_domain_get_array_i64(d, array, capacity, values) result(status) &
+            bind(c, name='mgdt_domain_get_array')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: d
             integer(c_int32_t), value :: array
             integer(c_int64_t), value :: capacity
             integer(c_int64_t), intent(inout) :: values(*)

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: MIT
-! Generated from mgdt/mgdt.h, mgdt_voronoi.h by bindings/interface/generate.py.
+! Generated from mgdt/mgdt.h, mgdt_voronoi.h, mgdt_domain.h by bindings/interface/generate.py.
 !
 ! The constants of mgdt's C interface, in the default integer of the flags in force. Comments are
 ! those of the header; stat= has the values of a status.
@@ -244,4 +244,89 @@ module mgdt_constants
     ! 3 coordinates of the centroid of each cell, with the accuracy of mgdt_get_cell_measures();
     ! infinite for an unbounded cell, and 0 for a point without a cell.
     integer, parameter :: mgdt_voronoi_cell_centroids = 71
+
+    ! Kinds.
+    integer, parameter :: mgdt_domain_kind_facet = 0
+    integer, parameter :: mgdt_domain_kind_segment = 1
+    ! A point that is a corner of no facet and of no segment.
+    integer, parameter :: mgdt_domain_kind_point = 2
+
+    ! Options.
+    ! 0 (default) or 1. It applies to indices that are given or read later.
+    integer, parameter :: mgdt_domain_index_base = 10
+    ! Threads, see mgdt_set_threads(); default 1, 0 for all cores.
+    integer, parameter :: mgdt_domain_threads = 20
+    ! Bytes that the handle may hold; 0 (default) for no limit.
+    integer, parameter :: mgdt_domain_memory_limit = 30
+    ! 1 to return rounded points always, so that facets and segments are covered exactly by what is
+    ! returned; 0 (default) to return the caller's points where possible.
+    integer, parameter :: mgdt_domain_round_points = 40
+
+    ! Numbers.
+    ! Points that were set.
+    integer, parameter :: mgdt_domain_given_points = 10
+    ! Facets that were set.
+    integer, parameter :: mgdt_domain_given_facets = 11
+    ! Segments that were set.
+    integer, parameter :: mgdt_domain_given_segments = 12
+    ! Memory that the handle holds.
+    integer, parameter :: mgdt_domain_memory_bytes = 15
+    ! Points that the build has added.
+    integer, parameter :: mgdt_domain_steiner_points = 20
+    ! Tetrahedra of the mesh.
+    integer, parameter :: mgdt_domain_tetrahedra = 21
+    ! Regions of the mesh.
+    integer, parameter :: mgdt_domain_regions = 22
+    ! Faces of the mesh that are parts of facets.
+    integer, parameter :: mgdt_domain_faces = 23
+    ! 1 if the points that are returned are rounded.
+    integer, parameter :: mgdt_domain_is_rounded = 24
+    ! Facets, where those in one plane are joined.
+    integer, parameter :: mgdt_domain_planar_facets = 30
+    ! Of these, those that the Delaunay triangulation of all points lacks.
+    integer, parameter :: mgdt_domain_missing_facets = 31
+    ! Parts of it that were filled anew.
+    integer, parameter :: mgdt_domain_cavities = 32
+    ! The most tetrahedra in one of them.
+    integer, parameter :: mgdt_domain_largest_cavity = 33
+
+    ! Arrays.
+    ! Four elements for each pair that mgdt_domain_validate() or mgdt_domain_build() has found: a
+    ! kind (MGDT_DOMAIN_KIND_FACET and so on) and a number, twice. What is bad by itself is paired
+    ! with itself: a facet that is flat or no polygon, or a segment without length.
+    integer, parameter :: mgdt_domain_array_offending_pairs = 10
+    ! Four corners for each tetrahedron, positively oriented as in mgdt_get_tetrahedra(). The
+    ! tetrahedra are sorted by their corners.
+    integer, parameter :: mgdt_domain_array_tetrahedra = 20
+    ! For each tetrahedron the numbers of the four tetrahedra opposite its corners. None means that
+    ! the domain ends there.
+    integer, parameter :: mgdt_domain_array_neighbors = 21
+    ! The region of each tetrahedron.
+    integer, parameter :: mgdt_domain_array_regions = 22
+    ! The marker of each region: that of the last mgdt_domain_add_region() with a place inside of
+    ! it, or 0.
+    integer, parameter :: mgdt_domain_array_region_markers = 23
+    ! Three corners for each face of the mesh that is a part of a facet. They turn in the same
+    ! direction as those of the facet.
+    integer, parameter :: mgdt_domain_array_faces = 30
+    ! The two tetrahedra at each face: first the one from which the corners appear counter-
+    ! clockwise, then the other one.
+    integer, parameter :: mgdt_domain_array_face_tetrahedra = 31
+    ! The facet that each face is a part of; of facets that are joined, the first one.
+    integer, parameter :: mgdt_domain_array_face_facets = 32
+    ! The marker of this facet.
+    integer, parameter :: mgdt_domain_array_face_markers = 33
+    ! Two ends for each edge of the mesh that is a part of a segment, or of an edge of facets that
+    ! does not lie inside of a joined facet.
+    integer, parameter :: mgdt_domain_array_segments = 40
+    ! The segment that the caller has set and that each of these is a part of, or none.
+    integer, parameter :: mgdt_domain_array_segment_sources = 41
+    ! The marker of this segment, or 0.
+    integer, parameter :: mgdt_domain_array_segment_markers = 42
+    ! The two ends a and b of the edge that each Steiner point divides.
+    integer, parameter :: mgdt_domain_array_steiner_edges = 50
+    ! Three coordinates of each point: first the points that were set, then the Steiner points.
+    integer, parameter :: mgdt_domain_array_points = 60
+    ! For each Steiner point the number t for which it is a + t (b - a).
+    integer, parameter :: mgdt_domain_array_steiner_parameters = 61
 end module mgdt_constants

@@ -19,7 +19,7 @@ module mgdt_f77_support
     integer(c_int32_t), parameter, private :: seal = 1296516212_c_int32_t
     integer, parameter, private :: integer_bits = bit_size(0), handle_integers = 128/integer_bits
     ! Added to the seal of another kind of handle.
-    integer(c_int32_t), parameter :: of_parts = 1, of_voronoi = 2
+    integer(c_int32_t), parameter :: of_parts = 1, of_voronoi = 2, of_domain = 3
 
     ! The arrays that export_at() knows.
     integer, parameter :: array_tetrahedra = 1, array_neighbors = 2, array_facets = 3, &
@@ -138,6 +138,42 @@ contains
 
         elements = width*min(int(n, c_int64_t), huge(elements)/width)
     end function
+
+    ! Integers of the caller's kind in 64 bits, at least one of them, so that C has an address.
+    subroutine as_long(given, n, long, ierr)
+        integer, intent(in) :: given(*)
+        integer(c_int64_t), intent(in) :: n
+        integer(c_int64_t), allocatable, intent(inout) :: long(:)
+        integer, intent(out) :: ierr
+        integer :: failed
+
+        ierr = mgdt_err_out_of_memory
+        allocate (long(max(n, 1_c_int64_t)), stat=failed)
+        if (failed /= 0) return
+        long(:n) = given(:n)
+        ierr = mgdt_ok
+    end subroutine
+
+    ! Markers in 32 bits, at least one of them. Those that do not fit are an invalid argument.
+    subroutine as_markers(given, n, markers, ierr)
+        integer, intent(in) :: given(*)
+        integer(c_int64_t), intent(in) :: n
+        integer(c_int32_t), allocatable, intent(inout) :: markers(:)
+        integer, intent(out) :: ierr
+        integer(c_int64_t), parameter :: most = huge(0_c_int32_t)
+        integer(c_int64_t) :: i
+        integer :: failed
+
+        ierr = mgdt_err_out_of_memory
+        allocate (markers(max(n, 1_c_int64_t)), stat=failed)
+        if (failed /= 0) return
+        ierr = mgdt_err_invalid_argument
+        do i = 1, n
+            if (given(i) > most .or. given(i) < -most - 1) return
+            markers(i) = to_c(given(i))
+        end do
+        ierr = mgdt_ok
+    end subroutine
 
     subroutine store_count(count, pointer, n, ierr)
         integer(c_int64_t), intent(in) :: count

@@ -16,6 +16,8 @@ KINDS = (("i32", "int32"), ("i64", "int64"))
 # What a FORTRAN 77 subroutine for a handle uses, and how it finds the handle.
 F77_HANDLES = {
     "mgdt_triangulation": (["use mgdt_f77_support"], "handle_of(h)"),
+    "mgdt_voronoi": (["use mgdt_f77_support"], "handle_of(h, of_voronoi)"),
+    "mgdt_domain": (["use mgdt_f77_support"], "handle_of(h, of_domain)"),
     "mgdt_parts": (["use mgdt_f77_support", "use mgdt_parts_c", "use mgdt_parts_constants"],
                    "handle_of(h, of_parts)"),
 }
@@ -170,10 +172,12 @@ class Calls:
         return "\n".join(list_of_names(line, 8, 12)
                          for line in (f"procedure, private :: {names}", f"generic :: {name} => {names}"))
 
-    def public_constants(self, are_of_parts: bool = False) -> str:
+    def public_constants(self, prefix: str = "") -> str:
+        """Those with a prefix, or all but those of parts, which are another module's."""
         lines = []
         for group in self._constants:
-            if group[0].name.startswith("MGDT_PARTS_") != are_of_parts:
+            name = group[0].name
+            if not name.startswith(prefix) if prefix else name.startswith("MGDT_PARTS_"):
                 continue
             names = ", ".join(c.name.lower() for c in group)
             lines.append(list_of_names(f"public :: {names}", 4, 14))

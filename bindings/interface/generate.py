@@ -36,8 +36,8 @@ def read_all(folder: Path = HEADERS) -> list[header.Interface]:
 def all_files(interfaces: list[header.Interface]) -> dict[str, str]:
     """The files by their names below the folder of the bindings."""
     triangulation, parts, mpi, voronoi, domain = interfaces
-    both = triangulation.joined(voronoi)
-    return {**fortran.files(both, parts, mpi), **rust.files(both), **scripting.files(both, parts, domain)}
+    whole = triangulation.joined(voronoi).joined(domain)
+    return {**fortran.files(whole, parts, mpi), **rust.files(whole), **scripting.files(whole, parts)}
 
 
 def main() -> None:

@@ -11,8 +11,8 @@ WIDTH = 100
 HEAD = """\
 // SPDX-License-Identifier: MIT
 // Generated from the headers of mgdt by bindings/interface/generate.py.
-//! The C interface of mgdt as it is. Its manuals are the headers `mgdt/mgdt.h` and
-//! `mgdt/mgdt_voronoi.h`; the crate `mgdt` is the safe interface.
+//! The C interface of mgdt as it is. Its manuals are the headers `mgdt/mgdt.h`,
+//! `mgdt/mgdt_voronoi.h` and `mgdt/mgdt_domain.h`; the crate `mgdt` is the safe interface.
 #![allow(non_camel_case_types)]
 
 use std::marker::{PhantomData, PhantomPinned};
@@ -33,7 +33,8 @@ pub struct %s {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 """
-HANDLES = {"mgdt_triangulation": "A triangulation", "mgdt_voronoi": "A Voronoi diagram"}
+HANDLES = {"mgdt_triangulation": "A triangulation", "mgdt_voronoi": "A Voronoi diagram",
+           "mgdt_domain": "A domain and its mesh"}
 
 
 def rust_type(p: Parameter) -> str:

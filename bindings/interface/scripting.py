@@ -174,10 +174,9 @@ def octave(interface: Interface) -> str:
             + macro("MGDT_ERRORS(E)", errors) + "\n#endif /* MGDT_OCTAVE_INTERFACE_H */\n")
 
 
-def files(interface: Interface, parts: Interface, domain: Interface) -> dict[str, str]:
+def files(interface: Interface, parts: Interface) -> dict[str, str]:
     return {"lua/mgdt/interface.lua": lua(interface),
             "ruby/lib/mgdt/interface.rb": ruby(interface),
             "python/mgdt/_interface.py": python(interface),
             "python/mgdt/_parts_interface.py": python(parts, interface),
-            "python/mgdt/_domain_interface.py": python(domain, interface),
             "octave/mgdt_interface.h": octave(interface)}

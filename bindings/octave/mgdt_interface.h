@@ -104,7 +104,29 @@
     F(voronoi_get_array_i32);         \
     F(voronoi_get_doubles);           \
     F(voronoi_drop_small_faces);      \
-    F(voronoi_get_error);
+    F(voronoi_get_error);             \
+    F(domain_create);                 \
+    F(domain_create_with_allocator);  \
+    F(domain_destroy);                \
+    F(domain_clear);                  \
+    F(domain_set_option);             \
+    F(domain_get_option);             \
+    F(domain_set_progress);           \
+    F(domain_cancel);                 \
+    F(domain_set_points);             \
+    F(domain_set_facets);             \
+    F(domain_set_segments);           \
+    F(domain_add_region);             \
+    F(domain_add_hole);               \
+    F(domain_validate);               \
+    F(domain_build);                  \
+    F(domain_check);                  \
+    F(domain_get_stat);               \
+    F(domain_get_size);               \
+    F(domain_get_array);              \
+    F(domain_get_array_i32);          \
+    F(domain_get_doubles);            \
+    F(domain_get_error);
 
 /* Every error, by its name after "MGDT_ERR_", large and small. */
 #define MGDT_ERRORS(E)                    \

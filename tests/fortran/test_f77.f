@@ -16,6 +16,7 @@
       CALL TSTPRO
       CALL TSTCHG
       CALL TSTVOR
+      CALL TSTDOM
       CALL TSTBAD
       WRITE (*, '(I6, A, I6, A)') NCHK, ' checks,', NBAD, ' failed'
       IF (NBAD .GT. 0 .OR. NCHK .EQ. 0) STOP 1
@@ -793,6 +794,173 @@
       CALL MGVSIZ(HV, MGVFAR, NC, IERR)
       CALL EXPECT(IERR .EQ. MGENUL, 'empty after a failure')
       CALL MGFREE(H, IERR)
+      END
+
+! A domain: two cubes that share a square, as squares and as triangles.
+      SUBROUTINE TSTDOM
+      IMPLICIT NONE
+      INTEGER MAXT
+      PARAMETER (MAXT = 40)
+      INTEGER HD(4), IERR, N, I, J, K, NT, NF, IC(6, 2)
+      INTEGER IQ(4, 11), ITRI(3, 22), IOFF(12), MARK(22), ISEG(2, 2)
+      INTEGER ITET(4, MAXT), IREG(MAXT), MREG(2), IFAC(3, MAXT)
+      INTEGER IPAI(4), NHEARD
+      DOUBLE PRECISION XYZ(3, 12), P(3), GOT(3, 12), V(9), VOL
+      DOUBLE PRECISION CROSS(3, 6)
+      CHARACTER*256 TEXT
+      LOGICAL YES
+      EXTERNAL DOMPRO, DOMSTP
+      COMMON /DOMCOM/ NHEARD
+      INCLUDE 'mgdt_f77.inc'
+      DATA XYZ /0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0,
+     &          0, 0, 2, 2, 0, 2, 2, 2, 2, 0, 2, 2,
+     &          0, 0, 4, 2, 0, 4, 2, 2, 4, 0, 2, 4/
+      DATA IQ /1, 4, 3, 2, 1, 2, 6, 5, 2, 3, 7, 6, 3, 4, 8, 7,
+     &         4, 1, 5, 8, 5, 6, 7, 8, 5, 6, 10, 9, 6, 7, 11, 10,
+     &         7, 8, 12, 11, 8, 5, 9, 12, 9, 10, 11, 12/
+      DATA CROSS /0, 0, 0, 4, 0, 0, 0, 4, 0,
+     &            1, 1, -1, 1, 1, 2, 5, 1, 1/
+      DATA IC /1, 2, 3, 4, 5, 6, 1, 2, 3, 4, 5, 7/
+      DATA ISEG /1, 2, 9, 10/
+      CALL MGDNEW(HD, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDNEW')
+      CALL MGDGOP(HD, MGDBAS, I, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. I .EQ. 1, 'MGDGOP')
+      CALL MGDOPT(HD, MGDTHR, 2, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDOPT')
+      CALL MGDOPT(HD, MGDTHR, -2, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'negative threads')
+      CALL MGDERR(HD, TEXT, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. INDEX(TEXT, '-2') .GT. 0, 'MGDERR')
+      CALL MGDINP(HD, 12, XYZ, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDINP')
+      DO 10 I = 1, 11
+        IOFF(I) = 1 + 4*(I - 1)
+        MARK(I) = I
+   10 CONTINUE
+      IOFF(12) = 45
+      CALL MGDPOL(HD, 11, IOFF, IQ, MARK, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDPOL')
+      CALL MGDEDG(HD, 2, ISEG, MARK, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDEDG')
+      P(1) = 1
+      P(2) = 1
+      P(3) = 1
+      CALL MGDADR(HD, P, 7, IERR)
+      P(3) = 3
+      IF (IERR .EQ. 0) CALL MGDADR(HD, P, 9, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDADR')
+      CALL MGDVAL(HD, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDVAL')
+      NHEARD = 0
+      CALL MGDPRG(HD, DOMPRO, IERR)
+      CALL MGDBLD(HD, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. NHEARD .GT. 0, 'MGDBLD')
+      CALL MGDNPR(HD, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDNPR')
+      CALL MGDCHK(HD, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDCHK')
+      CALL MGDNUM(HD, MGDNTE, NT, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. NT .LE. MAXT, 'MGDNUM')
+      CALL MGDARR(HD, MGDTET, 4*MAXT, ITET, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDARR')
+      CALL MGDARR(HD, MGDREG, MAXT, IREG, IERR)
+      CALL MGDARR(HD, MGDRMA, 2, MREG, IERR)
+      CALL MGDDBL(HD, MGDPTS, 36, GOT, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDDBL')
+      V(7) = 0
+      V(9) = 0
+      DO 20 I = 1, NT
+        K = MREG(IREG(I))
+        V(K) = V(K) + VOL(GOT(1, ITET(1, I)), GOT(1, ITET(2, I)),
+     &                    GOT(1, ITET(3, I)), GOT(1, ITET(4, I)))/6
+   20 CONTINUE
+      CALL EXPECT(ABS(V(7) - 8) .LT. 1D-12, 'volume of a cube')
+      CALL EXPECT(ABS(V(9) - 8) .LT. 1D-12, 'volume of the other')
+! The diagonals of squares that were chosen make triangles.
+      CALL MGDSIZ(HD, MGDFAC, NF, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. NF .EQ. 66, 'MGDSIZ')
+      CALL MGDARR(HD, MGDFAC, 3*MAXT, IFAC, IERR)
+      CALL MGDARR(HD, MGDFMA, 22, MARK, IERR)
+      DO 40 I = 1, 22
+        DO 30 J = 1, 3
+          ITRI(J, I) = IFAC(J, I)
+   30   CONTINUE
+   40 CONTINUE
+      CALL MGDTRI(HD, 22, ITRI, MARK, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDTRI')
+      P(3) = 1
+      CALL MGDHOL(HD, P, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDHOL')
+      CALL MGDPRG(HD, DOMSTP, IERR)
+      CALL MGDBLD(HD, IERR)
+      CALL EXPECT(IERR .EQ. MGECAN, 'stopped by progress')
+      CALL MGDNPR(HD, IERR)
+      CALL MGDCAN(HD, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDCAN')
+      CALL MGDBLD(HD, IERR)
+      CALL EXPECT(IERR .EQ. MGECAN, 'stopped by MGDCAN')
+      CALL MGDBLD(HD, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'built')
+      CALL MGDNUM(HD, MGDNTE, N, IERR)
+      CALL EXPECT(N .GT. 0 .AND. N .LT. NT, 'a cube is a hole')
+! What is refused.
+      CALL MGDARR(HD, MGDTET, 4*N - 1, ITET, IERR)
+      CALL EXPECT(IERR .EQ. MGEBUF, 'no room')
+      CALL MGDNUM(HD, 999, N, IERR)
+      CALL EXPECT(IERR .EQ. MGEKEY, 'an unknown number')
+      CALL MGDINP(HD, 6, CROSS, IERR)
+      CALL MGDTRI(HD, 2, IC, MARK, IERR)
+      CALL MGDVAL(HD, IERR)
+      CALL EXPECT(IERR .EQ. MGEBND, 'triangles that cross')
+      CALL MGDARR(HD, MGDPAI, 4, IPAI, IERR)
+      YES = IERR .EQ. 0 .AND. IPAI(1) .EQ. MGDKFA .AND. IPAI(2) .EQ. 1
+      YES = YES .AND. IPAI(3) .EQ. MGDKFA .AND. IPAI(4) .EQ. 2
+      CALL EXPECT(YES, 'the pair')
+      CALL MGDTRI(HD, 2, IC(1, 2), MARK, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'a corner that is no point')
+      CALL MGDTRI(HD, -1, IC, MARK, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'negative triangles')
+      CALL MGDPOL(HD, 0, IOFF, IQ, MARK, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'no polygons')
+      CALL MGDCLR(HD, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDCLR')
+      CALL MGDNUM(HD, MGDGPT, N, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. N .EQ. 0, 'no points')
+      CALL MGNPT(HD, N, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'no triangulation')
+      CALL MGDFRE(HD, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGDFRE')
+      CALL MGDFRE(HD, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'freed')
+      CALL MGDERR(HD, TEXT, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL .AND. TEXT .EQ. ' ', 'no domain')
+      END
+
+      SUBROUTINE DOMPRO(FRAC, ICANC)
+      IMPLICIT NONE
+      DOUBLE PRECISION FRAC
+      INTEGER ICANC, NHEARD
+      COMMON /DOMCOM/ NHEARD
+      NHEARD = NHEARD + 1
+      IF (FRAC .GT. 1D0) ICANC = 1
+      END
+
+      SUBROUTINE DOMSTP(FRAC, ICANC)
+      IMPLICIT NONE
+      DOUBLE PRECISION FRAC
+      INTEGER ICANC
+      IF (FRAC .GE. 0D0) ICANC = 1
+      END
+
+! Six times the volume of a tetrahedron.
+      DOUBLE PRECISION FUNCTION VOL(A, B, C, D)
+      IMPLICIT NONE
+      DOUBLE PRECISION A(3), B(3), C(3), D(3), X, Y, Z
+      X = (B(2) - A(2))*(C(3) - A(3)) - (B(3) - A(3))*(C(2) - A(2))
+      Y = (B(3) - A(3))*(C(1) - A(1)) - (B(1) - A(1))*(C(3) - A(3))
+      Z = (B(1) - A(1))*(C(2) - A(2)) - (B(2) - A(2))*(C(1) - A(1))
+      VOL = X*(D(1) - A(1)) + Y*(D(2) - A(2)) + Z*(D(3) - A(3))
       END
 
 ! Progress and cancelling.

@@ -40,10 +40,10 @@ def c_functions(text):
 
 
 header_text = "".join((source / "include/mgdt" / name).read_text(encoding="utf-8")
-                      for name in ("mgdt.h", "mgdt_voronoi.h"))
+                      for name in ("mgdt.h", "mgdt_voronoi.h", "mgdt_domain.h"))
 header = c_functions(header_text.replace("MGDT_API", " "))
 constants = {name: int(value) for name, value in
-             re.findall(r"^\s*(MGDT_(?:OK|ERR|ORDER|PARAMETER|SEPARATION|STAT|CHECK|MEASURE|TETRAHEDRON|INTERPOLATE|OUTSIDE|VORONOI)\w*) = (\d+)", header_text, re.M)}
+             re.findall(r"^\s*(MGDT_(?:OK|ERR|ORDER|PARAMETER|SEPARATION|STAT|CHECK|MEASURE|TETRAHEDRON|INTERPOLATE|OUTSIDE|VORONOI|DOMAIN)\w*) = (\d+)", header_text, re.M)}
 
 
 def expect(language, what, got, expected):
@@ -55,7 +55,7 @@ def expect(language, what, got, expected):
 
 # ------------------------------------------------------------------------------------------ Lua
 
-lua_text = (source / "bindings/lua/mgdt.lua").read_text(encoding="utf-8")
+lua_text = "".join(path.read_text(encoding="utf-8") for path in (source / "bindings/lua").glob("**/*.lua"))
 lua_interface = (source / "bindings/lua/mgdt/interface.lua").read_text(encoding="utf-8")
 lua = c_functions(re.search(r"cdef \[\[(.*?)\]\]", lua_interface, re.S).group(1))
 for name, signature in lua.items():
@@ -65,7 +65,9 @@ for name in set(re.findall(r"\bC\.(mgdt_\w+)", lua_text)) - set(lua):
 BEGINNINGS = {"status": "MGDT_ERR_", "order": "MGDT_ORDER_", "parameter": "MGDT_PARAMETER_",
               "separation": "MGDT_SEPARATION_", "statistic": "MGDT_STAT_", "check": "MGDT_CHECK_",
               "measure": "MGDT_MEASURE_", "tetrahedron": "MGDT_TETRAHEDRON_",
-              "method": "MGDT_INTERPOLATE_", "outside": "MGDT_OUTSIDE_", "voronoi": "MGDT_VORONOI_"}
+              "method": "MGDT_INTERPOLATE_", "outside": "MGDT_OUTSIDE_", "voronoi": "MGDT_VORONOI_",
+              "domain_kind": "MGDT_DOMAIN_KIND_", "domain_option": "MGDT_DOMAIN_",
+              "domain_number": "MGDT_DOMAIN_", "domain_array": "MGDT_DOMAIN_ARRAY_"}
 named = {"MGDT_OK": 0}
 for table, entries in re.findall(r"^    (\w+) = \{(.*?)\},$", lua_interface, re.S | re.M):
     for name, value in re.findall(r"(\w+) = (\d+)", entries):

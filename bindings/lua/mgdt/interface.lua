@@ -5,6 +5,7 @@
 require("ffi").cdef [[
 typedef struct mgdt_triangulation mgdt_triangulation;
 typedef struct mgdt_voronoi mgdt_voronoi;
+typedef struct mgdt_domain mgdt_domain;
 typedef void *(*mgdt_alloc_fn)(size_t size, size_t align, void *user);
 typedef void (*mgdt_free_fn)(void *p, size_t size, size_t align, void *user);
 typedef int32_t (*mgdt_progress_fn)(double fraction, void *user);
@@ -147,6 +148,34 @@ int32_t mgdt_voronoi_get_doubles(const mgdt_voronoi *v, int32_t array, int64_t c
                                  double *values);
 int32_t mgdt_voronoi_drop_small_faces(mgdt_voronoi *v, double area, double relative);
 int32_t mgdt_voronoi_get_error(const mgdt_voronoi *v, int64_t capacity, char *buffer);
+int32_t mgdt_domain_create(mgdt_domain **out);
+int32_t mgdt_domain_create_with_allocator(mgdt_alloc_fn alloc, mgdt_free_fn release, void *user,
+                                          mgdt_domain **out);
+void mgdt_domain_destroy(mgdt_domain *d);
+int32_t mgdt_domain_clear(mgdt_domain *d);
+int32_t mgdt_domain_set_option(mgdt_domain *d, int32_t option, int64_t value);
+int32_t mgdt_domain_get_option(const mgdt_domain *d, int32_t option, int64_t *value);
+int32_t mgdt_domain_set_progress(mgdt_domain *d, mgdt_progress_fn fn, void *user);
+int32_t mgdt_domain_cancel(mgdt_domain *d);
+int32_t mgdt_domain_set_points(mgdt_domain *d, int64_t n, const double *xyz);
+int32_t mgdt_domain_set_facets(mgdt_domain *d, int64_t n, const int64_t *offsets,
+                               const int64_t *corners, const int32_t *markers);
+int32_t mgdt_domain_set_segments(mgdt_domain *d, int64_t n, const int64_t *ends,
+                                 const int32_t *markers);
+int32_t mgdt_domain_add_region(mgdt_domain *d, const double *xyz, int32_t marker);
+int32_t mgdt_domain_add_hole(mgdt_domain *d, const double *xyz);
+int32_t mgdt_domain_validate(mgdt_domain *d);
+int32_t mgdt_domain_build(mgdt_domain *d);
+int32_t mgdt_domain_check(const mgdt_domain *d);
+int32_t mgdt_domain_get_stat(const mgdt_domain *d, int32_t key, int64_t *value);
+int32_t mgdt_domain_get_size(const mgdt_domain *d, int32_t array, int64_t *size);
+int32_t mgdt_domain_get_array(const mgdt_domain *d, int32_t array, int64_t capacity,
+                              int64_t *values);
+int32_t mgdt_domain_get_array_i32(const mgdt_domain *d, int32_t array, int64_t capacity,
+                                  int32_t *values);
+int32_t mgdt_domain_get_doubles(const mgdt_domain *d, int32_t array, int64_t capacity,
+                                double *values);
+int32_t mgdt_domain_get_error(const mgdt_domain *d, int64_t capacity, char *buffer);
 ]]
 
 return {
@@ -174,4 +203,13 @@ return {
         cell_offsets = 30, cell_faces = 31, cell_bounded = 32, vertices = 50, ray_directions = 51,
         face_areas = 60, face_normals = 61, face_centroids = 62, cell_volumes = 70,
         cell_centroids = 71 },
+    domain_kind = { facet = 0, segment = 1, point = 2 },
+    domain_option = { index_base = 10, threads = 20, memory_limit = 30, round_points = 40 },
+    domain_number = { given_points = 10, given_facets = 11, given_segments = 12, memory_bytes = 15,
+        steiner_points = 20, tetrahedra = 21, regions = 22, faces = 23, is_rounded = 24,
+        planar_facets = 30, missing_facets = 31, cavities = 32, largest_cavity = 33 },
+    domain_array = { offending_pairs = 10, tetrahedra = 20, neighbors = 21, regions = 22,
+        region_markers = 23, faces = 30, face_tetrahedra = 31, face_facets = 32, face_markers = 33,
+        segments = 40, segment_sources = 41, segment_markers = 42, steiner_edges = 50, points = 60,
+        steiner_parameters = 61 },
 }

@@ -8,7 +8,7 @@ import ctypes.util
 import os
 from typing import Iterator
 
-from . import _domain_interface, _interface, _parts_interface
+from . import _interface, _parts_interface
 from ._interface import PROGRESS
 
 ABI_VERSION = 1
@@ -23,7 +23,7 @@ BUNDLED_NAMES = ("libmgdt.so.1", "libmgdt.1.dylib")
 INSTALLED_NAME = "libmgdt.path"
 """The file in this package's folder in which ``meson install`` leaves the path of the library."""
 
-_FUNCTIONS = {**_interface.FUNCTIONS, **_parts_interface.FUNCTIONS, **_domain_interface.FUNCTIONS}
+_FUNCTIONS = {**_interface.FUNCTIONS, **_parts_interface.FUNCTIONS}
 
 NO_PROGRESS = PROGRESS(0)
 """NULL."""

@@ -12,9 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _errors, _library
 from ._arrays import FloatArray, IndexArray, address, as_array, as_points
-from ._domain_interface import CONSTANTS
 from ._insertion import CANCEL
-from ._interface import PROGRESS
+from ._interface import CONSTANTS, PROGRESS
 
 _MESSAGE_BYTES = 512
 _DOUBLES = ("points", "steiner_parameters")
@@ -153,11 +152,11 @@ class _Handle:
 
     def number(self, name: str) -> int:
         value = c_int64()
-        self.call("get_stat", CONSTANTS["number"][name], ctypes.byref(value))
+        self.call("get_stat", CONSTANTS["domain_number"][name], ctypes.byref(value))
         return value.value
 
     def array(self, name: str) -> Any:
-        key, size = CONSTANTS["array"][name], c_int64()
+        key, size = CONSTANTS["domain_array"][name], c_int64()
         self.call("get_size", key, ctypes.byref(size))
         if name in _DOUBLES:
             doubles = np.empty(size.value)
@@ -168,7 +167,7 @@ class _Handle:
         return integers
 
     def pairs(self) -> list[OffendingPair]:
-        kinds = {value: name for name, value in CONSTANTS["kind"].items()}
+        kinds = {value: name for name, value in CONSTANTS["domain_kind"].items()}
         rows = self.array("offending_pairs").reshape(-1, 4).tolist()
         return [OffendingPair(kinds[a], i, kinds[b], k) for a, i, b, k in rows]
 
@@ -202,7 +201,7 @@ def offending_pairs(
     [OffendingPair(first_kind='facet', first=0, second_kind='facet', second=1)]
     """
     handle = _Handle()
-    handle.call("set_option", CONSTANTS["option"]["threads"], threads)
+    handle.call("set_option", CONSTANTS["domain_option"]["threads"], threads)
     handle.set(points, facets, None, segments, None)
     try:
         handle.call("validate")
@@ -292,7 +291,7 @@ class DomainMesh:
         progress: Optional[Callable[[float], Any]] = None,
     ) -> None:
         handle = self._handle = _Handle()
-        option = CONSTANTS["option"]
+        option = CONSTANTS["domain_option"]
         handle.call("set_option", option["threads"], threads)
         handle.call("set_option", option["memory_limit"], memory_limit)
         handle.call("set_option", option["round_points"], int(rounded))

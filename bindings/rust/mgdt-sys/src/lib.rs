@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Generated from the headers of mgdt by bindings/interface/generate.py.
-//! The C interface of mgdt as it is. Its manuals are the headers `mgdt/mgdt.h` and
-//! `mgdt/mgdt_voronoi.h`; the crate `mgdt` is the safe interface.
+//! The C interface of mgdt as it is. Its manuals are the headers `mgdt/mgdt.h`,
+//! `mgdt/mgdt_voronoi.h` and `mgdt/mgdt_domain.h`; the crate `mgdt` is the safe interface.
 #![allow(non_camel_case_types)]
 
 use std::marker::{PhantomData, PhantomPinned};
@@ -19,6 +19,13 @@ pub struct mgdt_triangulation {
 /// A Voronoi diagram; only ever behind a pointer.
 #[repr(C)]
 pub struct mgdt_voronoi {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+/// A domain and its mesh; only ever behind a pointer.
+#[repr(C)]
+pub struct mgdt_domain {
     _data: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
@@ -126,6 +133,45 @@ pub const MGDT_VORONOI_FACE_NORMALS: i32 = 61;
 pub const MGDT_VORONOI_FACE_CENTROIDS: i32 = 62;
 pub const MGDT_VORONOI_CELL_VOLUMES: i32 = 70;
 pub const MGDT_VORONOI_CELL_CENTROIDS: i32 = 71;
+
+pub const MGDT_DOMAIN_KIND_FACET: i32 = 0;
+pub const MGDT_DOMAIN_KIND_SEGMENT: i32 = 1;
+pub const MGDT_DOMAIN_KIND_POINT: i32 = 2;
+
+pub const MGDT_DOMAIN_INDEX_BASE: i32 = 10;
+pub const MGDT_DOMAIN_THREADS: i32 = 20;
+pub const MGDT_DOMAIN_MEMORY_LIMIT: i32 = 30;
+pub const MGDT_DOMAIN_ROUND_POINTS: i32 = 40;
+
+pub const MGDT_DOMAIN_GIVEN_POINTS: i32 = 10;
+pub const MGDT_DOMAIN_GIVEN_FACETS: i32 = 11;
+pub const MGDT_DOMAIN_GIVEN_SEGMENTS: i32 = 12;
+pub const MGDT_DOMAIN_MEMORY_BYTES: i32 = 15;
+pub const MGDT_DOMAIN_STEINER_POINTS: i32 = 20;
+pub const MGDT_DOMAIN_TETRAHEDRA: i32 = 21;
+pub const MGDT_DOMAIN_REGIONS: i32 = 22;
+pub const MGDT_DOMAIN_FACES: i32 = 23;
+pub const MGDT_DOMAIN_IS_ROUNDED: i32 = 24;
+pub const MGDT_DOMAIN_PLANAR_FACETS: i32 = 30;
+pub const MGDT_DOMAIN_MISSING_FACETS: i32 = 31;
+pub const MGDT_DOMAIN_CAVITIES: i32 = 32;
+pub const MGDT_DOMAIN_LARGEST_CAVITY: i32 = 33;
+
+pub const MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS: i32 = 10;
+pub const MGDT_DOMAIN_ARRAY_TETRAHEDRA: i32 = 20;
+pub const MGDT_DOMAIN_ARRAY_NEIGHBORS: i32 = 21;
+pub const MGDT_DOMAIN_ARRAY_REGIONS: i32 = 22;
+pub const MGDT_DOMAIN_ARRAY_REGION_MARKERS: i32 = 23;
+pub const MGDT_DOMAIN_ARRAY_FACES: i32 = 30;
+pub const MGDT_DOMAIN_ARRAY_FACE_TETRAHEDRA: i32 = 31;
+pub const MGDT_DOMAIN_ARRAY_FACE_FACETS: i32 = 32;
+pub const MGDT_DOMAIN_ARRAY_FACE_MARKERS: i32 = 33;
+pub const MGDT_DOMAIN_ARRAY_SEGMENTS: i32 = 40;
+pub const MGDT_DOMAIN_ARRAY_SEGMENT_SOURCES: i32 = 41;
+pub const MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS: i32 = 42;
+pub const MGDT_DOMAIN_ARRAY_STEINER_EDGES: i32 = 50;
+pub const MGDT_DOMAIN_ARRAY_POINTS: i32 = 60;
+pub const MGDT_DOMAIN_ARRAY_STEINER_PARAMETERS: i32 = 61;
 
 pub type mgdt_alloc_fn =
     Option<unsafe extern "C" fn(size: usize, align: usize, user: *mut c_void) -> *mut c_void>;
@@ -521,6 +567,71 @@ extern "C" {
     ) -> mgdt_status;
     pub fn mgdt_voronoi_get_error(
         v: *const mgdt_voronoi,
+        capacity: i64,
+        buffer: *mut c_char,
+    ) -> mgdt_status;
+    pub fn mgdt_domain_create(out: *mut *mut mgdt_domain) -> mgdt_status;
+    pub fn mgdt_domain_create_with_allocator(
+        alloc: mgdt_alloc_fn,
+        release: mgdt_free_fn,
+        user: *mut c_void,
+        out: *mut *mut mgdt_domain,
+    ) -> mgdt_status;
+    pub fn mgdt_domain_destroy(d: *mut mgdt_domain);
+    pub fn mgdt_domain_clear(d: *mut mgdt_domain) -> mgdt_status;
+    pub fn mgdt_domain_set_option(d: *mut mgdt_domain, option: i32, value: i64) -> mgdt_status;
+    pub fn mgdt_domain_get_option(
+        d: *const mgdt_domain,
+        option: i32,
+        value: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_domain_set_progress(
+        d: *mut mgdt_domain,
+        callback: mgdt_progress_fn,
+        user: *mut c_void,
+    ) -> mgdt_status;
+    pub fn mgdt_domain_cancel(d: *mut mgdt_domain) -> mgdt_status;
+    pub fn mgdt_domain_set_points(d: *mut mgdt_domain, n: i64, xyz: *const f64) -> mgdt_status;
+    pub fn mgdt_domain_set_facets(
+        d: *mut mgdt_domain,
+        n: i64,
+        offsets: *const i64,
+        corners: *const i64,
+        markers: *const i32,
+    ) -> mgdt_status;
+    pub fn mgdt_domain_set_segments(
+        d: *mut mgdt_domain,
+        n: i64,
+        ends: *const i64,
+        markers: *const i32,
+    ) -> mgdt_status;
+    pub fn mgdt_domain_add_region(d: *mut mgdt_domain, xyz: *const f64, marker: i32) -> mgdt_status;
+    pub fn mgdt_domain_add_hole(d: *mut mgdt_domain, xyz: *const f64) -> mgdt_status;
+    pub fn mgdt_domain_validate(d: *mut mgdt_domain) -> mgdt_status;
+    pub fn mgdt_domain_build(d: *mut mgdt_domain) -> mgdt_status;
+    pub fn mgdt_domain_check(d: *const mgdt_domain) -> mgdt_status;
+    pub fn mgdt_domain_get_stat(d: *const mgdt_domain, key: i32, value: *mut i64) -> mgdt_status;
+    pub fn mgdt_domain_get_size(d: *const mgdt_domain, array: i32, size: *mut i64) -> mgdt_status;
+    pub fn mgdt_domain_get_array(
+        d: *const mgdt_domain,
+        array: i32,
+        capacity: i64,
+        values: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_domain_get_array_i32(
+        d: *const mgdt_domain,
+        array: i32,
+        capacity: i64,
+        values: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_domain_get_doubles(
+        d: *const mgdt_domain,
+        array: i32,
+        capacity: i64,
+        values: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_domain_get_error(
+        d: *const mgdt_domain,
         capacity: i64,
         buffer: *mut c_char,
     ) -> mgdt_status;
