@@ -9,34 +9,7 @@
  * an identifier "mgdt:not_finite" and the library's message, before which Octave puts "mgdt_mex: ".
  * Nothing here is allocated but by mxMalloc, which Octave takes back when an error leaves the
  * function. */
-#include <mex.h>
-
-#include "mgdt_library.h"
-
-/* ------------------------------------------------------------------------------------- errors */
-
-static const char* identifier(mgdt_status s) {
-    switch (s) {
-#define MGDT_CASE(NAME, name) \
-    case MGDT_ERR_##NAME:     \
-        return "mgdt:" #name;
-        MGDT_ERRORS(MGDT_CASE)
-#undef MGDT_CASE
-        default:
-            return "mgdt:internal";
-    }
-}
-
-static void ensure(const mgdt_triangulation* t, mgdt_status s) {
-    char message[256] = "";
-    if (s == MGDT_OK) return;
-    if (t) mgdt.get_error(t, (int64_t)sizeof message, message);
-    mexErrMsgIdAndTxt(identifier(s), "%s", *message ? message : mgdt.status_string(s));
-}
-
-static void bad_argument(const char* what) {
-    mexErrMsgIdAndTxt("mgdt:invalid_argument", "%s", what);
-}
+#include "mgdt_mesh.h"
 
 /* ------------------------------------------------------------------------------------ handles */
 
@@ -62,6 +35,7 @@ static void close_diagram(void) {
 static void destroy_all(void) {
     size_t k;
     close_diagram();
+    close_domain();
     for (k = 0; k < slot_count; ++k)
         if (slots[k].t) mgdt.destroy(slots[k].t);
     free(slots);
@@ -111,80 +85,6 @@ static void destroy(slot* s) {
     if (--live_count == 0) mexUnlock();
 }
 
-/* ---------------------------------------------------------------------------------- arguments */
-
-static double number(const mxArray* a, const char* what) {
-    if (!a || mxGetNumberOfElements(a) != 1 || mxIsComplex(a) ||
-        !(mxIsNumeric(a) || mxIsLogical(a)))
-        mexErrMsgIdAndTxt("mgdt:invalid_argument", "%s must be one real number", what);
-    return mxGetScalar(a);
-}
-
-static int64_t integer(const mxArray* a, const char* what, double limit) {
-    const double x = number(a, what);
-    if (!(x >= -limit && x <= limit) || x != (double)(int64_t)x)
-        mexErrMsgIdAndTxt("mgdt:invalid_argument", "%s is %g; it must be a whole number", what, x);
-    return (int64_t)x;
-}
-
-static int32_t small(const mxArray* a, const char* what) {
-    return (int32_t)integer(a, what, 2147483647.0);
-}
-
-static const char* text(const mxArray* a, const char* what) {
-    char* string;
-    if (!a || !mxIsChar(a)) mexErrMsgIdAndTxt("mgdt:invalid_argument", "%s must be a string", what);
-    string = mxArrayToString(a);
-    if (!string) bad_argument("out of memory");
-    return string;
-}
-
-/* Points as an n x 3 matrix of doubles, which is x, y and z in separate arrays; [] for none. */
-static const double* columns(const mxArray* a, int width, const char* what, int64_t* n) {
-    *n = 0;
-    if (!a || !mxIsDouble(a) || mxIsComplex(a) || mxIsSparse(a))
-        mexErrMsgIdAndTxt("mgdt:invalid_argument", "%s must be a full real matrix of doubles",
-                          what);
-    if (mxIsEmpty(a)) return NULL;
-    if (mxGetNumberOfDimensions(a) != 2 || mxGetN(a) != (size_t)width)
-        mexErrMsgIdAndTxt("mgdt:invalid_argument", "%s are %d x %d; they must have %s columns",
-                          what, (int)mxGetM(a), (int)(mxGetNumberOfElements(a) / mxGetM(a)),
-                          width == 3 ? "three" : "four");
-    *n = (int64_t)mxGetM(a);
-    return mxGetPr(a);
-}
-
-static const double* points(const mxArray* a, int64_t* n) {
-    return columns(a, 3, "points", n);
-}
-
-/* ------------------------------------------------------------------------------------ results */
-
-/* A matrix of doubles, one row for each `width` integers of the library's. */
-static mxArray* rows(const int64_t* from, int64_t count, int width) {
-    mxArray* const result = mxCreateDoubleMatrix((mwSize)count, (mwSize)width, mxREAL);
-    double* const to = mxGetPr(result);
-    int64_t k;
-    int i;
-    for (k = 0; k < count; ++k)
-        for (i = 0; i < width; ++i) to[i * count + k] = (double)from[width * k + i];
-    return result;
-}
-
-/* A matrix of doubles, one row for each `width` of the library's. */
-static mxArray* rows_of_doubles(const double* from, int64_t count, int64_t width) {
-    mxArray* const result = mxCreateDoubleMatrix((mwSize)count, (mwSize)width, mxREAL);
-    double* const to = mxGetPr(result);
-    int64_t k, i;
-    for (k = 0; k < count; ++k)
-        for (i = 0; i < width; ++i) to[i * count + k] = from[width * k + i];
-    return result;
-}
-
-static void* room(int64_t count, size_t size) {
-    return mxMalloc(((size_t)count + 1) * size);
-}
-
 typedef mgdt_status (*get_function)(const mgdt_triangulation* t, int64_t capacity, int64_t* v);
 
 static mxArray* export_rows(const mgdt_triangulation* t, get_function get, int64_t count,
@@ -198,34 +98,6 @@ static mxArray* export_rows(const mgdt_triangulation* t, get_function get, int64
 }
 
 /* ------------------------------------------------------------------ points in, out and moved */
-
-typedef struct {
-    mxArray* function;
-    mxArray* problem; /* a struct for rethrow, or NULL */
-} progress;
-
-static int32_t report(double fraction, void* user) {
-    progress* const p = user;
-    mxArray* arguments[2];
-    mxArray* answer[2] = {NULL, NULL};
-    mxArray* failure;
-    int32_t stop = 1;
-    arguments[0] = p->function;
-    arguments[1] = mxCreateDoubleScalar(fraction);
-    /* An error must not pass through the library: it is kept, and raised again afterwards. */
-    failure = mexCallMATLABWithTrap(2, answer, 2, arguments, "mgdt_progress");
-    mxDestroyArray(arguments[1]);
-    if (failure) {
-        p->problem = failure;
-    } else if (!mxIsEmpty(answer[1])) {
-        p->problem = answer[1];
-    } else {
-        stop = mxGetScalar(answer[0]) != 0;
-        mxDestroyArray(answer[1]);
-    }
-    if (answer[0]) mxDestroyArray(answer[0]);
-    return stop;
-}
 
 /* What a call that may take long is given. */
 typedef struct {
@@ -273,35 +145,7 @@ static void insert(slot* s, const mxArray* matrix, const mxArray* function) {
     run(s, make_insertion, &c, function);
 }
 
-/* Numbers of points, a vector of whole numbers. */
-static const int64_t* numbers(const mxArray* a, int64_t* n) {
-    int64_t* list;
-    int64_t k;
-    if (!a || !mxIsDouble(a) || mxIsComplex(a) || mxIsSparse(a))
-        bad_argument("numbers of points must be a full real vector of doubles");
-    *n = (int64_t)mxGetNumberOfElements(a);
-    list = room(*n, sizeof *list);
-    for (k = 0; k < *n; ++k) {
-        const double x = mxGetPr(a)[k];
-        if (!(x >= -9e15 && x <= 9e15) || x != (double)(int64_t)x)
-            mexErrMsgIdAndTxt("mgdt:invalid_argument",
-                              "the number of a point is %g; it must be a whole number", x);
-        list[k] = (int64_t)x;
-    }
-    return list;
-}
-
 /* ------------------------------------------------------------------------------------ queries */
-
-/* The same rows one behind the other, as the library wants places. */
-static const double* one_by_one(const double* from, int width, int64_t n) {
-    double* const x = room(width * n, sizeof *x);
-    int64_t k;
-    int i;
-    for (k = 0; k < n; ++k)
-        for (i = 0; i < width; ++i) x[width * k + i] = from[i * n + k];
-    return x;
-}
 
 static const double* rows_of_points(const mxArray* matrix, int64_t* n) {
     const double* const from = points(matrix, n);
@@ -310,7 +154,7 @@ static const double* rows_of_points(const mxArray* matrix, int64_t* n) {
 
 static void remove_points(slot* s, const mxArray* list, const mxArray* function) {
     change c = {0, NULL, NULL};
-    c.points = numbers(list, &c.n);
+    c.points = whole_numbers(list, "numbers of points", &c.n);
     run(s, make_removal, &c, function);
 }
 
@@ -319,7 +163,7 @@ static void move_points(slot* s, const mxArray* list, const mxArray* matrix,
                         const mxArray* function) {
     change c = {0, NULL, NULL};
     int64_t listed = 0;
-    if (list && !mxIsEmpty(list)) c.points = numbers(list, &listed);
+    if (list && !mxIsEmpty(list)) c.points = whole_numbers(list, "numbers of points", &listed);
     c.xyz = rows_of_points(matrix, &c.n);
     if (c.points && listed != c.n)
         mexErrMsgIdAndTxt("mgdt:invalid_argument", "there are %lld points and %lld places",
@@ -774,6 +618,14 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     }
     if (strcmp(command, "version") == 0) {
         plhs[0] = mxCreateString(mgdt.version_string());
+        return;
+    }
+    if (strcmp(command, "domain_mesh") == 0) {
+        plhs[0] = domain_mesh(nrhs - 1, prhs + 1);
+        return;
+    }
+    if (strcmp(command, "offending_pairs") == 0) {
+        plhs[0] = offending_pairs(nrhs - 1, prhs + 1);
         return;
     }
     if (strcmp(command, "schemes") == 0) {

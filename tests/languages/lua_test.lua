@@ -520,6 +520,85 @@ test("progress, cancelling, errors in the progress function", function()
     assert(calls > 50)
 end)
 
+-- What the C interface was given for its domain, as tables of rows.
+local function given_domain()
+    local xyz, values = read("domain_given_points", "double")
+    local offsets, ends = read("domain_given_offsets", "int64_t")
+    local corners, markers = read("domain_given_corners", "int64_t"), read("domain_given_markers", "int64_t")
+    local given = { points = {}, facets = {}, markers = {}, segments = { { 0, 1 }, { 8, 9 } },
+        segment_markers = { 5, 6 }, holes = { { 1, 1, 3 } }, regions = { { { 0, 0, 9.5 }, 7 } }, rounded = true }
+    for k = 0, values / 3 - 1 do given.points[k + 1] = { xyz[3 * k], xyz[3 * k + 1], xyz[3 * k + 2] } end
+    for k = 0, ends - 2 do
+        local facet = {}
+        for i = tonumber(offsets[k]), tonumber(offsets[k + 1]) - 1 do facet[#facet + 1] = tonumber(corners[i]) end
+        given.facets[k + 1], given.markers[k + 1] = facet, tonumber(markers[k])
+    end
+    return given
+end
+
+test("a domain", function()
+    local heard, given = 0, given_domain()
+    given.progress = function(fraction) heard = heard + fraction end
+    local mesh = mgdt.domain_mesh(given)
+    assert(heard > 0)
+    for name in pairs(require("mgdt.interface").domain_array) do
+        if name ~= "offending_pairs" then
+            local is_integer = tostring(ffi.typeof(mesh[name])):match("int") ~= nil
+            local reference, length = read("domain_" .. name, is_integer and "int64_t" or "double")
+            equal(ffi.sizeof(mesh[name]) / (is_integer and 4 or 8), length, "length of " .. name)
+            same(mesh[name], reference, length, name)
+        end
+    end
+    equal(mesh.is_rounded, true, "is_rounded")
+    equal(mesh.point_count, 18 + mesh.steiner_count, "points")
+    equal(mesh.region_count, 2, "regions")
+    equal(mesh.segment_count > 30 and mesh.face_count > 20, true, "segments and faces")
+    equal(mesh:check(), true, "check")
+    equal(#mgdt.offending_pairs(given), 0, "pairs")
+    assert(tostring(mesh):find("2 regions"))
+
+    -- Triangles as an array, numbered from 1.
+    local triangles = ffi.new("int32_t[4][3]", { { 1, 3, 2 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 1, 4 } })
+    local corners = ffi.new("double[4][3]", { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } })
+    mesh = mgdt.domain_mesh { points = corners, facets = triangles, index_base = 1 }
+    equal(mesh.tetrahedron_count, 1, "tetrahedra")
+    equal(mesh.tetrahedra[0][0] + mesh.tetrahedra[0][1] + mesh.tetrahedra[0][2] + mesh.tetrahedra[0][3], 10, "from 1")
+    equal(mesh.neighbors[0][3], 0, "none")
+    equal(mgdt.domain_mesh { points = {}, facets = {} }.tetrahedron_count, 0, "nothing")
+
+    -- Two triangles that cross, and what else is refused.
+    local crossing = { points = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, -1 }, { 1, 1, 2 }, { 5, 1, 1 } },
+        facets = { { 0, 1, 2 }, { 3, 4, 5 } } }
+    local _, problem = pcall(mgdt.domain_mesh, crossing)
+    equal(problem.name, "invalid_boundary", "name")
+    for _, found in ipairs { problem.pairs, mgdt.offending_pairs(crossing) } do
+        equal(#found, 1, "pairs")
+        equal(table.concat(found[1], " "), "facet 0 facet 1", "the pair")
+    end
+    local function without(change)
+        local copy = given_domain()
+        for name, value in pairs(change) do copy[name] = value end
+        return mgdt.domain_mesh, copy
+    end
+    refused("invalid_argument", { "18" }, without { facets = { { 0, 1, 18 } }, markers = { 1 } })
+    refused("invalid_argument", { "markers", "19" }, without { markers = { 1, 2 } })
+    refused("invalid_argument", { "facets[1] is no list" }, without { facets = { 1, 2 } })
+    refused("invalid_argument", { "corners of facets[2] is x" }, without { facets = { { 0, "x", 1 } } })
+    refused("invalid_argument", { "int32_t" }, without { facets = ffi.new("double[3]") })
+    refused("invalid_argument", { "segments[1]" }, without { segments = { 1 } })
+    refused("invalid_argument", { "regions[1]" }, without { regions = { 1 } })
+    refused("invalid_argument", { "holes[2]" }, without { holes = { { 1, 1, 1 }, { 2, 2 } } })
+    refused("invalid_argument", { "no setting hole" }, without { hole = {} })
+    refused("invalid_argument", { "threads" }, without { threads = 1.5 })
+    refused("not_finite", { "0" }, without { points = { { 0 / 0, 0, 0 } } })
+    refused("cancelled", {}, without { progress = function() return true end })
+    local good, text = pcall(without { progress = function() error("no more", 0) end })
+    equal(good, false, "an error of progress")
+    equal(text, "no more", "its message")
+    for _ = 1, 300 do mgdt.domain_mesh(given) end
+    collectgarbage()
+end)
+
 test("two handles, one table of settings; the module loads twice", function()
     package.loaded.mgdt = nil
     local again = require "mgdt"

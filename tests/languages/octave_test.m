@@ -5,7 +5,7 @@
 %   octave-cli --path BINDING --path TESTS --eval 'octave_test ("REFERENCE_FOLDER")'
 function octave_test (folder)
   tests = {@cube, @exports, @as_delaunayn, @front, @ways_to_give_points, @location, @changes, @settings, ...
-           @flat, @bad_values, @memory_limit, @compact, @progress, @handles, @freed, @help_texts};
+           @domain, @flat, @bad_values, @memory_limit, @compact, @progress, @handles, @freed, @help_texts};
   passed = failed = 0;
   for k = 1:numel (tests)
     try
@@ -161,6 +161,71 @@ function diagrams (folder, t, box)
   refused ("mgdt:invalid_argument", {"-1"}, @() t.voronoi (box, -1));
   refused ("mgdt:invalid_argument", {"no end"}, @() t.voronoi (box(1:5,:)));
   refused ("mgdt:invalid_argument", {"columns"}, @() t.voronoi ([1 2 3]));
+end
+
+function stop_with_an_error (fraction)
+  error ("test:no_more", "no more");
+end
+
+function domain (folder)
+  from_1 = @(v) v + 1;
+  points = read (folder, "domain_given_points", "double", 3);
+  offsets = read (folder, "domain_given_offsets", "int64", 1);
+  corners = from_1 (read (folder, "domain_given_corners", "int64", 1));
+  facets = arrayfun (@(a, b) corners(a+1:b), offsets(1:end-1), offsets(2:end), "UniformOutput", false);
+  given = {points, facets, "markers", read(folder, "domain_given_markers", "int64", 1), ...
+           "segments", [1 2; 9 10], "segment_markers", [5 6], "holes", [1 1 3], ...
+           "regions", [0 0 9.5 7], "rounded", true};
+  global heard;
+  heard = 0;
+  mesh = mgdt_domain_mesh (given{:}, "progress", @add_to_heard, "check", true);
+  assert (heard > 0);
+  for name = {"tetrahedra", 4; "regions", 1; "faces", 3; "face_tetrahedra", 2; "face_facets", 1; ...
+              "segments", 2; "segment_sources", 1; "steiner_edges", 2}'
+    assert (mesh.(name{1}), from_1 (read (folder, ["domain_" name{1}], "int64", name{2})));
+  end
+  assert (mesh.neighbours, from_1 (read (folder, "domain_neighbors", "int64", 4)));
+  for name = {"region_markers", "face_markers", "segment_markers"}
+    assert (mesh.(name{1}), read (folder, ["domain_" name{1}], "int64", 1));
+  end
+  assert (mesh.points, read (folder, "domain_points", "double", 3));
+  assert (mesh.steiner_parameters, read (folder, "domain_steiner_parameters", "double", 1));
+  assert (mesh.is_rounded);
+  assert (size (mgdt_offending_pairs (given{:})), [0 4]);
+
+  % Triangles as a matrix, and two that cross.
+  one = mgdt_domain_mesh ([0 0 0; 1 0 0; 0 1 0; 0 0 1], [1 3 2; 1 2 4; 2 3 4; 3 1 4]);
+  assert (sort (one.tetrahedra), 1:4);
+  assert (one.neighbours, [0 0 0 0]);
+  assert (! one.is_rounded);
+  assert (size (mgdt_domain_mesh ([], []).tetrahedra), [0 4]);
+  crossing = {[0 0 0; 4 0 0; 0 4 0; 1 1 -1; 1 1 2; 5 1 1], [1 2 3; 4 5 6]};
+  assert (mgdt_offending_pairs (crossing{:}), [0 1 0 2]);
+  refused ("mgdt:invalid_boundary", {"facet"}, @() mgdt_domain_mesh (crossing{:}));
+
+  make = @(varargin) mgdt_domain_mesh (given{:}, varargin{:});
+  refused ("mgdt:invalid_argument", {"19"}, @() make ("markers", [1 2]));
+  refused ("mgdt:invalid_argument", {"32-bit"}, @() make ("segment_markers", [1 2^40]));
+  refused ("mgdt:invalid_argument", {"two columns"}, @() make ("segments", [1 2 3]));
+  refused ("mgdt:invalid_argument", {"whole number"}, @() make ("segments", [1 2.5]));
+  refused ("mgdt:invalid_argument", {"four columns"}, @() make ("regions", [1 2 3]));
+  refused ("mgdt:invalid_argument", {"holes", "three columns"}, @() make ("holes", [1 2]));
+  refused ("mgdt:invalid_argument", {"threads"}, @() make ("threads", 1.5));
+  refused ("mgdt:invalid_argument", {"no value"}, @() make ("threads"));
+  refused ("mgdt:unknown_key", {"holes"}, @() make ("hole", []));
+  refused ("mgdt:invalid_argument", {"7"}, @() mgdt_domain_mesh (crossing{1}, [1 2 7]));
+  refused ("mgdt:invalid_argument", {"facets"}, @() mgdt_domain_mesh (crossing{1}, "x"));
+  refused ("mgdt:not_finite", {"1"}, @() mgdt_domain_mesh ([NaN 0 0], []));
+  refused ("mgdt:cancelled", {}, @() make ("progress", @(fraction) true));
+  refused ("test:no_more", {"no more"}, @() make ("progress", @stop_with_an_error));
+  refused ("mgdt:busy", {"progress"}, @() make ("progress", @(fraction) mgdt_offending_pairs (crossing{:})));
+  refused ("Octave:invalid-fun-call", {}, @() mgdt_domain_mesh ([]));
+  refused ("Octave:invalid-fun-call", {}, @() mgdt_offending_pairs ([]));
+end
+
+function add_to_heard (fraction)
+  global heard;
+  heard += fraction;
 end
 
 % Random points have one Delaunay triangulation; Octave's is by Qhull.

@@ -6,6 +6,7 @@
  *
  * It checks itself what it writes: mgdt_check at every level, and Euler's formula. */
 #include <mgdt/mgdt.h>
+#include <mgdt/mgdt_domain.h>
 #include <mgdt/mgdt_voronoi.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -105,6 +106,75 @@ static void export_diagram(const mgdt_triangulation* t, int64_t n_planes, const 
     mgdt_voronoi_destroy(v);
 }
 
+/* Two cubes that share a square, one of them a hole, and a prism that is turned so far that it has
+ * no tetrahedra without further points. Writes what is given and the arrays of the mesh. */
+static void export_domain(void) {
+    static const double xyz[54] = {0, 0, 0, 2,  0, 0, 2,  2,  0, 0, 2, 0,  0,  0, 2,  2, 0,  2,
+                                   2, 2, 2, 0,  2, 2, 0,  0,  4, 2, 0, 4,  2,  2, 4,  0, 2,  4,
+                                   8, 0, 9, -4, 7, 9, -4, -7, 9, 7, 4, 17, -7, 4, 17, 0, -8, 17};
+    static const int64_t corners[68] = {
+        0,  3,  2,  1,  0,  1,  5,  4,  1,  2,  6,  5,  2,  3,  7,  6,  3,  0,  4,  7,  4,  5,  6,
+        7,  4,  5,  9,  8,  5,  6,  10, 9,  6,  7,  11, 10, 7,  4,  8,  11, 8,  9,  10, 11, 12, 14,
+        13, 15, 16, 17, 12, 13, 16, 12, 16, 15, 13, 14, 17, 13, 17, 16, 14, 12, 15, 14, 15, 17};
+    static const int64_t ends[4] = {0, 1, 8, 9};
+    static const double hole[3] = {1, 1, 3}, inside[3] = {0, 0, 9.5};
+    static const struct {
+        int32_t key;
+        const char* name;
+    } arrays[] = {{MGDT_DOMAIN_ARRAY_TETRAHEDRA, "tetrahedra"},
+                  {MGDT_DOMAIN_ARRAY_NEIGHBORS, "neighbors"},
+                  {MGDT_DOMAIN_ARRAY_REGIONS, "regions"},
+                  {MGDT_DOMAIN_ARRAY_REGION_MARKERS, "region_markers"},
+                  {MGDT_DOMAIN_ARRAY_FACES, "faces"},
+                  {MGDT_DOMAIN_ARRAY_FACE_TETRAHEDRA, "face_tetrahedra"},
+                  {MGDT_DOMAIN_ARRAY_FACE_FACETS, "face_facets"},
+                  {MGDT_DOMAIN_ARRAY_FACE_MARKERS, "face_markers"},
+                  {MGDT_DOMAIN_ARRAY_SEGMENTS, "segments"},
+                  {MGDT_DOMAIN_ARRAY_SEGMENT_SOURCES, "segment_sources"},
+                  {MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS, "segment_markers"},
+                  {MGDT_DOMAIN_ARRAY_STEINER_EDGES, "steiner_edges"},
+                  {MGDT_DOMAIN_ARRAY_POINTS, "points"},
+                  {MGDT_DOMAIN_ARRAY_STEINER_PARAMETERS, "steiner_parameters"}};
+    int64_t offsets[20], markers[19], count, k;
+    int32_t of_facets[19], of_segments[2] = {5, 6};
+    mgdt_domain* d = NULL;
+    for (k = 0; k < 19; ++k) {
+        offsets[k] = k < 11 ? 4 * k : 44 + 3 * (k - 11);
+        markers[k] = of_facets[k] = 100 + (int32_t)k;
+    }
+    offsets[19] = 68;
+    write_file("domain_given_points", xyz, 54);
+    write_file("domain_given_offsets", offsets, 20);
+    write_file("domain_given_corners", corners, 68);
+    write_file("domain_given_markers", markers, 19);
+    if (mgdt_domain_create(&d) != MGDT_OK ||
+        mgdt_domain_set_option(d, MGDT_DOMAIN_ROUND_POINTS, 1) != MGDT_OK ||
+        mgdt_domain_set_points(d, 18, xyz) != MGDT_OK ||
+        mgdt_domain_set_facets(d, 19, offsets, corners, of_facets) != MGDT_OK ||
+        mgdt_domain_set_segments(d, 2, ends, of_segments) != MGDT_OK ||
+        mgdt_domain_add_hole(d, hole) != MGDT_OK ||
+        mgdt_domain_add_region(d, inside, 7) != MGDT_OK || mgdt_domain_build(d) != MGDT_OK ||
+        mgdt_domain_check(d) != MGDT_OK)
+        stop("the domain was not meshed");
+    for (k = 0; k < (int64_t)(sizeof arrays / sizeof *arrays); ++k) {
+        char name[64];
+        void* values;
+        mgdt_status status;
+        if (mgdt_domain_get_size(d, arrays[k].key, &count) != MGDT_OK || count == 0)
+            stop("an array without elements");
+        values = room(count, 8);
+        if (arrays[k].key < MGDT_DOMAIN_ARRAY_POINTS)
+            status = mgdt_domain_get_array(d, arrays[k].key, count, values);
+        else
+            status = mgdt_domain_get_doubles(d, arrays[k].key, count, values);
+        if (status != MGDT_OK) stop("an array of a domain");
+        snprintf(name, sizeof name, "domain_%s", arrays[k].name);
+        write_file(name, values, count);
+        free(values);
+    }
+    mgdt_domain_destroy(d);
+}
+
 int main(int argc, char** argv) {
     static double xyz[3 * (random_points + repeated_points)], asked[3 * queries];
     static double weights[4 * queries];
@@ -120,6 +190,7 @@ int main(int argc, char** argv) {
 
     if (argc != 2) stop("usage: reference FOLDER");
     folder = argv[1];
+    export_domain();
     for (i = 0; i < 3 * random_points; ++i) xyz[i] = next_random(&state);
     for (i = 0; i < repeated_points; ++i)
         memcpy(xyz + 3 * (random_points + i), xyz + 3 * (7 * i + 3), 3 * sizeof *xyz);

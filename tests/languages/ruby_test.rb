@@ -103,6 +103,62 @@ class MgdtTest < Minitest::Test
     assert_equal [[0.5, 0.5, 0.5]], diagram.vertices
   end
 
+  # What the C interface was given for its domain.
+  def given_domain(**changed)
+    offsets = self.class.integers("domain_given_offsets")
+    corners = self.class.integers("domain_given_corners")
+    { points: self.class.bytes("domain_given_points"),
+      facets: offsets.each_cons(2).map { |from, to| corners[from...to] },
+      markers: self.class.integers("domain_given_markers"), segments: [[0, 1], [8, 9]], segment_markers: [5, 6],
+      holes: [[1, 1, 3]], regions: [[[0, 0, 9.5], 7]], rounded: true }.merge(changed)
+  end
+
+  def mesh_of(points:, facets:, **given, &progress) = Mgdt::DomainMesh.new(points, facets, **given, &progress)
+
+  def test_a_domain
+    heard = 0
+    mesh = mesh_of(**given_domain) { |fraction| heard += fraction }
+    assert_operator heard, :>, 0
+    rows = { tetrahedra: 4, neighbors: 4, faces: 3, face_tetrahedra: 2, segments: 2, steiner_edges: 2 }
+    rows.each do |name, width|
+      expected = self.class.integers("domain_#{name}", width)
+      assert_equal expected, (mesh.public_send(name).map { |row| row.map { |k| k || -1 } }), name
+    end
+    %i[regions region_markers face_facets face_markers segment_sources segment_markers].each do |name|
+      assert_equal self.class.integers("domain_#{name}"), (mesh.public_send(name).map { |k| k || -1 }), name
+    end
+    assert_equal self.class.doubles("domain_points").each_slice(3).to_a, mesh.points
+    assert_equal self.class.doubles("domain_steiner_parameters"), mesh.steiner_parameters
+    assert_predicate mesh, :rounded?
+    assert_same mesh, mesh.check
+    assert_includes mesh.inspect, "2 regions"
+    one = Mgdt::DomainMesh.new([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
+                               [[1, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4]], index_base: 1)
+    assert_equal [[1, 2, 3, 4]], one.tetrahedra.map(&:sort)
+    assert_equal [[nil] * 4], one.neighbors
+    assert_empty Mgdt::DomainMesh.new([], []).tetrahedra
+  end
+
+  def test_what_domains_refuse
+    crossing = [[[0, 0, 0], [4, 0, 0], [0, 4, 0], [1, 1, -1], [1, 1, 2], [5, 1, 1]], [[0, 1, 2], [3, 4, 5]]]
+    pairs = [[:facet, 0, :facet, 1]]
+    assert_equal pairs, Mgdt.offending_pairs(*crossing)
+    assert_equal pairs, refused(Mgdt::InvalidBoundary, "facet") { Mgdt::DomainMesh.new(*crossing) }.pairs
+    assert_empty Mgdt.offending_pairs(crossing[0], crossing[1].first(1), segments: [[4, 5]])
+    { ["18"] => { facets: [[0, 1, 18]], markers: [1] }, ["markers", "19"] => { markers: [1, 2] },
+      ["Array of Arrays"] => { facets: [1, 2] }, ["corner", "1.5"] => { facets: [[0, 1.5, 1]] },
+      ["segments"] => { segments: [1] }, ["hole", "no multiple"] => { holes: [[1, 2]] },
+      ["marker of a region"] => { regions: [[[1, 1, 1], "x"]] }, ["threads"] => { threads: 1.5 },
+      ["a hole is 2 places"] => { holes: [[[1, 1, 1], [2, 2, 2]]] } }.each do |words, change|
+      refused(Mgdt::InvalidArgument, *words) { mesh_of(**given_domain(**change)) }
+    end
+    refused(Mgdt::NotFinite, "0") { mesh_of(**given_domain(points: [[NAN, 0, 0]])) }
+    refused(Mgdt::Cancelled) { mesh_of(**given_domain) { :cancel } }
+    problem = assert_raises(RuntimeError) { mesh_of(**given_domain) { raise "no more" } }
+    assert_equal "no more", problem.message
+    assert_raises(ArgumentError) { mesh_of(**given_domain(hole: [])) }
+  end
+
   def test_exports_are_those_of_the_c_interface
     t = triangulation
     WIDTHS.each do |name, width|
@@ -503,7 +559,7 @@ class MgdtTest < Minitest::Test
 
   def test_declarations_are_those_of_the_header
     mgdt_h = ENV.fetch("MGDT_HEADER")
-    headers = [mgdt_h, File.join(File.dirname(mgdt_h), "mgdt_voronoi.h")]
+    headers = [mgdt_h, *%w[mgdt_voronoi.h mgdt_domain.h].map { |name| File.join(File.dirname(mgdt_h), name) }]
     header = headers.map { |name| File.read(name) }.join.gsub(%r{/\*.*?\*/}m, "")
     prototypes = header.scan(/MGDT_API\s+([^;()]*?)(mgdt_\w+)\(([^()]*)\);/m).to_h do |result, name, list|
       parameters = list.strip == "void" ? [] : list.split(",").map { |one| ffi_type(one.strip) }

@@ -16,8 +16,11 @@ end
 require_relative "mgdt/error"
 require_relative "mgdt/library"
 require_relative "mgdt/points"
+require_relative "mgdt/array_reader"
+require_relative "mgdt/progress"
 require_relative "mgdt/triangulation"
 require_relative "mgdt/voronoi"
+require_relative "mgdt/domain"
 
 module Mgdt
   # Version of the library that is loaded, "1.2.0".

@@ -33,13 +33,21 @@ module Mgdt
   class Busy < Error; end              # a progress block called its own triangulation
   class CheckFailed < Error; end       # check found a defect; the message says what and where
   class Closed < Error; end            # the triangulation was closed
+  class Resolution < Error; end        # a mesh would need smaller differences than doubles have
+
+  # Facets, segments or points cross or touch where they must not. `pairs` has all of them, as
+  # Mgdt.offending_pairs gives them.
+  class InvalidBoundary < Error
+    attr_accessor :pairs
+  end
 
   class Error
     CLASSES = {
       null_pointer: InvalidArgument, invalid_argument: InvalidArgument, not_finite: NotFinite,
       unknown_scheme: UnknownName, unknown_key: UnknownName, buffer_too_small: BufferTooSmall,
       index_range: IndexRange, out_of_memory: OutOfMemory, too_large: TooLarge,
-      cancelled: Cancelled, busy: Busy, check_failed: CheckFailed
+      cancelled: Cancelled, busy: Busy, check_failed: CheckFailed,
+      invalid_boundary: InvalidBoundary, resolution: Resolution
     }.transform_keys(&CONSTANTS[:status]).freeze
     private_constant :CLASSES
   end

@@ -630,32 +630,11 @@ module Mgdt
     end
 
     def watched(handle, function, progress, *arguments)
-      problem = nil
-      callback = FFI::Function.new(:int32, %i[double pointer]) do |fraction, _|
-        ask(progress, fraction) { |raised| problem = raised }
+      status = Progress.watch(progress, ->(fn) { Library.mgdt_set_progress(handle, fn, nil) }) do
+        Library.public_send(function, handle, *arguments)
       end
-      Library.mgdt_set_progress(handle, callback, nil)
-      begin
-        status = Library.public_send(function, handle, *arguments)
-      ensure
-        Library.mgdt_set_progress(handle, nil, nil)
-        callback.free
-      end
-      raise problem if problem
-
       ensure_good(handle, status)
       self
-    end
-
-    # What is returned to the library: 1 to stop. Nothing may leave through the library's frames, so an
-    # exception is kept for later, and the `return` below ends a break, a throw or Thread#kill.
-    def ask(progress, fraction)
-      answer = 1
-      answer = 0 unless progress.call(fraction) == :cancel
-    rescue Exception => e # rubocop:disable Lint/RescueException
-      yield e
-    ensure
-      return answer # rubocop:disable Lint/EnsureReturn
     end
 
     def one_point(point)

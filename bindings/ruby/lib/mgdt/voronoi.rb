@@ -19,9 +19,6 @@ module Mgdt
 
   # Reads the arrays of a diagram.
   class VoronoiReader
-    KEYS = CONSTANTS[:voronoi]
-    private_constant :KEYS
-
     # A handle that is destroyed when it is collected.
     class Handle < FFI::AutoPointer
       def self.release(pointer)
@@ -31,6 +28,7 @@ module Mgdt
 
     def initialize(pointer, index_base)
       @handle = Handle.new(pointer)
+      @reader = ArrayReader.new(:voronoi, @handle, CONSTANTS[:voronoi])
       @index_base = index_base
     end
 
@@ -39,7 +37,7 @@ module Mgdt
     end
 
     def drop_small_faces(area, share)
-      ensure_good(Library.mgdt_voronoi_drop_small_faces(@handle, area, share))
+      @reader.call(:drop_small_faces, area, share)
     end
 
     def read
@@ -54,25 +52,9 @@ module Mgdt
 
     private
 
-    def size_of(name)
-      size = FFI::MemoryPointer.new(:int64)
-      ensure_good(Library.mgdt_voronoi_get_size(@handle, KEYS.fetch(name), size))
-      size.read_int64
-    end
+    def integers(name) = @reader.integers(name)
 
-    def integers(name)
-      length = size_of(name)
-      buffer = FFI::MemoryPointer.new(:int64, [length, 1].max)
-      ensure_good(Library.mgdt_voronoi_get_array(@handle, KEYS.fetch(name), length, buffer))
-      buffer.read_array_of_int64(length)
-    end
-
-    def doubles(name)
-      length = size_of(name)
-      buffer = FFI::MemoryPointer.new(:double, [length, 1].max)
-      ensure_good(Library.mgdt_voronoi_get_doubles(@handle, KEYS.fetch(name), length, buffer))
-      buffer.read_array_of_double(length)
-    end
+    def doubles(name) = @reader.doubles(name)
 
     def rows(name)
       doubles(name).each_slice(3).to_a
@@ -81,15 +63,6 @@ module Mgdt
     def lists(offsets, elements)
       all = integers(elements)
       integers(offsets).each_cons(2).map { |from, to| all[(from - @index_base)...(to - @index_base)] }
-    end
-
-    def ensure_good(status)
-      return if status.zero?
-
-      buffer = FFI::MemoryPointer.new(:char, 256)
-      Library.mgdt_voronoi_get_error(@handle, 256, buffer)
-      message = buffer.read_string
-      raise Error.of(status, message.empty? ? Library.mgdt_status_string(status) : message)
     end
   end
   private_constant :VoronoiReader

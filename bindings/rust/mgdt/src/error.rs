@@ -27,6 +27,11 @@ pub enum ErrorKind {
     Busy,
     /// [`check`](crate::Triangulation::check) found a defect; the message says what and where.
     CheckFailed,
+    /// Facets, segments or points cross or touch where they must not; the message names the first
+    /// pair. Since 1.3.
+    InvalidBoundary,
+    /// A mesh would need smaller differences than doubles have. Since 1.3.
+    Resolution,
     /// The library that was loaded has another binary interface than this crate was made for.
     Library,
     /// Anything else: a defect in mgdt.
@@ -61,6 +66,8 @@ impl Error {
             sys::MGDT_ERR_CANCELLED => ErrorKind::Cancelled,
             sys::MGDT_ERR_BUSY => ErrorKind::Busy,
             sys::MGDT_ERR_CHECK_FAILED => ErrorKind::CheckFailed,
+            sys::MGDT_ERR_INVALID_BOUNDARY => ErrorKind::InvalidBoundary,
+            sys::MGDT_ERR_RESOLUTION => ErrorKind::Resolution,
             _ => ErrorKind::Internal,
         };
         Error { kind, message }

@@ -19,12 +19,14 @@
 //! A [`Triangulation`] may be sent to another thread, and shared: what takes `&self` runs on many
 //! threads at once.
 
+mod domain;
 mod error;
 mod export;
 mod names;
 mod triangulation;
 mod voronoi;
 
+pub use domain::{Domain, DomainArray, DomainCount, DomainNumbers, DomainPart};
 pub use error::{Error, ErrorKind};
 pub use export::{Circumsphere, Int, Location, PointLists, VertexTetrahedra};
 pub use names::{Check, Measure, Method, Order, Outside, Parameter, Separation, Statistic, TetrahedronMeasure};

@@ -111,19 +111,9 @@ impl Triangulation {
         if status == sys::MGDT_OK {
             return Ok(());
         }
-        let mut buffer = [0 as c_char; 256];
-        let message = unsafe {
-            sys::mgdt_get_error(self.raw(), buffer.len() as i64, buffer.as_mut_ptr());
-            CStr::from_ptr(buffer.as_ptr())
-                .to_string_lossy()
-                .into_owned()
-        };
-        let message = if message.is_empty() {
-            status_text(status)
-        } else {
-            message
-        };
-        Err(Error::of_status(status, message))
+        Err(error_of(status, |capacity, buffer| unsafe {
+            sys::mgdt_get_error(self.raw(), capacity, buffer);
+        }))
     }
 
     // ------------------------------------------------------------------------------- settings
@@ -287,22 +277,14 @@ impl Triangulation {
     where
         F: FnMut(f64) -> ControlFlow<()>,
     {
-        let mut watch = Watch {
-            progress,
-            panic: None,
-        };
-        let user: *mut Watch<F> = &mut watch;
         let n = as_i64(points.len());
         let t = self.raw_mut();
-        let status = unsafe {
-            sys::mgdt_set_progress(t, Some(report::<F>), user.cast::<c_void>());
+        let status = watched(progress, |report, user| unsafe {
+            sys::mgdt_set_progress(t, Some(report), user);
             let status = sys::mgdt_insert_points(t, n, points.as_ptr().cast::<f64>());
             sys::mgdt_set_progress(t, None, ptr::null_mut());
             status
-        };
-        if let Some(panic) = watch.panic.take() {
-            resume_unwind(panic);
-        }
+        });
         self.ensure(status)
     }
 
@@ -472,6 +454,47 @@ pub(crate) fn status_text(status: sys::mgdt_status) -> String {
     text(unsafe { sys::mgdt_status_string(status) })
         .unwrap_or("")
         .to_string()
+}
+
+/// The error of a status, with the message that `get` writes into a buffer of a capacity.
+pub(crate) fn error_of(
+    status: sys::mgdt_status,
+    get: impl FnOnce(i64, *mut c_char),
+) -> Error {
+    let mut buffer = [0 as c_char; 256];
+    get(buffer.len() as i64, buffer.as_mut_ptr());
+    let message = unsafe { CStr::from_ptr(buffer.as_ptr()) }
+        .to_string_lossy()
+        .into_owned();
+    let message = if message.is_empty() {
+        status_text(status)
+    } else {
+        message
+    };
+    Error::of_status(status, message)
+}
+
+type Report = unsafe extern "C" fn(f64, *mut c_void) -> i32;
+
+/// Makes a call of the library while `progress` hears: `call` gets what the library calls, and the
+/// pointer that it passes. A panic of `progress` goes on here.
+pub(crate) fn watched<F>(
+    progress: F,
+    call: impl FnOnce(Report, *mut c_void) -> sys::mgdt_status,
+) -> sys::mgdt_status
+where
+    F: FnMut(f64) -> ControlFlow<()>,
+{
+    let mut watch = Watch {
+        progress,
+        panic: None,
+    };
+    let user: *mut Watch<F> = &mut watch;
+    let status = call(report::<F>, user.cast());
+    if let Some(panic) = watch.panic.take() {
+        resume_unwind(panic);
+    }
+    status
 }
 
 struct Watch<F> {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 //! Voronoi diagrams.
 
-use crate::triangulation::{as_i64, status_text};
+use crate::triangulation::{as_i64, error_of};
 use crate::{Error, ErrorKind, Triangulation};
 use mgdt_sys as sys;
-use std::ffi::CStr;
 use std::fmt;
-use std::os::raw::c_char;
 use std::ptr;
 
 /// Arrays of integers of a [`Voronoi`] diagram. An array of offsets has one element more than there
@@ -105,19 +103,9 @@ impl Voronoi {
         if status == sys::MGDT_OK {
             return Ok(());
         }
-        let mut buffer = [0 as c_char; 256];
-        let message = unsafe {
-            sys::mgdt_voronoi_get_error(self.v.as_ptr(), buffer.len() as i64, buffer.as_mut_ptr());
-            CStr::from_ptr(buffer.as_ptr())
-                .to_string_lossy()
-                .into_owned()
-        };
-        let message = if message.is_empty() {
-            status_text(status)
-        } else {
-            message
-        };
-        Err(Error::of_status(status, message))
+        Err(error_of(status, |capacity, buffer| unsafe {
+            sys::mgdt_voronoi_get_error(self.v.as_ptr(), capacity, buffer);
+        }))
     }
 
     fn size(&self, key: i32) -> Result<usize, Error> {

@@ -96,6 +96,125 @@ fn diagrams(t: &mgdt::Triangulation, cube: &[[f64; 4]]) {
     crosses_threads(&v);
 }
 
+fn given_domain() -> mgdt::Domain {
+    let mut d = mgdt::Domain::new().unwrap();
+    let offsets = integers("domain_given_offsets");
+    let corners = integers("domain_given_corners");
+    let markers: Vec<_> = integers("domain_given_markers")
+        .into_iter()
+        .map(|k| k as i32)
+        .collect();
+    let facets: Vec<Vec<usize>> = offsets
+        .windows(2)
+        .map(|w| &corners[w[0] as usize..w[1] as usize])
+        .map(|list| list.iter().map(|&k| k as usize).collect())
+        .collect();
+    d.set_rounded(true).unwrap();
+    d.set_points(&places("domain_given_points")).unwrap();
+    d.set_facets(&facets, Some(&markers)).unwrap();
+    d.set_segments(&[[0, 1], [8, 9]], Some(&[5, 6])).unwrap();
+    d.add_hole([1.0, 1.0, 3.0]).unwrap();
+    d.add_region([0.0, 0.0, 9.5], 7).unwrap();
+    d
+}
+
+#[test]
+fn a_domain() {
+    use mgdt::{DomainArray as Array, DomainCount as Count, DomainNumbers as Numbers};
+    let mut d = given_domain();
+    assert!(d.validate().unwrap().is_empty());
+    let mut heard = 0.0;
+    d.build_with_progress(|fraction| {
+        heard += fraction;
+        std::ops::ControlFlow::Continue(())
+    })
+    .unwrap();
+    assert!(heard > 0.0);
+    d.check().unwrap();
+    for (array, name) in [
+        (Array::Tetrahedra, "tetrahedra"),
+        (Array::Neighbors, "neighbors"),
+        (Array::Regions, "regions"),
+        (Array::RegionMarkers, "region_markers"),
+        (Array::Faces, "faces"),
+        (Array::FaceTetrahedra, "face_tetrahedra"),
+        (Array::FaceFacets, "face_facets"),
+        (Array::FaceMarkers, "face_markers"),
+        (Array::Segments, "segments"),
+        (Array::SegmentSources, "segment_sources"),
+        (Array::SegmentMarkers, "segment_markers"),
+        (Array::SteinerEdges, "steiner_edges"),
+    ] {
+        let expected = integers(&format!("domain_{}", name));
+        assert_eq!(d.array(array).unwrap(), expected, "{}", name);
+    }
+    assert_eq!(d.points().unwrap(), places("domain_points"));
+    assert_eq!(
+        d.numbers(Numbers::SteinerParameters).unwrap(),
+        doubles("domain_steiner_parameters")
+    );
+    assert_eq!(
+        plain(d.tetrahedra().unwrap()),
+        rows::<4>("domain_tetrahedra")
+    );
+    assert_eq!(plain(d.faces().unwrap()), rows::<3>("domain_faces"));
+    assert!(d.is_rounded());
+    assert_eq!(d.count(Count::Regions), 2);
+    assert_eq!(
+        18 + d.count(Count::SteinerPoints),
+        d.points().unwrap().len()
+    );
+    assert!(d.count(Count::MemoryBytes) > 1000);
+    assert!(format!("{:?}", d).contains("regions: 2"));
+    fn crosses_threads<T: Send + Sync>(_: &T) {}
+    crosses_threads(&d);
+    d.set_threads(2).unwrap();
+    d.set_memory_limit(Some(1)).unwrap();
+    assert_eq!(d.build().unwrap_err().kind(), mgdt::ErrorKind::OutOfMemory);
+    d.set_memory_limit(None).unwrap();
+    d.build().unwrap();
+    d.clear();
+    d.build().unwrap();
+    assert_eq!(d.count(Count::Tetrahedra), 0);
+}
+
+#[test]
+fn what_a_domain_refuses() {
+    use mgdt::{DomainPart::Facet, ErrorKind};
+    let mut d = given_domain();
+    let error = d
+        .build_with_progress(|_| std::ops::ControlFlow::Break(()))
+        .unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Cancelled);
+    let panicked = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+        d.build_with_progress(|_| panic!("no more"))
+    }));
+    assert!(panicked.is_err());
+    d.build().unwrap();
+    let error = d.set_facets(&[[0, 1, 18]], None).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+    assert!(error.message().contains("18"));
+    let error = d.set_facets(&[[0, 1, 2]], Some(&[1, 2])).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+    let error = d.set_points(&[[f64::NAN; 3]]).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::NotFinite);
+    let crossing = [
+        [0.0, 0.0, 0.0],
+        [4.0, 0.0, 0.0],
+        [0.0, 4.0, 0.0],
+        [1.0, 1.0, -1.0],
+        [1.0, 1.0, 2.0],
+        [5.0, 1.0, 1.0],
+    ];
+    d.set_points(&crossing).unwrap();
+    d.set_facets(&[[0, 1, 2], [3, 4, 5]], None).unwrap();
+    let error = d.build().unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::InvalidBoundary);
+    assert_eq!(d.offending_pairs().unwrap(), [(Facet(0), Facet(1))]);
+    assert_eq!(d.validate().unwrap(), [(Facet(0), Facet(1))]);
+    assert_eq!(d.check().unwrap_err().kind(), ErrorKind::InvalidArgument);
+}
+
 #[test]
 fn every_export() {
     let t = triangulation();
@@ -162,8 +281,14 @@ fn every_export() {
     );
     assert_eq!(measures(mgdt::Measure::Faces, &[]), doubles("faces"));
     let shapes = |measure| t.tetrahedron_measures(measure).unwrap();
-    assert_eq!(shapes(mgdt::TetrahedronMeasure::RadiusRatio), doubles("radius_ratios"));
-    assert_eq!(shapes(mgdt::TetrahedronMeasure::LargestAngle), doubles("largest_angles"));
+    assert_eq!(
+        shapes(mgdt::TetrahedronMeasure::RadiusRatio),
+        doubles("radius_ratios")
+    );
+    assert_eq!(
+        shapes(mgdt::TetrahedronMeasure::LargestAngle),
+        doubles("largest_angles")
+    );
     diagrams(&t, &cube);
     let places: Vec<[f64; 3]> = doubles("queries")
         .chunks(3)
@@ -184,7 +309,9 @@ fn every_export() {
     let weights: Vec<f64> = rows_of_weights.iter().flatten().map(|w| w.1).collect();
     assert_eq!(weights, doubles("row_weights"));
     assert_eq!(rows_of_weights.len(), places.len());
-    assert!(t.interpolate(c1, outside, 2, &values[1..], &places).is_err());
+    assert!(t
+        .interpolate(c1, outside, 2, &values[1..], &places)
+        .is_err());
     let tetrahedra = t.tetrahedra().unwrap();
     for point in [0, 7, 999, 1009] {
         let expected: Vec<_> = (0..tetrahedra.len())

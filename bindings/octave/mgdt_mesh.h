@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: MIT
+ * Meshes of domains: what mgdt_domain_mesh.m and mgdt_offending_pairs.m call. */
+#ifndef MGDT_OCTAVE_MESH_H
+#define MGDT_OCTAVE_MESH_H
+
+#include "mgdt_support.h"
+
+/* The domain in use. Octave's allocations may leave the function, so it is kept here and freed by
+ * the next call. */
+static mgdt_domain* domain;
+static int domain_is_busy; /* a progress function is running, which must not free it */
+
+static void close_domain(void) {
+    if (domain) mgdt.domain_destroy(domain);
+    domain = NULL;
+}
+
+static void ensure_domain(mgdt_status s) {
+    char message[256] = "";
+    if (s == MGDT_OK) return;
+    mgdt.domain_get_error(domain, (int64_t)sizeof message, message);
+    close_domain();
+    mexErrMsgIdAndTxt(identifier(s), "%s", *message ? message : mgdt.status_string(s));
+}
+
+static mxArray* array_of_domain(int32_t key, int width) {
+    int64_t count = 0;
+    mxArray* result;
+    ensure_domain(mgdt.domain_get_size(domain, key, &count));
+    if (key < MGDT_DOMAIN_ARRAY_POINTS) {
+        int64_t* const v = room(count, sizeof *v);
+        ensure_domain(mgdt.domain_get_array(domain, key, count, v));
+        result = rows(v, count / width, width);
+        mxFree(v);
+    } else {
+        double* const x = room(count, sizeof *x);
+        ensure_domain(mgdt.domain_get_doubles(domain, key, count, x));
+        result = rows_of_doubles(x, count / width, width);
+        mxFree(x);
+    }
+    return result;
+}
+
+/* As many markers as there are things that they mark, or [] for none. */
+static const int32_t* markers(const mxArray* a, const char* what, int64_t n) {
+    int64_t listed, k;
+    const int64_t* const given = whole_numbers(a, what, &listed);
+    int32_t* const to = room(listed, sizeof *to);
+    if (listed == 0) return NULL;
+    if (listed != n)
+        mexErrMsgIdAndTxt("mgdt:invalid_argument", "%s are %lld numbers; they must be %lld", what,
+                          (long long)listed, (long long)n);
+    for (k = 0; k < n; ++k) {
+        if (given[k] < INT32_MIN || given[k] > INT32_MAX)
+            mexErrMsgIdAndTxt("mgdt:invalid_argument", "%s must fit 32-bit integers", what);
+        to[k] = (int32_t)given[k];
+    }
+    return to;
+}
+
+static const double* places(const mxArray* a, const char* what, int64_t* n) {
+    const double* const from = columns(a, 3, what, n);
+    return one_by_one(from, 3, *n);
+}
+
+/* The arguments: points, offsets, corners, markers, ends of segments, markers of segments, holes,
+ * places of regions, their markers, whether points are rounded, threads and the memory limit. All
+ * are read before a domain is made. */
+enum { domain_arguments = 12 };
+
+static void make_domain(int count, const mxArray* const* given) {
+    int64_t n, n_offsets, n_corners, n_ends, n_holes, n_regions, k;
+    const double *xyz, *holes, *regions;
+    const int64_t *offsets, *corners, *ends;
+    const int32_t *of_facets, *of_segments, *of_regions;
+    int32_t rounded, threads;
+    int64_t limit;
+    if (count < domain_arguments) bad_argument("a domain needs more arguments");
+    if (domain_is_busy)
+        mexErrMsgIdAndTxt("mgdt:busy", "a progress function of a mesh may not use another domain");
+    xyz = places(given[0], "points", &n);
+    offsets = whole_numbers(given[1], "offsets", &n_offsets);
+    corners = whole_numbers(given[2], "corners of facets", &n_corners);
+    if (n_offsets < 1 || offsets[n_offsets - 1] != n_corners + 1)
+        bad_argument("the offsets of facets do not fit their corners");
+    of_facets = markers(given[3], "markers", n_offsets - 1);
+    ends = whole_numbers(given[4], "ends of segments", &n_ends);
+    of_segments = markers(given[5], "segment_markers", n_ends / 2);
+    holes = places(given[6], "holes", &n_holes);
+    regions = places(given[7], "regions", &n_regions);
+    of_regions = markers(given[8], "the markers of regions", n_regions);
+    rounded = small(given[9], "rounded");
+    threads = small(given[10], "threads");
+    limit = integer(given[11], "memory_limit", 9e15);
+
+    close_domain();
+    if (mgdt.domain_create(&domain) != MGDT_OK) ensure(NULL, MGDT_ERR_OUT_OF_MEMORY);
+    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_INDEX_BASE, 1));
+    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_ROUND_POINTS, rounded));
+    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_THREADS, threads));
+    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_MEMORY_LIMIT, limit));
+    ensure_domain(mgdt.domain_set_points(domain, n, xyz));
+    ensure_domain(mgdt.domain_set_facets(domain, n_offsets - 1, offsets, corners, of_facets));
+    ensure_domain(mgdt.domain_set_segments(domain, n_ends / 2, ends, of_segments));
+    for (k = 0; k < n_holes; ++k) ensure_domain(mgdt.domain_add_hole(domain, holes + 3 * k));
+    for (k = 0; k < n_regions; ++k)
+        ensure_domain(mgdt.domain_add_region(domain, regions + 3 * k, of_regions[k]));
+}
+
+/* Rows of two kinds and two numbers. */
+static mxArray* offending_pairs(int count, const mxArray* const* given) {
+    mgdt_status status;
+    mxArray* result;
+    make_domain(count, given);
+    status = mgdt.domain_validate(domain);
+    if (status != MGDT_ERR_INVALID_BOUNDARY) ensure_domain(status);
+    result = array_of_domain(MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS, 4);
+    close_domain();
+    return result;
+}
+
+/* The mesh as a struct of its arrays. After the arguments of make_domain(): a progress function or
+ * [], and whether to check. */
+static mxArray* domain_mesh(int count, const mxArray* const* given) {
+    static const struct {
+        const char* name;
+        int32_t key;
+        int width;
+    } arrays[] = {{"points", MGDT_DOMAIN_ARRAY_POINTS, 3},
+                  {"tetrahedra", MGDT_DOMAIN_ARRAY_TETRAHEDRA, 4},
+                  {"neighbours", MGDT_DOMAIN_ARRAY_NEIGHBORS, 4},
+                  {"regions", MGDT_DOMAIN_ARRAY_REGIONS, 1},
+                  {"region_markers", MGDT_DOMAIN_ARRAY_REGION_MARKERS, 1},
+                  {"faces", MGDT_DOMAIN_ARRAY_FACES, 3},
+                  {"face_tetrahedra", MGDT_DOMAIN_ARRAY_FACE_TETRAHEDRA, 2},
+                  {"face_facets", MGDT_DOMAIN_ARRAY_FACE_FACETS, 1},
+                  {"face_markers", MGDT_DOMAIN_ARRAY_FACE_MARKERS, 1},
+                  {"segments", MGDT_DOMAIN_ARRAY_SEGMENTS, 2},
+                  {"segment_sources", MGDT_DOMAIN_ARRAY_SEGMENT_SOURCES, 1},
+                  {"segment_markers", MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS, 1},
+                  {"steiner_edges", MGDT_DOMAIN_ARRAY_STEINER_EDGES, 2},
+                  {"steiner_parameters", MGDT_DOMAIN_ARRAY_STEINER_PARAMETERS, 1}};
+    enum { n_arrays = sizeof arrays / sizeof *arrays };
+    const char* names[n_arrays + 1];
+    progress p = {NULL, NULL};
+    const mxArray *function, *is_checked;
+    mxArray* result;
+    mgdt_status status;
+    int64_t is_rounded = 0;
+    int k;
+    if (count < domain_arguments + 2) bad_argument("a mesh needs more arguments");
+    function = given[domain_arguments];
+    is_checked = given[domain_arguments + 1];
+    make_domain(count, given);
+    if (!mxIsEmpty(function)) {
+        p.function = mxDuplicateArray(function);
+        mgdt.domain_set_progress(domain, report, &p);
+    }
+    domain_is_busy = 1;
+    status = mgdt.domain_build(domain);
+    domain_is_busy = 0;
+    mgdt.domain_set_progress(domain, NULL, NULL);
+    if (p.problem) {
+        close_domain();
+        mexCallMATLAB(0, NULL, 1, &p.problem, "rethrow");
+    }
+    ensure_domain(status);
+    if (number(is_checked, "check") != 0) ensure_domain(mgdt.domain_check(domain));
+    ensure_domain(mgdt.domain_get_stat(domain, MGDT_DOMAIN_IS_ROUNDED, &is_rounded));
+    for (k = 0; k < n_arrays; ++k) names[k] = arrays[k].name;
+    names[n_arrays] = "is_rounded";
+    result = mxCreateStructMatrix(1, 1, n_arrays + 1, names);
+    for (k = 0; k < n_arrays; ++k)
+        mxSetFieldByNumber(result, 0, k, array_of_domain(arrays[k].key, arrays[k].width));
+    mxSetFieldByNumber(result, 0, n_arrays, mxCreateLogicalScalar(is_rounded != 0));
+    close_domain();
+    return result;
+}
+
+#endif /* MGDT_OCTAVE_MESH_H */

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+# frozen_string_literal: true
+
+module Mgdt
+  # Reads the arrays of a handle whose functions are mgdt_KIND_get_size, _get_array, _get_doubles and
+  # _get_error, as those of diagrams and domains are.
+  class ArrayReader
+    def initialize(kind, handle, keys)
+      @kind = kind
+      @handle = handle
+      @keys = keys
+    end
+
+    def integers(name)
+      length = size_of(name)
+      buffer = FFI::MemoryPointer.new(:int64, [length, 1].max)
+      call(:get_array, @keys.fetch(name), length, buffer)
+      buffer.read_array_of_int64(length)
+    end
+
+    def doubles(name)
+      length = size_of(name)
+      buffer = FFI::MemoryPointer.new(:double, [length, 1].max)
+      call(:get_doubles, @keys.fetch(name), length, buffer)
+      buffer.read_array_of_double(length)
+    end
+
+    # Calls a function of the handle, and raises the error of its status.
+    def call(function, *arguments)
+      ensure_good(ask(function, *arguments))
+    end
+
+    # Calls a function of the handle; the result is its status.
+    def ask(function, *arguments)
+      Library.public_send(:"mgdt_#{@kind}_#{function}", @handle, *arguments)
+    end
+
+    def ensure_good(status)
+      raise error_of(status) unless status.zero?
+    end
+
+    def error_of(status)
+      buffer = FFI::MemoryPointer.new(:char, 256)
+      ask(:get_error, 256, buffer)
+      message = buffer.read_string
+      Error.of(status, message.empty? ? Library.mgdt_status_string(status) : message)
+    end
+
+    private
+
+    def size_of(name)
+      size = FFI::MemoryPointer.new(:int64)
+      call(:get_size, @keys.fetch(name), size)
+      size.read_int64
+    end
+  end
+  private_constant :ArrayReader
+end
