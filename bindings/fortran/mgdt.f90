@@ -44,7 +44,8 @@ module mgdt
               mgdt_err_unknown_scheme, mgdt_err_unknown_key, mgdt_err_buffer_too_small, &
               mgdt_err_index_range, mgdt_err_out_of_memory, mgdt_err_too_large, &
               mgdt_err_cancelled, mgdt_err_busy, mgdt_err_transport, mgdt_err_check_failed, &
-              mgdt_err_invalid_boundary, mgdt_err_resolution, mgdt_err_internal
+              mgdt_err_invalid_boundary, mgdt_err_resolution, mgdt_err_open_boundary, &
+              mgdt_err_internal
     public :: mgdt_order_auto, mgdt_order_input, mgdt_order_random, mgdt_order_lexicographic, &
               mgdt_order_brio, mgdt_order_hilbert, mgdt_order_regular_grid, mgdt_order_kd_tree, &
               mgdt_order_enhanced_kd_tree, mgdt_order_multi_grid
@@ -82,14 +83,14 @@ module mgdt
               mgdt_domain_regions, mgdt_domain_faces, mgdt_domain_is_rounded, &
               mgdt_domain_planar_facets, mgdt_domain_missing_facets, mgdt_domain_cavities, &
               mgdt_domain_largest_cavity
-    public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_tetrahedra, &
-              mgdt_domain_array_neighbors, mgdt_domain_array_regions, &
-              mgdt_domain_array_region_markers, mgdt_domain_array_faces, &
-              mgdt_domain_array_face_tetrahedra, mgdt_domain_array_face_facets, &
-              mgdt_domain_array_face_markers, mgdt_domain_array_segments, &
-              mgdt_domain_array_segment_sources, mgdt_domain_array_segment_markers, &
-              mgdt_domain_array_steiner_edges, mgdt_domain_array_points, &
-              mgdt_domain_array_steiner_parameters
+    public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_open_edges, &
+              mgdt_domain_array_tetrahedra, mgdt_domain_array_neighbors, &
+              mgdt_domain_array_regions, mgdt_domain_array_region_markers, &
+              mgdt_domain_array_faces, mgdt_domain_array_face_tetrahedra, &
+              mgdt_domain_array_face_facets, mgdt_domain_array_face_markers, &
+              mgdt_domain_array_segments, mgdt_domain_array_segment_sources, &
+              mgdt_domain_array_segment_markers, mgdt_domain_array_steiner_edges, &
+              mgdt_domain_array_points, mgdt_domain_array_steiner_parameters
 
     ! A triangulation that grows as points are inserted. It frees what it holds when it goes out of
     ! scope or is deallocated. It cannot be copied: a = b stops the program, unless b was never

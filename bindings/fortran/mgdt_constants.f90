@@ -44,6 +44,8 @@ module mgdt_constants
     ! The mesh of a domain needs points nearer to each other than double precision allows. Since
     ! 1.3.
     integer, parameter :: mgdt_err_resolution = 71
+    ! The facets of a domain enclose nothing. Since 1.3.
+    integer, parameter :: mgdt_err_open_boundary = 72
     ! A defect of mgdt itself; please report it.
     integer, parameter :: mgdt_err_internal = 90
 
@@ -295,6 +297,10 @@ module mgdt_constants
     ! kind (MGDT_DOMAIN_KIND_FACET and so on) and a number, twice. What is bad by itself is paired
     ! with itself: a facet that is flat or no polygon, or a segment without length.
     integer, parameter :: mgdt_domain_array_offending_pairs = 10
+    ! Three elements for each edge that one facet alone has, where a surface is open: the two ends
+    ! and the facet. mgdt_domain_validate() and mgdt_domain_build() find them if there are no
+    ! offending pairs. Facets that bound nothing have such edges too.
+    integer, parameter :: mgdt_domain_array_open_edges = 11
     ! Four corners for each tetrahedron, positively oriented as in mgdt_get_tetrahedra(). The
     ! tetrahedra are sorted by their corners.
     integer, parameter :: mgdt_domain_array_tetrahedra = 20

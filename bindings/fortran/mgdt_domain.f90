@@ -28,18 +28,18 @@ module mgdt_domain
               mgdt_domain_regions, mgdt_domain_faces, mgdt_domain_is_rounded, &
               mgdt_domain_planar_facets, mgdt_domain_missing_facets, mgdt_domain_cavities, &
               mgdt_domain_largest_cavity
-    public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_tetrahedra, &
-              mgdt_domain_array_neighbors, mgdt_domain_array_regions, &
-              mgdt_domain_array_region_markers, mgdt_domain_array_faces, &
-              mgdt_domain_array_face_tetrahedra, mgdt_domain_array_face_facets, &
-              mgdt_domain_array_face_markers, mgdt_domain_array_segments, &
-              mgdt_domain_array_segment_sources, mgdt_domain_array_segment_markers, &
-              mgdt_domain_array_steiner_edges, mgdt_domain_array_points, &
-              mgdt_domain_array_steiner_parameters
+    public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_open_edges, &
+              mgdt_domain_array_tetrahedra, mgdt_domain_array_neighbors, &
+              mgdt_domain_array_regions, mgdt_domain_array_region_markers, &
+              mgdt_domain_array_faces, mgdt_domain_array_face_tetrahedra, &
+              mgdt_domain_array_face_facets, mgdt_domain_array_face_markers, &
+              mgdt_domain_array_segments, mgdt_domain_array_segment_sources, &
+              mgdt_domain_array_segment_markers, mgdt_domain_array_steiner_edges, &
+              mgdt_domain_array_points, mgdt_domain_array_steiner_parameters
     public :: mgdt_ok, mgdt_err_null_pointer, mgdt_err_invalid_argument, mgdt_err_not_finite, &
               mgdt_err_unknown_key, mgdt_err_index_range, mgdt_err_out_of_memory, &
               mgdt_err_too_large, mgdt_err_cancelled, mgdt_err_busy, mgdt_err_check_failed, &
-              mgdt_err_invalid_boundary, mgdt_err_resolution
+              mgdt_err_invalid_boundary, mgdt_err_resolution, mgdt_err_open_boundary
 
     ! What bounds a domain, and the mesh that fills it. The first call that sets something creates
     ! it; number, get and others that read have the status mgdt_err_null_pointer before. It frees
@@ -716,7 +716,7 @@ contains
         case (mgdt_domain_array_offending_pairs, mgdt_domain_array_tetrahedra, &
               mgdt_domain_array_neighbors)
             width = 4
-        case (mgdt_domain_array_faces, mgdt_domain_array_points)
+        case (mgdt_domain_array_open_edges, mgdt_domain_array_faces, mgdt_domain_array_points)
             width = 3
         case (mgdt_domain_array_face_tetrahedra, mgdt_domain_array_segments, &
               mgdt_domain_array_steiner_edges)

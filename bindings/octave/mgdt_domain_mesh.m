@@ -26,10 +26,10 @@
 % The result is a struct: points (those given, then Steiner points), tetrahedra and neighbours (t x 4),
 % regions (of each tetrahedron) and region_markers; faces (f x 3), face_tetrahedra (f x 2),
 % face_facets and face_markers; segments (e x 2), segment_sources and segment_markers; steiner_edges
-% (q x 2) and steiner_parameters; is_rounded. mgdt/mgdt_domain.h says what they mean. 0 stands for none.
+% (q x 2) and steiner_parameters; open_edges (o x 3); is_rounded. mgdt/mgdt_domain.h says what they mean. 0 stands for none.
 %
 % Errors: mgdt:invalid_boundary (facets, segments or points cross or touch where they must not;
-% mgdt_offending_pairs lists them), mgdt:resolution, mgdt:not_finite, mgdt:invalid_argument,
+% mgdt_offending_pairs lists them), mgdt:open_boundary (they enclose nothing), mgdt:resolution, mgdt:not_finite, mgdt:invalid_argument,
 % mgdt:cancelled, mgdt:out_of_memory.
 %
 % See also: mgdt_offending_pairs, mgdt_delaunay

@@ -145,6 +145,7 @@
     E(CHECK_FAILED, check_failed)         \
     E(INVALID_BOUNDARY, invalid_boundary) \
     E(RESOLUTION, resolution)             \
+    E(OPEN_BOUNDARY, open_boundary)       \
     E(INTERNAL, internal)
 
 #endif /* MGDT_OCTAVE_INTERFACE_H */

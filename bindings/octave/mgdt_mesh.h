@@ -138,6 +138,7 @@ static mxArray* domain_mesh(int count, const mxArray* const* given) {
                   {"segments", MGDT_DOMAIN_ARRAY_SEGMENTS, 2},
                   {"segment_sources", MGDT_DOMAIN_ARRAY_SEGMENT_SOURCES, 1},
                   {"segment_markers", MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS, 1},
+                  {"open_edges", MGDT_DOMAIN_ARRAY_OPEN_EDGES, 3},
                   {"steiner_edges", MGDT_DOMAIN_ARRAY_STEINER_EDGES, 2},
                   {"steiner_parameters", MGDT_DOMAIN_ARRAY_STEINER_PARAMETERS, 1}};
     enum { n_arrays = sizeof arrays / sizeof *arrays };

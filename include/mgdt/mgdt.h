@@ -122,6 +122,8 @@ enum {
     /** The mesh of a domain needs points nearer to each other than double precision allows. Since
      *  1.3. */
     MGDT_ERR_RESOLUTION = 71,
+    /** The facets of a domain enclose nothing. Since 1.3. */
+    MGDT_ERR_OPEN_BOUNDARY = 72,
     MGDT_ERR_INTERNAL = 90 /**< A defect of mgdt itself; please report it. */
 };
 

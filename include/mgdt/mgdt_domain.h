@@ -42,7 +42,7 @@ extern "C" {
 /** A handle of a domain and its mesh. The struct is opaque; mgdt_domain_create() makes one. */
 typedef struct mgdt_domain mgdt_domain;
 
-/** What an element of MGDT_DOMAIN_OFFENDING_PAIRS is. */
+/** What an element of MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS is. */
 enum {
     MGDT_DOMAIN_KIND_FACET = 0,
     MGDT_DOMAIN_KIND_SEGMENT = 1,
@@ -84,12 +84,16 @@ enum {
 /** Arrays of a domain. Those up to MGDT_DOMAIN_ARRAY_STEINER_EDGES have integers, for
  *  mgdt_domain_get_array(); the others have doubles, for mgdt_domain_get_doubles(). Points, facets,
  *  segments, tetrahedra and regions are numbered from the index base. Where there is none, the
- *  number is the index base - 1. All arrays but the first are empty until there is a mesh. */
+ *  number is the index base - 1. All arrays but the first two are empty until there is a mesh. */
 enum {
     /** Four elements for each pair that mgdt_domain_validate() or mgdt_domain_build() has found: a
      *  kind (MGDT_DOMAIN_KIND_FACET and so on) and a number, twice. What is bad by itself is paired
      *  with itself: a facet that is flat or no polygon, or a segment without length. */
     MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS = 10,
+    /** Three elements for each edge that one facet alone has, where a surface is open: the two ends
+     *  and the facet. mgdt_domain_validate() and mgdt_domain_build() find them if there are no
+     *  offending pairs. Facets that bound nothing have such edges too. */
+    MGDT_DOMAIN_ARRAY_OPEN_EDGES = 11,
     /** Four corners for each tetrahedron, positively oriented as in mgdt_get_tetrahedra(). The
      *  tetrahedra are sorted by their corners. */
     MGDT_DOMAIN_ARRAY_TETRAHEDRA = 20,
@@ -241,10 +245,12 @@ MGDT_API mgdt_status mgdt_domain_add_hole(mgdt_domain* d, const double* xyz);
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_validate(mgdt_domain* d);
 
-/** Makes the mesh, in place of an earlier one. If facets enclose nothing, the mesh has no
- *  tetrahedra; if all points are in one plane, it has no faces and segments either.
+/** Makes the mesh, in place of an earlier one. Facets that enclose nothing are refused; if all that
+ *  they enclose are holes, the mesh has no tetrahedra.
  *  @return MGDT_OK or MGDT_ERR_NULL_POINTER. After any other status there is no mesh:
- *  MGDT_ERR_INVALID_BOUNDARY as for mgdt_domain_validate(), MGDT_ERR_RESOLUTION (points or facets
+ *  MGDT_ERR_INVALID_BOUNDARY as for mgdt_domain_validate(), MGDT_ERR_OPEN_BOUNDARY (the facets
+ *  enclose nothing; the message names an edge where they are open, and
+ *  MGDT_DOMAIN_ARRAY_OPEN_EDGES has all), MGDT_ERR_RESOLUTION (points or facets
  *  are nearer to each other than the grid to which points are rounded, or an edge would have to be
  *  divided more finely than doubles can), MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED,
  *  MGDT_ERR_OUT_OF_MEMORY

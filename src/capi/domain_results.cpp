@@ -86,6 +86,7 @@ auto with_integers(const DomainMesh& m, std::int32_t array, Indices indices, Mar
 
 std::size_t size_of(const Domain& d, std::int32_t array) {
     if (array == MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS) return 4 * d.offences().size();
+    if (array == MGDT_DOMAIN_ARRAY_OPEN_EDGES) return 3 * d.open_edges().size();
     const auto size = [](const auto& of) { return of.size(); };
     if (has_doubles(array)) return with_doubles(d.mesh(), array, size);
     return with_integers(d.mesh(), array, size, size);
@@ -100,6 +101,12 @@ void write(const Domain& d, std::int32_t array, Int* out) {
                 *out++ = static_cast<Int>(item.kind);
                 *out++ = static_cast<Int>(std::int64_t{item.index} + base);
             }
+        return;
+    }
+    if (array == MGDT_DOMAIN_ARRAY_OPEN_EDGES) {
+        for (const OpenEdge& e : d.open_edges())
+            for (const std::uint32_t i : {e.ends[0], e.ends[1], e.facet})
+                *out++ = static_cast<Int>(std::int64_t{i} + base);
         return;
     }
     with_integers(
@@ -119,9 +126,9 @@ void get_integers(const Domain& d, std::int32_t array, std::int64_t capacity, In
     if (has_doubles(array))
         fail(MGDT_ERR_UNKNOWN_KEY, "array %d has doubles, not integers", static_cast<int>(array));
     const DomainMesh& m = d.mesh();
-    const std::uint64_t most =
-        std::max<std::uint64_t>({m.tetrahedron_count(), m.points.size() / 3,
-                                 d.input().facet_count(), d.input().segment_count()});
+    const std::uint64_t most = std::max<std::uint64_t>(
+        {m.tetrahedron_count(), m.points.size() / 3, d.input().point_count(),
+         d.input().facet_count(), d.input().segment_count()});
     if (most + static_cast<std::uint64_t>(d.settings().index_base) >
         static_cast<std::uint64_t>(std::numeric_limits<Int>::max()))
         fail(MGDT_ERR_INDEX_RANGE, "numbers up to %llu do not fit a 32-bit integer",

@@ -104,6 +104,8 @@ extern "C" const char* mgdt_status_string(mgdt_status s) {
             return "facets, segments or points of the domain cross, touch or are flat";
         case MGDT_ERR_RESOLUTION:
             return "the mesh needs points nearer to each other than double precision allows";
+        case MGDT_ERR_OPEN_BOUNDARY:
+            return "the facets of the domain enclose nothing";
         case MGDT_ERR_INTERNAL:
             return "internal error";
         default:

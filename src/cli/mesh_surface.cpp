@@ -29,6 +29,14 @@ std::string describe(const OffendingPair& pair) {
     return first + " meets " + name_of(pair.kinds[1], pair.numbers[1]);
 }
 
+// Where a surface is open: three numbers for each edge that one facet alone has.
+std::string describe_openings(const std::vector<std::int64_t>& edges) {
+    if (edges.empty()) return "";
+    return fmt::format("; {} to one facet alone, the first from point {} to point {} to facet {}",
+                       counted(edges.size() / 3, "edge belongs", "edges belong"), edges[0],
+                       edges[1], edges[2]);
+}
+
 // The facets that offend, with their points.
 VtkFacets facets_of(const std::vector<OffendingPair>& pairs, const Mesh& mesh) {
     VtkFacets out;
@@ -95,6 +103,8 @@ void build(Domain& domain, const std::string& name, const MeshOptions& options) 
         if (e.status() == MGDT_ERR_INVALID_BOUNDARY)
             throw Error(exit_input,
                         fmt::format("{}: {}; mgdt validate lists them", name, e.what()));
+        if (e.status() == MGDT_ERR_OPEN_BOUNDARY)
+            throw Error(exit_input, fmt::format("{}: {}", name, e.what()));
         rethrow_failure(name, domain.last_error());
     } catch (...) {
         rethrow_failure(name, domain.last_error());
@@ -164,10 +174,7 @@ int mesh_surface(const MeshOptions& options) {
         mesh = mesh_of(domain);
     }
     if (mesh.tetrahedra.empty())
-        throw Error(exit_input,
-                    fmt::format("{}: the facets enclose nothing, so there is nothing to "
-                                "fill; is the surface closed?",
-                                name));
+        throw Error(exit_input, fmt::format("{}: all that the facets enclose are holes", name));
     OutputSet outputs;
     format.write_mesh(mesh, output.path, outputs, output.write);
     if (format.write_neighbors)
@@ -211,9 +218,10 @@ int validate_surface(const ValidateOptions& options) {
                                 "not, or are flat",
                                 name, counted(pairs.size(), "pair", "pairs")));
     if (!options.quiet)
-        fmt::print("{}: {} and {} meet in common corners and edges only\n", name,
+        fmt::print("{}: {} and {} meet in common corners and edges only{}\n", name,
                    counted(mesh.facets.size(), "facet", "facets"),
-                   counted(mesh.point_count(), "point", "points"));
+                   counted(mesh.point_count(), "point", "points"),
+                   describe_openings(domain.array(DomainArray::open_edges)));
     return exit_ok;
 }
 

@@ -34,6 +34,7 @@ void Domain::clear() noexcept {
 
 void Domain::forget_results() noexcept {
     offences_.reset();
+    open_edges_.reset();
     forget_mesh();
 }
 
@@ -86,7 +87,9 @@ unsigned Domain::threads() const noexcept {
 void Domain::validate() {
     const AtEnd forget_request{[&] { cancelled_.store(false, std::memory_order_relaxed); }};
     forget_results();
-    require_valid(make_complex(input_, allocator_), MGDT_ERR_INVALID_BOUNDARY, "");
+    const Complex complex = make_complex(input_, allocator_);
+    require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "");
+    open_edges_ = mgdt::open_edges(complex, allocator_);
 }
 
 // Writes the pairs that offend as the caller's items, and throws if there are any.
@@ -132,6 +135,22 @@ void Domain::require_valid(const Complex& complex, mgdt_status otherwise, const 
          offences_.size());
 }
 
+void Domain::fail_open() const {
+    if (input_.facet_count() == 0)
+        fail(MGDT_ERR_OPEN_BOUNDARY, "there are no facets, so nothing is enclosed");
+    if (open_edges_.empty())
+        fail(MGDT_ERR_OPEN_BOUNDARY,
+             "the facets enclose nothing, though no facet has an edge for itself");
+    const OpenEdge& e = open_edges_[0];
+    const auto number = [&](std::uint32_t index) {
+        return static_cast<long long>(index) + settings_.index_base;
+    };
+    fail(MGDT_ERR_OPEN_BOUNDARY,
+         "the facets enclose nothing: facet %lld alone has the edge from point %lld to point %lld; "
+         "there are %zu such edges",
+         number(e.facet), number(e.ends[0]), number(e.ends[1]), open_edges_.size());
+}
+
 void Domain::check() const {
     check_mesh(input_, mesh_, settings_.index_base, threads(), allocator_);
 }
@@ -165,7 +184,7 @@ void Domain::build() {
     try {
         run(progress);
     } catch (...) {
-        // The offences stay: they tell why.
+        // The offences and the open edges stay: they tell why.
         forget_mesh();
         throw;
     }
@@ -178,6 +197,7 @@ void Domain::run(StageProgress& progress) {
     progress.enter(0, 0.1);
     Complex complex = make_complex(input_, allocator_);
     require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "");
+    open_edges_ = mgdt::open_edges(complex, allocator_);
     const RoundingGrid grid = round(complex);
     const PlanarFacets facets = find_planar_facets(complex.boundary, complex.markers, allocator_);
     planar_facets_ = facets.facets.size();
@@ -226,6 +246,7 @@ void Domain::run(StageProgress& progress) {
     scale_places(input_.regions, regions);
     scale_places(input_.holes, holes);
     const Regions found = find_regions(mesh, regions, holes, allocator_);
+    if (!found.has_inside && !settings_.takes_open_surfaces) fail_open();
     assemble({input_, complex, facets, grid, mesh, segments.parts, segments.steiner, found},
              settings_.rounds_points, allocator_, mesh_);
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/stage_progress.hpp"
+#include "domain/boundary_edges.hpp"
 #include "domain/domain_mesh.hpp"
 #include "domain/validation.hpp"
 
@@ -15,6 +16,7 @@ namespace mgdt {
 struct DomainSettings {
     std::int32_t index_base = 0, threads = 1;
     bool rounds_points = false;
+    bool takes_open_surfaces = false;  // so that tests may have facets that enclose nothing
     mgdt_progress_fn progress = nullptr;
     void* progress_user = nullptr;
 };
@@ -48,6 +50,7 @@ class Domain {
         : allocator_(alloc, release, user),
           input_(allocator_),
           offences_(allocator_),
+          open_edges_(allocator_),
           mesh_(allocator_) {}
 
     // Setting points removes facets and segments; every change removes the results.
@@ -60,13 +63,14 @@ class Domain {
 
     // Finds all offences. Throws MGDT_ERR_INVALID_BOUNDARY if there are any.
     void validate();
-    // Validates and makes the mesh. Throws Error and std::bad_alloc; there is no mesh then.
+    // Validates and makes the mesh. Throws MGDT_ERR_OPEN_BOUNDARY if the facets enclose nothing,
+    // Error and std::bad_alloc; there is no mesh then.
     void build();
     // Throws MGDT_ERR_CHECK_FAILED if the mesh has a defect.
     void check() const;
     // Removes everything but the settings.
     void clear() noexcept;
-    // Removes the mesh and the offences.
+    // Removes the mesh, the offences and the open edges.
     void forget_results() noexcept;
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
 
@@ -76,6 +80,7 @@ class Domain {
     DomainInput& input() noexcept { return input_; }
     const DomainInput& input() const noexcept { return input_; }
     const Buffer<Offence>& offences() const noexcept { return offences_; }
+    const Buffer<OpenEdge>& open_edges() const noexcept { return open_edges_; }
     // Whether the last build has succeeded and nothing was changed since.
     bool has_mesh() const noexcept { return has_mesh_; }
     const DomainMesh& mesh() const noexcept { return mesh_; }
@@ -86,6 +91,7 @@ class Domain {
     void forget_mesh() noexcept;
     void run(StageProgress& progress);
     void require_valid(const Complex& complex, mgdt_status otherwise, const char* where);
+    [[noreturn]] void fail_open() const;
     RoundingGrid round(Complex& complex);
     unsigned threads() const noexcept;
 
@@ -93,6 +99,7 @@ class Domain {
     DomainSettings settings_;
     DomainInput input_;
     Buffer<Offence> offences_;
+    Buffer<OpenEdge> open_edges_;
     DomainMesh mesh_;
     bool has_mesh_ = false;
     FacetCounts facet_counts_;

@@ -1,44 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "domain/planar_facets.hpp"
 
-#include <algorithm>
-
+#include "domain/boundary_edges.hpp"
 #include "parallel/disjoint_sets.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
 namespace {
 
-constexpr std::uint32_t no_place = 0xFFFFFFFFu;
-
-// An edge of a triangle, or a segment that the caller gave, whose `place` is `no_place`.
-struct Edge {
-    std::uint32_t a, b;   // the ends, a < b
-    std::uint32_t place;  // 3 times the triangle, plus the corner opposite the edge
-
-    friend bool operator<(const Edge& e, const Edge& f) {
-        return e.a != f.a ? e.a < f.a : e.b != f.b ? e.b < f.b : e.place < f.place;
-    }
-};
-
-Buffer<Edge> sorted_edges(const Boundary& boundary, Allocator& allocator) {
-    const std::size_t corners = boundary.triangles.size(), ends = boundary.segments.size();
-    Buffer<Edge> edges(allocator, corners + ends / 2);
-    const auto edge = [](std::uint32_t a, std::uint32_t b, std::uint32_t place) {
-        return Edge{std::min(a, b), std::max(a, b), place};
-    };
-    for (std::size_t i = 0; i < corners; ++i) {
-        const std::uint32_t* const v = boundary.triangles.begin() + i / 3 * 3;
-        edges[i] = edge(v[(i + 1) % 3], v[(i + 2) % 3], static_cast<std::uint32_t>(i));
-    }
-    for (std::size_t i = 0; i < ends; i += 2)
-        edges[corners + i / 2] = edge(boundary.segments[i], boundary.segments[i + 1], no_place);
-    std::sort(edges.begin(), edges.end());
-    return edges;
-}
+constexpr std::uint32_t no_corner = 0xFFFFFFFFu;
 
 // Whether two triangles with a common edge are in one plane, on different sides of the edge.
-bool continue_each_other(const Boundary& boundary, const Edge& one, const Edge& other) {
+bool continue_each_other(const Boundary& boundary, const BoundaryEdge& one,
+                         const BoundaryEdge& other) {
     const auto point = [&](std::uint32_t v) {
         return boundary.points.begin() + 3 * std::size_t{v};
     };
@@ -54,14 +28,13 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
                                 Allocator& allocator) {
     PlanarFacets result(allocator);
     const std::size_t triangles = boundary.triangles.size() / 3;
-    const Buffer<Edge> edges = sorted_edges(boundary, allocator);
+    const Buffer<BoundaryEdge> edges = sorted_edges(boundary, allocator);
     DisjointSets sets(allocator, triangles);
     Buffer<std::uint32_t> on_border(allocator);  // places of edges that are segments
     for (std::size_t i = 0; i < edges.size();) {
         std::size_t end = i + 1;
-        while (end < edges.size() && edges[end].a == edges[i].a && edges[end].b == edges[i].b)
-            ++end;
-        const bool joins = end - i == 2 && edges[i + 1].place != no_place &&
+        while (end < edges.size() && edges[end].has_ends_of(edges[i])) ++end;
+        const bool joins = end - i == 2 && !edges[i + 1].is_segment() &&
                            markers[edges[i].place / 3] == markers[edges[i + 1].place / 3] &&
                            continue_each_other(boundary, edges[i], edges[i + 1]);
         if (joins) {
@@ -70,7 +43,7 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
             result.segments.push_back(edges[i].a);
             result.segments.push_back(edges[i].b);
             for (std::size_t k = i; k < end; ++k)
-                if (edges[k].place != no_place) on_border.push_back(edges[k].place);
+                if (!edges[k].is_segment()) on_border.push_back(edges[k].place);
         }
         i = end;
     }
@@ -79,7 +52,7 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
         const std::uint32_t least = sets.least(t);
         if (least == t) {
             result.of_triangle[t] = static_cast<std::uint32_t>(result.facets.size());
-            result.facets.push_back({{no_place, no_place, no_place}, t});
+            result.facets.push_back({{no_corner, no_corner, no_corner}, t});
         } else {
             result.of_triangle[t] = result.of_triangle[least];
         }
@@ -87,7 +60,7 @@ PlanarFacets find_planar_facets(const Boundary& boundary, const Buffer<std::int3
     for (const std::uint32_t place : on_border) {
         PlanarFacets::Facet& facet = result.facets[result.of_triangle[place / 3]];
         const std::uint32_t* const v = boundary.triangles.begin() + place / 3 * 3;
-        if (facet.corner[0] == no_place)
+        if (facet.corner[0] == no_corner)
             for (std::uint32_t k = 0; k < 3; ++k) facet.corner[k] = v[(place + 1 + k) % 3];
     }
     return result;

@@ -22,6 +22,9 @@ class Flood {
                     tet.facets[i] == ConstrainedMesh::no_facet)
                     fill(t, Regions::outside);
         }
+        for (std::uint32_t t = 0; t < mesh_.tetrahedra.size(); ++t)
+            regions_.has_inside = regions_.has_inside || (!mesh_.tetrahedra[t].is_dead() &&
+                                                          regions_.of_tetrahedron[t] == unknown);
         for (const DomainInput::Place& hole : holes)
             for_each_at(hole.x, [&](std::uint32_t t) { fill(t, Regions::outside); });
         for (std::uint32_t t = 0; t < mesh_.tetrahedra.size(); ++t)

@@ -14,6 +14,7 @@ struct Regions {
 
     Buffer<std::uint32_t> of_tetrahedron;  // its region, or `outside`
     Buffer<std::int32_t> markers;          // of each region
+    bool has_inside = false;               // whether facets enclose something, holes included
 };
 
 // Two tetrahedra with a common face are in one region unless the face is a part of a facet. What is

@@ -288,7 +288,13 @@ class Meshes(CliTest):
         self.fails(3, "mesh", "bad.off", "-o", "m.vtu", says="facet 1 and facet 6 meet")
         self.assertFalse(os.path.exists(self.path("m.vtu")))
         self.put("open.off", off(CUBE, SQUARES[1:]))
-        self.fails(3, "mesh", "open.off", "-o", "m.vtu", says="the facets enclose nothing")
+        self.fails(3, "mesh", "open.off", "-o", "m.vtu",
+                   says="open.off: the facets enclose nothing: facet 1 alone has the edge from point 0 to point 1")
+        self.assertIn("4 edges belong to one facet alone, the first from point 0 to point 1 to facet 1\n",
+                      self.mgdt("validate", "open.off").decode())
+        self.put("hole.off", off(CUBE, SQUARES))
+        self.fails(3, "mesh", "hole.off", "-o", "m.vtu", "--hole", "0.5,0.5,0.5",
+                   says="all that the facets enclose are holes")
 
     def test_bad_input(self):
         self.put("p.xyz", "0 0 0\n1 1 1\n")

@@ -28,7 +28,8 @@ contains
 
     subroutine two_cubes()
         type(mgdt_domain_mesh) :: mesh, again
-        integer :: markers(11), first(12), i
+        integer :: markers(11), first(12), i, stat
+        character(200) :: message
         integer, allocatable :: tets(:, :), regions(:), region_markers(:), faces(:, :)
         integer, allocatable :: face_markers(:), sides(:, :), neighbors(:, :)
         integer(int64), allocatable :: long(:, :), flat(:)
@@ -122,8 +123,8 @@ contains
         call expect(sum(short) == sum(face_markers), 'markers')
         call again%clear()
         call expect(again%number(mgdt_domain_given_points) == 0, 'cleared')
-        call again%build()
-        call expect(again%number(mgdt_domain_tetrahedra) == 0, 'no points')
+        call again%build(stat, message)
+        call expect_error(stat, mgdt_err_open_boundary, message, 'no facets')
         call again%destroy()
         call expect(.not. c_associated(again%c_handle()), 'destroyed')
     end subroutine

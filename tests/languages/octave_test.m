@@ -198,7 +198,8 @@ function domain (folder)
   assert (sort (one.tetrahedra), 1:4);
   assert (one.neighbours, [0 0 0 0]);
   assert (! one.is_rounded);
-  assert (size (mgdt_domain_mesh ([], []).tetrahedra), [0 4]);
+  refused ("mgdt:open_boundary", {"no facets"}, @() mgdt_domain_mesh ([], []));
+  assert (size (one.open_edges), [0 3]);
   crossing = {[0 0 0; 4 0 0; 0 4 0; 1 1 -1; 1 1 2; 5 1 1], [1 2 3; 4 5 6]};
   assert (mgdt_offending_pairs (crossing{:}), [0 1 0 2]);
   refused ("mgdt:invalid_boundary", {"facet"}, @() mgdt_domain_mesh (crossing{:}));

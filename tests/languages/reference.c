@@ -121,7 +121,8 @@ static void export_domain(void) {
     static const struct {
         int32_t key;
         const char* name;
-    } arrays[] = {{MGDT_DOMAIN_ARRAY_TETRAHEDRA, "tetrahedra"},
+    } arrays[] = {{MGDT_DOMAIN_ARRAY_OPEN_EDGES, "open_edges"},
+                  {MGDT_DOMAIN_ARRAY_TETRAHEDRA, "tetrahedra"},
                   {MGDT_DOMAIN_ARRAY_NEIGHBORS, "neighbors"},
                   {MGDT_DOMAIN_ARRAY_REGIONS, "regions"},
                   {MGDT_DOMAIN_ARRAY_REGION_MARKERS, "region_markers"},
@@ -160,7 +161,8 @@ static void export_domain(void) {
         char name[64];
         void* values;
         mgdt_status status;
-        if (mgdt_domain_get_size(d, arrays[k].key, &count) != MGDT_OK || count == 0)
+        if (mgdt_domain_get_size(d, arrays[k].key, &count) != MGDT_OK ||
+            (count == 0) != (arrays[k].key == MGDT_DOMAIN_ARRAY_OPEN_EDGES))
             stop("an array without elements");
         values = room(count, 8);
         if (arrays[k].key < MGDT_DOMAIN_ARRAY_POINTS)

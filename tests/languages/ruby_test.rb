@@ -136,7 +136,8 @@ class MgdtTest < Minitest::Test
                                [[1, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4]], index_base: 1)
     assert_equal [[1, 2, 3, 4]], one.tetrahedra.map(&:sort)
     assert_equal [[nil] * 4], one.neighbors
-    assert_empty Mgdt::DomainMesh.new([], []).tetrahedra
+    refused(Mgdt::OpenBoundary, "no facets") { Mgdt::DomainMesh.new([], []) }
+    assert_empty one.open_edges
   end
 
   def test_what_domains_refuse

@@ -133,10 +133,15 @@ class DomainMesh(unittest.TestCase):
         self.assertEqual(doctest.testmod(mgdt.domain).failed, 0)
 
     def test_nothing(self) -> None:
-        mesh = mgdt.DomainMesh(np.empty((0, 3)), [])
-        self.assertEqual(mesh.simplices.shape, (0, 4))
-        self.assertEqual(mesh.points.shape, (0, 3))
-        self.assertEqual(len(mgdt.DomainMesh(CUBE, SIDES[:5]).simplices), 0)
+        for points in (np.empty((0, 3)), CUBE):
+            with self.assertRaisesRegex(mgdt.OpenBoundary, "no facets") as caught:
+                mgdt.DomainMesh(points, [])
+            self.assertEqual(caught.exception.edges.shape, (0, 3))
+        with self.assertRaisesRegex(mgdt.OpenBoundary, "4 such edges") as caught:
+            mgdt.DomainMesh(CUBE, SIDES[:5])
+        edges = caught.exception.edges
+        self.assertEqual(sorted(set(edges[:, :2].ravel().tolist())), sorted(SIDES[5]))
+        self.assertEqual(mgdt.DomainMesh(CUBE, SIDES).open_edges.shape, (0, 3))
 
     def test_threads_of_python(self) -> None:
         expected = mgdt.DomainMesh(CUBE, SIDES).simplices

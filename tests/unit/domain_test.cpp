@@ -131,6 +131,7 @@ TEST(Domain, MeshesRandomComplexes) {
         };
         const int n = 2 + below(5), points = 4 + below(30), tries = 1 + below(50), kind = below(3);
         Domain domain(nullptr, nullptr, nullptr);
+        domain.settings().takes_open_surfaces = true;
         DomainInput& input = domain.input();
         for (int i = 0; i < 3 * points; ++i)
             input.points.push_back(kind == 0   ? below(n)
@@ -218,12 +219,47 @@ TEST(Domain, OfPointsInAPlaneIsEmpty) {
     s.facet({0, 1, 3, 2});
     Domain domain(nullptr, nullptr, nullptr);
     give(domain, s);
+    domain.settings().takes_open_surfaces = true;
     domain.build();
     domain.check();
     EXPECT_EQ(domain.mesh().tetrahedron_count(), 0u);
     Domain nothing(nullptr, nullptr, nullptr);
+    nothing.settings().takes_open_surfaces = true;
     nothing.build();
     nothing.check();
+}
+
+TEST(Domain, SaysWhereASurfaceIsOpen) {
+    const auto expect_open = [](const Surface& s, std::size_t edges, const char* words) {
+        Domain domain(nullptr, nullptr, nullptr);
+        give(domain, s);
+        const Error error = error_of([&] { domain.build(); });
+        EXPECT_EQ(error.status, MGDT_ERR_OPEN_BOUNDARY) << s.name;
+        EXPECT_NE(std::string(error.message).find(words), std::string::npos) << error.message;
+        EXPECT_FALSE(domain.has_mesh());
+        EXPECT_EQ(domain.open_edges().size(), edges) << s.name;
+        domain.forget_results();
+        domain.validate();
+        EXPECT_EQ(domain.open_edges().size(), edges) << s.name;
+    };
+    expect_open(Surface("nothing"), 0, "no facets");
+    Surface s = cube();
+    s.facets.pop_back();
+    s.markers.pop_back();
+    expect_open(s, 4, "4 such edges");
+    // A second surface that is open is left out; its edges are named.
+    Surface both = cube();
+    const auto first = static_cast<std::uint32_t>(both.points.size() / 3);
+    for (const double x : {10.0, 11.0, 12.0}) both.point(x, x * x, 0);
+    both.facet({first, first + 1, first + 2});
+    Domain domain(nullptr, nullptr, nullptr);
+    give(domain, both);
+    domain.build();
+    domain.check();
+    EXPECT_EQ(domain.mesh().tetrahedron_count(), 6u);
+    ASSERT_EQ(domain.open_edges().size(), 3u);
+    EXPECT_EQ(domain.open_edges()[1].facet, 6u);
+    EXPECT_EQ(domain.open_edges()[1].ends[1], first + 2);
 }
 
 // Coordinates at the ends of the range of doubles.
@@ -411,6 +447,7 @@ TEST(Domain, NamesTheSegmentThatDoublesCannotDivide) {
     Domain domain(nullptr, nullptr, nullptr);
     give(domain, s);
     domain.settings().index_base = 1;
+    domain.settings().takes_open_surfaces = true;
     const Error error = error_of([&] { domain.build(); });
     EXPECT_TRUE(error.status == MGDT_OK || error.status == MGDT_ERR_RESOLUTION) << error.message;
     if (error.status == MGDT_OK) domain.check();

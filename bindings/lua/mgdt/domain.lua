@@ -12,7 +12,7 @@ local whole, small, rows_of, shape_of = arguments.whole, arguments.small, argume
 local ensure, message_of = arguments.raiser(C.mgdt_domain_get_error)
 
 -- How many elements of an array belong together, where they are more than one.
-local widths = { offending_pairs = 4, tetrahedra = 4, neighbors = 4, faces = 3, face_tetrahedra = 2,
+local widths = { offending_pairs = 4, open_edges = 3, tetrahedra = 4, neighbors = 4, faces = 3, face_tetrahedra = 2,
     segments = 2, steiner_edges = 2, points = 3 }
 
 local kinds = {}
@@ -180,14 +180,15 @@ local domain = {}
 --- {{x, y, z}, marker}, rounded, threads, memory_limit, index_base (0), and progress, a function as for
 --- set_progress().
 ---
---- The result has the arrays points, tetrahedra, neighbors, faces, face_tetrahedra, segments and
---- steiner_edges, with [k][0] and so on, and regions, region_markers, face_facets, face_markers,
+--- The result has the arrays points, tetrahedra, neighbors, faces, face_tetrahedra, segments,
+--- steiner_edges and open_edges, with [k][0] and so on, and regions, region_markers, face_facets, face_markers,
 --- segment_sources, segment_markers and steiner_parameters; mgdt/mgdt_domain.h says what they are.
 --- point_count, tetrahedron_count, region_count, face_count, segment_count and steiner_count say how
 --- many there are, and is_rounded whether points are rounded. check() proves the mesh.
 ---
 --- If facets, segments or points cross or touch where they must not, the error is named
---- "invalid_boundary" and has `pairs`, as offending_pairs() gives them. Since 1.3.
+--- "invalid_boundary" and has `pairs`, as offending_pairs() gives them. If the facets enclose nothing, it
+--- is "open_boundary". Since 1.3.
 function domain.domain_mesh(given)
     local handle = domain_of(given)
     build(handle, given.progress)

@@ -19,7 +19,7 @@ from ._errors import (
 from ._insertion import CANCEL
 from .alpha import AlphaShape
 from .delaunay import Delaunay
-from .domain import DomainMesh, InvalidBoundary, OffendingPair, offending_pairs
+from .domain import DomainMesh, InvalidBoundary, OffendingPair, OpenBoundary, offending_pairs
 from .interpolation import Interpolator
 from .parallel import ParallelDelaunay
 from .scattered import (
@@ -47,6 +47,7 @@ __all__ = [
     "NearestNDInterpolator",
     "ORDER_SCHEMES",
     "OffendingPair",
+    "OpenBoundary",
     "OutOfMemoryError",
     "ParallelDelaunay",
     "QhullError",

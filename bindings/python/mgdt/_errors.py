@@ -19,6 +19,7 @@ CANCELLED = _STATUS["cancelled"]
 BUSY = _STATUS["busy"]
 CHECK_FAILED = _STATUS["check_failed"]
 INVALID_BOUNDARY = _STATUS["invalid_boundary"]
+OPEN_BOUNDARY = _STATUS["open_boundary"]
 
 
 class Error(Exception):

@@ -180,6 +180,7 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "check_failed": 60,
         "invalid_boundary": 70,
         "resolution": 71,
+        "open_boundary": 72,
         "internal": 90,
     },
     "order": {
@@ -306,6 +307,7 @@ CONSTANTS: dict[str, dict[str, int]] = {
     },
     "domain_array": {
         "offending_pairs": 10,
+        "open_edges": 11,
         "tetrahedra": 20,
         "neighbors": 21,
         "regions": 22,

@@ -44,6 +44,18 @@ class InvalidBoundary(_errors.Error, ValueError):
     pairs: list[OffendingPair]
 
 
+class OpenBoundary(_errors.Error, ValueError):
+    """The facets enclose nothing.
+
+    Attributes
+    ----------
+    edges : (n, 3) array
+        Where they are open: the ends of each edge that one facet alone has, and this facet.
+    """
+
+    edges: IndexArray
+
+
 def _function(name: str) -> Callable[..., Any]:
     function: Callable[..., Any] = getattr(_library.library, "mgdt_domain_" + name)
     return function
@@ -114,12 +126,17 @@ class _Handle:
         buffer = ctypes.create_string_buffer(_MESSAGE_BYTES)
         self.quiet("get_error", _MESSAGE_BYTES, buffer)
         message = _library.text(buffer.value)
-        if status != _errors.INVALID_BOUNDARY:
-            raise _errors.make(status, message)
-        error = InvalidBoundary(message)
-        error.status = status
-        error.pairs = self.pairs()
-        raise error
+        if status == _errors.INVALID_BOUNDARY:
+            invalid = InvalidBoundary(message)
+            invalid.status = status
+            invalid.pairs = self.pairs()
+            raise invalid
+        if status == _errors.OPEN_BOUNDARY:
+            is_open = OpenBoundary(message)
+            is_open.status = status
+            is_open.edges = self.array("open_edges").reshape(-1, 3)
+            raise is_open
+        raise _errors.make(status, message)
 
     def set(
         self,
@@ -238,6 +255,8 @@ class DomainMesh:
     ------
     InvalidBoundary
         If facets, segments or points cross or touch where they must not; it has all pairs.
+    OpenBoundary
+        If the facets enclose nothing; it has the edges where they are open.
 
     Attributes
     ----------
@@ -262,6 +281,8 @@ class DomainMesh:
         The ends a and b of the edge that each Steiner point divides.
     steiner_parameters : (q,) array
         The t for which it is a + t (b - a).
+    open_edges : (o, 3) array
+        The ends of each edge that one facet alone has, and this facet.
     is_rounded : bool
         Whether `points` are rounded.
 
@@ -320,6 +341,7 @@ class DomainMesh:
         self.segments: IndexArray = rows("segments", 2)
         self.segment_sources: IndexArray = handle.array("segment_sources")
         self.segment_markers: IndexArray = handle.array("segment_markers")
+        self.open_edges: IndexArray = rows("open_edges", 3)
         self.steiner_edges: IndexArray = rows("steiner_edges", 2)
         self.steiner_parameters: FloatArray = handle.array("steiner_parameters")
         self.is_rounded = handle.number("is_rounded") == 1

@@ -174,6 +174,7 @@ enum class DomainNumber : std::int32_t {
  *  @since 1.3 */
 enum class DomainArray : std::int32_t {
     offending_pairs = MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS,
+    open_edges = MGDT_DOMAIN_ARRAY_OPEN_EDGES,
     tetrahedra = MGDT_DOMAIN_ARRAY_TETRAHEDRA,
     neighbors = MGDT_DOMAIN_ARRAY_NEIGHBORS,
     regions = MGDT_DOMAIN_ARRAY_REGIONS,

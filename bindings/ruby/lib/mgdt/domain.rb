@@ -21,6 +21,8 @@ module Mgdt
     attr_reader :face_facets, :face_markers
     # The segment that was given, or nil, of each segment of the mesh, and its marker, or 0.
     attr_reader :segment_sources, :segment_markers
+    # The ends of each edge that one facet alone has, and this facet.
+    attr_reader :open_edges
     # The t for which a Steiner point is a + t (b - a).
     attr_reader :steiner_parameters
 
@@ -31,6 +33,7 @@ module Mgdt
     # Triangulation#insert does.
     #
     # If facets, segments or points cross or touch where they must not, InvalidBoundary has all pairs.
+    # If the facets enclose nothing, the error is OpenBoundary.
     def initialize(points, facets, rounded: false, **given, &progress)
       @domain = GivenDomain.new(points, facets, rounded: rounded, **given)
       @domain.build(progress)
@@ -62,6 +65,7 @@ module Mgdt
       @faces = rows.call(:faces, 3)
       @face_tetrahedra = rows.call(:face_tetrahedra, 2).map(&numbers)
       @segments = rows.call(:segments, 2)
+      @open_edges = rows.call(:open_edges, 3)
       @steiner_edges = rows.call(:steiner_edges, 2)
       %i[regions region_markers face_facets face_markers segment_markers].each do |name|
         instance_variable_set(:"@#{name}", reader.integers(name))

@@ -33,6 +33,7 @@ module Mgdt
   class Busy < Error; end              # a progress block called its own triangulation
   class CheckFailed < Error; end       # check found a defect; the message says what and where
   class Closed < Error; end            # the triangulation was closed
+  class OpenBoundary < Error; end      # facets enclose nothing; where they are open, in the message
   class Resolution < Error; end        # a mesh would need smaller differences than doubles have
 
   # Facets, segments or points cross or touch where they must not. `pairs` has all of them, as
@@ -47,7 +48,8 @@ module Mgdt
       unknown_scheme: UnknownName, unknown_key: UnknownName, buffer_too_small: BufferTooSmall,
       index_range: IndexRange, out_of_memory: OutOfMemory, too_large: TooLarge,
       cancelled: Cancelled, busy: Busy, check_failed: CheckFailed,
-      invalid_boundary: InvalidBoundary, resolution: Resolution
+      invalid_boundary: InvalidBoundary, resolution: Resolution,
+      open_boundary: OpenBoundary
     }.transform_keys(&CONSTANTS[:status]).freeze
     private_constant :CLASSES
   end

@@ -46,6 +46,7 @@ pub const MGDT_ERR_TRANSPORT: mgdt_status = 50;
 pub const MGDT_ERR_CHECK_FAILED: mgdt_status = 60;
 pub const MGDT_ERR_INVALID_BOUNDARY: mgdt_status = 70;
 pub const MGDT_ERR_RESOLUTION: mgdt_status = 71;
+pub const MGDT_ERR_OPEN_BOUNDARY: mgdt_status = 72;
 pub const MGDT_ERR_INTERNAL: mgdt_status = 90;
 
 pub const MGDT_ORDER_AUTO: i32 = 0;
@@ -158,6 +159,7 @@ pub const MGDT_DOMAIN_CAVITIES: i32 = 32;
 pub const MGDT_DOMAIN_LARGEST_CAVITY: i32 = 33;
 
 pub const MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS: i32 = 10;
+pub const MGDT_DOMAIN_ARRAY_OPEN_EDGES: i32 = 11;
 pub const MGDT_DOMAIN_ARRAY_TETRAHEDRA: i32 = 20;
 pub const MGDT_DOMAIN_ARRAY_NEIGHBORS: i32 = 21;
 pub const MGDT_DOMAIN_ARRAY_REGIONS: i32 = 22;

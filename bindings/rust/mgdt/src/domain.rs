@@ -13,6 +13,8 @@ use std::ptr;
 #[non_exhaustive]
 #[repr(i32)]
 pub enum DomainArray {
+    /// The ends of each edge that one facet alone has, and this facet.
+    OpenEdges = sys::MGDT_DOMAIN_ARRAY_OPEN_EDGES,
     /// Four corners for each tetrahedron.
     Tetrahedra = sys::MGDT_DOMAIN_ARRAY_TETRAHEDRA,
     /// The four tetrahedra opposite the corners of each; none where the domain ends.
@@ -276,6 +278,7 @@ impl Domain {
 
     /// Makes the mesh. [`ErrorKind::InvalidBoundary`] if facets, segments or points cross or touch
     /// where they must not; [`offending_pairs`](Domain::offending_pairs) gives them then.
+    /// [`ErrorKind::OpenBoundary`] if the facets enclose nothing.
     pub fn build(&mut self) -> Result<(), Error> {
         let status = unsafe { sys::mgdt_domain_build(self.raw()) };
         self.ensure(status)

@@ -30,6 +30,8 @@ pub enum ErrorKind {
     /// Facets, segments or points cross or touch where they must not; the message names the first
     /// pair. Since 1.3.
     InvalidBoundary,
+    /// Facets enclose nothing; the message says where they are open. Since 1.3.
+    OpenBoundary,
     /// A mesh would need smaller differences than doubles have. Since 1.3.
     Resolution,
     /// The library that was loaded has another binary interface than this crate was made for.
@@ -67,6 +69,7 @@ impl Error {
             sys::MGDT_ERR_BUSY => ErrorKind::Busy,
             sys::MGDT_ERR_CHECK_FAILED => ErrorKind::CheckFailed,
             sys::MGDT_ERR_INVALID_BOUNDARY => ErrorKind::InvalidBoundary,
+            sys::MGDT_ERR_OPEN_BOUNDARY => ErrorKind::OpenBoundary,
             sys::MGDT_ERR_RESOLUTION => ErrorKind::Resolution,
             _ => ErrorKind::Internal,
         };

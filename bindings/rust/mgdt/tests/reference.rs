@@ -174,7 +174,10 @@ fn a_domain() {
     d.set_memory_limit(None).unwrap();
     d.build().unwrap();
     d.clear();
-    d.build().unwrap();
+    assert_eq!(
+        d.build().unwrap_err().kind(),
+        mgdt::ErrorKind::OpenBoundary
+    );
     assert_eq!(d.count(Count::Tetrahedra), 0);
 }
 

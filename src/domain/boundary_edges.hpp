@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The edges of the triangles and the segments of a boundary, sorted, so that those of one place are
+// together.
+#pragma once
+
+#include "domain/complex.hpp"
+
+namespace mgdt {
+
+// An edge of a triangle, or a segment that the caller gave, whose `place` is `no_triangle`.
+struct BoundaryEdge {
+    static constexpr std::uint32_t no_triangle = 0xFFFFFFFFu;
+
+    std::uint32_t a, b;   // the ends, a < b
+    std::uint32_t place;  // 3 times the triangle, plus the corner opposite the edge
+
+    bool is_segment() const noexcept { return place == no_triangle; }
+    bool has_ends_of(const BoundaryEdge& e) const noexcept { return a == e.a && b == e.b; }
+    friend bool operator<(const BoundaryEdge& e, const BoundaryEdge& f) {
+        return e.a != f.a ? e.a < f.a : e.b != f.b ? e.b < f.b : e.place < f.place;
+    }
+};
+
+// By their ends; a segment is behind the edges of triangles.
+Buffer<BoundaryEdge> sorted_edges(const Boundary& boundary, Allocator& allocator);
+
+// An edge that one of the caller's facets alone has: there the surface is open.
+struct OpenEdge {
+    std::uint32_t ends[2];  // the caller's points
+    std::uint32_t facet;
+};
+
+// In the order of the ends. Segments do not count.
+Buffer<OpenEdge> open_edges(const Complex& complex, Allocator& allocator);
+
+}  // namespace mgdt
