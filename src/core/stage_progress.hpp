@@ -12,10 +12,12 @@ class StageProgress {
     StageProgress(mgdt_progress_fn tell, void* user, Atomic<bool>& cancelled)
         : tell_(tell), user_(user), cancelled_(cancelled) {}
 
+    // The stages that follow are all of what remains after a share of it.
+    void leave_behind(double share) { begin_ += share * (1 - begin_); }
     // Enters the next stage, in which the progress of the whole call goes from `from` to `to`.
     void enter(double from, double to) {
-        from_ = from;
-        to_ = to;
+        from_ = begin_ + from * (1 - begin_);
+        to_ = begin_ + to * (1 - begin_);
         report(0);
     }
     // Reports a fraction of the stage. Throws if the caller cancels.
@@ -60,7 +62,7 @@ class StageProgress {
     mgdt_progress_fn tell_;
     void* user_;
     Atomic<bool>& cancelled_;
-    double from_ = 0, to_ = 0;
+    double begin_ = 0, from_ = 0, to_ = 0;
 };
 
 }  // namespace mgdt

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <thread>
 
 #include "domain/mesh_check.hpp"
@@ -157,24 +158,23 @@ void Domain::check() const {
 
 // Rounds the points of a complex to a grid. What is valid before and not afterwards is finer than
 // the grid, and is refused.
-RoundingGrid Domain::round(Complex& complex) {
+void Domain::round(const RoundingGrid& grid, Complex& complex) {
     Buffer<double>& points = complex.boundary.points;
-    const RoundingGrid grid(points);
     bool is_changed = false;
     for (double& x : points) {
         const double rounded = grid.round(x);
         is_changed = is_changed || grid.unround(rounded) != x;
         x = rounded;
     }
-    if (!is_changed) return grid;
+    if (!is_changed) return;
     if (!are_distinct(points, allocator_))
         fail(MGDT_ERR_RESOLUTION,
-             "two points are nearer to each other than 2^-%d of the largest "
-             "coordinate",
-             RoundingGrid::bits);
-    require_valid(complex, MGDT_ERR_RESOLUTION,
-                  " when points are rounded to 2^-36 of the largest coordinate");
-    return grid;
+             "two points are nearer to each other than 2^-%d of the largest coordinate",
+             grid.bits());
+    char where[80];
+    std::snprintf(where, sizeof where,
+                  " when points are rounded to 2^-%d of the largest coordinate", grid.bits());
+    require_valid(complex, MGDT_ERR_RESOLUTION, where);
 }
 
 void Domain::build() {
@@ -193,12 +193,58 @@ void Domain::build() {
 }
 
 void Domain::run(StageProgress& progress) {
-    const StopRequest stop(cancelled_);
-    progress.enter(0, 0.1);
+    progress.enter(0, 0);
     Complex complex = make_complex(input_, allocator_);
     require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "");
     open_edges_ = mgdt::open_edges(complex, allocator_);
-    const RoundingGrid grid = round(complex);
+    const auto try_again = [&](int bits) {
+        return mesh_on(RoundingGrid(input_.points, bits), make_complex(input_, allocator_),
+                       progress);
+    };
+    const auto forgive = [&](const Error& e) {
+        if (e.status != MGDT_ERR_RESOLUTION) throw;
+        offences_.reset();
+    };
+    int bits = RoundingGrid::usual_bits;
+    Stuck stuck;
+    try {
+        stuck = mesh_on(RoundingGrid(input_.points, bits), std::move(complex), progress);
+    } catch (const Error& e) {
+        // Fine details, and any of a surface with a stray point far away, need a finer grid.
+        forgive(e);
+        bits = RoundingGrid::most_bits;
+        progress.leave_behind(0.1);
+        stuck = try_again(bits);
+    }
+    const Stuck first = stuck;
+    // On a coarser grid segments have more points.
+    while (stuck && bits > RoundingGrid::least_bits) {
+        bits -= 4;
+        progress.leave_behind(0.8);
+        try {
+            stuck = try_again(bits);
+        } catch (const Error& e) {
+            forgive(e);
+            break;
+        }
+    }
+    if (!stuck) return;
+    const auto number = [&](std::size_t k) {
+        return static_cast<long long>((*first)[k]) + settings_.index_base;
+    };
+    fail(MGDT_ERR_RESOLUTION,
+         "the segment from point %lld to point %lld needs points nearer to each other than double "
+         "precision allows",
+         number(0), number(1));
+}
+
+// Makes the mesh of a valid complex with points on a grid. If a segment would have to be divided
+// more finely than doubles can, there is no mesh, and the result is its ends.
+Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, Complex complex, StageProgress& progress) {
+    const StopRequest stop(cancelled_);
+    forget_mesh();
+    progress.enter(0, 0.1);
+    round(grid, complex);
     const PlanarFacets facets = find_planar_facets(complex.boundary, complex.markers, allocator_);
     planar_facets_ = facets.facets.size();
 
@@ -221,12 +267,9 @@ void Domain::run(StageProgress& progress) {
     if (segments.stuck != DividedSegments::none) {
         const auto end = [&](std::size_t k) {
             const std::uint32_t v = facets.segments[2 * std::size_t{segments.stuck} + k];
-            return static_cast<long long>(complex.point_of_number[v]) + settings_.index_base;
+            return complex.point_of_number[v];
         };
-        fail(MGDT_ERR_RESOLUTION,
-             "the segment from point %lld to point %lld needs points nearer to each other than "
-             "double precision allows",
-             end(0), end(1));
+        return std::array<std::uint32_t, 2>{end(0), end(1)};
     }
     progress.enter(0.8, 0.9);
     ConstrainedMesh mesh(triangulation, points, allocator_);
@@ -249,6 +292,7 @@ void Domain::run(StageProgress& progress) {
     if (!found.has_inside && !settings_.takes_open_surfaces) fail_open();
     assemble({input_, complex, facets, grid, mesh, segments.parts, segments.steiner, found},
              settings_.rounds_points, allocator_, mesh_);
+    return std::nullopt;
 }
 
 }  // namespace mgdt

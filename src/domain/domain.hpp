@@ -6,6 +6,9 @@
 // facets into a copy of it (facet_insertion.cpp), and keeps what is inside (regions.cpp).
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "core/stage_progress.hpp"
 #include "domain/boundary_edges.hpp"
 #include "domain/domain_mesh.hpp"
@@ -92,7 +95,10 @@ class Domain {
     void run(StageProgress& progress);
     void require_valid(const Complex& complex, mgdt_status otherwise, const char* where);
     [[noreturn]] void fail_open() const;
-    RoundingGrid round(Complex& complex);
+    void round(const RoundingGrid& grid, Complex& complex);
+    // The ends of a segment, if there are any.
+    using Stuck = std::optional<std::array<std::uint32_t, 2>>;
+    Stuck mesh_on(const RoundingGrid& grid, Complex complex, StageProgress& progress);
     unsigned threads() const noexcept;
 
     mutable Allocator allocator_;

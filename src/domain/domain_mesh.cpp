@@ -2,6 +2,7 @@
 #include "domain/domain_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "predicates/predicates.hpp"
 
@@ -52,6 +53,10 @@ class Assembly {
         const std::size_t distinct = parts_.complex.point_of_number.size();
         if (v < distinct) return parts_.complex.point_of_number[v];
         return static_cast<std::uint32_t>(parts_.input.point_count() + (v - distinct));
+    }
+
+    const double* given(std::uint32_t point) const {
+        return parts_.input.points.begin() + 3 * std::size_t{point};
     }
 
     void write_tetrahedra() {
@@ -184,9 +189,19 @@ class Assembly {
             out_.exact_points.push_back(x);
             out_.points.push_back(rounded ? parts_.grid.unround(x) : parts_.input.points[i]);
         }
-        for (std::size_t i = 3 * distinct; i < parts_.mesh.points.size(); ++i) {
-            out_.exact_points.push_back(parts_.mesh.points[i]);
-            out_.points.push_back(parts_.grid.unround(parts_.mesh.points[i]));
+        for (std::size_t i = 0; i < parts_.steiner.size(); ++i) {
+            const double* const exact = parts_.mesh.points.begin() + 3 * (distinct + i);
+            double x[3];
+            if (rounded)
+                for (int k = 0; k < 3; ++k) x[k] = parts_.grid.unround(exact[k]);
+            else
+                DomainMesh::place_on_segment(given(out_.steiner_edges[2 * i]),
+                                             given(out_.steiner_edges[2 * i + 1]),
+                                             out_.steiner_parameters[i], exact, parts_.grid, x);
+            for (int k = 0; k < 3; ++k) {
+                out_.exact_points.push_back(exact[k]);
+                out_.points.push_back(x[k]);
+            }
         }
         for (std::size_t t = 0; t < out_.tetrahedra.size(); t += 4) {
             const auto point = [&](std::size_t k) {
@@ -205,6 +220,19 @@ class Assembly {
 
 }  // namespace
 
+void DomainMesh::place_on_segment(const double* a, const double* b, double t, const double* on_grid,
+                                  const RoundingGrid& grid, double* x) noexcept {
+    bool is_exact = true;
+    for (int k = 0; k < 3; ++k)
+        for (const double c : {a[k], b[k]}) is_exact = is_exact && grid.unround(grid.round(c)) == c;
+    for (int k = 0; k < 3; ++k) {
+        x[k] = grid.unround(on_grid[k]);
+        // The difference of the largest doubles is no double.
+        const double difference = b[k] - a[k];
+        if (!is_exact && std::isfinite(difference)) x[k] = a[k] + t * difference;
+    }
+}
+
 int DomainMesh::side(std::uint32_t t, const double* x) const noexcept {
     const auto corner = [&](unsigned i) {
         return exact_points.begin() + 3 * std::size_t{tetrahedra[4 * std::size_t{t} + i]};
@@ -218,6 +246,7 @@ int DomainMesh::side(std::uint32_t t, const double* x) const noexcept {
 }
 
 void assemble(const DomainParts& parts, bool rounds, Allocator& allocator, DomainMesh& out) {
+    out.grid_bits = parts.grid.bits();
     Assembly(parts, allocator, out).run(rounds);
 }
 

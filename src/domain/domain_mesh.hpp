@@ -30,6 +30,10 @@ struct DomainMesh {
           steiner_parameters(allocator) {}
 
     std::size_t tetrahedron_count() const noexcept { return tetrahedra.size() / 4; }
+    // The point a + t (b - a) with the caller's coordinates a and b, where the point between the
+    // rounded ends is `on_grid`, in steps: that one if the ends are on the grid themselves.
+    static void place_on_segment(const double* a, const double* b, double t, const double* on_grid,
+                                 const RoundingGrid& grid, double* x) noexcept;
     // 1 if a place, in steps of the grid, is inside of a tetrahedron, 0 if it is on the boundary,
     // -1 if it is outside.
     int side(std::uint32_t t, const double* x) const noexcept;
@@ -51,6 +55,7 @@ struct DomainMesh {
     Buffer<std::uint32_t> steiner_edges;  // for each Steiner point the 2 ends of its edge
     Buffer<double> steiner_parameters;    // and its parameter t on the edge
     bool is_rounded = false;              // whether the caller's points are rounded to the grid
+    int grid_bits = 0;                    // of the grid; 0 if there is no mesh
 };
 
 // What the stages of a build have found.

@@ -52,7 +52,7 @@ class MeshCheck {
           threads_(threads),
           input_(input),
           complex_(make_complex(input, allocator)),
-          grid_(input.points),
+          grid_(input.points, mesh.grid_bits),
           facets_(allocator),
           faces_(allocator) {}
 
@@ -89,11 +89,13 @@ class MeshCheck {
     void check_sizes() const {
         const std::size_t tetrahedra = mesh_.tetrahedron_count(), faces = mesh_.faces.size() / 3,
                           segments = mesh_.segments.size() / 2;
-        if (mesh_.tetrahedra.size() % 4 != 0 || mesh_.neighbors.size() != 4 * tetrahedra ||
-            mesh_.regions.size() != tetrahedra || mesh_.faces.size() % 3 != 0 ||
-            mesh_.face_tetrahedra.size() != 2 * faces || mesh_.face_facets.size() != faces ||
-            mesh_.face_markers.size() != faces || mesh_.segments.size() % 2 != 0 ||
-            mesh_.segment_sources.size() != segments || mesh_.segment_markers.size() != segments ||
+        if (mesh_.grid_bits < RoundingGrid::least_bits ||
+            mesh_.grid_bits > RoundingGrid::most_bits || mesh_.tetrahedra.size() % 4 != 0 ||
+            mesh_.neighbors.size() != 4 * tetrahedra || mesh_.regions.size() != tetrahedra ||
+            mesh_.faces.size() % 3 != 0 || mesh_.face_tetrahedra.size() != 2 * faces ||
+            mesh_.face_facets.size() != faces || mesh_.face_markers.size() != faces ||
+            mesh_.segments.size() % 2 != 0 || mesh_.segment_sources.size() != segments ||
+            mesh_.segment_markers.size() != segments ||
             mesh_.points.size() != mesh_.exact_points.size() ||
             mesh_.points.size() != input_.points.size() + 3 * mesh_.steiner_parameters.size() ||
             mesh_.steiner_edges.size() != 2 * mesh_.steiner_parameters.size())
@@ -123,11 +125,20 @@ class MeshCheck {
                 divided.point(static_cast<std::uint32_t>(k), x);
                 is_right = k == std::floor(k) && std::equal(x, x + 3, exact(p));
             }
-            for (int k = 0; k < 3 && is_right; ++k)
-                is_right = point(p)[k] == grid_.unround(exact(p)[k]);
+            if (is_right) is_right = is_placed(p, ends, t);
             if (!is_right)
                 fail(MGDT_ERR_CHECK_FAILED, "point %lld is not on its segment", number(p));
         }
+    }
+
+    // Whether a Steiner point is returned where it is on the grid, or between the caller's points.
+    bool is_placed(std::uint32_t p, const std::uint32_t* ends, double t) const {
+        double x[3];
+        if (mesh_.is_rounded)
+            for (int k = 0; k < 3; ++k) x[k] = grid_.unround(exact(p)[k]);
+        else
+            DomainMesh::place_on_segment(point(ends[0]), point(ends[1]), t, exact(p), grid_, x);
+        return std::equal(x, x + 3, point(p));
     }
 
     void check_tetrahedra() const {

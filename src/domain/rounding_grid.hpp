@@ -6,19 +6,23 @@
 
 namespace mgdt {
 
-// The points of a domain are multiples of the grid's step, a power of two, at most 2^36 steps from
-// the origin. So a segment has many points whose coordinates are doubles, exactly
-// (docs/theory.md, "Points on segments").
+// The points of a domain are multiples of the grid's step, a power of two, at most 2^bits steps
+// from the origin. So a segment has many points whose coordinates are doubles, exactly: the more,
+// the coarser the grid (docs/theory.md, "Points on segments").
 class RoundingGrid {
   public:
-    static constexpr int bits = 36;
+    // A grid that is fine enough for nearly all surfaces and has enough points on segments.
+    static constexpr int usual_bits = 36;
+    static constexpr int least_bits = 24, most_bits = 44;
     // Points of segments are multiples of 2^-places steps, which are doubles as well.
     static constexpr int places = 36;
 
     // The grid for points with these coordinates.
-    explicit RoundingGrid(const Buffer<double>& coordinates) noexcept;
+    RoundingGrid(const Buffer<double>& coordinates, int bits) noexcept;
     // The grid for points whose largest coordinate has this magnitude, which is finite.
-    explicit RoundingGrid(double largest) noexcept;
+    RoundingGrid(double largest, int bits) noexcept;
+
+    int bits() const noexcept { return bits_; }
 
     // The multiple of the step that is nearest to x, over the step: an integer.
     double round(double x) const noexcept;
@@ -31,6 +35,7 @@ class RoundingGrid {
     double unround(double x) const noexcept;
 
   private:
+    int bits_;
     int exponent_;  // the step is 2^exponent_
 };
 

@@ -213,6 +213,52 @@ TEST(Domain, RefusesWhatTheGridCannotHold) {
     EXPECT_EQ(error_of([&] { domain.build(); }).status, MGDT_ERR_RESOLUTION);
 }
 
+// Finer details than 2^-36 of the largest coordinate, and a segment whose parts beside a point are
+// too short for the points that it has on the usual grid.
+TEST(Domain, ChoosesAFinerOrACoarserGrid) {
+    const auto bits_of = [](const Surface& s) {
+        Domain domain(nullptr, nullptr, nullptr);
+        give(domain, s);
+        std::vector<double> heard;
+        domain.settings().progress_user = &heard;
+        domain.settings().progress = [](double fraction, void* user) {
+            static_cast<std::vector<double>*>(user)->push_back(fraction);
+            return std::int32_t{0};
+        };
+        domain.build();
+        domain.check();
+        EXPECT_TRUE(std::is_sorted(heard.begin(), heard.end()));
+        EXPECT_EQ(heard.back(), 1);
+        for (std::size_t i = 0; i < s.points.size(); ++i)
+            EXPECT_EQ(domain.mesh().points[i], s.points[i]);
+        EXPECT_FALSE(domain.mesh().is_rounded);
+        return domain.mesh().grid_bits;
+    };
+    EXPECT_EQ(bits_of(cube()), 36);
+    Surface fine = cube();
+    fine.point(0.3, 0.2, 0.1);
+    fine.point(0.3 + 1e-12, 0.2, 0.1);
+    EXPECT_EQ(bits_of(fine), 44);
+    for (const double distance : {1e-3, 1e-7, 3e-8}) {
+        Surface s = cube();
+        const double a[3] = {0.0512341, 0.1000317, 0.2003411}, b[3] = {0.9123127, 0.8001231, 0.7};
+        s.segments.push_back(s.point(a[0], a[1], a[2]));
+        s.segments.push_back(s.point(b[0], b[1], b[2]));
+        // Points around a place of the segment.
+        const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        const double across[4][3] = {
+            {d[1], -d[0], 0}, {-d[1], d[0], 0}, {0, d[2], -d[1]}, {0, -d[2], d[1]}};
+        for (int i = 0; i < 4; ++i) {
+            const double t = 0.4321 + 0.3 * i * distance;
+            const double* const n = across[i];
+            s.point(a[0] + t * d[0] + distance * n[0], a[1] + t * d[1] + distance * n[1],
+                    a[2] + t * d[2] + distance * n[2]);
+        }
+        const int bits = bits_of(s);
+        EXPECT_TRUE(distance > 1e-4 ? bits == 36 : bits < 36) << distance << ": " << bits;
+    }
+}
+
 TEST(Domain, OfPointsInAPlaneIsEmpty) {
     Surface s("square");
     for (int i = 0; i < 4; ++i) s.point(i / 2, i % 2, 0);
@@ -335,7 +381,7 @@ TEST(Domain, CheckFindsWhatIsLeftOut) {
         for (const double x : centre) {
             domain.input().points.push_back(x);
             m.points.push_back(x);
-            m.exact_points.push_back(RoundingGrid(1).round(x));
+            m.exact_points.push_back(RoundingGrid(1, m.grid_bits).round(x));
         }
         expect_found(domain, "meets the surroundings of the domain at point 8");
     }

@@ -300,6 +300,7 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "regions": 22,
         "faces": 23,
         "is_rounded": 24,
+        "grid_bits": 25,
         "planar_facets": 30,
         "missing_facets": 31,
         "cavities": 32,

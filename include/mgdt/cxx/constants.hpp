@@ -164,6 +164,7 @@ enum class DomainNumber : std::int32_t {
     regions = MGDT_DOMAIN_REGIONS,
     faces = MGDT_DOMAIN_FACES,
     is_rounded = MGDT_DOMAIN_IS_ROUNDED,
+    grid_bits = MGDT_DOMAIN_GRID_BITS,
     planar_facets = MGDT_DOMAIN_PLANAR_FACETS,
     missing_facets = MGDT_DOMAIN_MISSING_FACETS,
     cavities = MGDT_DOMAIN_CAVITIES,

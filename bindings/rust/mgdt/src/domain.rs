@@ -67,6 +67,8 @@ pub enum DomainCount {
     Regions = sys::MGDT_DOMAIN_REGIONS,
     /// Faces of the mesh that are parts of facets.
     Faces = sys::MGDT_DOMAIN_FACES,
+    /// Coordinates are rounded to multiples of 2^-bits of the largest one.
+    GridBits = sys::MGDT_DOMAIN_GRID_BITS,
     /// Facets, where those in one plane are joined.
     PlanarFacets = sys::MGDT_DOMAIN_PLANAR_FACETS,
     /// Of these, those that the Delaunay triangulation of all points lacks.
