@@ -197,9 +197,9 @@ void Domain::run(StageProgress& progress) {
     Complex complex = make_complex(input_, allocator_);
     require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "");
     open_edges_ = mgdt::open_edges(complex, allocator_);
-    const auto try_again = [&](int bits) {
-        return mesh_on(RoundingGrid(input_.points, bits), make_complex(input_, allocator_),
-                       progress);
+    const auto try_again = [&](int bits, bool avoids_short_parts) {
+        return mesh_on(RoundingGrid(input_.points, bits), avoids_short_parts,
+                       make_complex(input_, allocator_), progress);
     };
     const auto forgive = [&](const Error& e) {
         if (e.status != MGDT_ERR_RESOLUTION) throw;
@@ -208,21 +208,21 @@ void Domain::run(StageProgress& progress) {
     int bits = RoundingGrid::usual_bits;
     Stuck stuck;
     try {
-        stuck = mesh_on(RoundingGrid(input_.points, bits), std::move(complex), progress);
+        stuck = mesh_on(RoundingGrid(input_.points, bits), false, std::move(complex), progress);
     } catch (const Error& e) {
         // Fine details, and any of a surface with a stray point far away, need a finer grid.
         forgive(e);
         bits = RoundingGrid::most_bits;
         progress.leave_behind(0.1);
-        stuck = try_again(bits);
+        stuck = try_again(bits, false);
     }
     const Stuck first = stuck;
-    // On a coarser grid segments have more points.
-    while (stuck && bits > RoundingGrid::least_bits) {
-        bits -= 4;
+    // Longer parts may do. On a coarser grid segments have more points.
+    for (bool is_same_grid = true; stuck && bits > RoundingGrid::least_bits; is_same_grid = false) {
+        if (!is_same_grid) bits -= 4;
         progress.leave_behind(0.8);
         try {
-            stuck = try_again(bits);
+            stuck = try_again(bits, true);
         } catch (const Error& e) {
             forgive(e);
             break;
@@ -240,7 +240,8 @@ void Domain::run(StageProgress& progress) {
 
 // Makes the mesh of a valid complex with points on a grid. If a segment would have to be divided
 // more finely than doubles can, there is no mesh, and the result is its ends.
-Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, Complex complex, StageProgress& progress) {
+Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, bool avoids_short_parts, Complex complex,
+                              StageProgress& progress) {
     const StopRequest stop(cancelled_);
     forget_mesh();
     progress.enter(0, 0.1);
@@ -263,7 +264,8 @@ Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, Complex complex, StagePr
     });
     DividedSegments segments(allocator_);
     if (triangulation.dimension() == 3)
-        segments = split_segments(triangulation, points, facets.segments, progress, stop);
+        segments = split_segments(triangulation, points, facets.segments, progress,
+                                  avoids_short_parts, stop);
     if (segments.stuck != DividedSegments::none) {
         const auto end = [&](std::size_t k) {
             const std::uint32_t v = facets.segments[2 * std::size_t{segments.stuck} + k];

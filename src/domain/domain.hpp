@@ -98,7 +98,8 @@ class Domain {
     void round(const RoundingGrid& grid, Complex& complex);
     // The ends of a segment, if there are any.
     using Stuck = std::optional<std::array<std::uint32_t, 2>>;
-    Stuck mesh_on(const RoundingGrid& grid, Complex complex, StageProgress& progress);
+    Stuck mesh_on(const RoundingGrid& grid, bool avoids_short_parts, Complex complex,
+                  StageProgress& progress);
     unsigned threads() const noexcept;
 
     mutable Allocator allocator_;

@@ -15,12 +15,13 @@ class Splitting {
   public:
     Splitting(Triangulation& triangulation, Buffer<double>& points,
               const Buffer<std::uint32_t>& segments, StageProgress& progress,
-              const StopRequest& stop)
+              bool avoids_short_parts, const StopRequest& stop)
         : allocator_(triangulation.allocator()),
           triangulation_(triangulation),
           points_(points),
           segments_(segments),
           progress_(progress),
+          avoids_short_parts_(avoids_short_parts),
           stop_(stop),
           acute_(find_acute_ends(points, segments, allocator_)),
           result_(allocator_),
@@ -86,7 +87,7 @@ class Splitting {
         const std::size_t i = 2 * std::size_t{s.segment};
         return split_place(point(segments_[i]), point(segments_[i + 1]), acute_[i] != 0,
                            acute_[i + 1] != 0, point(reference), s.k0, s.k1,
-                           divided(s.segment).parts());
+                           divided(s.segment).parts(), avoids_short_parts_);
     }
 
     // Keeps of splits_ those that have no end and no reference point in common with an earlier one.
@@ -170,6 +171,7 @@ class Splitting {
     Buffer<double>& points_;
     const Buffer<std::uint32_t>& segments_;
     StageProgress& progress_;
+    const bool avoids_short_parts_;
     const StopRequest stop_;
     const Buffer<std::uint8_t> acute_;  // for each end of each segment
     DividedSegments result_;
@@ -188,8 +190,8 @@ class Splitting {
 
 DividedSegments split_segments(Triangulation& triangulation, Buffer<double>& points,
                                const Buffer<std::uint32_t>& segments, StageProgress& progress,
-                               const StopRequest& stop) {
-    return Splitting(triangulation, points, segments, progress, stop).run();
+                               bool avoids_short_parts, const StopRequest& stop) {
+    return Splitting(triangulation, points, segments, progress, avoids_short_parts, stop).run();
 }
 
 }  // namespace mgdt

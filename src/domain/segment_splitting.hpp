@@ -38,9 +38,11 @@ struct DividedSegments {
 //
 // The rules are those of Si and Gaertner (Meshing piecewise linear complexes by constrained
 // Delaunay tetrahedralizations, 2005), with sets of segments that do not touch in each round. The
-// result depends on the points and on the segments alone.
+// result depends on the points and on the segments alone. Their rule that avoids short parts is
+// optional: without it there are fewer points, but on few segments the parts become shorter and
+// shorter.
 DividedSegments split_segments(Triangulation& triangulation, Buffer<double>& points,
                                const Buffer<std::uint32_t>& segments, StageProgress& progress,
-                               const StopRequest& stop);
+                               bool avoids_short_parts, const StopRequest& stop);
 
 }  // namespace mgdt

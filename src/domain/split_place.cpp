@@ -48,7 +48,7 @@ Buffer<std::uint8_t> find_acute_ends(const Buffer<double>& points,
 
 std::uint32_t split_place(const double* a, const double* b, bool is_acute_at_a, bool is_acute_at_b,
                           const double* reference, std::uint32_t k0, std::uint32_t k1,
-                          std::uint32_t parts) noexcept {
+                          std::uint32_t parts, bool avoids_short_parts) noexcept {
     const std::uint32_t half = parts / 2;
     if (is_acute_at_a && is_acute_at_b) {
         if (k0 < half && half < k1) return half;
@@ -61,7 +61,19 @@ std::uint32_t split_place(const double* a, const double* b, bool is_acute_at_a, 
     if (is_acute_at_a || is_acute_at_b) {
         const double radius = distance(is_acute_at_a ? a : b, reference) / length;
         t = is_acute_at_a ? radius : 1 - radius;
-        if (!(t > begin && t < end)) t = begin + (end - begin) / 2;
+        if (!(t > begin && t < end)) {
+            t = begin + (end - begin) / 2;
+        } else if (avoids_short_parts) {
+            // Away from the other end, if that is nearer than the reference point: rule 3 of Si and
+            // Gaertner.
+            const double x[3] = {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]),
+                                 a[2] + t * (b[2] - a[2])};
+            const double away = distance(x, reference) / length;
+            const double near = is_acute_at_a ? t - begin : end - t,
+                         far = is_acute_at_a ? end - t : t - begin;
+            const double back = away < near / 2 ? away : near / 2;
+            if (far < away) t += is_acute_at_a ? -back : back;
+        }
     } else {
         double dot = 0;
         for (int k = 0; k < 3; ++k) dot += (b[k] - a[k]) * (reference[k] - a[k]);
