@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tree of boxes, which finds all pairs of boxes that overlap.
+// A tree of boxes, which finds those that overlap each other or a given one.
 #pragma once
 
 #include <algorithm>
@@ -45,6 +45,10 @@ class BoxTree {
     template <class F>
     void for_each_pair(Team& team, F f) const;
 
+    // Calls f(i) for each box i that overlaps a given one.
+    template <class F>
+    void for_each_at(const BoundingBox& box, F f) const;
+
   private:
     static constexpr std::uint32_t most_in_leaf = 6;
 
@@ -77,6 +81,25 @@ void BoxTree::compare_leaves(Pair pair, F f) const {
         for (std::uint32_t j = pair.a == pair.b ? i + 1 : b.begin; j < b.end; ++j)
             if (const std::uint32_t k = order_[i], l = order_[j]; boxes_[k].overlaps(boxes_[l]))
                 f(std::min(k, l), std::max(k, l));
+}
+
+template <class F>
+void BoxTree::for_each_at(const BoundingBox& box, F f) const {
+    Buffer<std::uint32_t> stack(allocator_);
+    if (!nodes_.empty()) stack.push_back(0);
+    while (!stack.empty()) {
+        const std::uint32_t number = stack.back();
+        const Node& node = nodes_[number];
+        stack.pop_back();
+        if (!node.box.overlaps(box)) continue;
+        if (node.second != 0) {
+            stack.push_back(node.second);
+            stack.push_back(number + 1);
+            continue;
+        }
+        for (std::uint32_t i = node.begin; i < node.end; ++i)
+            if (boxes_[order_[i]].overlaps(box)) f(order_[i]);
+    }
 }
 
 template <class F>

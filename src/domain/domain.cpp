@@ -153,7 +153,7 @@ void Domain::fail_open() const {
 }
 
 void Domain::check() const {
-    check_mesh(input_, mesh_, settings_.index_base, threads(), allocator_);
+    check_mesh(input_, mesh_, settings_.index_base, allocator_);
 }
 
 // Rounds the points of a complex to a grid. What is valid before and not afterwards is finer than

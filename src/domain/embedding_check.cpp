@@ -4,45 +4,106 @@
 #include <algorithm>
 
 #include "domain/pair_table.hpp"
+#include "parallel/disjoint_sets.hpp"
 #include "platform/error.hpp"
 #include "predicates/predicates.hpp"
 
 namespace mgdt {
 namespace {
 
+// The sheets of the faces that have a side without a tetrahedron. Faces are of one sheet if the
+// places near their free sides can be joined without passing a face with one free side.
+class Sheets {
+  public:
+    Sheets(const DomainMesh& mesh, Allocator& allocator)
+        : mesh_(mesh), edges_(allocator), sets_(allocator, mesh.face_facets.size()) {
+        for (std::uint32_t f = 0; f < mesh.face_facets.size(); ++f) {
+            if (free_sides(f) == 0) continue;
+            // The face, turned so that it appears counter-clockwise from a free side.
+            std::uint32_t v[3];
+            std::copy_n(mesh.faces.begin() + 3 * std::size_t{f}, 3, v);
+            if (mesh.face_tetrahedra[2 * std::size_t{f}] != DomainMesh::none) std::swap(v[1], v[2]);
+            for (int i = 0; i < 3; ++i) {
+                const std::uint32_t from = v[i], to = v[(i + 1) % 3];
+                edges_.push_back({std::min(from, to), std::max(from, to), f, from < to});
+            }
+        }
+        std::sort(edges_.begin(), edges_.end());
+        for (std::size_t i = 0, end = 0; i < edges_.size(); i = end) {
+            while (end < edges_.size() && edges_[end].a == edges_[i].a &&
+                   edges_[end].b == edges_[i].b)
+                ++end;
+            join(i, end);
+        }
+    }
+
+    // Calls f for one face of each sheet.
+    template <class F>
+    void for_each(F f) {
+        for (std::uint32_t face = 0; face < mesh_.face_facets.size(); ++face)
+            if (free_sides(face) > 0 && sets_.least(face) == face) f(face);
+    }
+
+  private:
+    struct Edge {
+        std::uint32_t a, b, face;
+        bool ascends;
+
+        friend bool operator<(const Edge& e, const Edge& f) {
+            return e.a != f.a ? e.a < f.a : e.b != f.b ? e.b < f.b : e.face < f.face;
+        }
+    };
+
+    int free_sides(std::uint32_t face) const {
+        const std::uint32_t* const sides = mesh_.face_tetrahedra.begin() + 2 * std::size_t{face};
+        return (sides[0] == DomainMesh::none ? 1 : 0) + (sides[1] == DomainMesh::none ? 1 : 0);
+    }
+    // Joins the faces at an edge: those that bound nothing, if there are no others, and two that
+    // pass the edge in opposite directions, so that their free sides face each other. What is not
+    // joined is looked at by itself.
+    void join(std::size_t begin, std::size_t end) {
+        std::size_t bounding = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            bounding += free_sides(edges_[i].face) == 1 ? 1 : 0;
+        const bool is_pair =
+            end - begin == 2 && bounding == 2 && edges_[begin].ascends != edges_[begin + 1].ascends;
+        if (bounding != 0 && !is_pair) return;
+        for (std::size_t i = begin + 1; i < end; ++i)
+            sets_.join(edges_[begin].face, edges_[i].face);
+    }
+
+    const DomainMesh& mesh_;
+    Buffer<Edge> edges_;
+    DisjointSets sets_;
+};
+
 class EmbeddingCheck {
   public:
     EmbeddingCheck(const Complex& complex, const DomainMesh& mesh, std::int32_t base,
-                   unsigned threads, Allocator& allocator)
-        : complex_(complex), mesh_(mesh), allocator_(allocator), base_(base), threads_(threads) {}
+                   Allocator& allocator)
+        : complex_(complex), mesh_(mesh), allocator_(allocator), base_(base) {}
 
     void run() {
-        const std::size_t n = mesh_.tetrahedron_count();
         Buffer<Simplex> outside(allocator_);
         collect_outside(outside);
         Buffer<BoundingBox> boxes(allocator_);
-        for (std::size_t t = 0; t < n; ++t) {
+        for (std::size_t t = 0; t < mesh_.tetrahedron_count(); ++t) {
             const std::uint32_t* const v = mesh_.tetrahedra.begin() + 4 * t;
             boxes.push_back(box_of(simplex(v, 3)));
             boxes.back().include(BoundingBox(exact(v[3])));
         }
-        for (const Simplex& s : outside) boxes.push_back(box_of(s));
         const Atomic<bool> never{false};
         const BoxTree tree(allocator_, boxes, StopRequest(never));
-        Team team(threads_);
-        tree.for_each_pair(team, [&](std::uint32_t i, std::uint32_t j, unsigned) {
-            if (i >= n || j < n) return;
-            const Simplex& s = outside[j - n];
-            if (is_met(i, s))
-                fail(MGDT_ERR_CHECK_FAILED,
-                     "tetrahedron %lld meets the surroundings of the domain at point %lld",
-                     number(i), number(s.number[0]));
-        });
+        for (const Simplex& s : outside)
+            tree.for_each_at(box_of(s), [&](std::uint32_t t) {
+                if (is_met(t, s))
+                    fail(MGDT_ERR_CHECK_FAILED,
+                         "tetrahedron %lld meets the surroundings of the domain at point %lld",
+                         number(t), number(s.number[0]));
+            });
     }
 
   private:
-    static constexpr std::uint32_t none = DomainMesh::none;
-
     long long number(std::size_t i) const { return static_cast<long long>(i) + base_; }
     const double* exact(std::uint32_t v) const {
         return mesh_.exact_points.begin() + 3 * std::size_t{v};
@@ -59,9 +120,9 @@ class EmbeddingCheck {
 
     // What no tetrahedron may meet.
     void collect_outside(Buffer<Simplex>& outside) {
-        for (std::size_t f = 0; f < mesh_.face_facets.size(); ++f)
-            if (mesh_.face_tetrahedra[2 * f] == none || mesh_.face_tetrahedra[2 * f + 1] == none)
-                outside.push_back(simplex(mesh_.faces.begin() + 3 * f, 3));
+        Sheets(mesh_, allocator_).for_each([&](std::uint32_t f) {
+            outside.push_back(simplex(mesh_.faces.begin() + 3 * std::size_t{f}, 3));
+        });
         Buffer<std::uint8_t> is_corner(allocator_);
         is_corner.resize(mesh_.points.size() / 3, std::uint8_t{0});
         PairTable segments(allocator_);
@@ -134,14 +195,13 @@ class EmbeddingCheck {
     const DomainMesh& mesh_;
     Allocator& allocator_;
     std::int32_t base_;
-    unsigned threads_;
 };
 
 }  // namespace
 
 void check_embedding(const Complex& complex, const DomainMesh& mesh, std::int32_t index_base,
-                     unsigned threads, Allocator& allocator) {
-    EmbeddingCheck(complex, mesh, index_base, threads, allocator).run();
+                     Allocator& allocator) {
+    EmbeddingCheck(complex, mesh, index_base, allocator).run();
 }
 
 }  // namespace mgdt

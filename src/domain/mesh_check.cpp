@@ -44,12 +44,11 @@ struct DirectedEdge {
 
 class MeshCheck {
   public:
-    MeshCheck(const DomainInput& input, const DomainMesh& mesh, std::int32_t base, unsigned threads,
+    MeshCheck(const DomainInput& input, const DomainMesh& mesh, std::int32_t base,
               Allocator& allocator)
         : mesh_(mesh),
           allocator_(allocator),
           base_(base),
-          threads_(threads),
           input_(input),
           complex_(make_complex(input, allocator)),
           grid_(input.points, mesh.grid_bits),
@@ -67,7 +66,7 @@ class MeshCheck {
         check_facets();
         check_segments();
         check_places();
-        check_embedding(complex_, mesh_, static_cast<std::int32_t>(base_), threads_, allocator_);
+        check_embedding(complex_, mesh_, static_cast<std::int32_t>(base_), allocator_);
     }
 
   private:
@@ -480,7 +479,6 @@ class MeshCheck {
     const DomainMesh& mesh_;
     Allocator& allocator_;
     std::int64_t base_;
-    unsigned threads_;
     const DomainInput& input_;
     Complex complex_;
     RoundingGrid grid_;
@@ -492,8 +490,8 @@ class MeshCheck {
 }  // namespace
 
 void check_mesh(const DomainInput& input, const DomainMesh& mesh, std::int32_t index_base,
-                unsigned threads, Allocator& allocator) {
-    MeshCheck(input, mesh, index_base, threads, allocator).run();
+                Allocator& allocator) {
+    MeshCheck(input, mesh, index_base, allocator).run();
 }
 
 }  // namespace mgdt

@@ -17,6 +17,6 @@ namespace mgdt {
 // Which of the parts that facets enclose are filled is not found anew. The input is valid. The
 // check uses nothing of what the build computed but the mesh.
 void check_mesh(const DomainInput& input, const DomainMesh& mesh, std::int32_t index_base,
-                unsigned threads, Allocator& allocator);
+                Allocator& allocator);
 
 }  // namespace mgdt
