@@ -10,8 +10,8 @@ usage: sh tests/models.sh [--no-install] [--only WORD] [--cdt PROGRAM] [--jobs N
 Collects some 500 surfaces from Debian and npm packages in build-tests/models, and prints what becomes of each:
 its points and facets, Steiner points and processor time of `mgdt mesh`, `tetgen -p` and, if it is given, the
 program of MarcoAttene/CDT. Valid surfaces have to be meshed, and the meshes to pass `mgdt mesh --check`; what
-`mgdt validate` lists of the others has to be what CGAL finds. Ends with a line "N passed, N failed". Takes
-an hour on one core, the first time 20 minutes more.
+`mgdt validate` lists of the others has to be what CGAL finds. Ends with a line "N passed, N failed". Takes a
+quarter of an hour on one core, the first time half an hour more.
 
   --no-install    install nothing; a missing package is a failure
   --only WORD     surfaces with this word in their names
