@@ -57,5 +57,6 @@ sh tests/models/collect.sh "$folder" >"$folder/log" 2>&1 || fail 'the collection
 grep '^not converted' "$folder/log"
 
 set -- "$folder" "$build/src/cli/mgdt" --pairs "$folder/facet_pairs" --only "$only"
+[ -n "$only" ] || set -- "$@" --least 480
 [ -z "$cdt" ] || set -- "$@" --cdt "$cdt"
 python3 tests/models/models.py "$@"

@@ -283,8 +283,8 @@ module mgdt_constants
     integer, parameter :: mgdt_domain_faces = 23
     ! 1 if the points that are returned are rounded.
     integer, parameter :: mgdt_domain_is_rounded = 24
-    ! Coordinates are rounded to multiples of 2^-bits of the largest one: 36, or 44 for a surface
-    ! with finer details, or 24 to 32 for one whose edges have to be divided very finely.
+    ! Coordinates are rounded to multiples of 2^-bits of the largest one: 36, or 44 or 40 for a
+    ! surface with finer details, or 24 to 32 for one whose edges have to be divided very finely.
     integer, parameter :: mgdt_domain_grid_bits = 25
     ! Facets, where those in one plane are joined.
     integer, parameter :: mgdt_domain_planar_facets = 30

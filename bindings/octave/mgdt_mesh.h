@@ -11,6 +11,7 @@ static mgdt_domain* domain;
 static int domain_is_busy; /* a progress function is running, which must not free it */
 
 static void close_domain(void) {
+    if (domain_is_busy) return;
     if (domain) mgdt.domain_destroy(domain);
     domain = NULL;
 }
@@ -144,14 +145,15 @@ static mxArray* domain_mesh(int count, const mxArray* const* given) {
     enum { n_arrays = sizeof arrays / sizeof *arrays };
     const char* names[n_arrays + 1];
     progress p = {NULL, NULL};
-    const mxArray *function, *is_checked;
+    const mxArray* function;
+    int is_checked;
     mxArray* result;
     mgdt_status status;
     int64_t is_rounded = 0;
     int k;
     if (count < domain_arguments + 2) bad_argument("a mesh needs more arguments");
     function = given[domain_arguments];
-    is_checked = given[domain_arguments + 1];
+    is_checked = number(given[domain_arguments + 1], "check") != 0;
     make_domain(count, given);
     if (!mxIsEmpty(function)) {
         p.function = mxDuplicateArray(function);
@@ -166,7 +168,7 @@ static mxArray* domain_mesh(int count, const mxArray* const* given) {
         mexCallMATLAB(0, NULL, 1, &p.problem, "rethrow");
     }
     ensure_domain(status);
-    if (number(is_checked, "check") != 0) ensure_domain(mgdt.domain_check(domain));
+    if (is_checked) ensure_domain(mgdt.domain_check(domain));
     ensure_domain(mgdt.domain_get_stat(domain, MGDT_DOMAIN_IS_ROUNDED, &is_rounded));
     for (k = 0; k < n_arrays; ++k) names[k] = arrays[k].name;
     names[n_arrays] = "is_rounded";

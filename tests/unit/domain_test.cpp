@@ -239,6 +239,20 @@ TEST(Domain, ChoosesAFinerOrACoarserGrid) {
     fine.point(0.3, 0.2, 0.1);
     fine.point(0.3 + 1e-12, 0.2, 0.1);
     EXPECT_EQ(bits_of(fine), 44);
+    {
+        // Places are in regions and holes on that grid as well.
+        Domain domain(nullptr, nullptr, nullptr);
+        give(domain, fine);
+        domain.add_region({{0.5, 0.5, 0.5}, 7});
+        domain.build();
+        domain.check();
+        ASSERT_EQ(domain.mesh().region_markers.size(), 1u);
+        EXPECT_EQ(domain.mesh().region_markers[0], 7);
+        domain.add_hole({{0.9, 0.5, 0.5}, 0});
+        domain.build();
+        domain.check();
+        EXPECT_EQ(domain.mesh().tetrahedron_count(), 0u);
+    }
     for (const double distance : {1e-3, 1e-7, 3e-8}) {
         Surface s = cube();
         const double a[3] = {0.0512341, 0.1000317, 0.2003411}, b[3] = {0.9123127, 0.8001231, 0.7};

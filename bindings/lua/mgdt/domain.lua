@@ -73,7 +73,10 @@ local function facets_of(facets, base)
     offsets[0] = base
     for k, facet in ipairs(facets) do
         if type(facet) ~= "table" then bad_argument("facets[%d] is no list of corners", k) end
-        for _, corner in ipairs(facet) do corners[#corners + 1] = corner end
+        for i = 1, table.maxn(facet) do
+            if facet[i] == nil then bad_argument("facets[%d][%d] is nil", k, i) end
+            corners[#corners + 1] = facet[i]
+        end
         offsets[k] = base + #corners
     end
     return #facets, offsets, list_of(corners, "the corners of facets", "int64_t")

@@ -245,7 +245,7 @@ class DomainMesh:
     segment_markers : s integers; 0 by default
     holes : (h, 3) array of places. What facets enclose around them stays empty
     regions : pairs of a place and a marker, such as ``[((0, 0, 0), 7)]``
-    rounded : whether `points` of the mesh are rounded to 2^-36 of the largest coordinate, so that
+    rounded : whether `points` of the mesh are rounded, mostly to 2^-36 of the largest coordinate, so that
         facets are covered exactly by what is returned
     threads : 0 for all cores
     memory_limit : bytes, 0 for none
