@@ -12,7 +12,8 @@ class StageProgress {
     StageProgress(mgdt_progress_fn tell, void* user, Atomic<bool>& cancelled)
         : tell_(tell), user_(user), cancelled_(cancelled) {}
 
-    // The stages that follow are all of what remains after a share of it.
+    // Passes this share of what remains. Stages that are entered later, from 0 to 1, divide the
+    // rest.
     void leave_behind(double share) { begin_ += share * (1 - begin_); }
     // Enters the next stage, in which the progress of the whole call goes from `from` to `to`.
     void enter(double from, double to) {

@@ -210,14 +210,15 @@ void Domain::run(StageProgress& progress) {
     try {
         stuck = mesh_on(RoundingGrid(input_.points, bits), false, std::move(complex), progress);
     } catch (const Error& e) {
-        // Fine details, and any of a surface with a stray point far away, need a finer grid.
+        // Rounding has made the boundary invalid: it has fine details, or a stray point far away.
         forgive(e);
         bits = RoundingGrid::most_bits;
         progress.leave_behind(0.1);
         stuck = try_again(bits, false);
     }
     const Stuck first = stuck;
-    // Longer parts may do. On a coarser grid segments have more points.
+    // First the rule against short parts is tried on the same grid, then coarser grids, on which a
+    // segment has more points at which it can be divided.
     for (bool is_same_grid = true; stuck && bits > RoundingGrid::least_bits; is_same_grid = false) {
         if (!is_same_grid) bits -= 4;
         progress.leave_behind(0.8);

@@ -50,18 +50,16 @@ def run(command: list[str], folder: Path, limit: float) -> Run:
 
 
 def read_off(path: Path) -> tuple[np.ndarray, list[list[int]]]:
-    lines = (line.split("#")[0].split() for line in path.read_text(encoding="utf-8", errors="replace").splitlines())
-    words = iter([word for line in lines for word in line])
+    lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+    rows = [row for row in (line.split("#")[0].split() for line in lines) if row]
+    words = iter([word for row in rows for word in row])
     kind = next(words)
     if not kind.endswith("OFF"):
         raise ValueError(f"{kind} is no OFF file that is read here")
     n, m, _ = (int(next(words)) for _ in range(3))
     width = 3 + 3 * ("N" in kind) + 4 * ("C" in kind)
     points = np.array([[float(next(words)) for _ in range(width)][:3] for _ in range(n)])
-    rest = path.read_text(encoding="utf-8", errors="replace").splitlines()
     # Colours may follow the corners of a facet, so facets are read by lines.
-    rows = [line.split("#")[0].split() for line in rest]
-    rows = [row for row in rows if row]
     facets = []
     for row in rows[-m:]:
         k = int(row[0])
