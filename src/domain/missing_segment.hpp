@@ -14,7 +14,7 @@ class MissingSegment {
     MissingSegment(const Triangulation& triangulation, Allocator& allocator);
 
     // Returns whether the segment between points a and b is missing, and finds reference() if it
-    // is.
+    // is. The time grows with the star of a; the result does not depend on the order of a and b.
     bool find(std::uint32_t a, std::uint32_t b);
     // Of the vertices of the tetrahedra that the missing segment meets, the point that sees the
     // segment at the largest angle, or the least such point.

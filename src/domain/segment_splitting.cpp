@@ -2,7 +2,7 @@
 #include "domain/segment_splitting.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "domain/missing_segment.hpp"
 #include "domain/split_place.hpp"
@@ -28,7 +28,8 @@ class Splitting {
           parts_(result_.parts),
           suspects_(allocator_),
           splits_(allocator_),
-          round_of_point_(allocator_),
+          degree_(allocator_),
+          touches_(allocator_),
           round_near_(allocator_),
           is_waiting_(allocator_) {}
 
@@ -40,7 +41,9 @@ class Splitting {
             suspects_.push_back(s);
             is_waiting_.push_back(0);
         }
-        round_of_point_.resize(points_.size() / 3, 0u);
+        degree_.resize(points_.size() / 3, 0u);
+        for (const std::uint32_t end : segments_) ++degree_[end];
+        touches_.resize(points_.size() / 3, Touches());
         round_near_.resize(points_.size() / 3, 0u);
         for (std::uint32_t round = 1; find_splits() && result_.stuck == none; ++round) {
             choose_splits(round);
@@ -60,6 +63,14 @@ class Splitting {
     struct Split {
         std::uint32_t part, reference, k;
     };
+    // How many splits of a round have a point as an end or as their reference point.
+    struct Touches {
+        std::uint32_t round = 0, wanted = 0, kept = 0;
+    };
+    std::array<std::uint32_t, 3> touched(const Split& split) const {
+        const Subsegment& s = parts_[split.part];
+        return {s.ends[0], s.ends[1], split.reference};
+    }
     const double* point(std::uint32_t v) const { return points_.begin() + 3 * std::size_t{v}; }
     DividedSegment divided(std::uint32_t segment) const {
         return {point(segments_[2 * std::size_t{segment}]),
@@ -74,7 +85,9 @@ class Splitting {
         for (const std::uint32_t part : suspects_) {
             stop_.poll_in_step(steps++);
             const Subsegment& s = parts_[part];
-            if (!search.find(s.ends[0], s.ends[1])) continue;
+            // From the end with fewer segments, whose star is smaller. The result is the same.
+            const unsigned from = degree_[s.ends[1]] < degree_[s.ends[0]] ? 1 : 0;
+            if (!search.find(s.ends[from], s.ends[1 - from])) continue;
             if (s.k1 - s.k0 < 2) result_.stuck = s.segment;
             if (result_.stuck != none) break;
             const std::uint32_t reference = search.reference();
@@ -90,20 +103,29 @@ class Splitting {
                            divided(s.segment).parts(), avoids_short_parts_);
     }
 
-    // Keeps of splits_ those that have no end and no reference point in common with an earlier one.
-    // The others wait for a later round.
+    // Keeps an independent set of splits_: each point may be an end or the reference point of one
+    // of them, since the place of a second would be chosen better after the first. Of many at one
+    // point, a sixteenth is kept, so that the number of rounds is logarithmic there. The others
+    // wait for a later round.
     void choose_splits(std::uint32_t round) {
+        constexpr std::uint32_t many = 16;
         suspects_.clear();
+        for (const Split& split : splits_)
+            for (const std::uint32_t v : touched(split)) {
+                Touches& touches = touches_[v];
+                if (touches.round != round) touches = {round, 0, 0};
+                ++touches.wanted;
+            }
         std::size_t kept = 0;
         for (const Split& split : splits_) {
-            const Subsegment& s = parts_[split.part];
-            const std::uint32_t touched[3] = {s.ends[0], s.ends[1], split.reference};
-            if (std::any_of(touched, touched + 3,
-                            [&](std::uint32_t v) { return round_of_point_[v] == round; })) {
+            const std::array<std::uint32_t, 3> points = touched(split);
+            if (std::any_of(points.begin(), points.end(), [&](std::uint32_t v) {
+                    return touches_[v].kept > touches_[v].wanted / many;
+                })) {
                 suspects_.push_back(split.part);
                 continue;
             }
-            for (const std::uint32_t v : touched) round_of_point_[v] = round;
+            for (const std::uint32_t v : points) ++touches_[v].kept;
             splits_[kept++] = split;
         }
         splits_.resize(kept);
@@ -118,7 +140,8 @@ class Splitting {
             points_.resize_within_capacity(points_.size() + 3);
             divided(s.segment).point(split.k, points_.end() - 3);
             result_.steiner.push_back({s.segment, split.k});
-            round_of_point_.push_back(0);
+            degree_.push_back(2);
+            touches_.push_back({});
             round_near_.push_back(0);
             is_waiting_.push_back(0);
             const Subsegment second = {{middle, s.ends[1]}, s.segment, split.k, s.k1};
@@ -178,9 +201,10 @@ class Splitting {
     Buffer<Subsegment>& parts_;
     Buffer<std::uint32_t> suspects_;  // subsegments that may be missing
     Buffer<Split> splits_;
-    Buffer<std::uint32_t> round_of_point_;  // the last round in which a point was touched
-    Buffer<std::uint32_t> round_near_;      // the last round in which it had a new neighbour
-    Buffer<std::uint8_t> is_waiting_;       // for each subsegment; all 0 between the steps
+    Buffer<std::uint32_t> degree_;      // the number of segments at each point
+    Buffer<Touches> touches_;           // for each point
+    Buffer<std::uint32_t> round_near_;  // the last round in which a point had a new neighbour
+    Buffer<std::uint8_t> is_waiting_;   // for each subsegment; all 0 between the steps
     std::uint32_t first_new_ = 0;
     double reached_ = 0.4;  // the progress of the build
     static constexpr double end_of_stage = 0.8;

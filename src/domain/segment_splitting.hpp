@@ -37,10 +37,10 @@ struct DividedSegments {
 // the end of `points`. No two segments meet except in common ends, and no point is inside of one.
 //
 // The rules are those of Si and Gaertner (Meshing piecewise linear complexes by constrained
-// Delaunay tetrahedralizations, 2005), with sets of segments that do not touch in each round. The
-// result depends on the points and on the segments alone. Their rule that avoids short parts is
-// optional: without it there are fewer points, but on few segments the parts become shorter and
-// shorter.
+// Delaunay tetrahedralizations, 2005), with sets of segments that do not touch in each round,
+// except at points where 16 or more have to be divided. The result depends on the points and on the
+// segments alone. Their rule that avoids short parts is optional: without it there are fewer
+// points, but on few segments the parts become shorter and shorter.
 DividedSegments split_segments(Triangulation& triangulation, Buffer<double>& points,
                                const Buffer<std::uint32_t>& segments, StageProgress& progress,
                                bool avoids_short_parts, const StopRequest& stop);

@@ -211,12 +211,12 @@ inline Surface chazelle(int n) {
     return s;
 }
 
-// Thin needles that meet at one point.
-inline Surface needles(int n) {
+// Thin needles that meet at one point, with random lengths from the shortest to 1.
+inline Surface needles(int n, double shortest = 1) {
     Surface s{"needles at a vertex"};
     const std::uint32_t o = s.point(0, 0, 0);
     std::mt19937 random(7);
-    std::uniform_real_distribution<double> place(-1, 1);
+    std::uniform_real_distribution<double> length(shortest, 1);
     double volume = 0;
     for (int i = 0; i < n; ++i) {
         // Directions on a spiral over the sphere, so that no two are near each other.
@@ -226,15 +226,15 @@ inline Surface needles(int n) {
         const double f[3] = {d[1] * e[2] - d[2] * e[1], d[2] * e[0] - d[0] * e[2],
                              d[0] * e[1] - d[1] * e[0]};
         std::uint32_t v[3];
-        const double width = 0.02, third = 2 * std::acos(-1.0) / 3;
+        const double h = length(random), width = 0.02, third = 2 * std::acos(-1.0) / 3;
         for (int k = 0; k < 3; ++k) {
             const double p = width * std::cos(third * k), q = width * std::sin(third * k);
-            v[k] = s.point(d[0] + p * e[0] + q * f[0], d[1] + p * e[1] + q * f[1],
-                           d[2] + p * e[2] + q * f[2]);
+            v[k] = s.point(h * (d[0] + p * e[0] + q * f[0]), h * (d[1] + p * e[1] + q * f[1]),
+                           h * (d[2] + p * e[2] + q * f[2]));
         }
         s.facet({v[0], v[1], v[2]});
         for (int k = 0; k < 3; ++k) s.facet({o, v[(k + 1) % 3], v[k]});
-        volume += std::sqrt(3.0) * 0.75 * width * width / 3;
+        volume += std::sqrt(3.0) * 0.75 * width * width / 3 * h * h * h;
     }
     s.volume = volume;
     s.regions = static_cast<std::size_t>(n);
@@ -441,6 +441,7 @@ inline std::vector<Surface> test_surfaces() {
                                 chazelle(5),
                                 needles(12),
                                 needles(40),
+                                needles(80, 0.3),
                                 dangling(),
                                 touching_cubes(),
                                 grains(3),
