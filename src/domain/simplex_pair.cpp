@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "predicates/predicates.hpp"
+#include "predicates/stages.hpp"
 
 namespace mgdt {
 namespace {
@@ -113,13 +114,54 @@ bool are_disjoint(const Simplex& a, const Simplex& b) {
     return a.size == 2 ? !segment_meets_triangle(a.x[0], a.x[1], b.x) : !triangles_meet(a.x, b.x);
 }
 
+// Whether two triangles, with `common` corners at the front in common, are on different sides of
+// the line through corners i and j of the first, as seen along an axis, so that the common ones are
+// all that they share. Only rounding may hide this.
+bool are_beside_line(const Simplex& a, const Simplex& b, int common, int i, int j) {
+    int own[3];
+    find_rough_turns(a.x[i], a.x[j], a.x[3 - i - j], own);
+    for (int k = common; k < 3; ++k) {
+        int other[3];
+        find_rough_turns(a.x[i], a.x[j], b.x[k], other);
+        for (int axis = 0; axis < 3; ++axis)
+            if (own[axis] * other[axis] >= 0) own[axis] = 0;
+    }
+    return own[0] != 0 || own[1] != 0 || own[2] != 0;
+}
+
+// Whether the other corners of b are on one side of the plane of the triangle a. Only rounding may
+// hide this.
+bool is_beside_plane(const Simplex& a, const Simplex& b, int common) {
+    int sides = 0;
+    for (int k = common; k < 3; ++k) {
+        const int side = exact::orientation_filter(a.x[0], a.x[1], a.x[2], b.x[k]);
+        if (side == exact::undecided) return false;
+        sides += side;
+    }
+    return sides == 3 - common || sides == common - 3;
+}
+
+// Ends most pairs of triangles without the exact stages of predicates, which are slow for triangles
+// in one plane.
+bool are_clearly_apart(const Simplex& a, const Simplex& b, int common) {
+    if (is_beside_plane(a, b, common)) return true;
+    if (common == 2) return are_beside_line(a, b, common, 0, 1);
+    for (int i = 0; i < 3; ++i)
+        for (int j = i + 1; j < 3; ++j) {
+            if (i >= common && common > 0) continue;
+            if (are_beside_line(a, b, common, i, j) || are_beside_line(b, a, common, i, j))
+                return true;
+        }
+    return false;
+}
+
 }  // namespace
 
 bool meet_in_common_face(const Simplex& first, const Simplex& second) {
     Simplex a = first, b = second;
     if (a.size > b.size) std::swap(a, b);
     const int common = bring_common_first(a, b);
-    if (common == a.size) return true;
+    if (common == a.size || (a.size == 3 && are_clearly_apart(a, b, common))) return true;
     if (common == 0) return are_disjoint(a, b);
     const Point at = a.x[0];
     if (b.size == 2)  // two segments with a common end: one must not go on in the other's direction

@@ -73,6 +73,15 @@ bool collinear(const double* a, const double* b, const double* c) {
     return s == exact::undecided ? exact::collinear_integer(a, b, c) : s == 0;
 }
 
+void find_rough_turns(const double* a, const double* b, const double* c, int (&turns)[3]) {
+    const auto v = exact::differences({b, c}, a);
+    turns[0] = exact::filtered(v, exact::collinear_bound, Cross<0>());
+    turns[1] = exact::filtered(v, exact::collinear_bound, Cross<1>());
+    turns[2] = exact::filtered(v, exact::collinear_bound, Cross<2>());
+    for (int& turn : turns)
+        if (turn == exact::undecided) turn = 0;
+}
+
 int compare_distance(const double* q, const double* a, const double* b) {
     // The vectors are a - q and b - q, whose squares are those of q - a and q - b.
     int s = square_filter(exact::differences({a, b}, q), exact::distance_bound);

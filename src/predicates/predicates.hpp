@@ -25,6 +25,10 @@ int side_of_sphere_perturbed(const double* a, const double* b, const double* c, 
 // Whether three points are on one line (equal points included).
 bool collinear(const double* a, const double* b, const double* c);
 
+// The signs of the three coordinates of (b - a) x (c - a): how a, b and c turn as seen along each
+// axis. They are not exact: 0 also stands for a sign that a filter leaves open.
+void find_rough_turns(const double* a, const double* b, const double* c, int (&turns)[3]);
+
 // Compares the coordinates x, then y, then z: the order of the perturbation. 0 equals -0.
 int compare_lexicographic(const double* a, const double* b);
 

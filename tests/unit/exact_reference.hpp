@@ -94,18 +94,20 @@ inline int side_of_sphere(const Point& a, const Point& b, const Point& c, const 
     return -sign_of_determinant(m);
 }
 
-inline bool collinear(const Point& a, const Point& b, const Point& c) {
+// The sign of coordinate `axis` of (b - a) x (c - a).
+inline int turn(const Point& a, const Point& b, const Point& c, std::size_t axis) {
     const std::vector<BigPoint> p = scaled({a, b, c});
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t x = k, y = (k + 1) % 3;
-        Big area = 0;  // of the projection, as a sum over the edges
-        for (std::size_t i = 0; i < 3; ++i) {
-            const BigPoint &u = p[i], &v = p[(i + 1) % 3];
-            area += u[x] * v[y] - u[y] * v[x];
-        }
-        if (area != 0) return false;
+    const std::size_t x = (axis + 1) % 3, y = (axis + 2) % 3;
+    Big area = 0;  // of the projection, as a sum over the edges
+    for (std::size_t i = 0; i < 3; ++i) {
+        const BigPoint &u = p[i], &v = p[(i + 1) % 3];
+        area += u[x] * v[y] - u[y] * v[x];
     }
-    return true;
+    return area.sign();
+}
+
+inline bool collinear(const Point& a, const Point& b, const Point& c) {
+    return turn(a, b, c, 0) == 0 && turn(a, b, c, 1) == 0 && turn(a, b, c, 2) == 0;
 }
 
 inline int compare_distance(const Point& q, const Point& a, const Point& b) {

@@ -55,6 +55,21 @@ TEST_P(Predicates, Collinear) {
     });
 }
 
+TEST_P(Predicates, RoughTurns) {
+    on_each(2000, [](const Five& p) {
+        int turns[3];
+        mgdt::find_rough_turns(p[0].data(), p[1].data(), p[2].data(), turns);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (turns[axis] != 0) {
+                EXPECT_EQ(turns[axis], reference::turn(p[0], p[1], p[2], axis));
+            }
+    });
+    const double a[3] = {0, 0, 0}, b[3] = {1, 2, 4}, c[3] = {8, -1, 2};
+    int turns[3];
+    mgdt::find_rough_turns(a, b, c, turns);
+    EXPECT_TRUE(turns[0] == 1 && turns[1] == 1 && turns[2] == -1);
+}
+
 TEST_P(Predicates, CompareDistance) {
     on_each(2000, [](const Five& p) {
         EXPECT_EQ(mgdt::compare_distance(p[0].data(), p[1].data(), p[2].data()),
