@@ -197,8 +197,8 @@ void Domain::run(StageProgress& progress) {
     Complex complex = make_complex(input_, allocator_);
     require_valid(complex, MGDT_ERR_INVALID_BOUNDARY, "");
     open_edges_ = mgdt::open_edges(complex, allocator_);
-    const auto try_again = [&](int bits, bool avoids_short_parts) {
-        return mesh_on(RoundingGrid(input_.points, bits), avoids_short_parts,
+    const auto try_again = [&](int bits, bool avoids_short_parts, bool may_take_long) {
+        return mesh_on(RoundingGrid(input_.points, bits), avoids_short_parts, may_take_long,
                        make_complex(input_, allocator_), progress);
     };
     const auto forgive = [&](const Error& e) {
@@ -208,30 +208,38 @@ void Domain::run(StageProgress& progress) {
     int bits = RoundingGrid::usual_bits;
     Stuck stuck;
     try {
-        stuck = mesh_on(RoundingGrid(input_.points, bits), false, std::move(complex), progress);
+        stuck =
+            mesh_on(RoundingGrid(input_.points, bits), false, false, std::move(complex), progress);
     } catch (const Error& e) {
         // Rounding has made the boundary invalid: it has fine details, or a stray point far away.
         forgive(e);
         bits = RoundingGrid::most_bits;
         progress.leave_behind(0.1);
-        stuck = try_again(bits, false);
+        stuck = try_again(bits, false, false);
     }
     const Stuck first = stuck;
+    int slow_bits = stuck && stuck->takes_long ? bits : 0;
     // First the rule against short parts is tried on the same grid, then coarser grids, on which a
     // segment has more points at which it can be divided.
     for (bool is_same_grid = true; stuck && bits > RoundingGrid::least_bits; is_same_grid = false) {
         if (!is_same_grid) bits -= 4;
         progress.leave_behind(0.8);
         try {
-            stuck = try_again(bits, true);
+            stuck = try_again(bits, true, false);
         } catch (const Error& e) {
             forgive(e);
             break;
         }
+        if (stuck && stuck->takes_long) slow_bits = bits;
+    }
+    // The coarsest grid on which it took too long may suffice after all.
+    if (stuck && slow_bits != 0) {
+        progress.leave_behind(0.8);
+        stuck = try_again(slow_bits, true, true);
     }
     if (!stuck) return;
     const auto number = [&](std::size_t k) {
-        return static_cast<long long>((*first)[k]) + settings_.index_base;
+        return static_cast<long long>(first->ends[k]) + settings_.index_base;
     };
     fail(MGDT_ERR_RESOLUTION,
          "the segment from point %lld to point %lld needs points nearer to each other than double "
@@ -241,8 +249,8 @@ void Domain::run(StageProgress& progress) {
 
 // Makes the mesh of a valid complex with points on a grid. If a segment would have to be divided
 // more finely than doubles can, there is no mesh, and the result is its ends.
-Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, bool avoids_short_parts, Complex complex,
-                              StageProgress& progress) {
+Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, bool avoids_short_parts, bool may_take_long,
+                              Complex complex, StageProgress& progress) {
     const StopRequest stop(cancelled_);
     forget_mesh();
     progress.enter(0, 0.1);
@@ -266,13 +274,13 @@ Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, bool avoids_short_parts,
     DividedSegments segments(allocator_);
     if (triangulation.dimension() == 3)
         segments = split_segments(triangulation, points, facets.segments, progress,
-                                  avoids_short_parts, stop);
+                                  avoids_short_parts, may_take_long, stop);
     if (segments.stuck != DividedSegments::none) {
         const auto end = [&](std::size_t k) {
             const std::uint32_t v = facets.segments[2 * std::size_t{segments.stuck} + k];
             return complex.point_of_number[v];
         };
-        return std::array<std::uint32_t, 2>{end(0), end(1)};
+        return StuckSegment{{end(0), end(1)}, segments.takes_long};
     }
     progress.enter(0.8, 0.9);
     ConstrainedMesh mesh(triangulation, points, allocator_);

@@ -6,7 +6,6 @@
 // facets into a copy of it (facet_insertion.cpp), and keeps what is inside (regions.cpp).
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "core/stage_progress.hpp"
@@ -96,10 +95,14 @@ class Domain {
     void require_valid(const Complex& complex, mgdt_status otherwise, const char* where);
     [[noreturn]] void fail_open() const;
     void round(const RoundingGrid& grid, Complex& complex);
-    // The ends of a segment, if there are any.
-    using Stuck = std::optional<std::array<std::uint32_t, 2>>;
-    Stuck mesh_on(const RoundingGrid& grid, bool avoids_short_parts, Complex complex,
-                  StageProgress& progress);
+    // A segment that could not be divided often enough, or not soon enough.
+    struct StuckSegment {
+        std::uint32_t ends[2];
+        bool takes_long;
+    };
+    using Stuck = std::optional<StuckSegment>;
+    Stuck mesh_on(const RoundingGrid& grid, bool avoids_short_parts, bool may_take_long,
+                  Complex complex, StageProgress& progress);
     unsigned threads() const noexcept;
 
     mutable Allocator allocator_;

@@ -15,13 +15,14 @@ class Splitting {
   public:
     Splitting(Triangulation& triangulation, Buffer<double>& points,
               const Buffer<std::uint32_t>& segments, StageProgress& progress,
-              bool avoids_short_parts, const StopRequest& stop)
+              bool avoids_short_parts, bool may_take_long, const StopRequest& stop)
         : allocator_(triangulation.allocator()),
           triangulation_(triangulation),
           points_(points),
           segments_(segments),
           progress_(progress),
           avoids_short_parts_(avoids_short_parts),
+          may_take_long_(may_take_long),
           stop_(stop),
           acute_(find_acute_ends(points, segments, allocator_)),
           result_(allocator_),
@@ -31,21 +32,32 @@ class Splitting {
           degree_(allocator_),
           touches_(allocator_),
           round_near_(allocator_),
-          is_waiting_(allocator_) {}
+          near_(allocator_),
+          is_suspect_(allocator_),
+          first_part_(allocator_),
+          parts_of_(allocator_),
+          last_of_segment_(allocator_) {}
 
     DividedSegments run() {
+        degree_.resize(points_.size() / 3, 0u);
+        for (const std::uint32_t end : segments_) ++degree_[end];
         const std::size_t n = segments_.size() / 2;
         for (std::uint32_t s = 0; s < n; ++s) {
             const DividedSegment divided = this->divided(s);
             parts_.push_back({{segments_[2 * s], segments_[2 * s + 1]}, s, 0, divided.parts()});
             suspects_.push_back(s);
-            is_waiting_.push_back(0);
+            is_suspect_.push_back(1);
         }
-        degree_.resize(points_.size() / 3, 0u);
-        for (const std::uint32_t end : segments_) ++degree_[end];
+        list_parts();
         touches_.resize(points_.size() / 3, Touches());
         round_near_.resize(points_.size() / 3, 0u);
         for (std::uint32_t round = 1; find_splits() && result_.stuck == none; ++round) {
+            if (!may_take_long_ && round > many_rounds &&
+                result_.steiner.size() / many_times > degree_.size() - result_.steiner.size()) {
+                result_.stuck = parts_[splits_[0].part].segment;
+                result_.takes_long = true;
+                break;
+            }
             choose_splits(round);
             insert();
             find_suspects(round);
@@ -58,6 +70,9 @@ class Splitting {
 
   private:
     static constexpr std::uint32_t none = DividedSegments::none;
+    // Nearly all surfaces take less than a hundred rounds, and less than 30 times as many points as
+    // they have.
+    static constexpr std::uint32_t many_rounds = 1000, many_times = 40;
 
     // Where to divide a subsegment that is no edge.
     struct Split {
@@ -84,6 +99,7 @@ class Splitting {
         std::size_t steps = 0;
         for (const std::uint32_t part : suspects_) {
             stop_.poll_in_step(steps++);
+            is_suspect_[part] = 0;
             const Subsegment& s = parts_[part];
             // From the end with fewer segments, whose star is smaller. The result is the same.
             const unsigned from = degree_[s.ends[1]] < degree_[s.ends[0]] ? 1 : 0;
@@ -123,6 +139,7 @@ class Splitting {
                     return touches_[v].kept > touches_[v].wanted / many;
                 })) {
                 suspects_.push_back(split.part);
+                is_suspect_[split.part] = 1;
                 continue;
             }
             for (const std::uint32_t v : points) ++touches_[v].kept;
@@ -143,12 +160,22 @@ class Splitting {
             degree_.push_back(2);
             touches_.push_back({});
             round_near_.push_back(0);
-            is_waiting_.push_back(0);
             const Subsegment second = {{middle, s.ends[1]}, s.segment, split.k, s.k1};
+            const auto number = static_cast<std::uint32_t>(parts_.size());
+            // The second part takes the place of the whole one at their common end.
+            const std::uint32_t at = s.k1 == divided(s.segment).parts()
+                                         ? last_of_segment_[s.segment]
+                                         : first_part_[s.ends[1]];
+            parts_of_[at] = number;
+            parts_of_.push_back(split.part);
+            parts_of_.push_back(number);
+            first_part_.push_back(static_cast<std::uint32_t>(parts_of_.size()));
             s.ends[1] = middle;
             s.k1 = split.k;
             suspects_.push_back(split.part);
-            suspects_.push_back(static_cast<std::uint32_t>(parts_.size()));
+            is_suspect_[split.part] = 1;
+            suspects_.push_back(number);
+            is_suspect_.push_back(1);
             parts_.push_back(second);
         }
         const double* const first = point(first_new_);
@@ -177,15 +204,40 @@ class Splitting {
                           [&](FacetCode facet) { star.push(tetrahedron_of(facet)); });
             for (std::size_t i = 0; i < star.size(); ++i)
                 for (const VertexId u : mesh.tetrahedra[star[i]].v)
-                    if (u != infinite_vertex) round_near_[mesh.vertices[u].index] = round;
+                    if (u != infinite_vertex) note_near(mesh.vertices[u].index, round);
         }
-        for (const std::uint32_t part : suspects_) is_waiting_[part] = 1;
-        for (std::uint32_t part = 0; part < parts_.size(); ++part) {
-            const std::uint32_t* const ends = parts_[part].ends;
-            if (is_waiting_[part] != 0)
-                is_waiting_[part] = 0;
-            else if (round_near_[ends[0]] == round && round_near_[ends[1]] == round)
+        const std::size_t first_found = suspects_.size();
+        for (const std::uint32_t v : near_)
+            for (std::uint32_t i = first_part_[v]; i < first_part_[v + 1]; ++i) {
+                const std::uint32_t part = parts_of_[i], *const ends = parts_[part].ends;
+                if (is_suspect_[part] != 0 || round_near_[ends[0]] != round ||
+                    round_near_[ends[1]] != round)
+                    continue;
+                is_suspect_[part] = 1;
                 suspects_.push_back(part);
+            }
+        near_.clear();
+        // The order of near_ depends on how tetrahedra are stored.
+        std::sort(suspects_.begin() + first_found, suspects_.end());
+    }
+    void note_near(std::uint32_t v, std::uint32_t round) {
+        if (round_near_[v] == round) return;
+        round_near_[v] = round;
+        near_.push_back(v);
+    }
+    // Lists the parts at each point: at first, its segments.
+    void list_parts() {
+        first_part_.resize(degree_.size() + 1, 0u);
+        for (std::size_t v = 0; v < degree_.size(); ++v)
+            first_part_[v + 1] = first_part_[v] + degree_[v];
+        parts_of_.resize(segments_.size());
+        Buffer<std::uint32_t> next(allocator_);
+        next.resize(degree_.size(), 0u);
+        last_of_segment_.resize(segments_.size() / 2);
+        for (std::size_t i = 0; i < segments_.size(); ++i) {
+            const std::uint32_t v = segments_[i], at = first_part_[v] + next[v]++;
+            parts_of_[at] = static_cast<std::uint32_t>(i / 2);
+            if (i % 2 == 1) last_of_segment_[i / 2] = at;
         }
     }
 
@@ -195,6 +247,7 @@ class Splitting {
     const Buffer<std::uint32_t>& segments_;
     StageProgress& progress_;
     const bool avoids_short_parts_;
+    const bool may_take_long_;
     const StopRequest stop_;
     const Buffer<std::uint8_t> acute_;  // for each end of each segment
     DividedSegments result_;
@@ -204,7 +257,12 @@ class Splitting {
     Buffer<std::uint32_t> degree_;      // the number of segments at each point
     Buffer<Touches> touches_;           // for each point
     Buffer<std::uint32_t> round_near_;  // the last round in which a point had a new neighbour
-    Buffer<std::uint8_t> is_waiting_;   // for each subsegment; all 0 between the steps
+    Buffer<std::uint32_t> near_;        // the points that had one in this round
+    Buffer<std::uint8_t> is_suspect_;   // for each subsegment, whether suspects_ has it
+    // For each point the parts that end there: parts_of_[first_part_[v]] to
+    // parts_of_[first_part_[v + 1] - 1]. For a point that was put on a segment, the one before it
+    // comes first. For each segment, where parts_of_ has its last part at the second end.
+    Buffer<std::uint32_t> first_part_, parts_of_, last_of_segment_;
     std::uint32_t first_new_ = 0;
     double reached_ = 0.4;  // the progress of the build
     static constexpr double end_of_stage = 0.8;
@@ -214,8 +272,11 @@ class Splitting {
 
 DividedSegments split_segments(Triangulation& triangulation, Buffer<double>& points,
                                const Buffer<std::uint32_t>& segments, StageProgress& progress,
-                               bool avoids_short_parts, const StopRequest& stop) {
-    return Splitting(triangulation, points, segments, progress, avoids_short_parts, stop).run();
+                               bool avoids_short_parts, bool may_take_long,
+                               const StopRequest& stop) {
+    return Splitting(triangulation, points, segments, progress, avoids_short_parts, may_take_long,
+                     stop)
+        .run();
 }
 
 }  // namespace mgdt

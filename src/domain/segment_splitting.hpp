@@ -28,8 +28,10 @@ struct DividedSegments {
 
     Buffer<Subsegment> parts;
     Buffer<SteinerPoint> steiner;
-    // A segment that has no point left at which it can be divided; then the rest is not complete.
+    // A segment that has no point left at which it can be divided, or one that is missing after
+    // many rounds with many points; then the rest is not complete.
     std::uint32_t stuck = none;
+    bool takes_long = false;  // whether the latter was the reason
 };
 
 // `points` are integers, three for each point (domain/rounding_grid.hpp), and `triangulation` has
@@ -40,9 +42,11 @@ struct DividedSegments {
 // Delaunay tetrahedralizations, 2005), with sets of segments that do not touch in each round,
 // except at points where 16 or more have to be divided. The result depends on the points and on the
 // segments alone. Their rule that avoids short parts is optional: without it there are fewer
-// points, but on few segments the parts become shorter and shorter.
+// points, but on few segments the parts become shorter and shorter. On some grids that takes very
+// long, so the function gives up unless it may.
 DividedSegments split_segments(Triangulation& triangulation, Buffer<double>& points,
                                const Buffer<std::uint32_t>& segments, StageProgress& progress,
-                               bool avoids_short_parts, const StopRequest& stop);
+                               bool avoids_short_parts, bool may_take_long,
+                               const StopRequest& stop);
 
 }  // namespace mgdt
