@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: MIT
+#include "periodic/halo.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/circumsphere.hpp"
+#include "mesh/scale.hpp"
+#include "mesh/star_traversal.hpp"
+#include "periodic/point_tree.hpp"
+#include "predicates/circumcenter.hpp"
+#include "predicates/predicates.hpp"
+#include "query/locate.hpp"
+#include "query/visit_queue.hpp"
+
+namespace mgdt {
+namespace {
+
+std::uint32_t hash_of(const Image& image) {
+    std::uint32_t of;
+    std::memcpy(&of, image.of, sizeof of);
+    std::uint64_t h = (std::uint64_t{image.point} << 32 | of) * 0x9E3779B97F4A7C15u;
+    h ^= h >> 29;
+    return static_cast<std::uint32_t>((h * 0xBF58476D1CE4E5B9u) >> 32);
+}
+
+bool are_equal(const Image& a, const Image& b) {
+    return a.point == b.point && std::equal(a.of, a.of + 3, b.of);
+}
+
+Image image_of(std::uint32_t point, const Multiples& k) {
+    return {point,
+            {static_cast<std::int8_t>(k[0]), static_cast<std::int8_t>(k[1]),
+             static_cast<std::int8_t>(k[2]), 0}};
+}
+
+// An image whose coordinates exceed the box by more than this share of a vector is not in a shell.
+constexpr double widest_shell = 0.95;
+// Coordinates of nearby places along the vectors of a lattice differ from the true ones by less,
+// times the slope and the longest vector.
+constexpr double coordinate_error = 0x1p-40;
+// Of all images of a point, the nearest to a place is within this many vectors of it, and so is a
+// place in the cell of a lattice point (docs/theory.md, "Periodic boxes").
+constexpr double nearest_range = 1.5;
+
+}  // namespace
+
+// One round: looks at tetrahedra, collects their balls and finds the images in the balls.
+class Halo::Round {
+  public:
+    Round(Halo& halo, std::size_t most_requests, const StopRequest& stop)
+        : halo_(halo),
+          mesh_(halo.triangulation_->mesh()),
+          stop_(stop),
+          balls_(halo.allocator_),
+          most_requests_(most_requests) {
+        const BoxLattice& lattice = *halo.lattice_;
+        for (unsigned k = 0; k < 3; ++k) {
+            error_[k] = coordinate_error * lattice.slope(k) * 2 * lattice.covering_radius();
+            low_[k] = -halo.shell_[k] + error_[k];
+            high_[k] = 1 + halo.shell_[k] - error_[k];
+        }
+    }
+
+    // All tetrahedra that have points of the box as corners.
+    void look_at_all() {
+        for (TetId t = 0; t < mesh_.tetrahedra.size(); ++t) {
+            stop_.poll_in_step(t);
+            if (!mesh_.tetrahedra[t].is_dead()) look_at(t);
+        }
+    }
+    // Those that have a point with an index of at least `first` too.
+    void look_at_stars(std::size_t first) {
+        const Triangulation& triangulation = *halo_.triangulation_;
+        const Locator where = {mesh_, triangulation.calls(), nullptr};
+        VisitQueue star(halo_.allocator_);
+        for (std::size_t p = first; p < halo_.point_count(); ++p) {
+            stop_.poll_in_step(p);
+            const VertexId v = triangulation.point_map()[p];
+            if (mesh_.vertices[v].index != p) continue;
+            star.clear();
+            star.push(where.tetrahedron_of(v));
+            traverse_star(mesh_, v, star,
+                          [&](FacetCode facet) { star.push(tetrahedron_of(facet)); });
+            for (std::size_t i = 0; i < star.size(); ++i) look_at(star[i]);
+        }
+    }
+    // Whether tetrahedra were not looked at, since their points had to get their basic images
+    // first.
+    bool is_preliminary() const { return is_preliminary_; }
+
+    // Adds the images of a point that bound the cell of a lattice point.
+    void add_basic_images(std::uint32_t point) {
+        halo_.basic_round_[point] = halo_.rounds_ + 1;
+        const unsigned subsets = 1u << halo_.lattice_->dimensions();
+        for (unsigned subset = 1; subset < subsets; ++subset) {
+            Multiples k = {};
+            for (unsigned i = 0; i < 3; ++i) k[i] = static_cast<std::int32_t>(subset >> i & 1);
+            halo_.add(image_of(point, k));
+            halo_.add(image_of(point, -k));
+        }
+    }
+    // Adds the images in the balls to the halo's list.
+    void find_images() {
+        if (balls_.empty()) return;
+        collect_candidates();
+        for (std::size_t i = 0; i < balls_.size(); ++i) {
+            stop_.poll_in_step(i);
+            find_in(balls_[i]);
+        }
+    }
+
+  private:
+    struct Ball {
+        TetId tetrahedron;
+        std::uint32_t point;  // a corner in the box
+        double center[3], radius;
+    };
+
+    void look_at(TetId t) {
+        const Tetrahedron& tetrahedron = mesh_.tetrahedra[t];
+        const bool is_ghost = tetrahedron.is_ghost();
+        if (!is_ghost && is_in_shell(t)) return;
+        std::uint32_t own[4];
+        unsigned count = 0;
+        for (const VertexId v : tetrahedron.v)
+            if (v != infinite_vertex && halo_.is_own(mesh_.vertices[v].index))
+                own[count++] = mesh_.vertices[v].index;
+        if (count == 0) return;
+        Ball ball = {t, own[0], {}, infinity};
+        if (!is_ghost) set(ball);
+        if (is_ghost || !is_above_cell(ball)) {
+            bool is_ready = true;
+            for (unsigned i = 0; i < count; ++i)
+                is_ready = request_basic_images(own[i]) && is_ready;
+            if (!is_ready) is_preliminary_ = true;
+            if (!is_ready || is_ghost) return;
+        }
+        balls_.push_back(ball);
+    }
+    // Whether the basic images of a point were known before this round. A few points get theirs if
+    // they were not; the others may not need them after that.
+    bool request_basic_images(std::uint32_t point) {
+        if (halo_.basic_round_[point] != 0) return halo_.basic_round_[point] <= halo_.rounds_;
+        if (requests_ < most_requests_) {
+            ++requests_;
+            add_basic_images(point);
+        }
+        return false;
+    }
+    // Whether the ball of a tetrahedron is in the shell, where all images are known.
+    bool is_in_shell(TetId t) const {
+        const Tetrahedron& tetrahedron = mesh_.tetrahedra[t];
+        const Sphere s = mesh_.tetrahedra.has_spheres()
+                             ? mesh_.tetrahedra.sphere(t).in_doubles()
+                             : circumsphere(tetrahedron, mesh_.vertices.data());
+        const double* const base = mesh_.point(tetrahedron.v[0]);
+        double center[3], square = 0;
+        for (unsigned c = 0; c < 3; ++c) {
+            const double half = 0.5 * s.w[c], size = std::fabs(half) + s.e;
+            center[c] = scaled(base[c] + half, -mesh_.scale);
+            square += size * size;
+        }
+        // The error of the centre is at most that of w, a part of the radius that is added to it.
+        const double radius = scaled(std::sqrt(square) * (1 + 0x1p-20) + 2 * s.e, -mesh_.scale);
+        return is_in_shell(center, radius);
+    }
+    bool is_in_shell(const double* center, double radius) const {
+        double s[3];
+        halo_.lattice_->coordinates(center, s);
+        for (unsigned k = 0; k < halo_.lattice_->dimensions(); ++k) {
+            const double reach = radius * halo_.lattice_->slope(k);
+            if (!(s[k] - reach > low_[k] && s[k] + reach < high_[k])) return false;
+        }
+        return true;
+    }
+    void set(Ball& ball) const {
+        const Tetrahedron& t = mesh_.tetrahedra[ball.tetrahedron];
+        const Circumcenter c = circumcenter(
+            {mesh_.point(t.v[0]), mesh_.point(t.v[1]), mesh_.point(t.v[2]), mesh_.point(t.v[3])},
+            mesh_.scale);
+        std::copy_n(c.x, 3, ball.center);
+        ball.radius = std::sqrt(c.radius2) * (1 + 0x1p-50);
+    }
+    // Whether the centre may be in the cell that the basic images leave to the point, or above that
+    // cell in a slab or beside a wire. False for a centre so far away that its coordinates are
+    // rough.
+    bool is_above_cell(const Ball& ball) const {
+        const BoxLattice& lattice = *halo_.lattice_;
+        if (!(ball.radius <= 0x1p20 * lattice.covering_radius())) return false;
+        double center[3], point[3];
+        lattice.coordinates(ball.center, center);
+        lattice.coordinates(halo_.point(ball.point), point);
+        for (unsigned k = 0; k < lattice.dimensions(); ++k)
+            if (!(std::fabs(center[k] - point[k]) <= nearest_range + error_[k])) return false;
+        return true;
+    }
+
+    // The range of coordinates along the vectors in which images of a ball are looked for: in the
+    // ball, and near enough to its centre to be the nearest image of a point.
+    void range_of(const Ball& ball, double (&low)[3], double (&high)[3]) const {
+        const BoxLattice& lattice = *halo_.lattice_;
+        // A distant centre is above the cell too, when the basic images are known.
+        const bool is_near = is_above_cell(ball);
+        double s[3];
+        lattice.coordinates(is_near ? ball.center : halo_.point(ball.point), s);
+        for (unsigned k = 0; k < lattice.dimensions(); ++k) {
+            const double reach = (is_near ? std::min(ball.radius * lattice.slope(k), nearest_range)
+                                          : 2 * nearest_range) +
+                                 error_[k];
+            low[k] = s[k] - reach;
+            high[k] = s[k] + reach;
+        }
+    }
+    // The points of the box that have images in the range of a ball, but not in the shell.
+    void collect_candidates() {
+        const unsigned dimensions = halo_.lattice_->dimensions();
+        double low[3], high[3];
+        std::fill_n(low, 3, infinity);
+        std::fill_n(high, 3, -infinity);
+        for (const Ball& ball : balls_) {
+            double from[3], to[3];
+            range_of(ball, from, to);
+            for (unsigned k = 0; k < dimensions; ++k) {
+                low[k] = std::min(low[k], from[k]);
+                high[k] = std::max(high[k], to[k]);
+            }
+        }
+        for (std::uint32_t p = 0; p < halo_.own_; ++p) {
+            double s[3];
+            halo_.lattice_->coordinates(halo_.point(p), s);
+            bool is_candidate = false;
+            for (unsigned k = 0; k < dimensions; ++k)
+                is_candidate = is_candidate || (s[k] + 1 >= high_[k] && s[k] + 1 <= high[k]) ||
+                               (s[k] - 1 <= low_[k] && s[k] - 1 >= low[k]) || high[k] >= 2 ||
+                               low[k] <= -1;
+            const auto repeats_another = [&] {
+                return mesh_.vertices[halo_.triangulation_->point_map()[p]].index != p;
+            };
+            if (!is_candidate || repeats_another()) continue;
+            candidates_.push(p, halo_.point(p));
+        }
+        candidates_.make(stop_);
+    }
+
+    // Calls visit(k, place) for the images whose range the ball may meet, with the place of its
+    // centre among the points of the box.
+    template <class Visit>
+    void each_shift(const Ball& ball, const Visit& visit) const {
+        double low[3] = {}, high[3] = {};
+        range_of(ball, low, high);
+        // A point of the box has coordinates from 0 to 1.
+        std::int32_t first[3] = {}, last[3] = {};
+        for (unsigned k = 0; k < halo_.lattice_->dimensions(); ++k) {
+            first[k] = static_cast<std::int32_t>(std::ceil(low[k] - 1 - error_[k]));
+            last[k] = static_cast<std::int32_t>(std::floor(high[k] + error_[k]));
+        }
+        const double origin[3] = {};
+        Multiples k;
+        for (k[0] = first[0]; k[0] <= last[0]; ++k[0])
+            for (k[1] = first[1]; k[1] <= last[1]; ++k[1])
+                for (k[2] = first[2]; k[2] <= last[2]; ++k[2]) {
+                    if (k == Multiples{}) continue;
+                    double step[3], place[3];
+                    halo_.grid_->image(origin, k, step);
+                    for (unsigned c = 0; c < 3; ++c) place[c] = ball.center[c] - step[c];
+                    visit(k, place);
+                }
+    }
+    // Adds the image that is nearest to the centre, if it is clearly in the ball. Then those that
+    // are in the ball with it can wait for a later round. If there is none, adds those that are on
+    // the sphere, or in it by less than what rounding hides.
+    void find_in(const Ball& ball) {
+        constexpr double slack = 0x1p-30;
+        const double most = ball.radius * ball.radius;
+        double square = most * (1 - slack);
+        std::uint32_t nearest = 0;
+        Multiples of_nearest = {};
+        each_shift(ball, [&](const Multiples& k, const double* place) {
+            const double before = square;
+            candidates_.find_nearest(place, square, nearest);
+            if (square < before) of_nearest = k;
+        });
+        if (of_nearest != Multiples{}) {
+            halo_.add(image_of(nearest, of_nearest));
+            return;
+        }
+        const Tetrahedron& t = mesh_.tetrahedra[ball.tetrahedron];
+        const auto corner = [&](unsigned i) { return halo_.point(mesh_.vertices[t.v[i]].index); };
+        const auto add_if_inside = [&](std::uint32_t point, const Multiples& k) {
+            double x[3];
+            halo_.grid_->image(halo_.point(point), k, x);
+            if (side_of_sphere(corner(0), corner(1), corner(2), corner(3), x) >= 0)
+                halo_.add(image_of(point, k));
+        };
+        each_shift(ball, [&](const Multiples& k, const double* place) {
+            candidates_.for_each_near(place, most * (1 + slack),
+                                      [&](std::uint32_t point) { add_if_inside(point, k); });
+        });
+    }
+
+    Halo& halo_;
+    const Mesh& mesh_;
+    const StopRequest& stop_;
+    Buffer<Ball> balls_;
+    const std::size_t most_requests_;
+    std::size_t requests_ = 0;
+    PointTree candidates_{halo_.allocator_};
+    double error_[3], low_[3], high_[3];
+    bool is_preliminary_ = false;
+};
+
+void Halo::clear() noexcept {
+    triangulation_.reset();
+    points_.reset();
+    images_.reset();
+    known_.reset();
+    basic_round_.reset();
+    own_ = 0;
+    rounds_ = 0;
+}
+
+// Adds an image to the list unless it is known. Returns whether it is new.
+bool Halo::add(const Image& image) {
+    known_.reserve(images_.size() + 1);
+    const std::uint32_t number = known_.number(
+        hash_of(image), [&](std::uint32_t i) { return are_equal(images_[i], image); });
+    if (number < images_.size()) return false;
+    images_.push_back(image);
+    points_.grow(points_.size() + 3);
+    points_.resize_within_capacity(points_.size() + 3);
+    double x[3];
+    grid_->image(point(image.point), image.multiples(), x);
+    std::copy_n(x, 3, points_.end() - 3);
+    return true;
+}
+
+// All images in a shell around the box that is about twice as wide as the points are apart.
+void Halo::add_first_halo() {
+    const unsigned dimensions = lattice_->dimensions();
+    double low[3], high[3];
+    std::fill_n(low, 3, infinity);
+    std::fill_n(high, 3, -infinity);
+    for (std::uint32_t p = 0; p < own_; ++p) {
+        double s[3];
+        lattice_->coordinates(point(p), s);
+        for (unsigned k = dimensions; k < 3; ++k) {
+            low[k] = std::min(low[k], s[k]);
+            high[k] = std::max(high[k], s[k]);
+        }
+    }
+    // The volume that the points fill, in the coordinates of the basis, and its determinant.
+    double volume = 1;
+    for (unsigned k = 0; k < 3; ++k) {
+        const double* const v = lattice_->vector(k);
+        const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        volume *= k < dimensions ? length : std::max(high[k] - low[k], 1e-3) * length;
+    }
+    constexpr double widths = 2;
+    const double width = widths * std::cbrt(volume / static_cast<double>(own_));
+    for (unsigned k = 0; k < dimensions; ++k)
+        shell_[k] = std::min(width * lattice_->slope(k), widest_shell);
+    for (std::uint32_t p = 0; p < own_; ++p) {
+        double s[3];
+        lattice_->coordinates(point(p), s);
+        std::int32_t first[3] = {}, last[3] = {};
+        bool is_inner = true;
+        for (unsigned k = 0; k < dimensions; ++k) {
+            if (s[k] + 1 <= 1 + shell_[k]) last[k] = 1;
+            if (s[k] - 1 >= -shell_[k]) first[k] = -1;
+            is_inner = is_inner && first[k] == 0 && last[k] == 0;
+        }
+        if (is_inner) continue;
+        Multiples k;
+        for (k[0] = first[0]; k[0] <= last[0]; ++k[0])
+            for (k[1] = first[1]; k[1] <= last[1]; ++k[1])
+                for (k[2] = first[2]; k[2] <= last[2]; ++k[2])
+                    if (k != Multiples{}) add(image_of(p, k));
+    }
+}
+
+void Halo::insert(std::size_t first, StageProgress& progress) {
+    const double* const x = point(static_cast<std::uint32_t>(first));
+    const double* const axis[3] = {x, x + 1, x + 2};
+    progress.watch(*triangulation_, 0, 1,
+                   [&] { triangulation_->insert(point_count() - first, axis, 3); });
+}
+
+void Halo::build(const BoxLattice& lattice, const ImageGrid& grid, Buffer<double>&& points,
+                 std::int32_t threads, StageProgress& progress, const StopRequest& stop) {
+    clear();
+    lattice_ = &lattice;
+    grid_ = &grid;
+    points_ = std::move(points);
+    own_ = points_.size() / 3;
+    triangulation_.emplace(allocator_.allocate_function(), allocator_.release_function(),
+                           allocator_.user());
+    triangulation_->settings().threads = threads;
+    if (own_ == 0) return;
+    basic_round_.resize(own_, 0u);
+    add_first_halo();
+    std::size_t first = 0;
+    bool is_preliminary = true;
+    double done = 0;
+    while (point_count() > first) {
+        progress.enter(done, done + 0.8 * (1 - done));
+        done += 0.8 * (1 - done);
+        insert(first, progress);
+        Round round(*this, std::size_t{8} << std::min(rounds_, 30u), stop);
+        const std::size_t known = point_count();
+        // Points that do not span space do so with these, if the infinite set does.
+        if (triangulation_->dimension() < 3)
+            round.add_basic_images(0);
+        else if (is_preliminary)
+            round.look_at_all();
+        else
+            round.look_at_stars(first);
+        round.find_images();
+        is_preliminary = triangulation_->dimension() < 3 || round.is_preliminary();
+        first = known;
+        ++rounds_;
+    }
+}
+
+}  // namespace mgdt

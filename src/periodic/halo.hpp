@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The triangulation of the points in a periodic box and of their halo: the images of points that
+// the stars of these points need to be those of the infinite periodic set.
+//
+// The first halo is a shell around the box. Then every tetrahedron at a point of the box is looked
+// at: the images in its circumball have to be known. Those that are not are inserted, until there
+// are none. docs/theory.md, "Periodic boxes", proves that this ends and what the result is.
+#pragma once
+
+#include <optional>
+
+#include "core/stage_progress.hpp"
+#include "core/triangulation.hpp"
+#include "periodic/image_grid.hpp"
+#include "platform/number_table.hpp"
+
+namespace mgdt {
+
+// The image of a point of the box: the point plus multiples of the lattice's basis.
+struct Image {
+    std::uint32_t point;
+    std::int8_t of[4];  // three multiples and 0
+
+    Multiples multiples() const { return {of[0], of[1], of[2]}; }
+};
+
+class Halo {
+  public:
+    explicit Halo(Allocator& allocator)
+        : allocator_(allocator),
+          points_(allocator),
+          images_(allocator),
+          known_(allocator),
+          basic_round_(allocator) {}
+
+    // Triangulates points that are wrapped and on the grid, three coordinates each, and what halo
+    // they need. Throws as Triangulation::insert().
+    void build(const BoxLattice& lattice, const ImageGrid& grid, Buffer<double>&& points,
+               std::int32_t threads, StageProgress& progress, const StopRequest& stop);
+    void clear() noexcept;
+
+    // The points of the box come first, then the images, in the order of their indices in the
+    // triangulation.
+    const Triangulation& triangulation() const { return *triangulation_; }
+    std::size_t own_count() const { return own_; }
+    std::size_t point_count() const { return points_.size() / 3; }
+    bool is_own(std::uint32_t index) const { return index < own_; }
+    const double* point(std::uint32_t index) const {
+        return points_.begin() + 3 * std::size_t{index};
+    }
+    // What a point of the triangulation is an image of.
+    Image image(std::uint32_t index) const {
+        return index < own_ ? Image{index, {}} : images_[index - own_];
+    }
+    // The number of rounds in which images were added to the first halo.
+    unsigned rounds() const { return rounds_; }
+
+  private:
+    class Round;
+    friend class Round;
+    void add_first_halo();
+    bool add(const Image& image);
+    void insert(std::size_t first, StageProgress& progress);
+
+    Allocator& allocator_;
+    const BoxLattice* lattice_ = nullptr;
+    const ImageGrid* grid_ = nullptr;
+    std::optional<Triangulation> triangulation_;
+    Buffer<double> points_;
+    Buffer<Image> images_;
+    NumberTable known_;  // of images_
+    // For each point of the box, the round in which the images were added that bound the cell of a
+    // lattice point, counted from 1, or 0.
+    Buffer<std::uint32_t> basic_round_;
+    double shell_[3] = {};  // all images are known whose coordinates exceed the box by no more
+    std::size_t own_ = 0;
+    unsigned rounds_ = 0;
+};
+
+}  // namespace mgdt

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "periodic/image_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "platform/error.hpp"
+#include "predicates/predicates.hpp"
+
+namespace mgdt {
+namespace {
+
+// The integer nearest to q; of two, the greater one, so that the result moves with q.
+double nearest_integer(double q) {
+    if (!(std::fabs(q) < 0x1p52)) return q;
+    const auto towards_zero = static_cast<double>(static_cast<std::int64_t>(q));
+    const double below = towards_zero > q ? towards_zero - 1 : towards_zero;
+    return q - below >= 0.5 ? below + 1 : below;
+}
+
+// An integer modulo 2^64, of any size.
+std::uint64_t modulo_2_64(double integer) {
+    int exponent;
+    const double fraction = std::frexp(std::fabs(integer), &exponent);
+    const auto bits = static_cast<std::uint64_t>(std::scalbn(fraction, 53));
+    const int shift = exponent - 53;
+    const std::uint64_t size = shift >= 64   ? 0
+                               : shift >= 0  ? bits << shift
+                               : shift > -64 ? bits >> -shift
+                                             : 0;
+    return integer < 0 ? 0 - size : size;
+}
+
+}  // namespace
+
+void add_wrapped(const BoxLattice& lattice, const double* x, ImageGrid::Bounds& bounds) {
+    if (lattice.dimensions() == 3) return;  // the size of the box is enough
+    double s[3];
+    lattice.coordinates(x, s);
+    for (unsigned c = 0; c < 3; ++c) {
+        double rest = x[c], size = 0;
+        for (unsigned k = 0; k < lattice.dimensions(); ++k) {
+            rest -= s[k] * lattice.vector(k)[c];
+            size += std::fabs(lattice.vector(k)[c]);
+        }
+        // What is far away cancels, so rounding may leave more than there is.
+        bounds.largest[c] = std::max(bounds.largest[c], std::fabs(rest) + size);
+    }
+}
+
+ImageGrid::ImageGrid(const BoxLattice& lattice, const Bounds& bounds) : lattice_(lattice) {
+    for (unsigned c = 0; c < 3; ++c) {
+        double size = 0, largest = 0;
+        for (unsigned k = 0; k < lattice.dimensions(); ++k) {
+            size += std::fabs(lattice.vector(k)[c]);
+            largest = std::max(largest, std::fabs(lattice.vector(k)[c]));
+        }
+        if (largest == 0) continue;
+        // Otherwise units or images are no doubles.
+        size = std::max(size, bounds.largest[c]);
+        if (!(size > 0x1p-960 && size < 0x1p1000))
+            fail(MGDT_ERR_INVALID_ARGUMENT,
+                 "the box is too small or too large: its vectors reach over %g along axis %u", size,
+                 c + 1);
+        // With M < 2^e for the largest size, images up to 15 M are below 2^53 units.
+        unit_[c] = std::scalbn(1.0, std::ilogb(size) + 1 - 48);
+    }
+    for (unsigned c = 0; c < 3; ++c) per_unit_[c] = unit_[c] > 0 ? 1 / unit_[c] : 0;
+    for (unsigned k = 0; k < lattice.dimensions(); ++k)
+        margin_[k] = 0x1p-40 * lattice.slope(k) * 2 * lattice.covering_radius();
+    for (unsigned k = 0; k < 3; ++k)
+        for (unsigned c = 0; c < 3; ++c) {
+            double& x = spanning_[k][c];
+            x = lattice.vector(k)[c];
+            if (k >= lattice.dimensions()) continue;
+            if (unit_[c] > 0) x = nearest_integer(x * per_unit_[c]) * unit_[c];
+            basis_[k][c] = x;
+        }
+    const double origin[3] = {};
+    handedness_ = orientation(origin, spanning_[0], spanning_[1], spanning_[2]);
+    if (handedness_ == 0)
+        fail(MGDT_ERR_INVALID_ARGUMENT,
+             "the box is flat, or nearly: rounded to 2^-48 of its size, "
+             "its vectors do not span");
+}
+
+// Whether x is on the outer side of one of the two faces of the box that vector k connects. The
+// near face belongs to the box, and the far one does not.
+bool ImageGrid::is_below(unsigned k, const double* x, bool from_the_far_side) const {
+    const double origin[3] = {};
+    double y[3] = {x[0], x[1], x[2]};
+    if (from_the_far_side)
+        for (unsigned c = 0; c < 3; ++c) y[c] -= spanning_[k][c];
+    const double* v[3] = {spanning_[0], spanning_[1], spanning_[2]};
+    v[k] = y;
+    return orientation(origin, v[0], v[1], v[2]) * handedness_ < 0;
+}
+
+// Takes k times the basis from a point on the grid. In integers modulo 2^64 all steps are exact,
+// and so is the result if it is below 2^53 units.
+void ImageGrid::reduce(const double* x, const Multiples& k, double* to) const {
+    for (unsigned c = 0; c < 3; ++c) {
+        to[c] = x[c];
+        if (unit_[c] == 0) continue;
+        std::uint64_t sum = modulo_2_64(x[c] * per_unit_[c]);
+        for (unsigned j = 0; j < lattice_.dimensions(); ++j)
+            sum -= static_cast<std::uint64_t>(static_cast<std::int64_t>(k[j])) *
+                   modulo_2_64(basis_[j][c] * per_unit_[c]);
+        const bool is_negative = sum >> 63 != 0;
+        const auto size = static_cast<double>(is_negative ? 0 - sum : sum);
+        to[c] = (is_negative ? -size : size) * unit_[c];
+    }
+}
+
+bool ImageGrid::wrap(const double* x, double* wrapped, Multiples& taken) const {
+    double rounded[3], s[3];
+    for (unsigned c = 0; c < 3; ++c)
+        rounded[c] = unit_[c] > 0 ? nearest_integer(x[c] * per_unit_[c]) * unit_[c] : x[c];
+    lattice_.coordinates(rounded, s);
+    taken = {};
+    bool is_inside = true;
+    for (unsigned k = 0; k < lattice_.dimensions(); ++k)
+        is_inside = is_inside && s[k] > margin_[k] && s[k] < 1 - margin_[k];
+    if (is_inside) {
+        std::copy_n(rounded, 3, wrapped);
+        return true;
+    }
+    for (unsigned k = 0; k < lattice_.dimensions(); ++k) {
+        if (!(std::fabs(s[k]) <= farthest)) return false;
+        taken[k] = static_cast<std::int32_t>(std::floor(s[k]));
+    }
+    reduce(rounded, taken, wrapped);
+    // Of a distant point, the coordinates were rough.
+    for (int round = 0; round < 4; ++round) {
+        lattice_.coordinates(wrapped, s);
+        bool is_done = true;
+        for (unsigned k = 0; k < lattice_.dimensions(); ++k) {
+            const double more = std::floor(s[k]);
+            if (!(std::fabs(taken[k] + more) <= 2 * farthest - 1)) return false;
+            taken[k] += static_cast<std::int32_t>(more);
+            is_done = is_done && more == 0;
+        }
+        if (is_done) break;
+        reduce(rounded, taken, wrapped);
+    }
+    // At a face of the box, rounding may have been wrong by one.
+    for (unsigned k = 0; k < lattice_.dimensions(); ++k) {
+        while (is_below(k, wrapped, false)) {
+            --taken[k];
+            reduce(rounded, taken, wrapped);
+        }
+        while (!is_below(k, wrapped, true)) {
+            ++taken[k];
+            reduce(rounded, taken, wrapped);
+        }
+    }
+    return true;
+}
+
+}  // namespace mgdt
