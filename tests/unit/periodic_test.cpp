@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "periodic/halo.hpp"
+#include "periodic/periodic_tetrahedra.hpp"
+#include "predicates/predicates.hpp"
 
 namespace mgdt {
 namespace {
@@ -265,6 +266,79 @@ TEST(Halo, FillsTheTorus) {
                 EXPECT_NEAR(volume / 6, expected, 1e-9 * expected);
             }
     }
+}
+
+// Checks the representatives of all classes, their order, orientation and neighbours.
+void expect_listed(const Halo& halo, const Wrapped& wrapped) {
+    Allocator allocator;
+    Atomic<bool> cancelled{false};
+    PeriodicTetrahedra all(allocator);
+    all.list(halo, StopRequest(cancelled));
+    std::set<Corners> expected, found;
+    each_tetrahedron(halo, [&](const Corners& corners, const auto& x) {
+        expected.insert(canonical(corners, x));
+    });
+    const auto moved = [](const Image& image, const std::int8_t* of) {
+        return Corner{image.point, image.multiples() + Multiples{of[0], of[1], of[2]}};
+    };
+    std::vector<Corner> before;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        Corners corners;
+        std::array<std::array<double, 3>, 4> x;
+        std::array<const double*, 4> places;
+        std::vector<Corner> order;
+        for (unsigned k = 0; k < 4; ++k) {
+            const Image& image = all[i].corners[k];
+            corners[k] = {image.point, image.multiples()};
+            order.push_back(corners[k]);
+            wrapped.grid.image(halo.point(image.point), image.multiples(), x[k].data());
+            places[k] = x[k].data();
+        }
+        EXPECT_EQ(corners[0].of, Multiples{});
+        EXPECT_TRUE(corners[1] < corners[2] && corners[1] < corners[3]);
+        EXPECT_TRUE(i == 0 || before < order);
+        before = order;
+        EXPECT_EQ(orientation(places[0], places[1], places[2], places[3]), 1);
+        const Corners as_given = canonical(corners, places);
+        std::sort(corners.begin(), corners.end());
+        EXPECT_TRUE(corners == as_given);  // the least corner is in the box already
+        EXPECT_TRUE(found.insert(corners).second);
+        for (unsigned k = 0; k < 4; ++k) {
+            const PeriodicTetrahedra::Neighbor& n = all.neighbor(i, k);
+            if (n.number == PeriodicTetrahedra::none) {
+                EXPECT_LT(wrapped.lattice.dimensions(), 3u);
+                continue;
+            }
+            // The neighbour has the three other corners, and lists this tetrahedron at its fourth.
+            unsigned shared = 0, apex = 4;
+            for (unsigned l = 0; l < 4; ++l) {
+                const Corner corner = moved(all[n.number].corners[l], n.of);
+                bool is_shared = false;
+                for (unsigned m = 0; m < 4; ++m)
+                    is_shared = is_shared || (m != k && corner == order[m]);
+                if (is_shared)
+                    ++shared;
+                else
+                    apex = l;
+            }
+            EXPECT_EQ(shared, 3u);
+            const PeriodicTetrahedra::Neighbor& back = all.neighbor(n.number, apex);
+            EXPECT_EQ(back.number, i);
+            for (unsigned c = 0; c < 3; ++c) EXPECT_EQ(back.of[c], -n.of[c]);
+        }
+    }
+    EXPECT_TRUE(found == expected);
+}
+
+TEST(PeriodicTetrahedra, AreListedOnce) {
+    for (const Box& box : boxes())
+        for (const int denominator : {0, 2})
+            for (const std::size_t n : {1u, 2u, 5u, 60u}) {
+                SCOPED_TRACE(box.name + ", " + std::to_string(n) + " points of 1/" +
+                             std::to_string(denominator));
+                const Wrapped wrapped(box, points_in(box, n, unsigned(n), denominator));
+                with_halo(wrapped, [&](const Halo& halo) { expect_listed(halo, wrapped); });
+            }
 }
 
 // Exact decisions need exact images, also of points far away and at the faces of the box.
