@@ -357,7 +357,9 @@ TEST(ImageGrid, WrapsEveryImageToOnePoint) {
                 Multiples k = {}, taken;
                 const std::int32_t most = j % 2 == 0 ? 3 : 20;
                 for (unsigned d = 0; d < box.dimensions; ++d)
-                    k[d] = static_cast<std::int32_t>(random() % (2 * most + 1)) - most;
+                    k[d] =
+                        static_cast<std::int32_t>(random() % static_cast<unsigned>(2 * most + 1)) -
+                        most;
                 double image[3], x[3];
                 wrapped.grid.image(home, k, image);
                 EXPECT_TRUE(wrapped.grid.wrap(image, x, taken));
