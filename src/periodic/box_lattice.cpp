@@ -20,8 +20,8 @@ void cross(const double* a, const double* b, double* to) {
     }
 }
 
-// The multiples of the caller's vectors may not be larger, so that their sums fit.
-constexpr double most_multiples = 0x1p40;
+// The multiples of the caller's vectors are not larger, so that sums of products with 2^30 fit.
+constexpr double most_multiples = 0x1p31;
 
 [[noreturn]] void fail_to_span(unsigned dimensions) {
     fail(MGDT_ERR_INVALID_ARGUMENT, dimensions == 1 ? "the vector of the box has no length"
@@ -179,18 +179,11 @@ void BoxLattice::coordinates(const double* x, double (&s)[3]) const {
     for (unsigned k = 0; k < 3; ++k) s[k] = dot(dual_[k], x);
 }
 
-bool BoxLattice::to_callers(const Multiples& of_basis, std::int64_t (&of_callers)[3]) const {
-    bool fits = true;
-    for (unsigned j = 0; j < 3; ++j) {
-        double sum = 0;
-        of_callers[j] = 0;
-        for (unsigned k = 0; k < dimensions_; ++k) {
-            sum += of_basis[k] * static_cast<double>(transform_[k][j]);
-            of_callers[j] += of_basis[k] * transform_[k][j];
-        }
-        fits = fits && std::fabs(sum) < 0x1p31;
-    }
-    return fits;
+std::array<std::int64_t, 3> BoxLattice::to_callers(const Multiples& of_basis) const {
+    std::array<std::int64_t, 3> of_callers = {};
+    for (unsigned k = 0; k < dimensions_; ++k)
+        for (unsigned j = 0; j < dimensions_; ++j) of_callers[j] += of_basis[k] * transform_[k][j];
+    return of_callers;
 }
 
 }  // namespace mgdt

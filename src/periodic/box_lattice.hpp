@@ -39,9 +39,9 @@ class BoxLattice {
     double slope(unsigned k) const { return slope_[k]; }
     // A distance from the next lattice point that no place in the span exceeds.
     double covering_radius() const { return covering_radius_; }
-    // Converts multiples of the basis to multiples of the caller's vectors. Returns false if one
-    // does not fit.
-    bool to_callers(const Multiples& of_basis, std::int64_t (&of_callers)[3]) const;
+    // Converts multiples of the basis, of which none exceeds 2^30 by much, to multiples of the
+    // caller's vectors.
+    std::array<std::int64_t, 3> to_callers(const Multiples& of_basis) const;
 
   private:
     // A vector as integral multiples of the caller's vectors.

@@ -136,7 +136,7 @@ bool ImageGrid::wrap(const double* x, double* wrapped, Multiples& taken) const {
         bool is_done = true;
         for (unsigned k = 0; k < lattice_.dimensions(); ++k) {
             const double more = std::floor(s[k]);
-            if (!(std::fabs(taken[k] + more) <= 2 * farthest - 1)) return false;
+            if (!(std::fabs(taken[k] + more) <= farthest)) return false;
             taken[k] += static_cast<std::int32_t>(more);
             is_done = is_done && more == 0;
         }

@@ -373,8 +373,7 @@ TEST(ImageGrid, WrapsEveryImageToOnePoint) {
         EXPECT_FALSE(wrapped.grid.wrap(far, x, taken));
         const double near[3] = {1e6 * box.vectors[0], 1e6 * box.vectors[1], 1e6 * box.vectors[2]};
         EXPECT_TRUE(wrapped.grid.wrap(near, x, taken));
-        std::int64_t of_callers[3];
-        EXPECT_TRUE(wrapped.lattice.to_callers(taken, of_callers));
+        const std::array<std::int64_t, 3> of_callers = wrapped.lattice.to_callers(taken);
         if (x[0] == 0 && x[1] == 0 && x[2] == 0) {
             EXPECT_TRUE(of_callers[0] == 1000000 && of_callers[1] == 0 && of_callers[2] == 0);
         }

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "periodic/periodic.hpp"
+
+#include <algorithm>
+
+namespace mgdt {
+
+Periodic::Periodic(unsigned dimensions, const double* vectors, mgdt_alloc_fn alloc,
+                   mgdt_free_fn release, void* user)
+    : allocator_(alloc, release, user),
+      lattice_(dimensions, vectors),
+      given_(allocator_),
+      taken_(allocator_),
+      halo_(allocator_),
+      tetrahedra_(allocator_) {}
+
+void Periodic::clear() noexcept {
+    cancelled_.store(false, std::memory_order_relaxed);
+    given_.reset();
+    forget_results();
+}
+
+void Periodic::forget_results() noexcept {
+    has_triangulation_ = false;
+    tetrahedra_.clear();
+    halo_.clear();
+    taken_.reset();
+    grid_.reset();
+}
+
+void Periodic::insert(std::size_t n, const double* xyz) {
+    if (n == 0) return;
+    const std::size_t before = given_.size();
+    if (n > max_points || before / 3 + n > max_points)
+        fail(MGDT_ERR_TOO_LARGE, "%zu points are more than can be numbered", before / 3 + n);
+    given_.grow(before + 3 * n);
+    given_.resize_within_capacity(before + 3 * n);
+    std::copy_n(xyz, 3 * n, given_.begin() + before);
+    forget_results();
+}
+
+void Periodic::move(std::size_t n, const std::uint32_t* points, const double* xyz) {
+    for (std::size_t i = 0; i < n; ++i)
+        if (points[i] >= point_count())
+            fail(MGDT_ERR_INVALID_ARGUMENT, "there is no point %llu",
+                 static_cast<unsigned long long>(points[i]) +
+                     static_cast<unsigned long long>(settings_.index_base));
+    for (std::size_t i = 0; i < n; ++i)
+        std::copy_n(xyz + 3 * i, 3, given_.begin() + 3 * std::size_t{points[i]});
+    if (n > 0) forget_results();
+}
+
+// Rounds the points and moves them into the box.
+void Periodic::wrap(Buffer<double>& wrapped) {
+    const std::size_t n = point_count();
+    ImageGrid::Bounds bounds;
+    for (std::size_t i = 0; i < n; ++i) add_wrapped(lattice_, given_.begin() + 3 * i, bounds);
+    grid_.emplace(lattice_, bounds);
+    wrapped.resize(3 * n);
+    taken_.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+        if (!grid_->wrap(given_.begin() + 3 * i, wrapped.begin() + 3 * i, taken_[i]))
+            fail(MGDT_ERR_INVALID_ARGUMENT, "point %llu is more than %.0f boxes away from the box",
+                 static_cast<unsigned long long>(i) +
+                     static_cast<unsigned long long>(settings_.index_base),
+                 ImageGrid::farthest);
+}
+
+void Periodic::build() {
+    struct ForgetRequest {
+        Atomic<bool>& cancelled;
+        ~ForgetRequest() { cancelled.store(false, std::memory_order_relaxed); }
+    } const forget_request{cancelled_};
+    StageProgress progress(settings_.progress, settings_.progress_user, cancelled_);
+    forget_results();
+    try {
+        progress.enter(0, 0);
+        Buffer<double> wrapped(allocator_);
+        wrap(wrapped);
+        const StopRequest stop(cancelled_);
+        halo_.build(lattice_, *grid_, std::move(wrapped), settings_.threads, progress, stop);
+        tetrahedra_.list(halo_, stop);
+    } catch (...) {
+        forget_results();
+        throw;
+    }
+    has_triangulation_ = true;
+    progress.finish();
+}
+
+void Periodic::rounded(std::uint32_t point, double (&x)[3]) const {
+    grid_->image(halo_.point(point), taken_[point], x);
+}
+
+}  // namespace mgdt

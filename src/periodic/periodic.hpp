@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Points in a periodic box and their triangulation. A build rounds the points to the image_grid.hpp
+// of the box_lattice.hpp and moves them into the box, finds the halo.hpp that their stars need, and
+// lists one tetrahedron of each class (periodic_tetrahedra.hpp).
+#pragma once
+
+#include <optional>
+
+#include "periodic/periodic_tetrahedra.hpp"
+#include "platform/cached.hpp"
+
+namespace mgdt {
+
+struct PeriodicSettings {
+    std::int32_t index_base = 0, threads = 1;
+    mgdt_progress_fn progress = nullptr;
+    void* progress_user = nullptr;
+};
+
+class Periodic {
+  public:
+    // Throws MGDT_ERR_INVALID_ARGUMENT for vectors that do not span.
+    Periodic(unsigned dimensions, const double* vectors, mgdt_alloc_fn alloc, mgdt_free_fn release,
+             void* user);
+
+    // The coordinates are finite. Every change removes the triangulation.
+    void insert(std::size_t n, const double* xyz);
+    // Moves points, with indices from 0, to n places. Throws with nothing changed for a point that
+    // does not exist.
+    void move(std::size_t n, const std::uint32_t* points, const double* xyz);
+    // Throws MGDT_ERR_INVALID_ARGUMENT for a point too far from the box, Error and std::bad_alloc;
+    // there is no triangulation then.
+    void build();
+    // Removes the points and the triangulation.
+    void clear() noexcept;
+    void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+
+    Allocator& allocator() const noexcept { return allocator_; }
+    PeriodicSettings& settings() noexcept { return settings_; }
+    const PeriodicSettings& settings() const noexcept { return settings_; }
+    const BoxLattice& lattice() const noexcept { return lattice_; }
+    std::size_t point_count() const noexcept { return given_.size() / 3; }
+    bool has_triangulation() const noexcept { return has_triangulation_; }
+
+    // The results of the last build.
+    const ImageGrid& grid() const noexcept { return *grid_; }
+    const Halo& halo() const noexcept { return halo_; }
+    const PeriodicTetrahedra& tetrahedra() const noexcept { return tetrahedra_; }
+    // The least point with the same images.
+    std::uint32_t vertex_of(std::uint32_t point) const {
+        const Triangulation& t = halo_.triangulation();
+        return t.mesh().vertices[t.point_map()[point]].index;
+    }
+    // How often each of the caller's vectors has to be added to a point, where the caller has put
+    // it, to get an image of the wrapped point.
+    std::array<std::int64_t, 3> offset_of(std::uint32_t point, const Multiples& image) const {
+        return lattice_.to_callers(image - taken_[point]);
+    }
+    // The multiples of the basis by which a point was moved into the box.
+    const Multiples& shift_of(std::uint32_t point) const { return taken_[point]; }
+    // The rounded coordinates of a point where the caller has put it.
+    void rounded(std::uint32_t point, double (&x)[3]) const;
+
+  private:
+    void wrap(Buffer<double>& wrapped);
+    void forget_results() noexcept;
+
+    mutable Allocator allocator_;
+    PeriodicSettings settings_;
+    const BoxLattice lattice_;
+    Buffer<double> given_;
+    Buffer<Multiples> taken_;  // the multiples by which each point was moved into the box
+    std::optional<ImageGrid> grid_;
+    Halo halo_;
+    PeriodicTetrahedra tetrahedra_;
+    bool has_triangulation_ = false;
+    Atomic<bool> cancelled_{false};
+};
+
+}  // namespace mgdt

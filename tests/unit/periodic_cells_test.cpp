@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// Points in periodic boxes as callers see them: offsets, and Voronoi cells.
+#include "periodic/periodic_cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <tuple>
+#include <vector>
+
+namespace mgdt {
+namespace {
+
+const std::vector<double> cube = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+const std::vector<double> oblique = {4, 0, 0, 1.5, 3, 0, -0.75, 0.5, 2.5};
+
+std::vector<double> random_points(std::size_t n, const std::vector<double>& vectors,
+                                  unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(-0.5, 1.5);
+    std::vector<double> points;
+    for (std::size_t i = 0; i < n; ++i) {
+        double x[3] = {};
+        for (std::size_t k = 0; k < vectors.size() / 3; ++k) {
+            const double s = place(random);
+            for (unsigned c = 0; c < 3; ++c) x[c] += s * vectors[3 * k + c];
+        }
+        for (std::size_t k = vectors.size() / 3; k < 3; ++k) x[k] += place(random);
+        points.insert(points.end(), x, x + 3);
+    }
+    return points;
+}
+
+struct Built : Periodic {
+    Built(const std::vector<double>& vectors, const std::vector<double>& points)
+        : Periodic(static_cast<unsigned>(vectors.size() / 3), vectors.data(), nullptr, nullptr,
+                   nullptr),
+          box(vectors) {
+        insert(points.size() / 3, points.data());
+        build();
+    }
+    std::array<double, 3> place(std::uint32_t point, const std::array<std::int64_t, 3>& of) const {
+        double x[3];
+        rounded(point, x);
+        for (std::size_t k = 0; k < box.size() / 3; ++k)
+            for (unsigned c = 0; c < 3; ++c) x[c] += static_cast<double>(of[k]) * box[3 * k + c];
+        return {x[0], x[1], x[2]};
+    }
+    std::vector<double> measures(Measure measure) const {
+        std::vector<double> x((measure == Measure::centroid ? 3 : 1) * point_count());
+        export_periodic_measures(*this, measure, x.data());
+        return x;
+    }
+    std::vector<double> box;
+};
+
+double determinant(const std::vector<double>& v) {
+    return std::fabs(v[0] * (v[4] * v[8] - v[5] * v[7]) - v[1] * (v[3] * v[8] - v[5] * v[6]) +
+                     v[2] * (v[3] * v[7] - v[4] * v[6]));
+}
+
+TEST(Periodic, CrystalsHaveTheirCells) {
+    struct Crystal {
+        const char* name;
+        std::vector<double> points;
+        double faces;
+    };
+    const std::vector<Crystal> crystals = {
+        {"simple cubic", {0, 0, 0}, 6},
+        {"body-centred", {0, 0, 0, 0.5, 0.5, 0.5}, 14},
+        {"face-centred", {0, 0, 0, 0.5, 0.5, 0, 0.5, 0, 0.5, 0, 0.5, 0.5}, 12},
+        {"diamond",
+         {0,    0,    0,    0.5,  0.5,  0,    0.5,  0,    0.5,  0,    0.5,  0.5,
+          0.25, 0.25, 0.25, 0.75, 0.75, 0.25, 0.75, 0.25, 0.75, 0.25, 0.75, 0.75},
+         16},
+    };
+    for (const Crystal& crystal : crystals) {
+        SCOPED_TRACE(crystal.name);
+        const Built built(cube, crystal.points);
+        const double share = 3.0 / static_cast<double>(crystal.points.size());
+        for (const double volume : built.measures(Measure::volume)) EXPECT_DOUBLE_EQ(volume, share);
+        for (const double faces : built.measures(Measure::faces)) EXPECT_EQ(faces, crystal.faces);
+    }
+}
+
+TEST(Periodic, CellsFillTheBox) {
+    for (const std::vector<double>& box : {cube, oblique})
+        for (const std::size_t n : {1u, 2u, 9u, 500u}) {
+            const Built built(box, random_points(n, box, 7));
+            double sum = 0;
+            for (const double volume : built.measures(Measure::volume)) sum += volume;
+            EXPECT_NEAR(sum, determinant(box), 1e-14 * determinant(box) * 8);
+        }
+}
+
+// Corners are where offsets say, and the tetrahedra have the volume of the box.
+TEST(Periodic, OffsetsGivePlaces) {
+    for (const std::vector<double>& box : {cube, oblique}) {
+        const Built built(box, random_points(200, box, 3));
+        double sum = 0;
+        for (std::size_t i = 0; i < built.tetrahedra().size(); ++i) {
+            std::array<double, 3> x[4];
+            for (unsigned k = 0; k < 4; ++k) {
+                const Image& image = built.tetrahedra()[i].corners[k];
+                x[k] = built.place(image.point, built.offset_of(image.point, image.multiples()));
+            }
+            double v[3][3];
+            for (unsigned k = 0; k < 3; ++k)
+                for (unsigned c = 0; c < 3; ++c) v[k][c] = x[k + 1][c] - x[0][c];
+            sum += v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) -
+                   v[0][1] * (v[1][0] * v[2][2] - v[1][2] * v[2][0]) +
+                   v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
+        }
+        EXPECT_NEAR(sum / 6, determinant(box), 1e-12);
+    }
+}
+
+// The same set, with points at other images and by another basis of the lattice.
+TEST(Periodic, DoesNotDependOnTheImagesThatAreGiven) {
+    const auto tetrahedra_of = [](const Built& built) {
+        std::set<std::vector<double>> all;
+        for (std::size_t i = 0; i < built.tetrahedra().size(); ++i) {
+            std::vector<double> relative;
+            const Image* const corners = built.tetrahedra()[i].corners;
+            const auto first = built.place(
+                corners[0].point, built.offset_of(corners[0].point, corners[0].multiples()));
+            for (unsigned k = 0; k < 4; ++k) {
+                const auto x = built.place(
+                    corners[k].point, built.offset_of(corners[k].point, corners[k].multiples()));
+                relative.push_back(corners[k].point);
+                for (unsigned c = 0; c < 3; ++c) relative.push_back(x[c] - first[c]);
+            }
+            all.insert(relative);
+        }
+        return all;
+    };
+    // Multiples of 2^-10, so that all sums are exact; and few, so that there are ties.
+    for (const double grid : {1024.0, 4.0}) {
+        std::vector<double> points = random_points(100, oblique, 5);
+        for (double& x : points) x = std::floor(x * grid) / grid;
+        const auto expected = tetrahedra_of(Built(oblique, points));
+        EXPECT_GT(expected.size(), 100u);
+        std::mt19937 random(1);
+        std::vector<double> moved = points;
+        for (std::size_t i = 0; i < moved.size(); i += 3)
+            for (unsigned k = 0; k < 3; ++k) {
+                const double times = static_cast<double>(random() % 2001) - 1000;
+                for (unsigned c = 0; c < 3; ++c) moved[i + c] += times * oblique[3 * k + c];
+            }
+        EXPECT_TRUE(tetrahedra_of(Built(oblique, moved)) == expected);
+        std::vector<double> basis = oblique;
+        for (unsigned c = 0; c < 3; ++c) {
+            basis[c] = -oblique[3 + c];
+            basis[3 + c] = oblique[c] + 3 * oblique[6 + c];
+            basis[6 + c] = oblique[6 + c] - 2 * basis[3 + c];
+        }
+        EXPECT_TRUE(tetrahedra_of(Built(basis, points)) == expected);
+    }
+}
+
+// The faces of a cell close it; what one side says of a face, the other says too.
+TEST(PeriodicDiagram, CellsAreClosedAndAgree) {
+    Atomic<bool> cancelled{false};
+    for (const std::vector<double>& box : {cube, oblique})
+        for (const std::size_t n : {1u, 2u, 300u}) {
+            SCOPED_TRACE(n);
+            const Built built(box, random_points(n, box, 11));
+            PeriodicDiagram diagram(built.allocator());
+            build_periodic_diagram(built, StopRequest(cancelled), diagram);
+            const VoronoiDiagram& d = diagram.cells;
+            const std::vector<double> volumes = built.measures(Measure::volume),
+                                      faces = built.measures(Measure::faces),
+                                      centroids = built.measures(Measure::centroid);
+            using Pair = std::tuple<std::uint32_t, std::uint32_t, std::array<std::int64_t, 3>>;
+            std::map<Pair, double> areas;
+            ASSERT_EQ(d.cell_count(), n);
+            for (std::uint32_t p = 0; p < n; ++p) {
+                const std::uint64_t begin = d.cell_begin[p], end = d.cell_begin[p + 1];
+                EXPECT_EQ(static_cast<double>(end - begin), faces[p]);
+                EXPECT_NEAR(d.volumes[p], volumes[p], 1e-12 * volumes[p]);
+                double x[3];
+                built.rounded(p, x);
+                std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+                double volume = 0;
+                for (std::uint64_t i = begin; i < end; ++i) {
+                    const std::size_t f = d.cell_faces[i];
+                    const bool is_first = d.face_sides[2 * f] == p;
+                    const std::uint64_t from = d.face_begin[f], to = d.face_begin[f + 1];
+                    double normal[3] = {}, height = 0;
+                    for (std::uint64_t c = from; c < to; ++c) {
+                        const std::uint32_t a = d.face_corners[c],
+                                            b = d.face_corners[c + 1 < to ? c + 1 : from];
+                        ++edges[std::minmax(a, b)];
+                        const double *const u = d.vertices.begin() + 3 * std::size_t{a},
+                                            *const v = d.vertices.begin() + 3 * std::size_t{b};
+                        for (unsigned k = 0; k < 3; ++k) {
+                            const unsigned l = (k + 1) % 3, m = (k + 2) % 3;
+                            normal[k] +=
+                                ((u[l] - x[l]) * (v[m] - x[m]) - (u[m] - x[m]) * (v[l] - x[l])) / 2;
+                        }
+                    }
+                    const double* const u =
+                        d.vertices.begin() + 3 * std::size_t{d.face_corners[from]};
+                    for (unsigned k = 0; k < 3; ++k) height += normal[k] * (u[k] - x[k]);
+                    volume += (is_first ? height : -height) / 3;
+                    EXPECT_GE(is_first ? height : -height, 0);
+                    std::array<std::int64_t, 3> of = {};
+                    for (unsigned k = 0; k < 3; ++k)
+                        of[k] = is_first ? diagram.offsets[3 * f + k] : -diagram.offsets[3 * f + k];
+                    const std::uint32_t other = d.face_sides[2 * f + (is_first ? 1 : 0)];
+                    EXPECT_TRUE(areas.insert({{p, other, of}, d.areas[f]}).second);
+                }
+                EXPECT_NEAR(volume, volumes[p], 1e-9 * volumes[p]);
+                for (const auto& edge : edges) EXPECT_EQ(edge.second, 2);
+                for (unsigned c = 0; c < 3; ++c)
+                    EXPECT_NEAR(d.cell_centroids[3 * p + c] - x[c], centroids[3 * p + c], 1e-9);
+            }
+            for (const auto& [pair, area] : areas) {
+                const auto& [p, q, of] = pair;
+                const auto back = areas.find({q, p, {-of[0], -of[1], -of[2]}});
+                ASSERT_TRUE(back != areas.end());
+                EXPECT_NEAR(back->second, area, 1e-12);
+            }
+        }
+}
+
+TEST(Periodic, MovesAndRefuses) {
+    std::vector<double> points = random_points(50, cube, 2);
+    Built built(cube, points);
+    const std::size_t before = built.tetrahedra().size();
+    std::vector<std::uint32_t> all;
+    std::vector<double> moved = points;
+    for (std::uint32_t i = 0; i < 50; ++i) all.push_back(i);
+    std::mt19937 random(4);
+    for (double& x : moved) x += 1e-9 * static_cast<double>(random() % 100);
+    built.move(50, all.data(), moved.data());
+    EXPECT_FALSE(built.has_triangulation());
+    built.build();
+    EXPECT_EQ(built.tetrahedra().size(), before);
+    const std::uint32_t none = 50;
+    try {
+        built.move(1, &none, moved.data());
+        ADD_FAILURE();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.status, MGDT_ERR_INVALID_ARGUMENT);
+        EXPECT_STREQ(e.message, "there is no point 50");
+    }
+    const double far[3] = {0.5, -1e15, 0.5};
+    built.insert(1, far);
+    try {
+        built.build();
+        ADD_FAILURE();
+    } catch (const Error& e) {
+        EXPECT_STREQ(e.message, "point 50 is more than 1073741824 boxes away from the box");
+    }
+    EXPECT_FALSE(built.has_triangulation());
+    built.clear();
+    built.build();
+    EXPECT_EQ(built.tetrahedra().size(), 0u);
+    // Points with the same images are one vertex.
+    const double same[9] = {0.25, 0.5, 0.75, 3.25, -1.5, 0.75, 0.25, 0.5, 0.25};
+    built.insert(3, same);
+    built.build();
+    EXPECT_EQ(built.vertex_of(0), 0u);
+    EXPECT_EQ(built.vertex_of(1), 0u);
+    EXPECT_EQ(built.vertex_of(2), 2u);
+    built.cancel();
+    EXPECT_THROW(built.build(), Error);
+    built.build();
+}
+
+}  // namespace
+}  // namespace mgdt
