@@ -5,18 +5,27 @@
 #include <cmath>
 
 #include "platform/error.hpp"
+#include "predicates/predicates.hpp"
+#include "predicates/twofold.hpp"
 
 namespace mgdt {
 namespace {
+
+constexpr double origin[3] = {};
 
 double dot(const double* a, const double* b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-void cross(const double* a, const double* b, double* to) {
+double length_of(const double* a) {
+    return std::sqrt(dot(a, a));
+}
+
+// The cross product in pairs of doubles: vectors of an obtuse basis may be nearly parallel.
+void cross(const double* a, const double* b, Twofold (&to)[3]) {
     for (unsigned c = 0; c < 3; ++c) {
         const unsigned d = (c + 1) % 3, e = (c + 2) % 3;
-        to[c] = a[d] * b[e] - a[e] * b[d];
+        to[c] = Twofold::product(a[d], b[e]) - Twofold::product(a[e], b[d]);
     }
 }
 
@@ -33,39 +42,48 @@ constexpr double most_multiples = 0x1p31;
 }  // namespace
 
 BoxLattice::BoxLattice(unsigned dimensions, const double* vectors) : dimensions_(dimensions) {
-    // A common factor keeps all products in the range of doubles.
     double largest = 0;
     for (unsigned i = 0; i < 3 * dimensions; ++i)
         largest = std::max(largest, std::fabs(vectors[i]));
     if (largest == 0) fail_to_span(dimensions);
-    const int exponent = std::ilogb(largest);
-    for (unsigned i = 0; i < 3 * dimensions; ++i)
-        given_[i / 3][i % 3] = std::scalbn(vectors[i], -exponent);
+    exponent_ = std::ilogb(largest);
+    factors_[0] = std::scalbn(1.0, -(exponent_ / 2));
+    factors_[1] = std::scalbn(1.0, -(exponent_ - exponent_ / 2));
+    for (unsigned k = 0; k < dimensions; ++k) {
+        transform_[k][k] = 1;
+        for (unsigned c = 0; c < 3; ++c)
+            basis_[k][c] = given_[k][c] = std::scalbn(vectors[3 * k + c], -exponent_);
+    }
     reduce();
     complete();
     set_dual();
-    for (unsigned k = 0; k < 3; ++k) {
-        for (unsigned c = 0; c < 3; ++c) {
-            basis_[k][c] = std::scalbn(basis_[k][c], exponent);
-            dual_[k][c] = std::scalbn(dual_[k][c], -exponent);
-        }
-        slope_[k] = std::scalbn(slope_[k], -exponent);
-    }
-    covering_radius_ = std::scalbn(covering_radius_, exponent);
+}
+
+BoxLattice BoxLattice::rounded_to(const double (&units)[3]) const {
+    BoxLattice rounded = *this;
+    rounded.is_exact_ = true;
+    for (unsigned k = 0; k < dimensions_; ++k)
+        for (unsigned c = 0; c < 3; ++c)
+            if (units[c] > 0)
+                rounded.basis_[k][c] = std::nearbyint(basis_[k][c] / units[c]) * units[c];
+    rounded.reduce();
+    rounded.complete();
+    rounded.set_dual();
+    for (unsigned k = 0; k < dimensions_; ++k)
+        if (!(rounded.slope_[k] * 2 * rounded.covering_radius_ <= largest_ratio))
+            fail(MGDT_ERR_INVALID_ARGUMENT,
+                 "the box is flat, or nearly: across one of its faces it measures %g of its size",
+                 1 / (rounded.slope_[k] * 2 * rounded.covering_radius_));
+    return rounded;
 }
 
 // Computes the coordinates of a combination, nearly as well as doubles can.
 void BoxLattice::set(Combination& v) const {
     for (unsigned c = 0; c < 3; ++c) {
-        double sum = 0, error = 0;
-        for (unsigned i = 0; i < dimensions_; ++i) {
-            const auto factor = static_cast<double>(v.of[i]);
-            const double product = factor * given_[i][c], next = sum + product, part = next - sum;
-            error += std::fma(factor, given_[i][c], -product) +
-                     ((sum - (next - part)) + (product - part));
-            sum = next;
-        }
-        v.x[c] = sum + error;
+        Twofold sum = {0, 0};
+        for (unsigned i = 0; i < dimensions_; ++i)
+            sum = sum + Twofold::product(static_cast<double>(v.of[i]), given_[i][c]);
+        v.x[c] = sum.high + sum.low;
     }
 }
 
@@ -76,32 +94,46 @@ void BoxLattice::add(Combination& v, const Combination& w, double factor) const 
             fail(MGDT_ERR_INVALID_ARGUMENT, "the box is too oblique");
         v.of[i] = static_cast<std::int64_t>(sum);
     }
-    set(v);
+    if (!is_exact_) return set(v);
+    for (unsigned c = 0; c < 3; ++c) v.x[c] += factor * w.x[c];
 }
 
+// Vectors that are not exact are compared with room for rounding, so that each reduction ends.
+bool BoxLattice::is_shorter(const Combination& v, const Combination& w) const {
+    if (is_exact_) return compare_lengths(v.x, origin, w.x, origin) < 0;
+    return dot(v.x, v.x) < dot(w.x, w.x) * (1 - 1e-12);
+}
+
+bool BoxLattice::is_acute(const Combination& v, const Combination& w) const {
+    if (!is_exact_) return dot(v.x, w.x) > 1e-12 * length_of(v.x) * length_of(w.x);
+    const double opposite[3] = {-w.x[0], -w.x[1], -w.x[2]};
+    return compare_lengths(v.x, opposite, v.x, w.x) > 0;
+}
+
+// Makes the basis obtuse.
 void BoxLattice::reduce() {
     const unsigned n = dimensions_;
     Combination v[4] = {};
     for (unsigned i = 0; i < n; ++i) {
-        v[i].of[i] = 1;
-        set(v[i]);
+        std::copy_n(transform_[i], 3, v[i].of);
+        std::copy_n(basis_[i], 3, v[i].x);
     }
-    const auto length2 = [&](unsigned i) { return dot(v[i].x, v[i].x); };
     // As Lagrange does it for two vectors: takes from each vector what makes it shorter. This
     // brings oblique boxes near to the end soon.
-    for (bool is_shorter = true; is_shorter;) {
-        is_shorter = false;
+    for (bool has_changed = true; has_changed;) {
+        has_changed = false;
         for (unsigned i = 0; i < n; ++i)
             for (unsigned j = 0; j < n; ++j) {
                 if (i == j) continue;
-                if (length2(j) == 0) fail_to_span(n);
-                const double factor = std::nearbyint(dot(v[i].x, v[j].x) / length2(j));
+                const double square = dot(v[j].x, v[j].x);
+                if (square == 0) fail_to_span(n);
+                const double factor = std::nearbyint(dot(v[i].x, v[j].x) / square);
                 if (factor == 0) continue;
                 Combination shorter = v[i];
                 add(shorter, v[j], -factor);
-                if (!(dot(shorter.x, shorter.x) < length2(i) * (1 - 1e-12))) continue;
+                if (!is_shorter(shorter, v[i])) continue;
                 v[i] = shorter;
-                is_shorter = true;
+                has_changed = true;
             }
     }
     // Selling's steps to an obtuse superbase: the sum of the squares of its lengths decreases.
@@ -109,9 +141,7 @@ void BoxLattice::reduce() {
     const auto step = [&] {
         for (unsigned i = 0; i <= n; ++i)
             for (unsigned j = 0; j <= n; ++j) {
-                const double product = dot(v[i].x, v[j].x);
-                if (i == j || !(product > 1e-12 * std::sqrt(length2(i)) * std::sqrt(length2(j))))
-                    continue;
+                if (i == j || !is_acute(v[i], v[j])) continue;
                 const Combination w = v[i];
                 for (unsigned k = 0; k <= n; ++k)
                     if (k != i && k != j) add(v[k], w, n == 2 ? 2 : 1);
@@ -124,53 +154,61 @@ void BoxLattice::reduce() {
         while (step()) {
         }
     // The longest vector of the superbase goes.
-    const auto shorter = [&](const Combination& a, const Combination& b) {
-        const double x = dot(a.x, a.x), y = dot(b.x, b.x);
-        return x != y ? x < y : std::lexicographical_compare(b.of, b.of + 3, a.of, a.of + 3);
+    const auto is_before = [&](const Combination& a, const Combination& b) {
+        const int c = compare_lengths(a.x, origin, b.x, origin);
+        return c != 0 ? c < 0 : std::lexicographical_compare(b.of, b.of + 3, a.of, a.of + 3);
     };
-    if (n > 1) std::sort(v, v + n + 1, shorter);
+    for (unsigned i = 1; n > 1 && i <= n; ++i)
+        for (unsigned j = i; j > 0 && is_before(v[j], v[j - 1]); --j) std::swap(v[j], v[j - 1]);
+    covering_radius_ = 0;
     for (unsigned k = 0; k < n; ++k) {
         std::copy_n(v[k].of, 3, transform_[k]);
         std::copy_n(v[k].x, 3, basis_[k]);
-        covering_radius_ += std::sqrt(length2(k)) / 2;
+        covering_radius_ += length_of(basis_[k]) / 2 * (1 + 0x1p-40);
     }
 }
 
-// Completes the basis by vectors that are orthogonal to it and of about the length of the longest.
+// Completes the basis by vectors that are orthogonal to it, within rounding, and of about the
+// length of the longest.
 void BoxLattice::complete() {
-    const double size = std::sqrt(dot(basis_[dimensions_ - 1], basis_[dimensions_ - 1]));
+    const double size = length_of(basis_[dimensions_ - 1]);
     if (size == 0) fail_to_span(dimensions_);
+    const auto set_normal = [&](const double* a, const double* b, double(&to)[3]) {
+        // Unit vectors, so that the square of the length is in the range of doubles.
+        double unit[2][3];
+        for (unsigned c = 0; c < 3; ++c) {
+            unit[0][c] = a[c] / length_of(a);
+            unit[1][c] = b[c] / length_of(b);
+        }
+        Twofold normal[3];
+        cross(unit[0], unit[1], normal);
+        for (unsigned c = 0; c < 3; ++c) to[c] = normal[c].high;
+        const double length = length_of(to);
+        if (!(length > 0)) fail_to_span(dimensions_);
+        for (double& x : to) x *= size / length;
+    };
     if (dimensions_ == 1) {
         unsigned least = 0;
         for (unsigned c = 1; c < 3; ++c)
             if (std::fabs(basis_[0][c]) < std::fabs(basis_[0][least])) least = c;
         double axis[3] = {};
         axis[least] = 1;
-        cross(basis_[0], axis, basis_[1]);
+        set_normal(basis_[0], axis, basis_[1]);
     }
-    if (dimensions_ < 3) {
-        double unit[2][3];
-        for (unsigned k = 0; k < 2; ++k) {
-            const double length = std::sqrt(dot(basis_[k], basis_[k]));
-            for (unsigned c = 0; c < 3; ++c) unit[k][c] = basis_[k][c] / length;
-        }
-        cross(unit[0], unit[1], basis_[2]);
-        for (unsigned k = dimensions_; k < 3; ++k) {
-            const double length = std::sqrt(dot(basis_[k], basis_[k]));
-            if (!(length > 0)) fail_to_span(dimensions_);
-            for (unsigned c = 0; c < 3; ++c) basis_[k][c] *= size / length;
-        }
-    }
+    if (dimensions_ < 3) set_normal(basis_[0], basis_[1], basis_[2]);
 }
 
 void BoxLattice::set_dual() {
-    double volume = 0;
-    for (unsigned k = 0; k < 3; ++k) cross(basis_[(k + 1) % 3], basis_[(k + 2) % 3], dual_[k]);
-    volume = dot(basis_[0], dual_[0]);
-    if (volume == 0) fail_to_span(dimensions_);
     for (unsigned k = 0; k < 3; ++k) {
-        for (unsigned c = 0; c < 3; ++c) dual_[k][c] /= volume;
-        slope_[k] = std::sqrt(dot(dual_[k], dual_[k]));
+        Twofold normal[3], volume = {0, 0};
+        cross(basis_[(k + 1) % 3], basis_[(k + 2) % 3], normal);
+        for (unsigned c = 0; c < 3; ++c) volume = volume + normal[c] * Twofold{basis_[k][c], 0};
+        if (volume.high == 0) fail_to_span(dimensions_);
+        for (unsigned c = 0; c < 3; ++c) {
+            const Twofold quotient = normal[c] / volume;
+            dual_[k][c] = quotient.high + quotient.low;
+        }
+        slope_[k] = length_of(dual_[k]) * (1 + 0x1p-40);
         if (!std::isfinite(slope_[k])) fail_to_span(dimensions_);
     }
 }
@@ -179,7 +217,7 @@ void BoxLattice::coordinates(const double* x, double (&s)[3]) const {
     for (unsigned k = 0; k < 3; ++k) s[k] = dot(dual_[k], x);
 }
 
-std::array<std::int64_t, 3> BoxLattice::to_callers(const Multiples& of_basis) const {
+std::array<std::int64_t, 3> BoxLattice::multiples_of_callers(const Multiples& of_basis) const {
     std::array<std::int64_t, 3> of_callers = {};
     for (unsigned k = 0; k < dimensions_; ++k)
         for (unsigned j = 0; j < dimensions_; ++j) of_callers[j] += of_basis[k] * transform_[k][j];

@@ -24,24 +24,41 @@ inline Multiples operator-(const Multiples& a) {
 // sum, make an acute angle (Conway and Sloane, Low-dimensional lattices VI, 1992). So the cell of a
 // lattice point is bounded by planes towards sums of subsets of the basis and their opposites, and
 // no other lattice points.
+//
+// Vectors and places are those of the caller times 2^-exponent(), which brings the largest
+// coordinate of the caller's vectors near to 1.
 class BoxLattice {
   public:
     // One to three vectors of three finite coordinates each. Throws MGDT_ERR_INVALID_ARGUMENT if
-    // they do not span.
+    // they do not span. The angles of the basis are obtuse within rounding.
     BoxLattice(unsigned dimensions, const double* vectors);
+    // The lattice of the basis after rounding to multiples of a unit, a power of two, for each
+    // axis. Axes whose unit is 0 are not rounded. Its own basis is exact and exactly obtuse. Throws
+    // MGDT_ERR_INVALID_ARGUMENT if what is left does not span, or hardly.
+    BoxLattice rounded_to(const double (&units)[3]) const;
 
     unsigned dimensions() const { return dimensions_; }
+    int exponent() const { return exponent_; }
+    double from_callers(double x) const { return x * factors_[0] * factors_[1]; }
+    double to_callers(double x) const { return x / factors_[0] / factors_[1]; }
     // A vector of the basis, shortest first, and from dimensions() on an orthogonal complement.
     const double* vector(unsigned k) const { return basis_[k]; }
-    // How often a place contains each of the three vectors. Rounded.
+    // How often a place contains each of the three vectors. The errors are at most error_of().
     void coordinates(const double* x, double (&s)[3]) const;
+    double error_of(unsigned k, double distance_from_origin) const {
+        return coordinate_error * slope_[k] * distance_from_origin;
+    }
     // How much coordinate k changes at most over a distance of 1.
     double slope(unsigned k) const { return slope_[k]; }
     // A distance from the next lattice point that no place in the span exceeds.
     double covering_radius() const { return covering_radius_; }
     // Converts multiples of the basis, of which none exceeds 2^30 by much, to multiples of the
     // caller's vectors.
-    std::array<std::int64_t, 3> to_callers(const Multiples& of_basis) const;
+    std::array<std::int64_t, 3> multiples_of_callers(const Multiples& of_basis) const;
+
+    // Coordinates along thinner boxes, or of points higher above a box, are too rough to find the
+    // images of points.
+    static constexpr double largest_ratio = 0x1p38;
 
   private:
     // A vector as integral multiples of the caller's vectors.
@@ -49,13 +66,20 @@ class BoxLattice {
         std::int64_t of[3];
         double x[3];
     };
+    static constexpr double coordinate_error = 0x1p-49;  // docs/theory.md, "Periodic boxes"
+
     void set(Combination& v) const;
     void add(Combination& v, const Combination& w, double factor) const;
+    bool is_shorter(const Combination& v, const Combination& w) const;
+    bool is_acute(const Combination& v, const Combination& w) const;
     void reduce();
     void complete();
     void set_dual();
 
     unsigned dimensions_;
+    int exponent_ = 0;
+    double factors_[2] = {};  // their product is 2^-exponent_, and may be no double
+    bool is_exact_ = false;
     double given_[3][3] = {};
     std::int64_t transform_[3][3] = {};  // the vectors of the basis, by the caller's vectors
     double basis_[3][3] = {}, dual_[3][3] = {};

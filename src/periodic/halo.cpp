@@ -36,9 +36,8 @@ Image image_of(std::uint32_t point, const Multiples& k) {
 
 // An image whose coordinates exceed the box by more than this share of a vector is not in a shell.
 constexpr double widest_shell = 0.95;
-// Coordinates of nearby places along the vectors of a lattice differ from the true ones by less,
-// times the slope and the longest vector.
-constexpr double coordinate_error = 0x1p-40;
+// Coordinates of places whose errors are larger say nothing about which images are near.
+constexpr double rough = 0x1p-4;
 // Of all images of a point, the nearest to a place is within this many vectors of it, and so is a
 // place in the cell of a lattice point (docs/theory.md, "Periodic boxes").
 constexpr double nearest_range = 1.5;
@@ -54,11 +53,10 @@ class Halo::Round {
           stop_(stop),
           balls_(halo.allocator_),
           most_requests_(most_requests) {
-        const BoxLattice& lattice = *halo.lattice_;
         for (unsigned k = 0; k < 3; ++k) {
-            error_[k] = coordinate_error * lattice.slope(k) * 2 * lattice.covering_radius();
-            low_[k] = -halo.shell_[k] + error_[k];
-            high_[k] = 1 + halo.shell_[k] - error_[k];
+            error_[k] = lattice().error_of(k, halo_.grid_->size());
+            low_[k] = -halo_.shell_[k] + error_[k];
+            high_[k] = 1 + halo_.shell_[k] - error_[k];
         }
     }
 
@@ -92,7 +90,7 @@ class Halo::Round {
     // Adds the images of a point that bound the cell of a lattice point.
     void add_basic_images(std::uint32_t point) {
         halo_.basic_round_[point] = halo_.rounds_ + 1;
-        const unsigned subsets = 1u << halo_.lattice_->dimensions();
+        const unsigned subsets = 1u << lattice().dimensions();
         for (unsigned subset = 1; subset < subsets; ++subset) {
             Multiples k = {};
             for (unsigned i = 0; i < 3; ++i) k[i] = static_cast<std::int32_t>(subset >> i & 1);
@@ -114,8 +112,13 @@ class Halo::Round {
     struct Ball {
         TetId tetrahedron;
         std::uint32_t point;  // a corner in the box
+        double offset[3];     // of the centre from the tetrahedron's first corner
         double center[3], radius;
     };
+    const BoxLattice& lattice() const { return halo_.grid_->lattice(); }
+    const double* corner(TetId t, unsigned i) const {
+        return halo_.point(mesh_.vertices[mesh_.tetrahedra[t].v[i]].index);
+    }
 
     void look_at(TetId t) {
         const Tetrahedron& tetrahedron = mesh_.tetrahedra[t];
@@ -127,7 +130,7 @@ class Halo::Round {
             if (v != infinite_vertex && halo_.is_own(mesh_.vertices[v].index))
                 own[count++] = mesh_.vertices[v].index;
         if (count == 0) return;
-        Ball ball = {t, own[0], {}, infinity};
+        Ball ball = {t, own[0], {}, {}, infinity};
         if (!is_ghost) set(ball);
         if (is_ghost || !is_above_cell(ball)) {
             bool is_ready = true;
@@ -167,54 +170,66 @@ class Halo::Round {
     }
     bool is_in_shell(const double* center, double radius) const {
         double s[3];
-        halo_.lattice_->coordinates(center, s);
-        for (unsigned k = 0; k < halo_.lattice_->dimensions(); ++k) {
-            const double reach = radius * halo_.lattice_->slope(k);
+        lattice().coordinates(center, s);
+        const double size = size_of(center);
+        for (unsigned k = 0; k < lattice().dimensions(); ++k) {
+            const double reach = radius * lattice().slope(k) + lattice().error_of(k, size);
             if (!(s[k] - reach > low_[k] && s[k] + reach < high_[k])) return false;
         }
         return true;
     }
+    static double size_of(const double* place) {
+        return std::fabs(place[0]) + std::fabs(place[1]) + std::fabs(place[2]);
+    }
     void set(Ball& ball) const {
-        const Tetrahedron& t = mesh_.tetrahedra[ball.tetrahedron];
-        const Circumcenter c = circumcenter(
-            {mesh_.point(t.v[0]), mesh_.point(t.v[1]), mesh_.point(t.v[2]), mesh_.point(t.v[3])},
-            mesh_.scale);
-        std::copy_n(c.x, 3, ball.center);
-        ball.radius = std::sqrt(c.radius2) * (1 + 0x1p-50);
+        const double* const corners[4] = {corner(ball.tetrahedron, 0), corner(ball.tetrahedron, 1),
+                                          corner(ball.tetrahedron, 2), corner(ball.tetrahedron, 3)};
+        center_offset(corners, ball.offset);
+        double square = 0;
+        for (unsigned c = 0; c < 3; ++c) {
+            ball.center[c] = corners[0][c] + ball.offset[c];
+            square += ball.offset[c] * ball.offset[c];
+        }
+        ball.radius = std::sqrt(square) * (1 + 0x1p-40);
+    }
+    // A bound on the error of coordinate k of a centre, or of its difference from that of a point.
+    double error_at(const Ball& ball, unsigned k) const {
+        return error_[k] + lattice().error_of(k, size_of(ball.center));
     }
     // Whether the centre may be in the cell that the basic images leave to the point, or above that
     // cell in a slab or beside a wire. False for a centre so far away that its coordinates are
     // rough.
     bool is_above_cell(const Ball& ball) const {
-        const BoxLattice& lattice = *halo_.lattice_;
-        if (!(ball.radius <= 0x1p20 * lattice.covering_radius())) return false;
         double center[3], point[3];
-        lattice.coordinates(ball.center, center);
-        lattice.coordinates(halo_.point(ball.point), point);
-        for (unsigned k = 0; k < lattice.dimensions(); ++k)
-            if (!(std::fabs(center[k] - point[k]) <= nearest_range + error_[k])) return false;
+        lattice().coordinates(ball.center, center);
+        lattice().coordinates(halo_.point(ball.point), point);
+        for (unsigned k = 0; k < lattice().dimensions(); ++k) {
+            const double error = error_at(ball, k);
+            if (!(error <= rough && std::fabs(center[k] - point[k]) <= nearest_range + error))
+                return false;
+        }
         return true;
     }
 
     // The range of coordinates along the vectors in which images of a ball are looked for: in the
     // ball, and near enough to its centre to be the nearest image of a point.
     void range_of(const Ball& ball, double (&low)[3], double (&high)[3]) const {
-        const BoxLattice& lattice = *halo_.lattice_;
         // A distant centre is above the cell too, when the basic images are known.
         const bool is_near = is_above_cell(ball);
         double s[3];
-        lattice.coordinates(is_near ? ball.center : halo_.point(ball.point), s);
-        for (unsigned k = 0; k < lattice.dimensions(); ++k) {
-            const double reach = (is_near ? std::min(ball.radius * lattice.slope(k), nearest_range)
-                                          : 2 * nearest_range) +
-                                 error_[k];
+        lattice().coordinates(is_near ? ball.center : halo_.point(ball.point), s);
+        for (unsigned k = 0; k < lattice().dimensions(); ++k) {
+            const double reach =
+                is_near
+                    ? std::min(ball.radius * lattice().slope(k), nearest_range) + error_at(ball, k)
+                    : 2 * nearest_range + error_[k];
             low[k] = s[k] - reach;
             high[k] = s[k] + reach;
         }
     }
     // The points of the box that have images in the range of a ball, but not in the shell.
     void collect_candidates() {
-        const unsigned dimensions = halo_.lattice_->dimensions();
+        const unsigned dimensions = lattice().dimensions();
         double low[3], high[3];
         std::fill_n(low, 3, infinity);
         std::fill_n(high, 3, -infinity);
@@ -228,12 +243,13 @@ class Halo::Round {
         }
         for (std::uint32_t p = 0; p < halo_.own_; ++p) {
             double s[3];
-            halo_.lattice_->coordinates(halo_.point(p), s);
+            lattice().coordinates(halo_.point(p), s);
             bool is_candidate = false;
             for (unsigned k = 0; k < dimensions; ++k)
-                is_candidate = is_candidate || (s[k] + 1 >= high_[k] && s[k] + 1 <= high[k]) ||
-                               (s[k] - 1 <= low_[k] && s[k] - 1 >= low[k]) || high[k] >= 2 ||
-                               low[k] <= -1;
+                is_candidate = is_candidate ||
+                               (s[k] + 1 >= high_[k] && s[k] + 1 <= high[k] + error_[k]) ||
+                               (s[k] - 1 <= low_[k] && s[k] - 1 >= low[k] - error_[k]) ||
+                               high[k] + error_[k] >= 2 || low[k] - error_[k] <= -1;
             const auto repeats_another = [&] {
                 return mesh_.vertices[halo_.triangulation_->point_map()[p]].index != p;
             };
@@ -243,60 +259,59 @@ class Halo::Round {
         candidates_.make(stop_);
     }
 
-    // Calls visit(k, place) for the images whose range the ball may meet, with the place of its
-    // centre among the points of the box.
+    // Calls visit(k, power) for the multiples by which images may be in the ball. `power` is that
+    // of points of the box with respect to the ball moved back by these multiples.
     template <class Visit>
     void each_shift(const Ball& ball, const Visit& visit) const {
-        double low[3] = {}, high[3] = {};
+        double low[3] = {}, high[3] = {}, w[3];
         range_of(ball, low, high);
+        for (unsigned c = 0; c < 3; ++c) w[c] = 2 * ball.offset[c];
+        double base[3];  // a copy, since `visit` may add points
+        std::copy_n(corner(ball.tetrahedron, 0), 3, base);
         // A point of the box has coordinates from 0 to 1.
         std::int32_t first[3] = {}, last[3] = {};
-        for (unsigned k = 0; k < halo_.lattice_->dimensions(); ++k) {
+        for (unsigned k = 0; k < lattice().dimensions(); ++k) {
             first[k] = static_cast<std::int32_t>(std::ceil(low[k] - 1 - error_[k]));
             last[k] = static_cast<std::int32_t>(std::floor(high[k] + error_[k]));
         }
-        const double origin[3] = {};
         Multiples k;
         for (k[0] = first[0]; k[0] <= last[0]; ++k[0])
             for (k[1] = first[1]; k[1] <= last[1]; ++k[1])
                 for (k[2] = first[2]; k[2] <= last[2]; ++k[2]) {
                     if (k == Multiples{}) continue;
-                    double step[3], place[3];
-                    halo_.grid_->image(origin, k, step);
-                    for (unsigned c = 0; c < 3; ++c) place[c] = ball.center[c] - step[c];
-                    visit(k, place);
+                    double moved[3];
+                    halo_.grid_->image(base, -k, moved);
+                    visit(k, RoughPower(moved, w));
                 }
     }
-    // Adds the image that is nearest to the centre, if it is clearly in the ball. Then those that
-    // are in the ball with it can wait for a later round. If there is none, adds those that are on
-    // the sphere, or in it by less than what rounding hides.
+    // Adds the image that is deepest in the ball, if there is one. Then those that are in the ball
+    // with it can wait for a later round. If there is none, adds those on the sphere. Powers find
+    // images, and the exact predicate decides.
     void find_in(const Ball& ball) {
-        constexpr double slack = 0x1p-30;
-        const double most = ball.radius * ball.radius;
-        double square = most * (1 - slack);
-        std::uint32_t nearest = 0;
-        Multiples of_nearest = {};
-        each_shift(ball, [&](const Multiples& k, const double* place) {
-            const double before = square;
-            candidates_.find_nearest(place, square, nearest);
-            if (square < before) of_nearest = k;
+        double least = 0;
+        std::uint32_t deepest = 0;
+        Multiples of_deepest = {};
+        each_shift(ball, [&](const Multiples& k, const RoughPower& power) {
+            const double before = least;
+            candidates_.find_least(power, least, deepest);
+            if (least < before) of_deepest = k;
         });
-        if (of_nearest != Multiples{}) {
-            halo_.add(image_of(nearest, of_nearest));
+        if (of_deepest != Multiples{} && side_of(ball, deepest, of_deepest) > 0) {
+            halo_.add(image_of(deepest, of_deepest));
             return;
         }
-        const Tetrahedron& t = mesh_.tetrahedra[ball.tetrahedron];
-        const auto corner = [&](unsigned i) { return halo_.point(mesh_.vertices[t.v[i]].index); };
-        const auto add_if_inside = [&](std::uint32_t point, const Multiples& k) {
-            double x[3];
-            halo_.grid_->image(halo_.point(point), k, x);
-            if (side_of_sphere(corner(0), corner(1), corner(2), corner(3), x) >= 0)
-                halo_.add(image_of(point, k));
-        };
-        each_shift(ball, [&](const Multiples& k, const double* place) {
-            candidates_.for_each_near(place, most * (1 + slack),
-                                      [&](std::uint32_t point) { add_if_inside(point, k); });
+        each_shift(ball, [&](const Multiples& k, const RoughPower& power) {
+            candidates_.for_each_inside(power, [&](std::uint32_t point) {
+                const Image image = image_of(point, k);
+                if (!halo_.knows(image) && side_of(ball, point, k) >= 0) halo_.add(image);
+            });
         });
+    }
+    int side_of(const Ball& ball, std::uint32_t point, const Multiples& k) const {
+        double x[3];
+        halo_.grid_->image(halo_.point(point), k, x);
+        const TetId t = ball.tetrahedron;
+        return side_of_sphere(corner(t, 0), corner(t, 1), corner(t, 2), corner(t, 3), x);
     }
 
     Halo& halo_;
@@ -320,8 +335,17 @@ void Halo::clear() noexcept {
     rounds_ = 0;
 }
 
+bool Halo::knows(const Image& image) const {
+    return !images_.empty() && known_.find(hash_of(image), [&](std::uint32_t i) {
+        return are_equal(images_[i], image);
+    }) != NumberTable::none;
+}
+
 // Adds an image to the list unless it is known. Returns whether it is new.
 bool Halo::add(const Image& image) {
+    if (point_count() >= max_points)
+        fail(MGDT_ERR_TOO_LARGE, "%zu points and images of points are more than can be numbered",
+             point_count() + 1);
     known_.reserve(images_.size() + 1);
     const std::uint32_t number = known_.number(
         hash_of(image), [&](std::uint32_t i) { return are_equal(images_[i], image); });
@@ -337,13 +361,14 @@ bool Halo::add(const Image& image) {
 
 // All images in a shell around the box that is about twice as wide as the points are apart.
 void Halo::add_first_halo() {
-    const unsigned dimensions = lattice_->dimensions();
+    const BoxLattice& lattice = grid_->lattice();
+    const unsigned dimensions = lattice.dimensions();
     double low[3], high[3];
     std::fill_n(low, 3, infinity);
     std::fill_n(high, 3, -infinity);
     for (std::uint32_t p = 0; p < own_; ++p) {
         double s[3];
-        lattice_->coordinates(point(p), s);
+        lattice.coordinates(point(p), s);
         for (unsigned k = dimensions; k < 3; ++k) {
             low[k] = std::min(low[k], s[k]);
             high[k] = std::max(high[k], s[k]);
@@ -352,17 +377,17 @@ void Halo::add_first_halo() {
     // The volume that the points fill, in the coordinates of the basis, and its determinant.
     double volume = 1;
     for (unsigned k = 0; k < 3; ++k) {
-        const double* const v = lattice_->vector(k);
+        const double* const v = lattice.vector(k);
         const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
         volume *= k < dimensions ? length : std::max(high[k] - low[k], 1e-3) * length;
     }
     constexpr double widths = 2;
     const double width = widths * std::cbrt(volume / static_cast<double>(own_));
     for (unsigned k = 0; k < dimensions; ++k)
-        shell_[k] = std::min(width * lattice_->slope(k), widest_shell);
+        shell_[k] = std::min(width * lattice.slope(k), widest_shell);
     for (std::uint32_t p = 0; p < own_; ++p) {
         double s[3];
-        lattice_->coordinates(point(p), s);
+        lattice.coordinates(point(p), s);
         std::int32_t first[3] = {}, last[3] = {};
         bool is_inner = true;
         for (unsigned k = 0; k < dimensions; ++k) {
@@ -386,15 +411,18 @@ void Halo::insert(std::size_t first, StageProgress& progress) {
                    [&] { triangulation_->insert(point_count() - first, axis, 3); });
 }
 
-void Halo::build(const BoxLattice& lattice, const ImageGrid& grid, Buffer<double>&& points,
-                 std::int32_t threads, StageProgress& progress, const StopRequest& stop) {
+void Halo::build(const ImageGrid& grid, Buffer<double>&& points, std::int32_t threads,
+                 StageProgress& progress, const StopRequest& stop) {
     clear();
-    lattice_ = &lattice;
     grid_ = &grid;
     points_ = std::move(points);
     own_ = points_.size() / 3;
-    triangulation_.emplace(allocator_.allocate_function(), allocator_.release_function(),
-                           allocator_.user());
+    // A limit or a caller's functions hold for the triangulation too. Otherwise it has an allocator
+    // of its own, whose blocks grow without a copy.
+    if (allocator_.limit() > 0 || allocator_.allocate_function())
+        triangulation_.emplace(Allocator::allocate_from, Allocator::release_to, &allocator_);
+    else
+        triangulation_.emplace(nullptr, nullptr, nullptr);
     triangulation_->settings().threads = threads;
     if (own_ == 0) return;
     basic_round_.resize(own_, 0u);
@@ -402,10 +430,10 @@ void Halo::build(const BoxLattice& lattice, const ImageGrid& grid, Buffer<double
     std::size_t first = 0;
     bool is_preliminary = true;
     double done = 0;
-    while (point_count() > first) {
+    do {
         progress.enter(done, done + 0.8 * (1 - done));
         done += 0.8 * (1 - done);
-        insert(first, progress);
+        if (point_count() > first) insert(first, progress);
         Round round(*this, std::size_t{8} << std::min(rounds_, 30u), stop);
         const std::size_t known = point_count();
         // Points that do not span space do so with these, if the infinite set does.
@@ -416,10 +444,11 @@ void Halo::build(const BoxLattice& lattice, const ImageGrid& grid, Buffer<double
         else
             round.look_at_stars(first);
         round.find_images();
-        is_preliminary = triangulation_->dimension() < 3 || round.is_preliminary();
+        is_preliminary =
+            triangulation_->dimension() < 3 ? point_count() > known : round.is_preliminary();
         first = known;
         ++rounds_;
-    }
+    } while (point_count() > first || is_preliminary);
 }
 
 }  // namespace mgdt

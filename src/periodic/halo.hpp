@@ -35,8 +35,8 @@ class Halo {
 
     // Triangulates points that are wrapped and on the grid, three coordinates each, and what halo
     // they need. Throws as Triangulation::insert().
-    void build(const BoxLattice& lattice, const ImageGrid& grid, Buffer<double>&& points,
-               std::int32_t threads, StageProgress& progress, const StopRequest& stop);
+    void build(const ImageGrid& grid, Buffer<double>&& points, std::int32_t threads,
+               StageProgress& progress, const StopRequest& stop);
     void clear() noexcept;
 
     // The points of the box come first, then the images, in the order of their indices in the
@@ -59,11 +59,11 @@ class Halo {
     class Round;
     friend class Round;
     void add_first_halo();
+    bool knows(const Image& image) const;
     bool add(const Image& image);
     void insert(std::size_t first, StageProgress& progress);
 
     Allocator& allocator_;
-    const BoxLattice* lattice_ = nullptr;
     const ImageGrid* grid_ = nullptr;
     std::optional<Triangulation> triangulation_;
     Buffer<double> points_;

@@ -10,6 +10,8 @@
 namespace mgdt {
 namespace {
 
+constexpr double origin[3] = {};
+
 // The integer nearest to q; of two, the greater one, so that the result moves with q.
 double nearest_integer(double q) {
     if (!(std::fabs(q) < 0x1p52)) return q;
@@ -33,65 +35,79 @@ std::uint64_t modulo_2_64(double integer) {
 
 }  // namespace
 
-void add_wrapped(const BoxLattice& lattice, const double* x, ImageGrid::Bounds& bounds) {
-    if (lattice.dimensions() == 3) return;  // the size of the box is enough
-    double s[3];
-    lattice.coordinates(x, s);
+bool PointReach::add(const double* x) {
+    if (lattice_.dimensions() == 3) return true;  // the size of the box is enough
+    double place[3], s[3], square = 0;
+    for (unsigned c = 0; c < 3; ++c) place[c] = lattice_.from_callers(x[c]);
+    lattice_.coordinates(place, s);
     for (unsigned c = 0; c < 3; ++c) {
-        double rest = x[c], size = 0;
-        for (unsigned k = 0; k < lattice.dimensions(); ++k) {
-            rest -= s[k] * lattice.vector(k)[c];
-            size += std::fabs(lattice.vector(k)[c]);
+        double rest = place[c], size = 0;
+        for (unsigned k = 0; k < lattice_.dimensions(); ++k) {
+            rest -= s[k] * lattice_.vector(k)[c];
+            size += std::fabs(lattice_.vector(k)[c]);
         }
         // What is far away cancels, so rounding may leave more than there is.
-        bounds.largest[c] = std::max(bounds.largest[c], std::fabs(rest) + size);
+        largest_[c] = std::max(largest_[c], std::fabs(rest) + size);
+        square += rest * rest;
     }
+    const double height = std::sqrt(square);
+    for (unsigned k = 0; k < lattice_.dimensions(); ++k)
+        if (!(height * lattice_.slope(k) <= BoxLattice::largest_ratio)) return false;
+    height_ = std::max(height_, height);
+    return true;
 }
 
-ImageGrid::ImageGrid(const BoxLattice& lattice, const Bounds& bounds) : lattice_(lattice) {
-    for (unsigned c = 0; c < 3; ++c) {
-        double size = 0, largest = 0;
-        for (unsigned k = 0; k < lattice.dimensions(); ++k) {
-            size += std::fabs(lattice.vector(k)[c]);
-            largest = std::max(largest, std::fabs(lattice.vector(k)[c]));
-        }
-        if (largest == 0) continue;
-        // Otherwise units or images are no doubles.
-        size = std::max(size, bounds.largest[c]);
-        if (!(size > 0x1p-960 && size < 0x1p1000))
-            fail(MGDT_ERR_INVALID_ARGUMENT,
-                 "the box is too small or too large: its vectors reach over %g along axis %u", size,
-                 c + 1);
-        // With M < 2^e for the largest size, images up to 15 M are below 2^53 units.
-        unit_[c] = std::scalbn(1.0, std::ilogb(size) + 1 - 48);
-    }
-    for (unsigned c = 0; c < 3; ++c) per_unit_[c] = unit_[c] > 0 ? 1 / unit_[c] : 0;
-    for (unsigned k = 0; k < lattice.dimensions(); ++k)
-        margin_[k] = 0x1p-40 * lattice.slope(k) * 2 * lattice.covering_radius();
-    for (unsigned k = 0; k < 3; ++k)
+namespace {
+
+// The unit of each axis.
+struct Units {
+    Units(const BoxLattice& lattice, const PointReach& reach) {
         for (unsigned c = 0; c < 3; ++c) {
-            double& x = spanning_[k][c];
-            x = lattice.vector(k)[c];
-            if (k >= lattice.dimensions()) continue;
-            if (unit_[c] > 0) x = nearest_integer(x * per_unit_[c]) * unit_[c];
-            basis_[k][c] = x;
+            double size = 0, largest = 0;
+            for (unsigned k = 0; k < lattice.dimensions(); ++k) {
+                size += std::fabs(lattice.vector(k)[c]);
+                largest = std::max(largest, std::fabs(lattice.vector(k)[c]));
+            }
+            if (largest == 0) continue;
+            size = std::max(size, reach.largest(c));
+            // With M < 2^e for the largest size, images up to 15 M are below 2^53 units.
+            of[c] = std::scalbn(1.0, std::max(std::ilogb(size) + 1 - 48, -900));
+            // The caller's coordinates have to be doubles too.
+            const int exponent = std::ilogb(size) + lattice.exponent();
+            if (exponent < -1020 || exponent > 1000)
+                fail(MGDT_ERR_INVALID_ARGUMENT,
+                     "the box is too small or too large: its vectors reach over 2^%d along axis %u",
+                     exponent, c + 1);
         }
-    const double origin[3] = {};
-    handedness_ = orientation(origin, spanning_[0], spanning_[1], spanning_[2]);
+    }
+    double of[3] = {};
+};
+
+}  // namespace
+
+ImageGrid::ImageGrid(const BoxLattice& lattice, const PointReach& reach)
+    : lattice_(lattice.rounded_to(Units(lattice, reach).of)) {
+    const Units units(lattice, reach);
+    for (unsigned c = 0; c < 3; ++c) {
+        unit_[c] = units.of[c];
+        per_unit_[c] = unit_[c] > 0 ? 1 / unit_[c] : 0;
+    }
+    for (unsigned k = 0; k < lattice.dimensions(); ++k)
+        std::copy_n(lattice_.vector(k), 3, basis_[k]);
+    size_ = 10 * lattice_.covering_radius() + reach.height();
+    for (unsigned k = 0; k < lattice.dimensions(); ++k) margin_[k] = lattice_.error_of(k, size_);
+    handedness_ = orientation(origin, lattice_.vector(0), lattice_.vector(1), lattice_.vector(2));
     if (handedness_ == 0)
-        fail(MGDT_ERR_INVALID_ARGUMENT,
-             "the box is flat, or nearly: rounded to 2^-48 of its size, "
-             "its vectors do not span");
+        fail(MGDT_ERR_INVALID_ARGUMENT, "the box is flat: its rounded vectors do not span");
 }
 
 // Whether x is on the outer side of one of the two faces of the box that vector k connects. The
 // near face belongs to the box, and the far one does not.
 bool ImageGrid::is_below(unsigned k, const double* x, bool from_the_far_side) const {
-    const double origin[3] = {};
     double y[3] = {x[0], x[1], x[2]};
     if (from_the_far_side)
-        for (unsigned c = 0; c < 3; ++c) y[c] -= spanning_[k][c];
-    const double* v[3] = {spanning_[0], spanning_[1], spanning_[2]};
+        for (unsigned c = 0; c < 3; ++c) y[c] -= lattice_.vector(k)[c];
+    const double* v[3] = {lattice_.vector(0), lattice_.vector(1), lattice_.vector(2)};
     v[k] = y;
     return orientation(origin, v[0], v[1], v[2]) * handedness_ < 0;
 }
@@ -112,10 +128,16 @@ void ImageGrid::reduce(const double* x, const Multiples& k, double* to) const {
     }
 }
 
+void ImageGrid::round(const double* x, double* rounded) const {
+    for (unsigned c = 0; c < 3; ++c) {
+        const double place = lattice_.from_callers(x[c]);
+        rounded[c] = unit_[c] > 0 ? nearest_integer(place * per_unit_[c]) * unit_[c] : place;
+    }
+}
+
 bool ImageGrid::wrap(const double* x, double* wrapped, Multiples& taken) const {
     double rounded[3], s[3];
-    for (unsigned c = 0; c < 3; ++c)
-        rounded[c] = unit_[c] > 0 ? nearest_integer(x[c] * per_unit_[c]) * unit_[c] : x[c];
+    round(x, rounded);
     lattice_.coordinates(rounded, s);
     taken = {};
     bool is_inside = true;

@@ -53,17 +53,24 @@ void Periodic::move(std::size_t n, const std::uint32_t* points, const double* xy
 // Rounds the points and moves them into the box.
 void Periodic::wrap(Buffer<double>& wrapped) {
     const std::size_t n = point_count();
-    ImageGrid::Bounds bounds;
-    for (std::size_t i = 0; i < n; ++i) add_wrapped(lattice_, given_.begin() + 3 * i, bounds);
-    grid_.emplace(lattice_, bounds);
+    const auto number = [&](std::size_t i) {
+        return static_cast<unsigned long long>(i) +
+               static_cast<unsigned long long>(settings_.index_base);
+    };
+    PointReach reach(lattice_);
+    for (std::size_t i = 0; i < n; ++i)
+        if (!reach.add(given_.begin() + 3 * i))
+            fail(MGDT_ERR_INVALID_ARGUMENT,
+                 "point %llu is too far from the box in a direction without periods: by more than "
+                 "%.0f times the least distance of images",
+                 number(i), BoxLattice::largest_ratio);
+    grid_.emplace(lattice_, reach);
     wrapped.resize(3 * n);
     taken_.resize(n);
     for (std::size_t i = 0; i < n; ++i)
         if (!grid_->wrap(given_.begin() + 3 * i, wrapped.begin() + 3 * i, taken_[i]))
             fail(MGDT_ERR_INVALID_ARGUMENT, "point %llu is more than %.0f boxes away from the box",
-                 static_cast<unsigned long long>(i) +
-                     static_cast<unsigned long long>(settings_.index_base),
-                 ImageGrid::farthest);
+                 number(i), ImageGrid::farthest);
 }
 
 void Periodic::build() {
@@ -78,7 +85,7 @@ void Periodic::build() {
         Buffer<double> wrapped(allocator_);
         wrap(wrapped);
         const StopRequest stop(cancelled_);
-        halo_.build(lattice_, *grid_, std::move(wrapped), settings_.threads, progress, stop);
+        halo_.build(*grid_, std::move(wrapped), settings_.threads, progress, stop);
         tetrahedra_.list(halo_, stop);
     } catch (...) {
         forget_results();
@@ -89,7 +96,13 @@ void Periodic::build() {
 }
 
 void Periodic::rounded(std::uint32_t point, double (&x)[3]) const {
-    grid_->image(halo_.point(point), taken_[point], x);
+    grid_->round(given_.begin() + 3 * std::size_t{point}, x);
+    for (double& c : x) c = lattice_.to_callers(c);
+}
+
+void Periodic::step_of(std::uint32_t point, double (&step)[3]) const {
+    grid_->round(given_.begin() + 3 * std::size_t{point}, step);
+    for (unsigned c = 0; c < 3; ++c) step[c] -= halo_.point(point)[c];
 }
 
 }  // namespace mgdt

@@ -38,7 +38,9 @@ class Periodic {
     Allocator& allocator() const noexcept { return allocator_; }
     PeriodicSettings& settings() noexcept { return settings_; }
     const PeriodicSettings& settings() const noexcept { return settings_; }
-    const BoxLattice& lattice() const noexcept { return lattice_; }
+    unsigned dimensions() const noexcept { return lattice_.dimensions(); }
+    // Converts a length of the unit of the lattice to that of the caller.
+    double to_callers(double length) const noexcept { return lattice_.to_callers(length); }
     std::size_t point_count() const noexcept { return given_.size() / 3; }
     bool has_triangulation() const noexcept { return has_triangulation_; }
 
@@ -54,12 +56,15 @@ class Periodic {
     // How often each of the caller's vectors has to be added to a point, where the caller has put
     // it, to get an image of the wrapped point.
     std::array<std::int64_t, 3> offset_of(std::uint32_t point, const Multiples& image) const {
-        return lattice_.to_callers(image - taken_[point]);
+        return grid_->lattice().multiples_of_callers(image - taken_[point]);
     }
     // The multiples of the basis by which a point was moved into the box.
     const Multiples& shift_of(std::uint32_t point) const { return taken_[point]; }
     // The rounded coordinates of a point where the caller has put it.
     void rounded(std::uint32_t point, double (&x)[3]) const;
+    // The way from a point in the box to where the caller has put it, in the unit of the lattice:
+    // shift_of() times the basis.
+    void step_of(std::uint32_t point, double (&step)[3]) const;
 
   private:
     void wrap(Buffer<double>& wrapped);

@@ -18,6 +18,12 @@ Team team_of(const Periodic& periodic) {
     return Team(t.threads_for(t.vertex_count(), vertices_per_thread));
 }
 
+// A length, an area or a volume.
+double in_callers_unit(const Periodic& periodic, double x, unsigned powers) {
+    for (unsigned i = 0; i < powers; ++i) x = periodic.to_callers(x);
+    return x;
+}
+
 // Takes the cells of the points in the box out of the diagram of them and their halo, and moves
 // them to where the caller has put the points.
 class Extraction {
@@ -80,11 +86,12 @@ class Extraction {
 
     void add_cell(std::uint32_t p) {
         shift_ = periodic_.shift_of(p);
+        periodic_.step_of(p, step_);
         double x[3];
         periodic_.rounded(p, x);
         std::copy_n(x, 3, to_.points.begin() + 3 * std::size_t{p});
         to_.is_bounded[p] = from_.is_bounded[p];
-        to_.volumes[p] = from_.volumes[p];
+        to_.volumes[p] = in_callers_unit(periodic_, from_.volumes[p], 3);
         moved(from_.cell_centroids.begin() + 3 * std::size_t{p},
               to_.cell_centroids.begin() + 3 * std::size_t{p});
         // Faces in the order of the neighbours, which does not depend on the halo.
@@ -119,7 +126,7 @@ class Extraction {
         const auto own = periodic_.offset_of(p, {}),
                    offset = periodic_.offset_of(image.point, image.multiples());
         for (unsigned k = 0; k < 3; ++k) offsets_.push_back(offset[k] - own[k]);
-        to_.areas.push_back(from_.areas[face]);
+        to_.areas.push_back(in_callers_unit(periodic_, from_.areas[face], 2));
         double centroid[3];
         moved(from_.face_centroids.begin() + 3 * std::size_t{face}, centroid);
         for (const double c : centroid) to_.face_centroids.push_back(c);
@@ -161,8 +168,10 @@ class Extraction {
         }
         return number;
     }
-    // A place of the box, moved as the cell is.
-    void moved(const double* x, double* to) const { periodic_.grid().image(x, shift_, to); }
+    // A place of the box, moved as the cell is, for the caller.
+    void moved(const double* x, double* to) const {
+        for (unsigned c = 0; c < 3; ++c) to[c] = periodic_.to_callers(x[c] + step_[c]);
+    }
 
     const Periodic& periodic_;
     const Halo& halo_;
@@ -170,6 +179,7 @@ class Extraction {
     VoronoiDiagram& to_;
     Buffer<std::int64_t>& offsets_;
     Multiples shift_ = {};
+    double step_[3] = {};
     Buffer<std::uint32_t> order_, number_of_face_;
     NumberTable vertices_;
     Buffer<Key> vertex_keys_;
@@ -187,12 +197,16 @@ void export_periodic_measures(const Periodic& periodic, Measure measure, double*
     const Region region(view.allocator, 0, nullptr, view.mesh, view.base);
     Buffer<double> all(view.allocator, width * halo.point_count());
     export_measures(view, region, measure, halo.point_count(), all.begin());
-    std::copy_n(all.begin(), width * halo.own_count(), out);
-    if (measure != Measure::centroid) return;
+    const unsigned powers = measure == Measure::volume     ? 3
+                            : measure == Measure::area     ? 2
+                            : measure == Measure::centroid ? 1
+                                                           : 0;
     for (std::uint32_t p = 0; p < halo.own_count(); ++p)
-        for (unsigned c = 0; c < 3; ++c) {
-            double& x = out[3 * std::size_t{p} + c];
-            x = periodic.vertex_of(p) == p ? x - halo.point(p)[c] : 0;
+        for (std::size_t c = 0; c < width; ++c) {
+            double x = all[width * p + c];
+            if (measure == Measure::centroid)
+                x = periodic.vertex_of(p) == p ? x - halo.point(p)[c] : 0;
+            out[width * p + c] = in_callers_unit(periodic, x, powers);
         }
 }
 
@@ -203,7 +217,9 @@ void build_periodic_diagram(const Periodic& periodic, const StopRequest& stop,
     const Region region(view.allocator, 0, nullptr, view.mesh, view.base);
     VoronoiDiagram whole(view.allocator);
     build_voronoi(view, region, periodic.halo().point_count(), stop, whole);
-    Extraction(periodic, whole, diagram).run(stop);
+    PeriodicDiagram built(view.allocator);
+    Extraction(periodic, whole, built).run(stop);
+    diagram = std::move(built);
 }
 
 }  // namespace mgdt

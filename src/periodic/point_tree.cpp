@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "periodic/point_tree.hpp"
 
+#include <algorithm>
+
 namespace mgdt {
 
 void PointTree::make(const StopRequest& stop) {
@@ -37,27 +39,28 @@ std::uint32_t PointTree::make(std::uint32_t begin, std::uint32_t end, const Stop
     return number;
 }
 
-void PointTree::find_nearest_in(std::uint32_t number, const double* place, double& square,
-                                std::uint32_t& nearest) const {
+void PointTree::find_least_in(std::uint32_t number, const RoughPower& power, double& least,
+                              std::uint32_t& point) const {
     const Node& node = nodes_[number];
     if (node.second == 0) {
         for (std::uint32_t i = node.begin; i < node.end; ++i) {
-            const double to = square_to(points_[i].x, place);
-            if (!(to < square)) continue;
-            square = to;
-            nearest = points_[i].number;
+            const double value = power.of(points_[i].x);
+            if (!(value < least)) continue;
+            least = value;
+            point = points_[i].number;
         }
         return;
     }
     std::uint32_t children[2] = {number + 1, node.second};
-    double squares[2] = {square_to(nodes_[children[0]], place),
-                         square_to(nodes_[children[1]], place)};
-    if (squares[1] < squares[0]) {
+    double bounds[2];
+    for (unsigned i = 0; i < 2; ++i)
+        bounds[i] = power.least_in(nodes_[children[i]].low, nodes_[children[i]].high);
+    if (bounds[1] < bounds[0]) {
         std::swap(children[0], children[1]);
-        std::swap(squares[0], squares[1]);
+        std::swap(bounds[0], bounds[1]);
     }
     for (unsigned i = 0; i < 2; ++i)
-        if (squares[i] < square) find_nearest_in(children[i], place, square, nearest);
+        if (bounds[i] < least) find_least_in(children[i], power, least, point);
 }
 
 }  // namespace mgdt

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A tree of boxes around points, which finds those near a place.
+// A tree of boxes around points, which finds those in a ball.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 
+#include "periodic/rough_power.hpp"
 #include "platform/memory.hpp"
 #include "platform/stop_request.hpp"
 
@@ -22,15 +21,15 @@ class PointTree {
     // Makes the tree of all points that were pushed. O(n log n).
     void make(const StopRequest& stop);
 
-    // The point nearest to a place, if the square of its distance is less than `square`, which
-    // becomes that of the point. Otherwise `nearest` stays as it is. Distances are rounded.
-    void find_nearest(const double* place, double& square, std::uint32_t& nearest) const {
-        if (!nodes_.empty()) find_nearest_in(0, place, square, nearest);
+    // The point with the least power, if that is less than `least`, which becomes its power.
+    // Otherwise `point` stays as it is. Powers are rounded.
+    void find_least(const RoughPower& power, double& least, std::uint32_t& point) const {
+        if (!nodes_.empty()) find_least_in(0, power, least, point);
     }
-    // Calls f(number) for each point whose squared distance from a place is at most `square`.
+    // Calls f(number) for each point that may be in the closed ball of the power.
     template <class F>
-    void for_each_near(const double* place, double square, F f) const {
-        if (!nodes_.empty()) for_each_in(0, place, square, f);
+    void for_each_inside(const RoughPower& power, const F& f) const {
+        if (!nodes_.empty()) for_each_in(0, power, f);
     }
 
   private:
@@ -46,39 +45,27 @@ class PointTree {
         std::uint32_t begin, end;
         std::uint32_t second;  // the other child; 0 in a leaf
     };
-    static double square_to(const double* x, const double* place) {
-        const double d[3] = {x[0] - place[0], x[1] - place[1], x[2] - place[2]};
-        return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    }
-    static double square_to(const Node& node, const double* place) {
-        double sum = 0;
-        for (unsigned k = 0; k < 3; ++k) {
-            const double d = std::max({node.low[k] - place[k], place[k] - node.high[k], 0.0});
-            sum += d * d;
-        }
-        return sum;
-    }
     std::uint32_t make(std::uint32_t begin, std::uint32_t end, const StopRequest& stop);
-    void find_nearest_in(std::uint32_t number, const double* place, double& square,
-                         std::uint32_t& nearest) const;
+    void find_least_in(std::uint32_t number, const RoughPower& power, double& least,
+                       std::uint32_t& point) const;
     template <class F>
-    void for_each_in(std::uint32_t number, const double* place, double square, F f) const;
+    void for_each_in(std::uint32_t number, const RoughPower& power, const F& f) const;
 
     Buffer<Point> points_;
     Buffer<Node> nodes_;
 };
 
 template <class F>
-void PointTree::for_each_in(std::uint32_t number, const double* place, double square, F f) const {
+void PointTree::for_each_in(std::uint32_t number, const RoughPower& power, const F& f) const {
     const Node& node = nodes_[number];
-    if (!(square_to(node, place) <= square)) return;
+    if (!power.may_meet(node.low, node.high)) return;
     if (node.second != 0) {
-        for_each_in(number + 1, place, square, f);
-        for_each_in(node.second, place, square, f);
+        for_each_in(number + 1, power, f);
+        for_each_in(node.second, power, f);
         return;
     }
     for (std::uint32_t i = node.begin; i < node.end; ++i)
-        if (square_to(points_[i].x, place) <= square) f(points_[i].number);
+        if (power.may_be_inside(points_[i].x)) f(points_[i].number);
 }
 
 }  // namespace mgdt

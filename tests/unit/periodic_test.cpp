@@ -86,7 +86,9 @@ Corners canonical(Corners corners, const std::array<const double*, 4>& x) {
 
 struct Wrapped {
     Wrapped(const Box& box, const std::vector<double>& points)
-        : lattice(box.dimensions, box.vectors.data()), grid(lattice, bounds(points)) {
+        : given(box.dimensions, box.vectors.data()),
+          grid(given, reach(points)),
+          lattice(grid.lattice()) {
         for (std::size_t i = 0; i < points.size(); i += 3) {
             double x[3];
             Multiples taken;
@@ -94,14 +96,15 @@ struct Wrapped {
             coordinates.insert(coordinates.end(), x, x + 3);
         }
     }
-    ImageGrid::Bounds bounds(const std::vector<double>& points) const {
-        ImageGrid::Bounds bounds;
+    PointReach reach(const std::vector<double>& points) const {
+        PointReach reach(given);
         for (std::size_t i = 0; i < points.size(); i += 3)
-            add_wrapped(lattice, points.data() + i, bounds);
-        return bounds;
+            EXPECT_TRUE(reach.add(points.data() + i));
+        return reach;
     }
-    BoxLattice lattice;
+    BoxLattice given;
     ImageGrid grid;
+    const BoxLattice& lattice;
     std::vector<double> coordinates;
 };
 
@@ -114,8 +117,7 @@ void with_halo(const Wrapped& wrapped, const Visit& visit) {
     Buffer<double> points(allocator);
     for (const double x : wrapped.coordinates) points.push_back(x);
     Halo halo(allocator);
-    halo.build(wrapped.lattice, wrapped.grid, std::move(points), 1, progress,
-               StopRequest(cancelled));
+    halo.build(wrapped.grid, std::move(points), 1, progress, StopRequest(cancelled));
     visit(halo);
 }
 
@@ -258,8 +260,9 @@ TEST(Halo, FillsTheTorus) {
                 });
                 EXPECT_EQ(vertices.size(), n);
                 EXPECT_EQ(vertices.size() + tetrahedra.size(), edges.size());
-                const double *const a = wrapped.grid.vector(0), *const b = wrapped.grid.vector(1),
-                                    *const c = wrapped.grid.vector(2);
+                const double *const a = wrapped.lattice.vector(0),
+                                    *const b = wrapped.lattice.vector(1),
+                                    *const c = wrapped.lattice.vector(2);
                 const double expected = std::fabs(a[0] * (b[1] * c[2] - b[2] * c[1]) -
                                                   a[1] * (b[0] * c[2] - b[2] * c[0]) +
                                                   a[2] * (b[0] * c[1] - b[1] * c[0]));
@@ -352,7 +355,8 @@ TEST(ImageGrid, WrapsEveryImageToOnePoint) {
             const double* const home = wrapped.coordinates.data() + i;
             double s[3];
             wrapped.lattice.coordinates(home, s);
-            for (unsigned k = 0; k < box.dimensions; ++k) EXPECT_TRUE(s[k] > -1e-9 && s[k] < 1);
+            for (unsigned k = 0; k < box.dimensions; ++k)
+                EXPECT_TRUE(s[k] > -1e-9 && s[k] < 1 + 1e-9);
             for (int j = 0; j < 20; ++j) {
                 Multiples k = {}, taken;
                 const std::int32_t most = j % 2 == 0 ? 3 : 20;
@@ -362,6 +366,7 @@ TEST(ImageGrid, WrapsEveryImageToOnePoint) {
                         most;
                 double image[3], x[3];
                 wrapped.grid.image(home, k, image);
+                for (double& c : image) c = wrapped.lattice.to_callers(c);
                 EXPECT_TRUE(wrapped.grid.wrap(image, x, taken));
                 EXPECT_TRUE(std::equal(x, x + 3, home));
                 EXPECT_EQ(taken, k);
@@ -373,7 +378,7 @@ TEST(ImageGrid, WrapsEveryImageToOnePoint) {
         EXPECT_FALSE(wrapped.grid.wrap(far, x, taken));
         const double near[3] = {1e6 * box.vectors[0], 1e6 * box.vectors[1], 1e6 * box.vectors[2]};
         EXPECT_TRUE(wrapped.grid.wrap(near, x, taken));
-        const std::array<std::int64_t, 3> of_callers = wrapped.lattice.to_callers(taken);
+        const std::array<std::int64_t, 3> of_callers = wrapped.lattice.multiples_of_callers(taken);
         if (x[0] == 0 && x[1] == 0 && x[2] == 0) {
             EXPECT_TRUE(of_callers[0] == 1000000 && of_callers[1] == 0 && of_callers[2] == 0);
         }
@@ -384,7 +389,7 @@ TEST(BoxLattice, RefusesWhatDoesNotSpan) {
     const auto status_of = [](unsigned dimensions, std::vector<double> vectors) -> std::int32_t {
         try {
             const BoxLattice lattice(dimensions, vectors.data());
-            const ImageGrid grid(lattice, ImageGrid::Bounds());
+            const ImageGrid grid(lattice, PointReach(lattice));
         } catch (const Error& e) {
             return e.status;
         }
@@ -398,26 +403,34 @@ TEST(BoxLattice, RefusesWhatDoesNotSpan) {
     EXPECT_EQ(status_of(2, {1, 2, 3, -2, -4, -6}), MGDT_ERR_INVALID_ARGUMENT);
     EXPECT_EQ(status_of(2, {1, 2, 3, 0, 0, 0}), MGDT_ERR_INVALID_ARGUMENT);
     EXPECT_EQ(status_of(3, {1, 2, 3, 4, 5, 6, 7, 8, 9}), MGDT_ERR_INVALID_ARGUMENT);
-    // Along an axis a box may be as thin as doubles are, but not across.
-    EXPECT_EQ(status_of(3, {1, 0, 0, 0, 1, 0, 1, 1, 1e-17}), MGDT_OK);
+    EXPECT_EQ(status_of(3, {1, 0, 0, 0, 1, 0, 1, 1, 1e-11}), MGDT_OK);
+    EXPECT_EQ(status_of(3, {1, 0, 0, 0, 1, 0, 1, 1, 1e-12}), MGDT_ERR_INVALID_ARGUMENT);
     EXPECT_EQ(status_of(3, {1, 0.5, 0.25, 0.5, 1, 0.25, 1e-16, 1e-16, -2e-16}),
               MGDT_ERR_INVALID_ARGUMENT);
 }
 
-// Each two vectors of the basis, and of these and minus their sum, make no acute angle.
+// Each two vectors of the basis, and of these and minus their sum, make no acute angle: exactly,
+// also of boxes that are thin.
 TEST(BoxLattice, HasAnObtuseBasis) {
     std::mt19937 random(9);
     std::uniform_real_distribution<double> place(-1, 1);
-    for (int i = 0; i < 300; ++i) {
+    int accepted = 0;
+    for (int i = 0; i < 400; ++i) {
         std::vector<double> vectors(9);
         for (double& x : vectors) x = place(random);
-        if (i % 3 == 1)
+        if (i % 4 == 1)
             for (unsigned k = 0; k < 3; ++k) vectors[k] = 1000 * vectors[3 + k] + 1e-3 * vectors[k];
-        if (i % 3 == 2)
+        if (i % 4 == 2)
             for (double& x : vectors) x = std::floor(2 * x);
+        if (i % 4 == 3)  // the last vector nearly in the plane of the others
+            for (unsigned k = 0; k < 3; ++k)
+                vectors[6 + k] = 0.3 * vectors[k] + 0.6 * vectors[3 + k] +
+                                 std::pow(0.1, i % 40 / 4) * place(random);
         try {
             for (unsigned d = 1; d <= 3; ++d) {
-                const BoxLattice lattice(d, vectors.data());
+                const BoxLattice given(d, vectors.data());
+                const BoxLattice lattice = ImageGrid(given, PointReach(given)).lattice();
+                ++accepted;
                 double v[4][3] = {};
                 for (unsigned k = 0; k < d; ++k)
                     for (unsigned c = 0; c < 3; ++c) {
@@ -425,13 +438,23 @@ TEST(BoxLattice, HasAnObtuseBasis) {
                         v[d][c] -= v[k][c];
                     }
                 for (unsigned k = 0; k <= d && d > 1; ++k)
-                    for (unsigned l = 0; l < k; ++l)
-                        EXPECT_LT(v[k][0] * v[l][0] + v[k][1] * v[l][1] + v[k][2] * v[l][2], 1e-9);
+                    for (unsigned l = 0; l < k; ++l) {
+                        const double opposite[3] = {-v[l][0], -v[l][1], -v[l][2]};
+                        EXPECT_LE(compare_lengths(v[k], opposite, v[k], v[l]), 0);
+                    }
+                for (unsigned k = 0; k < d; ++k) {
+                    double s[3];
+                    lattice.coordinates(lattice.vector(k), s);
+                    for (unsigned l = 0; l < d; ++l)
+                        EXPECT_NEAR(s[l], k == l,
+                                    lattice.error_of(l, 2 * lattice.covering_radius()));
+                }
             }
         } catch (const Error& e) {
             EXPECT_EQ(e.status, MGDT_ERR_INVALID_ARGUMENT);
         }
     }
+    EXPECT_GT(accepted, 1000);
 }
 
 }  // namespace

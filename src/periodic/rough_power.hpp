@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The power of points with respect to a sphere, in doubles, with bounds on its error and its least
+// value in a box.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace mgdt {
+
+// With u = x - base for a point `base` on the sphere, the power of x is u . (u - w), where w is
+// twice the centre relative to the base. Unlike a distance from the centre, it is accurate for
+// small u however large the sphere is. docs/theory.md, "Periodic boxes", derives the error.
+class RoughPower {
+  public:
+    // Coordinates of w have errors of at most 2^-50 of the largest.
+    RoughPower(const double* base, const double* w)
+        : base_{base[0], base[1], base[2]},
+          w_{w[0], w[1], w[2]},
+          largest_(std::max({std::fabs(w[0]), std::fabs(w[1]), std::fabs(w[2])})) {}
+
+    double of(const double* x) const {
+        double sum = 0;
+        for (unsigned c = 0; c < 3; ++c) {
+            const double u = x[c] - base_[c];
+            sum += u * (u - w_[c]);
+        }
+        return sum;
+    }
+    // Whether the point may be in the closed ball.
+    bool may_be_inside(const double* x) const {
+        double size = 0;
+        for (unsigned c = 0; c < 3; ++c) size += std::fabs(x[c] - base_[c]);
+        return !(of(x) > error_of(size));
+    }
+    // Not above of(x), by more than rounding, for any point x of the box.
+    double least_in(const double* low, const double* high) const {
+        double sum = 0;
+        for (unsigned c = 0; c < 3; ++c) {
+            const double from = low[c] - base_[c], to = high[c] - base_[c],
+                         u = std::min(std::max(from, 0.5 * w_[c]), to);
+            sum += u * (u - w_[c]);
+        }
+        return sum;
+    }
+    // Whether a point of the box may be in the closed ball.
+    bool may_meet(const double* low, const double* high) const {
+        double size = 0;
+        for (unsigned c = 0; c < 3; ++c)
+            size += std::max(std::fabs(low[c] - base_[c]), std::fabs(high[c] - base_[c]));
+        return !(least_in(low, high) > error_of(size));
+    }
+
+  private:
+    // `size` is the sum of the magnitudes of the coordinates of u.
+    double error_of(double size) const { return 0x1p-48 * size * (size + largest_); }
+
+    double base_[3], w_[3], largest_;
+};
+
+}  // namespace mgdt
