@@ -28,12 +28,6 @@ bool are_equal(const Image& a, const Image& b) {
     return a.point == b.point && std::equal(a.of, a.of + 3, b.of);
 }
 
-Image image_of(std::uint32_t point, const Multiples& k) {
-    return {point,
-            {static_cast<std::int8_t>(k[0]), static_cast<std::int8_t>(k[1]),
-             static_cast<std::int8_t>(k[2]), 0}};
-}
-
 // An image whose coordinates exceed the box by more than this share of a vector is not in a shell.
 constexpr double widest_shell = 0.95;
 // Coordinates of places whose errors are larger say nothing about which images are near.
@@ -411,8 +405,8 @@ void Halo::insert(std::size_t first, StageProgress& progress) {
                    [&] { triangulation_->insert(point_count() - first, axis, 3); });
 }
 
-void Halo::build(const ImageGrid& grid, Buffer<double>&& points, std::int32_t threads,
-                 StageProgress& progress, const StopRequest& stop) {
+void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Image>& expected,
+                 std::int32_t threads, StageProgress& progress, const StopRequest& stop) {
     clear();
     grid_ = &grid;
     points_ = std::move(points);
@@ -427,6 +421,7 @@ void Halo::build(const ImageGrid& grid, Buffer<double>&& points, std::int32_t th
     if (own_ == 0) return;
     basic_round_.resize(own_, 0u);
     add_first_halo();
+    for (const Image& image : expected) add(image);
     std::size_t first = 0;
     bool is_preliminary = true;
     double done = 0;

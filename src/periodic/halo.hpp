@@ -24,6 +24,18 @@ struct Image {
     Multiples multiples() const { return {of[0], of[1], of[2]}; }
 };
 
+// The multiples are at most 127.
+inline Image image_of(std::uint32_t point, const Multiples& k) {
+    return {point,
+            {static_cast<std::int8_t>(k[0]), static_cast<std::int8_t>(k[1]),
+             static_cast<std::int8_t>(k[2]), 0}};
+}
+
+// The order by points, then by multiples.
+inline bool is_before(const Image& a, const Image& b) {
+    return a.point != b.point ? a.point < b.point : a.multiples() < b.multiples();
+}
+
 class Halo {
   public:
     explicit Halo(Allocator& allocator)
@@ -34,9 +46,10 @@ class Halo {
           basic_round_(allocator) {}
 
     // Triangulates points that are wrapped and on the grid, three coordinates each, and what halo
-    // they need. Throws as Triangulation::insert().
-    void build(const ImageGrid& grid, Buffer<double>&& points, std::int32_t threads,
-               StageProgress& progress, const StopRequest& stop);
+    // they need. The first halo has the images that are expected, which may be any. Throws as
+    // Triangulation::insert().
+    void build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Image>& expected,
+               std::int32_t threads, StageProgress& progress, const StopRequest& stop);
     void clear() noexcept;
 
     // The points of the box come first, then the images, in the order of their indices in the

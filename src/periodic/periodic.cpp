@@ -11,12 +11,16 @@ Periodic::Periodic(unsigned dimensions, const double* vectors, mgdt_alloc_fn all
       lattice_(dimensions, vectors),
       given_(allocator_),
       taken_(allocator_),
+      used_images_(allocator_),
+      former_taken_(allocator_),
       halo_(allocator_),
       tetrahedra_(allocator_) {}
 
 void Periodic::clear() noexcept {
     cancelled_.store(false, std::memory_order_relaxed);
     given_.reset();
+    used_images_.reset();
+    former_taken_.reset();
     forget_results();
 }
 
@@ -45,9 +49,35 @@ void Periodic::move(std::size_t n, const std::uint32_t* points, const double* xy
             fail(MGDT_ERR_INVALID_ARGUMENT, "there is no point %llu",
                  static_cast<unsigned long long>(points[i]) +
                      static_cast<unsigned long long>(settings_.index_base));
+    if (n == 0) return;
+    if (has_triangulation_) remember_images();
     for (std::size_t i = 0; i < n; ++i)
         std::copy_n(xyz + 3 * i, 3, given_.begin() + 3 * std::size_t{points[i]});
-    if (n > 0) forget_results();
+    forget_results();
+}
+
+void Periodic::remember_images() {
+    Buffer<UsedImage> used(allocator_);
+    for (std::size_t i = 0; i < tetrahedra_.size(); ++i) {
+        const Image* const corners = tetrahedra_[i].corners;
+        for (unsigned k = 1; k < 4; ++k)
+            if (corners[k].multiples() != Multiples{})
+                used.push_back({corners[0].point, corners[k]});
+    }
+    used_images_ = std::move(used);
+    former_taken_ = std::move(taken_);
+}
+
+// The images that are now where those of the last triangulation were.
+void Periodic::find_expected_images(Buffer<Image>& expected) const {
+    constexpr std::int32_t most = 4;
+    const auto more = [&](std::uint32_t point) { return taken_[point] - former_taken_[point]; };
+    for (const UsedImage& used : used_images_) {
+        const Multiples k = used.image.multiples() + more(used.image.point) - more(used.by);
+        bool is_near = k != Multiples{};
+        for (const std::int32_t of : k) is_near = is_near && of >= -most && of <= most;
+        if (is_near) expected.push_back(image_of(used.image.point, k));
+    }
 }
 
 // Rounds the points and moves them into the box.
@@ -85,12 +115,16 @@ void Periodic::build() {
         Buffer<double> wrapped(allocator_);
         wrap(wrapped);
         const StopRequest stop(cancelled_);
-        halo_.build(*grid_, std::move(wrapped), settings_.threads, progress, stop);
+        Buffer<Image> expected(allocator_);
+        find_expected_images(expected);
+        halo_.build(*grid_, std::move(wrapped), expected, settings_.threads, progress, stop);
         tetrahedra_.list(halo_, stop);
     } catch (...) {
         forget_results();
         throw;
     }
+    used_images_.reset();
+    former_taken_.reset();
     has_triangulation_ = true;
     progress.finish();
 }

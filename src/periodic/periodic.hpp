@@ -25,8 +25,8 @@ class Periodic {
 
     // The coordinates are finite. Every change removes the triangulation.
     void insert(std::size_t n, const double* xyz);
-    // Moves points, with indices from 0, to n places. Throws with nothing changed for a point that
-    // does not exist.
+    // Moves points, with indices from 0, to n places. The next build starts with the images that
+    // the last triangulation needed. Throws with nothing changed.
     void move(std::size_t n, const std::uint32_t* points, const double* xyz);
     // Throws MGDT_ERR_INVALID_ARGUMENT for a point too far from the box, Error and std::bad_alloc;
     // there is no triangulation then.
@@ -67,7 +67,14 @@ class Periodic {
     void step_of(std::uint32_t point, double (&step)[3]) const;
 
   private:
+    // An image that a tetrahedron with a point in the box has as a corner.
+    struct UsedImage {
+        std::uint32_t by;
+        Image image;
+    };
     void wrap(Buffer<double>& wrapped);
+    void remember_images();
+    void find_expected_images(Buffer<Image>& expected) const;
     void forget_results() noexcept;
 
     mutable Allocator allocator_;
@@ -75,6 +82,9 @@ class Periodic {
     const BoxLattice lattice_;
     Buffer<double> given_;
     Buffer<Multiples> taken_;  // the multiples by which each point was moved into the box
+    // The images that the last triangulation needed, and the multiples of its points.
+    Buffer<UsedImage> used_images_;
+    Buffer<Multiples> former_taken_;
     std::optional<ImageGrid> grid_;
     Halo halo_;
     PeriodicTetrahedra tetrahedra_;

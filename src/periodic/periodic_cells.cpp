@@ -28,12 +28,11 @@ double in_callers_unit(const Periodic& periodic, double x, unsigned powers) {
 // them to where the caller has put the points.
 class Extraction {
   public:
-    Extraction(const Periodic& periodic, const VoronoiDiagram& from, PeriodicDiagram& to)
+    Extraction(const Periodic& periodic, const VoronoiDiagram& from, VoronoiDiagram& to)
         : periodic_(periodic),
           halo_(periodic.halo()),
           from_(from),
-          to_(to.cells),
-          offsets_(to.offsets),
+          to_(to),
           order_(periodic.allocator()),
           number_of_face_(periodic.allocator()),
           vertices_(periodic.allocator()),
@@ -125,7 +124,11 @@ class Extraction {
         to_.face_sides.push_back(image.point);
         const auto own = periodic_.offset_of(p, {}),
                    offset = periodic_.offset_of(image.point, image.multiples());
-        for (unsigned k = 0; k < 3; ++k) offsets_.push_back(offset[k] - own[k]);
+        for (unsigned k = 0; k < 3; ++k) to_.face_images.push_back(offset[k] - own[k]);
+        double way[3], normal[3];
+        for (unsigned c = 0; c < 3; ++c) way[c] = halo_.point(other)[c] - halo_.point(p)[c];
+        write_unit_vector(way, normal);
+        for (const double c : normal) to_.face_normals.push_back(c);
         to_.areas.push_back(in_callers_unit(periodic_, from_.areas[face], 2));
         double centroid[3];
         moved(from_.face_centroids.begin() + 3 * std::size_t{face}, centroid);
@@ -177,7 +180,6 @@ class Extraction {
     const Halo& halo_;
     const VoronoiDiagram& from_;
     VoronoiDiagram& to_;
-    Buffer<std::int64_t>& offsets_;
     Multiples shift_ = {};
     double step_[3] = {};
     Buffer<std::uint32_t> order_, number_of_face_;
@@ -211,13 +213,13 @@ void export_periodic_measures(const Periodic& periodic, Measure measure, double*
 }
 
 void build_periodic_diagram(const Periodic& periodic, const StopRequest& stop,
-                            PeriodicDiagram& diagram) {
+                            VoronoiDiagram& diagram) {
     Team team = team_of(periodic);
     const ExportView view = view_of(periodic, team);
     const Region region(view.allocator, 0, nullptr, view.mesh, view.base);
     VoronoiDiagram whole(view.allocator);
     build_voronoi(view, region, periodic.halo().point_count(), stop, whole);
-    PeriodicDiagram built(view.allocator);
+    VoronoiDiagram built(view.allocator);
     Extraction(periodic, whole, built).run(stop);
     diagram = std::move(built);
 }

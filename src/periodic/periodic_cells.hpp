@@ -12,21 +12,11 @@ namespace mgdt {
 // point; 0 for a point that has the images of an earlier one. The points have to span space.
 void export_periodic_measures(const Periodic& periodic, Measure measure, double* out);
 
-// A diagram of the cells of the points where the caller has put them. Two cells share a face, and
-// its vertices, if they meet there as they are. A cell that meets an image of another one has the
-// face for itself.
-struct PeriodicDiagram {
-    explicit PeriodicDiagram(Allocator& allocator) : cells(allocator), offsets(allocator) {}
-
-    VoronoiDiagram cells;
-    // For each face, how often each of the caller's vectors has to be added to its second side, to
-    // get the image at which the face is.
-    Buffer<std::int64_t> offsets;
-};
-
-// Sets the diagram. The points have to span space. Throws MGDT_ERR_CANCELLED if there is a request
-// to stop.
+// Sets the diagram of the cells of the points where the caller has put them. Two cells share a
+// face, and its vertices, if they meet there as they are. A cell that meets an image of another one
+// has the face for itself. The points have to span space. Throws MGDT_ERR_CANCELLED if there is a
+// request to stop.
 void build_periodic_diagram(const Periodic& periodic, const StopRequest& stop,
-                            PeriodicDiagram& diagram);
+                            VoronoiDiagram& diagram);
 
 }  // namespace mgdt

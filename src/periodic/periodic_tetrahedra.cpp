@@ -12,12 +12,6 @@ namespace {
 using Tetrahedron = PeriodicTetrahedra::Tetrahedron;
 using Neighbor = PeriodicTetrahedra::Neighbor;
 
-// The order of images, which does not change when all are moved.
-bool is_before(const Image& a, const Image& b) {
-    return a.point != b.point ? a.point < b.point
-                              : std::lexicographical_compare(a.of, a.of + 3, b.of, b.of + 3);
-}
-
 int compare(const Image& a, const Image& b) {
     return is_before(a, b) ? -1 : is_before(b, a) ? 1 : 0;
 }

@@ -7,10 +7,8 @@
 #include "predicates/differences.hpp"
 
 namespace mgdt {
-namespace {
 
-// A vector divided by its length, whatever its magnitude.
-void normalize(const double (&way)[3], double* out) {
+void write_unit_vector(const double (&way)[3], double* out) {
     const double largest = exact::largest_of<0, 3>(way);
     const int shift = -std::ilogb(largest);
     double x[3], squares = 0;
@@ -20,8 +18,6 @@ void normalize(const double (&way)[3], double* out) {
     }
     for (int k = 0; k < 3; ++k) out[k] = x[k] / std::sqrt(squares);
 }
-
-}  // namespace
 
 void make_empty(std::size_t points, VoronoiDiagram& d) {
     d.points.resize(3 * points, 0.0);
@@ -33,6 +29,10 @@ void make_empty(std::size_t points, VoronoiDiagram& d) {
 }
 
 void write_normals(const VoronoiDiagram& d, double* out) {
+    if (!d.face_normals.empty()) {
+        std::copy_n(d.face_normals.begin(), d.face_normals.size(), out);
+        return;
+    }
     for (std::size_t f = 0; f < d.face_count(); ++f) {
         const std::uint32_t other = d.face_sides[2 * f + 1];
         double way[3];
@@ -50,7 +50,7 @@ void write_normals(const VoronoiDiagram& d, double* out) {
                 }
             }
         }
-        normalize(way, out + 3 * f);
+        write_unit_vector(way, out + 3 * f);
     }
 }
 
@@ -92,6 +92,9 @@ void drop_small_faces(VoronoiDiagram& d, double area, double relative) {
         std::copy_n(d.face_sides.begin() + 2 * f, 2, d.face_sides.begin() + 2 * to);
         d.areas[to] = d.areas[f];
         std::copy_n(d.face_centroids.begin() + 3 * f, 3, d.face_centroids.begin() + 3 * to);
+        if (d.face_images.empty()) continue;
+        std::copy_n(d.face_images.begin() + 3 * f, 3, d.face_images.begin() + 3 * to);
+        std::copy_n(d.face_normals.begin() + 3 * f, 3, d.face_normals.begin() + 3 * to);
     }
     d.face_begin[kept] = corners;
     std::uint64_t listed = 0;
@@ -108,6 +111,10 @@ void drop_small_faces(VoronoiDiagram& d, double area, double relative) {
     d.face_sides.resize(2 * std::size_t{kept});
     d.areas.resize(kept);
     d.face_centroids.resize(3 * std::size_t{kept});
+    if (!d.face_images.empty()) {
+        d.face_images.resize(3 * std::size_t{kept});
+        d.face_normals.resize(3 * std::size_t{kept});
+    }
     d.cell_faces.resize(static_cast<std::size_t>(listed));
 }
 

@@ -20,6 +20,8 @@ struct VoronoiDiagram {
           face_sides(allocator),
           areas(allocator),
           face_centroids(allocator),
+          face_images(allocator),
+          face_normals(allocator),
           cell_begin(allocator),
           cell_faces(allocator),
           is_bounded(allocator),
@@ -45,6 +47,11 @@ struct VoronoiDiagram {
     Buffer<std::uint32_t> face_corners;
     Buffer<std::uint32_t> face_sides;  // the two points of each face, or a point and a plane
     Buffer<double> areas, face_centroids;
+    // Of points in a periodic box, and otherwise empty: for each face three numbers, how often each
+    // of the caller's vectors has to be added to the second side to get its image at the face, and
+    // the normal.
+    Buffer<std::int64_t> face_images;
+    Buffer<double> face_normals;
     Buffer<std::uint64_t> cell_begin;  // where the faces of each cell begin, and the end
     Buffer<std::uint32_t> cell_faces;
     Buffer<std::uint8_t> is_bounded;
@@ -58,6 +65,8 @@ inline bool is_plane(std::uint32_t side) noexcept {
 
 // Sets the arrays of the diagram of no cells.
 void make_empty(std::size_t points, VoronoiDiagram& diagram);
+// Writes a vector divided by its length, whatever its magnitude.
+void write_unit_vector(const double (&way)[3], double* out);
 // Writes the unit normal of each face, from its first side to the second one.
 void write_normals(const VoronoiDiagram& diagram, double* out);
 // Removes the faces whose area is less than `area`, or, for each of their cells, less than

@@ -13,6 +13,8 @@
 #include <tuple>
 #include <vector>
 
+#include "periodic/periodic_check.hpp"
+
 namespace mgdt {
 namespace {
 
@@ -43,6 +45,8 @@ struct Built : Periodic {
           box(vectors) {
         insert(points.size() / 3, points.data());
         build();
+        Atomic<bool> cancelled{false};
+        check_periodic(*this, StopRequest(cancelled));
     }
     std::array<double, 3> place(std::uint32_t point, const std::array<std::int64_t, 3>& of) const {
         double x[3];
@@ -170,9 +174,9 @@ TEST(PeriodicDiagram, CellsAreClosedAndAgree) {
         for (const std::size_t n : {1u, 2u, 300u}) {
             SCOPED_TRACE(n);
             const Built built(box, random_points(n, box, 11));
-            PeriodicDiagram diagram(built.allocator());
+            VoronoiDiagram diagram(built.allocator());
             build_periodic_diagram(built, StopRequest(cancelled), diagram);
-            const VoronoiDiagram& d = diagram.cells;
+            const VoronoiDiagram& d = diagram;
             const std::vector<double> volumes = built.measures(Measure::volume),
                                       faces = built.measures(Measure::faces),
                                       centroids = built.measures(Measure::centroid);
@@ -211,7 +215,8 @@ TEST(PeriodicDiagram, CellsAreClosedAndAgree) {
                     EXPECT_GE(is_first ? height : -height, 0);
                     std::array<std::int64_t, 3> of = {};
                     for (unsigned k = 0; k < 3; ++k)
-                        of[k] = is_first ? diagram.offsets[3 * f + k] : -diagram.offsets[3 * f + k];
+                        of[k] = is_first ? diagram.face_images[3 * f + k]
+                                         : -diagram.face_images[3 * f + k];
                     const std::uint32_t other = d.face_sides[2 * f + (is_first ? 1 : 0)];
                     EXPECT_TRUE(areas.insert({{p, other, of}, d.areas[f]}).second);
                 }
@@ -272,6 +277,33 @@ TEST(Periodic, MovesAndRefuses) {
     built.cancel();
     EXPECT_THROW(built.build(), Error);
     built.build();
+}
+
+// After each time step, the triangulation is that of the points, as if they were given anew.
+TEST(Periodic, StepsGiveWhatAFreshBuildGives) {
+    std::mt19937 random(12);
+    std::normal_distribution<double> step(0, 0.02);
+    for (const std::vector<double>& box : {cube, oblique}) {
+        std::vector<double> points = random_points(300, box, 6);
+        Built built(box, points);
+        std::vector<std::uint32_t> all(300);
+        for (std::uint32_t i = 0; i < 300; ++i) all[i] = i;
+        for (int i = 0; i < 20; ++i) {
+            for (double& x : points) x += i == 10 ? 30 * step(random) : step(random);
+            // In two calls, as the next build uses the images of the last one.
+            built.move(100, all.data(), points.data());
+            built.move(200, all.data() + 100, points.data() + 300);
+            built.build();
+            const Built fresh(box, points);
+            ASSERT_EQ(built.tetrahedra().size(), fresh.tetrahedra().size());
+            for (std::size_t t = 0; t < fresh.tetrahedra().size(); ++t)
+                for (unsigned k = 0; k < 4; ++k) {
+                    const Image &a = built.tetrahedra()[t].corners[k],
+                                &b = fresh.tetrahedra()[t].corners[k];
+                    ASSERT_TRUE(a.point == b.point && a.multiples() == b.multiples());
+                }
+        }
+    }
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "periodic/periodic_cells.hpp"
+#include "periodic/periodic_check.hpp"
 
 namespace mgdt {
 namespace {
@@ -54,6 +55,8 @@ struct Built : Periodic {
     Built(const Vectors& vectors, const std::vector<double>& points) : Built(vectors) {
         insert(points.size() / 3, points.data());
         build();
+        Atomic<bool> cancelled{false};
+        check_periodic(*this, StopRequest(cancelled));
     }
 };
 
@@ -279,7 +282,7 @@ TEST(Periodic, RefusedAllocationsLeaveThePoints) {
         try {
             built.build();
             Atomic<bool> cancelled{false};
-            PeriodicDiagram diagram(built.allocator());
+            VoronoiDiagram diagram(built.allocator());
             build_periodic_diagram(built, StopRequest(cancelled), diagram);
             if (refusal.left >= 0) break;
             continue;  // what was refused was not necessary
@@ -331,14 +334,14 @@ TEST(PeriodicDiagram, IsSetAnewByEachBuild) {
     const Vectors cube = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     Atomic<bool> cancelled{false};
     const Built many(cube, points_in(cube, 50, 3)), few(cube, points_in(cube, 3, 3));
-    PeriodicDiagram diagram(many.allocator());
+    VoronoiDiagram diagram(many.allocator());
     build_periodic_diagram(many, StopRequest(cancelled), diagram);
-    const std::size_t faces = diagram.cells.face_count();
+    const std::size_t faces = diagram.face_count();
     build_periodic_diagram(few, StopRequest(cancelled), diagram);
-    EXPECT_EQ(diagram.cells.cell_count(), 3u);
+    EXPECT_EQ(diagram.cell_count(), 3u);
     build_periodic_diagram(many, StopRequest(cancelled), diagram);
-    EXPECT_EQ(diagram.cells.face_count(), faces);
-    EXPECT_EQ(diagram.offsets.size(), 3 * faces);
+    EXPECT_EQ(diagram.face_count(), faces);
+    EXPECT_EQ(diagram.face_images.size(), 3 * faces);
 }
 
 // The cells of a slab's outermost points are unbounded.
@@ -347,21 +350,21 @@ TEST(PeriodicDiagram, SlabsHaveRays) {
     std::vector<double> points = points_in(slab, 200, 9);
     const Built built(slab, points);
     Atomic<bool> cancelled{false};
-    PeriodicDiagram diagram(built.allocator());
+    VoronoiDiagram diagram(built.allocator());
     build_periodic_diagram(built, StopRequest(cancelled), diagram);
     std::vector<double> volumes(200);
     export_periodic_measures(built, Measure::volume, volumes.data());
     std::size_t unbounded = 0;
     for (std::uint32_t p = 0; p < 200; ++p) {
-        EXPECT_EQ(diagram.cells.is_bounded[p] != 0, std::isfinite(volumes[p]));
+        EXPECT_EQ(diagram.is_bounded[p] != 0, std::isfinite(volumes[p]));
         unbounded += std::isfinite(volumes[p]) ? 0 : 1;
     }
     // The hull touches the images of the highest and of the lowest point.
     EXPECT_EQ(unbounded, 2u);
-    EXPECT_GT(diagram.cells.ray_directions.size(), 0u);
+    EXPECT_GT(diagram.ray_directions.size(), 0u);
     // Rays go up or down: the slab has no other direction to infinity.
-    for (std::size_t i = 0; i < diagram.cells.ray_directions.size(); i += 3)
-        EXPECT_GT(std::fabs(diagram.cells.ray_directions[i + 2]), 0.1);
+    for (std::size_t i = 0; i < diagram.ray_directions.size(); i += 3)
+        EXPECT_GT(std::fabs(diagram.ray_directions[i + 2]), 0.1);
 }
 
 }  // namespace

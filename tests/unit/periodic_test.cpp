@@ -117,7 +117,8 @@ void with_halo(const Wrapped& wrapped, const Visit& visit) {
     Buffer<double> points(allocator);
     for (const double x : wrapped.coordinates) points.push_back(x);
     Halo halo(allocator);
-    halo.build(wrapped.grid, std::move(points), 1, progress, StopRequest(cancelled));
+    halo.build(wrapped.grid, std::move(points), Buffer<Image>(allocator), 1, progress,
+               StopRequest(cancelled));
     visit(halo);
 }
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The check of a periodic triangulation, which uses its points and tetrahedra alone.
+#pragma once
+
+#include "periodic/periodic.hpp"
+
+namespace mgdt {
+
+// Throws MGDT_ERR_CHECK_FAILED if the tetrahedra are not the Delaunay triangulation of the infinite
+// periodic set, with ties broken by the perturbation. docs/theory.md, "Periodic boxes", has a
+// proof. The points may be fewer than span space; there are no tetrahedra then.
+void check_periodic(const Periodic& periodic, const StopRequest& stop);
+
+}  // namespace mgdt

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The neighbours of each vertex of a periodic triangulation: the images of points at the other ends
+// of its edges.
+#pragma once
+
+#include "periodic/periodic_tetrahedra.hpp"
+
+namespace mgdt {
+
+struct VertexNeighbors {
+    // Of the points with numbers below `points`.
+    VertexNeighbors(Allocator& allocator, const PeriodicTetrahedra& tetrahedra, std::size_t points);
+
+    Buffer<std::uint64_t> begin;  // where the neighbours of each point begin, and the end
+    // By point, then by multiples, relative to the vertex in the box.
+    Buffer<Image> images;
+};
+
+}  // namespace mgdt
