@@ -71,10 +71,11 @@ module mgdt
     public :: mgdt_outside_none, mgdt_outside_nearest, mgdt_outside_boundary, &
               mgdt_outside_linear
     public :: mgdt_voronoi_face_offsets, mgdt_voronoi_face_corners, mgdt_voronoi_face_sides, &
-              mgdt_voronoi_ray_vertices, mgdt_voronoi_cell_offsets, mgdt_voronoi_cell_faces, &
-              mgdt_voronoi_cell_bounded, mgdt_voronoi_vertices, mgdt_voronoi_ray_directions, &
-              mgdt_voronoi_face_areas, mgdt_voronoi_face_normals, mgdt_voronoi_face_centroids, &
-              mgdt_voronoi_cell_volumes, mgdt_voronoi_cell_centroids
+              mgdt_voronoi_face_images, mgdt_voronoi_ray_vertices, mgdt_voronoi_cell_offsets, &
+              mgdt_voronoi_cell_faces, mgdt_voronoi_cell_bounded, mgdt_voronoi_vertices, &
+              mgdt_voronoi_ray_directions, mgdt_voronoi_face_areas, mgdt_voronoi_face_normals, &
+              mgdt_voronoi_face_centroids, mgdt_voronoi_cell_volumes, &
+              mgdt_voronoi_cell_centroids
     public :: mgdt_domain_kind_facet, mgdt_domain_kind_segment, mgdt_domain_kind_point
     public :: mgdt_domain_index_base, mgdt_domain_threads, mgdt_domain_memory_limit, &
               mgdt_domain_round_points
@@ -91,6 +92,16 @@ module mgdt
               mgdt_domain_array_segments, mgdt_domain_array_segment_sources, &
               mgdt_domain_array_segment_markers, mgdt_domain_array_steiner_edges, &
               mgdt_domain_array_points, mgdt_domain_array_steiner_parameters
+    public :: mgdt_periodic_index_base, mgdt_periodic_threads, mgdt_periodic_memory_limit
+    public :: mgdt_periodic_given_points, mgdt_periodic_memory_bytes, mgdt_periodic_dimensions, &
+              mgdt_periodic_vertices, mgdt_periodic_tetrahedra, mgdt_periodic_edges, &
+              mgdt_periodic_images, mgdt_periodic_rounds
+    public :: mgdt_periodic_array_point_map, mgdt_periodic_array_point_offsets, &
+              mgdt_periodic_array_tetrahedra, mgdt_periodic_array_offsets, &
+              mgdt_periodic_array_neighbors, mgdt_periodic_array_neighbor_offsets, &
+              mgdt_periodic_array_vertex_neighbor_starts, mgdt_periodic_array_vertex_neighbors, &
+              mgdt_periodic_array_vertex_neighbor_offsets, mgdt_periodic_array_points, &
+              mgdt_periodic_array_vectors
 
     ! A triangulation that grows as points are inserted. It frees what it holds when it goes out of
     ! scope or is deallocated. It cannot be copied: a = b stops the program, unless b was never

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: MIT
-! Generated from mgdt/mgdt.h, mgdt_voronoi.h, mgdt_domain.h by bindings/interface/generate.py.
+! Generated from mgdt/mgdt.h, mgdt_voronoi.h, mgdt_domain.h, mgdt_periodic.h by bindings/interface/generate.py.
 !
 ! The C functions of mgdt as they stand in mgdt/mgdt.h, where they are documented. Module mgdt and
 ! mgdt_f77.f90 are built on these; programs rarely need them.
@@ -593,6 +593,140 @@ module mgdt_c
             character(kind=c_char), intent(inout) :: buffer(*)
             integer(c_int32_t) :: status
         end function
+        function c_periodic_create(dimensions, vectors, out) result(status) &
+            bind(c, name='mgdt_periodic_create')
+            import :: c_double, c_int32_t, c_ptr
+            integer(c_int32_t), value :: dimensions
+            real(c_double), intent(in) :: vectors(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_create_with_allocator(dimensions, vectors, alloc, release, user, &
+            out) result(status) &
+            bind(c, name='mgdt_periodic_create_with_allocator')
+            import :: c_double, c_funptr, c_int32_t, c_ptr
+            integer(c_int32_t), value :: dimensions
+            real(c_double), intent(in) :: vectors(*)
+            type(c_funptr), value :: alloc
+            type(c_funptr), value :: release
+            type(c_ptr), value :: user
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: status
+        end function
+        subroutine c_periodic_destroy(p) bind(c, name='mgdt_periodic_destroy')
+            import :: c_ptr
+            type(c_ptr), value :: p
+        end subroutine
+        function c_periodic_clear(p) result(status) bind(c, name='mgdt_periodic_clear')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_set_option(p, option, value) result(status) &
+            bind(c, name='mgdt_periodic_set_option')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int32_t), value :: option
+            integer(c_int64_t), value :: value
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_get_option(p, option, value) result(status) &
+            bind(c, name='mgdt_periodic_get_option')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int32_t), value :: option
+            integer(c_int64_t), intent(inout) :: value
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_set_progress(p, fn, user) result(status) &
+            bind(c, name='mgdt_periodic_set_progress')
+            import :: c_funptr, c_int32_t, c_ptr
+            type(c_ptr), value :: p
+            type(c_funptr), value :: fn
+            type(c_ptr), value :: user
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_cancel(p) result(status) bind(c, name='mgdt_periodic_cancel')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_insert_points(p, n, xyz) result(status) &
+            bind(c, name='mgdt_periodic_insert_points')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_move_points(p, n, points, xyz) result(status) &
+            bind(c, name='mgdt_periodic_move_points')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int64_t), value :: n
+            type(c_ptr), value :: points
+            real(c_double), intent(in) :: xyz(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_build(p) result(status) bind(c, name='mgdt_periodic_build')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_check(p) result(status) bind(c, name='mgdt_periodic_check')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_get_stat(p, key, value) result(status) &
+            bind(c, name='mgdt_periodic_get_stat')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int32_t), value :: key
+            integer(c_int64_t), intent(inout) :: value
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_get_size(p, array, size) result(status) &
+            bind(c, name='mgdt_periodic_get_size')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), intent(inout) :: size
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_get_doubles(p, array, capacity, values) result(status) &
+            bind(c, name='mgdt_periodic_get_doubles')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), value :: capacity
+            real(c_double), intent(inout) :: values(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_get_cell_measures(p, measure, capacity, x) result(status) &
+            bind(c, name='mgdt_periodic_get_cell_measures')
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int32_t), value :: measure
+            integer(c_int64_t), value :: capacity
+            real(c_double), intent(inout) :: x(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_create_voronoi(p, out) result(status) &
+            bind(c, name='mgdt_periodic_create_voronoi')
+            import :: c_int32_t, c_ptr
+            type(c_ptr), value :: p
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_get_error(p, capacity, buffer) result(status) &
+            bind(c, name='mgdt_periodic_get_error')
+            import :: c_char, c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int64_t), value :: capacity
+            character(kind=c_char), intent(inout) :: buffer(*)
+            integer(c_int32_t) :: status
+        end function
     end interface
 
     interface c_remove_points
@@ -1019,6 +1153,27 @@ module mgdt_c
             bind(c, name='mgdt_domain_get_array')
             import :: c_int32_t, c_int64_t, c_ptr
             type(c_ptr), value :: d
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: values(*)
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+    interface c_periodic_get_array
+        function c_periodic_get_array_i32(p, array, capacity, values) result(status) &
+            bind(c, name='mgdt_periodic_get_array_i32')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: p
+            integer(c_int32_t), value :: array
+            integer(c_int64_t), value :: capacity
+            integer(c_int32_t), intent(inout) :: values(*)
+            integer(c_int32_t) :: status
+        end function
+        function c_periodic_get_array_i64(p, array, capacity, values) result(status) &
+            bind(c, name='mgdt_periodic_get_array')
+            import :: c_int32_t, c_int64_t, c_ptr
+            type(c_ptr), value :: p
             integer(c_int32_t), value :: array
             integer(c_int64_t), value :: capacity
             integer(c_int64_t), intent(inout) :: values(*)

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: MIT
-! Generated from mgdt/mgdt.h, mgdt_voronoi.h, mgdt_domain.h by bindings/interface/generate.py.
+! Generated from mgdt/mgdt.h, mgdt_voronoi.h, mgdt_domain.h, mgdt_periodic.h by bindings/interface/generate.py.
 !
 ! The constants of mgdt's C interface, in the default integer of the flags in force. Comments are
 ! those of the header; stat= has the values of a status.
@@ -216,6 +216,10 @@ module mgdt_constants
     ! the other one. A face in a plane of the region has the index of the point, then -1 - k for
     ! plane k, counted from 0.
     integer, parameter :: mgdt_voronoi_face_sides = 12
+    ! Three elements for each face of a diagram of mgdt_periodic_create_voronoi(): how often each
+    ! vector of the box has to be added to the second side to get the image that the face is
+    ! between. Empty for other diagrams.
+    integer, parameter :: mgdt_voronoi_face_images = 13
     ! The vertex where each ray begins.
     integer, parameter :: mgdt_voronoi_ray_vertices = 20
     ! Offsets of the cells' lists of faces, for each point that was inserted. A point that is no
@@ -338,4 +342,62 @@ module mgdt_constants
     integer, parameter :: mgdt_domain_array_points = 60
     ! For each Steiner point the number t for which it is a + t (b - a).
     integer, parameter :: mgdt_domain_array_steiner_parameters = 61
+
+    ! Options.
+    ! 0 (default) or 1. It applies to indices that are given or read later.
+    integer, parameter :: mgdt_periodic_index_base = 10
+    ! Threads, see mgdt_set_threads(); default 1, 0 for all cores.
+    integer, parameter :: mgdt_periodic_threads = 20
+    ! Bytes that the handle may hold; 0 (default) for no limit.
+    integer, parameter :: mgdt_periodic_memory_limit = 30
+
+    ! Numbers.
+    ! Points that were inserted.
+    integer, parameter :: mgdt_periodic_given_points = 10
+    ! Memory that the handle holds.
+    integer, parameter :: mgdt_periodic_memory_bytes = 15
+    ! The number of vectors.
+    integer, parameter :: mgdt_periodic_dimensions = 16
+    ! Points without equal images.
+    integer, parameter :: mgdt_periodic_vertices = 20
+    ! Classes of tetrahedra. With three vectors, a set has as many edges as vertices and tetrahedra
+    ! together.
+    integer, parameter :: mgdt_periodic_tetrahedra = 21
+    ! Classes of edges.
+    integer, parameter :: mgdt_periodic_edges = 22
+    ! Images that were triangulated with the points.
+    integer, parameter :: mgdt_periodic_images = 23
+    ! Rounds in which these were found.
+    integer, parameter :: mgdt_periodic_rounds = 24
+
+    ! Arrays.
+    ! For each point the vertex that has its images: the least point that has them.
+    integer, parameter :: mgdt_periodic_array_point_map = 10
+    ! The offset of that vertex's image that is the point. 0 for a point that is its own vertex.
+    integer, parameter :: mgdt_periodic_array_point_offsets = 11
+    ! Four corners for each class of tetrahedra, positively oriented as in mgdt_get_tetrahedra().
+    ! The first is the one whose image has the lexicographically least coordinates, and the
+    ! tetrahedra are sorted by their first corners. Empty if a slab or a wire does not span space.
+    integer, parameter :: mgdt_periodic_array_tetrahedra = 20
+    ! The offset of each corner, 12 elements for a tetrahedron. The first corner's is 0.
+    integer, parameter :: mgdt_periodic_array_offsets = 21
+    ! For each tetrahedron the numbers of the four tetrahedra opposite its corners. The index base -
+    ! 1 means that there is none: the facet is on the hull of a slab or a wire.
+    integer, parameter :: mgdt_periodic_array_neighbors = 22
+    ! For each of these the offset by which the neighbour is moved to be there, 12 elements for a
+    ! tetrahedron. It is added to the offsets of the neighbour's corners.
+    integer, parameter :: mgdt_periodic_array_neighbor_offsets = 23
+    ! Where the list of each point's neighbours begins, and the end of the last one: the list of
+    ! point i is from element starts[i] to element starts[i + 1] - 1, counted from the index base. A
+    ! point that is no vertex has an empty list.
+    integer, parameter :: mgdt_periodic_array_vertex_neighbor_starts = 30
+    ! The points at the other ends of the edges at each vertex, sorted. A vertex may have several
+    ! images of one point as neighbours, and images of itself.
+    integer, parameter :: mgdt_periodic_array_vertex_neighbors = 31
+    ! The offset of each of these images.
+    integer, parameter :: mgdt_periodic_array_vertex_neighbor_offsets = 32
+    ! Three coordinates of each point: where the caller has put it, rounded.
+    integer, parameter :: mgdt_periodic_array_points = 50
+    ! Three coordinates of each vector, rounded.
+    integer, parameter :: mgdt_periodic_array_vectors = 51
 end module mgdt_constants

@@ -19,6 +19,7 @@ import scripting
 from description import TRIANGULATION
 from domain import DOMAIN
 from parts import MPI, PARTS
+from periodic import PERIODIC
 from voronoi import VORONOI
 
 BINDINGS = Path(__file__).resolve().parents[1]
@@ -26,17 +27,17 @@ HEADERS = BINDINGS.parent / "include" / "mgdt"
 
 
 def read_all(folder: Path = HEADERS) -> list[header.Interface]:
-    """The interfaces of mgdt.h, mgdt_parts.h, mgdt_mpi.h, mgdt_voronoi.h and mgdt_domain.h."""
+    """The interfaces of mgdt.h, mgdt_parts.h, mgdt_mpi.h, mgdt_voronoi.h, mgdt_domain.h and mgdt_periodic.h."""
     found: list[header.Interface] = []
-    for description in (TRIANGULATION, PARTS, MPI, VORONOI, DOMAIN):
+    for description in (TRIANGULATION, PARTS, MPI, VORONOI, DOMAIN, PERIODIC):
         found.append(header.read(folder / description.header, description, found))
     return found
 
 
 def all_files(interfaces: list[header.Interface]) -> dict[str, str]:
     """The files by their names below the folder of the bindings."""
-    triangulation, parts, mpi, voronoi, domain = interfaces
-    whole = triangulation.joined(voronoi).joined(domain)
+    triangulation, parts, mpi, voronoi, domain, periodic = interfaces
+    whole = triangulation.joined(voronoi).joined(domain).joined(periodic)
     return {**fortran.files(whole, parts, mpi), **rust.files(whole), **scripting.files(whole, parts)}
 
 

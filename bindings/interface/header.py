@@ -197,7 +197,7 @@ def _describe(function: Function, description: Description, counted: set[str],
     lengths = dict(description.lengths.get(function.twin_of or function.name, {}))
     if function.name in description.long | description.short:
         function.may_take_long = function.name in description.long
-    counts = {p.name for p in function.parameters if p.is_scalar and p.type == "int64_t"}
+    counts = {p.name for p in function.parameters if p.is_scalar and p.type in ("int32_t", "int64_t")}
     known = SCALARS | records | {*HANDLES, "void", "char"}
     for p in function.parameters:
         if p.type not in known and not p.is_of_callback:

@@ -16,7 +16,7 @@ import sys
 from pathlib import Path
 
 # In the order of the menu.
-DOCUMENTS = ["README", "mesh", "gallery", "c", "cxx", "fortran", "python", "mpi", "other-languages", "program", "platforms",
+DOCUMENTS = ["README", "periodic", "mesh", "gallery", "c", "cxx", "fortran", "python", "mpi", "other-languages", "program", "platforms",
              "performance", "trust", "theory", "paper", "architecture", "glossary", "experiments", "security", "abi",
              "contributing", "changelog"]
 FENCE = re.compile(r"^ *(`{3,})(.*)$")

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The Voronoi diagram of the points of an mgdt_triangulation: its vertices, faces and cells.
+ * The Voronoi diagram of the points of an mgdt_triangulation, or of an mgdt_periodic
+ * (mgdt_periodic_create_voronoi()): its vertices, faces and cells.
  *
  * The cell of a point has all places that are nearer to the point than to any other one. A diagram
  * is a snapshot: it does not change with the triangulation that it was made from, and outlives it.
@@ -51,6 +52,10 @@ enum {
      *  the other one. A face in a plane of the region has the index of the point, then -1 - k for
      *  plane k, counted from 0. */
     MGDT_VORONOI_FACE_SIDES = 12,
+    /** Three elements for each face of a diagram of mgdt_periodic_create_voronoi(): how often each
+     *  vector of the box has to be added to the second side to get the image that the face is
+     *  between. Empty for other diagrams. */
+    MGDT_VORONOI_FACE_IMAGES = 13,
     MGDT_VORONOI_RAY_VERTICES = 20, /**< The vertex where each ray begins. */
     /** Offsets of the cells' lists of faces, for each point that was inserted. A point that is no
      *  vertex of the triangulation has no cell and an empty list. */

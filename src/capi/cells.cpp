@@ -1,29 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "capi/counts.hpp"
 #include "capi/handle.hpp"
+#include "capi/measure.hpp"
 #include "capi/planes.hpp"
 #include "dual/measures.hpp"
 
 using namespace mgdt;
-
-namespace {
-
-Measure measure_of(std::int32_t measure) {
-    switch (measure) {
-        case MGDT_MEASURE_VOLUME:
-            return Measure::volume;
-        case MGDT_MEASURE_AREA:
-            return Measure::area;
-        case MGDT_MEASURE_CENTROID:
-            return Measure::centroid;
-        case MGDT_MEASURE_FACES:
-            return Measure::faces;
-        default:
-            fail(MGDT_ERR_UNKNOWN_KEY, "there is no measure %d", static_cast<int>(measure));
-    }
-}
-
-}  // namespace
 
 extern "C" mgdt_status mgdt_get_cell_measures(const mgdt_triangulation* t, int32_t measure,
                                               int64_t n_planes, const double* planes,

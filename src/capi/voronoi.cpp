@@ -11,57 +11,31 @@ namespace {
 
 constexpr std::size_t voronoi_size = sizeof(mgdt_voronoi), voronoi_align = alignof(mgdt_voronoi);
 
-void free_handle(mgdt_voronoi* v) noexcept {
-    const mgdt_free_fn release = v->allocator.release_function();
-    void* const user = v->allocator.user();
-    v->~mgdt_voronoi();
-    Allocator::give_back(release, user, v, voronoi_size, voronoi_align);
-}
-
 MGDT_NOT_INLINE void destroy(mgdt_voronoi* v) noexcept {
     const FpEnvironment environment;
-    free_handle(v);
+    free_voronoi(v);
 }
 
 void build(const mgdt_triangulation* t, std::int64_t n_planes, const double* planes,
-           mgdt_voronoi& v) {
+           VoronoiDiagram& diagram) {
     const std::size_t n = require_planes(n_planes, planes);
     require_space(t, "cells");
-    v.index_base = t->core.settings().index_base;
+    const std::int32_t index_base = t->core.settings().index_base;
     const auto points = static_cast<std::size_t>(point_count(t->core));
     constexpr std::size_t vertices_per_thread = 4096;
     Team team(t->core.threads_for(points, vertices_per_thread));
-    const ExportView view = {team,        t->core.mesh(), nullptr,
-                             v.allocator, v.index_base,   t->core.settings().canonical_output};
+    const ExportView view = {team,       t->core.mesh(),
+                             nullptr,    diagram.areas.allocator(),
+                             index_base, t->core.settings().canonical_output};
     if (t->core.vertex_count() > 0) {
-        const Region region(v.allocator, n, planes, view.mesh, view.base);
+        const Region region(view.allocator, n, planes, view.mesh, view.base);
         const Progress::Call call = t->core.call_to_cancel();
-        build_voronoi(view, region, points, t->core.stop_request(), v.diagram);
+        build_voronoi(view, region, points, t->core.stop_request(), diagram);
     } else {
-        make_empty(points, v.diagram);
+        make_empty(points, diagram);
     }
-    v.diagram.planes.resize(4 * n);
-    std::copy_n(planes, 4 * n, v.diagram.planes.begin());
-}
-
-// Creates the handle of a diagram, inside a call on the triangulation. Throws with nothing left.
-void create(const mgdt_triangulation* t, std::int64_t n_planes, const double* planes,
-            mgdt_voronoi** out) {
-    const Allocator& source = t->core.allocator();
-    void* const memory =
-        Allocator::obtain(source.allocate_function(), source.user(), voronoi_size, voronoi_align);
-    if (!memory) throw std::bad_alloc();
-    auto* const v = new (memory)
-        mgdt_voronoi(source.allocate_function(), source.release_function(), source.user());
-    try {
-        v->allocator.set_limit(source.limit());
-        v->allocator.count(voronoi_size);
-        build(t, n_planes, planes, *v);
-    } catch (...) {
-        free_handle(v);
-        throw;
-    }
-    *out = v;
+    diagram.planes.resize(4 * n);
+    std::copy_n(planes, 4 * n, diagram.planes.begin());
 }
 
 // Whether an array has integers, for mgdt_voronoi_get_array(), and no doubles.
@@ -77,6 +51,8 @@ std::size_t size_of(const VoronoiDiagram& d, std::int32_t array) {
             return d.face_corners.size();
         case MGDT_VORONOI_FACE_SIDES:
             return d.face_sides.size();
+        case MGDT_VORONOI_FACE_IMAGES:
+            return d.face_images.size();
         case MGDT_VORONOI_RAY_VERTICES:
             return d.ray_vertices.size();
         case MGDT_VORONOI_CELL_OFFSETS:
@@ -127,6 +103,9 @@ void write(const mgdt_voronoi& v, std::int32_t array, Int* out) {
             return flagged(d.face_corners);
         case MGDT_VORONOI_FACE_SIDES:
             return flagged(d.face_sides);
+        case MGDT_VORONOI_FACE_IMAGES:
+            for (const std::int64_t k : d.face_images) *out++ = static_cast<Int>(k);
+            return;
         case MGDT_VORONOI_RAY_VERTICES:
             return numbers(d.ray_vertices);
         case MGDT_VORONOI_CELL_OFFSETS:
@@ -153,6 +132,11 @@ void get_integers(const mgdt_voronoi* v, std::int32_t array, std::int64_t capaci
     if (most > static_cast<std::uint64_t>(std::numeric_limits<Int>::max()))
         fail(MGDT_ERR_INDEX_RANGE, "numbers up to %llu do not fit a 32-bit integer",
              static_cast<unsigned long long>(most));
+    if (array == MGDT_VORONOI_FACE_IMAGES)
+        for (const std::int64_t k : v->diagram.face_images)
+            if (k < std::numeric_limits<Int>::min() || k > std::numeric_limits<Int>::max())
+                fail(MGDT_ERR_INDEX_RANGE, "%lld does not fit a 32-bit integer",
+                     static_cast<long long>(k));
     require_capacity(capacity, size, "values");
     if (size == 0) return;
     require_pointer(values, "values");
@@ -183,11 +167,38 @@ void write_doubles(const VoronoiDiagram& d, std::int32_t array, double* out) {
 
 }  // namespace
 
+void mgdt::free_voronoi(mgdt_voronoi* v) noexcept {
+    const mgdt_free_fn release = v->allocator.release_function();
+    void* const user = v->allocator.user();
+    v->~mgdt_voronoi();
+    Allocator::give_back(release, user, v, voronoi_size, voronoi_align);
+}
+
+mgdt_voronoi* mgdt::new_voronoi(const Allocator& source, std::int32_t index_base) {
+    void* const memory =
+        Allocator::obtain(source.allocate_function(), source.user(), voronoi_size, voronoi_align);
+    if (!memory) throw std::bad_alloc();
+    auto* const v = new (memory)
+        mgdt_voronoi(source.allocate_function(), source.release_function(), source.user());
+    v->index_base = index_base;
+    v->allocator.set_limit(source.limit());
+    try {
+        v->allocator.count(voronoi_size);
+    } catch (...) {
+        free_voronoi(v);
+        throw;
+    }
+    return v;
+}
+
 extern "C" mgdt_status mgdt_voronoi_create(const mgdt_triangulation* t, int64_t n_planes,
                                            const double* planes, mgdt_voronoi** out) {
     if (!out) return MGDT_ERR_NULL_POINTER;
     *out = nullptr;
-    return guard(t, [&] { create(t, n_planes, planes, out); });
+    return guard(t, [&] {
+        *out = make_voronoi(t->core.allocator(), t->core.settings().index_base,
+                            [&](VoronoiDiagram& diagram) { build(t, n_planes, planes, diagram); });
+    });
 }
 
 extern "C" void mgdt_voronoi_destroy(mgdt_voronoi* v) {

@@ -217,6 +217,17 @@ void BoxLattice::coordinates(const double* x, double (&s)[3]) const {
     for (unsigned k = 0; k < 3; ++k) s[k] = dot(dual_[k], x);
 }
 
+void BoxLattice::callers_vector(unsigned k, double (&x)[3]) const {
+    // Coordinates of the vector are integers, and near to those of the given one.
+    double s[3];
+    coordinates(given_[k], s);
+    Twofold sum[3] = {};
+    for (unsigned i = 0; i < dimensions_; ++i)
+        for (unsigned c = 0; c < 3; ++c)
+            sum[c] = sum[c] + Twofold::product(std::nearbyint(s[i]), basis_[i][c]);
+    for (unsigned c = 0; c < 3; ++c) x[c] = sum[c].high + sum[c].low;
+}
+
 std::array<std::int64_t, 3> BoxLattice::multiples_of_callers(const Multiples& of_basis) const {
     std::array<std::int64_t, 3> of_callers = {};
     for (unsigned k = 0; k < dimensions_; ++k)

@@ -56,6 +56,9 @@ class BoxLattice {
     // caller's vectors.
     std::array<std::int64_t, 3> multiples_of_callers(const Multiples& of_basis) const;
 
+    // The place of the caller's vector k after rounding.
+    void callers_vector(unsigned k, double (&x)[3]) const;
+
     // Coordinates along thinner boxes, or of points higher above a box, are too rough to find the
     // images of points.
     static constexpr double largest_ratio = 0x1p38;

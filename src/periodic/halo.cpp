@@ -353,6 +353,10 @@ bool Halo::add(const Image& image) {
     return true;
 }
 
+std::size_t Halo::bytes_elsewhere() const {
+    return triangulation_ && !passes_through_ ? triangulation_->allocator().bytes() : 0;
+}
+
 // All images in a shell around the box that is about twice as wide as the points are apart.
 void Halo::add_first_halo() {
     const BoxLattice& lattice = grid_->lattice();
@@ -413,7 +417,8 @@ void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Im
     own_ = points_.size() / 3;
     // A limit or a caller's functions hold for the triangulation too. Otherwise it has an allocator
     // of its own, whose blocks grow without a copy.
-    if (allocator_.limit() > 0 || allocator_.allocate_function())
+    passes_through_ = allocator_.limit() > 0 || allocator_.allocate_function();
+    if (passes_through_)
         triangulation_.emplace(Allocator::allocate_from, Allocator::release_to, &allocator_);
     else
         triangulation_.emplace(nullptr, nullptr, nullptr);

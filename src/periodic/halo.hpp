@@ -65,6 +65,8 @@ class Halo {
     Image image(std::uint32_t index) const {
         return index < own_ ? Image{index, {}} : images_[index - own_];
     }
+    // Memory that the allocator of the halo does not count.
+    std::size_t bytes_elsewhere() const;
     // The number of rounds in which images were added to the first halo.
     unsigned rounds() const { return rounds_; }
 
@@ -88,6 +90,7 @@ class Halo {
     double shell_[3] = {};  // all images are known whose coordinates exceed the box by no more
     std::size_t own_ = 0;
     unsigned rounds_ = 0;
+    bool passes_through_ = false;  // whether the triangulation uses the allocator
 };
 
 }  // namespace mgdt

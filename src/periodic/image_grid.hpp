@@ -57,7 +57,7 @@ class ImageGrid {
     // No point in the box, or image by multiples up to 4, is farther from the origin.
     double size() const { return size_; }
 
-    static constexpr double farthest = 0x1p30;
+    static constexpr double farthest = 0x1p29;
 
   private:
     bool is_below(unsigned k, const double* x, bool from_the_far_side) const;

@@ -26,6 +26,7 @@ void Periodic::clear() noexcept {
 
 void Periodic::forget_results() noexcept {
     has_triangulation_ = false;
+    neighbors_.forget();
     tetrahedra_.clear();
     halo_.clear();
     taken_.reset();
@@ -104,17 +105,14 @@ void Periodic::wrap(Buffer<double>& wrapped) {
 }
 
 void Periodic::build() {
-    struct ForgetRequest {
-        Atomic<bool>& cancelled;
-        ~ForgetRequest() { cancelled.store(false, std::memory_order_relaxed); }
-    } const forget_request{cancelled_};
+    const Call call(*this);
     StageProgress progress(settings_.progress, settings_.progress_user, cancelled_);
     forget_results();
     try {
         progress.enter(0, 0);
         Buffer<double> wrapped(allocator_);
         wrap(wrapped);
-        const StopRequest stop(cancelled_);
+        const StopRequest stop = call.stop_request();
         Buffer<Image> expected(allocator_);
         find_expected_images(expected);
         halo_.build(*grid_, std::move(wrapped), expected, settings_.threads, progress, stop);
@@ -132,6 +130,19 @@ void Periodic::build() {
 void Periodic::rounded(std::uint32_t point, double (&x)[3]) const {
     grid_->round(given_.begin() + 3 * std::size_t{point}, x);
     for (double& c : x) c = lattice_.to_callers(c);
+}
+
+// The rounded basis is exact, so an integral combination of it is the vector.
+void Periodic::rounded_vector(std::uint32_t k, double (&x)[3]) const {
+    grid_->lattice().callers_vector(k, x);
+    for (double& c : x) c = lattice_.to_callers(c);
+}
+
+std::size_t Periodic::vertex_count() const {
+    std::size_t count = 0;
+    for (std::uint32_t p = 0; has_triangulation_ && p < point_count(); ++p)
+        count += vertex_of(p) == p ? 1 : 0;
+    return count;
 }
 
 void Periodic::step_of(std::uint32_t point, double (&step)[3]) const {

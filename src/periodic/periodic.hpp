@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "periodic/periodic_tetrahedra.hpp"
+#include "periodic/vertex_neighbors.hpp"
 #include "platform/cached.hpp"
 
 namespace mgdt {
@@ -35,6 +36,20 @@ class Periodic {
     void clear() noexcept;
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
 
+    // While it exists, a call can be stopped by cancel(). The destructor forgets the request,
+    // however the call ends.
+    class Call {
+      public:
+        explicit Call(const Periodic& periodic) noexcept : cancelled_(periodic.cancelled_) {}
+        ~Call() { cancelled_.store(false, std::memory_order_relaxed); }
+        Call(const Call&) = delete;
+        Call& operator=(const Call&) = delete;
+        StopRequest stop_request() const { return StopRequest(cancelled_); }
+
+      private:
+        Atomic<bool>& cancelled_;
+    };
+
     Allocator& allocator() const noexcept { return allocator_; }
     PeriodicSettings& settings() noexcept { return settings_; }
     const PeriodicSettings& settings() const noexcept { return settings_; }
@@ -42,26 +57,35 @@ class Periodic {
     // Converts a length of the unit of the lattice to that of the caller.
     double to_callers(double length) const noexcept { return lattice_.to_callers(length); }
     std::size_t point_count() const noexcept { return given_.size() / 3; }
+    // Memory that is held.
+    std::size_t bytes() const { return allocator_.bytes() + halo_.bytes_elsewhere(); }
     bool has_triangulation() const noexcept { return has_triangulation_; }
 
     // The results of the last build.
     const ImageGrid& grid() const noexcept { return *grid_; }
     const Halo& halo() const noexcept { return halo_; }
     const PeriodicTetrahedra& tetrahedra() const noexcept { return tetrahedra_; }
+    const VertexNeighbors& neighbors() const { return neighbors_.get(tetrahedra_, point_count()); }
+    // The number of points that are vertices; 0 if there is no triangulation.
+    std::size_t vertex_count() const;
     // The least point with the same images.
     std::uint32_t vertex_of(std::uint32_t point) const {
         const Triangulation& t = halo_.triangulation();
         return t.mesh().vertices[t.point_map()[point]].index;
     }
-    // How often each of the caller's vectors has to be added to a point, where the caller has put
-    // it, to get an image of the wrapped point.
-    std::array<std::int64_t, 3> offset_of(std::uint32_t point, const Multiples& image) const {
-        return grid_->lattice().multiples_of_callers(image - taken_[point]);
+    // How often each of the caller's vectors has to be added to the point of an image, where the
+    // caller has put it, to get the image. The image is seen from a point of the box, and so is
+    // what is returned from where the caller has put that point.
+    std::array<std::int64_t, 3> offset_from(std::uint32_t point, const Image& image) const {
+        return grid_->lattice().multiples_of_callers(image.multiples() + taken_[point] -
+                                                     taken_[image.point]);
     }
     // The multiples of the basis by which a point was moved into the box.
     const Multiples& shift_of(std::uint32_t point) const { return taken_[point]; }
     // The rounded coordinates of a point where the caller has put it.
     void rounded(std::uint32_t point, double (&x)[3]) const;
+    // One of the caller's vectors after rounding.
+    void rounded_vector(std::uint32_t k, double (&x)[3]) const;
     // The way from a point in the box to where the caller has put it, in the unit of the lattice:
     // shift_of() times the basis.
     void step_of(std::uint32_t point, double (&step)[3]) const;
@@ -88,8 +112,9 @@ class Periodic {
     std::optional<ImageGrid> grid_;
     Halo halo_;
     PeriodicTetrahedra tetrahedra_;
+    mutable Cached<VertexNeighbors> neighbors_{allocator_};
     bool has_triangulation_ = false;
-    Atomic<bool> cancelled_{false};
+    mutable Atomic<bool> cancelled_{false};
 };
 
 }  // namespace mgdt

@@ -122,9 +122,7 @@ class Extraction {
         const Image image = halo_.image(other);
         to_.face_sides.push_back(p);
         to_.face_sides.push_back(image.point);
-        const auto own = periodic_.offset_of(p, {}),
-                   offset = periodic_.offset_of(image.point, image.multiples());
-        for (unsigned k = 0; k < 3; ++k) to_.face_images.push_back(offset[k] - own[k]);
+        for (const std::int64_t k : periodic_.offset_from(p, image)) to_.face_images.push_back(k);
         double way[3], normal[3];
         for (unsigned c = 0; c < 3; ++c) way[c] = halo_.point(other)[c] - halo_.point(p)[c];
         write_unit_vector(way, normal);

@@ -87,7 +87,9 @@ def main():
         check("the baseline is that of the frozen header", report if status else "")
 
         rules = ["--no-added-syms", "--suppressions", str(options.suppressions)]
-        header = "\n".join(path.read_text() for path in options.headers)
+        # In one text; a header comes after those that it includes.
+        header = re.sub(r'^#include "mgdt\w*\.h"$', "", "\n".join(path.read_text() for path in options.headers),
+                        flags=re.M)
         now = interface.empty_library(cc, header, interface.version_script(header, nodes), folder / "now")
         status, report = compare(options.baseline, now, *rules)
         check("the header is compatible with the baseline", report if status else "")

@@ -55,6 +55,7 @@ void test_domain(void);
 void test_dual(void);
 void test_memory(void);
 void test_parts(void);
+void test_periodic(void);
 void test_progress(void);
 void test_environment(void);
 void test_interpolation(void);

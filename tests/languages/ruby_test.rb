@@ -560,7 +560,7 @@ class MgdtTest < Minitest::Test
 
   def test_declarations_are_those_of_the_header
     mgdt_h = ENV.fetch("MGDT_HEADER")
-    headers = [mgdt_h, *%w[mgdt_voronoi.h mgdt_domain.h].map { |name| File.join(File.dirname(mgdt_h), name) }]
+    headers = [mgdt_h, *%w[mgdt_voronoi.h mgdt_domain.h mgdt_periodic.h].map { |name| File.join(File.dirname(mgdt_h), name) }]
     header = headers.map { |name| File.read(name) }.join.gsub(%r{/\*.*?\*/}m, "")
     prototypes = header.scan(/MGDT_API\s+([^;()]*?)(mgdt_\w+)\(([^()]*)\);/m).to_h do |result, name, list|
       parameters = list.strip == "void" ? [] : list.split(",").map { |one| ffi_type(one.strip) }

@@ -181,7 +181,7 @@ TEST(Periodic, TinyAndHugeBoxes) {
 TEST(Periodic, HighPointsOfInclinedSlabs) {
     const Vectors slab = {1, 0, 0.5, 0.25, 1, -0.25}, wire = {0.5, 0.25, 1};
     for (const Vectors& vectors : {slab, wire})
-        for (const double height : {1e3, 1e5, 1e7, 1e9}) {
+        for (const double height : {1e3, 1e5, 1e7, 1e8}) {
             SCOPED_TRACE(height);
             std::vector<double> points = points_in(vectors, 30, 3, height), twice = points;
             // Coordinates of few bits, so that adding vectors is exact.

@@ -6,6 +6,7 @@ require("ffi").cdef [[
 typedef struct mgdt_triangulation mgdt_triangulation;
 typedef struct mgdt_voronoi mgdt_voronoi;
 typedef struct mgdt_domain mgdt_domain;
+typedef struct mgdt_periodic mgdt_periodic;
 typedef void *(*mgdt_alloc_fn)(size_t size, size_t align, void *user);
 typedef void (*mgdt_free_fn)(void *p, size_t size, size_t align, void *user);
 typedef int32_t (*mgdt_progress_fn)(double fraction, void *user);
@@ -176,6 +177,33 @@ int32_t mgdt_domain_get_array_i32(const mgdt_domain *d, int32_t array, int64_t c
 int32_t mgdt_domain_get_doubles(const mgdt_domain *d, int32_t array, int64_t capacity,
                                 double *values);
 int32_t mgdt_domain_get_error(const mgdt_domain *d, int64_t capacity, char *buffer);
+int32_t mgdt_periodic_create(int32_t dimensions, const double *vectors, mgdt_periodic **out);
+int32_t mgdt_periodic_create_with_allocator(int32_t dimensions, const double *vectors,
+                                            mgdt_alloc_fn alloc, mgdt_free_fn release, void *user,
+                                            mgdt_periodic **out);
+void mgdt_periodic_destroy(mgdt_periodic *p);
+int32_t mgdt_periodic_clear(mgdt_periodic *p);
+int32_t mgdt_periodic_set_option(mgdt_periodic *p, int32_t option, int64_t value);
+int32_t mgdt_periodic_get_option(const mgdt_periodic *p, int32_t option, int64_t *value);
+int32_t mgdt_periodic_set_progress(mgdt_periodic *p, mgdt_progress_fn fn, void *user);
+int32_t mgdt_periodic_cancel(mgdt_periodic *p);
+int32_t mgdt_periodic_insert_points(mgdt_periodic *p, int64_t n, const double *xyz);
+int32_t mgdt_periodic_move_points(mgdt_periodic *p, int64_t n, const int64_t *points,
+                                  const double *xyz);
+int32_t mgdt_periodic_build(mgdt_periodic *p);
+int32_t mgdt_periodic_check(const mgdt_periodic *p);
+int32_t mgdt_periodic_get_stat(const mgdt_periodic *p, int32_t key, int64_t *value);
+int32_t mgdt_periodic_get_size(const mgdt_periodic *p, int32_t array, int64_t *size);
+int32_t mgdt_periodic_get_array(const mgdt_periodic *p, int32_t array, int64_t capacity,
+                                int64_t *values);
+int32_t mgdt_periodic_get_array_i32(const mgdt_periodic *p, int32_t array, int64_t capacity,
+                                    int32_t *values);
+int32_t mgdt_periodic_get_doubles(const mgdt_periodic *p, int32_t array, int64_t capacity,
+                                  double *values);
+int32_t mgdt_periodic_get_cell_measures(const mgdt_periodic *p, int32_t measure, int64_t capacity,
+                                        double *x);
+int32_t mgdt_periodic_create_voronoi(const mgdt_periodic *p, mgdt_voronoi **out);
+int32_t mgdt_periodic_get_error(const mgdt_periodic *p, int64_t capacity, char *buffer);
 ]]
 
 return {
@@ -200,10 +228,10 @@ return {
         longest_edge = 40 },
     method = { linear = 10, nearest = 20, sibson = 30, laplace = 40, sibson_c1 = 50 },
     outside = { none = 10, nearest = 20, boundary = 30, linear = 40 },
-    voronoi = { face_offsets = 10, face_corners = 11, face_sides = 12, ray_vertices = 20,
-        cell_offsets = 30, cell_faces = 31, cell_bounded = 32, vertices = 50, ray_directions = 51,
-        face_areas = 60, face_normals = 61, face_centroids = 62, cell_volumes = 70,
-        cell_centroids = 71 },
+    voronoi = { face_offsets = 10, face_corners = 11, face_sides = 12, face_images = 13,
+        ray_vertices = 20, cell_offsets = 30, cell_faces = 31, cell_bounded = 32, vertices = 50,
+        ray_directions = 51, face_areas = 60, face_normals = 61, face_centroids = 62,
+        cell_volumes = 70, cell_centroids = 71 },
     domain_kind = { facet = 0, segment = 1, point = 2 },
     domain_option = { index_base = 10, threads = 20, memory_limit = 30, round_points = 40 },
     domain_number = { given_points = 10, given_facets = 11, given_segments = 12, memory_bytes = 15,
@@ -214,4 +242,10 @@ return {
         regions = 22, region_markers = 23, faces = 30, face_tetrahedra = 31, face_facets = 32,
         face_markers = 33, segments = 40, segment_sources = 41, segment_markers = 42,
         steiner_edges = 50, points = 60, steiner_parameters = 61 },
+    periodic_option = { index_base = 10, threads = 20, memory_limit = 30 },
+    periodic_number = { given_points = 10, memory_bytes = 15, dimensions = 16, vertices = 20,
+        tetrahedra = 21, edges = 22, images = 23, rounds = 24 },
+    periodic_array = { point_map = 10, point_offsets = 11, tetrahedra = 20, offsets = 21,
+        neighbors = 22, neighbor_offsets = 23, vertex_neighbor_starts = 30, vertex_neighbors = 31,
+        vertex_neighbor_offsets = 32, points = 50, vectors = 51 },
 }

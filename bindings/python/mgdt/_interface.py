@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Generated from the headers of mgdt by bindings/interface/generate.py.
-"""The functions of mgdt.h, mgdt_voronoi.h, mgdt_domain.h for ctypes. Arrays are passed as addresses."""
+"""The functions of mgdt.h, mgdt_voronoi.h, mgdt_domain.h, mgdt_periodic.h for ctypes. Arrays are passed as addresses."""
 
 from __future__ import annotations
 
@@ -159,6 +159,29 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "mgdt_domain_get_array_i32": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
     "mgdt_domain_get_doubles": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
     "mgdt_domain_get_error": (c_int32, [c_void_p, c_int64, c_char_p]),
+    "mgdt_periodic_create": (c_int32, [c_int32, c_void_p, POINTER(c_void_p)]),
+    "mgdt_periodic_create_with_allocator": (
+        c_int32,
+        [c_int32, c_void_p, ALLOC, FREE, c_void_p, POINTER(c_void_p)],
+    ),
+    "mgdt_periodic_destroy": (None, [c_void_p]),
+    "mgdt_periodic_clear": (c_int32, [c_void_p]),
+    "mgdt_periodic_set_option": (c_int32, [c_void_p, c_int32, c_int64]),
+    "mgdt_periodic_get_option": (c_int32, [c_void_p, c_int32, c_void_p]),
+    "mgdt_periodic_set_progress": (c_int32, [c_void_p, PROGRESS, c_void_p]),
+    "mgdt_periodic_cancel": (c_int32, [c_void_p]),
+    "mgdt_periodic_insert_points": (c_int32, [c_void_p, c_int64, c_void_p]),
+    "mgdt_periodic_move_points": (c_int32, [c_void_p, c_int64, c_void_p, c_void_p]),
+    "mgdt_periodic_build": (c_int32, [c_void_p]),
+    "mgdt_periodic_check": (c_int32, [c_void_p]),
+    "mgdt_periodic_get_stat": (c_int32, [c_void_p, c_int32, c_void_p]),
+    "mgdt_periodic_get_size": (c_int32, [c_void_p, c_int32, c_void_p]),
+    "mgdt_periodic_get_array": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
+    "mgdt_periodic_get_array_i32": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
+    "mgdt_periodic_get_doubles": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
+    "mgdt_periodic_get_cell_measures": (c_int32, [c_void_p, c_int32, c_int64, c_void_p]),
+    "mgdt_periodic_create_voronoi": (c_int32, [c_void_p, POINTER(c_void_p)]),
+    "mgdt_periodic_get_error": (c_int32, [c_void_p, c_int64, c_char_p]),
 }
 
 # The constants, by group and name.
@@ -267,6 +290,7 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "face_offsets": 10,
         "face_corners": 11,
         "face_sides": 12,
+        "face_images": 13,
         "ray_vertices": 20,
         "cell_offsets": 30,
         "cell_faces": 31,
@@ -323,5 +347,33 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "steiner_edges": 50,
         "points": 60,
         "steiner_parameters": 61,
+    },
+    "periodic_option": {
+        "index_base": 10,
+        "threads": 20,
+        "memory_limit": 30,
+    },
+    "periodic_number": {
+        "given_points": 10,
+        "memory_bytes": 15,
+        "dimensions": 16,
+        "vertices": 20,
+        "tetrahedra": 21,
+        "edges": 22,
+        "images": 23,
+        "rounds": 24,
+    },
+    "periodic_array": {
+        "point_map": 10,
+        "point_offsets": 11,
+        "tetrahedra": 20,
+        "offsets": 21,
+        "neighbors": 22,
+        "neighbor_offsets": 23,
+        "vertex_neighbor_starts": 30,
+        "vertex_neighbors": 31,
+        "vertex_neighbor_offsets": 32,
+        "points": 50,
+        "vectors": 51,
     },
 }

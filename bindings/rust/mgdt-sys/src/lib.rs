@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Generated from the headers of mgdt by bindings/interface/generate.py.
 //! The C interface of mgdt as it is. Its manuals are the headers `mgdt/mgdt.h`,
-//! `mgdt/mgdt_voronoi.h` and `mgdt/mgdt_domain.h`; the crate `mgdt` is the safe interface.
+//! `mgdt/mgdt_voronoi.h`, `mgdt/mgdt_domain.h` and `mgdt/mgdt_periodic.h`; the crate `mgdt` is the safe interface.
 #![allow(non_camel_case_types)]
 
 use std::marker::{PhantomData, PhantomPinned};
@@ -26,6 +26,13 @@ pub struct mgdt_voronoi {
 /// A domain and its mesh; only ever behind a pointer.
 #[repr(C)]
 pub struct mgdt_domain {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+/// Points in a periodic box; only ever behind a pointer.
+#[repr(C)]
+pub struct mgdt_periodic {
     _data: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
@@ -123,6 +130,7 @@ pub const MGDT_OUTSIDE_LINEAR: i32 = 40;
 pub const MGDT_VORONOI_FACE_OFFSETS: i32 = 10;
 pub const MGDT_VORONOI_FACE_CORNERS: i32 = 11;
 pub const MGDT_VORONOI_FACE_SIDES: i32 = 12;
+pub const MGDT_VORONOI_FACE_IMAGES: i32 = 13;
 pub const MGDT_VORONOI_RAY_VERTICES: i32 = 20;
 pub const MGDT_VORONOI_CELL_OFFSETS: i32 = 30;
 pub const MGDT_VORONOI_CELL_FACES: i32 = 31;
@@ -175,6 +183,31 @@ pub const MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS: i32 = 42;
 pub const MGDT_DOMAIN_ARRAY_STEINER_EDGES: i32 = 50;
 pub const MGDT_DOMAIN_ARRAY_POINTS: i32 = 60;
 pub const MGDT_DOMAIN_ARRAY_STEINER_PARAMETERS: i32 = 61;
+
+pub const MGDT_PERIODIC_INDEX_BASE: i32 = 10;
+pub const MGDT_PERIODIC_THREADS: i32 = 20;
+pub const MGDT_PERIODIC_MEMORY_LIMIT: i32 = 30;
+
+pub const MGDT_PERIODIC_GIVEN_POINTS: i32 = 10;
+pub const MGDT_PERIODIC_MEMORY_BYTES: i32 = 15;
+pub const MGDT_PERIODIC_DIMENSIONS: i32 = 16;
+pub const MGDT_PERIODIC_VERTICES: i32 = 20;
+pub const MGDT_PERIODIC_TETRAHEDRA: i32 = 21;
+pub const MGDT_PERIODIC_EDGES: i32 = 22;
+pub const MGDT_PERIODIC_IMAGES: i32 = 23;
+pub const MGDT_PERIODIC_ROUNDS: i32 = 24;
+
+pub const MGDT_PERIODIC_ARRAY_POINT_MAP: i32 = 10;
+pub const MGDT_PERIODIC_ARRAY_POINT_OFFSETS: i32 = 11;
+pub const MGDT_PERIODIC_ARRAY_TETRAHEDRA: i32 = 20;
+pub const MGDT_PERIODIC_ARRAY_OFFSETS: i32 = 21;
+pub const MGDT_PERIODIC_ARRAY_NEIGHBORS: i32 = 22;
+pub const MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS: i32 = 23;
+pub const MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS: i32 = 30;
+pub const MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS: i32 = 31;
+pub const MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS: i32 = 32;
+pub const MGDT_PERIODIC_ARRAY_POINTS: i32 = 50;
+pub const MGDT_PERIODIC_ARRAY_VECTORS: i32 = 51;
 
 pub type mgdt_alloc_fn =
     Option<unsafe extern "C" fn(size: usize, align: usize, user: *mut c_void) -> *mut c_void>;
@@ -635,6 +668,89 @@ extern "C" {
     ) -> mgdt_status;
     pub fn mgdt_domain_get_error(
         d: *const mgdt_domain,
+        capacity: i64,
+        buffer: *mut c_char,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_create(
+        dimensions: i32,
+        vectors: *const f64,
+        out: *mut *mut mgdt_periodic,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_create_with_allocator(
+        dimensions: i32,
+        vectors: *const f64,
+        alloc: mgdt_alloc_fn,
+        release: mgdt_free_fn,
+        user: *mut c_void,
+        out: *mut *mut mgdt_periodic,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_destroy(p: *mut mgdt_periodic);
+    pub fn mgdt_periodic_clear(p: *mut mgdt_periodic) -> mgdt_status;
+    pub fn mgdt_periodic_set_option(p: *mut mgdt_periodic, option: i32, value: i64) -> mgdt_status;
+    pub fn mgdt_periodic_get_option(
+        p: *const mgdt_periodic,
+        option: i32,
+        value: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_set_progress(
+        p: *mut mgdt_periodic,
+        callback: mgdt_progress_fn,
+        user: *mut c_void,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_cancel(p: *mut mgdt_periodic) -> mgdt_status;
+    pub fn mgdt_periodic_insert_points(
+        p: *mut mgdt_periodic,
+        n: i64,
+        xyz: *const f64,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_move_points(
+        p: *mut mgdt_periodic,
+        n: i64,
+        points: *const i64,
+        xyz: *const f64,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_build(p: *mut mgdt_periodic) -> mgdt_status;
+    pub fn mgdt_periodic_check(p: *const mgdt_periodic) -> mgdt_status;
+    pub fn mgdt_periodic_get_stat(
+        p: *const mgdt_periodic,
+        key: i32,
+        value: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_get_size(
+        p: *const mgdt_periodic,
+        array: i32,
+        size: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_get_array(
+        p: *const mgdt_periodic,
+        array: i32,
+        capacity: i64,
+        values: *mut i64,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_get_array_i32(
+        p: *const mgdt_periodic,
+        array: i32,
+        capacity: i64,
+        values: *mut i32,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_get_doubles(
+        p: *const mgdt_periodic,
+        array: i32,
+        capacity: i64,
+        values: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_get_cell_measures(
+        p: *const mgdt_periodic,
+        measure: i32,
+        capacity: i64,
+        x: *mut f64,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_create_voronoi(
+        p: *const mgdt_periodic,
+        out: *mut *mut mgdt_voronoi,
+    ) -> mgdt_status;
+    pub fn mgdt_periodic_get_error(
+        p: *const mgdt_periodic,
         capacity: i64,
         buffer: *mut c_char,
     ) -> mgdt_status;

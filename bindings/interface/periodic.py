@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: MIT
+"""What the header of periodic boxes cannot say of its functions."""
+
+from description import Description, Group
+
+PERIODIC = Description(
+    "mgdt_periodic.h",
+    {
+        "mgdt_periodic_create": {"vectors": "3*dimensions"},
+        "mgdt_periodic_create_with_allocator": {"vectors": "3*dimensions"},
+        "mgdt_periodic_get_option": {"value": "1"},
+        "mgdt_periodic_insert_points": {"xyz": "3*n"},
+        "mgdt_periodic_move_points": {"points": "?n", "xyz": "3*n"},
+        "mgdt_periodic_get_stat": {"value": "1"},
+        "mgdt_periodic_get_size": {"size": "1"},
+        "mgdt_periodic_get_array": {"values": "capacity"},
+        "mgdt_periodic_get_doubles": {"values": "capacity"},
+        "mgdt_periodic_get_cell_measures": {"x": "capacity"},
+        "mgdt_periodic_get_error": {"buffer": "capacity"},
+    },
+    (Group("options (MGBOPT)", "periodic_option", ("MGDT_PERIODIC_",)),
+     Group("numbers (MGBNUM)", "periodic_number", ("MGDT_PERIODIC_",)),
+     Group("arrays (MGBARR)", "periodic_array", ("MGDT_PERIODIC_ARRAY_",))),
+    {
+        "MGDT_PERIODIC_INDEX_BASE": "MGBBAS",
+        "MGDT_PERIODIC_THREADS": "MGBTHR",
+        "MGDT_PERIODIC_MEMORY_LIMIT": "MGBMEM",
+        "MGDT_PERIODIC_GIVEN_POINTS": "MGBGPT",
+        "MGDT_PERIODIC_MEMORY_BYTES": "MGBBYT",
+        "MGDT_PERIODIC_DIMENSIONS": "MGBNDI",
+        "MGDT_PERIODIC_VERTICES": "MGBNVE",
+        "MGDT_PERIODIC_TETRAHEDRA": "MGBNTE",
+        "MGDT_PERIODIC_EDGES": "MGBNED",
+        "MGDT_PERIODIC_IMAGES": "MGBNIM",
+        "MGDT_PERIODIC_ROUNDS": "MGBNRO",
+        "MGDT_PERIODIC_ARRAY_POINT_MAP": "MGBMAP",
+        "MGDT_PERIODIC_ARRAY_POINT_OFFSETS": "MGBPOF",
+        "MGDT_PERIODIC_ARRAY_TETRAHEDRA": "MGBTET",
+        "MGDT_PERIODIC_ARRAY_OFFSETS": "MGBOFF",
+        "MGDT_PERIODIC_ARRAY_NEIGHBORS": "MGBNBR",
+        "MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS": "MGBNOF",
+        "MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS": "MGBVST",
+        "MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS": "MGBVNB",
+        "MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS": "MGBVOF",
+        "MGDT_PERIODIC_ARRAY_POINTS": "MGBPTS",
+        "MGDT_PERIODIC_ARRAY_VECTORS": "MGBVEC",
+    },
+    long=frozenset({"mgdt_periodic_build", "mgdt_periodic_check", "mgdt_periodic_create_voronoi",
+                    "mgdt_periodic_get_stat", "mgdt_periodic_get_size"}),
+    short=frozenset({"mgdt_periodic_create", "mgdt_periodic_create_with_allocator",
+                     "mgdt_periodic_get_error"}))

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// Creation, options and points of a periodic box, and the calls that make its triangulation.
+#include <algorithm>
+#include <cmath>
+
+#include "capi/periodic_handle.hpp"
+#include "core/point_scan.hpp"
+#include "periodic/periodic_check.hpp"
+
+using namespace mgdt;
+
+namespace {
+
+constexpr std::size_t periodic_size = sizeof(mgdt_periodic),
+                      periodic_align = alignof(mgdt_periodic);
+
+// create() and destroy() are not inlined, for the reason at run_inside() in guard.hpp.
+MGDT_NOT_INLINE mgdt_status create(unsigned dimensions, const double* vectors, mgdt_alloc_fn alloc,
+                                   mgdt_free_fn release, void* user, mgdt_periodic** out) noexcept {
+    const FpEnvironment environment;
+    void* const memory = Allocator::obtain(alloc, user, periodic_size, periodic_align);
+    if (!memory) return MGDT_ERR_OUT_OF_MEMORY;
+    try {
+        auto* const p = new (memory) mgdt_periodic(dimensions, vectors, alloc, release, user);
+        p->box.allocator().count(periodic_size);
+        *out = p;
+        return MGDT_OK;
+    } catch (const Error& error) {
+        Allocator::give_back(release, user, memory, periodic_size, periodic_align);
+        return error.status;
+    }
+}
+
+MGDT_NOT_INLINE void destroy(mgdt_periodic* p) noexcept {
+    const FpEnvironment environment;
+    const mgdt_free_fn release = p->box.allocator().release_function();
+    void* const user = p->box.allocator().user();
+    p->~mgdt_periodic();
+    Allocator::give_back(release, user, p, periodic_size, periodic_align);
+}
+
+long long shown(const Periodic& p, std::uint64_t number) {
+    return static_cast<long long>(number) + p.settings().index_base;
+}
+
+void insert(Periodic& p, std::int64_t n, const double* xyz) {
+    const std::size_t count = require_count(n);
+    if (count > 0) require_pointer(xyz, "xyz");
+    for (std::size_t i = 0; i < 3 * count; ++i)
+        require_finite(xyz[i], i % 3, shown(p, p.point_count() + i / 3));
+    p.insert(count, xyz);
+}
+
+void move(Periodic& p, std::int64_t n, const std::int64_t* points, const double* xyz) {
+    const std::size_t count = require_count(n);
+    if (!points && count != p.point_count())
+        fail(MGDT_ERR_INVALID_ARGUMENT, "%zu places are given for all points, which are %zu", count,
+             p.point_count());
+    if (count > 0) require_pointer(xyz, "xyz");
+    const std::int64_t base = p.settings().index_base;
+    Buffer<std::uint32_t> numbers(p.allocator());
+    numbers.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::int64_t index = points ? points[i] : static_cast<std::int64_t>(i) + base;
+        if (index < base || static_cast<std::uint64_t>(index - base) >= p.point_count())
+            fail(MGDT_ERR_INVALID_ARGUMENT, "there is no point %lld; there are %zu",
+                 static_cast<long long>(index), p.point_count());
+        numbers[i] = static_cast<std::uint32_t>(index - base);
+        for (std::size_t c = 0; c < 3; ++c) require_finite(xyz[3 * i + c], c, index);
+    }
+    p.move(count, numbers.begin(), xyz);
+}
+
+void set_option(Periodic& p, std::int32_t option, std::int64_t value) {
+    const auto require = [&](bool is_in_range) {
+        if (!is_in_range)
+            fail(MGDT_ERR_INVALID_ARGUMENT, "%lld is out of the range of option %d",
+                 static_cast<long long>(value), static_cast<int>(option));
+    };
+    switch (option) {
+        case MGDT_PERIODIC_INDEX_BASE:
+            require(value == 0 || value == 1);
+            p.settings().index_base = static_cast<std::int32_t>(value);
+            break;
+        case MGDT_PERIODIC_THREADS:
+            require(value >= 0 && value <= std::numeric_limits<std::int32_t>::max());
+            p.settings().threads = static_cast<std::int32_t>(value);
+            break;
+        case MGDT_PERIODIC_MEMORY_LIMIT:
+            require(value >= 0);
+            p.allocator().set_limit(limit_of(value));
+            break;
+        default:
+            fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));
+    }
+}
+
+std::int64_t option_of(const Periodic& p, std::int32_t option) {
+    switch (option) {
+        case MGDT_PERIODIC_INDEX_BASE:
+            return p.settings().index_base;
+        case MGDT_PERIODIC_THREADS:
+            return p.settings().threads;
+        case MGDT_PERIODIC_MEMORY_LIMIT:
+            return static_cast<std::int64_t>(p.allocator().limit());
+        default:
+            fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));
+    }
+}
+
+}  // namespace
+
+extern "C" mgdt_status mgdt_periodic_create(int32_t dimensions, const double* vectors,
+                                            mgdt_periodic** out) {
+    return mgdt_periodic_create_with_allocator(dimensions, vectors, nullptr, nullptr, nullptr, out);
+}
+
+extern "C" mgdt_status mgdt_periodic_create_with_allocator(int32_t dimensions,
+                                                           const double* vectors,
+                                                           mgdt_alloc_fn alloc,
+                                                           mgdt_free_fn release, void* user,
+                                                           mgdt_periodic** out) {
+    if (!out) return MGDT_ERR_NULL_POINTER;
+    *out = nullptr;
+    if (!vectors) return MGDT_ERR_NULL_POINTER;
+    if (dimensions < 1 || dimensions > 3 || (alloc == nullptr) != (release == nullptr))
+        return MGDT_ERR_INVALID_ARGUMENT;
+    const auto count = static_cast<unsigned>(dimensions);
+    if (!std::all_of(vectors, vectors + 3 * count, [](double x) { return std::isfinite(x); }))
+        return MGDT_ERR_NOT_FINITE;
+    const CancellationDisabled uninterrupted;
+    return create(count, vectors, alloc, release, user, out);
+}
+
+extern "C" void mgdt_periodic_destroy(mgdt_periodic* p) {
+    destroy_if_free(p, destroy);
+}
+
+extern "C" mgdt_status mgdt_periodic_clear(mgdt_periodic* p) {
+    return guard(p, [&] { p->box.clear(); });
+}
+
+extern "C" mgdt_status mgdt_periodic_set_option(mgdt_periodic* p, int32_t option, int64_t value) {
+    return guard(p, [&] { set_option(p->box, option, value); });
+}
+
+extern "C" mgdt_status mgdt_periodic_get_option(const mgdt_periodic* p, int32_t option,
+                                                int64_t* value) {
+    return guard_short(p, [&] {
+        require_pointer(value, "value");
+        *value = option_of(p->box, option);
+    });
+}
+
+extern "C" mgdt_status mgdt_periodic_set_progress(mgdt_periodic* p, mgdt_progress_fn fn,
+                                                  void* user) {
+    return guard(p, [&] {
+        p->box.settings().progress = fn;
+        p->box.settings().progress_user = user;
+    });
+}
+
+extern "C" mgdt_status mgdt_periodic_cancel(mgdt_periodic* p) {
+    if (!p) return MGDT_ERR_NULL_POINTER;
+    p->box.cancel();
+    return MGDT_OK;
+}
+
+extern "C" mgdt_status mgdt_periodic_insert_points(mgdt_periodic* p, int64_t n, const double* xyz) {
+    return guard(p, [&] { insert(p->box, n, xyz); });
+}
+
+extern "C" mgdt_status mgdt_periodic_move_points(mgdt_periodic* p, int64_t n, const int64_t* points,
+                                                 const double* xyz) {
+    return guard(p, [&] { move(p->box, n, points, xyz); });
+}
+
+extern "C" mgdt_status mgdt_periodic_build(mgdt_periodic* p) {
+    return guard(p, [&] { p->box.build(); });
+}
+
+extern "C" mgdt_status mgdt_periodic_check(const mgdt_periodic* p) {
+    return guard(p, [&] {
+        require_triangulation(p->box);
+        const Periodic::Call call(p->box);
+        check_periodic(p->box, call.stop_request());
+    });
+}
+
+extern "C" mgdt_status mgdt_periodic_get_error(const mgdt_periodic* p, int64_t capacity,
+                                               char* buffer) {
+    return get_message(p, capacity, buffer);
+}

@@ -1,0 +1,521 @@
+/* SPDX-License-Identifier: MIT
+ * Points in periodic boxes, through the C interface. */
+#define _POSIX_C_SOURCE 200112L
+#include <mgdt/mgdt_periodic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../aligned.h"
+#include "check.h"
+
+static const double cube[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+static const double oblique[9] = {4, 0, 0, 1.5, 3, 0, -0.75, 0.5, 2.5};
+
+static int says(const mgdt_periodic* p, const char* text) {
+    char message[256] = "";
+    const int found = mgdt_periodic_get_error(p, (int64_t)sizeof message, message) == MGDT_OK &&
+                      strstr(message, text) != NULL;
+    if (!found) fprintf(stderr, "no \"%s\" in the message \"%s\"\n", text, message);
+    return found;
+}
+
+static int64_t stat_of(const mgdt_periodic* p, int32_t key) {
+    int64_t value = -1;
+    CHECK_EQUAL(mgdt_periodic_get_stat(p, key, &value), MGDT_OK);
+    return value;
+}
+
+static int64_t size_of(const mgdt_periodic* p, int32_t array) {
+    int64_t size = -1;
+    CHECK_EQUAL(mgdt_periodic_get_size(p, array, &size), MGDT_OK);
+    return size;
+}
+
+/* The caller frees the arrays. */
+static int64_t* integers(const mgdt_periodic* p, int32_t array) {
+    const int64_t n = size_of(p, array);
+    int64_t* const all = malloc((size_t)(n + 1) * sizeof *all);
+    int32_t* const small = malloc((size_t)(n + 1) * sizeof *small);
+    int64_t i;
+    if (all == NULL || small == NULL) abort();
+    CHECK_EQUAL(mgdt_periodic_get_array(p, array, n, all), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_get_array_i32(p, array, n, small), MGDT_OK);
+    for (i = 0; i < n; ++i) CHECK_EQUAL(all[i], small[i]);
+    free(small);
+    return all;
+}
+
+static double* doubles(const mgdt_periodic* p, int32_t array) {
+    const int64_t n = size_of(p, array);
+    double* const all = malloc((size_t)(n + 1) * sizeof *all);
+    if (all == NULL) abort();
+    CHECK_EQUAL(mgdt_periodic_get_doubles(p, array, n, all), MGDT_OK);
+    return all;
+}
+
+/* A box with n random points, some of them outside, that has been built. */
+static mgdt_periodic* make_periodic(int32_t dimensions, const double* vectors, int64_t n) {
+    mgdt_periodic* p = NULL;
+    double* const xyz = random_points(n, 0, 5);
+    int64_t i;
+    for (i = 0; i < 3 * n; ++i) xyz[i] = 4 * xyz[i] - 1;
+    CHECK_EQUAL(mgdt_periodic_create(dimensions, vectors, &p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_insert_points(p, n, xyz), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
+    free(xyz);
+    return p;
+}
+
+/* The place of an image. */
+static void place(const double* points, const double* vectors, int64_t point, const int64_t* offset,
+                  int32_t dimensions, double* x) {
+    int32_t c, k;
+    for (c = 0; c < 3; ++c) {
+        x[c] = points[3 * point + c];
+        for (k = 0; k < dimensions; ++k) x[c] += (double)offset[k] * vectors[3 * k + c];
+    }
+}
+
+static double six_volumes(double x[4][3]) {
+    double v[3][3];
+    int k, c;
+    for (k = 0; k < 3; ++k)
+        for (c = 0; c < 3; ++c) v[k][c] = x[k + 1][c] - x[0][c];
+    return v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) -
+           v[0][1] * (v[1][0] * v[2][2] - v[1][2] * v[2][0]) +
+           v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
+}
+
+/* What the arrays say of each other, with an index base. */
+static void arrays_agree(int32_t dimensions, int64_t base) {
+    enum { n = 200 };
+    mgdt_periodic* const p = make_periodic(dimensions, oblique, n);
+    int64_t *map, *point_offsets, *tetrahedra, *offsets, *neighbors, *neighbor_offsets, *starts,
+        *list, *list_offsets;
+    double *points, *vectors, volume = 0, x[4][3];
+    int64_t i, k, l, m, count, edges = 0;
+    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_INDEX_BASE, base), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_check(p), MGDT_OK);
+    map = integers(p, MGDT_PERIODIC_ARRAY_POINT_MAP);
+    point_offsets = integers(p, MGDT_PERIODIC_ARRAY_POINT_OFFSETS);
+    tetrahedra = integers(p, MGDT_PERIODIC_ARRAY_TETRAHEDRA);
+    offsets = integers(p, MGDT_PERIODIC_ARRAY_OFFSETS);
+    neighbors = integers(p, MGDT_PERIODIC_ARRAY_NEIGHBORS);
+    neighbor_offsets = integers(p, MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS);
+    starts = integers(p, MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS);
+    list = integers(p, MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS);
+    list_offsets = integers(p, MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS);
+    points = doubles(p, MGDT_PERIODIC_ARRAY_POINTS);
+    vectors = doubles(p, MGDT_PERIODIC_ARRAY_VECTORS);
+    count = stat_of(p, MGDT_PERIODIC_TETRAHEDRA);
+    CHECK_EQUAL(size_of(p, MGDT_PERIODIC_ARRAY_TETRAHEDRA), 4 * count);
+    CHECK_EQUAL(size_of(p, MGDT_PERIODIC_ARRAY_VECTORS), 3 * dimensions);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_DIMENSIONS), dimensions);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_GIVEN_POINTS), n);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_VERTICES), n);
+    CHECK(stat_of(p, MGDT_PERIODIC_IMAGES) > 50 && stat_of(p, MGDT_PERIODIC_ROUNDS) > 0);
+    CHECK(stat_of(p, MGDT_PERIODIC_MEMORY_BYTES) > 100000);
+    for (i = 0; i < 3 * dimensions; ++i) CHECK(vectors[i] == oblique[i]);
+    for (i = 0; i < n; ++i) {
+        CHECK_EQUAL(map[i], i + base);
+        for (k = 0; k < 3; ++k) CHECK_EQUAL(point_offsets[3 * i + k], 0);
+    }
+    for (i = 0; i < count; ++i) {
+        for (k = 0; k < 4; ++k) {
+            const int64_t neighbor = neighbors[4 * i + k] - base;
+            int64_t shared = 0;
+            place(points, vectors, tetrahedra[4 * i + k] - base, offsets + 12 * i + 3 * k,
+                  dimensions, x[k]);
+            for (l = dimensions; l < 3; ++l) CHECK_EQUAL(offsets[12 * i + 3 * k + l], 0);
+            if (neighbor < 0) {
+                CHECK(dimensions < 3);
+                continue;
+            }
+            for (l = 0; l < 4; ++l)
+                for (m = 0; m < 4; ++m) {
+                    const int64_t *const a = offsets + 12 * i + 3 * l,
+                                         *const b = offsets + 12 * neighbor + 3 * m,
+                                         *const by = neighbor_offsets + 12 * i + 3 * k;
+                    shared += l != k && tetrahedra[4 * i + l] == tetrahedra[4 * neighbor + m] &&
+                              a[0] == b[0] + by[0] && a[1] == b[1] + by[1] && a[2] == b[2] + by[2];
+                }
+            CHECK_EQUAL(shared, 3);
+        }
+        for (k = 0; k < 3; ++k) CHECK_EQUAL(offsets[12 * i + k], 0);
+        CHECK(six_volumes(x) > 0);
+        volume += six_volumes(x) / 6;
+    }
+    if (dimensions == 3) CHECK(volume > 30 - 1e-11 && volume < 30 + 1e-11);
+    /* Every edge of a tetrahedron is in the lists of its ends, and every entry has its opposite. */
+    CHECK_EQUAL(starts[0], base);
+    CHECK_EQUAL(starts[n] - base, size_of(p, MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS));
+    CHECK_EQUAL(starts[n] - base, 2 * stat_of(p, MGDT_PERIODIC_EDGES));
+    for (i = 0; i < n; ++i)
+        for (k = starts[i] - base; k < starts[i + 1] - base; ++k) {
+            const int64_t other = list[k] - base;
+            int64_t found = 0;
+            for (l = starts[other] - base; l < starts[other + 1] - base; ++l)
+                found += list[l] == i + base && list_offsets[3 * l] == -list_offsets[3 * k] &&
+                         list_offsets[3 * l + 1] == -list_offsets[3 * k + 1] &&
+                         list_offsets[3 * l + 2] == -list_offsets[3 * k + 2];
+            CHECK_EQUAL(found, 1);
+            ++edges;
+        }
+    if (dimensions == 3) CHECK_EQUAL(edges / 2, n + count);
+    free(map);
+    free(point_offsets);
+    free(tetrahedra);
+    free(offsets);
+    free(neighbors);
+    free(neighbor_offsets);
+    free(starts);
+    free(list);
+    free(list_offsets);
+    free(points);
+    free(vectors);
+    mgdt_periodic_destroy(p);
+}
+
+/* One point of a face-centred lattice, whose cell has twelve faces, all shared with itself. */
+static void cells(void) {
+    const double vectors[9] = {0, 1, 1, 1, 0, 1, 1, 1, 0}, at[3] = {10.25, -3, 0.5};
+    mgdt_periodic* p = NULL;
+    mgdt_voronoi* v = NULL;
+    double measure[3], normals[36], areas[12];
+    int64_t images[36], sides[24], faces[12], size = 0, i;
+    CHECK_EQUAL(mgdt_periodic_create(3, vectors, &p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, at), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_VOLUME, 1, measure), MGDT_OK);
+    CHECK(measure[0] > 2 - 1e-12 && measure[0] < 2 + 1e-12);
+    CHECK_EQUAL(mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_FACES, 1, measure), MGDT_OK);
+    CHECK(measure[0] == 12);
+    CHECK_EQUAL(mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_CENTROID, 3, measure), MGDT_OK);
+    for (i = 0; i < 3; ++i) CHECK(measure[i] > -1e-12 && measure[i] < 1e-12);
+    CHECK_EQUAL(mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_CENTROID, 2, measure),
+                MGDT_ERR_BUFFER_TOO_SMALL);
+    CHECK_EQUAL(mgdt_periodic_get_cell_measures(p, 11, 3, measure), MGDT_ERR_UNKNOWN_KEY);
+    CHECK_EQUAL(mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_AREA, 1, NULL),
+                MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_create_voronoi(p, &v), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_size(v, MGDT_VORONOI_FACE_IMAGES, &size), MGDT_OK);
+    CHECK_EQUAL(size, 36);
+    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_FACE_IMAGES, 36, images), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_FACE_SIDES, 24, sides), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_CELL_FACES, 12, faces), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_doubles(v, MGDT_VORONOI_FACE_NORMALS, 36, normals), MGDT_OK);
+    for (i = 0; i < 12; ++i) {
+        double way[3], product = 0, square = 0;
+        int64_t c, k;
+        CHECK_EQUAL(sides[2 * i], 0);
+        CHECK_EQUAL(sides[2 * i + 1], 0);
+        CHECK_EQUAL(faces[i], i);
+        for (c = 0; c < 3; ++c) {
+            way[c] = 0;
+            for (k = 0; k < 3; ++k) way[c] += (double)images[3 * i + k] * vectors[3 * k + c];
+            product += way[c] * normals[3 * i + c];
+            square += way[c] * way[c];
+        }
+        CHECK(square == 2);
+        CHECK(product * product > 2 - 1e-12 && product > 0);
+    }
+    /* A face and its image go together. */
+    CHECK_EQUAL(mgdt_voronoi_drop_small_faces(v, 0.1, 0), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_doubles(v, MGDT_VORONOI_FACE_AREAS, 12, areas), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_drop_small_faces(v, 2 * areas[0], 0), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_size(v, MGDT_VORONOI_FACE_IMAGES, &size), MGDT_OK);
+    CHECK_EQUAL(size, 0);
+    mgdt_voronoi_destroy(v);
+    mgdt_periodic_destroy(p);
+    /* The diagram of a triangulation has no images. */
+    {
+        double* const xyz = random_points(20, 0, 1);
+        mgdt_triangulation* const t = make(20, xyz);
+        CHECK_EQUAL(mgdt_voronoi_create(t, 0, NULL, &v), MGDT_OK);
+        CHECK_EQUAL(mgdt_voronoi_get_size(v, MGDT_VORONOI_FACE_IMAGES, &size), MGDT_OK);
+        CHECK_EQUAL(size, 0);
+        CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_FACE_IMAGES, 0, NULL), MGDT_OK);
+        mgdt_voronoi_destroy(v);
+        mgdt_destroy(t);
+        free(xyz);
+    }
+}
+
+/* Equal images are one vertex; moved points are where they are. */
+static void equal_and_moved_points(void) {
+    const double xyz[9] = {0.25, 0.5, 0.75, 3.25, -1.5, 0.75, 0.5, 0.5, 0.125};
+    const int64_t second = 2, bad = 4;
+    double nan = 0, x[9];
+    mgdt_periodic* p = NULL;
+    int64_t *map, *offsets;
+    CHECK_EQUAL(mgdt_periodic_create(3, cube, &p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_INDEX_BASE, 1), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_insert_points(p, 3, xyz), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_VERTICES), 2);
+    map = integers(p, MGDT_PERIODIC_ARRAY_POINT_MAP);
+    offsets = integers(p, MGDT_PERIODIC_ARRAY_POINT_OFFSETS);
+    CHECK(map[0] == 1 && map[1] == 1 && map[2] == 3);
+    CHECK(offsets[3] == 3 && offsets[4] == -2 && offsets[5] == 0);
+    free(map);
+    free(offsets);
+    CHECK_EQUAL(mgdt_periodic_move_points(p, 1, &bad, xyz), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK(says(p, "there is no point 4; there are 3"));
+    nan /= nan;
+    CHECK_EQUAL(mgdt_periodic_move_points(p, 1, &second, &nan), MGDT_ERR_NOT_FINITE);
+    CHECK(says(p, "point 2"));
+    CHECK_EQUAL(mgdt_periodic_move_points(p, 2, NULL, xyz), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK(says(p, "2 places are given for all points, which are 3"));
+    CHECK_EQUAL(mgdt_periodic_check(p), MGDT_OK); /* nothing has changed */
+    CHECK_EQUAL(mgdt_periodic_move_points(p, 1, &second, xyz + 3), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_check(p), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK(says(p, "there is no triangulation"));
+    CHECK_EQUAL(size_of(p, MGDT_PERIODIC_ARRAY_POINTS), 0);
+    CHECK_EQUAL(mgdt_periodic_move_points(p, 1, &second, xyz + 6), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
+    map = integers(p, MGDT_PERIODIC_ARRAY_POINT_MAP);
+    CHECK(map[0] == 1 && map[1] == 2 && map[2] == 2);
+    free(map);
+    CHECK_EQUAL(mgdt_periodic_move_points(p, 3, NULL, xyz), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_get_doubles(p, MGDT_PERIODIC_ARRAY_POINTS, 9, x), MGDT_OK);
+    CHECK(memcmp(x, xyz, sizeof x) == 0);
+    mgdt_periodic_destroy(p);
+}
+
+static void bad_arguments(void) {
+    const double flat[9] = {1, 2, 3, 4, 5, 6, 7, 8, 9}, zero[3] = {0, 0, 0};
+    double bad[3] = {0, 1, 0}, far[3] = {0.5, -1e15, 0.5}, x[3];
+    mgdt_periodic* p = (mgdt_periodic*)(void*)bad;
+    mgdt_voronoi* v = (mgdt_voronoi*)(void*)bad;
+    int64_t value = 0;
+    int32_t small;
+    char text[8];
+    CHECK_EQUAL(mgdt_periodic_create(3, cube, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_create(3, NULL, &p), MGDT_ERR_NULL_POINTER);
+    CHECK(p == NULL);
+    CHECK_EQUAL(mgdt_periodic_create(0, cube, &p), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_periodic_create(4, cube, &p), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_periodic_create(3, flat, &p), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_periodic_create(1, zero, &p), MGDT_ERR_INVALID_ARGUMENT);
+    bad[0] /= bad[0];
+    CHECK_EQUAL(mgdt_periodic_create(1, bad, &p), MGDT_ERR_NOT_FINITE);
+    CHECK(p == NULL);
+    CHECK_EQUAL(mgdt_periodic_create(3, cube, &p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_insert_points(p, -1, cube), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_insert_points(p, 2, cube), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, bad), MGDT_ERR_NOT_FINITE);
+    CHECK(says(p, "point 2"));
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_GIVEN_POINTS), 2);
+    CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, far), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(p), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK(says(p, "point 2 is more than 536870912 boxes away"));
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_TETRAHEDRA), 0);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_EDGES), 0);
+    CHECK_EQUAL(mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_VOLUME, 3, x),
+                MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_periodic_create_voronoi(p, &v), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK(v == NULL);
+    CHECK_EQUAL(mgdt_periodic_create_voronoi(p, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_INDEX_BASE, 2),
+                MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_THREADS, -1), MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_MEMORY_LIMIT, -1),
+                MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_periodic_set_option(p, 11, 0), MGDT_ERR_UNKNOWN_KEY);
+    CHECK_EQUAL(mgdt_periodic_get_option(p, 11, &value), MGDT_ERR_UNKNOWN_KEY);
+    CHECK_EQUAL(mgdt_periodic_get_option(p, MGDT_PERIODIC_THREADS, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_get_option(p, MGDT_PERIODIC_THREADS, &value), MGDT_OK);
+    CHECK_EQUAL(value, 1);
+    CHECK_EQUAL(mgdt_periodic_get_option(p, MGDT_PERIODIC_INDEX_BASE, &value), MGDT_OK);
+    CHECK_EQUAL(value, 0);
+    CHECK_EQUAL(mgdt_periodic_get_option(p, MGDT_PERIODIC_MEMORY_LIMIT, &value), MGDT_OK);
+    CHECK_EQUAL(value, 0);
+    CHECK_EQUAL(mgdt_periodic_get_stat(p, 9, &value), MGDT_ERR_UNKNOWN_KEY);
+    CHECK_EQUAL(mgdt_periodic_get_stat(p, MGDT_PERIODIC_VERTICES, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_get_size(p, 9, &value), MGDT_ERR_UNKNOWN_KEY);
+    CHECK_EQUAL(mgdt_periodic_get_size(p, MGDT_PERIODIC_ARRAY_POINTS, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_clear(p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_check(p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_VOLUME, 0, NULL), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_create_voronoi(p, &v), MGDT_OK);
+    mgdt_voronoi_destroy(v);
+    CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, cube), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_get_array(p, MGDT_PERIODIC_ARRAY_POINTS, 3, &value),
+                MGDT_ERR_UNKNOWN_KEY);
+    CHECK_EQUAL(mgdt_periodic_get_doubles(p, MGDT_PERIODIC_ARRAY_POINT_MAP, 3, x),
+                MGDT_ERR_UNKNOWN_KEY);
+    CHECK_EQUAL(mgdt_periodic_get_array(p, MGDT_PERIODIC_ARRAY_POINT_MAP, 0, &value),
+                MGDT_ERR_BUFFER_TOO_SMALL);
+    CHECK_EQUAL(mgdt_periodic_get_array(p, MGDT_PERIODIC_ARRAY_POINT_MAP, -1, &value),
+                MGDT_ERR_INVALID_ARGUMENT);
+    CHECK_EQUAL(mgdt_periodic_get_array(p, MGDT_PERIODIC_ARRAY_POINT_MAP, 1, NULL),
+                MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_get_array_i32(p, MGDT_PERIODIC_ARRAY_POINT_MAP, 1, &small), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_get_doubles(p, MGDT_PERIODIC_ARRAY_POINTS, 2, x),
+                MGDT_ERR_BUFFER_TOO_SMALL);
+    CHECK_EQUAL(mgdt_periodic_get_error(p, 0, text), MGDT_ERR_INVALID_ARGUMENT);
+    mgdt_periodic_destroy(p);
+    mgdt_periodic_destroy(NULL);
+    /* A slab with one point has no cells. */
+    CHECK_EQUAL(mgdt_periodic_create(2, cube, &p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, cube), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_check(p), MGDT_OK);
+    CHECK_EQUAL(stat_of(p, MGDT_PERIODIC_VERTICES), 1);
+    CHECK_EQUAL(mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_VOLUME, 1, x),
+                MGDT_ERR_INVALID_ARGUMENT);
+    CHECK(says(p, "the points do not span space"));
+    mgdt_periodic_destroy(p);
+}
+
+typedef struct {
+    int64_t calls, fails_at, blocks;
+} failing;
+
+static void* allocate(size_t bytes, size_t align, void* user) {
+    failing* const f = user;
+    void* const p = ++f->calls == f->fails_at ? NULL : allocate_aligned(bytes, align);
+    if (p != NULL) ++f->blocks;
+    return p;
+}
+
+static void release(void* p, size_t bytes, size_t align, void* user) {
+    (void)bytes;
+    (void)align;
+    --((failing*)user)->blocks;
+    free_aligned(p);
+}
+
+static void refused_memory(void) {
+    double* const xyz = random_points(40, 0, 3);
+    int64_t n, failures = 0;
+    int done = 0;
+    for (n = 1; !done; ++n) {
+        failing f = {0, n, 0};
+        mgdt_periodic* p = NULL;
+        mgdt_voronoi* v = NULL;
+        double volumes[40];
+        int64_t size;
+        mgdt_status status =
+            mgdt_periodic_create_with_allocator(3, cube, allocate, release, &f, &p);
+        if (status == MGDT_OK) status = mgdt_periodic_insert_points(p, 40, xyz);
+        if (status == MGDT_OK) status = mgdt_periodic_build(p);
+        if (status == MGDT_OK) status = mgdt_periodic_check(p);
+        if (status == MGDT_OK)
+            status = mgdt_periodic_get_size(p, MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS, &size);
+        if (status == MGDT_OK)
+            status = mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_VOLUME, 40, volumes);
+        if (status == MGDT_OK) status = mgdt_periodic_create_voronoi(p, &v);
+        if (status == MGDT_OK) status = mgdt_periodic_move_points(p, 40, NULL, xyz);
+        if (status == MGDT_OK) status = mgdt_periodic_build(p);
+        mgdt_voronoi_destroy(v);
+        done = f.calls < n;
+        if (!done && status == MGDT_ERR_OUT_OF_MEMORY) {
+            ++failures;
+            if (p != NULL) {
+                if (stat_of(p, MGDT_PERIODIC_GIVEN_POINTS) == 0)
+                    CHECK_EQUAL(mgdt_periodic_insert_points(p, 40, xyz), MGDT_OK);
+                CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
+                CHECK_EQUAL(mgdt_periodic_check(p), MGDT_OK);
+            }
+        } else {
+            CHECK_EQUAL(status, MGDT_OK);
+        }
+        mgdt_periodic_destroy(p);
+        CHECK_EQUAL(f.blocks, 0);
+    }
+    CHECK(failures > 50);
+    free(xyz);
+}
+
+static void memory_limit(void) {
+    mgdt_periodic* const p = make_periodic(3, cube, 500);
+    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_MEMORY_LIMIT, 100000), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(p), MGDT_ERR_OUT_OF_MEMORY);
+    CHECK_EQUAL(mgdt_periodic_set_option(p, MGDT_PERIODIC_MEMORY_LIMIT, 1 << 25), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
+    CHECK(stat_of(p, MGDT_PERIODIC_MEMORY_BYTES) > 100000);
+    mgdt_periodic_destroy(p);
+}
+
+typedef struct {
+    mgdt_periodic* p;
+    double last;
+    int calls, stop_after;
+} watch;
+
+static int32_t report(double fraction, void* user) {
+    watch* const w = user;
+    double x[3];
+    int64_t size;
+    mgdt_voronoi* v = NULL;
+    CHECK(fraction >= w->last && fraction <= 1);
+    w->last = fraction;
+    CHECK_EQUAL(mgdt_periodic_build(w->p), MGDT_ERR_BUSY);
+    CHECK_EQUAL(mgdt_periodic_check(w->p), MGDT_ERR_BUSY);
+    CHECK_EQUAL(mgdt_periodic_clear(w->p), MGDT_ERR_BUSY);
+    CHECK_EQUAL(mgdt_periodic_insert_points(w->p, 1, cube), MGDT_ERR_BUSY);
+    CHECK_EQUAL(mgdt_periodic_move_points(w->p, 0, NULL, NULL), MGDT_ERR_BUSY);
+    CHECK_EQUAL(mgdt_periodic_set_option(w->p, MGDT_PERIODIC_THREADS, 1), MGDT_ERR_BUSY);
+    CHECK_EQUAL(mgdt_periodic_set_progress(w->p, NULL, NULL), MGDT_ERR_BUSY);
+    CHECK_EQUAL(mgdt_periodic_get_size(w->p, MGDT_PERIODIC_ARRAY_POINTS, &size), MGDT_ERR_BUSY);
+    CHECK_EQUAL(mgdt_periodic_get_cell_measures(w->p, MGDT_MEASURE_VOLUME, 1, x), MGDT_ERR_BUSY);
+    CHECK_EQUAL(mgdt_periodic_create_voronoi(w->p, &v), MGDT_ERR_BUSY);
+    mgdt_periodic_destroy(w->p);
+    return ++w->calls == w->stop_after;
+}
+
+static void progress(void) {
+    watch w = {NULL, 0, 0, 0};
+    mgdt_voronoi* v = NULL;
+    int calls, i;
+    w.p = make_periodic(3, oblique, 300);
+    CHECK_EQUAL(mgdt_periodic_set_progress(w.p, report, &w), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(w.p), MGDT_OK);
+    CHECK(w.last == 1 && w.calls > 3);
+    calls = w.calls;
+    for (i = 1; i < calls; ++i) {
+        w.last = 0;
+        w.calls = 0;
+        w.stop_after = i;
+        CHECK_EQUAL(mgdt_periodic_build(w.p), MGDT_ERR_CANCELLED);
+        CHECK_EQUAL(w.calls, i);
+        CHECK_EQUAL(stat_of(w.p, MGDT_PERIODIC_TETRAHEDRA), 0);
+    }
+    CHECK_EQUAL(mgdt_periodic_set_progress(w.p, NULL, NULL), MGDT_OK);
+    /* A request waits for the next call, unless it is withdrawn. */
+    CHECK_EQUAL(mgdt_periodic_cancel(w.p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(w.p), MGDT_ERR_CANCELLED);
+    CHECK_EQUAL(mgdt_periodic_build(w.p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_cancel(w.p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_check(w.p), MGDT_ERR_CANCELLED);
+    CHECK_EQUAL(mgdt_periodic_check(w.p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_cancel(w.p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_create_voronoi(w.p, &v), MGDT_ERR_CANCELLED);
+    CHECK_EQUAL(mgdt_periodic_create_voronoi(w.p, &v), MGDT_OK);
+    mgdt_voronoi_destroy(v);
+    CHECK_EQUAL(mgdt_periodic_cancel(w.p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_clear(w.p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(w.p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_cancel(NULL), MGDT_ERR_NULL_POINTER);
+    mgdt_periodic_destroy(w.p);
+}
+
+void test_periodic(void) {
+    int32_t dimensions;
+    for (dimensions = 1; dimensions <= 3; ++dimensions) {
+        arrays_agree(dimensions, 0);
+        arrays_agree(dimensions, 1);
+    }
+    cells();
+    equal_and_moved_points();
+    bad_arguments();
+    refused_memory();
+    memory_limit();
+    progress();
+}
