@@ -14,6 +14,7 @@ module mgdt_voronoi
     use mgdt, only: mgdt_triangulation
     use mgdt_c
     use mgdt_constants
+    use mgdt_periodic, only: mgdt_periodic_box
     use mgdt_support, only: borrow, c_text, decimal, finish_on, last_message, report, to_c
     implicit none
     private
@@ -33,7 +34,9 @@ module mgdt_voronoi
         private
         type(c_ptr) :: handle = c_null_ptr
     contains
-        procedure :: create, is_created, destroy, array_size, drop_small_faces, c_handle
+        procedure, private :: create_of_points, create_of_box
+        generic :: create => create_of_points, create_of_box
+        procedure :: is_created, destroy, array_size, drop_small_faces, c_handle
         procedure, private :: get_i32_1, get_i32_2, get_i64_1, get_i64_2, get_real_1, get_real_2
         generic :: get => get_i32_1, get_i32_2, get_i64_1, get_i64_2, get_real_1, get_real_2
         procedure, private :: assign
@@ -46,7 +49,7 @@ contains
     ! Makes the diagram of the points of a triangulation. Cells are clipped to the planes a b c d,
     ! planes(4, :), to where a*x + b*y + c*z <= d. The diagram that there was is freed, unless the
     ! call fails.
-    subroutine create(self, triangulation, planes, stat, errmsg)
+    subroutine create_of_points(self, triangulation, planes, stat, errmsg)
         class(mgdt_voronoi_diagram), intent(inout) :: self
         class(mgdt_triangulation), intent(in) :: triangulation
         real(real64), contiguous, intent(in), optional, target :: planes(:, :)
@@ -82,6 +85,25 @@ contains
             self%handle = made
         end if
         call report('create', status, message, stat, errmsg)
+    end subroutine
+
+    ! Makes the diagram of the points in a periodic box: each cell is where its point is.
+    subroutine create_of_box(self, box, stat, errmsg)
+        class(mgdt_voronoi_diagram), intent(inout) :: self
+        class(mgdt_periodic_box), intent(in) :: box
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: made
+        integer(c_int32_t) :: status
+
+        made = c_null_ptr
+        status = c_periodic_create_voronoi(box%c_handle(), made)
+        if (status == mgdt_ok) then
+            call c_voronoi_destroy(self%handle)
+            self%handle = made
+        end if
+        call finish_on(box%c_handle(), 'box', c_periodic_get_error, mgdt_err_index_range, 'create', &
+                       status, stat, errmsg)
     end subroutine
 
     pure function is_created(self)
@@ -314,7 +336,8 @@ contains
         select case (array)
         case (mgdt_voronoi_face_sides)
             width = 2
-        case (mgdt_voronoi_vertices, mgdt_voronoi_ray_directions, mgdt_voronoi_face_normals, &
+        case (mgdt_voronoi_face_images, mgdt_voronoi_vertices, mgdt_voronoi_ray_directions, &
+              mgdt_voronoi_face_normals, &
               mgdt_voronoi_face_centroids, mgdt_voronoi_cell_centroids)
             width = 3
         case default

@@ -215,9 +215,10 @@ void build_periodic_diagram(const Periodic& periodic, const StopRequest& stop,
     Team team = team_of(periodic);
     const ExportView view = view_of(periodic, team);
     const Region region(view.allocator, 0, nullptr, view.mesh, view.base);
-    VoronoiDiagram whole(view.allocator);
+    // The diagram keeps its allocator, since it may outlive the box.
+    Allocator& allocator = diagram.areas.allocator();
+    VoronoiDiagram whole(allocator), built(allocator);
     build_voronoi(view, region, periodic.halo().point_count(), stop, whole);
-    VoronoiDiagram built(view.allocator);
     Extraction(periodic, whole, built).run(stop);
     diagram = std::move(built);
 }

@@ -145,6 +145,61 @@ bool calls_domain() {
     return !domain && again && again.handle() != nullptr;
 }
 
+// Whether a box with two atoms does what it is asked.
+bool calls_periodic() {
+    const std::vector<mgdt::Point> vectors{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+    const std::vector<mgdt::Point> atoms{{0, 0, 0}, {1, 1, 1}};
+    int heard = 0;
+    mgdt::Periodic box(vectors);
+    box.set_option(mgdt::PeriodicOption::threads, 2);
+    if (box.option(mgdt::PeriodicOption::threads) != 2) return false;
+    box.set_progress([&](double) { ++heard; });
+    box.insert(atoms);
+    box.build();
+    box.check();
+    box.clear_progress();
+    if (heard == 0 || box.number(mgdt::PeriodicNumber::tetrahedra) != 12) return false;
+    if (box.array(mgdt::PeriodicArray::tetrahedra).size() != 48) return false;
+    if (box.array<std::int32_t>(mgdt::PeriodicArray::offsets).size() != 144) return false;
+    if (box.points() != atoms || box.vectors() != vectors) return false;
+    if (box.cell_measures(mgdt::Measure::faces) != std::vector<double>{14, 14}) return false;
+    if (box.cell_measures(mgdt::Measure::centroid).size() != 6) return false;
+    const mgdt::Voronoi cells = box.voronoi();
+    if (cells.array(mgdt::VoronoiArray::face_images).size() !=
+        3 * cells.size(mgdt::VoronoiNumbers::face_areas))
+        return false;
+    box.move(atoms);
+    box.move(std::vector<std::int64_t>{1}, std::vector<mgdt::Point>{{1, 1, 3}});
+    box.move(std::vector<std::int64_t>{}, std::vector<mgdt::Point>{});
+    box.build();
+    if (box.number(mgdt::PeriodicNumber::tetrahedra) != 12) return false;
+    try {
+        box.move(std::vector<std::int64_t>{1}, atoms);
+        return false;
+    } catch (const mgdt::Error& e) {
+        if (e.status() != MGDT_ERR_INVALID_ARGUMENT) return false;
+    }
+    try {
+        box.insert(std::vector<mgdt::Point>{{1e30, 0, 0}});
+        box.build();
+        return false;
+    } catch (const mgdt::Error& e) {
+        if (box.last_error() != e.what()) return false;
+    }
+    try {
+        mgdt::Periodic four(std::vector<mgdt::Point>(4));
+        return false;
+    } catch (const mgdt::Error& e) {
+        if (e.status() != MGDT_ERR_INVALID_ARGUMENT) return false;
+    }
+    box.cancel();
+    box.clear();
+    mgdt::Periodic other(vectors);
+    swap(box, other);
+    mgdt::Periodic again(box.release());
+    return !box && again && again.handle() != nullptr;
+}
+
 }  // namespace
 
 int main() {
@@ -152,6 +207,7 @@ int main() {
         if (!calls_parts({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 2}})) return 30;
         if (!calls_voronoi({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 2}})) return 31;
         if (!calls_domain()) return 32;
+        if (!calls_periodic()) return 33;
         Heap heap;
         mgdt::Triangulation t(heap), other;
         t.set_order_scheme(mgdt::order_from_name("brio"));

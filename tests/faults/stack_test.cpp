@@ -13,6 +13,7 @@
 #include "degenerate_sets.hpp"
 #include "mgdt/mgdt_domain.h"
 #include "mgdt/mgdt_parts.h"
+#include "mgdt/mgdt_periodic.h"
 #include "painted_stack.hpp"
 
 namespace faults {
@@ -416,6 +417,51 @@ void domains(Meter& meter) {
     meter_domain(xyz, corners);
 }
 
+// The first points of each set in boxes of one to three vectors. Points too far away are refused.
+void periodic_boxes(Meter& meter) {
+    const double vectors[9] = {1, 0, 0, 0.5, 1, 0, 0, 0.25, 1};
+    for (const Set& set : sets) {
+        SCOPED_TRACE(set.name);
+        const Points xyz = set.points(set.n);
+        const std::int64_t n = std::min<std::int64_t>(count(xyz), 300);
+        for (std::int32_t dimensions = 1; dimensions <= 3; ++dimensions) {
+            mgdt_periodic* p = nullptr;
+            meter("mgdt_periodic_create", [&] {
+                mgdt_periodic_destroy(p);
+                return mgdt_periodic_create(dimensions, vectors, &p);
+            });
+            ASSERT_EQ(mgdt_periodic_insert_points(p, n, xyz.data()), MGDT_OK);
+            const mgdt_status built = mgdt_periodic_build(p);
+            meter(
+                "mgdt_periodic_build", [&] { return mgdt_periodic_build(p); }, built);
+            if (built == MGDT_OK) {
+                meter("mgdt_periodic_check", [&] { return mgdt_periodic_check(p); });
+                std::vector<double> x(static_cast<std::size_t>(n));
+                const mgdt_status status =
+                    mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_AREA, n, x.data());
+                meter(
+                    "mgdt_periodic_get_cell_measures",
+                    [&] {
+                        return mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_AREA, n, x.data());
+                    },
+                    status);
+                meter(
+                    "mgdt_periodic_create_voronoi",
+                    [&] {
+                        mgdt_voronoi* v = nullptr;
+                        const mgdt_status made = mgdt_periodic_create_voronoi(p, &v);
+                        mgdt_voronoi_destroy(v);
+                        return made;
+                    },
+                    status);
+                meter("mgdt_periodic_move_points",
+                      [&] { return mgdt_periodic_move_points(p, n, nullptr, xyz.data()); });
+            }
+            mgdt_periodic_destroy(p);
+        }
+    }
+}
+
 // Calls that are given up: deep in an insertion, and for what they were given.
 void failures(Meter& meter) {
     const Points xyz = nested(300);
@@ -541,6 +587,7 @@ void make_all_calls(Meter& meter) {
     small_sets(meter);
     changes(meter);
     domains(meter);
+    periodic_boxes(meter);
     failures(meter);
     large_sets(meter);
 }
@@ -566,6 +613,7 @@ TEST(Stack, EndsThere) {
     if (is_small()) {
         parts(meter);
         domains(meter);
+        periodic_boxes(meter);
         failures(meter);
     } else {
         make_all_calls(meter);

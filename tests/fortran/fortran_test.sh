@@ -70,7 +70,7 @@ all_values_are_named() { # program, flags
         (cd "$scratch/debug" && $FC -fsyntax-only $cflags "$scratch/values.f90")
 }
 
-f77_alone="$folder/mgdt_f77.f90 $folder/mgdt_voronoi_f77.f90 $folder/mgdt_domain_f77.f90"
+f77_alone="$folder/mgdt_f77.f90 $folder/mgdt_voronoi_f77.f90 $folder/mgdt_domain_f77.f90 $folder/mgdt_periodic_f77.f90"
 
 # Subroutines for FORTRAN 77: names of six characters, each called by the test.
 f77_names() { sed -n 's/^subroutine \([a-z0-9]*\)(.*/\1/p' $f77_alone; }
@@ -127,7 +127,7 @@ done
 module_tests() { # set, flags
     check "the bindings with $2" bindings "$1" "$2" \
         "$parts_sources $folder/mgdt_f77_support.f90 $f77_alone"
-    for test in test_arrays test_parts test_voronoi test_domain test_layouts test_points test_queries test_errors \
+    for test in test_arrays test_parts test_voronoi test_domain test_periodic test_layouts test_points test_queries test_errors \
         test_life:counting test_no_copies:spy test_overflow_module:overflow; do
         name=${test%:*}
         object=${test#"$name"}
@@ -170,6 +170,7 @@ check 'no leak after errors' memcheck test_errors
 check 'no leak of parts' memcheck test_parts
 check 'no leak of diagrams' memcheck test_voronoi
 check 'no leak of domains' memcheck test_domain
+check 'no leak of boxes' memcheck test_periodic
 
 # -------------------------------------------------------------------- floating-point environment
 

@@ -17,6 +17,7 @@
       CALL TSTCHG
       CALL TSTVOR
       CALL TSTDOM
+      CALL TSTBOX
       CALL TSTBAD
       WRITE (*, '(I6, A, I6, A)') NCHK, ' checks,', NBAD, ' failed'
       IF (NBAD .GT. 0 .OR. NCHK .EQ. 0) STOP 1
@@ -935,6 +936,118 @@
       CALL EXPECT(IERR .EQ. MGENUL, 'freed')
       CALL MGDERR(HD, TEXT, IERR)
       CALL EXPECT(IERR .EQ. MGENUL .AND. TEXT .EQ. ' ', 'no domain')
+      END
+
+! Points in a periodic box.
+      SUBROUTINE TSTBOX
+      IMPLICIT NONE
+      INTEGER MAXT
+      PARAMETER (MAXT = 400)
+      INTEGER HB(4), HV(4), IERR, N, I, J, K, L, NT, NE, NF, IPT(2)
+      INTEGER ITET(4, MAXT), IOFF(3, 4, MAXT), NHEARD
+      DOUBLE PRECISION VEC(3, 3), XYZ(3, 40), GOT(3, 40), X(40), SUM
+      DOUBLE PRECISION C(3, 4), VOL
+      CHARACTER*256 TEXT
+      EXTERNAL DOMPRO, DOMSTP
+      COMMON /DOMCOM/ NHEARD
+      INCLUDE 'mgdt_f77.inc'
+      DATA VEC /1, 0, 0, 0.5, 1, 0, 0, 0, 1/
+      CALL MKPTS(40, XYZ)
+      CALL MGBNEW(4, VEC, HB, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'four vectors')
+      CALL MGBNEW(3, VEC, HB, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBNEW')
+      CALL MGBGOP(HB, MGBBAS, I, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. I .EQ. 1, 'MGBGOP')
+      CALL MGBOPT(HB, MGBTHR, 2, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBOPT')
+      CALL MGBOPT(HB, MGBTHR, -2, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'negative threads')
+      CALL MGBERR(HB, TEXT, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. INDEX(TEXT, '-2') .GT. 0, 'MGBERR')
+      CALL MGBINS(HB, 40, XYZ, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBINS')
+      NHEARD = 0
+      CALL MGBPRG(HB, DOMPRO, IERR)
+      CALL MGBBLD(HB, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. NHEARD .GT. 0, 'MGBBLD')
+      CALL MGBNPR(HB, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBNPR')
+      CALL MGBCHK(HB, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBCHK')
+      CALL MGBNUM(HB, MGBNTE, NT, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. NT .LE. MAXT, 'MGBNUM')
+      CALL MGBARR(HB, MGBTET, 4*MAXT, ITET, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBARR')
+      CALL MGBARR(HB, MGBOFF, 12*MAXT, IOFF, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBARR of offsets')
+      CALL MGBDBL(HB, MGBPTS, 120, GOT, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBDBL')
+      SUM = 0
+      DO 40 I = 1, NT
+        DO 30 K = 1, 4
+          DO 20 J = 1, 3
+            C(J, K) = GOT(J, ITET(K, I))
+            DO 10 L = 1, 3
+              C(J, K) = C(J, K) + IOFF(L, K, I)*VEC(J, L)
+   10       CONTINUE
+   20     CONTINUE
+   30   CONTINUE
+        SUM = SUM + VOL(C(1, 1), C(1, 2), C(1, 3), C(1, 4))/6
+   40 CONTINUE
+      CALL EXPECT(ABS(SUM - 1) .LT. 1D-12, 'volume of the box')
+      CALL MGBNUM(HB, MGBNVE, N, IERR)
+      CALL MGBNUM(HB, MGBNED, NE, IERR)
+      CALL EXPECT(NE .EQ. N + NT, 'edges')
+      CALL MGBSIZ(HB, MGBVNB, N, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. N .EQ. 2*NE, 'MGBSIZ')
+      CALL MGBCEL(HB, MGMVOL, 40, X, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBCEL')
+      SUM = 0
+      DO 50 I = 1, 40
+        SUM = SUM + X(I)
+   50 CONTINUE
+      CALL EXPECT(ABS(SUM - 1) .LT. 1D-12, 'volumes of cells')
+      CALL MGBVOR(HB, HV, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBVOR')
+      CALL MGVSIZ(HV, MGVFAR, NF, IERR)
+      CALL MGVSIZ(HV, MGVFIM, N, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. N .EQ. 3*NF, 'MGVFIM')
+      CALL MGVFRE(HV, IERR)
+! Points move by a vector, and two change places.
+      DO 60 I = 1, 40
+        XYZ(1, I) = XYZ(1, I) + 2
+   60 CONTINUE
+      CALL MGBMVA(HB, 40, XYZ, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBMVA')
+      IPT(1) = 2
+      IPT(2) = 1
+      CALL MGBMOV(HB, 2, IPT, XYZ, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBMOV')
+      IPT(2) = 41
+      CALL MGBMOV(HB, 2, IPT, XYZ, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'no such point')
+      CALL MGBMOV(HB, -1, IPT, XYZ, IERR)
+      CALL EXPECT(IERR .EQ. MGEARG, 'negative points')
+      CALL MGBPRG(HB, DOMSTP, IERR)
+      CALL MGBBLD(HB, IERR)
+      CALL EXPECT(IERR .EQ. MGECAN, 'stopped by progress')
+      CALL MGBNPR(HB, IERR)
+      CALL MGBCAN(HB, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBCAN')
+      CALL MGBBLD(HB, IERR)
+      CALL EXPECT(IERR .EQ. MGECAN, 'stopped by MGBCAN')
+      CALL MGBBLD(HB, IERR)
+      CALL MGBNUM(HB, MGBNTE, N, IERR)
+      CALL EXPECT(IERR .EQ. 0 .AND. N .EQ. NT, 'as many tetrahedra')
+      CALL MGBCLR(HB, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBCLR')
+      CALL MGDNUM(HB, MGDGPT, N, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'no domain')
+      CALL MGBFRE(HB, IERR)
+      CALL EXPECT(IERR .EQ. 0, 'MGBFRE')
+      CALL MGBFRE(HB, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'freed')
       END
 
       SUBROUTINE DOMPRO(FRAC, ICANC)

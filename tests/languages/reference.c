@@ -72,6 +72,7 @@ static void export_diagram(const mgdt_triangulation* t, int64_t n_planes, const 
     } arrays[] = {{MGDT_VORONOI_FACE_OFFSETS, "face_offsets"},
                   {MGDT_VORONOI_FACE_CORNERS, "face_corners"},
                   {MGDT_VORONOI_FACE_SIDES, "face_sides"},
+                  {MGDT_VORONOI_FACE_IMAGES, "face_images"},
                   {MGDT_VORONOI_RAY_VERTICES, "ray_vertices"},
                   {MGDT_VORONOI_CELL_OFFSETS, "cell_offsets"},
                   {MGDT_VORONOI_CELL_FACES, "cell_faces"},

@@ -15,7 +15,7 @@ import mgdt
 import numpy as np
 from mgdt._gate import interruptibly
 from mgdt._insertion import Insertion
-from mgdt.voronoi import _lists
+from mgdt._diagram import lists
 
 # What the children have in common. A child says when its call begins and how long the call takes when
 # nobody interrupts it, so that the signal comes within the call on a slow machine and on a fast one.
@@ -219,11 +219,11 @@ class Snapshots(unittest.TestCase):
             asked.append(1)
             return len(asked) == 3
 
-        self.assertLess(len(_lists(np.arange(100_000), offsets, is_left)), 50_000)
-        whole = _lists(np.arange(100_000), offsets, lambda: False)
+        self.assertLess(len(lists(np.arange(100_000), offsets, is_left)), 50_000)
+        whole = lists(np.arange(100_000), offsets, lambda: False)
         self.assertEqual(whole, [[i] for i in range(100_000)])
-        self.assertEqual(_lists(np.arange(0), np.zeros(1, int), lambda: False), [])
-        self.assertEqual(_lists(np.arange(3), np.array([0, 0, 3, 3]), lambda: False), [[], [0, 1, 2], []])
+        self.assertEqual(lists(np.arange(0), np.zeros(1, int), lambda: False), [])
+        self.assertEqual(lists(np.arange(3), np.array([0, 0, 3, 3]), lambda: False), [[], [0, 1, 2], []])
 
 
 class Interrupts(unittest.TestCase):

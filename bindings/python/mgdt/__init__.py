@@ -22,6 +22,7 @@ from .delaunay import Delaunay
 from .domain import DomainMesh, InvalidBoundary, OffendingPair, OpenBoundary, offending_pairs
 from .interpolation import Interpolator
 from .parallel import ParallelDelaunay
+from .periodic import PeriodicDelaunay, PeriodicVoronoi
 from .scattered import (
     LinearNDInterpolator,
     NaturalNeighborInterpolator,
@@ -50,6 +51,8 @@ __all__ = [
     "OpenBoundary",
     "OutOfMemoryError",
     "ParallelDelaunay",
+    "PeriodicDelaunay",
+    "PeriodicVoronoi",
     "QhullError",
     "TooLargeError",
     "Voronoi",

@@ -19,6 +19,7 @@ from ._arrays import (
     finite_rows,
     stride_in_doubles,
 )
+from ._diagram import taken_diagram
 from ._gate import interrupt_soon
 from ._insertion import Insertion
 
@@ -27,7 +28,6 @@ _ORDER_PARAMETERS = _interface.CONSTANTS["parameter"]
 _SEPARATIONS = _interface.CONSTANTS["separation"]
 MEASURES = _interface.CONSTANTS["measure"]
 TETRAHEDRON_MEASURES = _interface.CONSTANTS["tetrahedron"]
-_VORONOI_ARRAYS = _interface.CONSTANTS["voronoi"]
 METHODS = _interface.CONSTANTS["method"]
 OUTSIDES = _interface.CONSTANTS["outside"]
 _MESSAGE_BYTES = 256
@@ -290,25 +290,7 @@ class Handle:
         """The arrays of the Voronoi diagram by their names, without the faces that are smaller."""
         diagram = ctypes.c_void_p()
         self._call("mgdt_voronoi_create", len(planes), address(planes), ctypes.byref(diagram))
-        try:
-            if area > 0 or share > 0:
-                status = self._library.mgdt_voronoi_drop_small_faces(diagram, area, share)
-                if status != _errors.OK:
-                    raise _errors.make(status, "memory for the faces that stay was refused")
-            return {name: self._voronoi_array(diagram, key) for name, key in _VORONOI_ARRAYS.items()}
-        finally:
-            self._library.mgdt_voronoi_destroy(diagram)
-
-    def _voronoi_array(self, diagram: ctypes.c_void_p, key: int) -> NDArray[Any]:
-        size = ctypes.c_int64()
-        self._library.mgdt_voronoi_get_size(diagram, key, ctypes.byref(size))
-        is_real = key >= _VORONOI_ARRAYS["vertices"]
-        values = np.empty(size.value, dtype=np.float64 if is_real else np.int32)
-        name = "mgdt_voronoi_get_doubles" if is_real else "mgdt_voronoi_get_array_i32"
-        status = getattr(self._library, name)(diagram, key, size.value, address(values))
-        if status != _errors.OK:
-            raise _errors.make(status, "the diagram is too large for indices of 32 bits")
-        return values
+        return taken_diagram(diagram, area, share)
 
     def point_map(self) -> IndexArray:
         return self._export("mgdt_get_point_map_i32", self.point_count)

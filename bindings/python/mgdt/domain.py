@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _errors, _library
 from ._arrays import FloatArray, IndexArray, address, as_array, as_points
-from ._insertion import CANCEL
-from ._interface import CONSTANTS, PROGRESS
+from ._building import build
+from ._interface import CONSTANTS
 
 _MESSAGE_BYTES = 512
 _DOUBLES = ("points", "steiner_parameters")
@@ -324,7 +324,7 @@ class DomainMesh:
             row = np.ascontiguousarray(as_points(np.asarray(where)[None], "regions"))
             value = _markers([marker], 1, "the markers of regions")
             handle.call("add_region", address(row), 0 if value is None else int(value[0]))
-        self._build(progress)
+        build(handle, progress)
 
         def rows(name: str, columns: int) -> Any:
             return handle.array(name).reshape(-1, columns)
@@ -345,30 +345,6 @@ class DomainMesh:
         self.steiner_edges: IndexArray = rows("steiner_edges", 2)
         self.steiner_parameters: FloatArray = handle.array("steiner_parameters")
         self.is_rounded = handle.number("is_rounded") == 1
-
-    def _build(self, progress: Optional[Callable[[float], Any]]) -> None:
-        failures: list[BaseException] = []
-
-        def report(fraction: float, _: Any) -> int:
-            # Python runs the handlers of signals here, so that Ctrl-C is heard without `progress`.
-            try:
-                return 1 if progress is not None and progress(fraction) is CANCEL else 0
-            except BaseException as error:  # pylint: disable=broad-exception-caught
-                failures.append(error)
-                return 1
-
-        callback = PROGRESS(report)
-        self._handle.call("set_progress", callback, None)
-        try:
-            self._handle.call("build")
-        except _errors.Cancelled:
-            if failures:
-                raise failures[0] from None
-            raise
-        finally:
-            self._handle.quiet("set_progress", _library.NO_PROGRESS, None)
-        if failures:
-            raise failures[0]
 
     def check(self) -> None:
         """Proves the mesh against the facets and segments, exactly.

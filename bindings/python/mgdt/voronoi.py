@@ -3,37 +3,16 @@
 
 from __future__ import annotations
 
-from functools import cached_property, partial
-from typing import Any, Callable, Iterator, Optional, Union
+from functools import cached_property
+from typing import Any, Callable, Optional, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from ._arrays import FloatArray, IndexArray, as_planes
+from ._arrays import FloatArray, as_planes
+from ._diagram import Diagram, blocks
 from ._handle import Handle
 from ._snapshot import Snapshot
-
-def _blocks(count: int, is_left: Callable[[], bool]) -> Iterator[slice]:
-    """Slices short enough that between them a thread that waits gets its turn."""
-    size = 1 << 14
-    for begin in range(0, count, size):
-        if is_left():
-            return
-        yield slice(begin, begin + size)
-
-
-def _lists(
-    flat: NDArray[Any], offsets: NDArray[Any], is_left: Callable[[], bool]
-) -> list[list[int]]:
-    """One list from each offset to the next."""
-    lists: list[list[int]] = []
-    for block in _blocks(len(offsets) - 1, is_left):
-        ends = offsets[block.start : block.stop + 1]
-        values = flat[ends[0] : ends[-1]].tolist()
-        steps = (ends - ends[0]).tolist()
-        lists += [values[begin:end] for begin, end in zip(steps, steps[1:])]
-    return lists
-
 
 def _planes_of_box(bounds: Optional[ArrayLike]) -> FloatArray:
     if bounds is None:
@@ -48,7 +27,7 @@ def _planes_of_box(bounds: Optional[ArrayLike]) -> FloatArray:
     return np.column_stack([np.concatenate([-normals, normals]), np.append(-box[0], box[1])])
 
 
-class Voronoi(Snapshot):
+class Voronoi(Snapshot, Diagram):
     """Voronoi diagram of points in space: the cells of what is nearest to each point.
 
     What has a name in ``scipy.spatial.Voronoi`` has the same name, shape and meaning here. Vertices
@@ -155,51 +134,9 @@ class Voronoi(Snapshot):
         super().__init__(points, settings)
         self._begin()
 
-    def _begin(self) -> None:
-        if not self._arrays:
-            raise ValueError("there are no cells: all points are in one plane, or fewer than four")
-        arrays = self._arrays
-        self.vertices: FloatArray = arrays["vertices"].reshape(-1, 3)
-        self.ridge_points: IndexArray = arrays["face_sides"].reshape(-1, 2)
-        self.ridge_areas: FloatArray = arrays["face_areas"]
-        self.ridge_normals: FloatArray = arrays["face_normals"].reshape(-1, 3)
-        self.ridge_centroids: FloatArray = arrays["face_centroids"].reshape(-1, 3)
-        self.ray_vertices: IndexArray = arrays["ray_vertices"]
-        self.ray_directions: FloatArray = arrays["ray_directions"].reshape(-1, 3)
-        self.volumes: FloatArray = arrays["cell_volumes"]
-        """Volumes of the points' cells, within 1e-12; infinite where a cell has no end."""
-        self.centroids: FloatArray = arrays["cell_centroids"].reshape(-1, 3)
-        """Centroids of the points' cells, likewise."""
-        self.ridge_offsets: IndexArray
-        self.ridge_list: IndexArray
-        self.ridge_rays: IndexArray
-        self.point_region: IndexArray
-        self._aside(self._build)
-
     def _take(self, handle: Handle) -> None:
         has_cells = handle.dimension == 3
         self._arrays = handle.voronoi(self._planes, *self._least) if has_cells else {}
-
-    def _build(self, _is_left: Callable[[], bool]) -> None:
-        number = np.arange(len(self.points), dtype=np.int32)
-        is_vertex = self._point_map == number
-        region_of = np.full(len(self.points) + 1, -1, dtype=np.int32)
-        region_of[:-1][is_vertex] = np.arange(is_vertex.sum(), dtype=np.int32)
-        self.point_region = region_of[self._point_map]
-        # In place of the two rays at the end of a face, -1 at its beginning.
-        corners, offsets = self._arrays["face_corners"], self._arrays["face_offsets"]
-        is_open = corners[offsets[1:] - 1] < 0
-        self.ridge_rays = np.full((len(is_open), 2), -1, dtype=np.int32)
-        ends = offsets[1:][is_open]
-        self.ridge_rays[is_open] = np.column_stack([-1 - corners[ends - 2], -1 - corners[ends - 1]])
-        sizes = np.diff(offsets)
-        self.ridge_offsets = np.zeros(len(offsets), dtype=np.int32)
-        np.cumsum(sizes - is_open, out=self.ridge_offsets[1:])
-        self.ridge_list = np.full(self.ridge_offsets[-1], -1, dtype=np.int32)
-        is_vertex = corners >= 0
-        shift = self.ridge_offsets[:-1] + is_open - offsets[:-1]
-        place = np.arange(len(corners)) + np.repeat(shift, sizes)
-        self.ridge_list[place[is_vertex]] = corners[is_vertex]
 
     def add_points(self, points: ArrayLike, restart: bool = False) -> None:
         """Makes the diagram one of more points. What was computed of the diagram before is forgotten.
@@ -232,33 +169,6 @@ class Voronoi(Snapshot):
         if self._is_made:
             self.delaunay.close()
 
-    @property
-    def npoints(self) -> int:
-        """Number of points given."""
-        return len(self.points)
-
-    @property
-    def ndim(self) -> int:
-        """3."""
-        return 3
-
-    @property
-    def min_bound(self) -> FloatArray:
-        """Least coordinates of the points."""
-        low: FloatArray = self.points.min(axis=0)
-        return low
-
-    @property
-    def max_bound(self) -> FloatArray:
-        """Largest coordinates of the points."""
-        high: FloatArray = self.points.max(axis=0)
-        return high
-
-    @cached_property
-    def ridge_vertices(self) -> list[list[int]]:
-        """The vertices of each face in turn, -1 standing for infinity."""
-        return self._aside(partial(_lists, self.ridge_list, self.ridge_offsets))
-
     @cached_property
     def ridge_dict(self) -> dict[tuple[int, int], list[int]]:
         """From the two points of each face to its vertices."""
@@ -266,41 +176,12 @@ class Voronoi(Snapshot):
 
         def pair(is_left: Callable[[], bool]) -> dict[tuple[int, int], list[int]]:
             found: dict[tuple[int, int], list[int]] = {}
-            for block in _blocks(len(vertices), is_left):
+            for block in blocks(len(vertices), is_left):
                 for (a, b), of_face in zip(self.ridge_points[block].tolist(), vertices[block]):
                     found[a, b] = of_face
             return found
 
         return self._aside(pair)
-
-    @cached_property
-    def regions(self) -> list[list[int]]:
-        """The vertices of each cell, ascending, -1 first where the cell has no end."""
-        return self._aside(self._make_regions)
-
-    def _make_regions(self, is_left: Callable[[], bool]) -> list[list[int]]:
-        # Region and vertex in one number, which NumPy sorts much faster than pairs. Infinity is 0.
-        width = len(self.vertices) + 1
-        sizes = np.diff(self.ridge_offsets)
-        keys = []
-        for side in self.ridge_points.T:
-            of_point = np.where(side >= 0, self.point_region[side], -1).astype(np.int64)
-            of_corner = np.repeat(of_point, sizes)
-            is_cell = of_corner >= 0
-            keys.append(of_corner[is_cell] * width + self.ridge_list[is_cell] + 1)
-        of_region, vertices = np.divmod(np.unique(np.concatenate(keys)), width)
-        offsets = np.searchsorted(of_region, np.arange(self.point_region.max() + 2))
-        return _lists(vertices - 1, offsets, is_left)
-
-    @cached_property
-    def neighbors(self) -> list[list[int]]:
-        """For each point, the points whose cells share a face with its cell, and -1 - k for plane k
-        of the region, by the numbers of the faces. Since 1.3."""
-        faces, offsets = self._arrays["cell_faces"], self._arrays["cell_offsets"]
-        point = np.repeat(np.arange(len(self.points)), np.diff(offsets))
-        sides = self.ridge_points[faces]
-        others = np.where(sides[:, 0] == point, sides[:, 1], sides[:, 0])
-        return self._aside(partial(_lists, others, offsets))
 
     @cached_property
     def areas(self) -> FloatArray:

@@ -9,6 +9,7 @@
 #include "../mgdt.h"
 #include "../mgdt_domain.h"
 #include "../mgdt_parts.h"
+#include "../mgdt_periodic.h"
 #include "../mgdt_voronoi.h"
 
 namespace mgdt {
@@ -119,6 +120,7 @@ enum class VoronoiArray : std::int32_t {
     face_offsets = MGDT_VORONOI_FACE_OFFSETS,
     face_corners = MGDT_VORONOI_FACE_CORNERS,
     face_sides = MGDT_VORONOI_FACE_SIDES,
+    face_images = MGDT_VORONOI_FACE_IMAGES,
     ray_vertices = MGDT_VORONOI_RAY_VERTICES,
     cell_offsets = MGDT_VORONOI_CELL_OFFSETS,
     cell_faces = MGDT_VORONOI_CELL_FACES,
@@ -188,6 +190,39 @@ enum class DomainArray : std::int32_t {
     segment_sources = MGDT_DOMAIN_ARRAY_SEGMENT_SOURCES,
     segment_markers = MGDT_DOMAIN_ARRAY_SEGMENT_MARKERS,
     steiner_edges = MGDT_DOMAIN_ARRAY_STEINER_EDGES
+};
+
+/** Options of a periodic box; see MGDT_PERIODIC_INDEX_BASE and its neighbours. @since 1.3 */
+enum class PeriodicOption : std::int32_t {
+    index_base = MGDT_PERIODIC_INDEX_BASE,
+    threads = MGDT_PERIODIC_THREADS,
+    memory_limit = MGDT_PERIODIC_MEMORY_LIMIT
+};
+
+/** Numbers of a periodic box; see MGDT_PERIODIC_GIVEN_POINTS and its neighbours. @since 1.3 */
+enum class PeriodicNumber : std::int32_t {
+    given_points = MGDT_PERIODIC_GIVEN_POINTS,
+    memory_bytes = MGDT_PERIODIC_MEMORY_BYTES,
+    dimensions = MGDT_PERIODIC_DIMENSIONS,
+    vertices = MGDT_PERIODIC_VERTICES,
+    tetrahedra = MGDT_PERIODIC_TETRAHEDRA,
+    edges = MGDT_PERIODIC_EDGES,
+    images = MGDT_PERIODIC_IMAGES,
+    rounds = MGDT_PERIODIC_ROUNDS
+};
+
+/** Arrays of integers of a periodic box; see MGDT_PERIODIC_ARRAY_POINT_MAP and its neighbours.
+ *  @since 1.3 */
+enum class PeriodicArray : std::int32_t {
+    point_map = MGDT_PERIODIC_ARRAY_POINT_MAP,
+    point_offsets = MGDT_PERIODIC_ARRAY_POINT_OFFSETS,
+    tetrahedra = MGDT_PERIODIC_ARRAY_TETRAHEDRA,
+    offsets = MGDT_PERIODIC_ARRAY_OFFSETS,
+    neighbors = MGDT_PERIODIC_ARRAY_NEIGHBORS,
+    neighbor_offsets = MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS,
+    vertex_neighbor_starts = MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS,
+    vertex_neighbors = MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS,
+    vertex_neighbor_offsets = MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS
 };
 
 /** Options of parts; see MGDT_PARTS_INDEX_BASE and its neighbours. @since 1.2 */

@@ -1,0 +1,368 @@
+# SPDX-License-Identifier: MIT
+"""Points in periodic boxes: their triangulation and their Voronoi cells."""
+
+from __future__ import annotations
+
+import ctypes
+from ctypes import c_int64, c_void_p
+from functools import cached_property, partial
+from typing import Any, Callable, Optional, Sequence, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _errors, _library
+from ._arrays import FloatArray, IndexArray, address, as_array, as_points
+from ._building import build
+from ._diagram import Diagram, lists, taken_diagram
+from ._gate import interruptibly
+from ._interface import CONSTANTS
+from ._triangulation import LONG_EXPORT
+
+_MESSAGE_BYTES = 512
+_T = TypeVar("_T")
+
+
+def _vectors(box: ArrayLike, periodic: Optional[Sequence[bool]]) -> FloatArray:
+    """The vectors in which a box repeats, as rows."""
+    array = np.asarray(as_array(box, "box"))
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"box must be real numbers, not {array.dtype}")
+    array = array.astype(np.float64)
+    if array.shape == (3,):
+        array = np.diag(array)
+    if array.ndim != 2 or array.shape[1] != 3 or not 1 <= len(array) <= 3:
+        raise ValueError(
+            f"box must be three lengths, or one to three vectors as rows, not of shape {array.shape}"
+        )
+    if periodic is not None:
+        chosen = np.asarray(periodic)
+        if chosen.dtype != np.bool_ or chosen.shape != (len(array),) or not chosen.any():
+            raise ValueError(
+                f"periodic must have a bool for each vector, at least one of them true, not {periodic!r}"
+            )
+        array = array[chosen]
+    return np.ascontiguousarray(array)
+
+
+class _Box:
+    """A periodic box of the library."""
+
+    def __init__(self, vectors: FloatArray) -> None:
+        self._pointer = c_void_p()
+        status = self._function("create")(len(vectors), address(vectors), ctypes.byref(self._pointer))
+        if status == _errors.INVALID_ARGUMENT:
+            raise _errors.make(status, f"the vectors of the box do not span, or hardly: {vectors.tolist()}")
+        if status == _errors.NOT_FINITE:
+            raise _errors.make(status, f"a vector of the box is not finite: {vectors.tolist()}")
+        if status != _errors.OK:
+            raise _errors.make(status, "the library made no box: out of memory")
+
+    def __del__(self) -> None:
+        if self._pointer:
+            self._function("destroy")(self._pointer)
+
+    @staticmethod
+    def _function(name: str) -> Callable[..., Any]:
+        function: Callable[..., Any] = getattr(_library.library, "mgdt_periodic_" + name)
+        return function
+
+    def quiet(self, name: str, *arguments: Any) -> int:
+        return int(self._function(name)(self._pointer, *arguments))
+
+    def call(self, name: str, *arguments: Any) -> None:
+        status = self.quiet(name, *arguments)
+        if status != _errors.OK:
+            buffer = ctypes.create_string_buffer(_MESSAGE_BYTES)
+            self.quiet("get_error", _MESSAGE_BYTES, buffer)
+            raise _errors.make(status, _library.text(buffer.value))
+
+    def number(self, name: str) -> int:
+        value = c_int64()
+        self.call("get_stat", CONSTANTS["periodic_number"][name], ctypes.byref(value))
+        return value.value
+
+    def _size(self, key: int) -> int:
+        size = c_int64()
+        self.call("get_size", key, ctypes.byref(size))
+        return size.value
+
+    def integers(self, name: str) -> IndexArray:
+        key = CONSTANTS["periodic_array"][name]
+        values = np.empty(self._size(key), np.int32)
+        self.call("get_array_i32", key, values.size, address(values))
+        return values
+
+    def long_integers(self, name: str) -> NDArray[np.int64]:
+        key = CONSTANTS["periodic_array"][name]
+        values = np.empty(self._size(key), np.int64)
+        self.call("get_array", key, values.size, address(values))
+        return values
+
+    def rows(self, name: str) -> FloatArray:
+        key = CONSTANTS["periodic_array"][name]
+        values = np.empty(self._size(key))
+        self.call("get_doubles", key, values.size, address(values))
+        return values.reshape(-1, 3)
+
+    def measures(self, name: str, size: int) -> FloatArray:
+        values = np.empty(size)
+        self.call("get_cell_measures", CONSTANTS["measure"][name], size, address(values))
+        return values
+
+    def voronoi(self, area: float, share: float) -> dict[str, NDArray[Any]]:
+        diagram = c_void_p()
+        self.call("create_voronoi", ctypes.byref(diagram))
+        return taken_diagram(diagram, area, share)
+
+
+class PeriodicDelaunay:
+    """Delaunay triangulation of points in a periodic box: of the infinite set of their images.
+
+    Since 1.3.
+
+    Parameters
+    ----------
+    points : array_like of float, shape (n, 3)
+        They may lie anywhere, also outside of the box.
+    box : array_like of float
+        Three lengths, of a box along the axes; or one to three vectors as rows, of any shape. A cell of
+        ASE (``atoms.cell``) is three vectors.
+    periodic : sequence of bool, optional
+        Which of the vectors repeat, such as ``atoms.pbc``. By default all do. With two it is a slab, with
+        one a wire.
+    threads : int
+        0 for all cores.
+    memory_limit : int
+        Bytes; 0 for none.
+    progress : callable, optional
+        Called as ``progress(fraction)`` with 0 to 1; the result ``mgdt.CANCEL`` cancels.
+
+    Attributes
+    ----------
+    points : ndarray of float, shape (n, 3)
+        The points where they were put, rounded to at most 2^-48 of the box.
+    vectors : ndarray of float, shape (1 to 3, 3)
+        The vectors that repeat, rounded likewise.
+    simplices : ndarray of int, shape (ntets, 4)
+        The corners of one tetrahedron of each class of tetrahedra that differ by multiples of the vectors.
+    offsets : ndarray of int, shape (ntets, 4, 3)
+        How often each vector has to be added to the point of a corner to get the corner. 0 for the first
+        corner, and for vectors that there are not.
+    neighbors : ndarray of int, shape (ntets, 4)
+        The tetrahedra opposite the corners; -1 where a slab or a wire ends.
+    neighbor_offsets : ndarray of int, shape (ntets, 4, 3)
+        The multiples by which a neighbour is moved to be there.
+
+    Examples
+    --------
+    >>> import mgdt
+    >>> crystal = mgdt.PeriodicDelaunay([[0, 0, 0], [1, 1, 1]], [2, 2, 2])
+    >>> crystal
+    <mgdt.PeriodicDelaunay: 2 points, 3 vectors, 12 tetrahedra>
+    >>> crystal.volumes.tolist(), crystal.face_counts.tolist()
+    ([4.0, 4.0], [14, 14])
+    """
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        box: ArrayLike,
+        periodic: Optional[Sequence[bool]] = None,
+        *,
+        threads: int = 1,
+        memory_limit: int = 0,
+        progress: Optional[Callable[[float], Any]] = None,
+    ) -> None:
+        rows = np.ascontiguousarray(as_points(points))
+        handle = self._box = _Box(_vectors(box, periodic))
+        option = CONSTANTS["periodic_option"]
+        handle.call("set_option", option["threads"], threads)
+        handle.call("set_option", option["memory_limit"], memory_limit)
+        handle.call("insert_points", len(rows), address(rows))
+        self._progress = progress
+        self._build()
+
+    def _build(self) -> None:
+        build(self._box, self._progress)
+        for name in list(self.__dict__):
+            if isinstance(getattr(type(self), name, None), cached_property):
+                del self.__dict__[name]
+        handle = self._box
+        self.points: FloatArray = handle.rows("points")
+        self.vectors: FloatArray = handle.rows("vectors")
+        self.simplices: IndexArray = handle.integers("tetrahedra").reshape(-1, 4)
+        self.offsets: IndexArray = handle.integers("offsets").reshape(-1, 4, 3)
+        self.neighbors: IndexArray = handle.integers("neighbors").reshape(-1, 4)
+        self.neighbor_offsets: IndexArray = handle.integers("neighbor_offsets").reshape(-1, 4, 3)
+
+    def move(self, points: ArrayLike) -> None:
+        """Moves all points, as in a time step. What was computed before is forgotten. The triangulation
+        starts with the images that the last one needed.
+
+        Parameters
+        ----------
+        points : array_like of float, shape (n, 3)
+            Where they are now.
+        """
+        rows = np.ascontiguousarray(as_points(points))
+        self._box.call("move_points", len(rows), None, address(rows))
+        self._build()
+
+    def check(self) -> None:
+        """Proves the triangulation, exactly.
+
+        Raises
+        ------
+        CheckFailed
+            If it has a defect. The message says what and where.
+        """
+        self._box.call("check")
+
+    def places(self, simplices: Any = slice(None)) -> FloatArray:
+        """The coordinates of the corners of tetrahedra, of shape (m, 4, 3).
+
+        Parameters
+        ----------
+        simplices : index, optional
+            Which of them, as an index of `simplices`; all by default.
+        """
+        offsets = self.offsets[simplices][..., : len(self.vectors)]
+        corners: FloatArray = self.points[self.simplices[simplices]] + offsets @ self.vectors
+        return corners
+
+    @cached_property
+    def point_map(self) -> IndexArray:
+        """For each point the least point with the same images."""
+        return self._box.integers("point_map")
+
+    @cached_property
+    def point_offsets(self) -> NDArray[np.int64]:
+        """The multiples of the vectors that are added to that point to get this one, shape (n, 3)."""
+        return self._box.long_integers("point_offsets").reshape(-1, 3)
+
+    @cached_property
+    def vertex_neighbor_vertices(self) -> tuple[IndexArray, IndexArray]:
+        """Two arrays: the points at the other ends of the edges at point k are
+        ``indices[indptr[k]:indptr[k + 1]]``. A point may come several times, as several images."""
+        handle = self._box
+        return handle.integers("vertex_neighbor_starts"), handle.integers("vertex_neighbors")
+
+    @cached_property
+    def vertex_neighbor_offsets(self) -> IndexArray:
+        """The offset of each of the ``indices``, shape (m, 3)."""
+        return self._box.integers("vertex_neighbor_offsets").reshape(-1, 3)
+
+    @cached_property
+    def volumes(self) -> FloatArray:
+        """Volumes of the points' Voronoi cells. With three vectors their sum is that of the box."""
+        return self._box.measures("volume", len(self.points))
+
+    @cached_property
+    def areas(self) -> FloatArray:
+        """Areas of the surfaces of the cells."""
+        return self._box.measures("area", len(self.points))
+
+    @cached_property
+    def centroids(self) -> FloatArray:
+        """Centroids of the cells, relative to the points, shape (n, 3)."""
+        return self._box.measures("centroid", 3 * len(self.points)).reshape(-1, 3)
+
+    @cached_property
+    def face_counts(self) -> IndexArray:
+        """How many faces each cell has."""
+        return self._box.measures("faces", len(self.points)).astype(np.int32)
+
+    def __repr__(self) -> str:
+        k = len(self.vectors)
+        return (
+            f"<mgdt.PeriodicDelaunay: {len(self.points)} points, {k} vector{'' if k == 1 else 's'}, "
+            f"{len(self.simplices)} tetrahedra>"
+        )
+
+
+class PeriodicVoronoi(Diagram):
+    """Voronoi diagram of points in a periodic box.
+
+    Each cell is where its point is. Where it meets an image of another cell, or of itself, it has that
+    face for itself. What has a name in `Voronoi` means the same here.
+
+    Since 1.3.
+
+    Parameters
+    ----------
+    points : array_like of float, shape (n, 3), or PeriodicDelaunay
+    box, periodic
+        As `PeriodicDelaunay`; not with a triangulation, which has them.
+    least_area, least_share : float, optional
+        As `Voronoi`: smaller faces are left out.
+    **settings
+        Of `PeriodicDelaunay`.
+
+    Attributes
+    ----------
+    delaunay : PeriodicDelaunay
+    ridge_images : ndarray of int, shape (nridges, 3)
+        How often each vector has to be added to the second point of a face to get the image on the other
+        side.
+
+    Examples
+    --------
+    >>> import mgdt
+    >>> cells = mgdt.PeriodicVoronoi([[0.5, 0.5, 0.5]], [1, 1, 1])
+    >>> cells
+    <mgdt.PeriodicVoronoi: 1 points, 8 vertices, 6 faces>
+    >>> cells.ridge_images[0].tolist(), float(cells.volumes[0])
+    ([-1, 0, 0], 1.0)
+    """
+
+    def __init__(
+        self,
+        points: Any,
+        box: Optional[ArrayLike] = None,
+        periodic: Optional[Sequence[bool]] = None,
+        *,
+        least_area: float = 0.0,
+        least_share: float = 0.0,
+        **settings: Any,
+    ) -> None:
+        if isinstance(points, PeriodicDelaunay):
+            if box is not None or periodic is not None or settings:
+                raise TypeError("a PeriodicDelaunay object has its box and its settings already")
+            self.delaunay = points
+        else:
+            if box is None:
+                raise TypeError("box is needed with points")
+            self.delaunay = PeriodicDelaunay(points, box, periodic, **settings)
+        if not least_area >= 0:
+            raise ValueError(f"least_area is {least_area!r}; it must be at least 0")
+        if not 0 <= least_share < 1:
+            raise ValueError(f"least_share is {least_share!r}; it must be at least 0 and below 1")
+        self.points = self.delaunay.points
+        self._point_map = self.delaunay.point_map
+        self._arrays = self.delaunay._box.voronoi(float(least_area), float(least_share))
+        self._begin()
+        self.ridge_images: IndexArray = self._arrays["face_images"].reshape(-1, 3)
+
+    def _aside(self, work: Callable[[Callable[[], bool]], _T]) -> _T:
+        return interruptibly(work, len(self.points) >= LONG_EXPORT)
+
+    @cached_property
+    def areas(self) -> FloatArray:
+        """Areas of the surfaces of the cells, with the faces that are left out."""
+        return self.delaunay.areas
+
+    @cached_property
+    def neighbor_images(self) -> list[list[list[int]]]:
+        """The offsets of the points in `neighbors`."""
+        faces, offsets = self._arrays["cell_faces"], self._arrays["cell_offsets"]
+        point = np.repeat(np.arange(len(self.points)), np.diff(offsets))
+        is_first = self.ridge_points[faces, 0] == point
+        images = np.where(is_first[:, None], self.ridge_images[faces], -self.ridge_images[faces])
+        return self._aside(partial(lists, images, offsets))
+
+    def __repr__(self) -> str:
+        return (
+            f"<mgdt.PeriodicVoronoi: {self.npoints} points, {len(self.vertices)} vertices, "
+            f"{len(self.ridge_points)} faces>"
+        )
