@@ -22,13 +22,13 @@ local ffi = require "ffi"
 local C = require "mgdt.library"
 
 local constants = require "mgdt.interface"
+local diagram = require "mgdt.diagram"
 local arguments = require "mgdt.arguments"
 local status = constants.status
 local raise, bad_argument = arguments.raise, arguments.bad_argument
 local whole, real, small, choice = arguments.whole, arguments.real, arguments.small, arguments.choice
 local shape_of, rows_of = arguments.shape_of, arguments.rows_of
 local ensure, message_of = arguments.raiser(C.mgdt_get_error)
-local ensure_diagram = arguments.raiser(C.mgdt_voronoi_get_error)
 
 -- Coordinates of points.
 local function coordinates(points, n, what)
@@ -454,13 +454,9 @@ function Triangulation:cell_measures(measure, planes, n)
 end
 jit.off(Triangulation.cell_measures)
 
--- The arrays of a diagram, and how many numbers each has for a face, a ray, a vertex or a cell.
-local widths = { face_sides = 2, vertices = 3, ray_directions = 3, face_normals = 3, face_centroids = 3,
-    cell_centroids = 3 }
-
 --- The Voronoi diagram of the points, as a table of arrays. Those of integers are int32_t:
 --- face_offsets, face_corners, face_sides ([k][0] and [k][1]), ray_vertices, cell_offsets, cell_faces,
---- cell_bounded. Those of doubles are vertices, ray_directions, face_areas, face_normals,
+--- cell_bounded (and face_images, of periodic boxes only). Those of doubles are vertices, ray_directions, face_areas, face_normals,
 --- face_centroids, cell_volumes and cell_centroids; where there are three coordinates, they are [k][0]
 --- to [k][2]. vertex_count, ray_count, face_count and cell_count say how many there are.
 ---
@@ -478,28 +474,7 @@ function Triangulation:voronoi(planes, n, least_area, least_share)
     least_share = real(least_share or 0, "least_share")
     local out = ffi.new("mgdt_voronoi *[1]")
     ensure(handle, C.mgdt_voronoi_create(handle, number, rows, out))
-    local diagram = ffi.gc(out[0], C.mgdt_voronoi_destroy)
-    if least_area ~= 0 or least_share ~= 0 then
-        ensure_diagram(diagram, C.mgdt_voronoi_drop_small_faces(diagram, least_area, least_share))
-    end
-    local arrays, size = {}, ffi.new("int64_t[1]")
-    for name, key in pairs(constants.voronoi) do
-        local is_integer, width = key < constants.voronoi.vertices, widths[name]
-        local element = is_integer and "int32_t" or "double"
-        ensure_diagram(diagram, C.mgdt_voronoi_get_size(diagram, key, size))
-        local length = tonumber(size[0])
-        local array = width and ffi.new(("%s[?][%d]"):format(element, width), length / width)
-            or ffi.new(element .. "[?]", length)
-        local get = is_integer and C.mgdt_voronoi_get_array_i32 or C.mgdt_voronoi_get_doubles
-        ensure_diagram(diagram, get(diagram, key, length, ffi.cast(element .. " *", array)))
-        arrays[name] = array
-        if name == "vertices" then arrays.vertex_count = length / 3 end
-        if name == "ray_vertices" then arrays.ray_count = length end
-        if name == "face_areas" then arrays.face_count = length end
-        if name == "cell_volumes" then arrays.cell_count = length end
-    end
-    C.mgdt_voronoi_destroy(ffi.gc(diagram, nil))
-    return arrays
+    return diagram.take(out[0], least_area, least_share)
 end
 jit.off(Triangulation.voronoi)
 
@@ -736,8 +711,10 @@ end
 -- ------------------------------------------------------------------------------------- module
 
 local domain = require "mgdt.domain"
+local periodic = require "mgdt.periodic"
 local mgdt = { status = status, order_schemes = {}, Triangulation = Triangulation,
-    domain_mesh = domain.domain_mesh, offending_pairs = domain.offending_pairs }
+    domain_mesh = domain.domain_mesh, offending_pairs = domain.offending_pairs,
+    periodic_box = periodic.periodic_box }
 do
     local scheme = ffi.new("int32_t[1]")
     while C.mgdt_order_scheme_at(#mgdt.order_schemes, scheme) == 0 do

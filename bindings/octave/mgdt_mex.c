@@ -9,6 +9,8 @@
  * an identifier "mgdt:not_finite" and the library's message, before which Octave puts "mgdt_mex: ".
  * Nothing here is allocated but by mxMalloc, which Octave takes back when an error leaves the
  * function. */
+#include "mgdt_box.h"
+#include "mgdt_diagram.h"
 #include "mgdt_mesh.h"
 
 /* ------------------------------------------------------------------------------------ handles */
@@ -23,19 +25,11 @@ static slot* slots;
 static size_t slot_count, live_count;
 static double last_serial;
 
-/* The diagram that is being read. Octave's allocations may leave the function, so it is kept here
- * and freed by the next call. */
-static mgdt_voronoi* diagram;
-
-static void close_diagram(void) {
-    if (diagram) mgdt.voronoi_destroy(diagram);
-    diagram = NULL;
-}
-
 static void destroy_all(void) {
     size_t k;
     close_diagram();
     close_domain();
+    close_box();
     for (k = 0; k < slot_count; ++k)
         if (slots[k].t) mgdt.destroy(slots[k].t);
     free(slots);
@@ -313,69 +307,15 @@ static mxArray* cell_measures(const mgdt_triangulation* t, int32_t measure, cons
     return rows_of_doubles(x, n, width);
 }
 
-static void ensure_diagram(mgdt_status s) {
-    char message[256] = "";
-    if (s == MGDT_OK) return;
-    mgdt.voronoi_get_error(diagram, (int64_t)sizeof message, message);
-    close_diagram();
-    mexErrMsgIdAndTxt(identifier(s), "%s", *message ? message : mgdt.status_string(s));
-}
-
-static mxArray* array_of_diagram(int32_t key, int width) {
-    int64_t count = 0;
-    mxArray* result;
-    ensure_diagram(mgdt.voronoi_get_size(diagram, key, &count));
-    if (key < MGDT_VORONOI_VERTICES) {
-        int64_t* const v = room(count, sizeof *v);
-        ensure_diagram(mgdt.voronoi_get_array(diagram, key, count, v));
-        result = rows(v, count / width, width);
-        mxFree(v);
-    } else {
-        double* const x = room(count, sizeof *x);
-        ensure_diagram(mgdt.voronoi_get_doubles(diagram, key, count, x));
-        result = rows_of_doubles(x, count / width, width);
-        mxFree(x);
-    }
-    return result;
-}
-
-/* The Voronoi diagram as a struct of its arrays, with a row for each face, ray, vertex or cell. */
+/* The Voronoi diagram as a struct of its arrays. */
 static mxArray* voronoi(const mgdt_triangulation* t, const mxArray* matrix, double area,
                         double share) {
-    static const struct {
-        const char* name;
-        int32_t key;
-        int width;
-    } arrays[] = {{"vertices", MGDT_VORONOI_VERTICES, 3},
-                  {"face_offsets", MGDT_VORONOI_FACE_OFFSETS, 1},
-                  {"face_corners", MGDT_VORONOI_FACE_CORNERS, 1},
-                  {"face_sides", MGDT_VORONOI_FACE_SIDES, 2},
-                  {"face_areas", MGDT_VORONOI_FACE_AREAS, 1},
-                  {"face_normals", MGDT_VORONOI_FACE_NORMALS, 3},
-                  {"face_centroids", MGDT_VORONOI_FACE_CENTROIDS, 3},
-                  {"ray_vertices", MGDT_VORONOI_RAY_VERTICES, 1},
-                  {"ray_directions", MGDT_VORONOI_RAY_DIRECTIONS, 3},
-                  {"cell_offsets", MGDT_VORONOI_CELL_OFFSETS, 1},
-                  {"cell_faces", MGDT_VORONOI_CELL_FACES, 1},
-                  {"cell_bounded", MGDT_VORONOI_CELL_BOUNDED, 1},
-                  {"cell_volumes", MGDT_VORONOI_CELL_VOLUMES, 1},
-                  {"cell_centroids", MGDT_VORONOI_CELL_CENTROIDS, 3}};
-    enum { count = sizeof arrays / sizeof *arrays };
-    const char* names[count];
     int64_t n_planes;
     const double* const given = columns(matrix, 4, "planes", &n_planes);
     const double* const planes = one_by_one(given, 4, n_planes);
-    mxArray* result;
-    int k;
     close_diagram();
     ensure(t, mgdt.voronoi_create(t, n_planes, planes, &diagram));
-    ensure_diagram(mgdt.voronoi_drop_small_faces(diagram, area, share));
-    for (k = 0; k < count; ++k) names[k] = arrays[k].name;
-    result = mxCreateStructMatrix(1, 1, count, names);
-    for (k = 0; k < count; ++k)
-        mxSetFieldByNumber(result, 0, k, array_of_diagram(arrays[k].key, arrays[k].width));
-    close_diagram();
-    return result;
+    return take_diagram(area, share);
 }
 
 /* Values of the points, one row for each; the caller's fields. */
@@ -622,6 +562,10 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     }
     if (strcmp(command, "domain_mesh") == 0) {
         plhs[0] = domain_mesh(nrhs - 1, prhs + 1);
+        return;
+    }
+    if (strcmp(command, "periodic_box") == 0) {
+        plhs[0] = periodic_box(nrhs - 1, prhs + 1);
         return;
     }
     if (strcmp(command, "offending_pairs") == 0) {

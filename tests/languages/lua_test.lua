@@ -600,6 +600,58 @@ test("a domain", function()
     collectgarbage()
 end)
 
+test("a periodic box", function()
+    local box_vectors = { { 4, 0, 0 }, { 1.5, 3, 0 }, { -0.75, 0.5, 2.5 } }
+    local xyz, values = read("periodic_given_points", "double")
+    local heard = 0
+    local box = mgdt.periodic_box { points = xyz, box = box_vectors,
+        progress = function(fraction) heard = heard + fraction end }
+    assert(heard > 0)
+    local function compare(found)
+        for name in pairs(require("mgdt.interface").periodic_array) do
+            local is_integer = tostring(ffi.typeof(found[name])):match("int") ~= nil
+            local reference, length = read("periodic_" .. name, is_integer and "int64_t" or "double")
+            equal(ffi.sizeof(found[name]) / (is_integer and 4 or 8), length, "length of " .. name)
+            same(found[name], reference, length, name)
+        end
+    end
+    compare(box)
+    equal(box.point_count, values / 3, "points")
+    equal(box.vertex_count, 38, "vertices")
+    equal(box.edge_count, box.vertex_count + box.tetrahedron_count, "edges")
+    equal(box:check(), true, "check")
+    assert(tostring(box):find("40 points, 3 vectors"))
+    for _, name in ipairs { "volume", "area", "faces", "centroid" } do
+        local x = box:cell_measures(name)
+        local reference, length = read("periodic_" .. name, "double")
+        same(x, reference, length, name)
+    end
+    local cells = box:voronoi()
+    for name in pairs(require("mgdt.interface").voronoi) do
+        local is_integer = tostring(ffi.typeof(cells[name])):match("int") ~= nil
+        local reference, length = read("periodic_cells_" .. name, is_integer and "int64_t" or "double")
+        same(cells[name], reference, length, name)
+    end
+    assert(box:voronoi(0.5).face_count < cells.face_count)
+    box:move(xyz)
+    compare(box)
+
+    local cube = mgdt.periodic_box { points = { { 0, 0, 0 }, { 1, 1, 1 } }, box = { 2, 2, 2 }, index_base = 1, threads = 2 }
+    equal(cube.tetrahedron_count, 12, "tetrahedra")
+    equal(cube.point_map[1], 2, "from 1")
+    local slab = mgdt.periodic_box { points = xyz, box = { { 4, 0, 0 }, { 1.5, 3, 0 } } }
+    equal(slab.vector_count, 2, "a slab")
+
+    refused("invalid_argument", { "do not span" }, mgdt.periodic_box, { points = xyz, box = { 1, 1, 0 } })
+    refused("invalid_argument", { "box", "4 vectors" }, mgdt.periodic_box, { points = xyz,
+        box = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } } })
+    refused("invalid_argument", { "no setting pbc" }, mgdt.periodic_box, { points = xyz, box = { 1, 1, 1 }, pbc = 1 })
+    refused("invalid_argument", { "point 0", "boxes away" }, mgdt.periodic_box, { points = { { 1e30, 0, 0 } }, box = { 1, 1, 1 } })
+    refused("cancelled", {}, mgdt.periodic_box, { points = xyz, box = box_vectors, progress = function() return true end })
+    refused("out_of_memory", {}, mgdt.periodic_box, { points = xyz, box = box_vectors, memory_limit = 5000 })
+    refused("invalid_argument", { "2 places" }, cube.move, slab, { { 0, 0, 0 }, { 1, 1, 1 } })
+end)
+
 test("two handles, one table of settings; the module loads twice", function()
     package.loaded.mgdt = nil
     local again = require "mgdt"

@@ -5,7 +5,7 @@
 %   octave-cli --path BINDING --path TESTS --eval 'octave_test ("REFERENCE_FOLDER")'
 function octave_test (folder)
   tests = {@cube, @exports, @as_delaunayn, @front, @ways_to_give_points, @location, @changes, @settings, ...
-           @domain, @flat, @bad_values, @memory_limit, @compact, @progress, @handles, @freed, @help_texts};
+           @domain, @periodic_box, @flat, @bad_values, @memory_limit, @compact, @progress, @handles, @freed, @help_texts};
   passed = failed = 0;
   for k = 1:numel (tests)
     try
@@ -147,6 +147,7 @@ function diagrams (folder, t, box)
       assert (v.(name{1}), from_1 (read (folder, [p name{1}], "int64", 1)));
     end
     assert (v.face_sides, from_1 (read (folder, [p "face_sides"], "int64", 2)));
+    assert (size (v.face_images), [0 3]);
     assert (v.cell_bounded, read (folder, [p "cell_bounded"], "int64", 1));
     for name = {"face_areas", "cell_volumes"}
       assert (v.(name{1}), read (folder, [p name{1}], "double", 1));
@@ -165,6 +166,47 @@ end
 
 function stop_with_an_error (fraction)
   error ("test:no_more", "no more");
+end
+
+function periodic_box (folder)
+  from_1 = @(v) v + 1;
+  points = read (folder, "periodic_given_points", "double", 3);
+  vectors = [4 0 0; 1.5 3 0; -0.75 0.5 2.5];
+  global heard;
+  heard = 0;
+  box = mgdt_periodic_box (points, vectors, "progress", @add_to_heard, "check", true, "measures", true, ...
+                           "cells", true);
+  assert (heard > 0);
+  for name = {"point_map", "point_map", 1; "tetrahedra", "tetrahedra", 4; "neighbours", "neighbors", 4; ...
+              "vertex_neighbour_starts", "vertex_neighbor_starts", 1; "vertex_neighbours", "vertex_neighbors", 1}'
+    assert (box.(name{1}), from_1 (read (folder, ["periodic_" name{2}], "int64", name{3})));
+  end
+  for name = {"point_offsets", "point_offsets", 3; "offsets", "offsets", 12; ...
+              "neighbour_offsets", "neighbor_offsets", 12; ...
+              "vertex_neighbour_offsets", "vertex_neighbor_offsets", 3}'
+    assert (box.(name{1}), read (folder, ["periodic_" name{2}], "int64", name{3}));
+  end
+  for name = {"points", "points", 3; "vectors", "vectors", 3; "volumes", "volume", 1; "areas", "area", 1; ...
+              "faces", "faces", 1; "centroids", "centroid", 3}'
+    assert (box.(name{1}), read (folder, ["periodic_" name{2}], "double", name{3}));
+  end
+  assert (box.cells.face_images, read (folder, "periodic_cells_face_images", "int64", 3));
+  assert (box.cells.face_sides, from_1 (read (folder, "periodic_cells_face_sides", "int64", 2)));
+  assert (box.cells.vertices, read (folder, "periodic_cells_vertices", "double", 3));
+  cube = mgdt_periodic_box ([0 0 0; 1 1 1], [2 2 2], "measures", true, "threads", 2);
+  assert (cube.faces, [14; 14]);
+  slab = mgdt_periodic_box (points, vectors(1:2,:));
+  assert (any (slab.neighbours(:) == 0));
+  fewer = mgdt_periodic_box (points, vectors, "cells", true, "least_area", 0.5);
+  assert (rows (fewer.cells.face_areas) < rows (box.cells.face_areas));
+
+  refused ("mgdt:invalid_argument", {"do not span"}, @() mgdt_periodic_box (points, [1 1 0; 2 2 0]));
+  refused ("mgdt:invalid_argument", {"more than three"}, @() mgdt_periodic_box (points, [vectors; 1 1 1]));
+  refused ("mgdt:invalid_argument", {"point 1", "boxes away"}, @() mgdt_periodic_box ([1e30 0 0], [1 1 1]));
+  refused ("mgdt:invalid_argument", {"three columns"}, @() mgdt_periodic_box ([1 2; 3 4], [1 1 1]));
+  refused ("mgdt:unknown_key", {"least_area"}, @() mgdt_periodic_box (points, vectors, "pbc", 1));
+  refused ("mgdt:cancelled", {}, @() mgdt_periodic_box (points, vectors, "progress", @(x) true));
+  refused ("mgdt:out_of_memory", {}, @() mgdt_periodic_box (points, vectors, "memory_limit", 5000));
 end
 
 function domain (folder)

@@ -7,6 +7,7 @@
  * It checks itself what it writes: mgdt_check at every level, and Euler's formula. */
 #include <mgdt/mgdt.h>
 #include <mgdt/mgdt_domain.h>
+#include <mgdt/mgdt_periodic.h>
 #include <mgdt/mgdt_voronoi.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -63,9 +64,8 @@ static void export_list(const mgdt_triangulation* t, get_function get, int64_t c
     free(v);
 }
 
-/* Writes the arrays of the Voronoi diagram, as PREFIX_NAME. */
-static void export_diagram(const mgdt_triangulation* t, int64_t n_planes, const double* planes,
-                           const char* prefix) {
+/* Writes the arrays of a Voronoi diagram, as PREFIX_NAME, and frees it. */
+static void write_diagram(mgdt_voronoi* v, const char* prefix) {
     static const struct {
         int32_t key;
         const char* name;
@@ -84,9 +84,7 @@ static void export_diagram(const mgdt_triangulation* t, int64_t n_planes, const 
                   {MGDT_VORONOI_FACE_CENTROIDS, "face_centroids"},
                   {MGDT_VORONOI_CELL_VOLUMES, "cell_volumes"},
                   {MGDT_VORONOI_CELL_CENTROIDS, "cell_centroids"}};
-    mgdt_voronoi* v = NULL;
     size_t k;
-    require(mgdt_voronoi_create(t, n_planes, planes, &v), t);
     for (k = 0; k < sizeof arrays / sizeof *arrays; ++k) {
         const int32_t key = arrays[k].key;
         char name[64];
@@ -105,6 +103,13 @@ static void export_diagram(const mgdt_triangulation* t, int64_t n_planes, const 
         free(values);
     }
     mgdt_voronoi_destroy(v);
+}
+
+static void export_diagram(const mgdt_triangulation* t, int64_t n_planes, const double* planes,
+                           const char* prefix) {
+    mgdt_voronoi* v = NULL;
+    require(mgdt_voronoi_create(t, n_planes, planes, &v), t);
+    write_diagram(v, prefix);
 }
 
 /* Two cubes that share a square, one of them a hole, and a prism that is turned so far that it has
@@ -178,6 +183,77 @@ static void export_domain(void) {
     mgdt_domain_destroy(d);
 }
 
+/* Points in an oblique box, two of which are images of another. Writes them, the arrays of the
+ * triangulation, the measures of cells, and the diagram. */
+static void export_periodic(void) {
+    enum { points = 40 };
+    static const double vectors[9] = {4, 0, 0, 1.5, 3, 0, -0.75, 0.5, 2.5};
+    static const struct {
+        int32_t key;
+        const char* name;
+    } arrays[] = {{MGDT_PERIODIC_ARRAY_POINT_MAP, "point_map"},
+                  {MGDT_PERIODIC_ARRAY_POINT_OFFSETS, "point_offsets"},
+                  {MGDT_PERIODIC_ARRAY_TETRAHEDRA, "tetrahedra"},
+                  {MGDT_PERIODIC_ARRAY_OFFSETS, "offsets"},
+                  {MGDT_PERIODIC_ARRAY_NEIGHBORS, "neighbors"},
+                  {MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS, "neighbor_offsets"},
+                  {MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS, "vertex_neighbor_starts"},
+                  {MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS, "vertex_neighbors"},
+                  {MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS, "vertex_neighbor_offsets"},
+                  {MGDT_PERIODIC_ARRAY_POINTS, "points"},
+                  {MGDT_PERIODIC_ARRAY_VECTORS, "vectors"}};
+    static const struct {
+        int32_t key;
+        const char* name;
+        int64_t width;
+    } measures[] = {{MGDT_MEASURE_VOLUME, "volume", 1},
+                    {MGDT_MEASURE_AREA, "area", 1},
+                    {MGDT_MEASURE_FACES, "faces", 1},
+                    {MGDT_MEASURE_CENTROID, "centroid", 3}};
+    static double xyz[3 * points], x[3 * points];
+    uint64_t state = 7;
+    mgdt_periodic* p = NULL;
+    mgdt_voronoi* v = NULL;
+    int64_t count, k;
+    for (k = 0; k < 3 * points; ++k) xyz[k] = 8 * next_random(&state) - 2;
+    for (k = 0; k < 3; ++k) {
+        xyz[3 * 38 + k] = xyz[k] + vectors[k];
+        xyz[3 * 39 + k] = xyz[k] - vectors[3 + k];
+    }
+    write_file("periodic_given_points", xyz, 3 * points);
+    if (mgdt_periodic_create(3, vectors, &p) != MGDT_OK ||
+        mgdt_periodic_insert_points(p, points, xyz) != MGDT_OK ||
+        mgdt_periodic_build(p) != MGDT_OK || mgdt_periodic_check(p) != MGDT_OK)
+        stop("the box was not triangulated");
+    for (k = 0; k < (int64_t)(sizeof arrays / sizeof *arrays); ++k) {
+        char name[64];
+        void* values;
+        mgdt_status status;
+        if (mgdt_periodic_get_size(p, arrays[k].key, &count) != MGDT_OK || count == 0)
+            stop("an array without elements");
+        values = room(count, 8);
+        if (arrays[k].key < MGDT_PERIODIC_ARRAY_POINTS)
+            status = mgdt_periodic_get_array(p, arrays[k].key, count, values);
+        else
+            status = mgdt_periodic_get_doubles(p, arrays[k].key, count, values);
+        if (status != MGDT_OK) stop("an array of a box");
+        snprintf(name, sizeof name, "periodic_%s", arrays[k].name);
+        write_file(name, values, count);
+        free(values);
+    }
+    for (k = 0; k < 4; ++k) {
+        char name[64];
+        count = measures[k].width * points;
+        if (mgdt_periodic_get_cell_measures(p, measures[k].key, count, x) != MGDT_OK)
+            stop("a measure of a box");
+        snprintf(name, sizeof name, "periodic_%s", measures[k].name);
+        write_file(name, x, count);
+    }
+    if (mgdt_periodic_create_voronoi(p, &v) != MGDT_OK) stop("the cells of a box");
+    write_diagram(v, "periodic_cells");
+    mgdt_periodic_destroy(p);
+}
+
 int main(int argc, char** argv) {
     static double xyz[3 * (random_points + repeated_points)], asked[3 * queries];
     static double weights[4 * queries];
@@ -194,6 +270,7 @@ int main(int argc, char** argv) {
     if (argc != 2) stop("usage: reference FOLDER");
     folder = argv[1];
     export_domain();
+    export_periodic();
     for (i = 0; i < 3 * random_points; ++i) xyz[i] = next_random(&state);
     for (i = 0; i < repeated_points; ++i)
         memcpy(xyz + 3 * (random_points + i), xyz + 3 * (7 * i + 3), 3 * sizeof *xyz);

@@ -140,6 +140,62 @@ class MgdtTest < Minitest::Test
     assert_empty one.open_edges
   end
 
+  BOX = [[4, 0, 0], [1.5, 3, 0], [-0.75, 0.5, 2.5]].freeze
+
+  def assert_reference_box(box)
+    { tetrahedra: 4, neighbors: 4, point_offsets: 3 }.each do |name, width|
+      assert_equal self.class.integers("periodic_#{name}", width), box.public_send(name), name
+    end
+    %i[offsets neighbor_offsets].each do |name|
+      assert_equal self.class.integers("periodic_#{name}", 3).each_slice(4).to_a, box.public_send(name), name
+    end
+    assert_equal self.class.integers("periodic_point_map"), box.point_map
+    assert_equal self.class.integers("periodic_vertex_neighbors"), box.vertex_neighbors.flatten
+    assert_equal self.class.integers("periodic_vertex_neighbor_offsets"), box.vertex_neighbor_offsets.flatten
+    assert_equal self.class.integers("periodic_vertex_neighbor_starts").each_cons(2).map { |a, b| b - a },
+                 box.vertex_neighbors.map(&:size)
+    %i[points vectors].each do |name|
+      assert_equal self.class.doubles("periodic_#{name}"), box.public_send(name).flatten, name
+    end
+    %i[volume area faces centroid].each do |name|
+      assert_equal self.class.doubles("periodic_#{name}"), box.cell_measures(name).flatten, name
+    end
+  end
+
+  def test_a_periodic_box
+    points = self.class.bytes("periodic_given_points")
+    heard = 0
+    box = Mgdt::PeriodicBox.new(points, BOX) { |fraction| heard += fraction }
+    assert_operator heard, :>, 0
+    assert_reference_box(box)
+    assert_same box, box.check
+    assert_includes box.inspect, "40 points, 3 vectors"
+    cells = box.voronoi
+    assert_equal self.class.integers("periodic_cells_face_images", 3), cells.images
+    assert_equal self.class.integers("periodic_cells_face_sides", 2), cells.sides
+    assert_equal self.class.doubles("periodic_cells_cell_volumes"), cells.volumes
+    assert_operator box.voronoi(least_area: 0.5).faces.size, :<, cells.faces.size
+    assert_same box, box.move(points)
+    assert_reference_box(box)
+    one = Mgdt::PeriodicBox.new([[0, 0, 0], [1, 1, 1]], [2, 2, 2], index_base: 1, threads: 2)
+    assert_equal [1, 2], one.point_map
+    assert_equal [14, 14], one.cell_measures("faces")
+    slab = Mgdt::PeriodicBox.new(points, BOX.first(2))
+    assert_includes slab.neighbors.flatten, nil
+  end
+
+  def test_what_periodic_boxes_refuse
+    points = self.class.bytes("periodic_given_points")
+    refused(Mgdt::InvalidArgument, "do not span") { Mgdt::PeriodicBox.new(points, [1, 1, 0]) }
+    refused(Mgdt::InvalidArgument, "box has 4 vectors") { Mgdt::PeriodicBox.new(points, BOX + BOX.first(1)) }
+    refused(Mgdt::InvalidArgument, "point 0") { Mgdt::PeriodicBox.new([[1e30, 0, 0]], [1, 1, 1]) }
+    refused(Mgdt::InvalidArgument, "threads") { Mgdt::PeriodicBox.new(points, BOX, threads: 1.5) }
+    refused(Mgdt::InvalidArgument, "no measure") { Mgdt::PeriodicBox.new(points, BOX).cell_measures(:colour) }
+    refused(Mgdt::InvalidArgument, "2 places") { Mgdt::PeriodicBox.new(points, BOX).move([[0, 0, 0], [1, 1, 1]]) }
+    refused(Mgdt::Cancelled) { Mgdt::PeriodicBox.new(points, BOX) { :cancel } }
+    refused(Mgdt::OutOfMemory) { Mgdt::PeriodicBox.new(points, BOX, memory_limit: 5000) }
+  end
+
   def test_what_domains_refuse
     crossing = [[[0, 0, 0], [4, 0, 0], [0, 4, 0], [1, 1, -1], [1, 1, 2], [5, 1, 1]], [[0, 1, 2], [3, 4, 5]]]
     pairs = [[:facet, 0, :facet, 1]]

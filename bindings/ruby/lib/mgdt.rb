@@ -21,6 +21,7 @@ require_relative "mgdt/progress"
 require_relative "mgdt/triangulation"
 require_relative "mgdt/voronoi"
 require_relative "mgdt/domain"
+require_relative "mgdt/periodic"
 
 module Mgdt
   # Version of the library that is loaded, "1.2.0".

@@ -8,12 +8,13 @@ module Mgdt
   # - faces: the corners of each face, counter-clockwise about its normal: numbers of vertices; ray k is
   #   -1 - k. An unbounded face ends with two rays, that from its last vertex and that from its first.
   # - sides: the two points of each face; plane k of the region is -1 - k
+  # - images: of a periodic box, which image of the second point each face is between
   # - areas, normals, centroids: of the faces
   # - ray_vertices, ray_directions: where each ray begins, and its direction
   # - cells: the faces of the cell of each point; none for a point that repeats another one
   # - bounded: whether there is a bounded cell
   # - volumes, cell_centroids: of the cells
-  Voronoi = Struct.new(:vertices, :faces, :sides, :areas, :normals, :centroids, :ray_vertices,
+  Voronoi = Struct.new(:vertices, :faces, :sides, :images, :areas, :normals, :centroids, :ray_vertices,
                        :ray_directions, :cells, :bounded, :volumes, :cell_centroids,
                        keyword_init: true)
 
@@ -42,7 +43,8 @@ module Mgdt
 
     def read
       Voronoi.new(vertices: rows(:vertices), faces: lists(:face_offsets, :face_corners),
-                  sides: integers(:face_sides).each_slice(2).to_a, areas: doubles(:face_areas),
+                  sides: integers(:face_sides).each_slice(2).to_a,
+                  images: integers(:face_images).each_slice(3).to_a, areas: doubles(:face_areas),
                   normals: rows(:face_normals), centroids: rows(:face_centroids),
                   ray_vertices: integers(:ray_vertices), ray_directions: rows(:ray_directions),
                   cells: lists(:cell_offsets, :cell_faces),

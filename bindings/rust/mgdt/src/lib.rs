@@ -23,6 +23,7 @@ mod domain;
 mod error;
 mod export;
 mod names;
+mod periodic;
 mod triangulation;
 mod voronoi;
 
@@ -30,6 +31,7 @@ pub use domain::{Domain, DomainArray, DomainCount, DomainNumbers, DomainPart};
 pub use error::{Error, ErrorKind};
 pub use export::{Circumsphere, Int, Location, PointLists, VertexTetrahedra};
 pub use names::{Check, Measure, Method, Order, Outside, Parameter, Separation, Statistic, TetrahedronMeasure};
+pub use periodic::{Periodic, PeriodicArray, PeriodicCount};
 pub use triangulation::{Canceller, Triangulation};
 pub use voronoi::{Voronoi, VoronoiArray, VoronoiNumbers};
 

@@ -20,6 +20,8 @@ pub enum VoronoiArray {
     FaceCorners = sys::MGDT_VORONOI_FACE_CORNERS,
     /// The two points of each face; plane k of the region is -1 - k.
     FaceSides = sys::MGDT_VORONOI_FACE_SIDES,
+    /// Of a periodic box, how often each vector is added to the second point of each face.
+    FaceImages = sys::MGDT_VORONOI_FACE_IMAGES,
     /// The vertex where each ray begins.
     RayVertices = sys::MGDT_VORONOI_RAY_VERTICES,
     /// Offsets of the cells' lists of faces, for each point that was inserted.
@@ -51,8 +53,8 @@ pub enum VoronoiNumbers {
     CellCentroids = sys::MGDT_VORONOI_CELL_CENTROIDS,
 }
 
-/// The Voronoi diagram of the points of a triangulation, which it outlives; made by
-/// [`Triangulation::voronoi`]. Since 1.3.
+/// The Voronoi diagram of the points of a triangulation or of a periodic box, which it outlives; made
+/// by [`Triangulation::voronoi`] or [`Periodic::voronoi`](crate::Periodic::voronoi). Since 1.3.
 pub struct Voronoi {
     v: ptr::NonNull<sys::mgdt_voronoi>,
 }
@@ -91,14 +93,19 @@ impl Triangulation {
                 &mut out,
             )
         })?;
+        Voronoi::of_raw(out)
+    }
+}
+
+impl Voronoi {
+    /// Takes ownership of a handle.
+    pub(crate) fn of_raw(out: *mut sys::mgdt_voronoi) -> Result<Voronoi, Error> {
         match ptr::NonNull::new(out) {
             Some(v) => Ok(Voronoi { v }),
             None => Err(Error::new(ErrorKind::Internal, "there is no diagram")),
         }
     }
-}
 
-impl Voronoi {
     fn ensure(&self, status: sys::mgdt_status) -> Result<(), Error> {
         if status == sys::MGDT_OK {
             return Ok(());

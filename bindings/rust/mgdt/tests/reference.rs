@@ -59,6 +59,7 @@ fn diagrams(t: &mgdt::Triangulation, cube: &[[f64; 4]]) {
             (Array::FaceOffsets, "face_offsets"),
             (Array::FaceCorners, "face_corners"),
             (Array::FaceSides, "face_sides"),
+            (Array::FaceImages, "face_images"),
             (Array::RayVertices, "ray_vertices"),
             (Array::CellOffsets, "cell_offsets"),
             (Array::CellFaces, "cell_faces"),
@@ -509,4 +510,89 @@ fn queries_from_many_threads_at_once() {
     });
     // It may go to another thread, and end there.
     std::thread::spawn(move || drop(t)).join().unwrap();
+}
+
+#[test]
+fn a_periodic_box() {
+    use mgdt::{ErrorKind, Measure, Periodic, PeriodicArray as Array, PeriodicCount as Count};
+    let vectors = [[4.0, 0.0, 0.0], [1.5, 3.0, 0.0], [-0.75, 0.5, 2.5]];
+    let points = places("periodic_given_points");
+    let mut p = Periodic::new(&vectors).unwrap();
+    p.insert(&points).unwrap();
+    let mut heard = 0.0;
+    p.build_with_progress(|fraction| {
+        heard += fraction;
+        std::ops::ControlFlow::Continue(())
+    })
+    .unwrap();
+    assert!(heard > 0.0);
+    for again in [false, true] {
+        if again {
+            p.move_all(&points).unwrap();
+            p.move_points(&[3, 1], &[points[3], points[1]]).unwrap();
+            p.move_points(&[], &[]).unwrap();
+            p.build().unwrap();
+        }
+        p.check().unwrap();
+        for (array, name) in [
+            (Array::PointMap, "point_map"),
+            (Array::PointOffsets, "point_offsets"),
+            (Array::Tetrahedra, "tetrahedra"),
+            (Array::Offsets, "offsets"),
+            (Array::Neighbors, "neighbors"),
+            (Array::NeighborOffsets, "neighbor_offsets"),
+            (Array::VertexNeighborStarts, "vertex_neighbor_starts"),
+            (Array::VertexNeighbors, "vertex_neighbors"),
+            (Array::VertexNeighborOffsets, "vertex_neighbor_offsets"),
+        ] {
+            let expected = integers(&format!("periodic_{}", name));
+            assert_eq!(p.array(array).unwrap(), expected, "{}", name);
+        }
+        for (measure, name) in [
+            (Measure::Volume, "volume"),
+            (Measure::Area, "area"),
+            (Measure::Faces, "faces"),
+            (Measure::Centroid, "centroid"),
+        ] {
+            let expected = doubles(&format!("periodic_{}", name));
+            assert_eq!(p.cell_measures(measure).unwrap(), expected, "{}", name);
+        }
+    }
+    assert_eq!(p.points().unwrap(), places("periodic_points"));
+    assert_eq!(p.vectors().unwrap(), vectors);
+    assert_eq!(plain(p.tetrahedra().unwrap()), rows::<4>("periodic_tetrahedra"));
+    let offsets = p.offsets().unwrap();
+    let flat: Vec<i64> = offsets.iter().flatten().flatten().copied().collect();
+    assert_eq!(flat, integers("periodic_offsets"));
+    let cells = p.voronoi().unwrap();
+    assert_eq!(
+        cells.array(mgdt::VoronoiArray::FaceImages).unwrap(),
+        integers("periodic_cells_face_images")
+    );
+    assert_eq!(cells.vertices().unwrap(), places("periodic_cells_vertices"));
+    let count = |count| p.count(count).unwrap();
+    assert_eq!(count(Count::Vertices), 38);
+    assert_eq!(count(Count::Edges), 38 + count(Count::Tetrahedra));
+    assert!(format!("{:?}", p).contains("points: 40"));
+    fn crosses_threads<T: Send + Sync>(_: &T) {}
+    crosses_threads(&p);
+
+    let kind = |result: Result<Periodic, mgdt::Error>| result.unwrap_err().kind();
+    assert_eq!(kind(Periodic::new(&[])), ErrorKind::InvalidArgument);
+    assert_eq!(kind(Periodic::new(&[[0.0; 3]])), ErrorKind::InvalidArgument);
+    assert_eq!(kind(Periodic::new(&[[f64::NAN; 3]])), ErrorKind::NotFinite);
+    let refused = |result: Result<(), mgdt::Error>| result.unwrap_err().kind();
+    assert_eq!(refused(p.move_all(&points[1..])), ErrorKind::InvalidArgument);
+    assert_eq!(refused(p.move_points(&[1], &[])), ErrorKind::InvalidArgument);
+    let stopped = p.build_with_progress(|_| std::ops::ControlFlow::Break(()));
+    assert_eq!(refused(stopped), ErrorKind::Cancelled);
+    p.set_threads(2).unwrap();
+    p.set_memory_limit(Some(1)).unwrap();
+    assert_eq!(refused(p.build()), ErrorKind::OutOfMemory);
+    p.set_memory_limit(None).unwrap();
+    p.insert(&[[1e30, 0.0, 0.0]]).unwrap();
+    assert_eq!(refused(p.build()), ErrorKind::InvalidArgument);
+    p.clear();
+    p.build().unwrap();
+    assert_eq!(p.count(Count::Tetrahedra).unwrap(), 0);
 }
