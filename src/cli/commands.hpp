@@ -8,6 +8,7 @@
 
 #include "cli/distributions.hpp"
 #include "cli/formats/format.hpp"
+#include "cli/periodic_box.hpp"
 #include "cli/program_triangulation.hpp"
 #include "cli/region.hpp"
 
@@ -37,9 +38,12 @@ struct TriangulateOptions {
     double drop_flat = 0;  // the radius ratio below which tetrahedra are taken off the hull
     bool statistics = false;
     int parts = 0;  // number of parts; 0 for one triangulation
+    PeriodicOptions periodic;
+    std::string images;  // a .csv file of the images that are nodes, or empty
 };
 int triangulate(const TriangulateOptions& options);
 int triangulate_in_parts(const TriangulateOptions& options);
+int triangulate_in_box(const TriangulateOptions& options);
 
 struct GenerateCommandOptions {
     std::string kind;
@@ -78,6 +82,7 @@ struct VoronoiOptions {
     OutputOptions output;
     std::string table;  // a .csv file of measures, or empty
     RegionOptions region;
+    PeriodicOptions periodic;
     double least_area = 0, least_share = 0;  // of faces that are not left out
     TriangulationOptions triangulation;
 };

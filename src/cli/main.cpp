@@ -137,12 +137,30 @@ void add_triangulation(CLI::App& app, TriangulationOptions& options) {
     app.add_flag("-q,--quiet", options.quiet, "Print nothing but errors and what is asked for");
 }
 
-void add_region(CLI::App& app, RegionOptions& options) {
+void add_periodic(CLI::App& app, PeriodicOptions& options) {
     const CLI::Validator not_empty(
         [](std::string& text) -> std::string { return text.empty() ? "it is empty" : ""; }, "");
     CLI::Option* box =
         app.add_option("--box", options.box,
-                       "Box of the cells: least x,y,z and largest x,y,z; or auto for the points'")
+                       "Periodic box: 'a b c', the nine numbers of three vectors, or file for the "
+                       "box that the file has")
+            ->check(not_empty)
+            ->type_name("BOX");
+    app.add_option(
+           "--periodic", options.directions,
+           "Which vectors of the box repeat, such as xy (default: all, or those of the file)")
+        ->needs(box)
+        ->check(not_empty)
+        ->type_name("XYZ");
+}
+
+void add_region(CLI::App& app, RegionOptions& options) {
+    const CLI::Validator not_empty(
+        [](std::string& text) -> std::string { return text.empty() ? "it is empty" : ""; }, "");
+    CLI::Option* box =
+        app.add_option(
+               "--bounds", options.bounds,
+               "Bounds of the cells: least x,y,z and largest x,y,z; or auto for the points'")
             ->check(not_empty)
             ->type_name("BOX");
     app.add_option("--planes", options.planes,
@@ -220,6 +238,7 @@ void add_voronoi(CLI::App& app, VoronoiOptions& options) {
                    "Write a table too, with volume, area, centroid and neighbours of each cell")
         ->type_name("FILE");
     add_region(app, options.region);
+    add_periodic(app, options.periodic);
     app.add_option("--least-area", options.least_area, "Leave out faces of less area")
         ->check(number_between(0, std::numeric_limits<double>::max()))
         ->type_name("A");
@@ -340,6 +359,11 @@ int run(const std::vector<std::string>& words) {
                      "Prove the result before writing: 1 combinatorial, 2 geometric, 3 canonical")
         ->check(CLI::Range(1, 3))
         ->type_name("LEVEL");
+    add_periodic(*triangulate_app, t.periodic);
+    triangulate_app
+        ->add_option("--images", t.images,
+                     "Write a table of the images that are nodes: node, point and offset of each")
+        ->type_name("FILE");
     triangulate_app
         ->add_option("--drop-flat", t.drop_flat,
                      "Take tetrahedra off the hull whose radius ratio is less, such as 1e-9, one "

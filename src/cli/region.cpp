@@ -35,7 +35,7 @@ Box parse_box(const std::string& text) {
         if (comma == std::string_view::npos ||
             parse_number(rest.substr(0, comma), box[i]) != NumberStatus::ok) {
             throw Error(exit_usage,
-                        fmt::format("--box is {}; the least x,y,z and the largest x,y,z are "
+                        fmt::format("--bounds is {}; the least x,y,z and the largest x,y,z are "
                                     "needed, six numbers with commas between them, or auto",
                                     quote(text)));
         }
@@ -43,7 +43,7 @@ Box parse_box(const std::string& text) {
     }
     for (std::size_t k = 0; k < 3; ++k) {
         if (box[k] < box[3 + k]) continue;
-        throw Error(exit_usage, fmt::format("--box: the largest {} is {}, and the least {}",
+        throw Error(exit_usage, fmt::format("--bounds: the largest {} is {}, and the least {}",
                                             "xyz"[k], box[3 + k], box[k]));
     }
     return box;
@@ -82,8 +82,8 @@ Planes read_planes(const std::string& path, std::vector<FileIdentity>& inputs) {
 Planes planes_of(const RegionOptions& options, const std::vector<double>& points,
                  std::vector<FileIdentity>& inputs) {
     if (!options.planes.empty()) return read_planes(options.planes, inputs);
-    if (options.box.empty()) return {};
-    return planes_of_box(options.box == "auto" ? box_around(points) : parse_box(options.box));
+    if (options.bounds.empty()) return {};
+    return planes_of_box(options.bounds == "auto" ? box_around(points) : parse_box(options.bounds));
 }
 
 }  // namespace mgdt::cli

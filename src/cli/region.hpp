@@ -13,7 +13,7 @@ namespace mgdt::cli {
 struct RegionOptions {
     // Six numbers, the least and the largest coordinates; or "auto" for those of the points; or
     // empty.
-    std::string box;
+    std::string bounds;
     std::string planes;  // a file with a b c d in each line, or empty
 };
 

@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/peeling.hpp"
+#include "cli/unused_points.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -40,25 +41,12 @@ void print_statistics(std::FILE* out, const Triangulation& t, const TriangulateO
     if (seconds > 0) line("points per second", fmt::format("{:.0f}", inserted / seconds));
 }
 
-// Removes points that are in no tetrahedron, such as repeats, because solvers stop at nodes without
-// elements. If there are no tetrahedra, all points remain. Returns the new number of each point.
-std::vector<MeshIndex> take_out_unused_points(Mesh& mesh) {
-    std::vector<MeshIndex> numbers(mesh.point_count(), mesh.tetrahedra.empty() ? 0 : -1);
-    for (const MeshIndex v : mesh.tetrahedra) numbers[static_cast<std::size_t>(v)] = 0;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (numbers[i] < 0) continue;
-        std::copy_n(mesh.points.data() + 3 * i, 3, mesh.points.data() + 3 * kept);
-        numbers[i] = static_cast<MeshIndex>(kept++);
-    }
-    mesh.points.resize(3 * kept);
-    for (MeshIndex& v : mesh.tetrahedra) v = numbers[static_cast<std::size_t>(v)];
-    return numbers;
-}
-
 }  // namespace
 
 int triangulate(const TriangulateOptions& options) {
+    if (options.periodic.is_periodic()) return triangulate_in_box(options);
+    if (!options.images.empty() || !options.periodic.directions.empty())
+        throw Error(exit_usage, "--images and --periodic need --box");
     if (options.parts > 0) return triangulate_in_parts(options);
     const OutputOptions& output = options.output;
     const Format* format = nullptr;

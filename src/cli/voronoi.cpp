@@ -10,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/formats/grid.hpp"
+#include "cli/periodic_box.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -169,6 +170,28 @@ Voronoi make_voronoi(const Triangulation& t, const Planes& planes, const std::st
     }
 }
 
+Voronoi diagram_of_points(const VoronoiOptions& options, const Mesh& mesh, const Planes& planes,
+                          const std::string& name) {
+    Triangulation t = make_triangulation(options.triangulation);
+    insert(t, mesh.points, name, options.triangulation.quiet);
+    if (t.dimension() < 3 && mesh.point_count() > 0)
+        throw Error(exit_input, fmt::format("{}: {}, so there are no cells", name, shape(t)));
+    return make_voronoi(t, planes, name);
+}
+
+Voronoi diagram_in_box(const VoronoiOptions& options, const Mesh& mesh, const std::string& name) {
+    const Periodic box = make_periodic(options.periodic, options.triangulation, mesh, name);
+    try {
+        return box.voronoi();
+    } catch (const mgdt::Error& e) {
+        if (e.status() == MGDT_ERR_INVALID_ARGUMENT)
+            throw Error(exit_input, fmt::format("{}: {}", name, e.what()));
+        rethrow_failure(name, box.last_error());
+    } catch (const OutOfMemory&) {
+        rethrow_failure(name, box.last_error());
+    }
+}
+
 }  // namespace
 
 int write_voronoi(const VoronoiOptions& options) {
@@ -195,17 +218,18 @@ int write_voronoi(const VoronoiOptions& options) {
     for (const std::string& file : files) check_writable(file);
     std::FILE* text = output.path == "-" || options.table == "-" ? stderr : stdout;
 
+    if (options.periodic.is_periodic() &&
+        (!options.region.bounds.empty() || !options.region.planes.empty()))
+        throw Error(exit_usage, "--box excludes --bounds and --planes");
+
     Mesh mesh = read_input(options.input);
     const Planes planes = planes_of(options.region, mesh.points, mesh.inputs);
     require_apart(mesh.inputs, files);
     const std::string name = input_name(options.input.path);
     if (!options.triangulation.quiet) print_left_out(mesh.mid_side_nodes, name);
-    Triangulation t = make_triangulation(options.triangulation);
-    insert(t, mesh.points, name, options.triangulation.quiet);
-    if (t.dimension() < 3 && mesh.point_count() > 0)
-        throw Error(exit_input, fmt::format("{}: {}, so there are no cells", name, shape(t)));
-    Voronoi diagram = make_voronoi(t, planes, name);
-    t = Triangulation();
+    Voronoi diagram = options.periodic.is_periodic()
+                          ? diagram_in_box(options, mesh, name)
+                          : diagram_of_points(options, mesh, planes, name);
     if (options.least_area > 0 || options.least_share > 0)
         diagram.drop_small_faces(options.least_area, options.least_share);
     const Cells cells(diagram);
@@ -227,7 +251,7 @@ int write_voronoi(const VoronoiOptions& options) {
     outputs.commit();
     if (options.triangulation.quiet) return exit_ok;
     if (left_out > 0)
-        fmt::print(stderr, "mgdt: {}: {} unbounded and left out; clip with --box\n", name,
+        fmt::print(stderr, "mgdt: {}: {} unbounded and left out; clip with --bounds\n", name,
                    left_out == 1 ? "1 cell is" : fmt::format("{} cells are", left_out));
     if (without_faces > 0)
         fmt::print(stderr, "mgdt: {}: {} fewer than four faces and {} left out\n", name,

@@ -20,7 +20,7 @@ from cli_test import CliTest
 
 TETRAHEDRON = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
 BOX = (-1, -2, -3, 12, 13, 14)
-BOX_OPTION = "--box=" + ",".join(map(str, BOX))
+BOX_OPTION = "--bounds=" + ",".join(map(str, BOX))
 
 
 class Dual(CliTest):
@@ -51,7 +51,7 @@ class Cells(Dual):
 
     def test_table_of_a_corner(self):
         """The cell of the corner of a unit cube is an eighth of it."""
-        rows = self.table("-", "--from", "xyz", "--box", "0,0,0,1,1,1", data=TETRAHEDRON.encode())
+        rows = self.table("-", "--from", "xyz", "--bounds", "0,0,0,1,1,1", data=TETRAHEDRON.encode())
         self.assertEqual([r["point"] for r in rows], [0, 1, 2, 3])
         first = rows[0]
         self.assertEqual([first[n] for n in ("x", "y", "z", "volume", "area")], [0, 0, 0, 0.125, 1.5])
@@ -59,7 +59,7 @@ class Cells(Dual):
         # The walls of the least x, y and z have Voro++'s numbers.
         self.assertEqual(sorted(first["neighbors"]), [-5, -3, -1, 1, 2, 3])
         self.assertAlmostEqual(sum(r["volume"] for r in rows), 1, delta=1e-15)
-        shifted = self.table("-", "--from", "xyz", "--box", "0,0,0,1,1,1", "--index-base", 1, data=TETRAHEDRON.encode())
+        shifted = self.table("-", "--from", "xyz", "--bounds", "0,0,0,1,1,1", "--index-base", 1, data=TETRAHEDRON.encode())
         self.assertEqual([r["point"] for r in shifted], [1, 2, 3, 4])
         self.assertEqual(sorted(shifted[0]["neighbors"]), [-5, -3, -1, 2, 3, 4])
 
@@ -82,14 +82,14 @@ class Cells(Dual):
         self.assertEqual(self.table("p.f64", "--planes", "planes"), self.table("p.f64", BOX_OPTION))
         own = self.points("p.f64")
         ends = [f(p[k] for p in own) for f in (min, max) for k in range(3)]
-        self.assertEqual(self.table("p.f64", "--box", "auto"), self.table("p.f64", "--box=" + ",".join(map(repr, ends))))
+        self.assertEqual(self.table("p.f64", "--bounds", "auto"), self.table("p.f64", "--bounds=" + ",".join(map(repr, ends))))
 
     def test_unbounded_and_repeated(self):
         rows = self.table("-", "--from", "xyz", data=(TETRAHEDRON + "0 0 0\n").encode())
         self.assertEqual([r["volume"] for r in rows], [math.inf] * 4 + [0])
         self.assertEqual(rows[4]["neighbors"], [])
         self.mgdt("voronoi", "-", "--from", "xyz", "-o", "c.vtu", data=TETRAHEDRON.encode())
-        self.assertIn("4 cells are unbounded and left out; clip with --box", self.err)
+        self.assertIn("4 cells are unbounded and left out; clip with --bounds", self.err)
         self.assertIn(b"4 points, 0 cells", self.out)
 
     def test_small_faces(self):
@@ -110,18 +110,18 @@ class Cells(Dual):
 
     def test_same_bits(self):
         self.generate("galaxy", 3000)
-        self.mgdt("voronoi", "-q", "p.f64", "--box", "auto", "-o", "a.vtu", "--csv", "a.csv")
-        self.mgdt("voronoi", "-q", "p.f64", "--box", "auto", "-o", "b.vtu", "--csv", "b.csv", "--threads", 3, "--scheme", "random")
+        self.mgdt("voronoi", "-q", "p.f64", "--bounds", "auto", "-o", "a.vtu", "--csv", "a.csv")
+        self.mgdt("voronoi", "-q", "p.f64", "--bounds", "auto", "-o", "b.vtu", "--csv", "b.csv", "--threads", 3, "--scheme", "random")
         self.assertEqual(self.get("a.vtu"), self.get("b.vtu"))
         self.assertEqual(self.get("a.csv"), self.get("b.csv"))
 
     def test_nothing_at_all(self):
-        for options in ((), ("--box", "auto"), ("--box", "0,0,0,1,1,1")):
+        for options in ((), ("--bounds", "auto"), ("--bounds", "0,0,0,1,1,1")):
             self.assertEqual(self.table("-", "--from", "xyz", "--allow-empty", *options, data=b""), [])
 
     def test_few_faces_are_left(self):
         self.generate("uniform", 50)
-        self.mgdt("voronoi", "p.f64", "--box", "auto", "--least-area", 0.05, "-o", "c.vtu", "--csv", "c.csv")
+        self.mgdt("voronoi", "p.f64", "--bounds", "auto", "--least-area", 0.05, "-o", "c.vtu", "--csv", "c.csv")
         few = [r for r in csv.DictReader(self.get("c.csv").decode().splitlines()) if int(r["faces"]) < 4]
         self.assertGreater(len(few), 3)
         self.assertIn(f"{len(few)} cells have fewer than four faces and are left out", self.err)
@@ -133,15 +133,15 @@ class Cells(Dual):
         self.fails(2, "voronoi", four, says="--csv")
         self.fails(2, "voronoi", four, "-o", "c.msh", says="no place for polyhedra")
         self.fails(2, "voronoi", four, "-o", "c.vtu", "--csv", "c.vtu", says="same file")
-        self.fails(2, "voronoi", four, "-o", "c.vtu", "--box", "0,0,0,1,1", says="six numbers")
-        self.fails(2, "voronoi", four, "-o", "c.vtu", "--box", "0,0,0,1,1,1,1", says="six numbers")
-        self.fails(2, "voronoi", four, "-o", "c.vtu", "--box", "0,0,0,1,1,inf", says="six numbers")
-        self.fails(2, "voronoi", four, "-o", "c.vtu", "--box", "0,1,0,1,1,1", says="the largest y is 1, and the least 1")
-        self.fails(2, "voronoi", four, "-o", "c.vtu", "--box", "auto", "--planes", "x", says="--planes")
+        self.fails(2, "voronoi", four, "-o", "c.vtu", "--bounds", "0,0,0,1,1", says="six numbers")
+        self.fails(2, "voronoi", four, "-o", "c.vtu", "--bounds", "0,0,0,1,1,1,1", says="six numbers")
+        self.fails(2, "voronoi", four, "-o", "c.vtu", "--bounds", "0,0,0,1,1,inf", says="six numbers")
+        self.fails(2, "voronoi", four, "-o", "c.vtu", "--bounds", "0,1,0,1,1,1", says="the largest y is 1, and the least 1")
+        self.fails(2, "voronoi", four, "-o", "c.vtu", "--bounds", "auto", "--planes", "x", says="--planes")
         self.fails(2, "voronoi", four, "-o", "c.vtu", "--least-area", "nan", says="--least-area")
         self.fails(2, "voronoi", four, "-o", "c.vtu", "--least-area=-1", says="--least-area")
         self.fails(2, "voronoi", four, "-o", "c.vtu", "--least-share", "1", says="--least-share")
-        self.fails(3, "voronoi", four, "-o", "c.vtu", "--box", "0,0,0,1,0.5,1", says=["p.xyz", "point 2"])
+        self.fails(3, "voronoi", four, "-o", "c.vtu", "--bounds", "0,0,0,1,0.5,1", says=["p.xyz", "point 2"])
         self.fails(3, "voronoi", flat, "-o", "c.vtu", says=["flat.xyz", "on a plane", "no cells"])
         self.fails(3, "voronoi", four, "-o", "c.vtu", "--planes", "none", says="none")
         for text, why in (("", "no planes"), ("1 2 3\n", "line 1"), ("1 0 0 9\n1 2 3 4 5\n", "line 2"),
@@ -152,7 +152,7 @@ class Cells(Dual):
         self.put("planes", "-1 0 0 0\n1 0 0 1\n0 -1 0 0\n0 1 0 1\n0 0 -1 0\n0 0 1 1\n")
         self.refuses("voronoi", four, "--planes", "planes", "--csv", "planes", says="would overwrite")
         for command in (("voronoi", four, "--csv", "c.csv"), ("relax", four, "-o", "r.xyz", "--steps", 1)):
-            for option in ("--box", "--planes"):
+            for option in ("--bounds", "--planes"):
                 self.fails(2, *command, option, "", says=["it is empty", option])
         for option in (("--compress",), ("--to", "vtu")):
             self.fails(2, "voronoi", four, "--csv", "c.csv", *option, says="--compress and --to")
@@ -394,7 +394,7 @@ class Relaxation(Dual):
         self.generate("cluster", 60)
         box = (0, 0, 0, 1, 1, 1)
         before = self.spread("p.f64", box)
-        said = self.mgdt("relax", "p.f64", "-o", "r.f64", "--steps", 40, "--box", "0,0,0,1,1,1").decode()
+        said = self.mgdt("relax", "p.f64", "-o", "r.f64", "--steps", 40, "--bounds", "0,0,0,1,1,1").decode()
         self.assertRegex(said, r"^60 points, 40 steps, moved by at most \S+ in the last: r.f64$")
         self.assertLess(self.spread("r.f64", box), 0.5 * before)
         for p in self.points("r.f64"):
@@ -438,7 +438,7 @@ class Relaxation(Dual):
         self.fails(2, "relax", four, "-o", "r.xyz", "--steps", -1, says="--steps")
         self.fails(2, "relax", four, "-o", "r.vtu", "--steps", 1, says="points alone")
         self.fails(3, "relax", flat, "-o", "r.xyz", "--steps", 1, says="on a plane")
-        self.fails(3, "relax", four, "-o", "r.xyz", "--steps", 1, "--box", "0,0,0,1,1,0.5", says="point 3")
+        self.fails(3, "relax", four, "-o", "r.xyz", "--steps", 1, "--bounds", "0,0,0,1,1,0.5", says="point 3")
         self.refuses("relax", "p.xyz", "-o", "p.xyz", "--steps", 1, says="would overwrite")
 
 

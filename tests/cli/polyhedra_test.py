@@ -64,15 +64,15 @@ class Polyhedra(CliTest):
         return cells, data
 
     def test_vtk(self):
-        for kind, count, options in (("uniform", 600, ("--box", "auto")), ("lattice", 216, ("--box", "auto")),
+        for kind, count, options in (("uniform", 600, ("--bounds", "auto")), ("lattice", 216, ("--bounds", "auto")),
                                      ("uniform", 300, ()), ("lattice", 125, ("--compress",)),
-                                     ("spiral", 200, ("--box=-9,-9,-9,9,9,9", "--compress"))):
+                                     ("spiral", 200, ("--bounds=-9,-9,-9,9,9,9", "--compress"))):
             with self.subTest(kind=kind, options=options):
                 cells, _ = self.check(kind, count, *options)
                 self.assertGreater(len(cells), 20)
 
     def test_meshio(self):
-        _, data = self.check("uniform", 400, "--box", "auto")
+        _, data = self.check("uniform", 400, "--bounds", "auto")
         mesh = meshio.read(self.path("c.vtu"))
         self.assertEqual(sum(len(block.data) for block in mesh.cells), 400)
         volumes = dict(zip(data["point"], data["volume"]))

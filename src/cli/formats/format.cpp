@@ -59,10 +59,12 @@ void require_corners(const Mesh& mesh, const Source& source) {
 
 const std::vector<const Format*>& all_formats() {
     static const std::vector<const Format*> formats = {
-        &text_format(),  &csv_format(),          &npy_format(),   &raw_format(),    &ply_format(),
-        &obj_format(),   &off_format(),          &stl_format(),   &tetgen_format(), &poly_format(),
-        &gmsh_format(),  &gmsh2_format(),        &vtu_format(),   &vtp_format(),    &vtk_format(),
-        &medit_format(), &medit_binary_format(), &abaqus_format()};
+        &text_format(),         &csv_format(),    &npy_format(),         &raw_format(),
+        &ply_format(),          &obj_format(),    &off_format(),         &stl_format(),
+        &tetgen_format(),       &poly_format(),   &gmsh_format(),        &gmsh2_format(),
+        &vtu_format(),          &vtp_format(),    &vtk_format(),         &medit_format(),
+        &medit_binary_format(), &abaqus_format(), &lammps_dump_format(), &lammps_data_format(),
+        &poscar_format()};
     return formats;
 }
 
@@ -75,6 +77,9 @@ const Format& format_from_name(const std::string& name) {
 }
 
 const Format* format_from_path(const std::string& path) {
+    const std::size_t slash = system::last_separator(path);
+    const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+    if (name == "POSCAR" || name == "CONTCAR") return &poscar_format();
     const std::string e = extension(path);
     for (const Format* f : all_formats()) {
         for (const char* known : f->extensions) {

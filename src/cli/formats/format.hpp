@@ -95,12 +95,16 @@ const Format& vtk_format();
 const Format& medit_format();
 const Format& medit_binary_format();
 const Format& abaqus_format();
+const Format& lammps_dump_format();
+const Format& lammps_data_format();
+const Format& poscar_format();
 
 const std::vector<const Format*>& all_formats();
 
 // The format with a name (--from, --to). Throws a usage error for an unknown name.
 const Format& format_from_name(const std::string& name);
-// The format of a file by its extension; nullptr if the extension is unknown.
+// The format of a file by its extension, or by its name if that is POSCAR or CONTCAR; nullptr if
+// neither is known.
 const Format* format_from_path(const std::string& path);
 // The format of a file by its content; nullptr if that is not certain.
 const Format* format_from_content(std::string_view bytes);

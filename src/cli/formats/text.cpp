@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cli/errors.hpp"
+#include "cli/formats/extended_xyz.hpp"
 #include "cli/formats/format.hpp"
 #include "cli/formats/lines.hpp"
 #include "cli/formats/number.hpp"
@@ -180,6 +181,8 @@ bool is_of_chemists(LineReader lines) {
         return false;
     if (!lines.next()) return false;
     const std::string_view title = lines.text();
+    for (const std::string_view name : {"Lattice=", "Properties="})
+        if (title.find(name) != std::string_view::npos) return true;
     if (!lines.next()) return false;
     Fields atom(lines);
     if (!atom.next(field)) return false;
@@ -215,7 +218,7 @@ class TextReader {
         mesh.detail = "text";
         if (is_of_chemists(lines_)) {
             mesh.detail = "text, atoms";
-            begin_atoms();
+            begin_atoms(mesh);
         } else {
             begin_table();
         }
@@ -249,13 +252,17 @@ class TextReader {
         return mesh.point_count() == static_cast<std::uint64_t>(announced_);
     }
     void next() { has_row_ = next_row(lines_, text_); }
-    void begin_atoms() {
+    void begin_atoms(Mesh& mesh) {
         are_atoms_ = true;
         lines_.next();
         announced_ = Fields(lines_).integer("the number of atoms");
         announced_at_ = lines_.number();
         lines_.next();
-        if (!options_.columns) choose({2, 3, 4});
+        const XyzTitle title = read_xyz_title(lines_);
+        mesh.box = title.box;
+        if (mesh.box) mesh.detail = "text, atoms in a box";
+        const int x = title.first_column.value_or(2);
+        if (!options_.columns) choose({x, x + 1, x + 2});
         separator_ = ' ';
         next();
     }
