@@ -34,7 +34,7 @@ std::size_t statistic(const Periodic& p, std::int32_t key) {
     }
 }
 
-bool has_doubles(std::int32_t array) {
+bool is_array_of_doubles(std::int32_t array) {
     return array == MGDT_PERIODIC_ARRAY_POINTS || array == MGDT_PERIODIC_ARRAY_VECTORS;
 }
 
@@ -126,7 +126,7 @@ void each_integer(const Periodic& p, std::int32_t array, const Index& index, con
 template <class Int>
 void get_integers(const Periodic& p, std::int32_t array, std::int64_t capacity, Int* values) {
     const std::size_t size = size_of(p, array);
-    if (has_doubles(array))
+    if (is_array_of_doubles(array))
         fail(MGDT_ERR_UNKNOWN_KEY, "array %d has doubles, not integers", static_cast<int>(array));
     require_capacity(capacity, size, "values");
     if (size == 0) return;
@@ -154,7 +154,7 @@ void get_integers(const Periodic& p, std::int32_t array, std::int64_t capacity, 
 
 void get_doubles(const Periodic& p, std::int32_t array, std::int64_t capacity, double* values) {
     const std::size_t size = size_of(p, array);
-    if (!has_doubles(array))
+    if (!is_array_of_doubles(array))
         fail(MGDT_ERR_UNKNOWN_KEY, "array %d has integers, not doubles", static_cast<int>(array));
     require_capacity(capacity, size, "values");
     if (size == 0) return;

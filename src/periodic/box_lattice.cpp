@@ -11,8 +11,6 @@
 namespace mgdt {
 namespace {
 
-constexpr double origin[3] = {};
-
 double dot(const double* a, const double* b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -100,7 +98,7 @@ void BoxLattice::add(Combination& v, const Combination& w, double factor) const 
 
 // Vectors that are not exact are compared with room for rounding, so that each reduction ends.
 bool BoxLattice::is_shorter(const Combination& v, const Combination& w) const {
-    if (is_exact_) return compare_lengths(v.x, origin, w.x, origin) < 0;
+    if (is_exact_) return compare_lengths(v.x, lattice_origin, w.x, lattice_origin) < 0;
     return dot(v.x, v.x) < dot(w.x, w.x) * (1 - 1e-12);
 }
 
@@ -155,7 +153,7 @@ void BoxLattice::reduce() {
         }
     // The longest vector of the superbase goes.
     const auto is_before = [&](const Combination& a, const Combination& b) {
-        const int c = compare_lengths(a.x, origin, b.x, origin);
+        const int c = compare_lengths(a.x, lattice_origin, b.x, lattice_origin);
         return c != 0 ? c < 0 : std::lexicographical_compare(b.of, b.of + 3, a.of, a.of + 3);
     };
     for (unsigned i = 1; n > 1 && i <= n; ++i)

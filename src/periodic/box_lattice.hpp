@@ -20,6 +20,8 @@ inline Multiples operator-(const Multiples& a) {
     return {-a[0], -a[1], -a[2]};
 }
 
+inline constexpr double lattice_origin[3] = {};
+
 // The basis is part of an obtuse superbase: no two of its vectors, and of these and minus their
 // sum, make an acute angle (Conway and Sloane, Low-dimensional lattices VI, 1992). So the cell of a
 // lattice point is bounded by planes towards sums of subsets of the basis and their opposites, and

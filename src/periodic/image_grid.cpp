@@ -10,8 +10,6 @@
 namespace mgdt {
 namespace {
 
-constexpr double origin[3] = {};
-
 // The integer nearest to q; of two, the greater one, so that the result moves with q.
 double nearest_integer(double q) {
     if (!(std::fabs(q) < 0x1p52)) return q;
@@ -96,7 +94,8 @@ ImageGrid::ImageGrid(const BoxLattice& lattice, const PointReach& reach)
         std::copy_n(lattice_.vector(k), 3, basis_[k]);
     size_ = 10 * lattice_.covering_radius() + reach.height();
     for (unsigned k = 0; k < lattice.dimensions(); ++k) margin_[k] = lattice_.error_of(k, size_);
-    handedness_ = orientation(origin, lattice_.vector(0), lattice_.vector(1), lattice_.vector(2));
+    handedness_ =
+        orientation(lattice_origin, lattice_.vector(0), lattice_.vector(1), lattice_.vector(2));
     if (handedness_ == 0)
         fail(MGDT_ERR_INVALID_ARGUMENT, "the box is flat: its rounded vectors do not span");
 }
@@ -109,7 +108,7 @@ bool ImageGrid::is_below(unsigned k, const double* x, bool from_the_far_side) co
         for (unsigned c = 0; c < 3; ++c) y[c] -= lattice_.vector(k)[c];
     const double* v[3] = {lattice_.vector(0), lattice_.vector(1), lattice_.vector(2)};
     v[k] = y;
-    return orientation(origin, v[0], v[1], v[2]) * handedness_ < 0;
+    return orientation(lattice_origin, v[0], v[1], v[2]) * handedness_ < 0;
 }
 
 // Takes k times the basis from a point on the grid. In integers modulo 2^64 all steps are exact,
