@@ -72,12 +72,19 @@ void Periodic::remember_images() {
 // The images that are now where those of the last triangulation were.
 void Periodic::find_expected_images(Buffer<Image>& expected) const {
     constexpr std::int32_t most = 4;
-    const auto more = [&](std::uint32_t point) { return taken_[point] - former_taken_[point]; };
+    // Points may have moved so far that 32 bits do not hold the difference of their multiples.
+    const auto more = [&](std::uint32_t point, unsigned c) {
+        return std::int64_t{taken_[point][c]} - former_taken_[point][c];
+    };
     for (const UsedImage& used : used_images_) {
-        const Multiples k = used.image.multiples() + more(used.image.point) - more(used.by);
-        bool is_near = k != Multiples{};
-        for (const std::int32_t of : k) is_near = is_near && of >= -most && of <= most;
-        if (is_near) expected.push_back(image_of(used.image.point, k));
+        Multiples k = {};
+        bool is_near = true;
+        for (unsigned c = 0; c < 3 && is_near; ++c) {
+            const std::int64_t of = used.image.of[c] + more(used.image.point, c) - more(used.by, c);
+            is_near = of >= -most && of <= most;
+            if (is_near) k[c] = static_cast<std::int32_t>(of);
+        }
+        if (is_near && k != Multiples{}) expected.push_back(image_of(used.image.point, k));
     }
 }
 

@@ -167,6 +167,19 @@ TEST(Periodic, DoesNotDependOnTheImagesThatAreGiven) {
     }
 }
 
+// Two points that change the ends of what is allowed. A sanitizer of undefined behaviour sees
+// whether the differences of their multiples fit.
+TEST(Periodic, StepsMayBeAsFarAsPointsMayBe) {
+    const double far = 0x1p29;
+    const std::vector<double> before = {-far, -far, -far, far - 0.5, far - 0.5, far - 0.5},
+                              after = {far, far, far, 0.5 - far, 0.5 - far, 0.5 - far};
+    Built built(cube, before);
+    const std::uint32_t both[2] = {0, 1};
+    built.move(2, both, after.data());
+    built.build();
+    EXPECT_EQ(built.tetrahedra().size(), 12u);
+}
+
 // The faces of a cell close it; what one side says of a face, the other says too.
 TEST(PeriodicDiagram, CellsAreClosedAndAgree) {
     Atomic<bool> cancelled{false};
