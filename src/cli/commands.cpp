@@ -67,6 +67,21 @@ void check_terminal(const OutputOptions& options, const Format& format) {
     }
 }
 
+const Format& mesh_format(const OutputOptions& output, std::vector<std::string>& files) {
+    const Format& format = output_format(output.path, output.to);
+    if (!format.write_mesh) {
+        throw Error(exit_usage,
+                    fmt::format("{} ({}) has no place for tetrahedra; write .vtu, .msh, "
+                                ".ele or .npy",
+                                format.name, format.description));
+    }
+    require_compressible(output.write, format);
+    check_terminal(output, format);
+    files =
+        format.mesh_files ? format.mesh_files(output.path) : std::vector<std::string>{output.path};
+    return format;
+}
+
 std::size_t parse_point_count(const std::string& name, const std::string& text) {
     double value = -1;
     const char* last = text.data() + text.size();

@@ -147,6 +147,9 @@ std::vector<FileIdentity> data_files(const std::vector<std::string>& names,
 
 // Throws if binary output would go to a terminal.
 void check_terminal(const OutputOptions& options, const Format& format);
+// The format of an output of tetrahedra, and the files that it writes. Throws a usage error if the
+// format has no tetrahedra, or cannot be compressed as it should be.
+const Format& mesh_format(const OutputOptions& output, std::vector<std::string>& files);
 
 // Parses an integer, which may be written as 1e6. `name` is the name of the argument, for messages.
 std::size_t parse_point_count(const std::string& name, const std::string& text);

@@ -137,37 +137,38 @@ void add_triangulation(CLI::App& app, TriangulationOptions& options) {
     app.add_flag("-q,--quiet", options.quiet, "Print nothing but errors and what is asked for");
 }
 
-void add_periodic(CLI::App& app, PeriodicOptions& options) {
-    const CLI::Validator not_empty(
+CLI::Validator not_empty() {
+    return CLI::Validator(
         [](std::string& text) -> std::string { return text.empty() ? "it is empty" : ""; }, "");
+}
+
+void add_periodic(CLI::App& app, PeriodicOptions& options) {
     CLI::Option* box =
         app.add_option("--box", options.box,
                        "Periodic box: 'a b c', the nine numbers of three vectors, or file for the "
                        "box that the file has")
-            ->check(not_empty)
+            ->check(not_empty())
             ->type_name("BOX");
     app.add_option(
            "--periodic", options.directions,
            "Which vectors of the box repeat, such as xy (default: all, or those of the file)")
         ->needs(box)
-        ->check(not_empty)
+        ->check(not_empty())
         ->type_name("XYZ");
 }
 
 void add_region(CLI::App& app, RegionOptions& options) {
-    const CLI::Validator not_empty(
-        [](std::string& text) -> std::string { return text.empty() ? "it is empty" : ""; }, "");
     CLI::Option* box =
         app.add_option(
                "--bounds", options.bounds,
                "Bounds of the cells: least x,y,z and largest x,y,z; or auto for the points'")
-            ->check(not_empty)
+            ->check(not_empty())
             ->type_name("BOX");
     app.add_option("--planes", options.planes,
                    "File of the planes that bound the cells: a line a b c d for each, where "
                    "a x + b y + c z <= d")
         ->excludes(box)
-        ->check(not_empty)
+        ->check(not_empty())
         ->type_name("FILE");
 }
 

@@ -101,16 +101,7 @@ int triangulate_in_box(const TriangulateOptions& options) {
     const Format* format = nullptr;
     std::vector<std::string> files;
     if (!output.path.empty()) {
-        format = &output_format(output.path, output.to);
-        if (!format->write_mesh)
-            throw Error(exit_usage,
-                        fmt::format("{} ({}) has no place for tetrahedra; write .vtu, .msh, .ele "
-                                    "or .npy",
-                                    format->name, format->description));
-        require_compressible(output.write, *format);
-        check_terminal(output, *format);
-        files = format->mesh_files ? format->mesh_files(output.path)
-                                   : std::vector<std::string>{output.path};
+        format = &mesh_format(output, files);
     }
     for (const std::string& file : {options.neighbors, options.point_map, options.images}) {
         if (file.empty()) continue;

@@ -55,41 +55,28 @@ bool PointReach::add(const double* x) {
     return true;
 }
 
-namespace {
-
-// The unit of each axis.
-struct Units {
-    Units(const BoxLattice& lattice, const PointReach& reach) {
-        for (unsigned c = 0; c < 3; ++c) {
-            double size = 0, largest = 0;
-            for (unsigned k = 0; k < lattice.dimensions(); ++k) {
-                size += std::fabs(lattice.vector(k)[c]);
-                largest = std::max(largest, std::fabs(lattice.vector(k)[c]));
-            }
-            if (largest == 0) continue;
-            size = std::max(size, reach.largest(c));
-            // With M < 2^e for the largest size, images up to 15 M are below 2^53 units.
-            of[c] = std::scalbn(1.0, std::max(std::ilogb(size) + 1 - 48, -900));
-            // The caller's coordinates have to be doubles too.
-            const int exponent = std::ilogb(size) + lattice.exponent();
-            if (exponent < -1020 || exponent > 1000)
-                fail(MGDT_ERR_INVALID_ARGUMENT,
-                     "the box is too small or too large: its vectors reach over 2^%d along axis %u",
-                     exponent, c + 1);
-        }
-    }
-    double of[3] = {};
-};
-
-}  // namespace
-
-ImageGrid::ImageGrid(const BoxLattice& lattice, const PointReach& reach)
-    : lattice_(lattice.rounded_to(Units(lattice, reach).of)) {
-    const Units units(lattice, reach);
+void ImageGrid::set_units(const PointReach& reach) {
     for (unsigned c = 0; c < 3; ++c) {
-        unit_[c] = units.of[c];
-        per_unit_[c] = unit_[c] > 0 ? 1 / unit_[c] : 0;
+        double size = 0;
+        for (unsigned k = 0; k < lattice_.dimensions(); ++k)
+            size += std::fabs(lattice_.vector(k)[c]);
+        if (size == 0) continue;
+        size = std::max(size, reach.largest(c));
+        // With M < 2^e for the largest size, images up to 15 M are below 2^53 units.
+        unit_[c] = std::scalbn(1.0, std::max(std::ilogb(size) + 1 - 48, -900));
+        per_unit_[c] = 1 / unit_[c];
+        // The caller's coordinates have to be doubles too.
+        const int exponent = std::ilogb(size) + lattice_.exponent();
+        if (exponent < -1020 || exponent > 1000)
+            fail(MGDT_ERR_INVALID_ARGUMENT,
+                 "the box is too small or too large: its vectors reach over 2^%d along axis %u",
+                 exponent, c + 1);
     }
+}
+
+ImageGrid::ImageGrid(const BoxLattice& lattice, const PointReach& reach) : lattice_(lattice) {
+    set_units(reach);
+    lattice_ = lattice.rounded_to(unit_);
     for (unsigned k = 0; k < lattice.dimensions(); ++k)
         std::copy_n(lattice_.vector(k), 3, basis_[k]);
     size_ = 10 * lattice_.covering_radius() + reach.height();

@@ -60,6 +60,7 @@ class ImageGrid {
     static constexpr double farthest = 0x1p29;
 
   private:
+    void set_units(const PointReach& reach);
     bool is_below(unsigned k, const double* x, bool from_the_far_side) const;
     void reduce(const double* x, const Multiples& k, double* to) const;
 
