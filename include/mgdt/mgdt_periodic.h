@@ -64,7 +64,8 @@ enum {
  *  integers, for mgdt_periodic_get_array(); the others have doubles, for
  *  mgdt_periodic_get_doubles(). Points and tetrahedra are numbered from the index base. Arrays of
  *  offsets have three elements for each offset. All arrays are empty until there is a
- *  triangulation. */
+ *  triangulation. The list of the tetrahedra and those of the neighbours of vertices are made when
+ *  they, or their sizes, are first asked for. */
 enum {
     /** For each point the vertex that has its images: the least point that has them. */
     MGDT_PERIODIC_ARRAY_POINT_MAP = 10,

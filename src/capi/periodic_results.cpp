@@ -22,7 +22,7 @@ std::size_t statistic(const Periodic& p, std::int32_t key) {
         case MGDT_PERIODIC_VERTICES:
             return p.vertex_count();
         case MGDT_PERIODIC_TETRAHEDRA:
-            return p.tetrahedra().size();
+            return p.has_triangulation() ? p.tetrahedra().size() : 0;
         case MGDT_PERIODIC_EDGES:
             return p.has_triangulation() ? p.neighbors().images.size() / 2 : 0;
         case MGDT_PERIODIC_IMAGES:
@@ -40,7 +40,7 @@ bool is_array_of_doubles(std::int32_t array) {
 
 std::size_t size_of(const Periodic& p, std::int32_t array) {
     const bool is_built = p.has_triangulation();
-    const std::size_t points = is_built ? p.point_count() : 0, tetrahedra = p.tetrahedra().size();
+    const std::size_t points = is_built ? p.point_count() : 0;
     switch (array) {
         case MGDT_PERIODIC_ARRAY_POINT_MAP:
             return points;
@@ -49,10 +49,10 @@ std::size_t size_of(const Periodic& p, std::int32_t array) {
             return 3 * points;
         case MGDT_PERIODIC_ARRAY_TETRAHEDRA:
         case MGDT_PERIODIC_ARRAY_NEIGHBORS:
-            return 4 * tetrahedra;
+            return is_built ? 4 * p.tetrahedra().size() : 0;
         case MGDT_PERIODIC_ARRAY_OFFSETS:
         case MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS:
-            return 12 * tetrahedra;
+            return is_built ? 12 * p.tetrahedra().size() : 0;
         case MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS:
             return is_built ? points + 1 : 0;
         case MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS:
@@ -70,10 +70,15 @@ std::size_t size_of(const Periodic& p, std::int32_t array) {
 // offset(o) for each offset.
 template <class Index, class Offset>
 void each_integer(const Periodic& p, std::int32_t array, const Index& index, const Offset& offset) {
-    const PeriodicTetrahedra& tetrahedra = p.tetrahedra();
-    const auto each_corner = [&](const auto& f) {
-        for (std::size_t i = 0; i < tetrahedra.size(); ++i)
-            for (unsigned k = 0; k < 4; ++k) f(i, k);
+    using Tetrahedron = PeriodicTetrahedra::Tetrahedron;
+    const auto each_tetrahedron = [&](const auto& f) {
+        p.tetrahedra().each_tetrahedron([&](std::size_t, const Tetrahedron& t) { f(t.corners); });
+    };
+    const auto each_neighbor = [&](const auto& f) {
+        p.tetrahedra().each_record([&](std::size_t, const PeriodicTetrahedra::Record& record) {
+            for (const PeriodicTetrahedra::Neighbor& n : record.neighbors)
+                f(record.tetrahedron.corners[0].point, n);
+        });
     };
     // An image that is a corner or a neighbour, as seen from a point of the box.
     const auto seen_from = [&](std::uint32_t point, const Image& image) {
@@ -88,24 +93,22 @@ void each_integer(const Periodic& p, std::int32_t array, const Index& index, con
             for (std::uint32_t i = 0; i < points; ++i) seen_from(i, {p.vertex_of(i), {}});
             return;
         case MGDT_PERIODIC_ARRAY_TETRAHEDRA:
-            return each_corner(
-                [&](std::size_t i, unsigned k) { index(tetrahedra[i].corners[k].point); });
+            return each_tetrahedron([&](const Image(&corners)[4]) {
+                for (const Image& corner : corners) index(corner.point);
+            });
         case MGDT_PERIODIC_ARRAY_OFFSETS:
-            return each_corner([&](std::size_t i, unsigned k) {
-                seen_from(tetrahedra[i].corners[0].point, tetrahedra[i].corners[k]);
+            return each_tetrahedron([&](const Image(&corners)[4]) {
+                for (const Image& corner : corners) seen_from(corners[0].point, corner);
             });
         case MGDT_PERIODIC_ARRAY_NEIGHBORS:
-            return each_corner([&](std::size_t i, unsigned k) {
-                const std::uint32_t number = tetrahedra.neighbor(i, k).number;
-                index(number == PeriodicTetrahedra::none ? -1 : std::int64_t{number});
+            return each_neighbor([&](std::uint32_t, const PeriodicTetrahedra::Neighbor& n) {
+                index(n.number == PeriodicTetrahedra::none ? -1 : std::int64_t{n.number});
             });
         case MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS:
-            return each_corner([&](std::size_t i, unsigned k) {
-                const PeriodicTetrahedra::Neighbor& n = tetrahedra.neighbor(i, k);
+            return each_neighbor([&](std::uint32_t first, const PeriodicTetrahedra::Neighbor& n) {
                 if (n.number == PeriodicTetrahedra::none) return offset({});
-                const Image first =
-                    image_of(tetrahedra[n.number].corners[0].point, {n.of[0], n.of[1], n.of[2]});
-                seen_from(tetrahedra[i].corners[0].point, first);
+                seen_from(first, image_of(p.tetrahedra()[n.number].corners[0].point,
+                                          {n.of[0], n.of[1], n.of[2]}));
             });
         case MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS:
             for (const std::uint64_t start : p.neighbors().begin)
@@ -171,7 +174,7 @@ void get_doubles(const Periodic& p, std::int32_t array, std::int64_t capacity, d
 
 void require_cells(const Periodic& p) {
     require_triangulation(p);
-    if (p.point_count() > 0 && p.tetrahedra().size() == 0)
+    if (p.point_count() > 0 && p.halo().triangulation().dimension() < 3)
         fail(MGDT_ERR_INVALID_ARGUMENT, "there are no cells: the points do not span space");
 }
 

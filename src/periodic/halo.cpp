@@ -353,6 +353,27 @@ bool Halo::add(const Image& image) {
     return true;
 }
 
+void Halo::list_used_images(Buffer<UsedImage>& used) const {
+    constexpr std::uint32_t none = 0xFFFFFFFFu;
+    Buffer<std::uint32_t> by(used.allocator());
+    by.resize(images_.size(), none);
+    const Mesh& mesh = triangulation_->mesh();
+    for (TetId t = 0; t < mesh.tetrahedra.size(); ++t) {
+        const Tetrahedron& tetrahedron = mesh.tetrahedra[t];
+        if (tetrahedron.is_dead()) continue;
+        std::uint32_t own = none;
+        for (const VertexId v : tetrahedron.v)
+            if (v != infinite_vertex && is_own(mesh.vertices[v].index))
+                own = mesh.vertices[v].index;
+        if (own == none) continue;
+        for (const VertexId v : tetrahedron.v)
+            if (v != infinite_vertex && !is_own(mesh.vertices[v].index))
+                by[mesh.vertices[v].index - own_] = own;
+    }
+    for (std::size_t i = 0; i < images_.size(); ++i)
+        if (by[i] != none) used.push_back({by[i], images_[i]});
+}
+
 std::size_t Halo::bytes_elsewhere() const {
     return triangulation_ && !passes_through_ ? triangulation_->allocator().bytes() : 0;
 }

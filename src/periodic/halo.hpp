@@ -65,6 +65,13 @@ class Halo {
     Image image(std::uint32_t index) const {
         return index < own_ ? Image{index, {}} : images_[index - own_];
     }
+    // An image that is a corner of a tetrahedron with a point of the box.
+    struct UsedImage {
+        std::uint32_t by;
+        Image image;
+    };
+    // Appends each such image once, with one of these points.
+    void list_used_images(Buffer<UsedImage>& used) const;
     // Memory that the allocator of the halo does not count.
     std::size_t bytes_elsewhere() const;
     // The number of rounds in which images were added to the first halo.

@@ -13,8 +13,7 @@ Periodic::Periodic(unsigned dimensions, const double* vectors, mgdt_alloc_fn all
       taken_(allocator_),
       used_images_(allocator_),
       former_taken_(allocator_),
-      halo_(allocator_),
-      tetrahedra_(allocator_) {}
+      halo_(allocator_) {}
 
 void Periodic::clear() noexcept {
     cancelled_.store(false, std::memory_order_relaxed);
@@ -27,7 +26,7 @@ void Periodic::clear() noexcept {
 void Periodic::forget_results() noexcept {
     has_triangulation_ = false;
     neighbors_.forget();
-    tetrahedra_.clear();
+    tetrahedra_.forget();
     halo_.clear();
     taken_.reset();
     grid_.reset();
@@ -58,13 +57,8 @@ void Periodic::move(std::size_t n, const std::uint32_t* points, const double* xy
 }
 
 void Periodic::remember_images() {
-    Buffer<UsedImage> used(allocator_);
-    for (std::size_t i = 0; i < tetrahedra_.size(); ++i) {
-        const Image* const corners = tetrahedra_[i].corners;
-        for (unsigned k = 1; k < 4; ++k)
-            if (corners[k].multiples() != Multiples{})
-                used.push_back({corners[0].point, corners[k]});
-    }
+    Buffer<Halo::UsedImage> used(allocator_);
+    halo_.list_used_images(used);
     used_images_ = std::move(used);
     former_taken_ = std::move(taken_);
 }
@@ -76,7 +70,7 @@ void Periodic::find_expected_images(Buffer<Image>& expected) const {
     const auto more = [&](std::uint32_t point, unsigned c) {
         return std::int64_t{taken_[point][c]} - former_taken_[point][c];
     };
-    for (const UsedImage& used : used_images_) {
+    for (const Halo::UsedImage& used : used_images_) {
         Multiples k = {};
         bool is_near = true;
         for (unsigned c = 0; c < 3 && is_near; ++c) {
@@ -123,7 +117,6 @@ void Periodic::build() {
         Buffer<Image> expected(allocator_);
         find_expected_images(expected);
         halo_.build(*grid_, std::move(wrapped), expected, settings_.threads, progress, stop);
-        tetrahedra_.list(halo_, stop);
     } catch (...) {
         forget_results();
         throw;

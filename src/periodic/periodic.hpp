@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Points in a periodic box and their triangulation. A build rounds the points to the image_grid.hpp
-// of the box_lattice.hpp and moves them into the box, finds the halo.hpp that their stars need, and
-// lists one tetrahedron of each class (periodic_tetrahedra.hpp).
+// of the box_lattice.hpp and moves them into the box, and finds the halo.hpp that their stars need.
+// One tetrahedron of each class is listed when it is asked for (periodic_tetrahedra.hpp).
 #pragma once
 
 #include <optional>
@@ -64,8 +64,8 @@ class Periodic {
     // The results of the last build.
     const ImageGrid& grid() const noexcept { return *grid_; }
     const Halo& halo() const noexcept { return halo_; }
-    const PeriodicTetrahedra& tetrahedra() const noexcept { return tetrahedra_; }
-    const VertexNeighbors& neighbors() const { return neighbors_.get(tetrahedra_, point_count()); }
+    const PeriodicTetrahedra& tetrahedra() const { return tetrahedra_.get(halo_); }
+    const VertexNeighbors& neighbors() const { return neighbors_.get(tetrahedra(), point_count()); }
     // The number of points that are vertices; 0 if there is no triangulation.
     std::size_t vertex_count() const;
     // The least point with the same images.
@@ -91,11 +91,6 @@ class Periodic {
     void step_of(std::uint32_t point, double (&step)[3]) const;
 
   private:
-    // An image that a tetrahedron with a point in the box has as a corner.
-    struct UsedImage {
-        std::uint32_t by;
-        Image image;
-    };
     void wrap(Buffer<double>& wrapped);
     void remember_images();
     void find_expected_images(Buffer<Image>& expected) const;
@@ -107,11 +102,11 @@ class Periodic {
     Buffer<double> given_;
     Buffer<Multiples> taken_;  // the multiples by which each point was moved into the box
     // The images that the last triangulation needed, and the multiples of its points.
-    Buffer<UsedImage> used_images_;
+    Buffer<Halo::UsedImage> used_images_;
     Buffer<Multiples> former_taken_;
     std::optional<ImageGrid> grid_;
     Halo halo_;
-    PeriodicTetrahedra tetrahedra_;
+    mutable Cached<PeriodicTetrahedra> tetrahedra_{allocator_};
     mutable Cached<VertexNeighbors> neighbors_{allocator_};
     bool has_triangulation_ = false;
     mutable Atomic<bool> cancelled_{false};

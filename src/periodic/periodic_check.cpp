@@ -12,12 +12,14 @@ namespace {
 
 using Tetrahedron = PeriodicTetrahedra::Tetrahedron;
 using Neighbor = PeriodicTetrahedra::Neighbor;
+using Record = PeriodicTetrahedra::Record;
 
 class PeriodicChecker {
   public:
-    PeriodicChecker(const Periodic& periodic, const StopRequest& stop)
+    PeriodicChecker(const Periodic& periodic, const Buffer<Record>& tetrahedra,
+                    const StopRequest& stop)
         : periodic_(periodic),
-          tetrahedra_(periodic.tetrahedra()),
+          tetrahedra_(tetrahedra),
           stop_(stop),
           is_corner_(periodic.allocator()) {}
 
@@ -31,9 +33,10 @@ class PeriodicChecker {
             stop_.poll_in_step(i);
             for (unsigned k = 0; k < 4; ++k) check_side(i, k);
         }
-        if (tetrahedra_.size() > 0) check_cover();
+        if (tetrahedra_.empty()) return;
+        check_cover();
         for (std::uint32_t p = 0; p < is_corner_.size(); ++p)
-            if (tetrahedra_.size() > 0 && periodic_.vertex_of(p) == p && is_corner_[p] == 0)
+            if (periodic_.vertex_of(p) == p && is_corner_[p] == 0)
                 fail(MGDT_ERR_CHECK_FAILED, "point %llu is a corner of no tetrahedron", shown(p));
     }
 
@@ -48,7 +51,7 @@ class PeriodicChecker {
     }
     void place(std::size_t i, const Multiples& moved, Places& places) const {
         for (unsigned k = 0; k < 4; ++k) {
-            const Image& corner = tetrahedra_[i].corners[k];
+            const Image& corner = tetrahedra_[i].tetrahedron.corners[k];
             periodic_.grid().image(periodic_.halo().point(corner.point), corner.multiples() + moved,
                                    places.x[k]);
             places.p[k] = places.x[k];
@@ -63,7 +66,7 @@ class PeriodicChecker {
     }
 
     void check_corners(std::size_t i) {
-        const Tetrahedron& t = tetrahedra_[i];
+        const Tetrahedron& t = tetrahedra_[i].tetrahedron;
         for (const Image& corner : t.corners) {
             if (corner.point >= is_corner_.size() ||
                 periodic_.vertex_of(corner.point) != corner.point)
@@ -84,11 +87,12 @@ class PeriodicChecker {
     // The side opposite a corner: its neighbour has the same corners there, on the other side and
     // turned the other way round, and its fourth corner is outside of the sphere.
     void check_side(std::size_t i, unsigned corner) const {
-        const Neighbor& n = tetrahedra_.neighbor(i, corner);
+        const Neighbor& n = tetrahedra_[i].neighbors[corner];
         if (n.number == PeriodicTetrahedra::none) return check_hull_facet(i, corner);
         if (n.number >= tetrahedra_.size()) reject(i, "a neighbour does not exist");
         const Multiples moved = {n.of[0], n.of[1], n.of[2]};
-        const Tetrahedron &t = tetrahedra_[i], &other = tetrahedra_[n.number];
+        const Tetrahedron &t = tetrahedra_[i].tetrahedron,
+                          &other = tetrahedra_[n.number].tetrahedron;
         unsigned shared = 0, apex = 0;
         for (unsigned l = 0; l < 4; ++l) {
             bool is_shared = false;
@@ -102,7 +106,7 @@ class PeriodicChecker {
                 apex = l;
         }
         if (shared != 3) reject(i, "it does not share a facet with its neighbour");
-        const Neighbor& back = tetrahedra_.neighbor(n.number, apex);
+        const Neighbor& back = tetrahedra_[n.number].neighbors[apex];
         if (back.number != i || Multiples{back.of[0], back.of[1], back.of[2]} != -moved)
             reject(i, "its neighbour has another neighbour there");
         Places places;
@@ -128,7 +132,7 @@ class PeriodicChecker {
             p[corner] = x;
             return orientation(p[0], p[1], p[2], p[3]);
         };
-        const Image& at = tetrahedra_[i].corners[corner == 0 ? 1 : 0];
+        const Image& at = tetrahedra_[i].tetrahedron.corners[corner == 0 ? 1 : 0];
         for (unsigned k = 0; k < dimensions; ++k) {
             Multiples moved = at.multiples();
             ++moved[k];
@@ -179,15 +183,25 @@ class PeriodicChecker {
     }
 
     const Periodic& periodic_;
-    const PeriodicTetrahedra& tetrahedra_;
+    const Buffer<Record>& tetrahedra_;
     const StopRequest& stop_;
     Buffer<std::uint8_t> is_corner_;
 };
 
 }  // namespace
 
+void check_periodic(const Periodic& periodic, const Buffer<Record>& tetrahedra,
+                    const StopRequest& stop) {
+    PeriodicChecker(periodic, tetrahedra, stop).run();
+}
+
 void check_periodic(const Periodic& periodic, const StopRequest& stop) {
-    PeriodicChecker(periodic, stop).run();
+    Buffer<Record> tetrahedra(periodic.allocator());
+    periodic.tetrahedra().each_record([&](std::size_t i, const Record& record) {
+        stop.poll_in_step(i);
+        tetrahedra.push_back(record);
+    });
+    check_periodic(periodic, tetrahedra, stop);
 }
 
 }  // namespace mgdt

@@ -6,9 +6,13 @@
 
 namespace mgdt {
 
-// Throws MGDT_ERR_CHECK_FAILED if the tetrahedra are not the Delaunay triangulation of the infinite
-// periodic set, with ties broken by the perturbation. docs/theory.md, "Periodic boxes", has a
-// proof. The points may be fewer than span space; there are no tetrahedra then.
+// Throws MGDT_ERR_CHECK_FAILED if the tetrahedra, one of each class, are not the Delaunay
+// triangulation of the infinite periodic set, with ties broken by the perturbation. docs/theory.md,
+// "Periodic boxes", has a proof. The points may be fewer than span space; there are no tetrahedra
+// then.
+void check_periodic(const Periodic& periodic, const Buffer<PeriodicTetrahedra::Record>& tetrahedra,
+                    const StopRequest& stop);
+// Checks the tetrahedra of the last build.
 void check_periodic(const Periodic& periodic, const StopRequest& stop);
 
 }  // namespace mgdt

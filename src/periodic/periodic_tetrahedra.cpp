@@ -16,13 +16,12 @@ int compare(const Image& a, const Image& b) {
     return is_before(a, b) ? -1 : is_before(b, a) ? 1 : 0;
 }
 
-// A tetrahedron that is to be listed, and where the mesh has it.
-struct Found {
+// A tetrahedron and where the mesh has it.
+struct Member {
     Tetrahedron tetrahedron;
     TetId slot;
-    std::uint8_t positions[4];  // of its corners in the mesh
 
-    bool operator<(const Found& other) const {
+    bool operator<(const Member& other) const {
         for (unsigned i = 0; i < 4; ++i)
             if (const int c = compare(tetrahedron.corners[i], other.tetrahedron.corners[i]); c != 0)
                 return c < 0;
@@ -62,133 +61,164 @@ Side side_of(const Tetrahedron& t, std::uint32_t number, unsigned corner) {
     return side;
 }
 
-class Listing {
-  public:
-    Listing(const Halo& halo, Allocator& allocator, const StopRequest& stop)
-        : halo_(halo),
-          mesh_(halo.triangulation().mesh()),
-          stop_(stop),
-          found_(allocator),
-          begin_(allocator),
-          number_of_slot_(allocator),
-          sides_(allocator) {}
-
-    void list(Buffer<Tetrahedron>& tetrahedra, Buffer<Neighbor>& neighbors) {
-        find();
-        sort();
-        tetrahedra.resize(found_.size());
-        for (std::size_t i = 0; i < found_.size(); ++i) tetrahedra[i] = found_[i].tetrahedron;
-        find_neighbors(tetrahedra, neighbors);
-        join_sides(neighbors);
-    }
-
-  private:
-    static constexpr std::uint32_t none = PeriodicTetrahedra::none;
-
-    // Sets `found` if the tetrahedron is the representative of its class.
-    bool is_listed(TetId slot, Found& found) const {
-        const mgdt::Tetrahedron& t = mesh_.tetrahedra[slot];
-        if (t.is_dead() || t.is_ghost()) return false;
-        std::uint32_t index[4];
-        bool has_own = false;
-        for (unsigned i = 0; i < 4; ++i) {
-            index[i] = mesh_.vertices[t.v[i]].index;
-            has_own = has_own || halo_.is_own(index[i]);
-        }
-        if (!has_own) return false;
-        unsigned least = 0;
-        for (unsigned i = 1; i < 4; ++i)
-            if (compare_lexicographic(mesh_.point(t.v[i]), mesh_.point(t.v[least])) < 0) least = i;
-        if (!halo_.is_own(index[least])) return false;
-        found.slot = slot;
-        // Even permutations that bring a corner to the front.
-        static constexpr unsigned char orders[4][4] = {
-            {0, 1, 2, 3}, {1, 0, 3, 2}, {2, 0, 1, 3}, {3, 0, 2, 1}};
-        const unsigned char* const order = orders[least];
-        Image rest[3];
-        unsigned turn = 0;
-        for (unsigned i = 0; i < 3; ++i) {
-            rest[i] = halo_.image(index[order[i + 1]]);
-            if (is_before(rest[i], rest[turn])) turn = i;
-        }
-        found.tetrahedron.corners[0] = halo_.image(index[least]);
-        found.positions[0] = static_cast<std::uint8_t>(least);
-        for (unsigned i = 0; i < 3; ++i) {
-            const unsigned k = (turn + i) % 3;
-            found.tetrahedron.corners[i + 1] = rest[k];
-            found.positions[i + 1] = order[k + 1];
-        }
-        return true;
-    }
-    // Finds the tetrahedra and puts them in the order of their first corners.
-    void find() {
-        begin_.resize(halo_.own_count() + 1, 0u);
-        Found found;
-        for (TetId t = 0; t < mesh_.tetrahedra.size(); ++t) {
-            stop_.poll_in_step(t);
-            if (is_listed(t, found)) ++begin_[found.tetrahedron.corners[0].point + 1];
-        }
-        for (std::size_t p = 0; p < halo_.own_count(); ++p) begin_[p + 1] += begin_[p];
-        found_.resize(begin_[halo_.own_count()]);
-        for (TetId t = 0; t < mesh_.tetrahedra.size(); ++t) {
-            stop_.poll_in_step(t);
-            if (is_listed(t, found)) found_[begin_[found.tetrahedron.corners[0].point]++] = found;
-        }
-    }
-    void sort() {
-        std::size_t from = 0;
-        for (std::size_t p = 0; p < halo_.own_count(); ++p) {
-            std::sort(found_.begin() + from, found_.begin() + begin_[p]);
-            from = begin_[p];
-        }
-        number_of_slot_.resize(mesh_.tetrahedra.size(), none);
-        for (std::uint32_t i = 0; i < found_.size(); ++i) number_of_slot_[found_[i].slot] = i;
-    }
-    void find_neighbors(const Buffer<Tetrahedron>& tetrahedra, Buffer<Neighbor>& neighbors) {
-        neighbors.resize(4 * tetrahedra.size());
-        for (std::uint32_t i = 0; i < found_.size(); ++i) {
-            stop_.poll_in_step(i);
-            for (unsigned corner = 0; corner < 4; ++corner) {
-                const FacetCode across =
-                    mesh_.tetrahedra[found_[i].slot].n[found_[i].positions[corner]];
-                const std::uint32_t number = number_of_slot_[tetrahedron_of(across)];
-                neighbors[4 * std::size_t{i} + corner] = {number, {}};
-                if (number == none) sides_.push_back(side_of(tetrahedra[i], i, corner));
-            }
-        }
-    }
-    void join_sides(Buffer<Neighbor>& neighbors) {
-        std::sort(sides_.begin(), sides_.end());
-        for (std::size_t k = 0; k + 1 < sides_.size(); ++k) {
-            const Side &a = sides_[k], &b = sides_[k + 1];
-            if (!a.has_facet_of(b)) continue;
-            set_neighbor(a, b, neighbors);
-            set_neighbor(b, a, neighbors);
-            ++k;
-        }
-    }
-    static void set_neighbor(const Side& side, const Side& other, Buffer<Neighbor>& neighbors) {
-        Neighbor& n = neighbors[4 * std::size_t{side.tetrahedron} + side.corner];
-        n.number = other.tetrahedron;
-        for (unsigned c = 0; c < 3; ++c)
-            n.of[c] = static_cast<std::int8_t>(side.moved[c] - other.moved[c]);
-    }
-
-    const Halo& halo_;
-    const Mesh& mesh_;
-    const StopRequest stop_;
-    Buffer<Found> found_;
-    Buffer<std::uint32_t> begin_;  // where the tetrahedra of each first corner begin, then end
-    Buffer<std::uint32_t> number_of_slot_;
-    Buffer<Side> sides_;
-};
-
 }  // namespace
 
-void PeriodicTetrahedra::list(const Halo& halo, const StopRequest& stop) {
-    clear();
+// The position of the lexicographically least corner, if the tetrahedron is the representative of
+// its class; 4 otherwise.
+unsigned PeriodicTetrahedra::first_position(TetId slot) const {
+    const mgdt::Tetrahedron& t = mesh().tetrahedra[slot];
+    if (t.is_dead() || t.is_ghost()) return 4;
+    bool has_own = false;
+    for (const VertexId v : t.v) has_own = has_own || halo_.is_own(mesh().vertices[v].index);
+    if (!has_own) return 4;
+    unsigned least = 0;
+    for (unsigned i = 1; i < 4; ++i)
+        if (compare_lexicographic(mesh().point(t.v[i]), mesh().point(t.v[least])) < 0) least = i;
+    return halo_.is_own(mesh().vertices[t.v[least]].index) ? least : 4;
+}
+
+// The corners of a representative, and their positions in the mesh.
+PeriodicTetrahedra::Tetrahedron PeriodicTetrahedra::read(TetId slot,
+                                                         std::uint8_t (&positions)[4]) const {
+    const mgdt::Tetrahedron& t = mesh().tetrahedra[slot];
+    const unsigned least = first_position(slot);
+    // Even permutations that bring a corner to the front.
+    static constexpr std::uint8_t orders[4][4] = {
+        {0, 1, 2, 3}, {1, 0, 3, 2}, {2, 0, 1, 3}, {3, 0, 2, 1}};
+    Image image[4];
+    for (unsigned i = 0; i < 4; ++i)
+        image[i] = halo_.image(mesh().vertices[t.v[orders[least][i]]].index);
+    unsigned turn = 0;
+    for (unsigned i = 1; i < 3; ++i)
+        if (is_before(image[1 + i], image[1 + turn])) turn = i;
+    Tetrahedron found;
+    found.corners[0] = image[0];
+    positions[0] = orders[least][0];
+    for (unsigned i = 0; i < 3; ++i) {
+        const unsigned k = 1 + (turn + i) % 3;
+        found.corners[i + 1] = image[k];
+        positions[i + 1] = orders[least][k];
+    }
+    return found;
+}
+
+PeriodicTetrahedra::PeriodicTetrahedra(Allocator& allocator, const Halo& halo)
+    : halo_(halo), slots_(allocator), number_of_slot_(allocator), crossings_(allocator) {
     if (halo.own_count() == 0) return;
-    Listing(halo, allocator_, stop).list(tetrahedra_, neighbors_);
+    Buffer<std::uint32_t> begin(allocator);
+    find(begin);
+    sort(begin);
+    find_crossings();
+}
+
+// Finds the tetrahedra and puts them in the order of their first corners. begin[p] is where those
+// of point p begin.
+void PeriodicTetrahedra::find(Buffer<std::uint32_t>& begin) {
+    struct Found {
+        TetId slot;
+        std::uint32_t first;  // the first corner
+    };
+    Buffer<Found> found(begin.allocator());
+    const std::size_t n = halo_.own_count();
+    begin.resize(n + 1, 0u);
+    for (TetId t = 0; t < mesh().tetrahedra.size(); ++t) {
+        const unsigned position = first_position(t);
+        if (position == 4) continue;
+        const std::uint32_t first = mesh().vertices[mesh().tetrahedra[t].v[position]].index;
+        found.push_back({t, first});
+        ++begin[first];
+    }
+    std::uint32_t sum = 0;
+    for (std::uint32_t& count : begin) sum += std::exchange(count, sum);
+    slots_.resize(found.size());
+    for (const Found& f : found) slots_[begin[f.first]++] = f.slot;
+    for (std::size_t p = n; p > 0; --p) begin[p] = begin[p - 1];
+    begin[0] = 0;
+}
+
+// Tetrahedra with consecutive numbers are anywhere in memory.
+void PeriodicTetrahedra::prefetch(std::size_t i) const {
+    constexpr std::size_t far = 24, near = 8;
+    if (i + far < slots_.size()) mesh().tetrahedra.prefetch(slots_[i + far]);
+    if (i + near >= slots_.size()) return;
+    for (const VertexId v : mesh().tetrahedra[slots_[i + near]].v)
+        mgdt::prefetch(&mesh().vertices[v]);
+}
+
+// Sorts the tetrahedra of each first corner.
+void PeriodicTetrahedra::sort(const Buffer<std::uint32_t>& begin) {
+    number_of_slot_.resize(mesh().tetrahedra.size(), none);
+    Buffer<Member> group(begin.allocator());
+    for (std::size_t p = 0; p < halo_.own_count(); ++p) {
+        group.clear();
+        for (std::uint32_t i = begin[p]; i < begin[p + 1]; ++i) {
+            prefetch(i);
+            std::uint8_t positions[4];
+            group.push_back({read(slots_[i], positions), slots_[i]});
+        }
+        std::sort(group.begin(), group.end());
+        for (std::uint32_t k = 0; k < group.size(); ++k) {
+            slots_[begin[p] + k] = group[k].slot;
+            number_of_slot_[group[k].slot] = begin[p] + k;
+        }
+    }
+}
+
+void PeriodicTetrahedra::find_crossings() {
+    Buffer<Side> sides(crossings_.allocator());
+    for (TetId slot = 0; slot < number_of_slot_.size(); ++slot) {
+        const std::uint32_t number = number_of_slot_[slot];
+        if (number == none) continue;
+        bool is_inside = true;
+        for (const FacetCode across : mesh().tetrahedra[slot].n)
+            is_inside = is_inside && number_of_slot_[tetrahedron_of(across)] != none;
+        if (is_inside) continue;
+        std::uint8_t positions[4];
+        const Tetrahedron t = read(slot, positions);
+        for (unsigned corner = 0; corner < 4; ++corner)
+            if (number_of_slot_[tetrahedron_of(mesh().tetrahedra[slot].n[positions[corner]])] ==
+                none)
+                sides.push_back(side_of(t, number, corner));
+    }
+    std::sort(sides.begin(), sides.end());
+    const auto join = [&](const Side& side, const Side& other) {
+        Neighbor n = {other.tetrahedron, {}};
+        for (unsigned c = 0; c < 3; ++c)
+            n.of[c] = static_cast<std::int8_t>(side.moved[c] - other.moved[c]);
+        crossings_.push_back({std::uint64_t{4} * side.tetrahedron + side.corner, n});
+    };
+    for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
+        const Side &a = sides[k], &b = sides[k + 1];
+        if (!a.has_facet_of(b)) continue;
+        join(a, b);
+        join(b, a);
+        ++k;
+    }
+    std::sort(crossings_.begin(), crossings_.end(),
+              [](const Crossing& a, const Crossing& b) { return a.side < b.side; });
+}
+
+PeriodicTetrahedra::Tetrahedron PeriodicTetrahedra::operator[](std::size_t i) const {
+    std::uint8_t positions[4];
+    return read(slots_[i], positions);
+}
+
+PeriodicTetrahedra::Record PeriodicTetrahedra::record(std::size_t i) const {
+    Record record;
+    std::uint8_t positions[4];
+    record.tetrahedron = read(slots_[i], positions);
+    for (unsigned corner = 0; corner < 4; ++corner) {
+        const FacetCode across = mesh().tetrahedra[slots_[i]].n[positions[corner]];
+        Neighbor& neighbor = record.neighbors[corner];
+        neighbor = {number_of_slot_[tetrahedron_of(across)], {}};
+        if (neighbor.number != none) continue;
+        const std::uint64_t side = 4 * std::uint64_t{i} + corner;
+        const Crossing* const found =
+            std::lower_bound(crossings_.begin(), crossings_.end(), side,
+                             [](const Crossing& c, std::uint64_t s) { return c.side < s; });
+        if (found != crossings_.end() && found->side == side) neighbor = found->neighbor;
+    }
+    return record;
 }
 
 }  // namespace mgdt

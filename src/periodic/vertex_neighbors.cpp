@@ -19,8 +19,9 @@ VertexNeighbors::VertexNeighbors(Allocator& allocator, const PeriodicTetrahedra&
     Buffer<std::uint64_t> first(allocator), corners(allocator);
     first.resize(points + 1, std::uint64_t{0});
     const auto each_corner = [&](const auto& f) {
-        for (std::size_t i = 0; i < tetrahedra.size(); ++i)
-            for (unsigned k = 0; k < 4; ++k) f(tetrahedra[i].corners[k].point, 4 * i + k);
+        tetrahedra.each_tetrahedron([&](std::size_t i, const PeriodicTetrahedra::Tetrahedron& t) {
+            for (unsigned k = 0; k < 4; ++k) f(t.corners[k].point, 4 * i + k);
+        });
     };
     each_corner([&](std::uint32_t point, std::size_t) { ++first[point + std::size_t{1}]; });
     for (std::size_t p = 0; p < points; ++p) first[p + 1] += first[p];
@@ -32,7 +33,9 @@ VertexNeighbors::VertexNeighbors(Allocator& allocator, const PeriodicTetrahedra&
     for (std::size_t p = 0; p < points; ++p) {
         found.clear();
         for (std::uint64_t i = from; i < first[p]; ++i) {
-            const Image* const of = tetrahedra[corners[i] / 4].corners;
+            const PeriodicTetrahedra::Tetrahedron t =
+                tetrahedra[static_cast<std::size_t>(corners[i] / 4)];
+            const Image* const of = t.corners;
             const auto own = static_cast<unsigned>(corners[i] % 4);
             for (unsigned k = 0; k < 4; ++k)
                 if (k != own)

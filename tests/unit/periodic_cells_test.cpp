@@ -110,7 +110,7 @@ TEST(Periodic, OffsetsGivePlaces) {
         for (std::size_t i = 0; i < built.tetrahedra().size(); ++i) {
             std::array<double, 3> x[4];
             for (unsigned k = 0; k < 4; ++k) {
-                const Image& image = built.tetrahedra()[i].corners[k];
+                const Image image = built.tetrahedra()[i].corners[k];
                 x[k] = built.place(
                     image.point, built.offset_from(built.tetrahedra()[i].corners[0].point, image));
             }
@@ -131,7 +131,8 @@ TEST(Periodic, DoesNotDependOnTheImagesThatAreGiven) {
         std::set<std::vector<double>> all;
         for (std::size_t i = 0; i < built.tetrahedra().size(); ++i) {
             std::vector<double> relative;
-            const Image* const corners = built.tetrahedra()[i].corners;
+            const PeriodicTetrahedra::Tetrahedron t = built.tetrahedra()[i];
+            const Image* const corners = t.corners;
             const auto first = built.place(corners[0].point, {});
             for (unsigned k = 0; k < 4; ++k) {
                 const auto x =
@@ -311,8 +312,8 @@ TEST(Periodic, StepsGiveWhatAFreshBuildGives) {
             ASSERT_EQ(built.tetrahedra().size(), fresh.tetrahedra().size());
             for (std::size_t t = 0; t < fresh.tetrahedra().size(); ++t)
                 for (unsigned k = 0; k < 4; ++k) {
-                    const Image &a = built.tetrahedra()[t].corners[k],
-                                &b = fresh.tetrahedra()[t].corners[k];
+                    const Image a = built.tetrahedra()[t].corners[k],
+                                b = fresh.tetrahedra()[t].corners[k];
                     ASSERT_TRUE(a.point == b.point && a.multiples() == b.multiples());
                 }
         }

@@ -66,7 +66,7 @@ Listing listing(const Built& built) {
     for (std::size_t i = 0; i < built.tetrahedra().size(); ++i) {
         std::array<std::int64_t, 16> t;
         for (unsigned k = 0; k < 4; ++k) {
-            const Image& image = built.tetrahedra()[i].corners[k];
+            const Image image = built.tetrahedra()[i].corners[k];
             t[4 * k] = image.point;
             for (unsigned c = 0; c < 3; ++c) t[4 * k + 1 + c] = image.multiples()[c];
         }
@@ -86,12 +86,12 @@ void expect_torus(const Built& built) {
     for (std::size_t i = 0; i < count; ++i) {
         double x[4][3];
         for (unsigned k = 0; k < 4; ++k) {
-            EXPECT_NE(built.tetrahedra().neighbor(i, k).number, PeriodicTetrahedra::none);
-            const Image& a = built.tetrahedra()[i].corners[k];
+            EXPECT_NE(built.tetrahedra().record(i).neighbors[k].number, PeriodicTetrahedra::none);
+            const Image a = built.tetrahedra()[i].corners[k];
             vertices.insert(a.point);
             built.grid().image(built.halo().point(a.point), a.multiples(), x[k]);
             for (unsigned l = 0; l < 4; ++l) {
-                const Image& b = built.tetrahedra()[i].corners[l];
+                const Image b = built.tetrahedra()[i].corners[l];
                 const Multiples of = b.multiples() - a.multiples();
                 if (a.point < b.point || (a.point == b.point && Multiples{} < of))
                     edges.insert({static_cast<int>(a.point), static_cast<int>(b.point), of[0],
@@ -281,6 +281,7 @@ TEST(Periodic, RefusedAllocationsLeaveThePoints) {
         refusal.left = i;
         try {
             built.build();
+            EXPECT_EQ(built.tetrahedra().size(), expected.size());
             Atomic<bool> cancelled{false};
             VoronoiDiagram diagram(built.allocator());
             build_periodic_diagram(built, StopRequest(cancelled), diagram);

@@ -275,9 +275,7 @@ TEST(Halo, FillsTheTorus) {
 // Checks the representatives of all classes, their order, orientation and neighbours.
 void expect_listed(const Halo& halo, const Wrapped& wrapped) {
     Allocator allocator;
-    Atomic<bool> cancelled{false};
-    PeriodicTetrahedra all(allocator);
-    all.list(halo, StopRequest(cancelled));
+    const PeriodicTetrahedra all(allocator, halo);
     std::set<Corners> expected, found;
     each_tetrahedron(halo, [&](const Corners& corners, const auto& x) {
         expected.insert(canonical(corners, x));
@@ -292,7 +290,7 @@ void expect_listed(const Halo& halo, const Wrapped& wrapped) {
         std::array<const double*, 4> places;
         std::vector<Corner> order;
         for (unsigned k = 0; k < 4; ++k) {
-            const Image& image = all[i].corners[k];
+            const Image image = all[i].corners[k];
             corners[k] = {image.point, image.multiples()};
             order.push_back(corners[k]);
             wrapped.grid.image(halo.point(image.point), image.multiples(), x[k].data());
@@ -308,7 +306,7 @@ void expect_listed(const Halo& halo, const Wrapped& wrapped) {
         EXPECT_TRUE(corners == as_given);  // the least corner is in the box already
         EXPECT_TRUE(found.insert(corners).second);
         for (unsigned k = 0; k < 4; ++k) {
-            const PeriodicTetrahedra::Neighbor& n = all.neighbor(i, k);
+            const PeriodicTetrahedra::Neighbor n = all.record(i).neighbors[k];
             if (n.number == PeriodicTetrahedra::none) {
                 EXPECT_LT(wrapped.lattice.dimensions(), 3u);
                 continue;
@@ -326,7 +324,7 @@ void expect_listed(const Halo& halo, const Wrapped& wrapped) {
                     apex = l;
             }
             EXPECT_EQ(shared, 3u);
-            const PeriodicTetrahedra::Neighbor& back = all.neighbor(n.number, apex);
+            const PeriodicTetrahedra::Neighbor back = all.record(n.number).neighbors[apex];
             EXPECT_EQ(back.number, i);
             for (unsigned c = 0; c < 3; ++c) EXPECT_EQ(back.of[c], -n.of[c]);
         }
