@@ -33,8 +33,8 @@ class PeriodicChecker {
             stop_.poll_in_step(i);
             for (unsigned k = 0; k < 4; ++k) check_side(i, k);
         }
-        if (tetrahedra_.empty()) return;
-        check_cover();
+        if (tetrahedra_.empty() && !points_span()) return;
+        if (!tetrahedra_.empty()) check_cover();
         for (std::uint32_t p = 0; p < is_corner_.size(); ++p)
             if (periodic_.vertex_of(p) == p && is_corner_[p] == 0)
                 fail(MGDT_ERR_CHECK_FAILED, "point %llu is a corner of no tetrahedron", shown(p));
@@ -144,6 +144,27 @@ class PeriodicChecker {
         for (std::uint32_t p = 0; p < is_corner_.size(); ++p)
             if (side_of(periodic_.halo().point(p)) < 0)
                 reject(i, "a point is beyond a facet of the hull");
+    }
+
+    // Whether the images of the points are not all in one plane.
+    bool points_span() const {
+        const auto n = static_cast<std::uint32_t>(is_corner_.size());
+        if (n == 0 || periodic_.dimensions() == 3) return n > 0;
+        double a[3], b[3], c[3];
+        place(image_of(0, {}), a);
+        place(image_of(0, {1, 0, 0}), b);
+        std::uint32_t next = 0;
+        if (periodic_.dimensions() == 2)
+            place(image_of(0, {0, 1, 0}), c);
+        else
+            for (bool is_line = true; is_line; ++next) {
+                if (next == n) return false;
+                place(image_of(next, {}), c);
+                is_line = collinear(a, b, c);
+            }
+        for (; next < n; ++next)
+            if (orientation(a, b, c, periodic_.halo().point(next)) != 0) return true;
+        return false;
     }
 
     // A place inside of the first tetrahedron is in no other one, and in no image of one.
