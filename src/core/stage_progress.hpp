@@ -12,6 +12,8 @@ class StageProgress {
     StageProgress(mgdt_progress_fn tell, void* user, Atomic<bool>& cancelled)
         : tell_(tell), user_(user), cancelled_(cancelled) {}
 
+    // For a call within the call, which reports nothing and may be cancelled.
+    StageProgress quiet() const { return {nullptr, nullptr, cancelled_}; }
     // Passes this share of what remains. Stages that are entered later, from 0 to 1, divide the
     // rest.
     void leave_behind(double share) { begin_ += share * (1 - begin_); }

@@ -46,6 +46,9 @@ class Halo::Round {
           mesh_(halo.triangulation_->mesh()),
           stop_(stop),
           balls_(halo.allocator_),
+          deferred_(halo.allocator_),
+          unsure_(halo.allocator_),
+          inserted_(halo.point_count()),
           most_requests_(most_requests) {
         for (unsigned k = 0; k < 3; ++k) {
             error_[k] = lattice().error_of(k, halo_.grid_->size());
@@ -94,17 +97,18 @@ class Halo::Round {
     }
     // Adds the images in the balls to the halo's list.
     void find_images() {
-        if (balls_.empty()) return;
-        collect_candidates();
-        for (std::size_t i = 0; i < balls_.size(); ++i) {
-            stop_.poll_in_step(i);
-            find_in(balls_[i]);
-        }
+        find_in_balls();
+        // Of a class that is not right, each tetrahedron needs its own images.
+        balls_.clear();
+        for (const Deferred& deferred : deferred_)
+            if (!halo_.classes_[deferred.of].is_right) queue(deferred.tetrahedron, deferred.of);
+        find_in_balls();
     }
 
   private:
     struct Ball {
         TetId tetrahedron;
+        std::uint32_t of;     // its class
         std::uint32_t point;  // a corner in the box
         double offset[3];     // of the centre from the tetrahedron's first corner
         double center[3], radius;
@@ -114,26 +118,55 @@ class Halo::Round {
         return halo_.point(mesh_.vertices[mesh_.tetrahedra[t].v[i]].index);
     }
 
-    void look_at(TetId t) {
-        const Tetrahedron& tetrahedron = mesh_.tetrahedra[t];
-        const bool is_ghost = tetrahedron.is_ghost();
-        if (!is_ghost && is_in_shell(t)) return;
-        std::uint32_t own[4];
+    // A tetrahedron whose class is being looked at.
+    struct Deferred {
+        TetId tetrahedron;
+        std::uint32_t of;
+    };
+    // The corners in the box. Returns their number.
+    unsigned find_own(const Tetrahedron& tetrahedron, std::uint32_t (&own)[4]) const {
         unsigned count = 0;
         for (const VertexId v : tetrahedron.v)
             if (v != infinite_vertex && halo_.is_own(mesh_.vertices[v].index))
                 own[count++] = mesh_.vertices[v].index;
-        if (count == 0) return;
-        Ball ball = {t, own[0], {}, {}, infinity};
-        if (!is_ghost) set(ball);
-        if (is_ghost || !is_above_cell(ball)) {
-            bool is_ready = true;
-            for (unsigned i = 0; i < count; ++i)
-                is_ready = request_basic_images(own[i]) && is_ready;
-            if (!is_ready) is_preliminary_ = true;
-            if (!is_ready || is_ghost) return;
+        return count;
+    }
+    void look_at(TetId t) {
+        const Tetrahedron& tetrahedron = mesh_.tetrahedra[t];
+        if (tetrahedron.is_ghost()) return look_at_ghost(tetrahedron);
+        std::uint32_t own[4];
+        if (is_in_shell(t) || find_own(tetrahedron, own) == 0) return;
+        const std::uint32_t of = halo_.class_of(tetrahedron);
+        Halo::Class& its_class = halo_.classes_[of];
+        if (its_class.is_right) return;
+        if (its_class.round == halo_.rounds_ + 1)
+            deferred_.push_back({t, of});
+        else if (queue(t, of))
+            its_class.round = halo_.rounds_ + 1;
+    }
+    void look_at_ghost(const Tetrahedron& tetrahedron) {
+        std::uint32_t own[4];
+        const unsigned count = find_own(tetrahedron, own);
+        if (!request_basic_images(own, count)) is_preliminary_ = true;
+    }
+    // Puts the ball of a tetrahedron on the list unless its points have to get their basic images
+    // first.
+    bool queue(TetId t, std::uint32_t of) {
+        std::uint32_t own[4];
+        const unsigned count = find_own(mesh_.tetrahedra[t], own);
+        Ball ball = {t, of, own[0], {}, {}, infinity};
+        set(ball);
+        if (!is_above_cell(ball) && !request_basic_images(own, count)) {
+            is_preliminary_ = true;
+            return false;
         }
         balls_.push_back(ball);
+        return true;
+    }
+    bool request_basic_images(const std::uint32_t* points, unsigned count) {
+        bool is_ready = true;
+        for (unsigned i = 0; i < count; ++i) is_ready = request_basic_images(points[i]) && is_ready;
+        return is_ready;
     }
     // Whether the basic images of a point were known before this round. A few points get theirs if
     // they were not; the others may not need them after that.
@@ -221,20 +254,30 @@ class Halo::Round {
             high[k] = s[k] + reach;
         }
     }
+    void find_in_balls() {
+        collect_candidates();
+        for (std::size_t i = 0; i < balls_.size(); ++i) {
+            stop_.poll_in_step(i);
+            halo_.classes_[balls_[i].of].is_right = find_in(balls_[i]);
+        }
+    }
     // The points of the box that have images in the range of a ball, but not in the shell.
     void collect_candidates() {
         const unsigned dimensions = lattice().dimensions();
-        double low[3], high[3];
-        std::fill_n(low, 3, infinity);
-        std::fill_n(high, 3, -infinity);
+        bool is_known = true;
+        double* const low = candidates_low_;
+        double* const high = candidates_high_;
         for (const Ball& ball : balls_) {
             double from[3], to[3];
             range_of(ball, from, to);
             for (unsigned k = 0; k < dimensions; ++k) {
+                is_known = is_known && from[k] >= low[k] && to[k] <= high[k];
                 low[k] = std::min(low[k], from[k]);
                 high[k] = std::max(high[k], to[k]);
             }
         }
+        if (is_known) return;
+        candidates_.clear();
         for (std::uint32_t p = 0; p < halo_.own_; ++p) {
             double s[3];
             lattice().coordinates(halo_.point(p), s);
@@ -279,27 +322,32 @@ class Halo::Round {
                 }
     }
     // Adds the image that is deepest in the ball, if there is one. Then those that are in the ball
-    // with it can wait for a later round. If there is none, adds those on the sphere. Powers find
-    // images, and the exact predicate decides.
-    void find_in(const Ball& ball) {
+    // with it can wait for a later round. If there is none, adds those on the sphere. Where doubles
+    // leave a power uncertain, the exact predicate decides. Returns whether the triangulation has
+    // all images in the closed ball, so that the tetrahedron is right.
+    bool find_in(const Ball& ball) {
         double least = 0;
-        std::uint32_t deepest = 0;
-        Multiples of_deepest = {};
+        Image deepest = {};
+        unsure_.clear();
         each_shift(ball, [&](const Multiples& k, const RoughPower& power) {
             const double before = least;
-            candidates_.find_least(power, least, deepest);
-            if (least < before) of_deepest = k;
+            std::uint32_t point = 0;
+            candidates_.search(power, least, point,
+                               [&](std::uint32_t maybe) { unsure_.push_back(image_of(maybe, k)); });
+            if (least < before) deepest = image_of(point, k);
         });
-        if (of_deepest != Multiples{} && side_of(ball, deepest, of_deepest) > 0) {
-            halo_.add(image_of(deepest, of_deepest));
-            return;
+        if (least < 0) {
+            halo_.add(deepest);
+            return false;
         }
-        each_shift(ball, [&](const Multiples& k, const RoughPower& power) {
-            candidates_.for_each_inside(power, [&](std::uint32_t point) {
-                const Image image = image_of(point, k);
-                if (!halo_.knows(image) && side_of(ball, point, k) >= 0) halo_.add(image);
-            });
-        });
+        bool is_right = true;
+        for (const Image& image : unsure_) {
+            const std::uint32_t number = halo_.number_of(image);
+            if (number < inserted_ || side_of(ball, image.point, image.multiples()) < 0) continue;
+            is_right = false;
+            halo_.add(image);
+        }
+        return is_right;
     }
     int side_of(const Ball& ball, std::uint32_t point, const Multiples& k) const {
         double x[3];
@@ -312,9 +360,15 @@ class Halo::Round {
     const Mesh& mesh_;
     const StopRequest& stop_;
     Buffer<Ball> balls_;
+    Buffer<Deferred> deferred_;
+    Buffer<Image> unsure_;
+    const std::size_t inserted_;  // points in the triangulation
     const std::size_t most_requests_;
     std::size_t requests_ = 0;
     PointTree candidates_{halo_.allocator_};
+    // The range of coordinates in which there are all candidates.
+    double candidates_low_[3] = {infinity, infinity, infinity},
+           candidates_high_[3] = {-infinity, -infinity, -infinity};
     double error_[3], low_[3], high_[3];
     bool is_preliminary_ = false;
 };
@@ -325,14 +379,43 @@ void Halo::clear() noexcept {
     images_.reset();
     known_.reset();
     basic_round_.reset();
+    classes_.reset();
+    class_numbers_.reset();
     own_ = 0;
     rounds_ = 0;
 }
 
-bool Halo::knows(const Image& image) const {
-    return !images_.empty() && known_.find(hash_of(image), [&](std::uint32_t i) {
-        return are_equal(images_[i], image);
-    }) != NumberTable::none;
+// The index of an image; NumberTable::none if it is not known.
+std::uint32_t Halo::number_of(const Image& image) const {
+    if (images_.empty()) return NumberTable::none;
+    const std::uint32_t number =
+        known_.find(hash_of(image), [&](std::uint32_t i) { return are_equal(images_[i], image); });
+    return number == NumberTable::none ? number : static_cast<std::uint32_t>(own_ + number);
+}
+
+// The number of a tetrahedron's class.
+std::uint32_t Halo::class_of(const Tetrahedron& tetrahedron) {
+    const Mesh& mesh = triangulation_->mesh();
+    Class its = {{}, 0, false};
+    for (unsigned i = 0; i < 4; ++i) {
+        const Image corner = image(mesh.vertices[tetrahedron.v[i]].index);
+        unsigned k = i;
+        for (; k > 0 && is_before(corner, its.corners[k - 1]); --k)
+            its.corners[k] = its.corners[k - 1];
+        its.corners[k] = corner;
+    }
+    std::uint32_t hash = 0;
+    const Multiples first = its.corners[0].multiples();
+    for (Image& corner : its.corners) {
+        corner = image_of(corner.point, corner.multiples() - first);
+        hash = (hash ^ hash_of(corner)) * 0x9E3779B1u;
+    }
+    class_numbers_.reserve(classes_.size() + 1);
+    const std::uint32_t number = class_numbers_.number(hash ^ hash >> 15, [&](std::uint32_t i) {
+        return std::equal(its.corners, its.corners + 4, classes_[i].corners, are_equal);
+    });
+    if (number == classes_.size()) classes_.push_back(its);
+    return number;
 }
 
 // Adds an image to the list unless it is known. Returns whether it is new.
@@ -470,6 +553,8 @@ void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Im
         first = known;
         ++rounds_;
     } while (point_count() > first || is_preliminary);
+    classes_.reset();
+    class_numbers_.reset();
 }
 
 }  // namespace mgdt

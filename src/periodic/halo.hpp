@@ -4,7 +4,8 @@
 //
 // The first halo is a shell around the box. Then every tetrahedron at a point of the box is looked
 // at: the images in its circumball have to be known. Those that are not are inserted, until there
-// are none. docs/theory.md, "Periodic boxes", proves that this ends and what the result is.
+// are none. A tetrahedron that was found right is right at all its images too. docs/theory.md,
+// "Periodic boxes", proves that this ends and what the result is.
 #pragma once
 
 #include <optional>
@@ -43,7 +44,9 @@ class Halo {
           points_(allocator),
           images_(allocator),
           known_(allocator),
-          basic_round_(allocator) {}
+          basic_round_(allocator),
+          classes_(allocator),
+          class_numbers_(allocator) {}
 
     // Triangulates points that are wrapped and on the grid, three coordinates each, and what halo
     // they need. The first halo has the images that are expected, which may be any. Throws as
@@ -74,6 +77,9 @@ class Halo {
     void list_used_images(Buffer<UsedImage>& used) const;
     // Memory that the allocator of the halo does not count.
     std::size_t bytes_elsewhere() const;
+    // Of the points of the box, all images are in the halo whose coordinate along vector k exceeds
+    // the box by no more than this.
+    double shell(unsigned k) const { return shell_[k]; }
     // The number of rounds in which images were added to the first halo.
     unsigned rounds() const { return rounds_; }
 
@@ -81,7 +87,7 @@ class Halo {
     class Round;
     friend class Round;
     void add_first_halo();
-    bool knows(const Image& image) const;
+    std::uint32_t number_of(const Image& image) const;
     bool add(const Image& image);
     void insert(std::size_t first, StageProgress& progress);
 
@@ -95,6 +101,16 @@ class Halo {
     // lattice point, counted from 1, or 0.
     Buffer<std::uint32_t> basic_round_;
     double shell_[3] = {};  // all images are known whose coordinates exceed the box by no more
+    // Classes of tetrahedra, up to multiples of the lattice, whose balls are not in the shell.
+    // Their memory is given back at the end of a build.
+    struct Class {
+        Image corners[4];     // sorted, and moved such that the multiples of the first are 0
+        std::uint32_t round;  // in which its ball was looked at, counted from 1; or 0
+        bool is_right;        // whether it is one of the infinite set's
+    };
+    std::uint32_t class_of(const Tetrahedron& tetrahedron);
+    Buffer<Class> classes_;
+    NumberTable class_numbers_;
     std::size_t own_ = 0;
     unsigned rounds_ = 0;
     bool passes_through_ = false;  // whether the triangulation uses the allocator

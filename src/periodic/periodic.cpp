@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "periodic/image_prediction.hpp"
+
 namespace mgdt {
 
 Periodic::Periodic(unsigned dimensions, const double* vectors, mgdt_alloc_fn alloc,
@@ -116,6 +118,8 @@ void Periodic::build() {
         const StopRequest stop = call.stop_request();
         Buffer<Image> expected(allocator_);
         find_expected_images(expected);
+        if (expected.empty())
+            predict_images(*grid_, wrapped, settings_.threads, progress, stop, expected);
         halo_.build(*grid_, std::move(wrapped), expected, settings_.threads, progress, stop);
     } catch (...) {
         forget_results();

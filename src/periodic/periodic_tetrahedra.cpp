@@ -31,17 +31,17 @@ struct Member {
 
 // A side whose neighbour is not in the mesh as a listed tetrahedron: another one of its class is.
 // It has the same facet, moved.
-struct Side {
+struct OpenSide {
     Image corners[3];  // sorted, and moved such that the multiples of the first are 0
     std::int8_t moved[4];
     std::uint32_t tetrahedron, corner;
 
-    bool has_facet_of(const Side& other) const {
+    bool has_facet_of(const OpenSide& other) const {
         for (unsigned i = 0; i < 3; ++i)
             if (compare(corners[i], other.corners[i]) != 0) return false;
         return true;
     }
-    bool operator<(const Side& other) const {
+    bool operator<(const OpenSide& other) const {
         for (unsigned i = 0; i < 3; ++i)
             if (const int c = compare(corners[i], other.corners[i]); c != 0) return c < 0;
         return tetrahedron != other.tetrahedron ? tetrahedron < other.tetrahedron
@@ -49,8 +49,8 @@ struct Side {
     }
 };
 
-Side side_of(const Tetrahedron& t, std::uint32_t number, unsigned corner) {
-    Side side = {{}, {}, number, corner};
+OpenSide side_of(const Tetrahedron& t, std::uint32_t number, unsigned corner) {
+    OpenSide side = {{}, {}, number, corner};
     for (unsigned i = 0, k = 0; i < 4; ++i)
         if (i != corner) side.corners[k++] = t.corners[i];
     std::sort(side.corners, side.corners + 3, is_before);
@@ -165,7 +165,7 @@ void PeriodicTetrahedra::sort(const Buffer<std::uint32_t>& begin) {
 }
 
 void PeriodicTetrahedra::find_crossings() {
-    Buffer<Side> sides(crossings_.allocator());
+    Buffer<OpenSide> sides(crossings_.allocator());
     for (TetId slot = 0; slot < number_of_slot_.size(); ++slot) {
         const std::uint32_t number = number_of_slot_[slot];
         if (number == none) continue;
@@ -181,14 +181,14 @@ void PeriodicTetrahedra::find_crossings() {
                 sides.push_back(side_of(t, number, corner));
     }
     std::sort(sides.begin(), sides.end());
-    const auto join = [&](const Side& side, const Side& other) {
+    const auto join = [&](const OpenSide& side, const OpenSide& other) {
         Neighbor n = {other.tetrahedron, {}};
         for (unsigned c = 0; c < 3; ++c)
             n.of[c] = static_cast<std::int8_t>(side.moved[c] - other.moved[c]);
         crossings_.push_back({std::uint64_t{4} * side.tetrahedron + side.corner, n});
     };
     for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
-        const Side &a = sides[k], &b = sides[k + 1];
+        const OpenSide &a = sides[k], &b = sides[k + 1];
         if (!a.has_facet_of(b)) continue;
         join(a, b);
         join(b, a);

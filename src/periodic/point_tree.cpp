@@ -8,7 +8,7 @@ namespace mgdt {
 void PointTree::make(const StopRequest& stop) {
     nodes_.clear();
     if (points_.empty()) return;
-    nodes_.set_capacity(4 * (points_.size() / most_in_leaf + 1));
+    nodes_.set_capacity(4 * (points_.size() / most_in_leaf_ + 1));
     make(0, static_cast<std::uint32_t>(points_.size()), stop);
 }
 
@@ -26,7 +26,7 @@ std::uint32_t PointTree::make(std::uint32_t begin, std::uint32_t end, const Stop
     node.begin = begin;
     node.end = end;
     nodes_.push_back(node);
-    if (end - begin <= most_in_leaf) return number;
+    if (end - begin <= most_in_leaf_) return number;
     unsigned axis = 0;
     for (unsigned k = 1; k < 3; ++k)
         if (node.high[k] - node.low[k] > node.high[axis] - node.low[axis]) axis = k;
@@ -37,30 +37,6 @@ std::uint32_t PointTree::make(std::uint32_t begin, std::uint32_t end, const Stop
     const std::uint32_t second = make(middle, end, stop);
     nodes_[number].second = second;
     return number;
-}
-
-void PointTree::find_least_in(std::uint32_t number, const RoughPower& power, double& least,
-                              std::uint32_t& point) const {
-    const Node& node = nodes_[number];
-    if (node.second == 0) {
-        for (std::uint32_t i = node.begin; i < node.end; ++i) {
-            const double value = power.of(points_[i].x);
-            if (!(value < least)) continue;
-            least = value;
-            point = points_[i].number;
-        }
-        return;
-    }
-    std::uint32_t children[2] = {number + 1, node.second};
-    double bounds[2];
-    for (unsigned i = 0; i < 2; ++i)
-        bounds[i] = power.least_in(nodes_[children[i]].low, nodes_[children[i]].high);
-    if (bounds[1] < bounds[0]) {
-        std::swap(children[0], children[1]);
-        std::swap(bounds[0], bounds[1]);
-    }
-    for (unsigned i = 0; i < 2; ++i)
-        if (bounds[i] < least) find_least_in(children[i], power, least, point);
 }
 
 }  // namespace mgdt

@@ -12,29 +12,42 @@ namespace mgdt {
 
 class PointTree {
   public:
-    explicit PointTree(Allocator& allocator) : points_(allocator), nodes_(allocator) {}
+    explicit PointTree(Allocator& allocator, std::size_t most_in_leaf = 8)
+        : points_(allocator), nodes_(allocator), most_in_leaf_(most_in_leaf) {}
 
     void push(std::uint32_t number, const double* x) {
         points_.push_back({{x[0], x[1], x[2]}, number});
+    }
+    void clear() {
+        points_.clear();
+        nodes_.clear();
     }
     std::size_t size() const { return points_.size(); }
     // Makes the tree of all points that were pushed. O(n log n).
     void make(const StopRequest& stop);
 
-    // The point with the least power, if that is less than `least`, which becomes its power.
-    // Otherwise `point` stays as it is. Powers are rounded.
-    void find_least(const RoughPower& power, double& least, std::uint32_t& point) const {
-        if (!nodes_.empty()) find_least_in(0, power, least, point);
-    }
-    // Calls f(number) for each point that may be in the closed ball of the power.
+    // The number of a point, in the order of the leaves.
+    std::uint32_t number(std::uint32_t i) const { return points_[i].number; }
+    // Calls f(begin, end) for each leaf.
     template <class F>
-    void for_each_inside(const RoughPower& power, const F& f) const {
-        if (!nodes_.empty()) for_each_in(0, power, f);
+    void each_leaf(const F& f) const {
+        for (const Node& node : nodes_)
+            if (node.second == 0) f(node.begin, node.end);
+    }
+    // Finds the point that is deepest in a ball: of those that are inside for certain, the one with
+    // the least power, if that is less than `least`, which becomes its power. Otherwise `deepest`
+    // stays as it is. Powers are rounded. As long as `least` is 0, which it is to begin with, calls
+    // unsure(number) for each point that may be in the closed ball.
+    template <class F>
+    void search(const RoughPower& power, double& least, std::uint32_t& deepest,
+                const F& unsure) const {
+        if (nodes_.empty()) return;
+        const double error = power.error_in(nodes_[0].low, nodes_[0].high);
+        if (power.least_in(nodes_[0].low, nodes_[0].high) <= (least < 0 ? least : error))
+            search_in(0, power, error, least, deepest, unsure);
     }
 
   private:
-    static constexpr std::size_t most_in_leaf = 8;
-
     struct Point {
         double x[3];
         std::uint32_t number;
@@ -46,26 +59,44 @@ class PointTree {
         std::uint32_t second;  // the other child; 0 in a leaf
     };
     std::uint32_t make(std::uint32_t begin, std::uint32_t end, const StopRequest& stop);
-    void find_least_in(std::uint32_t number, const RoughPower& power, double& least,
-                       std::uint32_t& point) const;
     template <class F>
-    void for_each_in(std::uint32_t number, const RoughPower& power, const F& f) const;
+    void search_in(std::uint32_t number, const RoughPower& power, double error, double& least,
+                   std::uint32_t& deepest, const F& unsure) const;
 
     Buffer<Point> points_;
     Buffer<Node> nodes_;
+    const std::size_t most_in_leaf_;
 };
 
 template <class F>
-void PointTree::for_each_in(std::uint32_t number, const RoughPower& power, const F& f) const {
+void PointTree::search_in(std::uint32_t number, const RoughPower& power, double error,
+                          double& least, std::uint32_t& deepest, const F& unsure) const {
     const Node& node = nodes_[number];
-    if (!power.may_meet(node.low, node.high)) return;
-    if (node.second != 0) {
-        for_each_in(number + 1, power, f);
-        for_each_in(node.second, power, f);
+    if (node.second == 0) {
+        for (std::uint32_t i = node.begin; i < node.end; ++i) {
+            const double value = power.of(points_[i].x);
+            if (!(value <= (least < 0 ? least : error))) continue;
+            const double own_error = power.error_at(points_[i].x);
+            if (value < -own_error && value < least) {
+                least = value;
+                deepest = points_[i].number;
+            } else if (!(least < 0) && value <= own_error) {
+                unsure(points_[i].number);
+            }
+        }
         return;
     }
-    for (std::uint32_t i = node.begin; i < node.end; ++i)
-        if (power.may_be_inside(points_[i].x)) f(points_[i].number);
+    std::uint32_t children[2] = {number + 1, node.second};
+    double bounds[2];
+    for (unsigned i = 0; i < 2; ++i)
+        bounds[i] = power.least_in(nodes_[children[i]].low, nodes_[children[i]].high);
+    if (bounds[1] < bounds[0]) {
+        std::swap(children[0], children[1]);
+        std::swap(bounds[0], bounds[1]);
+    }
+    for (unsigned i = 0; i < 2; ++i)
+        if (bounds[i] <= (least < 0 ? least : error))
+            search_in(children[i], power, error, least, deepest, unsure);
 }
 
 }  // namespace mgdt

@@ -27,11 +27,11 @@ class RoughPower {
         }
         return sum;
     }
-    // Whether the point may be in the closed ball.
-    bool may_be_inside(const double* x) const {
+    // A bound on the error of of(x).
+    double error_at(const double* x) const {
         double size = 0;
         for (unsigned c = 0; c < 3; ++c) size += std::fabs(x[c] - base_[c]);
-        return !(of(x) > error_of(size));
+        return error_of(size);
     }
     // Not above of(x), by more than rounding, for any point x of the box.
     double least_in(const double* low, const double* high) const {
@@ -43,12 +43,12 @@ class RoughPower {
         }
         return sum;
     }
-    // Whether a point of the box may be in the closed ball.
-    bool may_meet(const double* low, const double* high) const {
+    // A bound on the errors of all points of the box, and of least_in() for each box within.
+    double error_in(const double* low, const double* high) const {
         double size = 0;
         for (unsigned c = 0; c < 3; ++c)
             size += std::max(std::fabs(low[c] - base_[c]), std::fabs(high[c] - base_[c]));
-        return !(least_in(low, high) > error_of(size));
+        return error_of(size);
     }
 
   private:

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "periodic/image_prediction.hpp"
 #include "periodic/periodic_cells.hpp"
 #include "periodic/periodic_check.hpp"
 
@@ -61,7 +62,7 @@ struct Built : Periodic {
 };
 
 // The listed corners of all tetrahedra, by points and multiples.
-Listing listing(const Built& built) {
+Listing listing(const Periodic& built) {
     Listing all;
     for (std::size_t i = 0; i < built.tetrahedra().size(); ++i) {
         std::array<std::int64_t, 16> t;
@@ -295,6 +296,82 @@ TEST(Periodic, RefusedAllocationsLeaveThePoints) {
         EXPECT_EQ(built.tetrahedra().size(), expected.size());
     }
     EXPECT_GT(refused, 30);
+}
+
+// 4,200 points on a line, a plane or a sphere, whose images are predicted from samples.
+std::vector<std::vector<double>> thin_sets() {
+    std::mt19937 random(21);
+    std::uniform_real_distribution<double> place(0, 1);
+    std::normal_distribution<double> normal(0, 1);
+    std::vector<double> line, plane, sphere;
+    for (int i = 0; i < 4200; ++i) {
+        const double t = place(random);
+        line.insert(line.end(), {t, 0.5, 0.5});
+        plane.insert(plane.end(), {t, place(random), 0.25});
+        double x[3], square = 0;
+        for (double& c : x) {
+            c = normal(random);
+            square += c * c;
+        }
+        for (const double c : x) sphere.push_back(0.5 + 0.4 * c / std::sqrt(square));
+    }
+    return {line, plane, sphere};
+}
+
+// The halo that no images were predicted for gives the same tetrahedra.
+TEST(Periodic, PredictedImagesChangeNothing) {
+    const Vectors cube = {1, 0, 0, 0, 1, 0, 0, 0, 1}, slab = {1, 0, 0, 0, 1, 0};
+    int predictions = 0;
+    for (const std::vector<double>& points : thin_sets())
+        for (const Vectors& box : {cube, slab}) {
+            const Built built(box, points);
+            Allocator allocator;
+            Buffer<double> wrapped(allocator);
+            for (std::uint32_t i = 0; i < points.size() / 3; ++i)
+                for (unsigned c = 0; c < 3; ++c) wrapped.push_back(built.halo().point(i)[c]);
+            Atomic<bool> cancelled{false};
+            StageProgress progress(nullptr, nullptr, cancelled);
+            const StopRequest stop(cancelled);
+            Buffer<Image> predicted(allocator);
+            predict_images(built.grid(), wrapped, 1, progress, stop, predicted);
+            Halo halo(allocator);
+            halo.build(built.grid(), std::move(wrapped), Buffer<Image>(allocator), 1, progress,
+                       stop);
+            if (!predicted.empty()) {
+                EXPECT_GT(halo.rounds(), built.halo().rounds());
+                ++predictions;
+            }
+            const PeriodicTetrahedra expected(allocator, halo);
+            ASSERT_EQ(expected.size(), built.tetrahedra().size());
+            for (std::size_t i = 0; i < expected.size(); ++i)
+                for (unsigned k = 0; k < 4; ++k) {
+                    const Image a = expected[i].corners[k], b = built.tetrahedra()[i].corners[k];
+                    ASSERT_TRUE(a.point == b.point && a.multiples() == b.multiples());
+                }
+        }
+    EXPECT_GE(predictions, 2);
+}
+
+TEST(Periodic, RefusedAllocationsInAPrediction) {
+    const Vectors cube = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const std::vector<double> points = thin_sets()[1];
+    Refusal refusal{1000000};
+    Periodic built(3, cube.data(), Refusal::allocate, Refusal::release, &refusal);
+    built.insert(points.size() / 3, points.data());
+    int refused = 0;
+    for (int i = 0;; i += 1 + i / 6) {
+        refusal.left = i;
+        try {
+            built.build();
+            if (refusal.left >= 0) break;
+        } catch (const std::bad_alloc&) {
+            ++refused;
+            EXPECT_FALSE(built.has_triangulation());
+        }
+    }
+    EXPECT_GT(refused, 15);
+    refusal.left = 1000000;
+    EXPECT_TRUE(listing(built) == listing(Built(cube, points)));
 }
 
 TEST(Periodic, CancelWithin) {
