@@ -7,7 +7,6 @@
 #include "kernel/circumsphere.hpp"
 #include "mesh/scale.hpp"
 #include "mesh/star_traversal.hpp"
-#include "periodic/point_tree.hpp"
 #include "predicates/circumcenter.hpp"
 #include "predicates/predicates.hpp"
 #include "query/locate.hpp"
@@ -265,8 +264,8 @@ class Halo::Round {
     void collect_candidates() {
         const unsigned dimensions = lattice().dimensions();
         bool is_known = true;
-        double* const low = candidates_low_;
-        double* const high = candidates_high_;
+        double* const low = halo_.candidates_low_;
+        double* const high = halo_.candidates_high_;
         for (const Ball& ball : balls_) {
             double from[3], to[3];
             range_of(ball, from, to);
@@ -277,7 +276,13 @@ class Halo::Round {
             }
         }
         if (is_known) return;
-        candidates_.clear();
+        // A little more, for the next rounds.
+        for (unsigned k = 0; k < dimensions; ++k) {
+            const double more = 0.1 * (high[k] - low[k] - 1);
+            low[k] -= more;
+            high[k] += more;
+        }
+        halo_.candidates_.clear();
         for (std::uint32_t p = 0; p < halo_.own_; ++p) {
             double s[3];
             lattice().coordinates(halo_.point(p), s);
@@ -291,9 +296,9 @@ class Halo::Round {
                 return mesh_.vertices[halo_.triangulation_->point_map()[p]].index != p;
             };
             if (!is_candidate || repeats_another()) continue;
-            candidates_.push(p, halo_.point(p));
+            halo_.candidates_.push(p, halo_.point(p));
         }
-        candidates_.make(stop_);
+        halo_.candidates_.make(stop_);
     }
 
     // Calls visit(k, power) for the multiples by which images may be in the ball. `power` is that
@@ -332,8 +337,9 @@ class Halo::Round {
         each_shift(ball, [&](const Multiples& k, const RoughPower& power) {
             const double before = least;
             std::uint32_t point = 0;
-            candidates_.search(power, least, point,
-                               [&](std::uint32_t maybe) { unsure_.push_back(image_of(maybe, k)); });
+            halo_.candidates_.search(power, least, point, [&](std::uint32_t maybe) {
+                unsure_.push_back(image_of(maybe, k));
+            });
             if (least < before) deepest = image_of(point, k);
         });
         if (least < 0) {
@@ -365,10 +371,6 @@ class Halo::Round {
     const std::size_t inserted_;  // points in the triangulation
     const std::size_t most_requests_;
     std::size_t requests_ = 0;
-    PointTree candidates_{halo_.allocator_};
-    // The range of coordinates in which there are all candidates.
-    double candidates_low_[3] = {infinity, infinity, infinity},
-           candidates_high_[3] = {-infinity, -infinity, -infinity};
     double error_[3], low_[3], high_[3];
     bool is_preliminary_ = false;
 };
@@ -379,6 +381,7 @@ void Halo::clear() noexcept {
     images_.reset();
     known_.reset();
     basic_round_.reset();
+    candidates_.reset();
     classes_.reset();
     class_numbers_.reset();
     own_ = 0;
@@ -461,7 +464,7 @@ std::size_t Halo::bytes_elsewhere() const {
     return triangulation_ && !passes_through_ ? triangulation_->allocator().bytes() : 0;
 }
 
-// All images in a shell around the box that is about twice as wide as the points are apart.
+// All images in a shell around the box.
 void Halo::add_first_halo() {
     const BoxLattice& lattice = grid_->lattice();
     const unsigned dimensions = lattice.dimensions();
@@ -483,8 +486,7 @@ void Halo::add_first_halo() {
         const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
         volume *= k < dimensions ? length : std::max(high[k] - low[k], 1e-3) * length;
     }
-    constexpr double widths = 2;
-    const double width = widths * std::cbrt(volume / static_cast<double>(own_));
+    const double width = first_width * std::cbrt(volume / static_cast<double>(own_));
     for (unsigned k = 0; k < dimensions; ++k)
         shell_[k] = std::min(width * lattice.slope(k), widest_shell);
     for (std::uint32_t p = 0; p < own_; ++p) {
@@ -529,8 +531,13 @@ void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Im
     triangulation_->settings().threads = threads;
     if (own_ == 0) return;
     basic_round_.resize(own_, 0u);
+    candidates_.clear();
+    std::fill_n(candidates_low_, 3, infinity);
+    std::fill_n(candidates_high_, 3, -infinity);
     add_first_halo();
     for (const Image& image : expected) add(image);
+    // Memory for the images of later rounds too, which are few as a rule. Growth would copy all.
+    triangulation_->reserve(std::min(point_count() + point_count() / 32 + 64, max_points));
     std::size_t first = 0;
     bool is_preliminary = true;
     double done = 0;
@@ -553,6 +560,7 @@ void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Im
         first = known;
         ++rounds_;
     } while (point_count() > first || is_preliminary);
+    candidates_.reset();
     classes_.reset();
     class_numbers_.reset();
 }

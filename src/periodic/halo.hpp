@@ -13,6 +13,7 @@
 #include "core/stage_progress.hpp"
 #include "core/triangulation.hpp"
 #include "periodic/image_grid.hpp"
+#include "periodic/point_tree.hpp"
 #include "platform/number_table.hpp"
 
 namespace mgdt {
@@ -45,6 +46,7 @@ class Halo {
           images_(allocator),
           known_(allocator),
           basic_round_(allocator),
+          candidates_(allocator),
           classes_(allocator),
           class_numbers_(allocator) {}
 
@@ -78,8 +80,10 @@ class Halo {
     // Memory that the allocator of the halo does not count.
     std::size_t bytes_elsewhere() const;
     // Of the points of the box, all images are in the halo whose coordinate along vector k exceeds
-    // the box by no more than this.
+    // the box by no more than this, which is first_width times the distance of points that fill the
+    // box evenly, or less.
     double shell(unsigned k) const { return shell_[k]; }
+    static constexpr double first_width = 1.6;
     // The number of rounds in which images were added to the first halo.
     unsigned rounds() const { return rounds_; }
 
@@ -100,7 +104,11 @@ class Halo {
     // For each point of the box, the round in which the images were added that bound the cell of a
     // lattice point, counted from 1, or 0.
     Buffer<std::uint32_t> basic_round_;
-    double shell_[3] = {};  // all images are known whose coordinates exceed the box by no more
+    // All images are known whose coordinates exceed the box by no more.
+    double shell_[3] = {};
+    // Points of the box with images that may be needed, and the range of these images' coordinates.
+    PointTree candidates_;
+    double candidates_low_[3], candidates_high_[3];
     // Classes of tetrahedra, up to multiples of the lattice, whose balls are not in the shell.
     // Their memory is given back at the end of a build.
     struct Class {

@@ -25,9 +25,11 @@ bool need_many_images(const ImageGrid& grid, const Buffer<double>& points, Stage
     halo.build(grid, std::move(probe), Buffer<Image>(allocator), 1, progress, stop);
     Buffer<Halo::UsedImage> used(allocator);
     halo.list_used_images(used);
-    // Of the shell, stars of evenly spaced points need 60 % of the width.
+    // Stars of evenly spaced points need images up to 1.2 of their distances away.
+    constexpr double share = 1.2 / Halo::first_width;
     double even = 1;
-    for (unsigned k = 0; k < grid.lattice().dimensions(); ++k) even *= 1 + 1.2 * halo.shell(k);
+    for (unsigned k = 0; k < grid.lattice().dimensions(); ++k)
+        even *= 1 + 2 * share * halo.shell(k);
     return static_cast<double>(used.size()) > 1.3 * (even - 1) * static_cast<double>(count);
 }
 

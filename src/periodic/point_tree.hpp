@@ -22,6 +22,11 @@ class PointTree {
         points_.clear();
         nodes_.clear();
     }
+    // Gives the memory back.
+    void reset() noexcept {
+        points_.reset();
+        nodes_.reset();
+    }
     std::size_t size() const { return points_.size(); }
     // Makes the tree of all points that were pushed. O(n log n).
     void make(const StopRequest& stop);
