@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Volumes of the cells of points in a box, triangulation included, beside Voro++; and the diagram
 // of the cells as an object. Medians of interleaved runs, and how far the sums are from the volume
-// of the box.
+// of the box. The second table is for the same points in a periodic box.
 //
 //   cells_versus_voro [points [runs [distribution...]]]
 #include <algorithm>
@@ -76,12 +76,34 @@ double of_diagram(const std::vector<double>& xyz, const Box& box) {
     return sum;
 }
 
-double of_voro(const std::vector<double>& xyz, const Box& box) {
+mgdt::Periodic periodic_of(const std::vector<double>& xyz, const Box& box) {
+    std::array<double, 9> vectors{};
+    for (std::size_t k = 0; k < 3; ++k) vectors[4 * k] = box.high[k] - box.low[k];
+    mgdt::Periodic p(vectors);
+    p.insert(xyz);
+    p.build();
+    return p;
+}
+
+double of_periodic(const std::vector<double>& xyz, const Box& box) {
+    double sum = 0;
+    for (const double v : periodic_of(xyz, box).cell_measures(mgdt::Measure::volume)) sum += v;
+    return sum;
+}
+
+double of_periodic_diagram(const std::vector<double>& xyz, const Box& box) {
+    const mgdt::Voronoi diagram = periodic_of(xyz, box).voronoi();
+    double sum = 0;
+    for (const double v : diagram.numbers(mgdt::VoronoiNumbers::cell_volumes)) sum += v;
+    return sum;
+}
+
+double of_voro(const std::vector<double>& xyz, const Box& box, bool is_periodic) {
     // Six points a block, as its manual advises.
     const double n = static_cast<double>(xyz.size()) / 3;
     const int blocks = std::max(1, static_cast<int>(std::cbrt(n / 6)));
     voro::container all(box.low[0], box.high[0], box.low[1], box.high[1], box.low[2], box.high[2],
-                        blocks, blocks, blocks, false, false, false, 8);
+                        blocks, blocks, blocks, is_periodic, is_periodic, is_periodic, 8);
     for (std::size_t i = 0; i < xyz.size(); i += 3)
         all.put(static_cast<int>(i / 3), xyz[i], xyz[i + 1], xyz[i + 2]);
     double sum = 0;
@@ -93,6 +115,34 @@ double of_voro(const std::vector<double>& xyz, const Box& box) {
     return sum;
 }
 
+using Sum = double (*)(const std::vector<double>&, const Box&);
+
+void print_heading(const char* title) {
+    std::printf(
+        "%s\n\n| points | volumes, us a point | sum - 1 | Voro++ | sum - 1 | ratio | diagram | "
+        "sum - 1 |\n|---|---|---|---|---|---|---|---|\n",
+        title);
+}
+
+void measure(const std::string& name, std::size_t n, int runs, Sum volumes, Sum diagram,
+             bool is_periodic) {
+    const std::vector<double> xyz = mgdt::cli::generate(name, n, {});
+    const Box box = around(xyz);
+    std::vector<double> ours, theirs, diagrams;
+    double our_sum = 0, their_sum = 0, diagram_sum = 0;
+    for (int run = 0; run < runs; ++run) {
+        ours.push_back(bench::seconds([&] { our_sum = volumes(xyz, box); }));
+        diagrams.push_back(bench::seconds([&] { diagram_sum = diagram(xyz, box); }));
+        theirs.push_back(bench::seconds([&] { their_sum = of_voro(xyz, box, is_periodic); }));
+    }
+    const double per = 1e6 * 3 / static_cast<double>(xyz.size());
+    const double us = bench::median(ours), them = bench::median(theirs);
+    std::printf("| %s | %.3f | %.1e | %.3f | %.1e | %.2f | %.3f | %.1e |\n", name.c_str(), us * per,
+                our_sum / box.volume() - 1, them * per, their_sum / box.volume() - 1, them / us,
+                bench::median(diagrams) * per, diagram_sum / box.volume() - 1);
+    std::fflush(stdout);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -100,24 +150,9 @@ int main(int argc, char** argv) {
     const int runs = argc > 2 ? std::atoi(argv[2]) : 3;
     std::vector<std::string> names(argv + std::min(argc, 3), argv + argc);
     if (names.empty()) names = {"uniform"};
-    std::printf(
-        "| points | volumes, us a point | sum - 1 | Voro++ | sum - 1 | ratio | diagram | "
-        "sum - 1 |\n");
-    std::printf("|---|---|---|---|---|---|---|---|\n");
-    for (const std::string& name : names) {
-        const std::vector<double> xyz = mgdt::cli::generate(name, n, {});
-        const Box box = around(xyz);
-        std::vector<double> ours, theirs, diagrams;
-        double our_sum = 0, their_sum = 0, diagram_sum = 0;
-        for (int run = 0; run < runs; ++run) {
-            ours.push_back(bench::seconds([&] { our_sum = of_mgdt(xyz, box); }));
-            diagrams.push_back(bench::seconds([&] { diagram_sum = of_diagram(xyz, box); }));
-            theirs.push_back(bench::seconds([&] { their_sum = of_voro(xyz, box); }));
-        }
-        const double per = 1e6 * 3 / static_cast<double>(xyz.size());
-        const double us = bench::median(ours), them = bench::median(theirs);
-        std::printf("| %s | %.3f | %.1e | %.3f | %.1e | %.2f | %.3f | %.1e |\n", name.c_str(),
-                    us * per, our_sum / box.volume() - 1, them * per, their_sum / box.volume() - 1,
-                    them / us, bench::median(diagrams) * per, diagram_sum / box.volume() - 1);
-    }
+    print_heading("Points in a box");
+    for (const std::string& name : names) measure(name, n, runs, of_mgdt, of_diagram, false);
+    print_heading("\nPoints in a periodic box");
+    for (const std::string& name : names)
+        measure(name, n, runs, of_periodic, of_periodic_diagram, true);
 }
