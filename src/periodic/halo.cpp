@@ -292,9 +292,7 @@ class Halo::Round {
                                (s[k] + 1 >= high_[k] && s[k] + 1 <= high[k] + error_[k]) ||
                                (s[k] - 1 <= low_[k] && s[k] - 1 >= low[k] - error_[k]) ||
                                high[k] + error_[k] >= 2 || low[k] - error_[k] <= -1;
-            const auto repeats_another = [&] {
-                return mesh_.vertices[halo_.triangulation_->point_map()[p]].index != p;
-            };
+            const auto repeats_another = [&] { return halo_.vertex_of(p) != p; };
             if (!is_candidate || repeats_another()) continue;
             halo_.candidates_.push(p, halo_.point(p));
         }
@@ -560,6 +558,9 @@ void Halo::build(const ImageGrid& grid, Buffer<double>&& points, const Buffer<Im
         first = known;
         ++rounds_;
     } while (point_count() > first || is_preliminary);
+    // Images that were expected may be those of a point that equals another one.
+    for (Image& image : images_) image.point = vertex_of(image.point);
+    known_.reset();
     candidates_.reset();
     classes_.reset();
     class_numbers_.reset();

@@ -66,7 +66,12 @@ class Halo {
     const double* point(std::uint32_t index) const {
         return points_.begin() + 3 * std::size_t{index};
     }
-    // What a point of the triangulation is an image of.
+    // The least point of the box at the place of one.
+    std::uint32_t vertex_of(std::uint32_t point) const {
+        return triangulation_->mesh().vertices[triangulation_->point_map()[point]].index;
+    }
+    // What a point of the triangulation is an image of. Once the halo is built, that is the least
+    // of equal points.
     Image image(std::uint32_t index) const {
         return index < own_ ? Image{index, {}} : images_[index - own_];
     }

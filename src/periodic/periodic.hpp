@@ -69,10 +69,7 @@ class Periodic {
     // The number of points that are vertices; 0 if there is no triangulation.
     std::size_t vertex_count() const;
     // The least point with the same images.
-    std::uint32_t vertex_of(std::uint32_t point) const {
-        const Triangulation& t = halo_.triangulation();
-        return t.mesh().vertices[t.point_map()[point]].index;
-    }
+    std::uint32_t vertex_of(std::uint32_t point) const { return halo_.vertex_of(point); }
     // How often each of the caller's vectors has to be added to the point of an image, where the
     // caller has put it, to get the image. The image is seen from a point of the box, and so is
     // what is returned from where the caller has put that point.

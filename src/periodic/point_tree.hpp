@@ -42,13 +42,14 @@ class PointTree {
     // Finds the point that is deepest in a ball: of those that are inside for certain, the one with
     // the least power, if that is less than `least`, which becomes its power. Otherwise `deepest`
     // stays as it is. Powers are rounded. As long as `least` is 0, which it is to begin with, calls
-    // unsure(number) for each point that may be in the closed ball.
+    // unsure(number) for each point that may be in the closed ball. A power that is NaN, as those
+    // of spheres that are too large for doubles, says nothing of its point.
     template <class F>
     void search(const RoughPower& power, double& least, std::uint32_t& deepest,
                 const F& unsure) const {
         if (nodes_.empty()) return;
         const double error = power.error_in(nodes_[0].low, nodes_[0].high);
-        if (power.least_in(nodes_[0].low, nodes_[0].high) <= (least < 0 ? least : error))
+        if (!(power.least_in(nodes_[0].low, nodes_[0].high) > (least < 0 ? least : error)))
             search_in(0, power, error, least, deepest, unsure);
     }
 
@@ -80,12 +81,12 @@ void PointTree::search_in(std::uint32_t number, const RoughPower& power, double 
     if (node.second == 0) {
         for (std::uint32_t i = node.begin; i < node.end; ++i) {
             const double value = power.of(points_[i].x);
-            if (!(value <= (least < 0 ? least : error))) continue;
+            if (value > (least < 0 ? least : error)) continue;
             const double own_error = power.error_at(points_[i].x);
             if (value < -own_error && value < least) {
                 least = value;
                 deepest = points_[i].number;
-            } else if (!(least < 0) && value <= own_error) {
+            } else if (!(least < 0) && !(value > own_error)) {
                 unsure(points_[i].number);
             }
         }
@@ -100,7 +101,7 @@ void PointTree::search_in(std::uint32_t number, const RoughPower& power, double 
         std::swap(bounds[0], bounds[1]);
     }
     for (unsigned i = 0; i < 2; ++i)
-        if (bounds[i] <= (least < 0 ? least : error))
+        if (!(bounds[i] > (least < 0 ? least : error)))
             search_in(children[i], power, error, least, deepest, unsure);
 }
 

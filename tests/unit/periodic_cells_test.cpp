@@ -320,5 +320,34 @@ TEST(Periodic, StepsGiveWhatAFreshBuildGives) {
     }
 }
 
+// Points that come together in a step are one vertex, also where the images of the greater one are
+// expected and those of the other one are not.
+TEST(Periodic, StepsMayUnitePoints) {
+    std::mt19937 random(14);
+    std::uniform_real_distribution<double> place(0, 1);
+    for (const std::vector<double>& box : {cube, {1, 0, 0, 0, 2, 0}})
+        for (int i = 0; i < 200; ++i) {
+            // A few points near the middle, and one that was elsewhere and joins one of them.
+            std::vector<double> points;
+            for (int k = 0; k < 18; ++k) points.push_back(0.5 + 0.05 * place(random));
+            const std::uint32_t moving = 5;
+            for (int c = 0; c < 3; ++c) points[15 + c] = place(random);
+            Built built(box, points);
+            std::copy_n(points.begin() + 3 * (i % 5), 3, points.begin() + 15);
+            built.move(1, &moving, points.data() + 15);
+            built.build();
+            Atomic<bool> cancelled{false};
+            check_periodic(built, StopRequest(cancelled));
+            const Built fresh(box, points);
+            ASSERT_EQ(built.tetrahedra().size(), fresh.tetrahedra().size());
+            for (std::size_t t = 0; t < fresh.tetrahedra().size(); ++t)
+                for (unsigned k = 0; k < 4; ++k) {
+                    const Image a = built.tetrahedra()[t].corners[k],
+                                b = fresh.tetrahedra()[t].corners[k];
+                    ASSERT_TRUE(a.point == b.point && a.multiples() == b.multiples());
+                }
+        }
+}
+
 }  // namespace
 }  // namespace mgdt
