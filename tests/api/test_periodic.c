@@ -242,6 +242,36 @@ static void cells(void) {
     }
 }
 
+/* A hexagonal close packing, whose height is irrational: 12 faces, once the tiny ones that rounding
+ * leaves are dropped. */
+static void close_packing(void) {
+    const double height = 1.632993161855452, half = 0.8660254037844386;
+    const double vectors[9] = {1, 0, 0, -0.5, 0.8660254037844386, 0, 0, 0, 1.632993161855452};
+    double points[6], volumes[2];
+    mgdt_periodic* p = NULL;
+    mgdt_voronoi* v = NULL;
+    int64_t starts[3] = {0}, size = 0;
+    points[0] = points[1] = points[2] = 0;
+    points[3] = 0.5;
+    points[4] = half / 3;
+    points[5] = height / 2;
+    CHECK_EQUAL(mgdt_periodic_create(3, vectors, &p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_insert_points(p, 2, points), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_build(p), MGDT_OK);
+    CHECK_EQUAL(mgdt_periodic_get_cell_measures(p, MGDT_MEASURE_VOLUME, 2, volumes), MGDT_OK);
+    CHECK(volumes[0] > 0.7071067811865 && volumes[0] < 0.7071067811866);
+    CHECK(volumes[1] > 0.7071067811865 && volumes[1] < 0.7071067811866);
+    CHECK_EQUAL(mgdt_periodic_create_voronoi(p, &v), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_drop_small_faces(v, 1e-9, 0), MGDT_OK);
+    CHECK_EQUAL(mgdt_voronoi_get_size(v, MGDT_VORONOI_CELL_OFFSETS, &size), MGDT_OK);
+    CHECK_EQUAL(size, 3);
+    CHECK_EQUAL(mgdt_voronoi_get_array(v, MGDT_VORONOI_CELL_OFFSETS, 3, starts), MGDT_OK);
+    CHECK_EQUAL(starts[1] - starts[0], 12);
+    CHECK_EQUAL(starts[2] - starts[1], 12);
+    mgdt_voronoi_destroy(v);
+    mgdt_periodic_destroy(p);
+}
+
 /* Equal images are one vertex; moved points are where they are. */
 static void equal_and_moved_points(void) {
     const double xyz[9] = {0.25, 0.5, 0.75, 3.25, -1.5, 0.75, 0.5, 0.5, 0.125};
@@ -513,6 +543,7 @@ void test_periodic(void) {
         arrays_agree(dimensions, 1);
     }
     cells();
+    close_packing();
     equal_and_moved_points();
     bad_arguments();
     refused_memory();

@@ -14,6 +14,7 @@
 
 #include "../aligned.h"
 #include "handle.hpp"
+#include "mgdt/mgdt.hpp"
 
 namespace {
 
@@ -87,6 +88,58 @@ TEST(Threads, DifferentHandles) {
         });
     for (std::thread& thread : threads) thread.join();
     for (const property::Keys& k : keys) EXPECT_TRUE(k == keys[0]);
+}
+
+// What const calls make once, the list of tetrahedra and the neighbours of vertices, the threads
+// race for. A box is built by two threads.
+TEST(Threads, ConstCallsOnAPeriodicBox) {
+    const std::vector<double> xyz = random_points(is_small() ? 300 : 20000, 12);
+    const double cube[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    mgdt::Periodic p(mgdt::Points(cube, 3));
+    p.set_option(mgdt::PeriodicOption::threads, 2);
+    p.insert(xyz);
+    p.build();
+    const auto look_at = [&] {
+        std::vector<std::vector<std::int64_t>> seen;
+        for (const mgdt::PeriodicArray array :
+             {mgdt::PeriodicArray::neighbors, mgdt::PeriodicArray::tetrahedra,
+              mgdt::PeriodicArray::vertex_neighbors, mgdt::PeriodicArray::offsets})
+            seen.push_back(p.array(array));
+        double sum = 0;
+        for (const double v : p.cell_measures(mgdt::Measure::volume)) sum += v;
+        EXPECT_NEAR(sum, 1, 1e-12);
+        seen.push_back({static_cast<std::int64_t>(
+            p.voronoi().numbers(mgdt::VoronoiNumbers::cell_volumes).size())});
+        return seen;
+    };
+    std::vector<std::vector<std::vector<std::int64_t>>> views(3);
+    std::vector<std::thread> threads;
+    for (auto& view : views) threads.emplace_back([&] { view = look_at(); });
+    for (std::thread& thread : threads) thread.join();
+    const auto expected = look_at();
+    for (const auto& view : views) EXPECT_TRUE(view == expected);
+}
+
+TEST(Threads, CancelABuildInABox) {
+    // On a line, so that the halo is predicted from a sample.
+    std::vector<double> xyz = random_points(is_small() ? 5000 : 50000, 13);
+    for (std::size_t i = 0; i < xyz.size(); ++i)
+        xyz[i] = i % 3 == 0 ? static_cast<double>(i) / static_cast<double>(xyz.size()) : 0.5;
+    const double cube[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    mgdt::Periodic p(mgdt::Points(cube, 3));
+    p.insert(xyz);
+    std::atomic<bool> started{false};
+    p.set_progress([&](double) {
+        started = true;
+        return true;
+    });
+    std::thread other([&] {
+        while (!started) std::this_thread::yield();
+        p.cancel();
+    });
+    EXPECT_THROW(p.build(), mgdt::Cancelled);
+    other.join();
+    EXPECT_EQ(p.number(mgdt::PeriodicNumber::vertices), 0);
 }
 
 // The stop comes from another thread once the insertion reports its first progress.
