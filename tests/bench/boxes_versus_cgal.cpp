@@ -69,6 +69,12 @@ Options parse(int argc, char** argv) {
     return options;
 }
 
+// Rounded as mgdt rounds coordinates in a cube, so that both libraries have the same points.
+double on_grid(double x) {
+    const double rounded = std::floor(x * 0x1p47 + 0.5) * 0x1p-47;
+    return rounded < 1 ? rounded : 0;
+}
+
 // Points of [0, 1).
 Points points_of(const std::string& set, std::size_t n) {
     if (set != "axis" && set != "plane") {
@@ -80,8 +86,7 @@ Points points_of(const std::string& set, std::size_t n) {
         const bool fits = from > -0.01 && *high < 1.01;
         for (double& x : xyz) {
             if (!fits) x = (x - from) / size;
-            x -= std::floor(x);
-            if (x >= 1) x = 0;
+            x = on_grid(x - std::floor(x));
         }
         return xyz;
     }
@@ -89,7 +94,7 @@ Points points_of(const std::string& set, std::size_t n) {
     Points xyz(3 * n, 0.5);
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t k = 0; k < (set == "axis" ? 1 : 2); ++k)
-            xyz[3 * i + k] = static_cast<double>(random() >> 11) * 0x1p-53;
+            xyz[3 * i + k] = on_grid(static_cast<double>(random() >> 11) * 0x1p-53);
     return xyz;
 }
 
