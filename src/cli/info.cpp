@@ -72,6 +72,11 @@ int info(const InputOptions& options) {
         const char* const names[3] = {"x", "y", "z"};
         line(names[k], fmt::format("{} to {}", low, high));
     }
+    for (std::size_t k = 0; k < 3 && mesh.box; ++k) {
+        const double* const v = mesh.box->vectors.data() + 3 * k;
+        line(k == 0 ? "box" : "", fmt::format("{} {} {}{}", v[0], v[1], v[2],
+                                              mesh.box->repeats[k] ? "" : ", not periodic"));
+    }
     return exit_ok;
 }
 

@@ -166,6 +166,8 @@ class Periodic(CliTest):
         self.put("s.dump", DUMP.format("pp pp ff\n0 2\n0 2\n0 2", "x y z", "0 0 0", "1 1 1").encode())
         for name in ("s.xyz", "s.dump"):
             self.assertEqual(self.column("volume", name, "--box", "file"), [float("inf")] * 2)
+            self.assertIn("box            2 0 0\n               0 2 0\n               0 0 2, not periodic\n",
+                          self.mgdt("info", name).decode())
             volumes = self.column("volume", name, "--box", "file", "--periodic", "xyz")
             self.assertEqual([round(volume, 9) for volume in volumes], four)
 
