@@ -278,7 +278,7 @@ class Halo::Round {
         if (is_known) return;
         // A little more, for the next rounds.
         for (unsigned k = 0; k < dimensions; ++k) {
-            const double more = 0.1 * (high[k] - low[k] - 1);
+            const double more = 0.1 * (high[k] - low[k]);
             low[k] -= more;
             high[k] += more;
         }

@@ -355,6 +355,39 @@ TEST(Periodic, PredictedImagesChangeNothing) {
     EXPECT_GE(predictions, is_small() ? 1 : 2);
 }
 
+// A lattice, a little out of order, with a void at one face: few balls leave the shell, and in one
+// place.
+TEST(Periodic, VoidsAtAFace) {
+    const Vectors cube = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    std::mt19937 random(22);
+    std::uniform_real_distribution<double> place(0, 0.2);
+    std::vector<double> all;
+    constexpr int side = 14;
+    for (int i = 0; i < side * side * side; ++i)
+        for (const int k : {i % side, i / side % side, i / (side * side)})
+            all.push_back((k + place(random)) / side);
+    const std::vector<std::array<double, 2>> voids = {{0.097830706010922891, 0.02286881832767259},
+                                                      {0.12112120140999749, 0.035814444483591168},
+                                                      {0.12858778462906448, 0.043227967803212933},
+                                                      {0.0, 0.06},
+                                                      {0.94, 0.06}};
+    for (unsigned axis = 0; axis < 3; ++axis)
+        for (const auto& [center, square_radius] : voids) {
+            std::vector<double> points;
+            for (std::size_t i = 0; i < all.size(); i += 3) {
+                double x[3], square = 0;
+                for (unsigned c = 0; c < 3; ++c) {
+                    x[c] = all[i + c];
+                    const double d = std::fabs(x[c] - (c == axis ? center : 0.5));
+                    square += std::min(d, 1 - d) * std::min(d, 1 - d);
+                }
+                if (square > square_radius) points.insert(points.end(), x, x + 3);
+            }
+            const Built built(cube, points);
+            expect_torus(built);
+        }
+}
+
 TEST(Periodic, RefusedAllocationsInAPrediction) {
     const Vectors cube = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const std::vector<double> points = thin_sets()[1];
