@@ -293,6 +293,15 @@ TEST(Periodic, MovesAndRefuses) {
     built.build();
 }
 
+void expect_same_tetrahedra(const Built& built, const Built& fresh) {
+    ASSERT_EQ(built.tetrahedra().size(), fresh.tetrahedra().size());
+    for (std::size_t t = 0; t < fresh.tetrahedra().size(); ++t)
+        for (unsigned k = 0; k < 4; ++k) {
+            const Image a = built.tetrahedra()[t].corners[k], b = fresh.tetrahedra()[t].corners[k];
+            ASSERT_TRUE(a.point == b.point && a.multiples() == b.multiples());
+        }
+}
+
 // After each time step, the triangulation is that of the points, as if they were given anew.
 TEST(Periodic, StepsGiveWhatAFreshBuildGives) {
     std::mt19937 random(12);
@@ -309,13 +318,7 @@ TEST(Periodic, StepsGiveWhatAFreshBuildGives) {
             built.move(200, all.data() + 100, points.data() + 300);
             built.build();
             const Built fresh(box, points);
-            ASSERT_EQ(built.tetrahedra().size(), fresh.tetrahedra().size());
-            for (std::size_t t = 0; t < fresh.tetrahedra().size(); ++t)
-                for (unsigned k = 0; k < 4; ++k) {
-                    const Image a = built.tetrahedra()[t].corners[k],
-                                b = fresh.tetrahedra()[t].corners[k];
-                    ASSERT_TRUE(a.point == b.point && a.multiples() == b.multiples());
-                }
+            expect_same_tetrahedra(built, fresh);
         }
     }
 }
@@ -339,13 +342,7 @@ TEST(Periodic, StepsMayUnitePoints) {
             Atomic<bool> cancelled{false};
             check_periodic(built, StopRequest(cancelled));
             const Built fresh(box, points);
-            ASSERT_EQ(built.tetrahedra().size(), fresh.tetrahedra().size());
-            for (std::size_t t = 0; t < fresh.tetrahedra().size(); ++t)
-                for (unsigned k = 0; k < 4; ++k) {
-                    const Image a = built.tetrahedra()[t].corners[k],
-                                b = fresh.tetrahedra()[t].corners[k];
-                    ASSERT_TRUE(a.point == b.point && a.multiples() == b.multiples());
-                }
+            expect_same_tetrahedra(built, fresh);
         }
 }
 
