@@ -334,7 +334,7 @@ TEST(Periodic, StepsMayUnitePoints) {
             std::vector<double> points;
             for (int k = 0; k < 18; ++k) points.push_back(0.5 + 0.05 * place(random));
             const std::uint32_t moving = 5;
-            for (int c = 0; c < 3; ++c) points[15 + c] = place(random);
+            for (std::size_t c = 15; c < 18; ++c) points[c] = place(random);
             Built built(box, points);
             std::copy_n(points.begin() + 3 * (i % 5), 3, points.begin() + 15);
             built.move(1, &moving, points.data() + 15);
