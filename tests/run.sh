@@ -48,8 +48,16 @@ passed=0
 failed=0
 say() { printf '\n== %s\n' "$*"; }
 pass() { passed=$((passed + 1)); echo "passed: $*"; }
-lose() { failed=$((failed + 1)); echo "failed: $*"; }
+# What failed is said again at the end, where it is not lost among what passed.
+failures=
+lose() {
+    failed=$((failed + 1))
+    failures="$failures
+failed: $*"
+    echo "failed: $*"
+}
 finish() {
+    [ -z "$failures" ] || printf '\n== what failed%s\n' "$failures"
     printf '\n%d passed, %d failed\n' "$passed" "$failed"
     [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
     exit
@@ -89,6 +97,11 @@ compile() { # folder, suites or "all"
     # shellcheck disable=SC2086 # targets are words
     ninja -C "$1" -j "$jobs" $targets >"$builds/compile.log" 2>&1
 }
+# What a run of tests printed of those that did not pass: the end of their output, and their names.
+failures_in() { # what `meson test --print-errorlogs` printed
+    awk '/^Summary of Failures/ { exit } /^ *[0-9]+\/[0-9]+ / { bad = !/ OK / } bad' "$1" | tail -n 80
+    awk '/^Summary of Failures/ { exit } /^ *[0-9]+\/[0-9]+ / && !/ OK /' "$1"
+}
 tests_of() { # command...
     say "$@"
     "$@" >"$builds/test.log" 2>&1
@@ -96,9 +109,13 @@ tests_of() { # command...
     cat "$builds/test.log"
     before=$((passed + failed)) failed_before=$failed
     count_tests "$builds/test.log"
-    if [ $((passed + failed)) -eq $before ]; then
+    if [ "$failed" -ne "$failed_before" ]; then
+        failures="$failures
+$*
+$(failures_in "$builds/test.log")"
+    elif [ $((passed + failed)) -eq $before ]; then
         lose "$* ran nothing"
-    elif [ $status -ne 0 ] && [ "$failed" -eq $failed_before ]; then
+    elif [ $status -ne 0 ]; then
         lose "$* ended with status $status"
     fi
 }
