@@ -211,10 +211,6 @@ void BoxLattice::set_dual() {
     }
 }
 
-void BoxLattice::coordinates(const double* x, double (&s)[3]) const {
-    for (unsigned k = 0; k < 3; ++k) s[k] = dot(dual_[k], x);
-}
-
 void BoxLattice::callers_vector(unsigned k, double (&x)[3]) const {
     // Coordinates of the vector are integers, and near to those of the given one.
     double s[3];

@@ -46,7 +46,10 @@ class BoxLattice {
     // A vector of the basis, shortest first, and from dimensions() on an orthogonal complement.
     const double* vector(unsigned k) const { return basis_[k]; }
     // How often a place contains each of the three vectors. The errors are at most error_of().
-    void coordinates(const double* x, double (&s)[3]) const;
+    void coordinates(const double* x, double (&s)[3]) const {
+        for (unsigned k = 0; k < 3; ++k)
+            s[k] = dual_[k][0] * x[0] + dual_[k][1] * x[1] + dual_[k][2] * x[2];
+    }
     double error_of(unsigned k, double distance_from_origin) const {
         return coordinate_error * slope_[k] * distance_from_origin;
     }
