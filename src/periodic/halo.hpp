@@ -12,6 +12,7 @@
 
 #include "core/stage_progress.hpp"
 #include "core/triangulation.hpp"
+#include "periodic/image_cells.hpp"
 #include "periodic/image_grid.hpp"
 #include "periodic/point_tree.hpp"
 #include "platform/number_table.hpp"
@@ -46,6 +47,7 @@ class Halo {
           images_(allocator),
           known_(allocator),
           basic_round_(allocator),
+          candidate_cells_(allocator),
           candidates_(allocator),
           classes_(allocator),
           class_numbers_(allocator) {}
@@ -111,9 +113,9 @@ class Halo {
     Buffer<std::uint32_t> basic_round_;
     // All images are known whose coordinates exceed the box by no more.
     double shell_[3] = {};
-    // Points of the box with images that may be needed, and the range of these images' coordinates.
+    // Points of the box with images that may be needed: those of some cells.
+    ImageCells candidate_cells_;
     PointTree candidates_;
-    double candidates_low_[3], candidates_high_[3];
     // Classes of tetrahedra, up to multiples of the lattice, whose balls are not in the shell.
     // Their memory is given back at the end of a build.
     struct Class {

@@ -405,7 +405,7 @@ TEST(Periodic, RefusedAllocationsInAPrediction) {
             EXPECT_FALSE(built.has_triangulation());
         }
     }
-    EXPECT_GT(refused, is_small() ? 4 : 15);
+    EXPECT_GT(refused, is_small() ? 4 : 12);
     refusal.left = 1000000;
     EXPECT_TRUE(listing(built) == listing(Built(cube, points)));
 }

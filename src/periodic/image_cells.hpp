@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// A grid of cells in a periodic box, of which those are marked whose points have images that may be
+// wanted. Ranges of coordinates are those of images, and cells repeat with the periods.
+#pragma once
+
+#include <cstdint>
+
+#include "platform/memory.hpp"
+
+namespace mgdt {
+
+class ImageCells {
+  public:
+    explicit ImageCells(Allocator& allocator) : sums_(allocator), marks_(allocator) {}
+
+    // Cells of which none is marked, for n points. Directions without periods are not divided.
+    void make(unsigned dimensions, std::size_t n);
+    // Gives the memory back.
+    void reset() noexcept {
+        sums_.reset();
+        marks_.reset();
+    }
+    // Whether all cells with places in a range are marked. Not between add() and mark().
+    bool has_all(const double (&low)[3], const double (&high)[3]) const;
+    // Adds the cells of a range and those next to it. The first call after mark() or make() begins
+    // a new collection of cells; mark() marks them.
+    void add(const double (&low)[3], const double (&high)[3]);
+    void mark();
+    // Whether the cell of a point is marked, whose coordinates are from 0 to 1 within rounding.
+    bool has(const double (&s)[3]) const;
+
+  private:
+    // Cells from `first`, which is in the box, to `last`, which may be in the next one.
+    struct Block {
+        std::uint32_t first[3], last[3];
+    };
+    Block block_of(const double (&low)[3], const double (&high)[3], double more) const;
+    std::uint32_t cell_of(double s, unsigned k) const;
+    std::size_t sum_at(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+        return (std::size_t{i} * width(1) + j) * width(2) + k;
+    }
+    std::size_t mark_at(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+        return (std::size_t{i} * cells_[1] + j) * cells_[2] + k;
+    }
+    std::uint32_t width(unsigned k) const { return 2 * cells_[k] + 1; }
+    void clear_sums();
+    void sum_up();
+
+    std::uint32_t cells_[3] = {1, 1, 1};
+    // One number for each cell of two boxes along each direction, and one more. Of the cells that
+    // are being added, the differences of the number of blocks that have them; otherwise the number
+    // of marked cells below.
+    Buffer<std::int32_t> sums_;
+    Buffer<std::uint8_t> marks_;
+    bool is_adding_ = false;
+};
+
+}  // namespace mgdt
