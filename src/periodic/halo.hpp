@@ -2,10 +2,10 @@
 // The triangulation of the points in a periodic box and of their halo: the images of points that
 // the stars of these points need to be those of the infinite periodic set.
 //
-// The first halo is a shell around the box. Then every tetrahedron at a point of the box is looked
-// at: the images in its circumball have to be known. Those that are not are inserted, until there
-// are none. A tetrahedron that was found right is right at all its images too. docs/theory.md,
-// "Periodic boxes", proves that this ends and what the result is.
+// The first halo is a shell around the box. Then every tetrahedron at a point of the box whose
+// circumball leaves the shell is looked at: the images in its ball have to be known. Those that are
+// not are inserted, until there are none. A tetrahedron that was found right is right at all its
+// images too. docs/theory.md, "Periodic boxes", proves that this ends and what the result is.
 #pragma once
 
 #include <optional>
@@ -113,7 +113,7 @@ class Halo {
     Buffer<std::uint32_t> basic_round_;
     // All images are known whose coordinates exceed the box by no more.
     double shell_[3] = {};
-    // Points of the box with images that may be needed: those of some cells.
+    // Points of the box with images that may be needed: those in the marked cells.
     ImageCells candidate_cells_;
     PointTree candidates_;
     // Classes of tetrahedra, up to multiples of the lattice, whose balls are not in the shell.

@@ -6,6 +6,7 @@
 #include "kernel/circumsphere.hpp"
 #include "mesh/scale.hpp"
 #include "mesh/star_traversal.hpp"
+#include "periodic/hull_walk.hpp"
 #include "periodic/rough_power.hpp"
 #include "predicates/circumcenter.hpp"
 #include "predicates/predicates.hpp"
@@ -40,24 +41,9 @@ Halo::Round::Round(Halo& halo, std::size_t most_requests, const StopRequest& sto
 }
 
 void Halo::Round::look_at_all() {
-    Buffer<std::uint64_t> seen(halo_.allocator_);
-    Buffer<TetId> stack(halo_.allocator_);
-    seen.resize(mesh_.tetrahedra.size() / 64 + 1, 0u);
-    const auto push = [&](TetId t) {
-        const std::uint64_t bit = std::uint64_t{1} << t % 64;
-        if ((seen[t / 64] & bit) != 0) return;
-        seen[t / 64] |= bit;
-        stack.push_back(t);
-    };
-    push(mesh_.a_ghost);
-    for (std::size_t i = 0; !stack.empty(); ++i) {
-        stop_.poll_in_step(i);
-        const TetId t = stack.back();
-        stack.pop_back();
-        if (!leaves_shell(t)) continue;
-        look_at(t);
-        for (const FacetCode facet : mesh_.tetrahedra[t].n) push(tetrahedron_of(facet));
-    }
+    walk_from_hull(
+        mesh_, halo_.allocator_, stop_, [this](TetId t) { return leaves_shell(t); },
+        [this](TetId t) { look_at(t); });
 }
 
 void Halo::Round::look_at_stars(std::size_t first) {
@@ -72,7 +58,7 @@ void Halo::Round::look_at_stars(std::size_t first) {
         star.push(where.tetrahedron_of(v));
         traverse_star(mesh_, v, star, [&](FacetCode facet) { star.push(tetrahedron_of(facet)); });
         for (std::size_t i = 0; i < star.size(); ++i)
-            if (leaves_shell(star[i])) look_at(star[i]);
+            if (mesh_.tetrahedra[star[i]].is_ghost() || leaves_shell(star[i])) look_at(star[i]);
     }
 }
 
@@ -154,7 +140,6 @@ bool Halo::Round::request_basic_images(std::uint32_t point) {
 
 bool Halo::Round::leaves_shell(TetId t) const {
     const Tetrahedron& tetrahedron = mesh_.tetrahedra[t];
-    if (tetrahedron.is_ghost()) return true;
     const Sphere s = mesh_.tetrahedra.has_spheres()
                          ? mesh_.tetrahedra.sphere(t).in_doubles()
                          : circumsphere(tetrahedron, mesh_.vertices.data());

@@ -13,10 +13,10 @@ class Halo::Round {
   public:
     Round(Halo& halo, std::size_t most_requests, const StopRequest& stop);
 
-    // All tetrahedra that have points of the box as corners. Those whose balls leave the shell are
-    // connected with the ghosts by neighbours that leave it too (docs/theory.md, "Periodic boxes").
+    // Looks at all ghosts and tetrahedra that have points of the box as corners and whose balls
+    // leave the shell, where all images are known.
     void look_at_all();
-    // Those that have a point with an index of at least `first` too.
+    // Of these, looks at those that also have a point with an index of at least `first`.
     void look_at_stars(std::size_t first);
     // Whether tetrahedra were not looked at, since their points had to get their basic images
     // first.
@@ -47,7 +47,7 @@ class Halo::Round {
     };
     // The corners in the box. Returns their number.
     unsigned find_own(const Tetrahedron& tetrahedron, std::uint32_t (&own)[4]) const;
-    // Looks at a tetrahedron whose ball leaves the shell.
+    // Looks at a ghost or at a tetrahedron whose ball leaves the shell.
     void look_at(TetId t);
     void look_at_ghost(const Tetrahedron& tetrahedron);
     // Puts the ball of a tetrahedron on the list unless its points have to get their basic images
@@ -57,7 +57,7 @@ class Halo::Round {
     // Whether the basic images of a point were known before this round. A few points get theirs if
     // they were not; the others may not need them after that.
     bool request_basic_images(std::uint32_t point);
-    // Whether the ball of a tetrahedron leaves the shell, where all images are known.
+    // Whether the ball of a tetrahedron, which is no ghost, may leave the shell.
     bool leaves_shell(TetId t) const;
     bool leaves_shell(const double* center, double radius) const;
     static double size_of(const double* place) {
@@ -77,11 +77,12 @@ class Halo::Round {
     // ball, and near enough to its centre to be the nearest image of a point.
     void range_of(const Ball& ball, double (&low)[3], double (&high)[3]) const;
     void find_in_balls();
-    // Calls visit(low, high) for ranges that have what the range of a ball has outside of the
+    // Calls visit(low, high) for ranges whose union is the part of a ball's range outside of the
     // shell.
     template <class Visit>
     void each_range(const Ball& ball, const Visit& visit) const;
-    // The points of the box that have images in the range of a ball, but not in the shell.
+    // Makes the halo's candidates those that were and all points of the box with images in the
+    // range of a ball, but not in the shell.
     void collect_candidates();
 
     // Calls visit(k, power) for the multiples by which images may be in the ball. `power` is that

@@ -2,6 +2,7 @@
 #include "periodic/image_cells.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace mgdt {
@@ -11,9 +12,12 @@ namespace {
 // the points.
 constexpr double cells_per_point = 0.25;
 constexpr double most_cells = 64;  // along a vector
-// Of ranges, whose coordinates are at most a few boxes away: more than what the rounding of a
-// product with a number of cells changes.
+// Ranges are widened by this, which is more than rounding changes in coordinates of a few boxes.
 constexpr double slack = 0x1p-40;
+// Cells at this distance from a range, in sides of a cell, are marked too, for the next rounds.
+constexpr double margin = 0.25;
+// So that the sums are below 2^31.
+constexpr std::int32_t most_blocks = std::int32_t{1} << 30;
 
 }  // namespace
 
@@ -23,7 +27,7 @@ void ImageCells::make(unsigned dimensions, std::size_t n) {
         cells_[k] = k < dimensions
                         ? static_cast<std::uint32_t>(std::min(std::max(cells, 1.0), most_cells))
                         : 1;
-    is_adding_ = false;
+    added_ = 0;
     marks_.clear();
     marks_.resize(std::size_t{cells_[0]} * cells_[1] * cells_[2], std::uint8_t{0});
     clear_sums();
@@ -35,13 +39,13 @@ void ImageCells::clear_sums() {
 }
 
 ImageCells::Block ImageCells::block_of(const double (&low)[3], const double (&high)[3],
-                                       double more) const {
+                                       double distance) const {
     Block block = {};
     for (unsigned k = 0; k < 3; ++k) {
         if (cells_[k] == 1) continue;
         const double n = cells_[k];
-        const double first = std::floor((low[k] - slack) * n - more);
-        const double last = std::floor((high[k] + slack) * n + more);
+        const double first = std::floor((low[k] - slack) * n - distance);
+        const double last = std::floor((high[k] + slack) * n + distance);
         const double box = std::floor(first / n) * n;
         const bool is_all = !(last - first < n);
         block.first[k] = is_all ? 0 : static_cast<std::uint32_t>(first - box);
@@ -63,6 +67,7 @@ bool ImageCells::has(const double (&s)[3]) const {
 }
 
 bool ImageCells::has_all(const double (&low)[3], const double (&high)[3]) const {
+    assert(added_ == 0 && "cells that were added are to be marked first");
     const Block block = block_of(low, high, 0);
     std::int32_t marked = 0, size = 1;
     for (unsigned k = 0; k < 3; ++k)
@@ -82,9 +87,9 @@ bool ImageCells::has_all(const double (&low)[3], const double (&high)[3]) const 
 }
 
 void ImageCells::add(const double (&low)[3], const double (&high)[3]) {
-    if (!is_adding_) clear_sums();
-    is_adding_ = true;
-    const Block block = block_of(low, high, 0.25);
+    if (added_ == most_blocks) mark();
+    if (added_++ == 0) clear_sums();
+    const Block block = block_of(low, high, margin);
     for (unsigned end = 0; end < 8; ++end) {
         std::uint32_t at[3];
         bool is_odd = false;
@@ -120,7 +125,7 @@ void ImageCells::mark() {
         for (std::uint32_t j = 0; j + 1 < width(1); ++j)
             for (std::uint32_t k = 0; k + 1 < width(2); ++k)
                 if (sums_[sum_at(i, j, k)] > 0) mark_below(i, j, k) = 1;
-    is_adding_ = false;
+    added_ = 0;
     clear_sums();
     for (std::uint32_t i = 1; i < width(0); ++i)
         for (std::uint32_t j = 1; j < width(1); ++j)

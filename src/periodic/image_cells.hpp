@@ -20,13 +20,15 @@ class ImageCells {
         sums_.reset();
         marks_.reset();
     }
-    // Whether all cells with places in a range are marked. Not between add() and mark().
+    // Whether all cells with places in a range are marked. add() may not have been called since
+    // mark().
     bool has_all(const double (&low)[3], const double (&high)[3]) const;
-    // Adds the cells of a range and those next to it. The first call after mark() or make() begins
-    // a new collection of cells; mark() marks them.
+    // Adds the cells with places in a range, and those that are very near to it, to the cells that
+    // mark() marks. What was marked stays so.
     void add(const double (&low)[3], const double (&high)[3]);
     void mark();
-    // Whether the cell of a point is marked, whose coordinates are from 0 to 1 within rounding.
+    // Whether the cell of a point is marked, whose coordinates are from 0 to 1, or a little less or
+    // more.
     bool has(const double (&s)[3]) const;
 
   private:
@@ -34,7 +36,7 @@ class ImageCells {
     struct Block {
         std::uint32_t first[3], last[3];
     };
-    Block block_of(const double (&low)[3], const double (&high)[3], double more) const;
+    Block block_of(const double (&low)[3], const double (&high)[3], double distance) const;
     std::uint32_t cell_of(double s, unsigned k) const;
     std::size_t sum_at(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
         return (std::size_t{i} * width(1) + j) * width(2) + k;
@@ -47,12 +49,12 @@ class ImageCells {
     void sum_up();
 
     std::uint32_t cells_[3] = {1, 1, 1};
-    // One number for each cell of two boxes along each direction, and one more. Of the cells that
-    // are being added, the differences of the number of blocks that have them; otherwise the number
-    // of marked cells below.
+    // For the cells of two boxes along each direction, and one more: if blocks were added since
+    // mark(), the differences of the number of blocks that have the cells; otherwise the number of
+    // marked cells below.
     Buffer<std::int32_t> sums_;
     Buffer<std::uint8_t> marks_;
-    bool is_adding_ = false;
+    std::int32_t added_ = 0;  // blocks since mark()
 };
 
 }  // namespace mgdt

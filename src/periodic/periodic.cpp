@@ -99,10 +99,8 @@ void Periodic::wrap(Buffer<double>& wrapped) {
                  "%.0f times the least distance of images",
                  number(i), BoxLattice::largest_ratio);
     grid_.emplace(lattice_, reach);
-    wrapped.set_capacity(3 * n);
-    wrapped.resize_within_capacity(3 * n);
-    taken_.set_capacity(n);
-    taken_.resize_within_capacity(n);
+    wrapped.resize(3 * n);
+    taken_.resize(n);
     for (std::size_t i = 0; i < n; ++i)
         if (!grid_->wrap(given_.begin() + 3 * i, wrapped.begin() + 3 * i, taken_[i]))
             fail(MGDT_ERR_INVALID_ARGUMENT, "point %llu is more than %.0f boxes away from the box",
