@@ -66,40 +66,35 @@ bool ImageCells::has(const double (&s)[3]) const {
     return marks_[mark_at(cell_of(s[0], 0), cell_of(s[1], 1), cell_of(s[2], 2))] != 0;
 }
 
+template <class Visit>
+void ImageCells::each_corner(const Block& block, const Visit& visit) const {
+    for (unsigned end = 0; end < 8; ++end) {
+        std::uint32_t at[3];
+        std::int32_t sign = 1;
+        for (unsigned k = 0; k < 3; ++k) {
+            const bool is_last = (end >> k & 1) != 0;
+            at[k] = is_last ? block.last[k] + 1 : block.first[k];
+            if (is_last) sign = -sign;
+        }
+        visit(sum_at(at[0], at[1], at[2]), sign);
+    }
+}
+
 bool ImageCells::has_all(const double (&low)[3], const double (&high)[3]) const {
     assert(added_ == 0 && "cells that were added are to be marked first");
     const Block block = block_of(low, high, 0);
     std::int32_t marked = 0, size = 1;
     for (unsigned k = 0; k < 3; ++k)
         size *= static_cast<std::int32_t>(block.last[k] - block.first[k] + 1);
-    for (unsigned end = 0; end < 8; ++end) {
-        std::uint32_t at[3];
-        bool is_odd = true;
-        for (unsigned k = 0; k < 3; ++k) {
-            const bool is_last = (end >> k & 1) != 0;
-            at[k] = is_last ? block.last[k] + 1 : block.first[k];
-            is_odd = is_odd != is_last;
-        }
-        const std::int32_t sum = sums_[sum_at(at[0], at[1], at[2])];
-        marked += is_odd ? -sum : sum;
-    }
+    each_corner(block, [&](std::size_t at, std::int32_t sign) { marked -= sign * sums_[at]; });
     return marked == size;
 }
 
 void ImageCells::add(const double (&low)[3], const double (&high)[3]) {
     if (added_ == most_blocks) mark();
     if (added_++ == 0) clear_sums();
-    const Block block = block_of(low, high, margin);
-    for (unsigned end = 0; end < 8; ++end) {
-        std::uint32_t at[3];
-        bool is_odd = false;
-        for (unsigned k = 0; k < 3; ++k) {
-            const bool is_last = (end >> k & 1) != 0;
-            at[k] = is_last ? block.last[k] + 1 : block.first[k];
-            is_odd = is_odd != is_last;
-        }
-        sums_[sum_at(at[0], at[1], at[2])] += is_odd ? -1 : 1;
-    }
+    each_corner(block_of(low, high, margin),
+                [&](std::size_t at, std::int32_t sign) { sums_[at] += sign; });
 }
 
 // Replaces each number by the sum of those up to it.

@@ -37,6 +37,10 @@ class ImageCells {
         std::uint32_t first[3], last[3];
     };
     Block block_of(const double (&low)[3], const double (&high)[3], double distance) const;
+    // Calls visit(at, sign) for the places of a block's eight corners in sums_. The sign is 1 at
+    // the first cell and changes with each direction in which the corner is behind the last cell.
+    template <class Visit>
+    void each_corner(const Block& block, const Visit& visit) const;
     std::uint32_t cell_of(double s, unsigned k) const;
     std::size_t sum_at(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
         return (std::size_t{i} * width(1) + j) * width(2) + k;
