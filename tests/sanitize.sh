@@ -5,7 +5,7 @@ set -u
 
 usage() {
     cat <<'END'
-usage: sh tests/sanitize.sh [--full] [--jobs N] TOOL [TEST...]
+usage: sh tests/sanitize.sh [--full] [--built FOLDER] [--jobs N] TOOL [TEST...]
 
 Builds in build-tests/ and runs the tests, or those that are named, on smaller sets. Ends with
 status 0 if the tool has found nothing.
@@ -16,15 +16,16 @@ status 0 if the tool has found nothing.
   memcheck   Valgrind's memcheck: as address, and values that were never set
   helgrind   Valgrind's Helgrind: as thread, found in another way
 
-  --full     sets of full size; not under Valgrind
-  --jobs N   parallel jobs (default: the number of processors)
+  --full          sets of full size; under memcheck small ones, instead of the smallest
+  --built FOLDER  runs the tests of build-tests/FOLDER as it is
+  --jobs N        parallel jobs (default: the number of processors)
 
 CC and CXX choose the compiler: CC=clang CXX=clang++ sh tests/sanitize.sh undefined
 END
 }
 
-known_options='full jobs='
-full=no
+known_options='full built= jobs='
+full=no built=
 . "$(dirname "$0")/options.sh"
 MGDT_TEST_SMALL=1
 export MGDT_TEST_SMALL
@@ -45,8 +46,8 @@ address | undefined | thread)
     # The library is linked before the program that brings what it lacks.
     options="$options -Db_lundef=false -Db_sanitize=$tool" ;;
 memcheck)
-    folder=gcc # that of tests/run.sh, if it is there
-    setup=memcheck ;;
+    setup=memcheck
+    [ $full = no ] || setup=memcheck_larger ;;
 helgrind)
     setup=helgrind
     options="$options -Dhelgrind=true" ;;
@@ -62,10 +63,13 @@ if [ "$tool" = thread ] && setarch -R true 2>/dev/null; then run='setarch -R'; f
 
 cd "$(dirname "$0")/.." || exit 1
 mkdir -p build-tests
-folder=build-tests/$folder
-# shellcheck disable=SC2086 # options are words
-if ! { [ -f "$folder/build.ninja" ] || meson setup "$folder" $options; } >"$folder.log" 2>&1 ||
-    ! meson compile -C "$folder" -j "$jobs" >>"$folder.log" 2>&1; then
+folder=build-tests/${built:-$folder}
+build() {
+    # shellcheck disable=SC2086 # options are words
+    { [ -f "$folder/build.ninja" ] || meson setup "$folder" $options; } >"$folder.log" 2>&1 &&
+        meson compile -C "$folder" -j "$jobs" >>"$folder.log" 2>&1
+}
+if [ -z "$built" ] && ! build; then
     tail -n 40 "$folder.log"
     exit 1
 fi

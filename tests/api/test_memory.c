@@ -188,7 +188,7 @@ static void every_allocation(int32_t scheme, const double* xyz,
         for (switching = 0; switching < 2; ++switching) {
             int64_t nth = 1;
             while (with_failure(nth, all, switching, scheme, xyz, expected))
-                nth += is_small() ? 5 : 1;
+                nth += is_smallest() ? 17 : is_small() ? 5 : 1;
             CHECK(nth > 5); /* the scenario does allocate */
         }
 }
@@ -262,7 +262,7 @@ static void refuse_each(source* s, const mgdt_triangulation* t, exporter export,
                         int64_t* list) {
     mgdt_status status;
     int64_t nth, before;
-    for (nth = 1;; nth += is_small() ? 7 : 1) {
+    for (nth = 1;; nth += is_smallest() ? 23 : is_small() ? 7 : 1) {
         /* One refusal: an array that wanted to grow generously may do with less. */
         before = s->calls;
         fail(s, before + nth, before + nth + 1);

@@ -6,6 +6,7 @@
 set -eu
 
 . "$(dirname "$0")/installed.sh"
+. "$here/compiling.sh"
 
 # ------------------------------------------------------------------------------ what is installed
 
@@ -70,8 +71,6 @@ all_values_are_named() { # program, flags
         (cd "$scratch/debug" && $FC -fsyntax-only $cflags "$scratch/values.f90")
 }
 
-f77_alone="$folder/mgdt_f77.f90 $folder/mgdt_voronoi_f77.f90 $folder/mgdt_domain_f77.f90 $folder/mgdt_periodic_f77.f90"
-
 # Subroutines for FORTRAN 77: names of six characters, each called by the test.
 f77_names() { sed -n 's/^subroutine \([a-z0-9]*\)(.*/\1/p' $f77_alone; }
 short_names() {
@@ -89,56 +88,12 @@ check 'names for FORTRAN 77' short_names
 
 # ------------------------------------------------------------------------- compiling and running
 
-strict='-std=f2008 -pedantic -Wall -Wextra -Wconversion -Werror'
-# The old language compares reals, and an INCLUDE brings names that are not all used.
-legacy='-std=legacy -Wall -Wextra -Werror -Wno-compare-reals -Wno-unused-parameter'
-debug='-O1 -g -fcheck=bounds,do,mem,pointer'
-traps='-Ofast -ffpe-trap=invalid,zero,overflow'
-
-# Flags that belong to the language and the calls go to the sources and their users alike.
-bindings() { # set, flags, sources
-    mkdir -p "$scratch/$1"
-    # shellcheck disable=SC2086 # flags and sources are words
-    (cd "$scratch/$1" && $FC $strict $2 -c $3)
-}
-program() { # set, flags, program, sources...
-    set_name=$1
-    flags=$2
-    name=$3
-    shift 3
-    # shellcheck disable=SC2086
-    (cd "$scratch/$set_name" && $FC $flags $cflags "$@" ./mgdt*.o $libs -o "$name")
-}
-run() { # set, program, arguments...
-    (cd "$scratch/$1" && name=$2 && shift 2 && timeout 300 "./$name" "$@")
-}
-helper() { # C file
-    # shellcheck disable=SC2086
-    $CC -std=c99 -D_POSIX_C_SOURCE=200809L -O1 -Wall -Wextra -Werror $cflags -c "$here/$1.c" -o "$scratch/$1.o"
-}
-module_program() { # set, flags, test, helper object or nothing
-    program "$1" "$strict $2" "$3" "$here/checks.f90" "$here/$3.f90" ${4:+"$scratch/$4.o"}
-}
-
 for file in counting environment overflow spy; do
     check "helper $file.c" helper $file
 done
 
-module_tests() { # set, flags
-    check "the bindings with $2" bindings "$1" "$2" \
-        "$parts_sources $folder/mgdt_f77_support.f90 $f77_alone"
-    for test in test_arrays test_parts test_voronoi test_domain test_periodic test_layouts test_points test_queries test_errors \
-        test_life:counting test_no_copies:spy test_overflow_module:overflow; do
-        name=${test%:*}
-        object=${test#"$name"}
-        check "$name compiles with $2" module_program "$1" "$2" "$name" "${object#:}"
-        check "$name runs with $2" run "$1" "$name"
-    done
-}
 covered="$debug --coverage"
 module_tests debug "$covered"
-module_tests long '-O2 -fdefault-integer-8'
-module_tests fast "$traps"
 
 # Each procedure of the module has run at least once in the first set; names with three underscores
 # are the compiler's own.
@@ -172,14 +127,6 @@ check 'no leak of diagrams' memcheck test_voronoi
 check 'no leak of domains' memcheck test_domain
 check 'no leak of boxes' memcheck test_periodic
 
-# -------------------------------------------------------------------- floating-point environment
-
-check 'test_environment compiles plainly' module_program debug "$covered" test_environment environment
-check 'test_environment compiles with traps' module_program fast "$traps" test_environment environment
-check 'the plain environment' run debug test_environment plain "$scratch/plain.results"
-check 'traps and flush-to-zero come back' run fast test_environment armed "$scratch/armed.results"
-check 'the same results, byte for byte' cmp "$scratch/plain.results" "$scratch/armed.results"
-
 # ------------------------------------------------------------------------- errors without stat
 
 stops_with() { # argument, message
@@ -193,37 +140,6 @@ check 'stops: shape' stops_with shape 'xyz has extent 2 in dimension 1; it must 
 for what in '' ' of an array' ' of a record'; do
     check "stops: assignment$what" stops_with "assignment$what" 'cannot be copied by assignment'
 done
-
-# ----------------------------------------------------------------------------------- FORTRAN 77
-
-number=0
-for flags in "$debug" -fdefault-integer-8 -fno-underscoring -fsecond-underscore \
-    '-O2 -fdefault-integer-8 -fno-underscoring' '-O2 -fdefault-integer-8 -fsecond-underscore' \
-    '-fdefault-real-8 -fdefault-double-8' "$traps" "$traps -fdefault-integer-8"; do
-    number=$((number + 1))
-    set=f77-$number
-    check "FORTRAN 77 bindings with $flags" bindings $set "$flags" "$f77_sources"
-    check "test_f77 compiles" program $set "$legacy $flags" test_f77 "$here/test_f77.f"
-    check "test_f77 runs" run $set test_f77
-    check "test_overflow compiles" program $set "$legacy $flags" test_overflow \
-        "$here/test_overflow.f" "$scratch/overflow.o"
-    check "test_overflow runs" run $set test_overflow
-    check "poisson compiles" program $set "$legacy $flags" poisson "$folder/examples/poisson.f"
-    check "poisson runs" run $set poisson
-done
-
-cat >"$scratch/free.f90" <<'END'
-program free
-    implicit none
-    include 'mgdt_f77.inc'
-    integer :: h(4), ierr
-    call mgnew(h, ierr)
-    if (ierr == mgok) call mgfree(h, ierr)
-    if (ierr /= mgok) stop 1
-end program
-END
-check 'mgdt_f77.inc in free form' program f77-1 '' free "$scratch/free.f90"
-check 'and it runs' run f77-1 free
 
 # ------------------------------------------------------------------------------------- examples
 

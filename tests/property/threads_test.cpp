@@ -122,7 +122,7 @@ TEST(Threads, ConstCallsOnAPeriodicBox) {
 
 TEST(Threads, CancelABuildInABox) {
     // On a line, so that the halo is predicted from a sample.
-    std::vector<double> xyz = random_points(is_small() ? 5000 : 50000, 13);
+    std::vector<double> xyz = random_points(is_smallest() ? 2000 : is_small() ? 5000 : 50000, 13);
     for (std::size_t i = 0; i < xyz.size(); ++i)
         xyz[i] = i % 3 == 0 ? static_cast<double>(i) / static_cast<double>(xyz.size()) : 0.5;
     const double cube[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -144,7 +144,10 @@ TEST(Threads, CancelABuildInABox) {
 
 // The stop comes from another thread once the insertion reports its first progress.
 TEST(Threads, CancelFromAnotherThread) {
-    const std::vector<double> xyz = random_points(is_small() ? 20000 : 300000, 4);
+    const std::vector<double> xyz = random_points(is_smallest() ? 8000
+                                                  : is_small()  ? 20000
+                                                                : 300000,
+                                                  4);
     const property::Handle t = property::create();
     std::atomic<bool> started{false};
     const mgdt_progress_fn tell = [](double, void* user) -> std::int32_t {
@@ -165,7 +168,10 @@ TEST(Threads, CancelFromAnotherThread) {
 
 // What breaks the thread rule while an insertion runs is refused.
 TEST(Threads, CallsThatBreakTheRuleAreRefused) {
-    const std::vector<double> xyz = random_points(is_small() ? 20000 : 60000, 11);
+    const std::vector<double> xyz = random_points(is_smallest() ? 8000
+                                                  : is_small()  ? 20000
+                                                                : 60000,
+                                                  11);
     const auto n = static_cast<std::int64_t>(xyz.size() / 3);
     const property::Handle t = property::create();
     ASSERT_EQ(mgdt_set_threads(t.get(), 2), MGDT_OK);
@@ -393,7 +399,10 @@ TEST(Threads, EdgesAreSortedAndOnce) {
 
 // Locations by several threads are those of one, on the same handle.
 TEST(Threads, LocationsAreThoseOfOne) {
-    const std::vector<double> xyz = random_points(is_small() ? 9000 : 60000, 5),
+    const std::vector<double> xyz = random_points(is_smallest() ? 4000
+                                                  : is_small()  ? 9000
+                                                                : 60000,
+                                                  5),
                               queries = random_points(20000, 6);
     const auto queried = static_cast<std::int64_t>(queries.size() / 3);
     const property::Handle t = property::create();

@@ -33,7 +33,10 @@ TEST_P(Removal, OneByOneDownToNothing) {
             std::shuffle(order.begin(), order.end(), random);
             for (std::size_t i = 0; i < order.size(); ++i) {
                 remove(*t, {order[i]});
-                if (order.size() - i < 12 || i % (is_small() ? 40 : 10) == 0) {
+                if (order.size() - i < 12 || i % (is_smallest() ? 150
+                                                  : is_small()  ? 40
+                                                                : 10) ==
+                                                 0) {
                     expect_as_fresh(*t, xyz);
                 } else {
                     ASSERT_EQ(complaint(*t), "") << i;
@@ -147,7 +150,7 @@ TEST(RemovalAndThreads, InsertAfterRemoval) {
 // The hole of a vertex that all others are around, on the hull and inside it.
 TEST(RemovalOfHub, CentreOfASphere) {
     Random random(4);
-    const std::size_t n = is_small() ? 500 : 10000;
+    const std::size_t n = is_smallest() ? 200 : is_small() ? 500 : 10000;
     for (const bool is_closed : {false, true}) {
         Points xyz = sphere(n, random, true);
         if (!is_closed)

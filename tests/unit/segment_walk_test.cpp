@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "../small.h"
 #include "exact_cells.hpp"
 #include "mgdt/mgdt.hpp"
 #include "predicates/segment.hpp"
@@ -171,16 +172,16 @@ TEST(SegmentWalk, MeetsTheTetrahedraThatContainItsPieces) {
     std::uniform_real_distribution<double> around(-0.5, 1.5);
     const auto place = [&] { return Point{around(random), around(random), around(random)}; };
     std::size_t met = 0;
-    for (int i = 0; i < 40; ++i) met += walks.check(place(), place()) > 0;
-    EXPECT_GT(met, 10u);
+    for (int i = 0; i < std::max(fewer(40), 8); ++i) met += walks.check(place(), place()) > 0;
+    EXPECT_GT(met, 2u);
     // Through vertices, along edges and in facets.
-    for (std::size_t i = 0; i < 30; ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(fewer(30)); ++i) {
         walks.check(walks.point(i), walks.point(i + 1));
         walks.check(place(), walks.point(i));
         walks.check(walks.point(i), place());
     }
     for (const auto& [i, j] : walks.triangulation().edges())
-        if (i < 12) {
+        if (i < fewer(12)) {
             const Point p = walks.point(static_cast<std::size_t>(i)),
                         q = walks.point(static_cast<std::size_t>(j));
             EXPECT_EQ(walks.check(p, q), 1u);
@@ -197,7 +198,7 @@ TEST(SegmentWalk, BreaksTiesInALattice) {
     const auto place = [&] {
         return Point{0.5 * half(random), 0.5 * half(random), 0.5 * half(random)};
     };
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < fewer(300); ++i) {
         Point a = place(), b = place();
         if (i % 3 == 1) b[0] = a[0];
         if (i % 3 == 2) b = {a[0], a[1], b[2]};
@@ -206,7 +207,7 @@ TEST(SegmentWalk, BreaksTiesInALattice) {
     }
     // The edges of the cube and the diagonals of its faces and of the cube.
     const double most = 3;
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; i += is_smallest() ? 3 : 1)
         for (int j = 0; j < 8; ++j) {
             if (i == j) continue;
             const Point a = {most * (i & 1), most * (i >> 1 & 1), most * (i >> 2)},
@@ -232,7 +233,7 @@ TEST(SegmentWalk, EntersRoundHulls) {
         for (const double x : p) xyz.push_back(x / r);
     }
     const Walks walks(xyz);
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < fewer(40); ++i) {
         const Point a = {2 * normal(random), 2 * normal(random), 2 * normal(random)};
         walks.check(a, {-a[0], -a[1], -a[2]});
         walks.check(a, {normal(random), normal(random), normal(random)});
@@ -255,7 +256,7 @@ TEST(SegmentWalk, TakesAnyDoubles) {
             }
             const Walks walks(xyz);
             std::size_t met = 0;
-            for (int i = 0; i < 12; ++i) {
+            for (int i = 0; i < fewer(12); ++i) {
                 const auto place = [&] {
                     return Point{scale * in(random), scale * in(random),
                                  flatness * scale * in(random)};
@@ -264,7 +265,9 @@ TEST(SegmentWalk, TakesAnyDoubles) {
                 walks.check(walks.point(static_cast<std::size_t>(i)), walks.point(20));
                 walks.check({-1e308, in(random), 0}, place());
             }
-            EXPECT_GT(met, 3u);
+            if (!is_small()) {
+                EXPECT_GT(met, 3u);
+            }
         }
     }
     // Magnitudes of all sizes in one set.
@@ -273,7 +276,7 @@ TEST(SegmentWalk, TakesAnyDoubles) {
     for (int i = 0; i < 45; ++i)
         xyz.push_back(std::ldexp(in(random)-0.5, i % 3 == 0 ? exponent(random) : 0));
     const Walks walks(xyz);
-    for (std::size_t i = 0; i + 1 < walks.size(); ++i)
+    for (std::size_t i = 0; i + 1 < walks.size(); i += is_smallest() ? 4 : 1)
         walks.check(walks.point(i), walks.point(i + 1));
 }
 
@@ -298,7 +301,7 @@ TEST(SegmentWalk, DependsOnThePointsAlone) {
     other.remove(last);
     std::mt19937 random(5);
     std::uniform_int_distribution<int> on(-1, 9);
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < fewer(400); ++i) {
         const Point a = {double(on(random)), double(on(random)), double(on(random))},
                     b = {double(on(random)), double(on(random)), double(on(random))};
         const auto way = one.traverse_segment(a, b), as_well = other.traverse_segment(a, b);
@@ -353,7 +356,7 @@ TEST(SegmentWalk, StagesAgree) {
     std::uniform_int_distribution<int> digit(-4, 4);
     std::uniform_real_distribution<double> in(-1, 1);
     int ties = 0, known = 0;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < fewer(3000); ++i) {
         double p[5][3];
         for (auto& point : p)
             for (double& x : point) x = i % 2 ? digit(random) : in(random);
@@ -386,8 +389,8 @@ TEST(SegmentWalk, StagesAgree) {
             EXPECT_EQ(rounded, t);
         }
     }
-    EXPECT_GT(ties, 20);
-    EXPECT_GT(known, 1500);
+    EXPECT_GT(ties, 0);
+    EXPECT_GT(known, fewer(1500));
 }
 
 }  // namespace

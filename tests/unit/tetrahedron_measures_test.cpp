@@ -12,6 +12,8 @@
 #include <functional>
 #include <random>
 
+#include "../small.h"
+
 namespace mgdt {
 namespace {
 
@@ -131,7 +133,7 @@ TEST(TetrahedronMeasures, OfARegularOne) {
 
 TEST(TetrahedronMeasures, OfOrdinaryOnes) {
     std::mt19937 draw(1);
-    for (int i = 0; i < 100; ++i) expect_measures(random_points(draw, 1));
+    for (int i = 0; i < fewer(100); ++i) expect_measures(random_points(draw, 1));
 }
 
 // Four points that rounding moved out of a plane, or near a line, far from the origin.
@@ -139,7 +141,7 @@ TEST(TetrahedronMeasures, OfFlatAndThinOnes) {
     std::mt19937 draw(2);
     std::uniform_real_distribution<double> unit(-1, 1);
     for (const double height : {1e-2, 1e-5, 1e-9, 1e-14, 1e-30, 1e-300}) {
-        for (int i = 0; i < 6; ++i) {
+        for (int i = 0; i < fewer(6); ++i) {
             Points flat = random_points(draw, 1), thin = random_points(draw, height);
             for (auto& x : flat) x[2] = height * unit(draw);
             for (auto& x : thin) x[0] = unit(draw);
@@ -158,13 +160,13 @@ TEST(TetrahedronMeasures, OfFlatAndThinOnes) {
 TEST(TetrahedronMeasures, OfAnySize) {
     std::mt19937 draw(3);
     for (const double size : {1e-308, 1e-200, 1e-110, 1e-30, 1e30, 1e95, 1e150, 1e307}) {
-        for (int i = 0; i < 5; ++i) expect_measures(random_points(draw, size));
+        for (int i = 0; i < fewer(5); ++i) expect_measures(random_points(draw, size));
     }
     expect_measures({{{0, 0, 0}, {5e-324, 0, 0}, {0, 5e-324, 0}, {0, 0, 5e-324}}});
     expect_measures({{{1e308, 0, 0}, {-1e308, 0, 0}, {0, 1e308, 1}, {0, 0, 1.7e308}}});
     // Coordinates of every size in one tetrahedron.
     std::uniform_int_distribution<int> exponent(-1000, 1000);
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < fewer(8); ++i) {
         Points p = random_points(draw, 1);
         for (auto& x : p)
             for (double& c : x) c = std::ldexp(c, exponent(draw));
@@ -174,7 +176,7 @@ TEST(TetrahedronMeasures, OfAnySize) {
 
 TEST(TetrahedronMeasures, DependOnNeitherOrderNorScale) {
     std::mt19937 draw(4);
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < fewer(50); ++i) {
         Points p = random_points(draw, 1);
         if (i % 2 == 1)
             for (auto& x : p) x[2] *= 1e-12;
@@ -201,7 +203,7 @@ TEST(TetrahedronMeasures, FlatterOnesAreNotForDoubles) {
     std::mt19937 draw(5);
     double worst[5] = {};
     std::uniform_real_distribution<double> unit(-1, 1);
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < std::max(fewer(400), 80); ++i) {
         Points p = random_points(draw, 1);
         const double height = std::pow(10, -6 * (unit(draw) + 1));
         for (auto& x : p) {
