@@ -88,7 +88,9 @@ void Region::require_inside(const Mesh& mesh) const {
              number(plane));
 }
 
-// Finds the faces of the region, and keeps only the planes that have a face.
+// Finds the faces of the region, and keeps only the planes that have a face. A first round finds
+// those planes, and a second one the faces: a needless plane that touches the region along an edge
+// would otherwise be the label of that edge.
 void Region::set_faces(const Mesh& mesh) {
     Allocator& allocator = planes_.allocator();
     // The vertex with the least index, which does not depend on the order of insertion.
@@ -99,35 +101,41 @@ void Region::set_faces(const Mesh& mesh) {
     for (VertexId v = 1; v < mesh.vertices.size(); ++v)
         for (int axis = 0; axis < 3; ++axis)
             is_ordinary_ &= std::fabs(mesh.point(v)[axis]) < most_ordinary;
-    HalfSpaces half_spaces(allocator);
-    half_spaces.clear(near, 1);
-    for (const Plane& plane : planes_) half_spaces.add_plane(plane.numbers, mesh.scale);
-    ExactPolygon polygon(allocator, half_spaces);
-    const auto count = static_cast<PlaneNumber>(planes_.size());
     Buffer<Plane> with_faces(allocator);
-    Buffer<PlaneNumber> numbers(allocator);  // the new number of each plane
-    numbers.resize(count, 0);
-    for (PlaneNumber k = 0; k < count; ++k) {
-        polygon.set_far(k);
-        // If planes coincide, the first one has the face.
-        for (PlaneNumber j = 0; j < count && !polygon.is_empty(); ++j)
-            if (j != k) polygon.clip(j, k < j);
-        if (polygon.is_empty()) continue;
+    each_face(near, mesh.scale, [&](const ExactPolygon& polygon, HalfSpaces&) {
         for (std::size_t i = 0; i < polygon.size(); ++i)
             if (is_far(polygon.edge(i)))
                 fail(MGDT_ERR_INVALID_ARGUMENT,
-                     "the planes do not bound a region: plane %lld has no end", number(k));
-        Plane plane = planes_[k];
-        plane.first = static_cast<std::uint32_t>(corners_.size());
-        is_ordinary_ &= std::fabs(plane.offset) < most_ordinary;
-        numbers[k] = static_cast<PlaneNumber>(with_faces.size());
-        with_faces.push_back(plane);
-        add_face(polygon, half_spaces, near);
-    }
+                     "the planes do not bound a region: plane %lld has no end",
+                     number(polygon.plane()));
+        with_faces.push_back(planes_[polygon.plane()]);
+    });
     if (with_faces.empty())
         fail(MGDT_ERR_INVALID_ARGUMENT, "the planes bound a region without a volume");
-    for (RegionCorner& corner : corners_) corner.label = numbers[corner.label];
     planes_ = std::move(with_faces);
+    each_face(near, mesh.scale, [&](const ExactPolygon& polygon, HalfSpaces& half_spaces) {
+        Plane& plane = planes_[polygon.plane()];
+        plane.first = static_cast<std::uint32_t>(corners_.size());
+        is_ordinary_ &= std::fabs(plane.offset) < most_ordinary;
+        add_face(polygon, half_spaces, near);
+    });
+}
+
+// Calls f with the polygon of each plane that has a face of the region. If planes coincide, the
+// first one has the face.
+template <class F>
+void Region::each_face(const double* near, int scale, F f) const {
+    HalfSpaces half_spaces(planes_.allocator());
+    half_spaces.clear(near, 1);
+    for (const Plane& plane : planes_) half_spaces.add_plane(plane.numbers, scale);
+    ExactPolygon polygon(planes_.allocator(), half_spaces);
+    const auto count = static_cast<PlaneNumber>(planes_.size());
+    for (PlaneNumber k = 0; k < count; ++k) {
+        polygon.set_far(k);
+        for (PlaneNumber j = 0; j < count && !polygon.is_empty(); ++j)
+            if (j != k) polygon.clip(j, k < j);
+        if (!polygon.is_empty()) f(polygon, half_spaces);
+    }
 }
 
 void Region::add_face(const ExactPolygon& polygon, HalfSpaces& half_spaces, const double* near) {

@@ -65,6 +65,8 @@ class Region {
     bool is_beyond(const Plane& plane, const double* p, int scale, LongMemory& memory) const;
     void require_inside(const Mesh& mesh) const;
     void set_faces(const Mesh& mesh);
+    template <class F>
+    void each_face(const double* near, int scale, F f) const;
     void add_face(const ExactPolygon& polygon, HalfSpaces& half_spaces, const double* near);
     // The number of a plane or point in messages.
     long long number(std::size_t k) const { return static_cast<long long>(k) + base_; }

@@ -4,6 +4,7 @@
 // rational numbers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <random>
@@ -142,6 +143,67 @@ TEST(Regions, OfAnyNumberOfPlanesOfAnySize) {
             planes.push_back(reach * size);
         }
         EXPECT_GT(compare(random.points(8), planes, n == 100 ? 8 : 3), 0u);
+    }
+}
+
+// A needless plane that touches an edge or a corner of the region has no face, wherever it stands
+// among the planes.
+TEST(Regions, NeedlessPlanesThatTouchEdges) {
+    Random random(11);
+    for (int run = 0; run < (is_small() ? 2 : 10); ++run) {
+        SCOPED_TRACE(run);
+        const Points xyz = random.points(6), planes = box(1);
+        Points touching;
+        for (int k = 0; k < 4; ++k) {
+            double normal[3], length = 0;
+            const int zero = random.integer(4);  // 3: at a corner
+            for (int i = 0; i < 3; ++i) {
+                normal[i] = i == zero ? 0 : 1 + random.integer(8);
+                if (random.integer(2) == 0) normal[i] = -normal[i];
+                length += std::fabs(normal[i]);
+            }
+            touching.insert(touching.end(), {normal[0], normal[1], normal[2], length});
+        }
+        EXPECT_EQ(compare(xyz, with(touching, planes), 1), 6u);
+        const Points expected = measures_of_cells(xyz, Measure::area, planes);
+        for (const Points& all : {with(planes, touching), with(touching, planes)}) {
+            const Points areas = measures_of_cells(xyz, Measure::area, all);
+            for (std::size_t i = 0; i < areas.size(); ++i)
+                EXPECT_NEAR(areas[i], expected[i], 2 * measure_error * expected[i]);
+        }
+    }
+}
+
+// Three of the planes meet in one line, through two of the points.
+TEST(Regions, ThreePlanesInOneLine) {
+    const Points xyz = {
+        0.50209890554931391, 1, 0, 0.80269929304081178, 1, 0, 0, 0.4190852551791151, 0, 0, 1,
+        0.38704807277338171};
+    Points planes = {0.57265264599955468,
+                     0.51379725882198324,
+                     0.78666275037441813,
+                     1.5668425431897663,
+                     0,
+                     2,
+                     -1,
+                     2,
+                     -0.57585184816550838,
+                     -0.8731413843197533,
+                     -0.4870546860306042,
+                     -0.34185553328537033,
+                     0,
+                     1,
+                     0,
+                     1,
+                     0,
+                     0,
+                     -1,
+                     0};
+    for (int turn = 0; turn < 5; ++turn) {
+        SCOPED_TRACE(turn);
+        EXPECT_EQ(compare(xyz, planes, 1), 4u);
+        EXPECT_NEAR(measures_of_cells(xyz, Measure::area, planes)[0], 1.4916989803680767, 1e-12);
+        std::rotate(planes.begin(), planes.begin() + 4, planes.end());
     }
 }
 
