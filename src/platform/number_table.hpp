@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The hash table that all of the library uses, except for the innermost loops of the kernel.
+// A hash table that gives numbers to items.
 #pragma once
 
 #include <algorithm>
@@ -68,9 +68,11 @@ class NumberTable {
 
     // Returns the number of the item with a key. is_same(i) says whether item i has that key; the
     // table calls is_same() only for items with the same hash. If there is no such item, a new item
-    // gets the number size(), for which the table must have room.
+    // gets the number size(), for which the table must have room. Throws only what is_same()
+    // throws, with nothing changed.
     template <class IsSame>
-    MGDT_ALWAYS_INLINE std::uint32_t number(std::uint32_t hash, IsSame is_same) noexcept {
+    MGDT_ALWAYS_INLINE std::uint32_t number(std::uint32_t hash, IsSame is_same) noexcept(
+        noexcept(is_same(std::uint32_t{}))) {
         assert(size_ < capacity() && "there is no room for one more item");
         const std::uint32_t mask = mask_of(entries_);
         for (std::uint32_t at = hash & mask;; at = (at + 1) & mask) {
@@ -84,7 +86,8 @@ class NumberTable {
     }
     // The number of the item with a key, or `none`.
     template <class IsSame>
-    std::uint32_t find(std::uint32_t hash, IsSame is_same) const noexcept {
+    std::uint32_t find(std::uint32_t hash, IsSame is_same) const
+        noexcept(noexcept(is_same(std::uint32_t{}))) {
         assert(!entries_.empty() && "a table without entries is asked");
         const std::uint32_t mask = mask_of(entries_);
         for (std::uint32_t at = hash & mask;; at = (at + 1) & mask) {
