@@ -74,18 +74,34 @@ int report(std::FILE* out, int code, const char* message) noexcept {
 
 }  // namespace
 
+const Failure* find_failure(mgdt_status status) {
+    static constexpr Failure failures[] = {
+        {MGDT_ERR_NULL_POINTER, exit_internal, ""},
+        {MGDT_ERR_INVALID_ARGUMENT, exit_input, ""},
+        {MGDT_ERR_NOT_FINITE, exit_input, "; take the point out"},
+        {MGDT_ERR_UNKNOWN_SCHEME, exit_usage, ""},
+        {MGDT_ERR_UNKNOWN_KEY, exit_internal, ""},
+        {MGDT_ERR_BUFFER_TOO_SMALL, exit_internal, ""},
+        {MGDT_ERR_INDEX_RANGE, exit_memory, "; triangulate fewer points"},
+        {MGDT_ERR_OUT_OF_MEMORY, exit_memory, "; triangulate fewer points or give it more memory"},
+        {MGDT_ERR_TOO_LARGE, exit_memory, "; triangulate fewer points"},
+        {MGDT_ERR_CANCELLED, exit_internal, ""},
+        {MGDT_ERR_BUSY, exit_internal, ""},
+        {MGDT_ERR_TRANSPORT, exit_internal, ""},
+        {MGDT_ERR_CHECK_FAILED, exit_check_failed, ""},
+        {MGDT_ERR_INVALID_BOUNDARY, exit_input, "; mgdt validate lists them"},
+        {MGDT_ERR_RESOLUTION, exit_input, ""},
+        {MGDT_ERR_OPEN_BOUNDARY, exit_input, ""},
+        {MGDT_ERR_INTERNAL, exit_internal, ""},
+    };
+    for (const Failure& failure : failures)
+        if (failure.status == status) return &failure;
+    return nullptr;
+}
+
 Error failure_of(mgdt_status status, const std::string& what) {
-    switch (status) {
-        case MGDT_ERR_NOT_FINITE:
-            return Error(exit_input, what + "; take the point out");
-        case MGDT_ERR_OUT_OF_MEMORY:
-            return Error(exit_memory, what + "; triangulate fewer points or give it more memory");
-        case MGDT_ERR_TOO_LARGE:
-        case MGDT_ERR_INDEX_RANGE:
-            return Error(exit_memory, what + "; triangulate fewer points");
-        default:
-            return Error(exit_internal, what);
-    }
+    const Failure* const failure = find_failure(status);
+    return failure ? Error(failure->code, what + failure->advice) : Error(exit_internal, what);
 }
 
 int report_exception(std::FILE* out) noexcept {

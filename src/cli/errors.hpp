@@ -34,6 +34,14 @@ class Error : public std::runtime_error {
     int code_;
 };
 
+// What a failed call of the library means for the program.
+struct Failure {
+    mgdt_status status;
+    ExitCode code;
+    const char* advice;  // follows the message
+};
+// The meaning of a status, or null if the status is not in mgdt.h.
+const Failure* find_failure(mgdt_status status);
 // The error for a failed call of the library. `what` says where and why.
 Error failure_of(mgdt_status status, const std::string& what);
 

@@ -99,13 +99,6 @@ void build(Domain& domain, const std::string& name, const MeshOptions& options) 
         if (options.rounded) domain.set_option(DomainOption::round_points, 1);
         domain.build();
         domain.clear_progress();
-    } catch (const mgdt::Error& e) {
-        if (e.status() == MGDT_ERR_INVALID_BOUNDARY)
-            throw Error(exit_input,
-                        fmt::format("{}: {}; mgdt validate lists them", name, e.what()));
-        if (e.status() == MGDT_ERR_OPEN_BOUNDARY)
-            throw Error(exit_input, fmt::format("{}: {}", name, e.what()));
-        rethrow_failure(name, domain.last_error());
     } catch (...) {
         rethrow_failure(name, domain.last_error());
     }
