@@ -66,17 +66,19 @@ enum {
     /** 3 coordinates of each vertex, rounded to the nearest doubles. A coordinate beyond the range
      *  of doubles is infinite. */
     MGDT_VORONOI_VERTICES = 50,
-    /** 3 coordinates of the direction of each ray, of length 1. */
+    /** 3 coordinates of the direction of each ray, of length 1, with errors of at most 1e-15. */
     MGDT_VORONOI_RAY_DIRECTIONS = 51,
-    /** The area of each face; infinite for an unbounded face. The error is at most 1e-12 times the
-     *  area, plus 1e-14 times the square of the distance between the two points that the face
-     *  separates. */
+    /** The area of each face; infinite for an unbounded face, or beyond the range of doubles. The
+     *  error is at most 1e-12 times the area, plus 1e-14 times the square of the distance between
+     *  the two points that the face separates. */
     MGDT_VORONOI_FACE_AREAS = 60,
-    /** 3 coordinates of the unit normal of each face. It points from the first side to the
-     *  second one: out of the cell of the first point. */
+    /** 3 coordinates of the unit normal of each face, with errors of at most 1e-15. It points from
+     *  the first side to the second one: out of the cell of the first point. */
     MGDT_VORONOI_FACE_NORMALS = 61,
-    /** 3 coordinates of the centroid of each face; infinite for an unbounded face. If a face is too
-     *  small for doubles to tell its corners apart, it is one of these. */
+    /** 3 coordinates of the centroid of each face; infinite for an unbounded face. Besides the
+     *  rounding of the coordinates, the error is at most 1e-12 times the distance of the farthest
+     *  corner from the first side. If the area is at most 1e-14 times the square of the distance
+     *  between the two points, the centroid may be a corner instead. */
     MGDT_VORONOI_FACE_CENTROIDS = 62,
     /** The volume of each cell, as mgdt_get_cell_measures() gives it, but perhaps with other
      *  roundings. 0 for a point without a cell. */

@@ -108,7 +108,7 @@ void Assembly::sort_faces() {
     copy_faces();
 }
 
-// Copies the faces in their order, and multiplies lengths by the mesh's scale.
+// Copies the faces in their order.
 void Assembly::copy_faces() {
     VoronoiDiagram& d = diagram_;
     const std::size_t faces = order_.size();
@@ -131,11 +131,11 @@ void Assembly::copy_faces() {
                 !is_plane(other)
                     ? other
                     : VoronoiDiagram::plane | region_.given(other & ~VoronoiDiagram::plane);
-            d.areas[f] = scale == 0 ? face.area : std::ldexp(face.area, -2 * scale);
+            d.areas[f] = face.area;
             const double* const a = mesh_.point(vertex_of_[face.sides[0]]);
             for (int k = 0; k < 3; ++k)
                 d.face_centroids[3 * f + static_cast<std::size_t>(k)] =
-                    scaled(a[k] + face.centroid.x[k], -scale);
+                    scaled(a[k], -scale) + face.centroid.x[k];
             std::copy_n(from.corners.begin() + face.begin(), face.size(),
                         d.face_corners.begin() + d.face_begin[f]);
         }
@@ -285,6 +285,8 @@ bool Assembly::measure_cell(std::size_t cell, double& volume, double* centroid) 
         std::size_t item = order_[face];
         const FoundFace& pyramid = member_of(item).faces[item];
         Vector<double> base = pyramid.centroid;
+        if (mesh_.scale != 0)
+            for (double& x : base.x) x = scaled(x, mesh_.scale);
         double base_error = pyramid.centroid_error;
         if (d.face_sides[2 * face] != cell) {
             // The base is relative to the other point.

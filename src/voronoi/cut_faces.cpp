@@ -147,7 +147,7 @@ void CutFaces::measure(const Cycles& cycles, FoundFaces& found) {
                     points.push_back(&corners_[found.corners[face.begin() + i]]);
                 const FaceMeasure result = measure_accurately(
                     half_spaces, corners_.point(face.sides[0]), plane, points,
-                    1 / centers_.factor(), [&] {
+                    1 / centers_.factor(), mesh_.scale, [&] {
                         corners_.add_half_space(face.sides[1], half_spaces);
                         for (std::uint32_t i = 0; i < cycle.size; ++i)
                             corners_.add_half_space(cycles.edges[cycle.begin + i], half_spaces);

@@ -39,10 +39,15 @@ FacePlane bisector(const double* a, const double* b) {
 
 namespace {
 
-// The error is a small part of the area, or tiny beside the square of the distance between the two
-// points of the face.
-bool is_below(double error, double area, double part, const FacePlane& plane) {
-    return error <= part * area || error <= 0.9 * tiny_area * plane.spacing * plane.spacing;
+// Whether the area's error is below `part` of it, and the centroid's below 0.9 measure_error times
+// the reach, or they do not matter beside the distance between the two points: an area of at most
+// tiny_area times the square of that distance may have any corner for its centroid.
+bool is_below(const FaceMeasure& m, double part, const FacePlane& plane) {
+    if (!(m.area_error < infinite)) return false;
+    const double tiny = 0.9 * tiny_area * plane.spacing * plane.spacing;
+    if (m.area + m.area_error <= tiny) return true;
+    return (m.area_error <= part * m.area || m.area_error <= tiny) &&
+           m.centroid_error <= 0.9 * measure_error * m.reach;
 }
 
 // docs/theory.md, "Voronoi faces", derives the bounds.
@@ -50,8 +55,9 @@ template <class Real>
 FaceMeasure measure_in(const double* a, const FacePlane& plane, const SplitPoint* const* corners,
                        std::size_t n, double unit) {
     constexpr double u = rounding_of<Real>;
-    FaceMeasure result = {0, infinite, {}, infinite};
-    double farthest = 0, correction_error = 0;
+    FaceMeasure result = {0, infinite, {}, infinite, 0, 0, {}};
+    double& farthest = result.reach;
+    double correction_error = 0, diameter = 0;
     const auto relative = [&](std::size_t i) {
         const SplitPoint& corner = *corners[i];
         Vector<Real> y = difference<Real>(corner.x, a);
@@ -64,6 +70,7 @@ FaceMeasure measure_in(const double* a, const FacePlane& plane, const SplitPoint
     const Vector<Real> first = relative(0), normal = to_vector<Real>(plane.normal);
     Vector<Real> before = relative(1) - first;
     double length_before = length(before);
+    diameter = length_before;
     Real doubled = to_real<Real>(0);
     double lengths = 0, products = 0;
     Vector<Real> moment = to_vector<Real>({});
@@ -74,6 +81,7 @@ FaceMeasure measure_in(const double* a, const FacePlane& plane, const SplitPoint
         doubled = doubled + weight;
         moment = moment + weight * (before + here);
         lengths += length_before + length_here;
+        diameter = std::max(diameter, length_here);
         products += length_before * length_here;
         before = here;
         length_before = length_here;
@@ -89,16 +97,17 @@ FaceMeasure measure_in(const double* a, const FacePlane& plane, const SplitPoint
     if (!(error < infinite)) return result;
     result.area = 0.5 * std::max(0.0, sum);
     result.area_error = 0.5 * error;
-    const double extent = 2 * farthest + moved;
+    diameter += 2 * moved;
     if (error < 0x1p-10 * sum) {
         const Vector<Real> centroid =
             first + (to_real<Real>(1) / (to_real<Real>(3) * doubled)) * moment;
         for (int k = 0; k < 3; ++k) result.centroid.x[k] = nearest_double(centroid.x[k]);
-        result.centroid_error = 4 * moved + 4 * extent * (error / sum) + own_error<Real> * farthest;
+        result.centroid_error =
+            4 * moved + 4 * diameter * (error / sum) + own_error<Real> * farthest;
     } else {
         // The face is so small that any of its points serves.
         for (int k = 0; k < 3; ++k) result.centroid.x[k] = nearest_double(first.x[k]);
-        result.centroid_error = extent;
+        result.centroid_error = diameter;
     }
     return result;
 }
@@ -106,73 +115,107 @@ FaceMeasure measure_in(const double* a, const FacePlane& plane, const SplitPoint
 }  // namespace
 
 bool is_accurate(const FaceMeasure& measure, const FacePlane& plane) {
-    return is_below(measure.area_error, measure.area, 0.9 * measure_error, plane);
+    return is_below(measure, 0.9 * measure_error, plane);
 }
 
 FaceMeasure measure_face(const double* a, const FacePlane& plane, const SplitPoint* const* corners,
                          std::size_t n, double unit) {
     const FaceMeasure result = measure_in<double>(a, plane, corners, n, unit);
-    if (is_below(result.area_error, result.area, enough_in_doubles, plane)) return result;
+    if (is_below(result, enough_in_doubles, plane)) return result;
     return measure_in<Twofold>(a, plane, corners, n, unit);
 }
 
 namespace {
 
-// Computes the area in numbers that bound their errors. Returns false if the error is too large.
+// Sets the result without the area's error, by numbers that bound their errors. Returns false if
+// these are too large.
 template <class Numbers>
-bool area_in(Numbers numbers, Allocator& allocator, HalfSpaces& half_spaces, std::size_t n,
-             double& area) {
+bool measure_with(Numbers numbers, Allocator& allocator, HalfSpaces& half_spaces, std::size_t n,
+                  int scale, FaceMeasure& result) {
     using B = typename Numbers::B;
     using V = Vector<B>;
     typename Numbers::Array corners = numbers.array(allocator, 3 * n),
-                            sum = numbers.array(allocator, 3);
+                            sums = numbers.array(allocator, 4);  // the moment, and the whole
+    WideDouble reach;  // the largest coordinate of a corner, which is at most its distance
     const auto row = [&](std::size_t plane) {
         return half_spaces.row(numbers, static_cast<PlaneNumber>(plane));
     };
-    const auto get = [&](const typename Numbers::Array& from, std::size_t i) {
-        return V{
-            {from.get(numbers, 3 * i), from.get(numbers, 3 * i + 1), from.get(numbers, 3 * i + 2)}};
+    const auto corner = [&](std::size_t i) {
+        return V{{corners.get(numbers, 3 * i), corners.get(numbers, 3 * i + 1),
+                  corners.get(numbers, 3 * i + 2)}};
     };
     // Corner i is before edge i.
     for (std::size_t i = 0; i < n; ++i) {
         const auto p = row(0), q = row(1 + (i == 0 ? n - 1 : i - 1)), r = row(1 + i);
         const MeetingPoint<B> point = meeting_point(p, q, r);
         const B inverse = numbers.number(1) / point.determinant;
-        for (std::size_t k = 0; k < 3; ++k) corners.set(3 * i + k, point.numerator.x[k] * inverse);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const B x = point.numerator.x[k] * inverse;
+            const WideDouble size = magnitude(x.wide());
+            if (reach < size) reach = size;
+            corners.set(3 * i + k, x);
+        }
         numbers.forget();
     }
-    for (std::size_t k = 0; k < 3; ++k) sum.set(k, numbers.number(0));
+    for (std::size_t k = 0; k < 4; ++k) sums.set(k, numbers.number(0));
     for (std::size_t i = 1; i + 1 < n; ++i) {
-        const V first = get(corners, 0),
-                doubled = cross(get(corners, i) - first, get(corners, i + 1) - first);
-        for (std::size_t k = 0; k < 3; ++k) sum.set(k, sum.get(numbers, k) + doubled.x[k]);
+        const V first = corner(0), before = corner(i) - first, here = corner(i + 1) - first;
+        const B weight = dot(row(0).normal, cross(before, here));
+        for (std::size_t k = 0; k < 3; ++k)
+            sums.set(k, sums.get(numbers, k) + weight * (before.x[k] + here.x[k]));
+        sums.set(3, sums.get(numbers, 3) + weight);
         numbers.forget();
     }
-    const V normal = row(0).normal;
-    const B along = dot(normal, get(sum, 0));
     // The area is `along` divided by twice the length of the normal.
+    const V normal = row(0).normal;
+    const B along = sums.get(numbers, 3);
     const WideDouble squared = dot(normal, normal).wide(), half(0.5),
-                     value = half * over_root(along.wide(), squared),
+                     area = half * over_root(along.wide(), squared),
                      error = half * over_root(along.wide_error(), squared);
-    const bool is_small =
-        half_spaces.is_bisector(0) && error < WideDouble(0.2 * tiny_area) * squared;
-    if (!is_small && !(error < magnitude(value) * WideDouble(0.2 * measure_error))) return false;
-    area = std::max(0.0, value.in_double());
+    // An infinite error compares as less than nothing.
+    const bool is_known = error < magnitude(area) * WideDouble(0.2 * measure_error);
+    const WideDouble tiny =
+        half_spaces.is_bisector(0) ? WideDouble(0.2 * tiny_area) * squared : WideDouble();
+    const auto set = [&](std::size_t k, const WideDouble& x) {
+        result.centroid.x[k] = x.in_double();
+        result.unscaled_centroid.x[k] = WideDouble(x.mantissa, x.exponent - scale).in_double();
+    };
+    if (magnitude(area) + error < tiny) {
+        for (std::size_t k = 0; k < 3; ++k) set(k, corners.get(numbers, k).wide());
+        result.centroid_error = 4 * reach.in_double();
+    } else {
+        if (!is_known) return false;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const B x =
+                corners.get(numbers, k) + sums.get(numbers, k) / (numbers.number(3) * along);
+            if (!(x.wide_error() < reach * WideDouble(0.2 * measure_error))) return false;
+            set(k, x.wide());
+        }
+        result.centroid_error = 0.25 * measure_error * reach.in_double();
+    }
+    result.reach = reach.in_double();
+    result.area = std::max(0.0, area.in_double());
+    result.unscaled_area =
+        std::max(0.0, WideDouble(area.mantissa, area.exponent - 2 * scale).in_double());
     return true;
 }
 
 }  // namespace
 
-void measure_exactly(Allocator& allocator, HalfSpaces& half_spaces, std::size_t n,
-                     const FacePlane& plane, FaceMeasure& measure) {
-    double& area = measure.area;
-    if (!area_in(BoundedFloats<double>(), allocator, half_spaces, n, area) &&
-        !area_in(BoundedFloats<Twofold>(), allocator, half_spaces, n, area)) {
+FaceMeasure measure_exactly(Allocator& allocator, HalfSpaces& half_spaces, std::size_t n,
+                            const FacePlane& plane, int scale) {
+    FaceMeasure result = {};
+    if (!measure_with(BoundedFloats<double>(), allocator, half_spaces, n, scale, result) &&
+        !measure_with(BoundedFloats<Twofold>(), allocator, half_spaces, n, scale, result)) {
         std::size_t limbs = 256 / exact::limb_bits;
-        while (!area_in(BoundedLongs(allocator, limbs), allocator, half_spaces, n, area))
+        while (
+            !measure_with(BoundedLongs(allocator, limbs), allocator, half_spaces, n, scale, result))
             limbs *= 2;
     }
-    measure.area_error = 0.25 * (measure_error * area + tiny_area * plane.spacing * plane.spacing);
+    result.area_error =
+        0.25 * (measure_error * result.area + tiny_area * plane.spacing * plane.spacing) +
+        std::numeric_limits<double>::min();
+    return result;
 }
 
 }  // namespace mgdt

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dual/half_spaces.hpp"
+#include "mesh/scale.hpp"
 #include "predicates/circumcenter.hpp"
 
 namespace mgdt {
@@ -21,39 +22,49 @@ constexpr double normal_error = 8 * rounding_of<double>;
 FacePlane bisector(const double* a, const double* b);
 
 struct FaceMeasure {
+    // With the mesh's scale. An area may be infinite or 0 because it leaves the range of doubles;
+    // its error is at least the least normal double then.
     double area, area_error;
-    // The centroid relative to the point of the cell, and an upper bound on its error.
-    Vector<double> centroid;
+    Vector<double> centroid;  // relative to the point of the cell
     double centroid_error;
+    double reach;  // the distance of the farthest corner from the point of the cell
+    // Without the mesh's scale.
+    double unscaled_area;
+    Vector<double> unscaled_centroid;
 };
 
-// Whether the area is accurate enough: the error is at most measure_error times the area, or tiny
-// beside the square of the distance between the two points of the face.
+// Whether area and centroid are accurate enough for the result. docs/theory.md, "Voronoi faces",
+// has the bounds.
 bool is_accurate(const FaceMeasure& measure, const FacePlane& plane);
 
 // Measures the face of the cell of point a with these corners, which are counter-clockwise about
-// the normal. The corrections of the corners carry the factor 1 / unit. The error is infinite if
-// doubles are of no use.
+// the normal. The corrections of the corners carry the factor 1 / unit. The errors are infinite if
+// doubles are of no use. Does not set what is without the mesh's scale.
 FaceMeasure measure_face(const double* a, const FacePlane& plane, const SplitPoint* const* corners,
                          std::size_t n, double unit);
 
-// Computes the area again, with an error that is_accurate() accepts. Half-space 0 has the plane of
-// the face. Half-space i has the edge i - 1, from 1 to n, in the order about the normal.
-void measure_exactly(Allocator& allocator, HalfSpaces& half_spaces, std::size_t n,
-                     const FacePlane& plane, FaceMeasure& measure);
+// Measures the face from the planes of its edges, as accurately as is_accurate() demands.
+// Half-space 0 has the plane of the face. Half-space i has the edge i - 1, from 1 to n, in the
+// order about the normal. The origin of the half-spaces is the point of the cell.
+FaceMeasure measure_exactly(Allocator& allocator, HalfSpaces& half_spaces, std::size_t n,
+                            const FacePlane& plane, int scale);
 
-// Measures a face by measure_face(), and by measure_exactly() if the area is not accurate then.
+// Measures a face by measure_face(), and by measure_exactly() if the result is not accurate then.
 // add_half_spaces() adds the half-spaces of the face, and returns the number of its edges.
 template <class AddHalfSpaces>
 FaceMeasure measure_accurately(HalfSpaces& half_spaces, const double* a, const FacePlane& plane,
-                               const Buffer<const SplitPoint*>& corners, double unit,
+                               const Buffer<const SplitPoint*>& corners, double unit, int scale,
                                AddHalfSpaces add_half_spaces) {
     FaceMeasure result = measure_face(a, plane, corners.data(), corners.size(), unit);
-    if (is_accurate(result, plane)) return result;
+    if (is_accurate(result, plane)) {
+        result.unscaled_area = scale == 0 ? result.area : std::ldexp(result.area, -2 * scale);
+        for (int k = 0; k < 3; ++k)
+            result.unscaled_centroid.x[k] = scaled(result.centroid.x[k], -scale);
+        return result;
+    }
     half_spaces.clear(a, 1);
     const std::size_t edges = add_half_spaces();
-    measure_exactly(corners.allocator(), half_spaces, edges, plane, result);
-    return result;
+    return measure_exactly(corners.allocator(), half_spaces, edges, plane, scale);
 }
 
 }  // namespace mgdt

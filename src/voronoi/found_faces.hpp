@@ -14,11 +14,11 @@ inline constexpr std::uint32_t cut_corner = 1u << 30, ghost_corner = 1u << 31;
 
 // A face and the pyramid between it and the first of its points.
 struct FoundFace {
-    std::uint32_t sides[2];  // the caller's indices of the points; the second may be a plane
-    double area;
-    double volume, volume_error;  // of the pyramid, times 3
-    Vector<double> centroid;      // of the face, relative to the point
-    double centroid_error;
+    std::uint32_t sides[2];       // the caller's indices of the points; the second may be a plane
+    double area;                  // without the mesh's scale
+    Vector<double> centroid;      // relative to the first of the points, without the mesh's scale
+    double centroid_error;        // with the mesh's scale
+    double volume, volume_error;  // of the pyramid, times 3, with the mesh's scale
 
     void set_corners(std::size_t begin, std::size_t size) {
         constexpr std::size_t most = 1u << 24;
@@ -28,11 +28,11 @@ struct FoundFace {
     std::size_t begin() const { return static_cast<std::size_t>(corners_ >> 24); }
     std::size_t size() const { return static_cast<std::size_t>(corners_ & 0xFFFFFFu); }
     void set_measure(const FaceMeasure& measure, const FacePlane& plane) {
-        area = measure.area;
-        volume = area * plane.distance;
+        area = measure.unscaled_area;
+        volume = measure.area * plane.distance;
         volume_error = measure.area_error * (std::fabs(plane.distance) + plane.distance_error) +
-                       area * plane.distance_error;
-        centroid = measure.centroid;
+                       measure.area * plane.distance_error;
+        centroid = measure.unscaled_centroid;
         centroid_error = measure.centroid_error;
     }
 

@@ -123,12 +123,13 @@ FaceMeasure WholeFaces::Finder::measure(const Ring& ring, const FacePlane& plane
     points_.clear();
     for (const std::uint32_t slot : corners_) points_.push_back(&centers_[slot]);
     const double* const a = mesh_.point(ring.a);
-    return measure_accurately(half_spaces_, a, plane, points_, 1 / centers_.factor(), [&] {
-        half_spaces_.add_nearer_side(mesh_.point(ring.b));
-        for (const RingStep& step : ring.steps)
-            half_spaces_.add_nearer_side(mesh_.point(mesh_.tetrahedra[step.t].v[step.l]));
-        return ring.steps.size();
-    });
+    return measure_accurately(
+        half_spaces_, a, plane, points_, 1 / centers_.factor(), mesh_.scale, [&] {
+            half_spaces_.add_nearer_side(mesh_.point(ring.b));
+            for (const RingStep& step : ring.steps)
+                half_spaces_.add_nearer_side(mesh_.point(mesh_.tetrahedra[step.t].v[step.l]));
+            return ring.steps.size();
+        });
 }
 
 void WholeFaces::Finder::add(TetId t, unsigned i, unsigned j) {
@@ -159,10 +160,11 @@ void WholeFaces::Finder::add_face(Ring& ring) {
     face.sides[1] = indices_[ring.b];
     face.set_corners(found_.corners.size(), corners_.size());
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    face.set_measure(
-        is_bounded ? measure(ring, plane)
-                   : FaceMeasure{infinite, infinite, {{infinite, infinite, infinite}}, infinite},
-        plane);
+    constexpr Vector<double> nowhere = {{infinite, infinite, infinite}};
+    face.set_measure(is_bounded ? measure(ring, plane)
+                                : FaceMeasure{infinite, infinite, nowhere, infinite, infinite,
+                                              infinite, nowhere},
+                     plane);
     found_.faces.push_back(face);
     for (const std::uint32_t slot : corners_)
         found_.corners.push_back(mesh_.tetrahedra[slot].is_ghost() ? slot | ghost_corner

@@ -207,6 +207,64 @@ TEST(Regions, ThreePlanesInOneLine) {
     }
 }
 
+// Two points that are near each other among others that are not: the face between them is as large
+// as others.
+TEST(Regions, FacesBetweenNearPoints) {
+    for (const double distance : {1e-6, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15}) {
+        SCOPED_TRACE(distance);
+        Random random(7);
+        Points xyz = random.points(10);
+        const double way[3] = {1, 0.3, -0.7};
+        for (int i = 0; i < 2; ++i)
+            for (const double x : way) xyz.push_back(0.5 + i * distance * x);
+        EXPECT_EQ(compare(xyz, box(1), 5), 3u);
+    }
+}
+
+// Lengths of faces leave the range in which doubles have areas, or that of the mesh's scale.
+TEST(Regions, FacesBetweenTinyAndOrdinaryLengths) {
+    for (const double s : {1e-140, 1e-178, 1e-230, 3e-308}) {
+        SCOPED_TRACE(s);
+        const Points xyz = {0, 0, 0, s, 0, 0, 0, s, 0, 0, 0, s, s, s, 1.5 * s};
+        EXPECT_EQ(compare(xyz, box(1), 2), 3u);
+    }
+}
+
+// Twice the area of a bounded face, as its corners give it.
+double doubled_area(const VoronoiDiagram& d, std::size_t f) {
+    double sum[3] = {};
+    const auto corner = [&](std::uint64_t i) {
+        return d.vertices.begin() + 3 * std::size_t{d.face_corners[i]};
+    };
+    const double* const first = corner(d.face_begin[f]);
+    for (std::uint64_t i = d.face_begin[f] + 1; i + 1 < d.face_begin[f + 1]; ++i)
+        for (int k = 0; k < 3; ++k) {
+            const int g = (k + 1) % 3, h = (k + 2) % 3;
+            const double *const p = corner(i), *const q = corner(i + 1);
+            sum[k] += (p[g] - first[g]) * (q[h] - first[h]) - (p[h] - first[h]) * (q[g] - first[g]);
+        }
+    return std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+}
+
+// Most coordinates are about 1e-201, so the mesh's scale brings the others to 1e200.
+TEST(Regions, FacesOfPointsWithTinyNoise) {
+    const double tiny = 1e-201;
+    const Points xyz = {0.046,       0.195,      -4.0 * tiny, -1.5 * tiny, -0.683,     2.9 * tiny,
+                        2.8 * tiny,  4.9 * tiny, 0.403,       0.0084,      2.2 * tiny, 4.9 * tiny,
+                        -2.9 * tiny, 4.3 * tiny, 3.1 * tiny,  0.567,       0.5 * tiny, 1.4 * tiny,
+                        -3.9 * tiny, 0.0487,     0.0407,      1.5 * tiny,  -0.814,     -0.6 * tiny,
+                        1.2 * tiny,  -0.0897,    3.8 * tiny,  -0.221,      0.583,      -0.018};
+    OwnDiagram diagram(xyz);
+    std::size_t bounded = 0;
+    for (std::size_t f = 0; f < diagram->face_count(); ++f) {
+        if (std::isinf(diagram->areas[f])) continue;
+        ++bounded;
+        const double doubled = doubled_area(*diagram, f);
+        EXPECT_NEAR(2 * diagram->areas[f], doubled, 1e-9 * doubled);
+    }
+    EXPECT_GT(bounded, 20u);
+}
+
 TEST(Regions, TouchTheirPoints) {
     const Points first = {0, 0, 0, .5, .5, 3.5, .5, .5, 4.5, .5, 1.5, 3.5},
                  second = {1, 0, 0, 0, 1, 0, 0, 6, 0, 0, 0, 6};

@@ -87,6 +87,52 @@ inline void compare_corners(const VoronoiDiagram& d, std::size_t f, bool is_turn
     EXPECT_TRUE(is_same);
 }
 
+// Compares the area and the centroid of a bounded face. `doubled` is twice the area times the
+// length of the normal, which is the vector between the two points of the face if it has two.
+inline void compare_measures(const VoronoiDiagram& d, std::size_t f,
+                             const std::vector<exact_cells::V>& polygon,
+                             const exact_cells::V& normal, const exact_cells::Rational& doubled,
+                             const exact_cells::Rational& reach, bool has_two_points,
+                             const exact_cells::V& origin) {
+    using namespace exact_cells;
+    const Rational square = exact_cells::dot(normal, normal),
+                   squared_area = doubled * doubled / (4 * square),
+                   tiny = has_two_points ? Rational(1e-14) * square : Rational(0);
+    const double area = d.areas[f];
+    if (std::isinf(area)) {
+        EXPECT_GE(squared_area, Rational(DBL_MAX) * Rational(DBL_MAX) * Rational(1 - 1e-12));
+    } else {
+        const Rational most = Rational(area) + tiny + Rational(DBL_MIN),
+                       least = Rational(area) - tiny - Rational(DBL_MIN),
+                       part = Rational(1.001e-12);
+        EXPECT_GE(most * most, squared_area * (1 - part) * (1 - part)) << area;
+        if (least > 0) {
+            EXPECT_LE(least * least, squared_area * (1 + part) * (1 + part)) << area;
+        }
+    }
+    if (squared_area <= tiny * tiny) return;
+    V moment = {0, 0, 0};
+    Rational sum = 0;
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+        const V before = polygon[i] - polygon[0], here = polygon[i + 1] - polygon[0];
+        const Rational weight = exact_cells::dot(normal, exact_cells::cross(before, here));
+        moment = moment + weight * (before + here);
+        sum += weight;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double x = d.face_centroids[3 * f + k];
+        const Rational exact = origin[k] + polygon[0][k] + moment[k] / (3 * sum);
+        if (std::isinf(x)) {
+            EXPECT_GE(abs(exact) * Rational(1 + 1e-12), Rational(DBL_MAX));
+            continue;
+        }
+        // The coordinate is rounded twice.
+        const Rational rounding = Rational(0x1p-51) * abs(exact) + Rational(DBL_MIN);
+        EXPECT_LE(abs(Rational(x) - exact), Rational(2 * measure_error) * reach + rounding)
+            << "axis " << k << ", area " << area;
+    }
+}
+
 // Compares coordinate i of a centroid with the exact one of the cell of a point.
 inline void compare_centroid(double x, const exact_cells::Rational& of_point,
                              const exact_cells::Cell& exact, std::size_t i) {
@@ -143,13 +189,7 @@ inline void compare_cell_of_diagram(const VoronoiDiagram& d, const std::vector<d
         }
         const bool is_turned = d.face_sides[2 * f] != k;
         compare_corners(d, f, is_turned, polygon, origin);
-        const double square = static_cast<double>(exact_cells::dot(all[j].normal, all[j].normal));
-        if (!(square > 1e-280 && square < 1e280)) continue;
-        const double area = static_cast<double>(doubled) / std::sqrt(square) / 2;
-        if (area < 1e280) {
-            EXPECT_LE(std::fabs(d.areas[f] - area),
-                      1.001e-12 * area + (j < sites ? 1e-14 * square : 0));
-        }
+        compare_measures(d, f, polygon, all[j].normal, doubled, reach, j < sites, origin);
     }
 }
 
