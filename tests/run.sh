@@ -90,11 +90,10 @@ need() {
 
 # Builds what the tests of some suites need, or all.
 compile() { # folder, suites or "all"
-    targets=
-    if [ "$2" != all ]; then
-        # shellcheck disable=SC2086 # suites are words
-        targets=$(python3 tests/targets.py "$1" $2) || return
-    fi
+    suites_built=$2
+    [ "$2" != all ] || suites_built=
+    # shellcheck disable=SC2086 # suites are words
+    targets=$(python3 tests/targets.py "$1" $suites_built) || return
     # shellcheck disable=SC2086 # targets are words
     ninja -C "$1" -j "$jobs" $targets >"$builds/compile.log" 2>&1
 }

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Runs clang-tidy, with the checks of .clang-tidy, on the sources of a build: the library as one file, which reads
-each header once and takes a fifteenth of the time, and the program file by file.
+each header once and takes a fifteenth of the time, the programs in groups of files with the same flags, which are
+included one after the other, and the formats of files one by one, since they use the same names.
 
   tidy_test.py SOURCE BUILD
 
@@ -12,6 +13,7 @@ import hashlib
 import json
 import os
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -23,11 +25,12 @@ sys.dont_write_bytecode = True  # the source tree stays as it is
 from checks import check, finish
 
 DEFECT = "modernize-use-nullptr"
+FILES_IN_GROUP = 12
 
 
-def tidy(*arguments):
+def tidy(*arguments, cwd=None):
     """What it says where it finds something."""
-    run = subprocess.run(["clang-tidy", "--quiet", *arguments], capture_output=True, text=True)
+    run = subprocess.run(["clang-tidy", "--quiet", *arguments], capture_output=True, text=True, cwd=cwd)
     # What it counts, in headers of others too, goes to the standard error.
     return (run.stdout.strip() or run.stderr.strip()) if run.returncode or "warning:" in run.stdout else ""
 
@@ -85,17 +88,27 @@ def texts_by_object(source, build):
 
 
 def flags_of(entry):
-    """The flags of a compilation, without the paths of what it writes."""
-    return re.sub(r" -(o|MF|MQ) \S+", "", entry["command"]).encode()
+    """The flags of a compilation that decide what is compiled."""
+    words, flags = iter(shlex.split(entry["command"])), []
+    for word in words:
+        if word in ("-o", "-MF", "-MQ", "-c"):
+            next(words)
+        elif word.startswith("-") and word != "-MD" and not re.fullmatch(r"-I\S+\.p", word):
+            flags.append(word)
+    return tuple(flags)
 
 
-def findings_in_file(build, file):
-    # Warnings of g++ have names that clang does not know.
-    return tidy("-p", build, "--extra-arg=-Wno-unknown-warning-option", file)
+def findings_in_group(source, build, folder, number, flags, files):
+    group = Path(folder) / f"group-{number}.cpp"
+    group.write_text("".join(f'#include "{file}"\n' for file in files), encoding="utf-8")
+    # Files that are included are headers to clang-tidy, and have a name that it finds suspicious. Warnings of g++ have
+    # names that clang does not know.
+    return tidy(f"--config-file={source / '.clang-tidy'}", "--checks=-bugprone-suspicious-include", group, "--",
+                *flags, "-Wno-unknown-warning-option", cwd=build)
 
 
 def findings_in_library(source, folder, passed):
-    """As findings_in_file, with the files of the library that lines stand in. The text has a defect at its end, which has
+    """As findings_in_group, with the files of the library that lines stand in. The text has a defect at its end, which has
     to be found."""
     subprocess.run([sys.executable, source / "docs" / "packaging" / "amalgamate.py", folder], check=True)
     whole = Path(folder) / "mgdt.cpp"
@@ -124,24 +137,34 @@ def main():
     # The compiler's database has paths as seen from the build.
     entries = json.loads((Path(build) / "compile_commands.json").read_text(encoding="utf-8"))
     passed, texts = Passed(source), texts_by_object(source, build)
-    files = {}  # with what each depends on, or nothing if that is not known
+    groups, known = {}, {}  # the files with the same flags; what each depends on, if the build has compiled it
     for entry in entries:
         file = (Path(entry["directory"]) / entry["file"]).resolve()
         if file.suffix == ".cpp" and any(file.is_relative_to(source / "src" / part) for part in ("bench", "cli", "mpi")):
-            known = texts.get(entry["output"])
-            files[file] = known and [flags_of(entry), *known]
+            groups.setdefault(flags_of(entry), set()).add(file)
+            known[file] = texts.get(entry["output"])
+    parts = []
+    for flags, files in groups.items():
+        alone = sorted(file for file in files if file.parent.name == "formats")
+        others = sorted(files.difference(alone))
+        parts += [(flags, [file]) for file in alone]
+        parts += [(flags, others[i:i + FILES_IN_GROUP]) for i in range(0, len(others), FILES_IN_GROUP)]
 
-    def findings(file):
+    def findings(number, flags, files):
         def find():
-            return findings_in_file(build, str(file))
-        return passed.unless_known(files[file], find) if files[file] else find()
+            return findings_in_group(source, build, folder, number, flags, files)
+        if not all(known[file] for file in files):
+            return find()
+        return passed.unless_known([" ".join(flags).encode(), *(text for file in files for text in known[file])], find)
 
     with ThreadPoolExecutor(os.cpu_count()) as pool, tempfile.TemporaryDirectory() as folder:
         library = pool.submit(findings_in_library, source, folder, passed)
-        for file, problem in zip(files, pool.map(findings, files)):
-            check(str(file.relative_to(source)), problem, names_passed=False)
+        found = pool.map(lambda part: findings(part[0], *part[1]), enumerate(parts))
+        for (_, files), problem in zip(parts, found):
+            check(" ".join(str(file.relative_to(source)) for file in files), problem, names_passed=False)
         check("the library, and a defect at its end", library.result())
-    check("files to look at", "" if len(files) > 50 else f"only {len(files)}")
+    files = sum(len(files) for _, files in parts)
+    check("files to look at", "" if files > 50 else f"only {files}")
     passed.forget_old()
     finish()
 

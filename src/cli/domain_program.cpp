@@ -33,7 +33,7 @@ Domain make_domain(const Mesh& mesh, int threads, std::uint64_t memory_limit,
     try {
         domain.set_option(DomainOption::threads, threads);
         domain.set_option(DomainOption::memory_limit, static_cast<std::int64_t>(memory_limit));
-        domain.set_points(Points(mesh.points.data(), mesh.point_count()));
+        domain.set_points(mgdt::Points(mesh.points.data(), mesh.point_count()));
         domain.set_facets(mesh.facets.begin, mesh.facets.corners, mesh.facets.markers);
         domain.set_segments(mesh.facets.segments);
         for (const FileFacets::Place& hole : mesh.facets.holes) domain.add_hole(hole.x);

@@ -42,7 +42,7 @@ struct Descriptor {
     }
 };
 
-std::string remedy(int error) {
+std::string reading_remedy(int error) {
     switch (error) {
         case ENOENT:
         case ENOTDIR:
@@ -58,8 +58,8 @@ std::string remedy(int error) {
 }
 
 [[noreturn]] void fail_reading(const std::string& name, int error) {
-    throw Error(exit_input,
-                fmt::format("{}: cannot read: {}{}", name, system_message(error), remedy(error)));
+    throw Error(exit_input, fmt::format("{}: cannot read: {}{}", name, system_message(error),
+                                        reading_remedy(error)));
 }
 
 }  // namespace

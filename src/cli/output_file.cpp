@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 20;
 
-std::string remedy(int error) {
+std::string writing_remedy(int error) {
     switch (error) {
         case ENOSPC:
 #if defined(EDQUOT)
@@ -44,7 +44,7 @@ std::string remedy(int error) {
 
 [[noreturn]] void fail_writing(const std::string& name, int error) {
     throw Error(exit_output, fmt::format("{}: cannot write: {}{}", printable(name),
-                                         system_message(error), remedy(error)));
+                                         system_message(error), writing_remedy(error)));
 }
 
 // Whether the path is an existing device, pipe or socket, which a rename must not replace.

@@ -27,7 +27,7 @@ Box box_around(const std::vector<double>& points) {
     return points.empty() ? Box{} : box;
 }
 
-Box parse_box(const std::string& text) {
+Box parse_bounds(const std::string& text) {
     Box box;
     std::string_view rest = text;
     for (std::size_t i = 0; i < 6; ++i) {
@@ -83,7 +83,8 @@ Planes planes_of(const RegionOptions& options, const std::vector<double>& points
                  std::vector<FileIdentity>& inputs) {
     if (!options.planes.empty()) return read_planes(options.planes, inputs);
     if (options.bounds.empty()) return {};
-    return planes_of_box(options.bounds == "auto" ? box_around(points) : parse_box(options.bounds));
+    return planes_of_box(options.bounds == "auto" ? box_around(points)
+                                                  : parse_bounds(options.bounds));
 }
 
 }  // namespace mgdt::cli

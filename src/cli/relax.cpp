@@ -39,7 +39,7 @@ double move_to_centroids(Triangulation& t, const Planes& planes, std::vector<dou
         std::copy_n(c, 3, p);
     }
     try {
-        t.move(Points(points.data(), points.size() / 3));
+        t.move(mgdt::Points(points.data(), points.size() / 3));
     } catch (...) {
         rethrow_failure(name, t.last_error());
     }

@@ -15,15 +15,15 @@ namespace mgdt::cli {
 namespace {
 
 // Inserts the points in equal runs, so that ids are positions in the file.
-void insert(Parts& parts, const std::vector<double>& points, const std::string& name) {
+void insert_into(Parts& parts, const std::vector<double>& points, const std::string& name) {
     const auto n = static_cast<std::int64_t>(points.size() / 3);
     const auto count = static_cast<std::int32_t>(parts.number(PartsNumber::parts, 0));
     const auto end_of = [&](std::int32_t p) { return n / count * p + n % count * p / count; };
     try {
         for (std::int32_t p = 0; p < count; ++p) {
             check_interrupt();
-            parts.insert(Points(points.data() + 3 * end_of(p),
-                                static_cast<std::size_t>(end_of(p + 1) - end_of(p))),
+            parts.insert(mgdt::Points(points.data() + 3 * end_of(p),
+                                      static_cast<std::size_t>(end_of(p + 1) - end_of(p))),
                          p);
         }
     } catch (...) {
@@ -62,7 +62,7 @@ int triangulate_in_parts(const TriangulateOptions& options) {
             std::vector<std::string> written = files;
             written.push_back(output.path);
             require_apart(mesh.inputs, written);
-            insert(parts, mesh.points, name);
+            insert_into(parts, mesh.points, name);
         }
         with_progress(parts, name, options.triangulation.quiet, [&] {
             parts.build_each([&](const Parts& p, std::int32_t part) {

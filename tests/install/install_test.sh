@@ -100,7 +100,8 @@ test('example', executable('example', 'example.c', dependencies : mgdt))
 END
     PKG_CONFIG_LIBDIR=$scratch/nowhere
     export PKG_CONFIG_LIBDIR
-    meson setup "$scratch/host/build" "$scratch/host" -Dunity=subprojects -Dunity_size=16 && meson test -C "$scratch/host/build"
+    meson setup "$scratch/host/build" "$scratch/host" -Dunity=subprojects -Dunity_size=16 &&
+        meson test -C "$scratch/host/build"
 }
 check "a Meson subproject builds and runs" subproject
 
