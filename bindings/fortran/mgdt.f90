@@ -41,11 +41,11 @@ module mgdt
               mgdt_order_scheme_name, mgdt_order_scheme_from_name, mgdt_order_scheme_at
     ! The constants; mgdt_constants.f90 says what they mean.
     public :: mgdt_ok, mgdt_err_null_pointer, mgdt_err_invalid_argument, mgdt_err_not_finite, &
-              mgdt_err_unknown_scheme, mgdt_err_unknown_key, mgdt_err_buffer_too_small, &
-              mgdt_err_index_range, mgdt_err_out_of_memory, mgdt_err_too_large, &
-              mgdt_err_cancelled, mgdt_err_busy, mgdt_err_transport, mgdt_err_check_failed, &
-              mgdt_err_invalid_boundary, mgdt_err_resolution, mgdt_err_open_boundary, &
-              mgdt_err_internal
+              mgdt_err_unknown_scheme, mgdt_err_unknown_key, mgdt_err_not_built, &
+              mgdt_err_buffer_too_small, mgdt_err_index_range, mgdt_err_out_of_memory, &
+              mgdt_err_too_large, mgdt_err_cancelled, mgdt_err_busy, mgdt_err_transport, &
+              mgdt_err_check_failed, mgdt_err_invalid_boundary, mgdt_err_resolution, &
+              mgdt_err_open_boundary, mgdt_err_internal
     public :: mgdt_order_auto, mgdt_order_input, mgdt_order_random, mgdt_order_lexicographic, &
               mgdt_order_brio, mgdt_order_hilbert, mgdt_order_regular_grid, mgdt_order_kd_tree, &
               mgdt_order_enhanced_kd_tree, mgdt_order_multi_grid

@@ -18,8 +18,12 @@ module mgdt_constants
     integer, parameter :: mgdt_err_not_finite = 12
     ! No MGDT_ORDER_ value, or no name of one.
     integer, parameter :: mgdt_err_unknown_scheme = 13
-    ! No MGDT_STAT_ or MGDT_PARAMETER_ key.
+    ! There is no such key of what is asked for: a statistic, a parameter, an option, an array or a
+    ! measure.
     integer, parameter :: mgdt_err_unknown_key = 14
+    ! A result is asked for before the call that makes it, or after a change that has removed it.
+    ! Nothing is written. Since 1.3.
+    integer, parameter :: mgdt_err_not_built = 15
     ! The capacity is less than what must be written.
     integer, parameter :: mgdt_err_buffer_too_small = 20
     ! An index does not fit a 32-bit integer.
@@ -36,7 +40,7 @@ module mgdt_constants
     integer, parameter :: mgdt_err_busy = 41
     ! A function of an mgdt_transport reported a failure. Since 1.2.
     integer, parameter :: mgdt_err_transport = 50
-    ! mgdt_check() found a defect.
+    ! A check, such as mgdt_check(), found a defect.
     integer, parameter :: mgdt_err_check_failed = 60
     ! Facets, segments or points of a domain cross or touch where they must not, or are flat. Since
     ! 1.3.

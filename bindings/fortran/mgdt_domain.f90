@@ -39,7 +39,7 @@ module mgdt_domain
     public :: mgdt_ok, mgdt_err_null_pointer, mgdt_err_invalid_argument, mgdt_err_not_finite, &
               mgdt_err_unknown_key, mgdt_err_index_range, mgdt_err_out_of_memory, &
               mgdt_err_too_large, mgdt_err_cancelled, mgdt_err_busy, mgdt_err_check_failed, &
-              mgdt_err_invalid_boundary, mgdt_err_resolution, mgdt_err_open_boundary
+              mgdt_err_invalid_boundary, mgdt_err_resolution, mgdt_err_open_boundary, mgdt_err_not_built
 
     ! What bounds a domain, and the mesh that fills it. The first call that sets something creates
     ! it; number, get and others that read have the status mgdt_err_null_pointer before. It frees

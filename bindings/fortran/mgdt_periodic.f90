@@ -34,7 +34,7 @@ module mgdt_periodic
     public :: mgdt_measure_volume, mgdt_measure_area, mgdt_measure_centroid, mgdt_measure_faces
     public :: mgdt_ok, mgdt_err_null_pointer, mgdt_err_invalid_argument, mgdt_err_not_finite, &
               mgdt_err_unknown_key, mgdt_err_index_range, mgdt_err_out_of_memory, &
-              mgdt_err_too_large, mgdt_err_cancelled, mgdt_err_busy, mgdt_err_check_failed
+              mgdt_err_too_large, mgdt_err_cancelled, mgdt_err_busy, mgdt_err_check_failed, mgdt_err_not_built
 
     ! Points in a box and their triangulation. create comes first; other calls have the status
     ! mgdt_err_null_pointer before. It frees what it holds when it goes out of scope. It cannot be

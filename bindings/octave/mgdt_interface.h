@@ -155,6 +155,7 @@
     E(NOT_FINITE, not_finite)             \
     E(UNKNOWN_SCHEME, unknown_scheme)     \
     E(UNKNOWN_KEY, unknown_key)           \
+    E(NOT_BUILT, not_built)               \
     E(BUFFER_TOO_SMALL, buffer_too_small) \
     E(INDEX_RANGE, index_range)           \
     E(OUT_OF_MEMORY, out_of_memory)       \

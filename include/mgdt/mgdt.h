@@ -103,7 +103,11 @@ enum {
     MGDT_ERR_INVALID_ARGUMENT = 11, /**< A value is out of its documented range. */
     MGDT_ERR_NOT_FINITE = 12,       /**< A coordinate is NaN or infinite. */
     MGDT_ERR_UNKNOWN_SCHEME = 13,   /**< No MGDT_ORDER_ value, or no name of one. */
-    MGDT_ERR_UNKNOWN_KEY = 14,      /**< No MGDT_STAT_ or MGDT_PARAMETER_ key. */
+    MGDT_ERR_UNKNOWN_KEY = 14,      /**< There is no such key of what is asked for: a statistic, a
+                                     *   parameter, an option, an array or a measure. */
+    /** A result is asked for before the call that makes it, or after a change that has removed it.
+     *  Nothing is written. Since 1.3. */
+    MGDT_ERR_NOT_BUILT = 15,
     MGDT_ERR_BUFFER_TOO_SMALL = 20, /**< The capacity is less than what must be written. */
     MGDT_ERR_INDEX_RANGE = 21,      /**< An index does not fit a 32-bit integer. */
     MGDT_ERR_OUT_OF_MEMORY = 30,    /**< The allocator or the memory limit refused. */
@@ -115,7 +119,7 @@ enum {
                          *   mgdt_cancel() and mgdt_get_error(). Since 1.2. */
     /** A function of an mgdt_transport reported a failure. Since 1.2. */
     MGDT_ERR_TRANSPORT = 50,
-    MGDT_ERR_CHECK_FAILED = 60, /**< mgdt_check() found a defect. */
+    MGDT_ERR_CHECK_FAILED = 60, /**< A check, such as mgdt_check(), found a defect. */
     /** Facets, segments or points of a domain cross or touch where they must not, or are flat.
      *  Since 1.3. */
     MGDT_ERR_INVALID_BOUNDARY = 70,

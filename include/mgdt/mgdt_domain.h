@@ -88,7 +88,8 @@ enum {
 /** Arrays of a domain. Those up to MGDT_DOMAIN_ARRAY_STEINER_EDGES have integers, for
  *  mgdt_domain_get_array(); the others have doubles, for mgdt_domain_get_doubles(). Points, facets,
  *  segments, tetrahedra and regions are numbered from the index base. Where there is none, the
- *  number is the index base - 1. All arrays but the first two are empty until there is a mesh. */
+ *  number is the index base - 1. Until there is a mesh, calls that ask for another array than the
+ *  first two fail with MGDT_ERR_NOT_BUILT. */
 enum {
     /** Four elements for each pair that mgdt_domain_validate() or mgdt_domain_build() has found: a
      *  kind (MGDT_DOMAIN_KIND_FACET and so on) and a number, twice. What is bad by itself is paired
@@ -266,7 +267,7 @@ MGDT_API mgdt_status mgdt_domain_build(mgdt_domain* d);
  *  facets, have the markers of the places in them and contain no holes; and the mesh is constrained
  *  Delaunay (docs/theory.md, "Meshes of domains"). It does not find anew which of the parts that
  *  facets enclose have to be filled.
- *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (there is no mesh),
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_BUILT,
  *  MGDT_ERR_CHECK_FAILED (the message says what is wrong and where), MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_check(const mgdt_domain* d);
@@ -281,7 +282,7 @@ MGDT_API mgdt_status mgdt_domain_get_stat(const mgdt_domain* d, int32_t key, int
 
 /** Gives the number of elements of an array.
  *  @param array  an MGDT_DOMAIN_ARRAY_ value
- *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_NOT_BUILT
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_get_size(const mgdt_domain* d, int32_t array, int64_t* size);
 
@@ -289,7 +290,8 @@ MGDT_API mgdt_status mgdt_domain_get_size(const mgdt_domain* d, int32_t array, i
  *  @param array     MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS to MGDT_DOMAIN_ARRAY_STEINER_EDGES
  *  @param capacity  at least what mgdt_domain_get_size() gives
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT,
- *  MGDT_ERR_BUFFER_TOO_SMALL, MGDT_ERR_INDEX_RANGE (32 bits: a number does not fit)
+ *  MGDT_ERR_NOT_BUILT, MGDT_ERR_BUFFER_TOO_SMALL, MGDT_ERR_INDEX_RANGE (32 bits: a number does not
+ *  fit)
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_get_array(const mgdt_domain* d, int32_t array, int64_t capacity,
                                            int64_t* values);
@@ -302,7 +304,7 @@ MGDT_API mgdt_status mgdt_domain_get_array_i32(const mgdt_domain* d, int32_t arr
  *  @param array     MGDT_DOMAIN_ARRAY_POINTS or MGDT_DOMAIN_ARRAY_STEINER_PARAMETERS
  *  @param capacity  at least what mgdt_domain_get_size() gives
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT,
- *  MGDT_ERR_BUFFER_TOO_SMALL
+ *  MGDT_ERR_NOT_BUILT, MGDT_ERR_BUFFER_TOO_SMALL
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_get_doubles(const mgdt_domain* d, int32_t array, int64_t capacity,
                                              double* values);

@@ -63,9 +63,9 @@ enum {
 /** Arrays of a periodic triangulation. Those up to MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS have
  *  integers, for mgdt_periodic_get_array(); the others have doubles, for
  *  mgdt_periodic_get_doubles(). Points and tetrahedra are numbered from the index base. Arrays of
- *  offsets have three elements for each offset. All arrays are empty until there is a
- *  triangulation. The list of the tetrahedra and those of the neighbours of vertices are made when
- *  they, or their sizes, are first asked for. */
+ *  offsets have three elements for each offset. Until there is a triangulation, calls that ask for
+ *  an array fail with MGDT_ERR_NOT_BUILT. The list of the tetrahedra and those of the neighbours of
+ * vertices are made when they, or their sizes, are first asked for. */
 enum {
     /** For each point the vertex that has its images: the least point that has them. */
     MGDT_PERIODIC_ARRAY_POINT_MAP = 10,
@@ -198,7 +198,7 @@ MGDT_API mgdt_status mgdt_periodic_build(mgdt_periodic* p);
 /** Checks the triangulation, with exact arithmetic and without what the build has used besides: all
  *  tetrahedra are positive, fill space once with their images, and are Delaunay, with ties broken
  * by the perturbation (docs/theory.md, "Periodic boxes").
- *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (there is no triangulation),
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_BUILT,
  *  MGDT_ERR_CHECK_FAILED (the message says what is wrong and where), MGDT_ERR_CANCELLED,
  *  MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
@@ -214,7 +214,8 @@ MGDT_API mgdt_status mgdt_periodic_get_stat(const mgdt_periodic* p, int32_t key,
 
 /** Gives the number of elements of an array.
  *  @param array  an MGDT_PERIODIC_ARRAY_ value
- *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_OUT_OF_MEMORY
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_NOT_BUILT,
+ *  MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_get_size(const mgdt_periodic* p, int32_t array, int64_t* size);
 
@@ -222,8 +223,8 @@ MGDT_API mgdt_status mgdt_periodic_get_size(const mgdt_periodic* p, int32_t arra
  *  @param array     MGDT_PERIODIC_ARRAY_POINT_MAP to MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS
  *  @param capacity  at least what mgdt_periodic_get_size() gives
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT,
- *  MGDT_ERR_BUFFER_TOO_SMALL, MGDT_ERR_INDEX_RANGE (32 bits: a number does not fit),
- *  MGDT_ERR_OUT_OF_MEMORY
+ *  MGDT_ERR_NOT_BUILT, MGDT_ERR_BUFFER_TOO_SMALL, MGDT_ERR_INDEX_RANGE (32 bits: a number does not
+ *  fit), MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_get_array(const mgdt_periodic* p, int32_t array,
                                              int64_t capacity, int64_t* values);
@@ -236,7 +237,7 @@ MGDT_API mgdt_status mgdt_periodic_get_array_i32(const mgdt_periodic* p, int32_t
  *  @param array     MGDT_PERIODIC_ARRAY_POINTS or MGDT_PERIODIC_ARRAY_VECTORS
  *  @param capacity  at least what mgdt_periodic_get_size() gives
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT,
- *  MGDT_ERR_BUFFER_TOO_SMALL
+ *  MGDT_ERR_NOT_BUILT, MGDT_ERR_BUFFER_TOO_SMALL
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_get_doubles(const mgdt_periodic* p, int32_t array,
                                                int64_t capacity, double* values);
@@ -248,7 +249,7 @@ MGDT_API mgdt_status mgdt_periodic_get_doubles(const mgdt_periodic* p, int32_t a
  *  @param capacity  elements in x, at least the number of points, or three times that for centroids
  *  @param[out] x    for each point a number, or x y z of a centroid
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_BUFFER_TOO_SMALL,
- *  MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_INVALID_ARGUMENT (a negative capacity, no triangulation, or
+ *  MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_NOT_BUILT, MGDT_ERR_INVALID_ARGUMENT (a negative capacity, or
  *  points of a slab or a wire that do not span space)
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_get_cell_measures(const mgdt_periodic* p, int32_t measure,
@@ -262,8 +263,8 @@ MGDT_API mgdt_status mgdt_periodic_get_cell_measures(const mgdt_periodic* p, int
  * from the same functions and has the same memory limit for itself.
  *  @param[out] out  the handle; NULL if the call fails. The message of a failure is that of the box
  *                   (mgdt_periodic_get_error())
- *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_INVALID_ARGUMENT (there is no triangulation, or
- *  the points of a slab or a wire do not span space), MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED,
+ *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_BUILT, MGDT_ERR_INVALID_ARGUMENT (the
+ *  points of a slab or a wire do not span space), MGDT_ERR_TOO_LARGE, MGDT_ERR_CANCELLED,
  *  MGDT_ERR_OUT_OF_MEMORY, MGDT_ERR_BUSY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_periodic_create_voronoi(const mgdt_periodic* p, mgdt_voronoi** out);

@@ -248,7 +248,7 @@ extern "C" mgdt_status mgdt_domain_build(mgdt_domain* d) {
 
 extern "C" mgdt_status mgdt_domain_check(const mgdt_domain* d) {
     return guard(d, [&] {
-        if (!d->domain.has_mesh()) fail(MGDT_ERR_INVALID_ARGUMENT, "there is no mesh to check");
+        require_mesh(d->domain);
         d->domain.check();
     });
 }

@@ -14,3 +14,11 @@ struct mgdt_domain : mgdt::HandleBase {
 
     mgdt::Domain domain;
 };
+
+namespace mgdt {
+
+inline void require_mesh(const Domain& d) {
+    if (!d.has_mesh()) fail(MGDT_ERR_NOT_BUILT, "there is no mesh; mgdt_domain_build() makes one");
+}
+
+}  // namespace mgdt

@@ -90,8 +90,10 @@ std::size_t size_of(const Domain& d, std::int32_t array) {
     if (array == MGDT_DOMAIN_ARRAY_OFFENDING_PAIRS) return 4 * d.offences().size();
     if (array == MGDT_DOMAIN_ARRAY_OPEN_EDGES) return 3 * d.open_edges().size();
     const auto size = [](const auto& of) { return of.size(); };
-    if (has_doubles(array)) return with_doubles(d.mesh(), array, size);
-    return with_integers(d.mesh(), array, size, size);
+    const std::size_t n = has_doubles(array) ? with_doubles(d.mesh(), array, size)
+                                             : with_integers(d.mesh(), array, size, size);
+    require_mesh(d);
+    return n;
 }
 
 template <class Int>

@@ -20,8 +20,7 @@ namespace mgdt {
 
 inline void require_triangulation(const Periodic& p) {
     if (!p.has_triangulation())
-        fail(MGDT_ERR_INVALID_ARGUMENT,
-             "there is no triangulation; mgdt_periodic_build() makes one");
+        fail(MGDT_ERR_NOT_BUILT, "there is no triangulation; mgdt_periodic_build() makes one");
 }
 
 }  // namespace mgdt

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The numbers and arrays of a periodic box, and its Voronoi cells.
 #include <algorithm>
+#include <iterator>
 
 #include "capi/measure.hpp"
 #include "capi/periodic_handle.hpp"
@@ -38,9 +39,25 @@ bool is_array_of_doubles(std::int32_t array) {
     return array == MGDT_PERIODIC_ARRAY_POINTS || array == MGDT_PERIODIC_ARRAY_VECTORS;
 }
 
+constexpr std::int32_t arrays[] = {
+    MGDT_PERIODIC_ARRAY_POINT_MAP,
+    MGDT_PERIODIC_ARRAY_POINT_OFFSETS,
+    MGDT_PERIODIC_ARRAY_TETRAHEDRA,
+    MGDT_PERIODIC_ARRAY_OFFSETS,
+    MGDT_PERIODIC_ARRAY_NEIGHBORS,
+    MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS,
+    MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS,
+    MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS,
+    MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS,
+    MGDT_PERIODIC_ARRAY_POINTS,
+    MGDT_PERIODIC_ARRAY_VECTORS,
+};
+
 std::size_t size_of(const Periodic& p, std::int32_t array) {
-    const bool is_built = p.has_triangulation();
-    const std::size_t points = is_built ? p.point_count() : 0;
+    if (std::find(std::begin(arrays), std::end(arrays), array) == std::end(arrays))
+        fail(MGDT_ERR_UNKNOWN_KEY, "there is no array %d", static_cast<int>(array));
+    require_triangulation(p);
+    const std::size_t points = p.point_count();
     switch (array) {
         case MGDT_PERIODIC_ARRAY_POINT_MAP:
             return points;
@@ -49,20 +66,18 @@ std::size_t size_of(const Periodic& p, std::int32_t array) {
             return 3 * points;
         case MGDT_PERIODIC_ARRAY_TETRAHEDRA:
         case MGDT_PERIODIC_ARRAY_NEIGHBORS:
-            return is_built ? 4 * p.tetrahedra().size() : 0;
+            return 4 * p.tetrahedra().size();
         case MGDT_PERIODIC_ARRAY_OFFSETS:
         case MGDT_PERIODIC_ARRAY_NEIGHBOR_OFFSETS:
-            return is_built ? 12 * p.tetrahedra().size() : 0;
+            return 12 * p.tetrahedra().size();
         case MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_STARTS:
-            return is_built ? points + 1 : 0;
+            return points + 1;
         case MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBORS:
-            return is_built ? p.neighbors().images.size() : 0;
+            return p.neighbors().images.size();
         case MGDT_PERIODIC_ARRAY_VERTEX_NEIGHBOR_OFFSETS:
-            return is_built ? 3 * p.neighbors().images.size() : 0;
-        case MGDT_PERIODIC_ARRAY_VECTORS:
-            return is_built ? 3 * p.dimensions() : 0;
+            return 3 * p.neighbors().images.size();
         default:
-            fail(MGDT_ERR_UNKNOWN_KEY, "there is no array %d", static_cast<int>(array));
+            return 3 * p.dimensions();  // MGDT_PERIODIC_ARRAY_VECTORS
     }
 }
 

@@ -84,6 +84,8 @@ extern "C" const char* mgdt_status_string(mgdt_status s) {
             return "no such order scheme";
         case MGDT_ERR_UNKNOWN_KEY:
             return "no such key";
+        case MGDT_ERR_NOT_BUILT:
+            return "there is no result: the call that makes it comes first";
         case MGDT_ERR_BUFFER_TOO_SMALL:
             return "an output array is too small";
         case MGDT_ERR_INDEX_RANGE:

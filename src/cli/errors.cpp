@@ -81,6 +81,7 @@ const Failure* find_failure(mgdt_status status) {
         {MGDT_ERR_NOT_FINITE, exit_input, "; take the point out"},
         {MGDT_ERR_UNKNOWN_SCHEME, exit_usage, ""},
         {MGDT_ERR_UNKNOWN_KEY, exit_internal, ""},
+        {MGDT_ERR_NOT_BUILT, exit_internal, ""},
         {MGDT_ERR_BUFFER_TOO_SMALL, exit_internal, ""},
         {MGDT_ERR_INDEX_RANGE, exit_memory, "; triangulate fewer points"},
         {MGDT_ERR_OUT_OF_MEMORY, exit_memory, "; triangulate fewer points or give it more memory"},

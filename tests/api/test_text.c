@@ -23,6 +23,7 @@ static const mgdt_status statuses[] = {MGDT_OK,
                                        MGDT_ERR_INVALID_BOUNDARY,
                                        MGDT_ERR_RESOLUTION,
                                        MGDT_ERR_OPEN_BOUNDARY,
+                                       MGDT_ERR_NOT_BUILT,
                                        MGDT_ERR_INTERNAL};
 
 static const int32_t stats[] = {MGDT_STAT_POINTS_INSERTED,

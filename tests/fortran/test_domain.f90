@@ -205,7 +205,7 @@ contains
         call mesh%build(stat, message)
         call expect_error(stat, mgdt_err_invalid_boundary, message, 'facet')
         call mesh%check(stat, message)
-        call expect_error(stat, mgdt_err_invalid_argument, message, 'no mesh')
+        call expect_error(stat, mgdt_err_not_built, message, 'no mesh')
 
         call mesh%set_facets(reshape([1, 2, 7], [3, 1]), stat=stat, errmsg=message)
         call expect_error(stat, mgdt_err_invalid_argument, message, '7')

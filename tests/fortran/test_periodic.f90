@@ -137,7 +137,7 @@ contains
         call box%create(cube)
         call box%insert_points(atoms)
         call cells%create(box, stat=stat, errmsg=message)
-        call expect_error(stat, mgdt_err_invalid_argument, message, 'there is no triangulation')
+        call expect_error(stat, mgdt_err_not_built, message, 'there is no triangulation')
         call box%build()
         call box%get_cell_measures(mgdt_measure_volume, x)
         call expect(all(abs(x - 8) < 1e-12_real64), 'volumes')
@@ -193,11 +193,12 @@ contains
         call box%build(stat=stat, errmsg=message)
         call expect_error(stat, mgdt_err_invalid_argument, message, 'point 1 is more than')
         call box%get_cell_measures(mgdt_measure_volume, x, stat=stat, errmsg=message)
-        call expect_error(stat, mgdt_err_invalid_argument, message, 'there is no triangulation')
+        call expect_error(stat, mgdt_err_not_built, message, 'there is no triangulation')
         call box%get(mgdt_periodic_array_point_map, map, stat=stat, errmsg=message)
         call expect_error(stat, mgdt_err_invalid_argument, message, 'one dimension')
         call box%get(mgdt_periodic_array_points, three, stat=stat, errmsg=message)
         call expect_error(stat, mgdt_err_invalid_argument, message, 'three dimensions')
-        call expect(box%array_size(mgdt_periodic_array_points) == 0, 'nothing')
+        call expect(box%array_size(mgdt_periodic_array_points, stat=stat, errmsg=message) == 0, 'nothing')
+        call expect_error(stat, mgdt_err_not_built, message, 'there is no triangulation')
     end subroutine
 end program

@@ -208,10 +208,10 @@ int32_t mgdt_periodic_get_error(const mgdt_periodic *p, int64_t capacity, char *
 
 return {
     status = { ok = 0, null_pointer = 10, invalid_argument = 11, not_finite = 12,
-        unknown_scheme = 13, unknown_key = 14, buffer_too_small = 20, index_range = 21,
-        out_of_memory = 30, too_large = 31, cancelled = 40, busy = 41, transport = 50,
-        check_failed = 60, invalid_boundary = 70, resolution = 71, open_boundary = 72,
-        internal = 90 },
+        unknown_scheme = 13, unknown_key = 14, not_built = 15, buffer_too_small = 20,
+        index_range = 21, out_of_memory = 30, too_large = 31, cancelled = 40, busy = 41,
+        transport = 50, check_failed = 60, invalid_boundary = 70, resolution = 71,
+        open_boundary = 72, internal = 90 },
     order = { auto = 0, input = 10, random = 20, lexicographic = 30, brio = 40, hilbert = 50,
         regular_grid = 60, kd_tree = 70, enhanced_kd_tree = 80, multi_grid = 90 },
     parameter = { points_per_cell = 10, threshold = 20, separation = 30, round_ratio = 40 },

@@ -13,6 +13,7 @@ from ._errors import (
     Cancelled,
     CheckFailed,
     Error,
+    NotBuiltError,
     OutOfMemoryError,
     TooLargeError,
 )
@@ -46,6 +47,7 @@ __all__ = [
     "LinearNDInterpolator",
     "NaturalNeighborInterpolator",
     "NearestNDInterpolator",
+    "NotBuiltError",
     "ORDER_SCHEMES",
     "OffendingPair",
     "OpenBoundary",

@@ -11,6 +11,7 @@ INVALID_ARGUMENT = _STATUS["invalid_argument"]
 NOT_FINITE = _STATUS["not_finite"]
 UNKNOWN_SCHEME = _STATUS["unknown_scheme"]
 UNKNOWN_KEY = _STATUS["unknown_key"]
+NOT_BUILT = _STATUS["not_built"]
 BUFFER_TOO_SMALL = _STATUS["buffer_too_small"]
 INDEX_RANGE = _STATUS["index_range"]
 OUT_OF_MEMORY = _STATUS["out_of_memory"]
@@ -63,6 +64,13 @@ class BusyError(Error, RuntimeError):
     """
 
 
+class NotBuiltError(Error, RuntimeError):
+    """There is no result: a call that should have made it was stopped or failed.
+
+    Since 1.3.
+    """
+
+
 class CheckFailed(Error):
     """`Delaunay.check` found a defect. The message says what and where."""
 
@@ -72,6 +80,7 @@ _CLASSES = {
     NOT_FINITE: ArgumentError,
     UNKNOWN_SCHEME: ArgumentError,
     UNKNOWN_KEY: ArgumentError,
+    NOT_BUILT: NotBuiltError,
     INDEX_RANGE: TooLargeError,
     OUT_OF_MEMORY: OutOfMemoryError,
     TOO_LARGE: TooLargeError,

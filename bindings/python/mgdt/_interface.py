@@ -193,6 +193,7 @@ CONSTANTS: dict[str, dict[str, int]] = {
         "not_finite": 12,
         "unknown_scheme": 13,
         "unknown_key": 14,
+        "not_built": 15,
         "buffer_too_small": 20,
         "index_range": 21,
         "out_of_memory": 30,

@@ -25,6 +25,7 @@ module Mgdt
   class InvalidArgument < Error; end   # a value out of its range
   class NotFinite < Error; end         # a coordinate is NaN or infinite; which, in the message
   class UnknownName < Error; end       # no such order scheme, parameter or statistic
+  class NotBuilt < Error; end          # there is no result: the call that makes it comes first
   class BufferTooSmall < Error; end    # the buffer given holds less than what must be written
   class IndexRange < Error; end        # an index does not fit the buffer's 32-bit integers
   class OutOfMemory < Error; end       # the system or the memory limit refused
@@ -45,8 +46,8 @@ module Mgdt
   class Error
     CLASSES = {
       null_pointer: InvalidArgument, invalid_argument: InvalidArgument, not_finite: NotFinite,
-      unknown_scheme: UnknownName, unknown_key: UnknownName, buffer_too_small: BufferTooSmall,
-      index_range: IndexRange, out_of_memory: OutOfMemory, too_large: TooLarge,
+      unknown_scheme: UnknownName, unknown_key: UnknownName, not_built: NotBuilt,
+      buffer_too_small: BufferTooSmall, index_range: IndexRange, out_of_memory: OutOfMemory, too_large: TooLarge,
       cancelled: Cancelled, busy: Busy, check_failed: CheckFailed,
       invalid_boundary: InvalidBoundary, resolution: Resolution,
       open_boundary: OpenBoundary

@@ -43,6 +43,7 @@ pub const MGDT_ERR_INVALID_ARGUMENT: mgdt_status = 11;
 pub const MGDT_ERR_NOT_FINITE: mgdt_status = 12;
 pub const MGDT_ERR_UNKNOWN_SCHEME: mgdt_status = 13;
 pub const MGDT_ERR_UNKNOWN_KEY: mgdt_status = 14;
+pub const MGDT_ERR_NOT_BUILT: mgdt_status = 15;
 pub const MGDT_ERR_BUFFER_TOO_SMALL: mgdt_status = 20;
 pub const MGDT_ERR_INDEX_RANGE: mgdt_status = 21;
 pub const MGDT_ERR_OUT_OF_MEMORY: mgdt_status = 30;

@@ -34,6 +34,8 @@ pub enum ErrorKind {
     OpenBoundary,
     /// A mesh would need smaller differences than doubles have. Since 1.3.
     Resolution,
+    /// There is no result: the call that makes it comes first. Since 1.3.
+    NotBuilt,
     /// The library that was loaded has another binary interface than this crate was made for.
     Library,
     /// Anything else: a defect in mgdt.
@@ -71,6 +73,7 @@ impl Error {
             sys::MGDT_ERR_INVALID_BOUNDARY => ErrorKind::InvalidBoundary,
             sys::MGDT_ERR_OPEN_BOUNDARY => ErrorKind::OpenBoundary,
             sys::MGDT_ERR_RESOLUTION => ErrorKind::Resolution,
+            sys::MGDT_ERR_NOT_BUILT => ErrorKind::NotBuilt,
             _ => ErrorKind::Internal,
         };
         Error { kind, message }

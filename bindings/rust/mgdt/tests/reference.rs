@@ -216,7 +216,8 @@ fn what_a_domain_refuses() {
     assert_eq!(error.kind(), ErrorKind::InvalidBoundary);
     assert_eq!(d.offending_pairs().unwrap(), [(Facet(0), Facet(1))]);
     assert_eq!(d.validate().unwrap(), [(Facet(0), Facet(1))]);
-    assert_eq!(d.check().unwrap_err().kind(), ErrorKind::InvalidArgument);
+    assert_eq!(d.check().unwrap_err().kind(), ErrorKind::NotBuilt);
+    assert_eq!(d.tetrahedra().unwrap_err().kind(), ErrorKind::NotBuilt);
 }
 
 #[test]
