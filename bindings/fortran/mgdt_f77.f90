@@ -70,6 +70,8 @@ subroutine mgfree(h, ierr)
     type(c_ptr) :: pointer
 
     pointer = handle_of(h)
+    ierr = mgdt_err_null_pointer
+    if (.not. c_associated(pointer)) return
     ! In a subroutine that hears of progress nothing is freed, neither here nor by the library.
     ierr = c_set_progress(pointer, c_null_funptr, c_null_ptr)
     if (ierr == mgdt_err_busy) return

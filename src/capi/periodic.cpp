@@ -46,6 +46,7 @@ long long shown(const Periodic& p, std::uint64_t number) {
 void insert(Periodic& p, std::int64_t n, const double* xyz) {
     const std::size_t count = require_count(n);
     if (count > 0) require_pointer(xyz, "xyz");
+    p.require_room(count);  // before coordinates are read that may not be there
     for (std::size_t i = 0; i < 3 * count; ++i)
         require_finite(xyz[i], i % 3, shown(p, p.point_count() + i / 3));
     p.insert(count, xyz);

@@ -34,11 +34,15 @@ void Periodic::forget_results() noexcept {
     grid_.reset();
 }
 
+void Periodic::require_room(std::size_t n) const {
+    if (n > max_points || point_count() + n > max_points)
+        fail(MGDT_ERR_TOO_LARGE, "%zu points are more than can be numbered", point_count() + n);
+}
+
 void Periodic::insert(std::size_t n, const double* xyz) {
     if (n == 0) return;
+    require_room(n);
     const std::size_t before = given_.size();
-    if (n > max_points || before / 3 + n > max_points)
-        fail(MGDT_ERR_TOO_LARGE, "%zu points are more than can be numbered", before / 3 + n);
     given_.grow(before + 3 * n);
     given_.resize_within_capacity(before + 3 * n);
     std::copy_n(xyz, 3 * n, given_.begin() + before);

@@ -24,6 +24,8 @@ class Periodic {
     Periodic(unsigned dimensions, const double* vectors, mgdt_alloc_fn alloc, mgdt_free_fn release,
              void* user);
 
+    // Throws an Error if n more points are more than can be numbered.
+    void require_room(std::size_t n) const;
     // The coordinates are finite. Every change removes the triangulation.
     void insert(std::size_t n, const double* xyz);
     // Moves points, with indices from 0, to n places. The next build starts with the images that

@@ -366,6 +366,7 @@ static void bad_arguments(void) {
     CHECK_EQUAL(mgdt_periodic_create(3, cube, &p), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, -1, cube), MGDT_ERR_INVALID_ARGUMENT);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, NULL), MGDT_ERR_NULL_POINTER);
+    CHECK_EQUAL(mgdt_periodic_insert_points(p, (int64_t)1 << 62, cube), MGDT_ERR_TOO_LARGE);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 2, cube), MGDT_OK);
     CHECK_EQUAL(mgdt_periodic_insert_points(p, 1, bad), MGDT_ERR_NOT_FINITE);
     CHECK(says(p, "point 2"));

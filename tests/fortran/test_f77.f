@@ -930,6 +930,13 @@
       CALL EXPECT(IERR .EQ. 0 .AND. N .EQ. 0, 'no points')
       CALL MGNPT(HD, N, IERR)
       CALL EXPECT(IERR .EQ. MGENUL, 'no triangulation')
+! A handle of another kind is not emptied.
+      CALL MGFREE(HD, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'MGFREE of a domain')
+      CALL MGVFRE(HD, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'MGVFRE of a domain')
+      CALL MGBFRE(HD, IERR)
+      CALL EXPECT(IERR .EQ. MGENUL, 'MGBFRE of a domain')
       CALL MGDFRE(HD, IERR)
       CALL EXPECT(IERR .EQ. 0, 'MGDFRE')
       CALL MGDFRE(HD, IERR)
