@@ -36,9 +36,10 @@ Mesh read_input(const InputOptions& options, const Format** format) {
     } else if (options.allow_empty) {
         mesh.detail = "empty";
     } else {
+        // Commands that read facets have no use for an empty file, and no such option.
         source.fail(
-            "is empty, as after a program that failed to write it; --allow-empty takes it as no "
-            "points");
+            fmt::format("is empty, as after a program that failed to write it{}",
+                        options.read.has_facets ? "" : "; --allow-empty takes it as no points"));
     }
     if (file.identity()) mesh.inputs.push_back(*file.identity());
     return mesh;

@@ -23,6 +23,40 @@
 namespace mgdt::cli {
 namespace {
 
+// The fields of a line of an .obj file. A backslash at its end joins the next line to it.
+class JoinedFields {
+  public:
+    explicit JoinedFields(LineReader& lines) : lines_(lines), fields_(lines) {}
+
+    bool next(std::string_view& field) {
+        for (;;) {
+            if (!fields_.next(field)) {
+                if (!ends_with_backslash_ || !lines_.next()) return false;
+                ends_with_backslash_ = false;
+                fields_ = Fields(lines_);
+                continue;
+            }
+            ends_with_backslash_ = field.back() == '\\';
+            if (ends_with_backslash_) field.remove_suffix(1);
+            if (!field.empty()) return true;
+        }
+    }
+    double coordinate() {
+        std::string_view field;
+        if (!next(field)) lines_.fail("coordinate is missing");
+        double value = 0;
+        const NumberStatus status = parse_number(field, value);
+        if (status != NumberStatus::ok)
+            lines_.fail(fmt::format("coordinate: {} {}", quote(field), describe(status)));
+        return value;
+    }
+
+  private:
+    LineReader& lines_;
+    Fields fields_;
+    bool ends_with_backslash_ = false;
+};
+
 // A corner of a face: a vertex, counted from 1, or backwards from the last one if it is negative;
 // texture and normal may follow after slashes.
 std::int64_t obj_corner(const LineReader& lines, std::string_view word, std::size_t vertices) {
@@ -38,8 +72,9 @@ Mesh read_obj(const Source& source, const ReadOptions& options) {
     mesh.detail = "text";
     LineReader lines(source);
     while (lines.next_with_text()) {
-        Fields fields(lines);
-        const std::string_view keyword = fields.word("a keyword");
+        JoinedFields fields(lines);
+        std::string_view keyword;
+        if (!fields.next(keyword)) continue;
         if (keyword == "f") {
             ++mesh.other_cells;
             std::string_view word;
@@ -48,7 +83,7 @@ Mesh read_obj(const Source& source, const ReadOptions& options) {
             if (options.has_facets) mesh.facets.end_facet();
         }
         if (keyword != "v") continue;
-        for (int k = 0; k < 3; ++k) mesh.points.push_back(fields.number("coordinate"));
+        for (int k = 0; k < 3; ++k) mesh.points.push_back(fields.coordinate());
     }
     if (mesh.points.empty()) source.fail("has no vertices, which are lines that begin with v");
     return mesh;
