@@ -78,12 +78,14 @@ module mgdt
               mgdt_voronoi_cell_centroids
     public :: mgdt_domain_kind_facet, mgdt_domain_kind_segment, mgdt_domain_kind_point
     public :: mgdt_domain_index_base, mgdt_domain_threads, mgdt_domain_memory_limit, &
-              mgdt_domain_round_points
+              mgdt_domain_round_points, mgdt_domain_strict
     public :: mgdt_domain_given_points, mgdt_domain_given_facets, mgdt_domain_given_segments, &
-              mgdt_domain_memory_bytes, mgdt_domain_steiner_points, mgdt_domain_tetrahedra, &
-              mgdt_domain_regions, mgdt_domain_faces, mgdt_domain_is_rounded, &
-              mgdt_domain_grid_bits, mgdt_domain_planar_facets, mgdt_domain_missing_facets, &
-              mgdt_domain_cavities, mgdt_domain_largest_cavity
+              mgdt_domain_memory_bytes, mgdt_domain_open_edges, mgdt_domain_steiner_points, &
+              mgdt_domain_tetrahedra, mgdt_domain_regions, mgdt_domain_faces, &
+              mgdt_domain_is_rounded, mgdt_domain_grid_bits, mgdt_domain_unused_points, &
+              mgdt_domain_unused_faces, mgdt_domain_unused_regions, mgdt_domain_unused_holes, &
+              mgdt_domain_planar_facets, mgdt_domain_missing_facets, mgdt_domain_cavities, &
+              mgdt_domain_largest_cavity
     public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_open_edges, &
               mgdt_domain_array_tetrahedra, mgdt_domain_array_neighbors, &
               mgdt_domain_array_regions, mgdt_domain_array_region_markers, &

@@ -273,6 +273,9 @@ module mgdt_constants
     ! 1 to return rounded points always, so that facets and segments are covered exactly by what is
     ! returned; 0 (default) to return the caller's points where possible.
     integer, parameter :: mgdt_domain_round_points = 40
+    ! 1 to refuse a mesh that leaves out a part of what was set; 0 (default) to count what is left
+    ! out (MGDT_DOMAIN_UNUSED_POINTS and the numbers after it).
+    integer, parameter :: mgdt_domain_strict = 50
 
     ! Numbers.
     ! Points that were set.
@@ -283,6 +286,8 @@ module mgdt_constants
     integer, parameter :: mgdt_domain_given_segments = 12
     ! Memory that the handle holds.
     integer, parameter :: mgdt_domain_memory_bytes = 15
+    ! Edges that one facet alone has: see MGDT_DOMAIN_ARRAY_OPEN_EDGES.
+    integer, parameter :: mgdt_domain_open_edges = 16
     ! Points that the build has added.
     integer, parameter :: mgdt_domain_steiner_points = 20
     ! Tetrahedra of the mesh.
@@ -296,6 +301,14 @@ module mgdt_constants
     ! Coordinates are rounded to multiples of 2^-bits of the largest one: 36, or 44 or 40 for a
     ! surface with finer details, or 24 to 32 for one whose edges have to be divided very finely.
     integer, parameter :: mgdt_domain_grid_bits = 25
+    ! Points that were set and are neither a corner of a tetrahedron nor equal to one.
+    integer, parameter :: mgdt_domain_unused_points = 26
+    ! Faces at which there is no tetrahedron: their facets bound nothing and are outside.
+    integer, parameter :: mgdt_domain_unused_faces = 27
+    ! Calls of mgdt_domain_add_region() with a place in no region of the mesh.
+    integer, parameter :: mgdt_domain_unused_regions = 28
+    ! Calls of mgdt_domain_add_hole() with a place in nothing that the facets enclose.
+    integer, parameter :: mgdt_domain_unused_holes = 29
     ! Facets, where those in one plane are joined.
     integer, parameter :: mgdt_domain_planar_facets = 30
     ! Of these, those that the Delaunay triangulation of all points lacks.

@@ -22,12 +22,14 @@ module mgdt_domain
     ! The constants; mgdt_constants.f90 says what they mean.
     public :: mgdt_domain_kind_facet, mgdt_domain_kind_segment, mgdt_domain_kind_point
     public :: mgdt_domain_index_base, mgdt_domain_threads, mgdt_domain_memory_limit, &
-              mgdt_domain_round_points
+              mgdt_domain_round_points, mgdt_domain_strict
     public :: mgdt_domain_given_points, mgdt_domain_given_facets, mgdt_domain_given_segments, &
-              mgdt_domain_memory_bytes, mgdt_domain_steiner_points, mgdt_domain_tetrahedra, &
-              mgdt_domain_regions, mgdt_domain_faces, mgdt_domain_is_rounded, &
-              mgdt_domain_grid_bits, mgdt_domain_planar_facets, mgdt_domain_missing_facets, &
-              mgdt_domain_cavities, mgdt_domain_largest_cavity
+              mgdt_domain_memory_bytes, mgdt_domain_open_edges, mgdt_domain_steiner_points, &
+              mgdt_domain_tetrahedra, mgdt_domain_regions, mgdt_domain_faces, &
+              mgdt_domain_is_rounded, mgdt_domain_grid_bits, mgdt_domain_unused_points, &
+              mgdt_domain_unused_faces, mgdt_domain_unused_regions, mgdt_domain_unused_holes, &
+              mgdt_domain_planar_facets, mgdt_domain_missing_facets, mgdt_domain_cavities, &
+              mgdt_domain_largest_cavity
     public :: mgdt_domain_array_offending_pairs, mgdt_domain_array_open_edges, &
               mgdt_domain_array_tetrahedra, mgdt_domain_array_neighbors, &
               mgdt_domain_array_regions, mgdt_domain_array_region_markers, &
@@ -202,7 +204,7 @@ contains
         call finish(self, 'remove_progress', status, stat, errmsg)
     end subroutine
 
-    ! option is mgdt_domain_index_base, _threads, _memory_limit or _round_points.
+    ! option is mgdt_domain_index_base, _threads, _memory_limit, _round_points or _strict.
     subroutine set_option_i32(self, option, value, stat, errmsg)
         class(mgdt_domain_mesh), intent(inout) :: self
         integer, intent(in) :: option
@@ -217,7 +219,7 @@ contains
         call finish(self, 'set_option', status, stat, errmsg)
     end subroutine
 
-    ! option is mgdt_domain_index_base, _threads, _memory_limit or _round_points.
+    ! option is mgdt_domain_index_base, _threads, _memory_limit, _round_points or _strict.
     subroutine set_option_i64(self, option, value, stat, errmsg)
         class(mgdt_domain_mesh), intent(inout) :: self
         integer, intent(in) :: option

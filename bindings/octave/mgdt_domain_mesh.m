@@ -18,6 +18,7 @@
 % "holes"            h x 3, places. What facets enclose around them stays empty
 % "regions"          r x 4, a place and the marker of the region around it
 % "rounded"          true for points that are rounded, so that facets are covered exactly
+% "strict"           true to refuse a mesh that leaves out points, facets, regions or holes
 % "threads"          0 for all cores
 % "memory_limit"     bytes, 0 for none
 % "progress"         a function that hears of the fraction done; true cancels

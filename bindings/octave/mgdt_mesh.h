@@ -65,16 +65,16 @@ static const double* places(const mxArray* a, const char* what, int64_t* n) {
 }
 
 /* The arguments: points, offsets, corners, markers, ends of segments, markers of segments, holes,
- * places of regions, their markers, whether points are rounded, threads and the memory limit. All
- * are read before a domain is made. */
-enum { domain_arguments = 12 };
+ * places of regions, their markers, whether points are rounded, whether nothing may be left out,
+ * threads and the memory limit. All are read before a domain is made. */
+enum { domain_arguments = 13 };
 
 static void make_domain(int count, const mxArray* const* given) {
     int64_t n, n_offsets, n_corners, n_ends, n_holes, n_regions, k;
     const double *xyz, *holes, *regions;
     const int64_t *offsets, *corners, *ends;
     const int32_t *of_facets, *of_segments, *of_regions;
-    int32_t rounded, threads;
+    int32_t rounded, strict, threads;
     int64_t limit;
     if (count < domain_arguments) bad_argument("a domain needs more arguments");
     if (domain_is_busy)
@@ -91,13 +91,15 @@ static void make_domain(int count, const mxArray* const* given) {
     regions = places(given[7], "regions", &n_regions);
     of_regions = markers(given[8], "the markers of regions", n_regions);
     rounded = small(given[9], "rounded");
-    threads = small(given[10], "threads");
-    limit = integer(given[11], "memory_limit", 9e15);
+    strict = small(given[10], "strict");
+    threads = small(given[11], "threads");
+    limit = integer(given[12], "memory_limit", 9e15);
 
     close_domain();
     if (mgdt.domain_create(&domain) != MGDT_OK) ensure(NULL, MGDT_ERR_OUT_OF_MEMORY);
     ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_INDEX_BASE, 1));
     ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_ROUND_POINTS, rounded));
+    ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_STRICT, strict));
     ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_THREADS, threads));
     ensure_domain(mgdt.domain_set_option(domain, MGDT_DOMAIN_MEMORY_LIMIT, limit));
     ensure_domain(mgdt.domain_set_points(domain, n, xyz));

@@ -59,7 +59,10 @@ enum {
     MGDT_DOMAIN_MEMORY_LIMIT = 30,
     /** 1 to return rounded points always, so that facets and segments are covered exactly by what
      *  is returned; 0 (default) to return the caller's points where possible. */
-    MGDT_DOMAIN_ROUND_POINTS = 40
+    MGDT_DOMAIN_ROUND_POINTS = 40,
+    /** 1 to refuse a mesh that leaves out a part of what was set; 0 (default) to count what is left
+     *  out (MGDT_DOMAIN_UNUSED_POINTS and the numbers after it). */
+    MGDT_DOMAIN_STRICT = 50
 };
 
 /** Keys of mgdt_domain_get_stat(). Those from MGDT_DOMAIN_STEINER_POINTS on are 0 until there is a
@@ -69,6 +72,8 @@ enum {
     MGDT_DOMAIN_GIVEN_FACETS = 11,   /**< Facets that were set. */
     MGDT_DOMAIN_GIVEN_SEGMENTS = 12, /**< Segments that were set. */
     MGDT_DOMAIN_MEMORY_BYTES = 15,   /**< Memory that the handle holds. */
+    /** Edges that one facet alone has: see MGDT_DOMAIN_ARRAY_OPEN_EDGES. */
+    MGDT_DOMAIN_OPEN_EDGES = 16,
     MGDT_DOMAIN_STEINER_POINTS = 20, /**< Points that the build has added. */
     MGDT_DOMAIN_TETRAHEDRA = 21,     /**< Tetrahedra of the mesh. */
     MGDT_DOMAIN_REGIONS = 22,        /**< Regions of the mesh. */
@@ -78,6 +83,14 @@ enum {
      *  surface with finer details, or 24 to 32 for one whose edges have to be divided very finely.
      */
     MGDT_DOMAIN_GRID_BITS = 25,
+    /** Points that were set and are neither a corner of a tetrahedron nor equal to one. */
+    MGDT_DOMAIN_UNUSED_POINTS = 26,
+    /** Faces at which there is no tetrahedron: their facets bound nothing and are outside. */
+    MGDT_DOMAIN_UNUSED_FACES = 27,
+    /** Calls of mgdt_domain_add_region() with a place in no region of the mesh. */
+    MGDT_DOMAIN_UNUSED_REGIONS = 28,
+    /** Calls of mgdt_domain_add_hole() with a place in nothing that the facets enclose. */
+    MGDT_DOMAIN_UNUSED_HOLES = 29,
     MGDT_DOMAIN_PLANAR_FACETS = 30,  /**< Facets, where those in one plane are joined. */
     MGDT_DOMAIN_MISSING_FACETS = 31, /**< Of these, those that the Delaunay triangulation of all
                                           points lacks. */
@@ -161,7 +174,7 @@ MGDT_API mgdt_status mgdt_domain_clear(mgdt_domain* d);
 /* --------------------------------------------------------------------------- settings --- */
 
 /** Sets an option.
- *  @param option  MGDT_DOMAIN_INDEX_BASE to MGDT_DOMAIN_ROUND_POINTS, which document their values
+ *  @param option  MGDT_DOMAIN_INDEX_BASE to MGDT_DOMAIN_STRICT, which document their values
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_UNKNOWN_KEY, MGDT_ERR_INVALID_ARGUMENT
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_set_option(mgdt_domain* d, int32_t option, int64_t value);
@@ -227,14 +240,16 @@ MGDT_API mgdt_status mgdt_domain_set_segments(mgdt_domain* d, int64_t n, const i
                                               const int32_t* markers);
 
 /** Gives the region that contains a place a marker. The mesh is removed. A place outside of the
- *  domain has no effect; a place on a facet is in the regions on both of its sides.
+ *  domain has no effect, and MGDT_DOMAIN_UNUSED_REGIONS counts it; a place on a facet is in the
+ *  regions on both of its sides.
  *  @param xyz  the 3 coordinates of a place inside of the region
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_FINITE, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */
 MGDT_API mgdt_status mgdt_domain_add_region(mgdt_domain* d, const double* xyz, int32_t marker);
 
 /** Makes what facets enclose around a place a hole, which is not filled. The mesh is removed. A
- *  place on a facet makes both of its sides holes.
+ *  place on a facet makes both of its sides holes. A place in nothing that facets enclose has no
+ *  effect, and MGDT_DOMAIN_UNUSED_HOLES counts it.
  *  @param xyz  the 3 coordinates of a place inside of the hole
  *  @return MGDT_OK, MGDT_ERR_NULL_POINTER, MGDT_ERR_NOT_FINITE, MGDT_ERR_OUT_OF_MEMORY
  *  @since 1.3 */

@@ -148,6 +148,10 @@ void set_option(Domain& d, std::int32_t option, std::int64_t value) {
             require(value == 0 || value == 1);
             d.settings().rounds_points = value != 0;
             break;
+        case MGDT_DOMAIN_STRICT:
+            require(value == 0 || value == 1);
+            d.settings().is_strict = value != 0;
+            break;
         default:
             fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));
     }
@@ -163,6 +167,8 @@ std::int64_t option_of(const Domain& d, std::int32_t option) {
             return static_cast<std::int64_t>(d.allocator().limit());
         case MGDT_DOMAIN_ROUND_POINTS:
             return d.settings().rounds_points ? 1 : 0;
+        case MGDT_DOMAIN_STRICT:
+            return d.settings().is_strict ? 1 : 0;
         default:
             fail(MGDT_ERR_UNKNOWN_KEY, "there is no option %d", static_cast<int>(option));
     }

@@ -29,6 +29,16 @@ std::size_t statistic(const Domain& d, std::int32_t key) {
             return m.is_rounded ? 1 : 0;
         case MGDT_DOMAIN_GRID_BITS:
             return static_cast<std::size_t>(d.mesh().grid_bits);
+        case MGDT_DOMAIN_OPEN_EDGES:
+            return d.open_edges().size();
+        case MGDT_DOMAIN_UNUSED_POINTS:
+            return m.unused_points.size();
+        case MGDT_DOMAIN_UNUSED_FACES:
+            return m.unused_faces.size();
+        case MGDT_DOMAIN_UNUSED_REGIONS:
+            return m.unused_regions.size();
+        case MGDT_DOMAIN_UNUSED_HOLES:
+            return m.unused_holes.size();
         case MGDT_DOMAIN_PLANAR_FACETS:
             return d.planar_facets();
         case MGDT_DOMAIN_MISSING_FACETS:

@@ -119,7 +119,9 @@ struct MeshOptions {
     std::vector<double> holes;    // three numbers for each
     std::vector<double> regions;  // three numbers and the marker for each
     bool check = false;
-    bool rounded = false;  // write rounded points, which facets cover exactly
+    bool rounded = false;     // write rounded points, which facets cover exactly
+    bool strict = false;      // refuse a mesh that leaves out a part of the input
+    bool all_points = false;  // also write points that are in no tetrahedron
     int threads = 1;
     std::uint64_t memory_limit = 0;  // bytes, 0 for none
     bool quiet = false;

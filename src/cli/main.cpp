@@ -309,6 +309,10 @@ void add_mesh(CLI::App& app, MeshOptions& options) {
     app.add_flag("--rounded", options.rounded,
                  "Write points rounded to 2^-36 of the largest coordinate, so that facets are "
                  "covered exactly");
+    app.add_flag("--strict", options.strict,
+                 "Refuse a mesh that leaves out facets, points, regions or holes");
+    app.add_flag("--all-points", options.all_points,
+                 "Also write points that are in no tetrahedron");
     add_limits(app, options.threads, options.memory_limit);
     app.add_flag("-q,--quiet", options.quiet, "Print nothing but errors");
     app.footer(formats_footer() + "\n" + exit_codes);

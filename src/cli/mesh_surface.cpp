@@ -10,6 +10,7 @@
 #include "cli/formats/grid.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
+#include "cli/unused_points.hpp"
 
 namespace mgdt::cli {
 namespace {
@@ -97,6 +98,7 @@ void build(Domain& domain, const std::string& name, const MeshOptions& options) 
     domain.set_progress([&](double fraction) { return progress.update_and_hear(fraction); });
     try {
         if (options.rounded) domain.set_option(DomainOption::round_points, 1);
+        if (options.strict) domain.set_option(DomainOption::strict, 1);
         domain.build();
         domain.clear_progress();
     } catch (...) {
@@ -114,6 +116,20 @@ void build(Domain& domain, const std::string& name, const MeshOptions& options) 
     } catch (...) {
         rethrow_failure(name, domain.last_error());
     }
+}
+
+// Says what the mesh leaves out.
+void warn_of_losses(const Domain& domain, const std::string& name) {
+    const auto warn = [&](DomainNumber of, const char* one, const char* many, const char* why) {
+        const auto count = static_cast<std::size_t>(domain.number(of));
+        if (count > 0)
+            fmt::print(stderr, "mgdt: {}: warning: {} {}\n", name, counted(count, one, many), why);
+    };
+    warn(DomainNumber::unused_faces, "face of the surface", "faces of the surface",
+         "at no tetrahedron: what is open encloses nothing (mgdt validate shows open edges)");
+    warn(DomainNumber::unused_regions, "region", "regions", "outside of the mesh");
+    warn(DomainNumber::unused_holes, "hole", "holes", "in nothing that the facets enclose");
+    warn(DomainNumber::unused_points, "point", "points", "in no tetrahedron");
 }
 
 // The mesh, with the points that were read first.
@@ -164,10 +180,10 @@ int mesh_surface(const MeshOptions& options) {
         build(domain, name, options);
         n_steiner = static_cast<std::size_t>(domain.number(DomainNumber::steiner_points));
         n_regions = static_cast<std::size_t>(domain.number(DomainNumber::regions));
+        if (!options.quiet) warn_of_losses(domain, name);
         mesh = mesh_of(domain);
     }
-    if (mesh.tetrahedra.empty())
-        throw Error(exit_input, fmt::format("{}: all that the facets enclose are holes", name));
+    if (!options.all_points) take_out_unused_points(mesh);
     OutputSet outputs;
     format.write_mesh(mesh, output.path, outputs, output.write);
     if (format.write_neighbors)

@@ -289,21 +289,36 @@ Domain::Stuck Domain::mesh_on(const RoundingGrid& grid, bool avoids_short_parts,
     if (!segments.parts.empty())
         facet_counts_ = insert_facets(mesh, facets, segments.parts, allocator_, stop);
     progress.enter(0.9, 1);
-    Buffer<DomainInput::Place> regions(allocator_), holes(allocator_);
-    const auto scale_places = [&](const Buffer<DomainInput::Place>& from,
-                                  Buffer<DomainInput::Place>& to) {
-        for (const DomainInput::Place& place : from) {
-            DomainInput::Place on_grid = place;
-            if (grid.scale_place(place.x, on_grid.x)) to.push_back(on_grid);
-        }
-    };
-    scale_places(input_.regions, regions);
-    scale_places(input_.holes, holes);
-    const Regions found = find_regions(mesh, regions, holes, allocator_);
+    Regions found = find_regions(mesh, grid, input_.regions, input_.holes, allocator_);
     if (!found.has_inside && !settings_.takes_open_surfaces) fail_open();
+    if (found.has_inside && found.markers.empty())
+        fail(MGDT_ERR_OPEN_BOUNDARY, "all that the facets enclose are holes");
     assemble({input_, complex, facets, grid, mesh, segments.parts, segments.steiner, found},
              settings_.rounds_points, allocator_, mesh_);
+    if (settings_.is_strict) require_all_used();
     return std::nullopt;
+}
+
+void Domain::require_all_used() const {
+    const auto number = [&](std::uint32_t index) {
+        return static_cast<long long>(index) + settings_.index_base;
+    };
+    std::uint32_t facet = DomainMesh::none;
+    for (const std::uint32_t f : mesh_.unused_faces) facet = std::min(facet, mesh_.face_facets[f]);
+    if (facet != DomainMesh::none)
+        fail(MGDT_ERR_OPEN_BOUNDARY,
+             "facet %lld bounds nothing: it has a face without a tetrahedron, as %zu faces have",
+             number(facet), mesh_.unused_faces.size());
+    if (!mesh_.unused_regions.empty())
+        fail(MGDT_ERR_INVALID_ARGUMENT, "the place of region %lld is in no region of the mesh",
+             number(mesh_.unused_regions[0]));
+    if (!mesh_.unused_holes.empty())
+        fail(MGDT_ERR_INVALID_ARGUMENT, "hole %lld is in nothing that the facets enclose",
+             number(mesh_.unused_holes[0]));
+    if (!mesh_.unused_points.empty())
+        fail(MGDT_ERR_INVALID_ARGUMENT,
+             "point %lld is a corner of no tetrahedron, as %zu points are",
+             number(mesh_.unused_points[0]), mesh_.unused_points.size());
 }
 
 }  // namespace mgdt

@@ -18,6 +18,7 @@ namespace mgdt {
 struct DomainSettings {
     std::int32_t index_base = 0, threads = 1;
     bool rounds_points = false;
+    bool is_strict = false;            // refuses a mesh that leaves out what was set
     bool takes_open_surfaces = false;  // so that tests may have facets that enclose nothing
     mgdt_progress_fn progress = nullptr;
     void* progress_user = nullptr;
@@ -94,6 +95,7 @@ class Domain {
     void run(StageProgress& progress);
     void require_valid(const Complex& complex, mgdt_status otherwise, const char* where);
     [[noreturn]] void fail_open() const;
+    void require_all_used() const;
     void round(const RoundingGrid& grid, Complex& complex);
     // A segment that could not be divided often enough, or not soon enough.
     struct StuckSegment {

@@ -19,6 +19,7 @@ class Assembly {
         write_faces();
         write_segments();
         write_steiner_points();
+        write_unused();
         out_.is_rounded = rounds || !write_points(false);
         if (out_.is_rounded && !write_points(true))
             fail(MGDT_ERR_RESOLUTION,
@@ -136,6 +137,22 @@ class Assembly {
         out_.face_tetrahedra.push_back(side > 0 ? there : here);
         out_.face_facets.push_back(parts_.complex.facet_of_triangle[facet.triangle]);
         out_.face_markers.push_back(parts_.complex.markers[facet.triangle]);
+    }
+
+    void write_unused() {
+        out_.unused_regions = std::move(parts_.regions.unused_regions);
+        out_.unused_holes = std::move(parts_.regions.unused_holes);
+        Buffer<std::uint8_t> is_used(allocator_);
+        is_used.resize(parts_.input.point_count(), 0);
+        for (const std::uint32_t v : out_.tetrahedra)
+            if (v < is_used.size()) is_used[v] = 1;
+        const Complex& complex = parts_.complex;
+        for (std::uint32_t i = 0; i < is_used.size(); ++i)
+            if (is_used[complex.point_of_number[complex.number_of_point[i]]] == 0)
+                out_.unused_points.push_back(i);
+        for (std::uint32_t f = 0; f < out_.face_facets.size(); ++f)
+            if (out_.face_tetrahedra[2 * f] == none && out_.face_tetrahedra[2 * f + 1] == none)
+                out_.unused_faces.push_back(f);
     }
 
     void write_segments() {

@@ -27,7 +27,11 @@ struct DomainMesh {
           segment_sources(allocator),
           segment_markers(allocator),
           steiner_edges(allocator),
-          steiner_parameters(allocator) {}
+          steiner_parameters(allocator),
+          unused_points(allocator),
+          unused_regions(allocator),
+          unused_holes(allocator),
+          unused_faces(allocator) {}
 
     std::size_t tetrahedron_count() const noexcept { return tetrahedra.size() / 4; }
     // The point a + t (b - a) with the caller's coordinates a and b, where the point between the
@@ -56,6 +60,10 @@ struct DomainMesh {
     Buffer<double> steiner_parameters;    // and its parameter t on the edge
     bool is_rounded = false;              // whether the caller's points are rounded to the grid
     int grid_bits = 0;                    // of the grid; 0 if there is no mesh
+    // What the caller has set and the mesh has no part of, as the caller's numbers: points that
+    // neither are a corner of a tetrahedron nor equal to one, places of regions, holes; and faces
+    // without a tetrahedron, as numbers of faces.
+    Buffer<std::uint32_t> unused_points, unused_regions, unused_holes, unused_faces;
 };
 
 // What the stages of a build have found.
@@ -67,7 +75,7 @@ struct DomainParts {
     const ConstrainedMesh& mesh;
     const Buffer<Subsegment>& subsegments;
     const Buffer<SteinerPoint>& steiner;
-    const Regions& regions;
+    Regions& regions;
 };
 
 // Writes the tetrahedra inside of the domain, the faces and the segments, in the order of their

@@ -8,8 +8,8 @@ namespace {
 
 class Flood {
   public:
-    Flood(const ConstrainedMesh& mesh, Allocator& allocator)
-        : mesh_(mesh), regions_(allocator), stack_(allocator) {
+    Flood(const ConstrainedMesh& mesh, const RoundingGrid& grid, Allocator& allocator)
+        : mesh_(mesh), grid_(grid), regions_(allocator), stack_(allocator) {
         regions_.of_tetrahedron.resize(mesh.tetrahedra.size(), unknown);
     }
 
@@ -25,6 +25,13 @@ class Flood {
         for (std::uint32_t t = 0; t < mesh_.tetrahedra.size(); ++t)
             regions_.has_inside = regions_.has_inside || (!mesh_.tetrahedra[t].is_dead() &&
                                                           regions_.of_tetrahedron[t] == unknown);
+        for (std::uint32_t i = 0; i < holes.size(); ++i) {
+            bool is_used = false;
+            for_each_at(holes[i].x, [&](std::uint32_t t) {
+                is_used = is_used || regions_.of_tetrahedron[t] == unknown;
+            });
+            if (!is_used) regions_.unused_holes.push_back(i);
+        }
         for (const DomainInput::Place& hole : holes)
             for_each_at(hole.x, [&](std::uint32_t t) { fill(t, Regions::outside); });
         for (std::uint32_t t = 0; t < mesh_.tetrahedra.size(); ++t)
@@ -32,11 +39,16 @@ class Flood {
                 fill(t, static_cast<std::uint32_t>(regions_.markers.size()));
                 regions_.markers.push_back(0);
             }
-        for (const DomainInput::Place& region : regions)
-            for_each_at(region.x, [&](std::uint32_t t) {
+        for (std::uint32_t i = 0; i < regions.size(); ++i) {
+            bool is_used = false;
+            for_each_at(regions[i].x, [&](std::uint32_t t) {
                 const std::uint32_t at = regions_.of_tetrahedron[t];
-                if (at != Regions::outside) regions_.markers[at] = region.marker;
+                if (at == Regions::outside) return;
+                regions_.markers[at] = regions[i].marker;
+                is_used = true;
             });
+            if (!is_used) regions_.unused_regions.push_back(i);
+        }
         return std::move(regions_);
     }
 
@@ -59,9 +71,11 @@ class Flood {
         }
     }
 
-    // Calls f for each tetrahedron whose closure contains a place.
+    // Calls f for each tetrahedron whose closure contains a place of the caller.
     template <class F>
-    void for_each_at(const double* x, F f) const {
+    void for_each_at(const double (&place)[3], F f) const {
+        double x[3];
+        if (!grid_.scale_place(place, x)) return;
         for (std::uint32_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
             const ConstrainedMesh::Tetrahedron& tet = mesh_.tetrahedra[t];
             if (tet.is_dead()) continue;
@@ -76,15 +90,17 @@ class Flood {
     }
 
     const ConstrainedMesh& mesh_;
+    const RoundingGrid& grid_;
     Regions regions_;
     Buffer<std::uint32_t> stack_;
 };
 
 }  // namespace
 
-Regions find_regions(const ConstrainedMesh& mesh, const Buffer<DomainInput::Place>& regions,
+Regions find_regions(const ConstrainedMesh& mesh, const RoundingGrid& grid,
+                     const Buffer<DomainInput::Place>& regions,
                      const Buffer<DomainInput::Place>& holes, Allocator& allocator) {
-    return Flood(mesh, allocator).run(regions, holes);
+    return Flood(mesh, grid, allocator).run(regions, holes);
 }
 
 }  // namespace mgdt

@@ -209,6 +209,14 @@ class Meshes(CliTest):
         self.put("same.msh", gmsh4(CUBE, SQUARES))
         self.assertIn("6 facets, 8 points, 0 added", self.mgdt("mesh", "same.msh", "-o", "g.ele", "--check").decode())
 
+    def test_obj_lines_that_go_on(self):
+        text = obj(CUBE, SQUARES).replace("f 1 3 4 2", "f 1 3 \\\n 4 \\\r\n2").replace("v 0 0 2", "v 0\\\n0 2")
+        self.put("c.obj", text)
+        self.mgdt("mesh", "c.obj", "-o", "m.ele", "--strict")
+        self.assertAlmostEqual(self.volume("m"), 8, delta=1e-12)
+        self.put("end.obj", obj(CUBE, SQUARES) + "f 1 2 3\\")
+        self.mgdt("validate", "end.obj", code=1)
+
     def test_own_surfaces(self):
         self.mgdt("generate", "-q", "sphere", 200, "-o", "p.xyz")
         for name in ("h.ply", "h.stl", "h.off", "h.obj", "h.vtp"):
@@ -270,6 +278,25 @@ class Meshes(CliTest):
         self.assertIn(struct.pack("<i", -5) * 8, from_array)
         self.assertIn(struct.pack("<i", 7) * 5, from_array)
 
+    def test_what_is_left_out(self):
+        inner = [tuple(0.5 + x / 2 for x in p) for p in CUBE]
+        both = SQUARES + [tuple(v + 8 for v in s) for s in SQUARES]
+        self.put("open.off", off(CUBE + inner, both[1:]))
+        self.mgdt("mesh", "open.off", "-o", "m.ele", "--region", "9,9,9,7", "--hole", "5,5,5")
+        for said in ("10 faces of the surface at no tetrahedron", "1 region outside of the mesh",
+                     "1 hole in nothing that the facets enclose", "8 points in no tetrahedron"):
+            self.assertIn("warning: " + said, self.err)
+        self.assertAlmostEqual(self.volume("m"), 1, delta=1e-12)
+        self.assertEqual(self.get("m.node").split()[0], b"8")
+        self.mgdt("mesh", "-q", "open.off", "-o", "m.ele", "--all-points")
+        self.assertEqual(self.err, "")
+        self.assertEqual(self.get("m.node").split()[0], b"16")
+        self.fails(3, "mesh", "open.off", "-o", "n.ele", "--strict", says="facet 0 bounds nothing")
+        self.put("whole.off", off(CUBE + inner, both))
+        self.mgdt("mesh", "whole.off", "-o", "n.ele", "--strict", "--hole", "1,1,1")
+        self.fails(3, "mesh", "whole.off", "-o", "n.ele", "--strict", "--hole", "5,5,5",
+                   says="hole 0 is in nothing that the facets enclose")
+
     def test_deterministic(self):
         self.put("t.off", off(CUBE, TRIANGLES))
         self.put("u.off", off(CUBE, TRIANGLES[::-1]))
@@ -309,6 +336,9 @@ class Meshes(CliTest):
         self.fails(3, "validate", "two.obj", says="fewer than three corners")
         self.put("zero.obj", obj(CUBE, [(0, 1, 2)], lambda v: "0"))
         self.fails(3, "validate", "zero.obj", says="no vertex of a face")
+        self.put("empty.stl", "")
+        self.fails(3, "mesh", "empty.stl", "-o", "m.vtu", says="empty.stl: is empty, as after a program")
+        self.assertNotIn("--allow-empty", self.err)
         self.put("many.off", "OFF\n3 1000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
         self.fails(3, "validate", "many.off", says="faces announced")
         self.put("c.ply", ply_text(CUBE, [(0, 1, 99)]))

@@ -565,6 +565,8 @@ test("a domain", function()
     equal(mesh.tetrahedra[0][0] + mesh.tetrahedra[0][1] + mesh.tetrahedra[0][2] + mesh.tetrahedra[0][3], 10, "from 1")
     equal(mesh.neighbors[0][3], 0, "none")
     refused("open_boundary", { "no facets" }, mgdt.domain_mesh, { points = {}, facets = {} })
+    refused("invalid_argument", { "hole 1 is in nothing" }, mgdt.domain_mesh,
+        { points = corners, facets = triangles, index_base = 1, holes = { { 5, 5, 5 } }, strict = true })
 
     -- Two triangles that cross, and what else is refused.
     local crossing = { points = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, -1 }, { 1, 1, 2 }, { 5, 1, 1 } },

@@ -241,6 +241,8 @@ function domain (folder)
   assert (one.neighbours, [0 0 0 0]);
   assert (! one.is_rounded);
   refused ("mgdt:open_boundary", {"no facets"}, @() mgdt_domain_mesh ([], []));
+  refused ("mgdt:invalid_argument", {"hole 1 is in nothing"}, @() mgdt_domain_mesh ([0 0 0; 1 0 0; 0 1 0; 0 0 1], ...
+           [1 3 2; 1 2 4; 2 3 4; 3 1 4], "holes", [5 5 5], "strict", true));
   assert (size (one.open_edges), [0 3]);
   crossing = {[0 0 0; 4 0 0; 0 4 0; 1 1 -1; 1 1 2; 5 1 1], [1 2 3; 4 5 6]};
   assert (mgdt_offending_pairs (crossing{:}), [0 1 0 2]);

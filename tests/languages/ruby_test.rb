@@ -137,6 +137,10 @@ class MgdtTest < Minitest::Test
     assert_equal [[1, 2, 3, 4]], one.tetrahedra.map(&:sort)
     assert_equal [[nil] * 4], one.neighbors
     refused(Mgdt::OpenBoundary, "no facets") { Mgdt::DomainMesh.new([], []) }
+    refused(Mgdt::InvalidArgument, "hole 0 is in nothing") do
+      Mgdt::DomainMesh.new([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
+                           [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]], holes: [[5, 5, 5]], strict: true)
+    end
     assert_empty one.open_edges
   end
 

@@ -64,6 +64,17 @@ class DomainMesh(unittest.TestCase):
         self.assertAlmostEqual(volumes(hollow).sum(), 7 / 8)
         self.assertEqual(hollow.region_markers.tolist(), [0])
 
+    def test_what_is_left_out(self) -> None:
+        points = np.vstack([CUBE, 0.25 + CUBE / 2])
+        inner = [[v + 8 for v in side] for side in SIDES]
+        mesh = mgdt.DomainMesh(points, SIDES[1:] + inner, holes=[(9, 9, 9)], regions=[((5, 5, 5), 3)])
+        self.assertEqual((mesh.unused_points, mesh.unused_faces), (8, 10))
+        self.assertEqual((mesh.unused_regions, mesh.unused_holes), (1, 1))
+        with self.assertRaises(mgdt.OpenBoundary):
+            mgdt.DomainMesh(points, SIDES[1:] + inner, strict=True)
+        mesh = mgdt.DomainMesh(points, SIDES + inner, strict=True)
+        self.assertEqual((mesh.unused_points, mesh.unused_faces), (0, 0))
+
     def test_steiner_points(self) -> None:
         # Schoenhardt's polyhedron.
         turn = np.arange(3) * 2 * np.pi / 3

@@ -247,6 +247,8 @@ class DomainMesh:
     regions : pairs of a place and a marker, such as ``[((0, 0, 0), 7)]``
     rounded : whether `points` of the mesh are rounded, mostly to 2^-36 of the largest coordinate, so that
         facets are covered exactly by what is returned
+    strict : whether a mesh that leaves out points, facets, regions or holes is refused; otherwise the
+        attributes ``unused_points`` and so on count them
     threads : 0 for all cores
     memory_limit : bytes, 0 for none
     progress : called as ``progress(fraction)`` with 0 to 1; the result ``mgdt.CANCEL`` cancels
@@ -285,6 +287,12 @@ class DomainMesh:
         The ends of each edge that one facet alone has, and this facet.
     is_rounded : bool
         Whether `points` are rounded.
+    unused_points : int
+        How many of the points are neither a corner of a tetrahedron nor equal to one.
+    unused_faces : int
+        How many faces have no tetrahedron: their facets bound nothing and are outside.
+    unused_regions, unused_holes : int
+        How many of `regions` and `holes` are in nothing that the facets enclose.
 
     Examples
     --------
@@ -307,6 +315,7 @@ class DomainMesh:
         holes: Optional[ArrayLike] = None,
         regions: Sequence[tuple[ArrayLike, int]] = (),
         rounded: bool = False,
+        strict: bool = False,
         threads: int = 1,
         memory_limit: int = 0,
         progress: Optional[Callable[[float], Any]] = None,
@@ -316,6 +325,7 @@ class DomainMesh:
         handle.call("set_option", option["threads"], threads)
         handle.call("set_option", option["memory_limit"], memory_limit)
         handle.call("set_option", option["round_points"], int(rounded))
+        handle.call("set_option", option["strict"], int(strict))
         handle.set(points, facets, markers, segments, segment_markers)
         if holes is not None:
             for place in np.ascontiguousarray(as_points(holes, "holes")):
@@ -345,6 +355,10 @@ class DomainMesh:
         self.steiner_edges: IndexArray = rows("steiner_edges", 2)
         self.steiner_parameters: FloatArray = handle.array("steiner_parameters")
         self.is_rounded = handle.number("is_rounded") == 1
+        self.unused_points = handle.number("unused_points")
+        self.unused_faces = handle.number("unused_faces")
+        self.unused_regions = handle.number("unused_regions")
+        self.unused_holes = handle.number("unused_holes")
 
     def check(self) -> None:
         """Proves the mesh against the facets and segments, exactly.

@@ -152,7 +152,8 @@ enum class DomainOption : std::int32_t {
     index_base = MGDT_DOMAIN_INDEX_BASE,
     threads = MGDT_DOMAIN_THREADS,
     memory_limit = MGDT_DOMAIN_MEMORY_LIMIT,
-    round_points = MGDT_DOMAIN_ROUND_POINTS
+    round_points = MGDT_DOMAIN_ROUND_POINTS,
+    strict = MGDT_DOMAIN_STRICT
 };
 
 /** Numbers of a domain; see MGDT_DOMAIN_GIVEN_POINTS and its neighbours. @since 1.3 */
@@ -161,12 +162,17 @@ enum class DomainNumber : std::int32_t {
     given_facets = MGDT_DOMAIN_GIVEN_FACETS,
     given_segments = MGDT_DOMAIN_GIVEN_SEGMENTS,
     memory_bytes = MGDT_DOMAIN_MEMORY_BYTES,
+    open_edges = MGDT_DOMAIN_OPEN_EDGES,
     steiner_points = MGDT_DOMAIN_STEINER_POINTS,
     tetrahedra = MGDT_DOMAIN_TETRAHEDRA,
     regions = MGDT_DOMAIN_REGIONS,
     faces = MGDT_DOMAIN_FACES,
     is_rounded = MGDT_DOMAIN_IS_ROUNDED,
     grid_bits = MGDT_DOMAIN_GRID_BITS,
+    unused_points = MGDT_DOMAIN_UNUSED_POINTS,
+    unused_faces = MGDT_DOMAIN_UNUSED_FACES,
+    unused_regions = MGDT_DOMAIN_UNUSED_REGIONS,
+    unused_holes = MGDT_DOMAIN_UNUSED_HOLES,
     planar_facets = MGDT_DOMAIN_PLANAR_FACETS,
     missing_facets = MGDT_DOMAIN_MISSING_FACETS,
     cavities = MGDT_DOMAIN_CAVITIES,

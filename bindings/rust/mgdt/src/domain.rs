@@ -69,6 +69,16 @@ pub enum DomainCount {
     Faces = sys::MGDT_DOMAIN_FACES,
     /// Coordinates are rounded to multiples of 2^-bits of the largest one.
     GridBits = sys::MGDT_DOMAIN_GRID_BITS,
+    /// Edges that one facet alone has.
+    OpenEdges = sys::MGDT_DOMAIN_OPEN_EDGES,
+    /// Points that were set and are neither a corner of a tetrahedron nor equal to one.
+    UnusedPoints = sys::MGDT_DOMAIN_UNUSED_POINTS,
+    /// Faces at which there is no tetrahedron: their facets bound nothing and are outside.
+    UnusedFaces = sys::MGDT_DOMAIN_UNUSED_FACES,
+    /// Places of regions in no region of the mesh.
+    UnusedRegions = sys::MGDT_DOMAIN_UNUSED_REGIONS,
+    /// Holes in nothing that the facets enclose.
+    UnusedHoles = sys::MGDT_DOMAIN_UNUSED_HOLES,
     /// Facets, where those in one plane are joined.
     PlanarFacets = sys::MGDT_DOMAIN_PLANAR_FACETS,
     /// Of these, those that the Delaunay triangulation of all points lacks.
@@ -184,6 +194,11 @@ impl Domain {
     /// Whether points are rounded always, so that facets are covered exactly by what is returned.
     pub fn set_rounded(&mut self, on: bool) -> Result<(), Error> {
         self.set_option(sys::MGDT_DOMAIN_ROUND_POINTS, i64::from(on))
+    }
+
+    /// Whether a build refuses a mesh that leaves out points, facets, regions or holes.
+    pub fn set_strict(&mut self, on: bool) -> Result<(), Error> {
+        self.set_option(sys::MGDT_DOMAIN_STRICT, i64::from(on))
     }
 
     /// Sets the points. Facets and segments that were set before are removed.

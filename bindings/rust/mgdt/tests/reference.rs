@@ -174,6 +174,14 @@ fn a_domain() {
     assert_eq!(d.build().unwrap_err().kind(), mgdt::ErrorKind::OutOfMemory);
     d.set_memory_limit(None).unwrap();
     d.build().unwrap();
+    // A facet in the hole bounds nothing.
+    assert!(d.count(Count::UnusedFaces) > 0);
+    assert_eq!(d.count(Count::UnusedHoles), 0);
+    d.set_strict(true).unwrap();
+    assert_eq!(
+        d.build().unwrap_err().kind(),
+        mgdt::ErrorKind::OpenBoundary
+    );
     d.clear();
     assert_eq!(
         d.build().unwrap_err().kind(),
