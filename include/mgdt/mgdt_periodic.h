@@ -12,9 +12,11 @@
  * point, where the caller has put it, to get the image that is the corner. The third integer of a
  * slab is 0, and so are the second and the third of a wire.
  *
- * The result is exact and canonical. Coordinates and vectors are rounded once, to multiples of
- * 2^-48 of the box or finer along each axis (MGDT_PERIODIC_ARRAY_POINTS has the rounded ones); for
- * a slab or a wire whose points reach farther than the box, of their extent. Then all images are
+ * The result is exact and canonical. Coordinates and vectors are rounded once
+ * (MGDT_PERIODIC_ARRAY_POINTS has the rounded ones): for each axis to multiples of at most 2^-47 of
+ * the size of the box, which is the sum of the magnitudes of that coordinate over the shortest
+ * vectors of its lattice; for a slab or a wire whose points reach farther than the box, of their
+ * extent. Then all images are
  * exact, so the tetrahedra do not depend on which images of the points are given, nor on the number
  * of threads. Points with the same images are one vertex.
  *

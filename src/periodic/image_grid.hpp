@@ -30,7 +30,7 @@ class PointReach {
 
 class ImageGrid {
   public:
-    // Coordinates are rounded to at most 2^-48 of the size of the box along an axis, or of the
+    // Coordinates are rounded to at most 2^-47 of the size of the box along an axis, or of the
     // extent of the points where that is larger, or to 2^-900 of the whole box. An axis in whose
     // direction the lattice does not extend has no grid. Throws MGDT_ERR_INVALID_ARGUMENT if the
     // rounded vectors do not span, or hardly.

@@ -31,15 +31,29 @@ def _array(diagram: ctypes.c_void_p, key: int) -> NDArray[Any]:
     return values
 
 
+def cell_areas(arrays: dict[str, NDArray[Any]]) -> FloatArray:
+    """The total area of the faces of each cell."""
+    offsets = arrays["cell_offsets"]
+    areas = np.zeros(len(offsets) - 1)
+    has_faces = offsets[1:] > offsets[:-1]
+    if has_faces.any():
+        of_faces = arrays["face_areas"][arrays["cell_faces"]]
+        areas[has_faces] = np.add.reduceat(of_faces, offsets[:-1][has_faces])
+    return areas
+
+
 def taken_diagram(diagram: ctypes.c_void_p, area: float, share: float) -> dict[str, NDArray[Any]]:
-    """The arrays of a diagram of the library by their names, without the faces that are smaller. The
-    diagram is freed."""
+    """The arrays of a diagram of the library by their names, without the faces that are smaller, and then
+    "cell_areas", with them. The diagram is freed."""
+    more = {}
     try:
         if area > 0 or share > 0:
+            names = ("cell_offsets", "cell_faces", "face_areas")
+            more["cell_areas"] = cell_areas({name: _array(diagram, _ARRAYS[name]) for name in names})
             status = _library.library.mgdt_voronoi_drop_small_faces(diagram, area, share)
             if status != _errors.OK:
                 raise _errors.make(status, "memory for the faces that stay was refused")
-        return {name: _array(diagram, key) for name, key in _ARRAYS.items()}
+        return {**{name: _array(diagram, key) for name, key in _ARRAYS.items()}, **more}
     finally:
         _library.library.mgdt_voronoi_destroy(diagram)
 

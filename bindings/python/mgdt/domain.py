@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 import ctypes
 from ctypes import c_int64, c_void_p
 from typing import Any, Callable, NamedTuple, Optional, Sequence, Union
@@ -113,7 +114,7 @@ class _Handle:
             raise _errors.make(status, "the library made no domain: out of memory")
 
     def __del__(self) -> None:
-        if self._pointer:
+        if getattr(self, "_pointer", None):
             _function("destroy")(self._pointer)
 
     def quiet(self, name: str, *arguments: Any) -> int:
@@ -320,6 +321,21 @@ class DomainMesh:
         memory_limit: int = 0,
         progress: Optional[Callable[[float], Any]] = None,
     ) -> None:
+        self._given = copy.deepcopy(
+            {
+                "points": points,
+                "facets": facets,
+                "markers": markers,
+                "segments": segments,
+                "segment_markers": segment_markers,
+                "holes": holes,
+                "regions": regions,
+                "rounded": rounded,
+                "strict": strict,
+                "threads": threads,
+                "memory_limit": memory_limit,
+            }
+        )
         handle = self._handle = _Handle()
         option = CONSTANTS["domain_option"]
         handle.call("set_option", option["threads"], threads)
@@ -359,6 +375,14 @@ class DomainMesh:
         self.unused_faces = handle.number("unused_faces")
         self.unused_regions = handle.number("unused_regions")
         self.unused_holes = handle.number("unused_holes")
+
+    # Copies are built again from what was given, and share nothing with the original.
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self._given
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        DomainMesh.__init__(self, **state)
 
     def check(self) -> None:
         """Proves the mesh against the facets and segments, exactly.

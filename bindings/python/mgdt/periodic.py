@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _errors, _library
 from ._arrays import FloatArray, IndexArray, address, as_array, as_points
 from ._building import build
-from ._diagram import Diagram, lists, taken_diagram
+from ._diagram import Diagram, cell_areas, lists, taken_diagram
 from ._gate import interruptibly
 from ._interface import CONSTANTS
 from ._triangulation import LONG_EXPORT
@@ -59,7 +59,7 @@ class _Box:
             raise _errors.make(status, "the library made no box: out of memory")
 
     def __del__(self) -> None:
-        if self._pointer:
+        if getattr(self, "_pointer", None):
             self._function("destroy")(self._pointer)
 
     @staticmethod
@@ -141,7 +141,7 @@ class PeriodicDelaunay:
     Attributes
     ----------
     points : ndarray of float, shape (n, 3)
-        The points where they were put, rounded to at most 2^-48 of the box.
+        The points where they were put, rounded to at most 2^-47 of the size of the box along each axis.
     vectors : ndarray of float, shape (1 to 3, 3)
         The vectors that repeat, rounded likewise.
     simplices : ndarray of int, shape (ntets, 4)
@@ -174,39 +174,77 @@ class PeriodicDelaunay:
         memory_limit: int = 0,
         progress: Optional[Callable[[float], Any]] = None,
     ) -> None:
-        rows = np.ascontiguousarray(as_points(points))
-        handle = self._box = _Box(_vectors(box, periodic))
-        option = CONSTANTS["periodic_option"]
-        handle.call("set_option", option["threads"], threads)
-        handle.call("set_option", option["memory_limit"], memory_limit)
-        handle.call("insert_points", len(rows), address(rows))
+        rows = np.array(as_points(points), np.float64, order="C")
         self._progress = progress
+        self._make(rows, _vectors(box, periodic), {"threads": threads, "memory_limit": memory_limit})
+
+    def _make(self, rows: FloatArray, vectors: FloatArray, settings: dict[str, int]) -> None:
+        self._given, self._given_vectors, self._settings = rows, vectors, settings
+        handle = self._box = _Box(vectors)
+        for name, value in settings.items():
+            handle.call("set_option", CONSTANTS["periodic_option"][name], value)
+        handle.call("insert_points", len(rows), address(rows))
         self._build()
 
     def _build(self) -> None:
-        build(self._box, self._progress)
+        # What was fetched is forgotten first: if the build is stopped, there is no triangulation.
         for name in list(self.__dict__):
             if isinstance(getattr(type(self), name, None), cached_property):
                 del self.__dict__[name]
-        handle = self._box
-        self.points: FloatArray = handle.rows("points")
-        self.vectors: FloatArray = handle.rows("vectors")
-        self.simplices: IndexArray = handle.integers("tetrahedra").reshape(-1, 4)
-        self.offsets: IndexArray = handle.integers("offsets").reshape(-1, 4, 3)
-        self.neighbors: IndexArray = handle.integers("neighbors").reshape(-1, 4)
-        self.neighbor_offsets: IndexArray = handle.integers("neighbor_offsets").reshape(-1, 4, 3)
+        build(self._box, self._progress)
+
+    # Copies are built again from what was given, and share nothing with the original.
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"points": self._given, "vectors": self._given_vectors, "settings": self._settings}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self._progress = None
+        self._make(state["points"].copy(), state["vectors"].copy(), dict(state["settings"]))
+
+    @cached_property
+    def points(self) -> FloatArray:
+        """The points where they were put, rounded."""
+        return self._box.rows("points")
+
+    @cached_property
+    def vectors(self) -> FloatArray:
+        """The vectors that repeat, rounded."""
+        return self._box.rows("vectors")
+
+    @cached_property
+    def simplices(self) -> IndexArray:
+        """The corners of one tetrahedron of each class."""
+        return self._box.integers("tetrahedra").reshape(-1, 4)
+
+    @cached_property
+    def offsets(self) -> IndexArray:
+        """The multiples of the vectors that are added to the points of the corners."""
+        return self._box.integers("offsets").reshape(-1, 4, 3)
+
+    @cached_property
+    def neighbors(self) -> IndexArray:
+        """The tetrahedra opposite the corners; -1 where a slab or a wire ends."""
+        return self._box.integers("neighbors").reshape(-1, 4)
+
+    @cached_property
+    def neighbor_offsets(self) -> IndexArray:
+        """The multiples by which a neighbour is moved to be there."""
+        return self._box.integers("neighbor_offsets").reshape(-1, 4, 3)
 
     def move(self, points: ArrayLike) -> None:
         """Moves all points, as in a time step. What was computed before is forgotten. The triangulation
-        starts with the images that the last one needed.
+        starts with the images that the last one needed. If the call is stopped or fails after the points
+        have moved, there is no triangulation until the next one, and attributes raise `NotBuiltError`.
 
         Parameters
         ----------
         points : array_like of float, shape (n, 3)
             Where they are now.
         """
-        rows = np.ascontiguousarray(as_points(points))
+        rows = np.array(as_points(points), np.float64, order="C")
         self._box.call("move_points", len(rows), None, address(rows))
+        self._given = rows
         self._build()
 
     def check(self) -> None:
@@ -274,10 +312,10 @@ class PeriodicDelaunay:
         return self._box.measures("faces", len(self.points)).astype(np.int32)
 
     def __repr__(self) -> str:
-        k = len(self.vectors)
+        k = len(self._given_vectors)
         return (
-            f"<mgdt.PeriodicDelaunay: {len(self.points)} points, {k} vector{'' if k == 1 else 's'}, "
-            f"{len(self.simplices)} tetrahedra>"
+            f"<mgdt.PeriodicDelaunay: {len(self._given)} points, {k} vector{'' if k == 1 else 's'}, "
+            f"{self._box.number('tetrahedra')} tetrahedra>"
         )
 
 
@@ -350,7 +388,7 @@ class PeriodicVoronoi(Diagram):
     @cached_property
     def areas(self) -> FloatArray:
         """Areas of the surfaces of the cells, with the faces that are left out."""
-        return self.delaunay.areas
+        return self._arrays["cell_areas"] if "cell_areas" in self._arrays else cell_areas(self._arrays)
 
     @cached_property
     def neighbor_images(self) -> list[list[list[int]]]:
