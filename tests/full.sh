@@ -36,7 +36,7 @@ if build gcc g++ all -Dbuildtype=debugoptimized -Ddebug=false -Db_ndebug=true; t
 fi
 # What clang++ compiles runs under Valgrind, with assertions.
 suites='unit property api cxx cli fuzz faults hosts bench'
-if build clang clang++ "$suites" -Dbuildtype=release -Doptimization=1 -Db_ndebug=false; then
+if build clang clang++ "$suites -cgal -dialects -script -long" -Dbuildtype=release -Doptimization=1 -Db_ndebug=false; then
     selection=
     for suite in $suites; do selection="$selection --suite $suite"; done
     # shellcheck disable=SC2086 # options are words
