@@ -120,8 +120,19 @@ bool calls_domain() {
     if (domain.array<std::int32_t>(mgdt::DomainArray::region_markers).at(0) != 9) return false;
     if (domain.points() != points || !domain.steiner_parameters().empty()) return false;
     domain.add_hole({0.1, 0.1, 0.1});
-    domain.build();
-    if (domain.number(mgdt::DomainNumber::tetrahedra) != 0) return false;
+    domain.set_option(mgdt::DomainOption::strict, 1);
+    try {
+        domain.build();
+        return false;
+    } catch (const mgdt::Error& e) {
+        if (e.status() != MGDT_ERR_OPEN_BOUNDARY) return false;
+    }
+    try {
+        (void)domain.array(mgdt::DomainArray::tetrahedra);
+        return false;
+    } catch (const mgdt::Error& e) {
+        if (e.status() != MGDT_ERR_NOT_BUILT) return false;
+    }
     try {
         domain.set_triangles(corners, std::vector<std::int32_t>{1});
         return false;
