@@ -52,9 +52,7 @@ Rational farther_than_corners(const std::vector<double>& xyz) {
 class CellRows : public testing::TestWithParam<property::Row> {};
 
 TEST_P(CellRows, AreThoseOfRationalNumbers) {
-    const std::vector<double> xyz = distinct_points(GetParam(), is_smallest() ? 4
-                                                                : is_small()  ? 5
-                                                                              : 10);
+    const std::vector<double> xyz = distinct_points(GetParam(), is_small() ? 5 : 10);
     Triangulation t(nullptr, nullptr, nullptr);
     const double* const axis[3] = {xyz.data(), xyz.data() + 1, xyz.data() + 2};
     t.insert(xyz.size() / 3, axis, 3);
